@@ -1,0 +1,41 @@
+using System;
+using System.Collections.Generic;
+
+namespace Rabit.Mavlink;
+
+/// <summary>The set of messages that a receiver knows: id to checksum byte, lengths and address fields. Immutable, safe from any thread.</summary>
+public sealed partial class MavlinkDialect
+{
+    private readonly Dictionary<int, MavlinkMessageInfo> _byId;
+
+    /// <summary>Makes a dialect of the given messages.</summary>
+    /// <param name="name">What to call it in errors and tools.</param>
+    /// <param name="messages">Its messages; no id may come twice.</param>
+    /// <exception cref="ArgumentException">Two messages have one id; the text names both.</exception>
+    public MavlinkDialect(string name, IReadOnlyCollection<MavlinkMessageInfo> messages)
+    {
+        Name = name ?? throw new ArgumentNullException(nameof(name));
+        _byId = new Dictionary<int, MavlinkMessageInfo>((messages ?? throw new ArgumentNullException(nameof(messages))).Count);
+        foreach (MavlinkMessageInfo message in messages)
+        {
+            if (_byId.TryGetValue(message.Id, out MavlinkMessageInfo other))
+                throw new ArgumentException($"Dialect '{name}': {other.Name} and {message.Name} both have id {message.Id}.", nameof(messages));
+            _byId.Add(message.Id, message);
+        }
+    }
+
+    /// <summary>What the dialect is called.</summary>
+    public string Name { get; }
+
+    /// <summary>How many messages it has.</summary>
+    public int Count => _byId.Count;
+
+    /// <summary>Its messages, in no order.</summary>
+    public IReadOnlyCollection<MavlinkMessageInfo> Messages => _byId.Values;
+
+    /// <summary>Looks a message up by id.</summary>
+    /// <param name="messageId">Any number; one that is no id is simply not found.</param>
+    /// <param name="message">The description where found.</param>
+    /// <returns>Whether the dialect knows the id.</returns>
+    public bool TryGetMessage(int messageId, out MavlinkMessageInfo message) => _byId.TryGetValue(messageId, out message);
+}
