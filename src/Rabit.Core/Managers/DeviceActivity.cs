@@ -1,0 +1,97 @@
+using System;
+using Rabit.Core.Diagnostics;
+
+namespace Rabit.Core.Managers;
+
+/// <summary>What readers and writers have in common: they open a device at their first turn, and report what it throws.</summary>
+internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner manager, DeviceHealth health) : Activity(name, wakeUp)
+{
+    private bool _isOpen;
+    private RabitLog? _log;
+
+    public abstract bool Blocks { get; }
+
+    public override string Doing => "using its device";
+
+    protected DeviceHealth Health { get; } = health;
+
+    protected RunClock Clock { get; private set; } = null!;
+
+    protected bool HasFinished => Health.State is DeviceState.Ended or DeviceState.Faulted;
+
+    public void Connect(RunClock clock, RabitLog log)
+    {
+        Clock = clock;
+        _log = log;
+    }
+
+    public override void Begin()
+    {
+    }
+
+    public override NextTurn TakeTurn(WakeUps wakes, TimeSpan? wokenAt)
+    {
+        if (HasFinished)
+            return NextTurn.Never;
+        try
+        {
+            if (!_isOpen)
+            {
+                Health.State = DeviceState.Running;
+                _isOpen = true;
+                Open();
+            }
+
+            return Work();
+        }
+        catch (Exception e)
+        {
+            // A device is the outside world: whatever it throws is a fault of this reader or writer and of nobody else.
+            Finish(DeviceState.Faulted, e);
+            return NextTurn.Never;
+        }
+    }
+
+    public override void End()
+    {
+        try
+        {
+            if (_isOpen)
+                Close();
+        }
+        catch (Exception e)
+        {
+            Report("could not close its device", e);
+        }
+
+        if (!HasFinished)
+            Health.State = DeviceState.Stopped;
+    }
+
+    protected abstract void Open();
+
+    protected abstract NextTurn Work();
+
+    protected abstract void Close();
+
+    protected void Finish(DeviceState state, Exception? fault)
+    {
+        Health.Fault = fault;
+        Health.State = state;
+        if (fault is null)
+            _log!.Write(RabitLogKind.Lifecycle, Name, "ended");
+        else
+            Report("failed", fault);
+        manager.WakeUp!.Wake(WakeUpCauses.Device);
+    }
+
+    protected void ReportDiscarded(long count)
+    {
+        Health.AddDiscarded(count);
+        if (count > 0)
+            _log!.Write(RabitLogKind.Note, Name, FormattableString.Invariant($"{count} values were lost at the end"));
+    }
+
+    private void Report(string what, Exception e)
+        => _log!.Write(RabitLogKind.Fault, Name, $"{what}: {e.GetType().Name}: {e.Message}", e);
+}

@@ -1,0 +1,21 @@
+using System;
+using System.Threading;
+using Rabit.Core.Diagnostics;
+
+namespace Rabit.Core.Managers;
+
+/// <summary>What a manager is given of the run that it is part of.</summary>
+internal sealed class ManagerRun(RunClock clock, RabitLog log, Action<string> requestStop)
+{
+    private int _resetRequested;   // set by any thread, taken by the manager's
+
+    public RunClock Clock { get; } = clock;
+
+    public RabitLog Log { get; } = log;
+
+    public void RequestStop(string reason) => requestStop(reason);
+
+    public void ResetStatistics() => Volatile.Write(ref _resetRequested, 1);
+
+    public bool TakeReset() => Volatile.Read(ref _resetRequested) != 0 && Interlocked.Exchange(ref _resetRequested, 0) != 0;
+}

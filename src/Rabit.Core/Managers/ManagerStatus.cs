@@ -1,0 +1,38 @@
+using System;
+
+namespace Rabit.Core;
+
+/// <summary>
+/// What a manager tells of itself: a message of its own (<see cref="RabitManager.SubscribeToStatus"/>), posted when its
+/// state changes and after every unit of work. A plain value.
+/// </summary>
+/// <remarks>A status that is older than the wake-up delay for long means a unit of work that does not come back.</remarks>
+public struct ManagerStatus
+{
+    /// <summary>Where the manager is in its life.</summary>
+    public ManagerState State { get; internal set; }
+
+    /// <summary>Units of work that were run.</summary>
+    public long Runs { get; internal set; }
+
+    /// <summary>Why they were run.</summary>
+    public WakeUpCounts WakeUps { get; internal set; }
+
+    /// <summary>How long they took, by the clock of the run: in virtual time their modelled duration.</summary>
+    public DurationStatistics UnitOfWorkTime { get; internal set; }
+
+    /// <summary>From the wake-up (or the moment the timer was due) to the unit of work, where the manager slept.</summary>
+    public DurationStatistics WakeLatency { get; internal set; }
+
+    /// <summary>Exceptions that left the manager's code.</summary>
+    public long Faults { get; internal set; }
+
+    /// <summary>The last one: stage, type and text. Null when there was none.</summary>
+    public string? LastFault { get; internal set; }
+
+    /// <summary>The wake-up delay that holds now.</summary>
+    public TimeSpan WakeUpDelay { get; internal set; }
+
+    /// <summary>When the last unit of work began, by <see cref="RabitManager.Now"/>.</summary>
+    public TimeSpan LastRunAt { get; internal set; }
+}

@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Core.Managers;
+using Rabit.Core.Messaging;
+using Rabit.Core.Workspaces;
+
+namespace Rabit.Core;
+
+/// <summary>
+/// One of the things that a control program has going on at once. Derive from it, say in the constructor what it publishes,
+/// fetches, sends and receives, and write its unit of work. It runs on a thread of its own (a turn of its own in virtual time)
+/// and meets others only through messages and queues.
+/// </summary>
+/// <remarks>
+/// <see cref="Startup"/>, <see cref="ExecuteUnitOfWork"/> and <see cref="Shutdown"/> run on the manager's thread. Between units
+/// of work it sleeps until something wakes it: the timer, a post, push or pop that it asked to be woken by, or
+/// <see cref="WakeUp"/>. Wake-ups do not stack: any number that come during a unit of work cause exactly one more.
+/// </remarks>
+public abstract partial class RabitManager
+{
+    private readonly EndOwner _owner;
+    private TimeSpan _wakeUpDelay = TimeSpan.FromSeconds(1);
+    private FaultPolicy _faultPolicy = FaultPolicy.StopSystem;
+    private ManagerRun? _run;
+
+    /// <summary>Names the manager. Derived constructors record what it posts, fetches, sends and receives; nothing runs yet.</summary>
+    /// <param name="name">Unique within its reactor; also the name of its thread.</param>
+    /// <exception cref="ArgumentException">The name is empty.</exception>
+    protected RabitManager(string name)
+    {
+        Name = Require.Name(name, nameof(name), "A manager");
+        WakeUpEvent = new WakeUpEvent();
+        _owner = new EndOwner(Name, isManager: true, WakeUpEvent);
+        StatusPublisher = new MessagePublisher<ManagerStatus>(Declare(
+            new MessageBinding<ManagerStatus>(_owner, EndRole.Publish, StatusMessageName(Name)) { IsBuiltIn = true }));
+    }
+
+    /// <summary>The name, unique within its reactor.</summary>
+    public string Name { get; }
+
+    /// <summary>
+    /// How long the manager sleeps before its timer wakes it, from the moment it goes to sleep. 1 s by default. The unit of work
+    /// may change it at any time; the change holds from the next sleep. It cannot be switched off, but it can be made long.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">Zero or negative.</exception>
+    public TimeSpan WakeUpDelay
+    {
+        get => _wakeUpDelay;
+        protected set => _wakeUpDelay = Require.Positive(value, nameof(value), $"The wake-up delay of manager '{Name}'");
+    }
+
+    /// <summary>What happens after an exception left the manager's code; by default the system stops. Set before the start.</summary>
+    public FaultPolicy FaultPolicy
+    {
+        get => _faultPolicy;
+        set => _faultPolicy = Require.NotNull(value, nameof(value));
+    }
+
+    /// <summary>Why the running unit of work runs. By default everything is done on every wake, and nobody needs to ask.</summary>
+    protected WakeUpCauses WakeUpCauses { get; private set; }
+
+    /// <summary>Time since the reactor was made, on the monotonic clock of the run: the time of all stamps. Any thread.</summary>
+    /// <exception cref="InvalidOperationException">The manager is not in a reactor that has started.</exception>
+    protected TimeSpan Now => Run.Clock.Now;
+
+    /// <summary>The clock of the run, for wall time. Any thread.</summary>
+    /// <exception cref="InvalidOperationException">The manager is not in a reactor that has started.</exception>
+    protected TimeProvider Clock => Run.Clock.Provider;
+
+    internal WakeUpEvent WakeUpEvent { get; }
+
+    internal EndOwner Owner => _owner;
+
+    internal MessagePublisher<ManagerStatus> StatusPublisher { get; }
+
+    internal List<EndDeclaration> Declarations { get; } = [];
+
+    internal List<DeviceActivity> Readers { get; } = [];
+
+    internal List<DeviceActivity> Writers { get; } = [];
+
+    private ManagerRun Run => _run ?? throw new InvalidOperationException($"Manager '{Name}' is not in a reactor that has started.");
+
+    /// <summary>The name of the message by which a manager tells its <see cref="ManagerStatus"/>.</summary>
+    /// <param name="managerName">The manager.</param>
+    public static string StatusMessageName(string managerName) => managerName + "/status";
+
+    /// <summary>Wakes the manager: a unit of work that starts after this call sees what the caller did before it. Any thread, never waits.</summary>
+    public void WakeUp() => WakeUpEvent.Wake(WakeUpCauses.Request);
+
+    /// <summary>Starts the figures of <see cref="ManagerStatus"/> anew with the next unit of work. Any thread.</summary>
+    public void ResetStatistics() => _run?.ResetStatistics();
+
+    /// <summary>Called once, before the first unit of work of any manager.</summary>
+    protected virtual void Startup()
+    {
+    }
+
+    /// <summary>The work: fetch, pop, compute, post, push, return. It should not block; see <see cref="AttachReader{T}"/> for devices.</summary>
+    protected abstract void ExecuteUnitOfWork();
+
+    /// <summary>Called once at the end, if <see cref="Startup"/> was called, whatever ended the run.</summary>
+    protected virtual void Shutdown()
+    {
+    }
+
+    /// <summary>Writes a line to the log of the run. Any thread.</summary>
+    /// <param name="text">One line.</param>
+    protected void Log(string text) => Run.Log.Write(RabitLogKind.Manager, Name, text);
+
+    /// <summary>Asks the reactor to stop all managers in order; comes back at once. Any thread.</summary>
+    /// <param name="reason">For the result of the run.</param>
+    protected void StopSystem(string reason) => Run.RequestStop($"{Name}: {reason}");
+
+    internal void Attach(ManagerRun run) => _run = run;
+
+    internal void RunStartup() => Startup();
+
+    internal void RunUnitOfWork(WakeUpCauses causes)
+    {
+        WakeUpCauses = causes;
+        try
+        {
+            ExecuteUnitOfWork();
+        }
+        finally
+        {
+            WakeUpCauses = WakeUpCauses.None;
+        }
+    }
+
+    internal void RunShutdown() => Shutdown();
+}

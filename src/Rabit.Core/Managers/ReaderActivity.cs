@@ -1,0 +1,67 @@
+using System;
+using Rabit.Core.Messaging;
+
+namespace Rabit.Core.Managers;
+
+/// <summary>Reads a source into its manager's queue.</summary>
+internal sealed class ReaderActivity<T>(
+    string name, WakeUpEvent wakeUp, EndOwner manager, DeviceHealth health, IReaderSource<T> source, QueueBinding<T> sender)
+    : DeviceActivity(name, wakeUp, manager, health)
+{
+    // A source that always has more gives the others a turn, and a stop a chance, after so many values.
+    private const int ValuesPerTurn = 64;
+
+    private T _value = default!;
+    private bool _holdsValue;   // read, and waiting for room in the queue
+
+    public override bool Blocks => source.Blocks;
+
+    public override void Unblock() => source.Unblock();
+
+    protected override void Open() => source.Open(new ReaderContext(Clock, WakeUp));
+
+    protected override NextTurn Work()
+    {
+        for (int values = 0; values < ValuesPerTurn && !WakeUp.StopRequested; values++)
+        {
+            if (_holdsValue && !TryHandOver())
+                return NextTurn.At(TimeSpan.MaxValue);
+
+            ReaderStep step = source.Read(out _value);
+            if (step.Kind == ReaderStepKind.Wait)
+                return NextTurn.At(step.Due);
+            if (step.Kind == ReaderStepKind.Ended)
+            {
+                Finish(DeviceState.Ended, fault: null);
+                return NextTurn.Never;
+            }
+
+            _holdsValue = true;
+        }
+
+        return _holdsValue && !TryHandOver() ? NextTurn.At(TimeSpan.MaxValue) : NextTurn.At(TimeSpan.Zero);
+    }
+
+    protected override void Close()
+    {
+        source.Close();
+        ReportDiscarded(_holdsValue ? 1 : 0);
+    }
+
+    private bool TryHandOver()
+    {
+        MessageQueue<T> queue = sender.Queue!;
+        if (queue.FullMode == QueueFullMode.Wait)
+        {
+            _holdsValue = !queue.TryPushOrWait(_value, WakeUp);
+        }
+        else
+        {
+            // The books of the queue tell what was rejected or dropped.
+            queue.Push(_value);
+            _holdsValue = false;
+        }
+
+        return !_holdsValue;
+    }
+}

@@ -1,0 +1,105 @@
+using System;
+using System.Threading;
+
+namespace Rabit.Core.Managers;
+
+/// <summary>
+/// Wakes one sleeper. Any thread may wake; only the sleeper sleeps and takes.
+/// </summary>
+/// <remarks>
+/// Requirements (contract 1.2, 1.4, 1.6):
+/// <list type="bullet">
+/// <item>a wake that returned is seen by a take that starts later: none is lost;</item>
+/// <item>wakes merge: any number between two takes are one, with all their causes, and are counted;</item>
+/// <item>a wake of a sleeper that is awake costs one interlocked operation and never enters the kernel;</item>
+/// <item>a stop gets through whatever the sleeper waits for.</item>
+/// </list>
+/// All of the state is one 32-bit word (64-bit words are not atomic on the 32-bit boards we run on): causes, a mark
+/// "asleep", and the number of wakes since the last take. It is changed by compare-and-swap only, a full fence on every
+/// runtime, so what a waker wrote before it woke is visible to the sleeper after it took.
+/// The race it closes: the sleeper looks, finds nothing, and is about to wait, while a waker sets a cause. The mark and
+/// the look are one compare-and-swap: either the waker finds the mark and signals, or the sleeper finds the cause and
+/// does not wait. A signal that comes late (the sleeper had already timed out) is kept by the signal and ends the next
+/// wait early; whoever waits must look again, and does.
+/// </remarks>
+internal sealed class WakeUpEvent
+{
+    public const int Stop = 128;
+
+    // These wake even a sleeper that waits for them alone and already holds other causes.
+    private const int Urgent = Stop | (int)WakeUpCauses.Start;
+    private const int AllCauses = 255;
+    private const int Asleep = 256;
+    private const int OneWake = 512;
+    private const uint CountIsFull = 0xFFFF_FE00;
+
+    private int _state;            // written by all, by compare-and-swap
+    private long _wokenAtTicks;    // written by the waker that ends a sleep, before it signals; read by the sleeper
+    private IWakeSignal? _signal;  // written once, before the sleeper first sleeps
+    private RunClock? _clock;      // same
+
+    /// <summary>Whether a stop was asked for and not yet taken.</summary>
+    public bool StopRequested => Has(Stop);
+
+    /// <summary>When the wake that ended the last sleep came.</summary>
+    public TimeSpan WokenAt => new(Interlocked.Read(ref _wokenAtTicks));
+
+    /// <summary>Tells what to signal. Wakes that came before are kept.</summary>
+    public void Connect(IWakeSignal signal, RunClock clock)
+    {
+        _clock = clock;
+        _signal = signal;
+    }
+
+    public void Wake(WakeUpCauses cause) => Wake((int)cause);
+
+    public void RequestStop() => Wake(Stop);
+
+    /// <summary>Marks the sleeper asleep, unless one of the wanted causes is already there.</summary>
+    /// <returns>False when there is something to take now.</returns>
+    public bool TryFallAsleep(int wanted)
+    {
+        int seen = Volatile.Read(ref _state);
+        while ((seen & wanted) == 0)
+        {
+            int found = Interlocked.CompareExchange(ref _state, seen | Asleep, seen);
+            if (found == seen)
+                return true;
+            seen = found;
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether one of the wanted causes is there.</summary>
+    public bool Has(int wanted) => (Volatile.Read(ref _state) & wanted) != 0;
+
+    /// <summary>Takes all causes, and wakes the sleeper in the books.</summary>
+    public WakeUps Take()
+    {
+        int taken = Interlocked.Exchange(ref _state, 0);
+        return new WakeUps((WakeUpCauses)(taken & AllCauses & ~Stop), (int)((uint)taken / OneWake), (taken & Stop) != 0);
+    }
+
+    private void Wake(int cause)
+    {
+        int seen = Volatile.Read(ref _state);
+        while (true)
+        {
+            int next = seen | cause;
+            if (cause != Stop && (uint)seen < CountIsFull)
+                next += OneWake;
+            int found = Interlocked.CompareExchange(ref _state, next, seen);
+            if (found == seen)
+                break;
+            seen = found;
+        }
+
+        bool first = (seen & AllCauses) == 0 || (cause & Urgent) != 0;
+        if ((seen & Asleep) != 0 && first)
+        {
+            Interlocked.Exchange(ref _wokenAtTicks, _clock!.Now.Ticks);
+            _signal!.Set();
+        }
+    }
+}

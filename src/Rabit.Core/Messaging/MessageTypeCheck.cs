@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics.CodeAnalysis;
+using System.Reflection;
+using Rabit.Core.Workspaces;
+
+namespace Rabit.Core.Messaging;
+
+/// <summary>
+/// Refuses a message type that would let two managers share something that one of them can change (contract 2.5): its copies
+/// must be independent all the way down.
+/// </summary>
+internal static class MessageTypeCheck
+{
+    private static readonly HashSet<string> TrustedTypes = new(StringComparer.Ordinal)
+    {
+        "System.String", "System.Version", "System.Uri", "System.TimeZoneInfo", "System.Globalization.CultureInfo",
+    };
+
+    /// <summary>Why the type cannot be a message, with the path of the field that is to blame; null when it can.</summary>
+    public static string? FindFault(Type type) => FindFault(type, TypeNames.Of(type), []);
+
+    private static string? FindFault(Type type, string path, HashSet<Type> visited)
+    {
+        if (type.IsPrimitive || type.IsEnum || TrustedTypes.Contains(type.FullName ?? string.Empty) || !visited.Add(type))
+            return null;
+        if (type.IsPointer)
+            return $"{path} is a pointer, which copies would share.";
+        if (IsImmutableCollection(type))
+            return FindFaultInArguments(type, path, visited);
+        if (type.IsArray)
+            return $"{path} is an array ({TypeNames.Of(type)}), which copies would share; use an immutable collection.";
+        if (typeof(Delegate).IsAssignableFrom(type))
+            return $"{path} is a delegate ({TypeNames.Of(type)}), which may reach anything.";
+        if (type.IsInterface || type == typeof(object))
+            return $"{path} is of type {TypeNames.Of(type)}, which may hold something mutable.";
+        if (!type.IsValueType && !type.IsSealed)
+            return $"{path} is of class {TypeNames.Of(type)}, which is not sealed: a derived one may hold something mutable.";
+        return FindFaultInFields(type, path, visited);
+    }
+
+    [UnconditionalSuppressMessage("Trimming", "IL2070", Justification = "A field that trimming removed holds nothing that could be shared.")]
+    [UnconditionalSuppressMessage("Trimming", "IL2075", Justification = "A field that trimming removed holds nothing that could be shared.")]
+    private static string? FindFaultInFields(Type type, string path, HashSet<Type> visited)
+    {
+        const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+        for (Type? declaring = type; declaring is not null && declaring != typeof(object); declaring = declaring.BaseType)
+        {
+            foreach (FieldInfo field in declaring.GetFields(Own))
+            {
+                string fieldPath = $"{path}.{NameOf(field)}";
+                if (!type.IsValueType && !field.IsInitOnly)
+                    return $"{fieldPath} can be changed, and {TypeNames.Of(type)} is a class, which copies would share; make it readonly or use a struct.";
+                if (FindFault(field.FieldType, fieldPath, visited) is { } why)
+                    return why;
+            }
+        }
+
+        return null;
+    }
+
+    private static string? FindFaultInArguments(Type type, string path, HashSet<Type> visited)
+    {
+        foreach (Type argument in type.GetGenericArguments())
+        {
+            if (FindFault(argument, $"{path}<{TypeNames.Of(argument)}>", visited) is { } why)
+                return why;
+        }
+
+        return null;
+    }
+
+    private static bool IsImmutableCollection(Type type)
+        => type.Namespace is "System.Collections.Immutable" or "System.Collections.Frozen" && !type.IsInterface && !IsBuilder(type);
+
+    private static bool IsBuilder(Type type) => type.Name == "Builder";
+
+    // "<Samples>k__BackingField" is property Samples to its author.
+    private static string NameOf(FieldInfo field)
+    {
+        int end = field.Name.IndexOf('>');
+        return field.Name[0] == '<' && end > 1 ? field.Name.Substring(1, end - 1) : field.Name;
+    }
+}

@@ -1,0 +1,35 @@
+namespace Rabit.Core;
+
+/// <summary>
+/// The books of a queue at one instant: pushed = popped + dropped + resident, always. A plain value.
+/// </summary>
+public readonly struct QueueCounters
+{
+    internal QueueCounters(long pushed, long popped, long dropped, long rejected, int resident, int capacity)
+    {
+        Pushed = pushed;
+        Popped = popped;
+        Dropped = dropped;
+        Rejected = rejected;
+        Resident = resident;
+        Capacity = capacity;
+    }
+
+    /// <summary>Values that were put in.</summary>
+    public long Pushed { get; }
+
+    /// <summary>Values that were taken out by the receiver.</summary>
+    public long Popped { get; }
+
+    /// <summary>Values that were put in and had to make room for newer ones.</summary>
+    public long Dropped { get; }
+
+    /// <summary>Values that were never put in, because the queue was full.</summary>
+    public long Rejected { get; }
+
+    /// <summary>Values that are in the queue now.</summary>
+    public int Resident { get; }
+
+    /// <summary>How many fit in.</summary>
+    public int Capacity { get; }
+}

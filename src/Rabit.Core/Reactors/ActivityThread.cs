@@ -1,0 +1,91 @@
+using System;
+using System.Threading;
+using Rabit.Core.Managers;
+
+namespace Rabit.Core.Reactors;
+
+/// <summary>The thread of one activity: begin, sleep until the barrier opens, turns, end.</summary>
+internal sealed class ActivityThread : IDisposable
+{
+    private readonly Activity _activity;
+    private readonly RunClock _clock;
+    private readonly EventWakeSignal _signal = new();
+    private readonly object _changed;   // the engine's; guards the two marks below
+    private bool _hasBegun;
+    private bool _hasEnded;
+
+    public ActivityThread(Activity activity, RunClock clock, object changed)
+    {
+        _activity = activity;
+        _clock = clock;
+        _changed = changed;
+        _activity.WakeUp.Connect(_signal, clock);
+    }
+
+    /// <summary>Read under the engine's lock.</summary>
+    public bool HasBegun => Volatile.Read(ref _hasBegun);
+
+    /// <summary>Read under the engine's lock.</summary>
+    public bool HasEnded => Volatile.Read(ref _hasEnded);
+
+    // A background thread: a manager that hangs is reported, and does not keep the process alive.
+    public void Start() => new Thread(Run) { Name = _activity.Name, IsBackground = true }.Start();
+
+    public void Dispose()
+    {
+        // A thread that did not end still needs its signal.
+        if (HasEnded)
+            _signal.Dispose();
+    }
+
+    private void Run()
+    {
+        _activity.Begin();
+        Announce(ref _hasBegun);
+
+        NextTurn next = NextTurn.AtStart();
+        while (true)
+        {
+            WakeUps wakes = SleepUntil(next, out TimeSpan? wokenAt);
+            if (wakes.Stop)
+                break;
+            next = _activity.TakeTurn(wakes, wokenAt);
+            if (next.IsNever)
+                next = NextTurn.OnlyAt(TimeSpan.MaxValue);
+        }
+
+        _activity.End();
+        Announce(ref _hasEnded);
+    }
+
+    private WakeUps SleepUntil(NextTurn next, out TimeSpan? wokenAt)
+    {
+        wokenAt = null;
+        WakeUpEvent wakeUp = _activity.WakeUp;
+        while (wakeUp.TryFallAsleep(next.Wanted))
+        {
+            TimeSpan left = next.Due - _clock.Now;
+            if (left <= TimeSpan.Zero)
+            {
+                wokenAt = next.Due;
+                return wakeUp.Take().With(WakeUpCauses.Timer);
+            }
+
+            wokenAt = null;
+            _signal.Wait(left);
+            if (wakeUp.Has(next.Wanted))
+                wokenAt = wakeUp.WokenAt;
+        }
+
+        return wakeUp.Take();
+    }
+
+    private void Announce(ref bool mark)
+    {
+        lock (_changed)
+        {
+            Volatile.Write(ref mark, true);
+            Monitor.PulseAll(_changed);
+        }
+    }
+}

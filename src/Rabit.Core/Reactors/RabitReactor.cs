@@ -1,0 +1,301 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Rabit.Core.Diagnostics;
+using Rabit.Core.Managers;
+using Rabit.Core.Reactors;
+
+namespace Rabit.Core;
+
+/// <summary>
+/// Runs managers: checks their wiring, starts them in order, waits until all have started up, lets them work until somebody
+/// stops the run, stops them in reverse order, and tells how each ended. For one run.
+/// </summary>
+public sealed class RabitReactor : IEnumerable<RabitManager>
+{
+    private const string Source = "reactor";
+
+    private readonly ReactorOptions _options;
+    private readonly RunClock _clock;
+    private readonly RabitLog _log;
+    private readonly ReactorEngine _engine;
+    private readonly List<RabitManager> _managers = [];
+    private readonly List<ManagerActivity> _activities = [];
+
+    // Guards the four fields below: a stop comes from any thread.
+    private readonly object _gate = new();
+    private bool _hasStarted;
+    private bool _isFinished;
+    private string? _stopReason;
+    private Exception? _failure;
+
+    /// <summary>A reactor in real time.</summary>
+    public RabitReactor()
+        : this(new ReactorOptions())
+    {
+    }
+
+    /// <summary>A reactor in the given time, otherwise with the default options.</summary>
+    /// <param name="time">Real or virtual; used by this reactor only.</param>
+    public RabitReactor(RabitTime time)
+        : this(new ReactorOptions { Time = Require.NotNull(time, nameof(time)) })
+    {
+    }
+
+    /// <summary>A reactor with options.</summary>
+    /// <param name="options">Checked and read now; later changes have no effect.</param>
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    public RabitReactor(ReactorOptions options)
+    {
+        Require.NotNull(options, nameof(options)).Validate(nameof(options));
+        _options = options;
+        _clock = new RunClock(options.Time.Clock);
+        _log = new RabitLog(options.Log, options.LogRuns, _clock);
+        _engine = options.Time.CreateEngine(new EngineContext(_clock, _log, Fail));
+    }
+
+    /// <summary>Where the managers meet; also gives ends to code outside managers.</summary>
+    public RabitWorkspace Workspace { get; } = new();
+
+    /// <summary>Time since the reactor was made, on the monotonic clock of the run; the same as <see cref="RabitManager.Now"/>. Any thread.</summary>
+    public TimeSpan Now => _clock.Now;
+
+    /// <summary>Adds a manager; they start in the order in which they were added. Before the start only.</summary>
+    /// <param name="manager">In one reactor only.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started, or the manager is in it already.</exception>
+    public void Add(RabitManager manager)
+    {
+        Require.NotNull(manager, nameof(manager));
+        lock (_gate)
+        {
+            if (_hasStarted)
+                throw new InvalidOperationException($"The reactor has started: manager '{manager.Name}' comes too late.");
+            if (_managers.Contains(manager))
+                throw new InvalidOperationException($"Manager '{manager.Name}' is in the reactor already.");
+            _managers.Add(manager);
+        }
+    }
+
+    /// <summary>Runs until somebody stops it, on the calling thread and those of the managers (virtual time: the calling thread alone).</summary>
+    /// <returns>How each manager ended.</returns>
+    /// <exception cref="RabitWiringException">The managers do not fit together; nothing was started.</exception>
+    /// <exception cref="InvalidOperationException">The reactor was started before.</exception>
+    public ReactorResult Run()
+    {
+        using StopSignals? signals = _options.StopsOnSignals ? new StopSignals(Stop, note => _log.Write(RabitLogKind.Note, Source, note)) : null;
+        Start();
+        return Finish();
+    }
+
+    /// <summary>As <see cref="Run"/>, on a thread of its own.</summary>
+    /// <param name="stop">Stops the run when cancelled; the task then ends with the result, not as cancelled.</param>
+    /// <returns>How each manager ended; or the exceptions of <see cref="Run"/>.</returns>
+    public async Task<ReactorResult> RunAsync(CancellationToken stop = default)
+    {
+        var ended = new TaskCompletionSource<ReactorResult>(TaskCreationOptions.RunContinuationsAsynchronously);
+        var thread = new Thread(() =>
+        {
+            try
+            {
+                ended.SetResult(Run());
+            }
+            catch (Exception e)
+            {
+                // It belongs to whoever awaits the task.
+                ended.SetException(e);
+            }
+        })
+        {
+            Name = Source,
+            IsBackground = true,
+        };
+        using (stop.Register(() => Stop("cancelled")))
+        {
+            thread.Start();
+            return await ended.Task.ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>
+    /// The first half of <see cref="Run"/>: wires, starts all managers and comes back. For tests and programs that have a thread
+    /// of their own to keep. Go on with <see cref="Finish"/>, in virtual time with <see cref="RunFor"/> before it.
+    /// </summary>
+    /// <exception cref="RabitWiringException">The managers do not fit together; nothing was started.</exception>
+    /// <exception cref="InvalidOperationException">The reactor was started before, or a manager is in another one.</exception>
+    public void Start()
+    {
+        lock (_gate)
+        {
+            if (_hasStarted)
+                throw new InvalidOperationException("The reactor was started before; make a new one with new managers.");
+            _hasStarted = true;
+        }
+
+        Prepare();
+        _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
+        foreach (ManagerActivity activity in _activities)
+        {
+            if (IsStopping)
+                return;
+            _engine.Begin(activity);
+        }
+
+        if (!IsStopping)
+            OpenBarrier();
+    }
+
+    /// <summary>Lets the managers work for a while and comes back, or comes back early when the run is stopped.</summary>
+    /// <param name="duration">By the clock of the run.</param>
+    /// <returns>False when the run is stopped: go on with <see cref="Finish"/>.</returns>
+    /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
+    public bool RunFor(TimeSpan duration)
+    {
+        RequireRunning();
+        _engine.RunUntil(_clock.Now + duration);
+        return !IsStopping;
+    }
+
+    /// <summary>The second half of <see cref="Run"/>: waits for a stop, stops all managers in reverse order, and tells how each ended.</summary>
+    /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
+    public ReactorResult Finish()
+    {
+        RequireRunning();
+        lock (_gate)
+            _isFinished = true;
+        _engine.RunUntil(TimeSpan.MaxValue);
+        TimeSpan duration = _clock.Now;
+        string reason = _stopReason ?? string.Empty;
+        _log.Write(RabitLogKind.Lifecycle, Source, "stops: " + reason);
+
+        var results = new List<ManagerResult>();
+        foreach (ManagerActivity activity in Enumerable.Reverse(_activities))
+            results.Add(EndManager(activity));
+        results.Reverse();
+        _engine.Dispose();
+        return new ReactorResult(reason, _failure, duration, results);
+    }
+
+    /// <summary>Asks for a stop and comes back at once. Any thread; the first reason counts.</summary>
+    /// <param name="reason">For the result.</param>
+    public void Stop(string reason = "asked to stop") => RequestStop(reason, failure: null);
+
+    /// <summary>
+    /// How long the turns of a manager took in real time. In virtual time, where the status holds virtual durations, it is
+    /// measured beside them and is never posted or logged. Any thread.
+    /// </summary>
+    /// <param name="managerName">The manager.</param>
+    /// <returns>Zero turns in real time, where <see cref="ManagerStatus.UnitOfWorkTime"/> says it.</returns>
+    /// <exception cref="ArgumentException">There is no manager of that name, or the reactor has not started.</exception>
+    public DurationStatistics RealTurnTime(string managerName)
+    {
+        ManagerActivity activity = _activities.Find(a => string.Equals(a.Name, managerName, StringComparison.Ordinal))
+            ?? throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
+        return _engine.RealTurnTime(activity);
+    }
+
+    /// <summary>The managers, in the order of their start.</summary>
+    public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+
+    private bool IsStopping
+    {
+        get
+        {
+            lock (_gate)
+                return _stopReason is not null;
+        }
+    }
+
+    private void Prepare()
+    {
+        RequireModelledManagersExist();
+        Workspace.Wire(_managers, _options.Time.AllowsBlocking, _clock, _log);
+        foreach (string note in Workspace.Notes)
+            _log.Write(RabitLogKind.Note, Source, note);
+
+        foreach (RabitManager manager in _managers)
+        {
+            var run = new ManagerRun(_clock, _log, reason => RequestStop(reason, failure: null));
+            manager.Attach(run);
+            foreach (DeviceActivity device in manager.Readers.Concat(manager.Writers))
+                device.Connect(_clock, _log);
+            _activities.Add(new ManagerActivity(manager, run));
+        }
+    }
+
+    private void OpenBarrier()
+    {
+        List<DeviceActivity> devices = _managers.SelectMany(m => m.Writers.Concat(m.Readers)).ToList();
+        foreach (DeviceActivity device in devices)
+            _engine.Begin(device);
+        foreach (Activity activity in _activities.Concat<Activity>(devices))
+            activity.WakeUp.Wake(WakeUpCauses.Start);
+    }
+
+    private ManagerResult EndManager(ManagerActivity activity)
+    {
+        var notStopped = new List<string>();
+        foreach (DeviceActivity reader in activity.Manager.Readers)
+            End(reader, notStopped);
+        if (activity.HasBegun)
+            End(activity, notStopped);
+        foreach (DeviceActivity writer in activity.Manager.Writers)
+            End(writer, notStopped);
+
+        (IReadOnlyList<ManagerFault> faults, long count) = activity.Faults;
+        ManagerOutcome outcome = !activity.HasBegun ? ManagerOutcome.NotStarted
+            : notStopped.Count > 0 ? ManagerOutcome.DidNotStop
+            : count > 0 ? ManagerOutcome.Faulted
+            : ManagerOutcome.Ended;
+        var result = new ManagerResult(activity.Name, outcome, activity.Runs, count, faults, notStopped);
+        _log.Write(RabitLogKind.Lifecycle, activity.Name, result.ToString());
+        return result;
+    }
+
+    private void End(Activity activity, List<string> notStopped)
+    {
+        if (!_engine.TryEnd(activity, _options.StopTimeout))
+            notStopped.Add($"{activity.Name}: {activity.Doing}");
+    }
+
+    private void Fail(Exception failure)
+    {
+        _log.Write(RabitLogKind.Fault, Source, failure.Message, failure);
+        RequestStop(failure.Message, failure);
+    }
+
+    private void RequestStop(string reason, Exception? failure)
+    {
+        lock (_gate)
+        {
+            _stopReason ??= reason;
+            _failure ??= failure;
+        }
+
+        _engine.RequestStop();
+    }
+
+    private void RequireRunning()
+    {
+        lock (_gate)
+        {
+            if (!_hasStarted || _isFinished)
+                throw new InvalidOperationException(_isFinished ? "The run has finished." : "The reactor has not started.");
+        }
+    }
+
+    private void RequireModelledManagersExist()
+    {
+        if (_options.Time is not VirtualTime time)
+            return;
+        string[] unknown = time.UnitOfWorkDurations.Keys
+            .Where(name => !_managers.Exists(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
+            .ToArray();
+        if (unknown.Length > 0)
+            throw new RabitWiringException([$"Virtual time models units of work of managers that are not in the reactor: {string.Join(", ", unknown)}."]);
+    }
+}

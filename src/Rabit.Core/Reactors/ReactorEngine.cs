@@ -1,0 +1,26 @@
+using System;
+using Rabit.Core.Managers;
+
+namespace Rabit.Core.Reactors;
+
+/// <summary>Gives activities their turns. The reactor decides what begins and ends when; the engine knows how, in its kind of time.</summary>
+internal abstract class ReactorEngine : IDisposable
+{
+    /// <summary>Lets an activity begin and comes back when it has, or when a stop was requested.</summary>
+    public abstract void Begin(Activity activity);
+
+    /// <summary>Comes back when a stop was requested, or at the given time.</summary>
+    public abstract void RunUntil(TimeSpan end);
+
+    /// <summary>Asks an activity to stop and lets it end.</summary>
+    /// <returns>False when it did not within the time limit; it then keeps its thread, which does not keep the process.</returns>
+    public abstract bool TryEnd(Activity activity, TimeSpan atMost);
+
+    /// <summary>From any thread: <see cref="Begin"/> and <see cref="RunUntil"/> come back soon.</summary>
+    public abstract void RequestStop();
+
+    /// <summary>How long the turns of an activity took in real time, whatever the clock of the run says.</summary>
+    public abstract DurationStatistics RealTurnTime(Activity activity);
+
+    public abstract void Dispose();
+}

@@ -1,0 +1,40 @@
+using System;
+using System.Collections.Generic;
+
+namespace Rabit.Core;
+
+/// <summary>How a reactor runs. Read once, when the reactor is made.</summary>
+public sealed class ReactorOptions
+{
+    /// <summary>Real or virtual time.</summary>
+    /// <value>The default is <see cref="RealTime"/>.</value>
+    public RabitTime Time { get; set; } = new RealTime();
+
+    /// <summary>Where the log goes; called on the thread that has something to say, so it must be safe from any. A log that throws harms nobody.</summary>
+    /// <value>The default is none; faults are in the result all the same.</value>
+    public Action<RabitLogEntry>? Log { get; set; }
+
+    /// <summary>Whether the log also tells of every unit of work, and why it runs.</summary>
+    /// <value>The default is false.</value>
+    public bool LogRuns { get; set; }
+
+    /// <summary>How long each manager, reader and writer may take to stop before it is reported as not stopped.</summary>
+    /// <value>The default is 2 s.</value>
+    public TimeSpan StopTimeout { get; set; } = TimeSpan.FromSeconds(2);
+
+    /// <summary>Whether Ctrl-C and SIGTERM stop the run in order instead of ending the process.</summary>
+    /// <value>The default is true.</value>
+    public bool StopsOnSignals { get; set; } = true;
+
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    internal void Validate(string parameter)
+    {
+        var faults = new List<string>();
+        if (Time is null)
+            faults.Add($"{nameof(Time)} is null.");
+        if (StopTimeout <= TimeSpan.Zero || StopTimeout > TimeSpan.FromHours(1))
+            faults.Add($"{nameof(StopTimeout)} is {StopTimeout}; it must be above zero and at most an hour.");
+        if (faults.Count > 0)
+            throw new ArgumentException("The reactor cannot be made: " + string.Join(" ", faults), parameter);
+    }
+}

@@ -1,0 +1,36 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Rabit.Core;
+
+/// <summary>How a run ended. Immutable.</summary>
+public sealed class ReactorResult
+{
+    internal ReactorResult(string stopReason, Exception? failure, TimeSpan duration, IReadOnlyList<ManagerResult> managers)
+    {
+        StopReason = stopReason;
+        Failure = failure;
+        Duration = duration;
+        Managers = managers;
+    }
+
+    /// <summary>Why it ended, in words.</summary>
+    public string StopReason { get; }
+
+    /// <summary>What was wrong with the run itself, for example virtual time that stood still.</summary>
+    public Exception? Failure { get; }
+
+    /// <summary>How long it lasted, by the clock of the run.</summary>
+    public TimeSpan Duration { get; }
+
+    /// <summary>How each manager ended, in the order of the start.</summary>
+    public IReadOnlyList<ManagerResult> Managers { get; }
+
+    /// <summary>0; or 1 if a manager faulted or did not stop, or the run itself failed.</summary>
+    public int ExitCode => Failure is null && Managers.All(m => m.Outcome is ManagerOutcome.Ended or ManagerOutcome.NotStarted) ? 0 : 1;
+
+    /// <summary>A line for the run and one for each manager.</summary>
+    public override string ToString()
+        => $"stopped: {StopReason}" + string.Concat(Managers.Select(m => "\n  " + m));
+}

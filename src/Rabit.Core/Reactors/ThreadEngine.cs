@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Rabit.Core.Managers;
+
+namespace Rabit.Core.Reactors;
+
+/// <summary>Real time: one thread per activity.</summary>
+internal sealed class ThreadEngine(EngineContext context) : ReactorEngine
+{
+    private readonly Dictionary<Activity, ActivityThread> _threads = [];
+
+    // Guards _stopRequested; pulsed at everything that a waiting reactor waits for.
+    private readonly object _changed = new();
+    private bool _stopRequested;
+
+    public override void Begin(Activity activity)
+    {
+        var thread = new ActivityThread(activity, context.Clock, _changed);
+        _threads.Add(activity, thread);
+        thread.Start();
+        WaitFor(() => thread.HasBegun || _stopRequested, TimeSpan.MaxValue);
+    }
+
+    public override void RunUntil(TimeSpan end) => WaitFor(() => _stopRequested, end);
+
+    public override bool TryEnd(Activity activity, TimeSpan atMost)
+    {
+        if (!_threads.TryGetValue(activity, out ActivityThread? thread))
+            return true;
+
+        activity.WakeUp.RequestStop();
+        if (activity.DrainsAtEnd && TryWaitForEnd(thread, atMost))
+            return true;
+        activity.Unblock();
+        return TryWaitForEnd(thread, atMost);
+    }
+
+    public override void RequestStop()
+    {
+        lock (_changed)
+        {
+            _stopRequested = true;
+            Monitor.PulseAll(_changed);
+        }
+    }
+
+    public override DurationStatistics RealTurnTime(Activity activity) => default;
+
+    public override void Dispose()
+    {
+        foreach (ActivityThread thread in _threads.Values)
+            thread.Dispose();
+    }
+
+    private bool TryWaitForEnd(ActivityThread thread, TimeSpan atMost)
+    {
+        WaitFor(() => thread.HasEnded, context.Clock.Now + atMost);
+        return thread.HasEnded;
+    }
+
+    private void WaitFor(Func<bool> condition, TimeSpan until)
+    {
+        lock (_changed)
+        {
+            while (!condition())
+            {
+                TimeSpan left = until == TimeSpan.MaxValue ? TimeSpan.FromHours(1) : until - context.Clock.Now;
+                if (left <= TimeSpan.Zero)
+                    return;
+                Monitor.Wait(_changed, (int)Math.Min(Math.Ceiling(left.TotalMilliseconds), 3_600_000));
+            }
+        }
+    }
+}

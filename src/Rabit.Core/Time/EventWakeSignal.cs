@@ -1,0 +1,27 @@
+using System;
+using System.Threading;
+
+namespace Rabit.Core;
+
+/// <summary>The portable wait engine: an <see cref="AutoResetEvent"/>. One thread waits, any thread sets.</summary>
+internal sealed class EventWakeSignal : IWakeSignal, IDisposable
+{
+    private static readonly TimeSpan LongestWait = TimeSpan.FromHours(1);
+
+    private readonly AutoResetEvent _event = new(initialState: false);
+
+    public void Set() => _event.Set();
+
+    /// <summary>Waits for a signal; may return early without one, so the caller looks at its own state again.</summary>
+    public void Wait(TimeSpan atMost)
+    {
+        if (atMost > LongestWait)
+            atMost = LongestWait;
+
+        // The event counts in milliseconds: round up, so that a timer is late by less than one and never early.
+        long milliseconds = (atMost.Ticks + TimeSpan.TicksPerMillisecond - 1) / TimeSpan.TicksPerMillisecond;
+        _event.WaitOne((int)milliseconds);
+    }
+
+    public void Dispose() => _event.Dispose();
+}

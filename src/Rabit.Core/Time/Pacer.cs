@@ -1,0 +1,34 @@
+using System;
+
+namespace Rabit.Core;
+
+/// <summary>Holds virtual time back to a multiple of real time, and measures what turns really take.</summary>
+internal sealed class Pacer(double pace)
+{
+    private readonly TimeProvider _real = TimeProvider.System;
+    private long _startCount;
+    private TimeSpan _startVirtual;
+    private bool _started;
+
+    public bool IsUnlimited => double.IsPositiveInfinity(pace);
+
+    /// <summary>The virtual time that should be now; the first call starts the pacing.</summary>
+    public TimeSpan Now(TimeSpan virtualNow)
+    {
+        if (!_started)
+        {
+            _startCount = _real.GetTimestamp();
+            _startVirtual = virtualNow;
+            _started = true;
+        }
+
+        return _startVirtual + new TimeSpan((long)(_real.GetElapsedTime(_startCount).Ticks * pace));
+    }
+
+    /// <summary>Real time until a virtual time comes.</summary>
+    public TimeSpan Until(TimeSpan virtualDue, TimeSpan virtualNow) => new((long)((virtualDue - virtualNow).Ticks / pace));
+
+    public long Mark() => _real.GetTimestamp();
+
+    public TimeSpan Since(long mark) => _real.GetElapsedTime(mark);
+}

@@ -1,0 +1,24 @@
+using System;
+using Rabit.Core.Reactors;
+
+namespace Rabit.Core;
+
+/// <summary>
+/// The one seam through which anything in Rabit tells the time or waits. Give one to the reactor: <see cref="RealTime"/>
+/// (threads and the machine's clock) or <see cref="VirtualTime"/> (one thread, a clock that jumps, an order fixed by a seed).
+/// Manager code cannot tell the difference.
+/// </summary>
+public abstract class RabitTime
+{
+    private protected RabitTime()
+    {
+    }
+
+    /// <summary>The clock. Managers see it as <see cref="RabitManager.Clock"/>; anything else that needs the time takes it from here.</summary>
+    public abstract TimeProvider Clock { get; }
+
+    /// <summary>Whether a source or target that blocks its thread may be used.</summary>
+    internal abstract bool AllowsBlocking { get; }
+
+    internal abstract ReactorEngine CreateEngine(EngineContext context);
+}

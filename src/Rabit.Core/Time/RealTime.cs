@@ -1,0 +1,25 @@
+using System;
+using Rabit.Core.Reactors;
+
+namespace Rabit.Core;
+
+/// <summary>Real time: every manager, reader and writer on a thread of its own, timed waits by the operating system. The default.</summary>
+public sealed class RealTime : RabitTime
+{
+    /// <summary>Real time by the machine's clock.</summary>
+    public RealTime()
+        : this(TimeProvider.System)
+    {
+    }
+
+    /// <summary>Real time by another clock, for example one that is disciplined by a GPS receiver.</summary>
+    /// <param name="clock">Its <see cref="TimeProvider.GetTimestamp"/> must be monotonic and run at the pace of real time; its wall clock may jump.</param>
+    public RealTime(TimeProvider clock) => Clock = Require.NotNull(clock, nameof(clock));
+
+    /// <inheritdoc/>
+    public override TimeProvider Clock { get; }
+
+    internal override bool AllowsBlocking => true;
+
+    internal override ReactorEngine CreateEngine(EngineContext context) => new ThreadEngine(context);
+}

@@ -1,0 +1,23 @@
+using System;
+using System.Threading;
+
+namespace Rabit.Core;
+
+/// <summary>A clock that stands still until the virtual-time engine moves it. Read from any thread.</summary>
+internal sealed class VirtualClock(DateTimeOffset startUtc) : TimeProvider
+{
+    private long _ticks;   // written by the engine's thread, read by all; 64 bits, so only through Interlocked
+
+    public override long TimestampFrequency => TimeSpan.TicksPerSecond;
+
+    public override TimeZoneInfo LocalTimeZone => TimeZoneInfo.Utc;
+
+    public override long GetTimestamp() => Interlocked.Read(ref _ticks);
+
+    public override DateTimeOffset GetUtcNow() => startUtc.AddTicks(GetTimestamp());
+
+    public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
+        => throw new NotSupportedException("Virtual time has no timers beside the wake-up delays of its managers: a timer's thread would not wait for its turn.");
+
+    public void MoveTo(TimeSpan now) => Interlocked.Exchange(ref _ticks, now.Ticks);
+}
