@@ -1,0 +1,149 @@
+using System;
+
+namespace Rabit.Mavlink;
+
+/// <summary>
+/// One MAVLink frame, checksum and signature included, as a plain value without references: it may sit in a queue or in a
+/// publish-subscribe message and is copied with it (about 290 bytes; pass it by <c>in</c> where a copy is not wanted).
+/// What was received is kept bit for bit, so that <see cref="WriteTo"/> gives the same bytes that came in: payload length
+/// as sent, flags, checksum, signature. <c>default</c> is no frame; its <see cref="Version"/> is <see cref="MavlinkVersion.None"/>.
+/// </summary>
+public unsafe partial struct MavlinkFrame
+{
+    /// <summary>The longest frame on the wire, in bytes: MAVLink 2 with a full payload and a signature.</summary>
+    public const int MaximumWireLength = WireFormat.MaxFrameLength;
+
+    /// <summary>The longest payload, in bytes.</summary>
+    public const int MaximumPayloadLength = WireFormat.MaxPayloadLength;
+
+    /// <summary>Length of a signature, in bytes: link id, time stamp, truncated hash.</summary>
+    public const int SignatureLength = WireFormat.SignatureLength;
+
+    private int _messageId;
+    private ushort _checksum;
+    private byte _version;
+    private byte _payloadLength;
+    private byte _incompatibilityFlags;
+    private byte _compatibilityFlags;
+    private byte _sequence;
+    private byte _systemId;
+    private byte _componentId;
+
+    // Zero beyond _payloadLength, always: a decoder gets the whole buffer and reads zero where the sender cut.
+    private fixed byte _payload[WireFormat.MaxPayloadLength];
+
+    // Zero unless the frame is signed.
+    private fixed byte _signature[WireFormat.SignatureLength];
+
+    /// <summary>The wire format it came in or will go out in.</summary>
+    public readonly MavlinkVersion Version => (MavlinkVersion)_version;
+
+    /// <summary>Flags that a receiver must understand or drop the frame; bit 0: signed. Zero in MAVLink 1.</summary>
+    public readonly byte IncompatibilityFlags => _incompatibilityFlags;
+
+    /// <summary>Flags that a receiver may ignore. Zero in MAVLink 1.</summary>
+    public readonly byte CompatibilityFlags => _compatibilityFlags;
+
+    /// <summary>The sender's frame counter, 0 to 255, then 0 again.</summary>
+    public readonly byte Sequence => _sequence;
+
+    /// <summary>System id of the sender; 1 to 255 where the sender is sound.</summary>
+    public readonly byte SystemId => _systemId;
+
+    /// <summary>Component id of the sender; 1 to 255 where the sender is sound.</summary>
+    public readonly byte ComponentId => _componentId;
+
+    /// <summary>The message id, 0 to 16 777 215.</summary>
+    public readonly int MessageId => _messageId;
+
+    /// <summary>Length of the payload on the wire, in bytes, 0 to 255.</summary>
+    public readonly int PayloadLength => _payloadLength;
+
+    /// <summary>The checksum on the wire. A frame from a reader carries the one received, which for an unknown id nobody could check.</summary>
+    public readonly ushort Checksum => _checksum;
+
+    /// <summary>Whether 13 signature bytes belong to the frame. They are carried, not judged.</summary>
+    public readonly bool IsSigned => (_incompatibilityFlags & WireFormat.SignedFlag) != 0;
+
+    /// <summary>How many bytes <see cref="WriteTo"/> writes; 0 for <c>default</c>.</summary>
+    public readonly int WireLength => Version switch
+    {
+        MavlinkVersion.V1 => WireFormat.HeaderLengthV1 + _payloadLength + WireFormat.ChecksumLength,
+        MavlinkVersion.V2 => WireFormat.HeaderLengthV2 + _payloadLength + WireFormat.ChecksumLength + (IsSigned ? WireFormat.SignatureLength : 0),
+        _ => 0,
+    };
+
+    /// <summary>One byte of the payload.</summary>
+    /// <param name="index">0 to 254. Zero is returned beyond <see cref="PayloadLength"/>: that is what a cut byte means.</param>
+    /// <returns>The byte.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The index is negative or above 254.</exception>
+    public readonly byte PayloadByte(int index)
+    {
+        if ((uint)index >= WireFormat.MaxPayloadLength)
+            ThrowHelper.PayloadIndexOutOfRange(index);
+        return _payload[index];
+    }
+
+    /// <summary>Copies the payload as it is on the wire.</summary>
+    /// <param name="destination">At least <see cref="PayloadLength"/> bytes.</param>
+    /// <returns>How many bytes were copied: <see cref="PayloadLength"/>.</returns>
+    /// <exception cref="ArgumentException">The span is too short.</exception>
+    public readonly int CopyPayloadTo(Span<byte> destination)
+    {
+        fixed (byte* payload = _payload)
+            return Copy(new ReadOnlySpan<byte>(payload, _payloadLength), destination);
+    }
+
+    /// <summary>Copies the signature: link id, 48-bit time stamp, 48 bits of the hash.</summary>
+    /// <param name="destination">At least 13 bytes where the frame is signed.</param>
+    /// <returns>How many bytes were copied: 13, or 0 where the frame is not signed.</returns>
+    /// <exception cref="ArgumentException">The span is too short.</exception>
+    public readonly int CopySignatureTo(Span<byte> destination)
+    {
+        fixed (byte* signature = _signature)
+            return Copy(new ReadOnlySpan<byte>(signature, IsSigned ? WireFormat.SignatureLength : 0), destination);
+    }
+
+    /// <summary>Reads the message, if it is the one asked for. Allocates nothing.</summary>
+    /// <typeparam name="T">The message.</typeparam>
+    /// <param name="message">Its fields; what the sender cut or did not know is zero. <c>default</c> where it is another message.</param>
+    /// <returns>Whether the frame carries this message. It is not checked again: a reader has done that, except for unknown ids.</returns>
+    public readonly bool TryDecode<T>(out T message)
+        where T : struct, IMavlinkMessage
+    {
+        message = default;
+        if (message.MessageId != _messageId || _version == 0)
+            return false;
+        fixed (byte* payload = _payload)
+            message.Decode(new ReadOnlySpan<byte>(payload, WireFormat.MaxPayloadLength));
+        return true;
+    }
+
+    /// <summary>The system the message is for.</summary>
+    /// <param name="message">The description of this frame's message; any other counts as one without the field.</param>
+    /// <returns>System id; 0 is everybody, also where the message has no such field.</returns>
+    public readonly byte TargetSystem(in MavlinkMessageInfo message) => TargetAt(message, message.TargetSystemOffset);
+
+    /// <summary>The component the message is for.</summary>
+    /// <param name="message">The description of this frame's message; any other counts as one without the field.</param>
+    /// <returns>Component id; 0 is every component, also where the message has no such field.</returns>
+    public readonly byte TargetComponent(in MavlinkMessageInfo message) => TargetAt(message, message.TargetComponentOffset);
+
+    /// <summary>Version, message id, source and sequence number, for logs and debuggers.</summary>
+    /// <returns>For example <c>MAVLink 2 id 30 from 1/1 seq 17, 28 bytes</c>.</returns>
+    public override readonly string ToString() => _version == 0
+        ? "no frame"
+        : FormattableString.Invariant($"MAVLink {_version} id {_messageId} from {_systemId}/{_componentId} seq {_sequence}, {_payloadLength} bytes");
+
+    // 'default' is what a reader gives for an unknown id; its offsets of zero mean nothing.
+    private readonly byte TargetAt(in MavlinkMessageInfo message, short offset) =>
+        offset < 0 || message.Name is null || message.Id != _messageId ? (byte)0 : PayloadByte(offset);
+
+    private static int Copy(ReadOnlySpan<byte> source, Span<byte> destination)
+    {
+        if (source.Length > destination.Length)
+            ThrowHelper.DestinationTooShort(source.Length, destination.Length, nameof(destination));
+        source.CopyTo(destination);
+        return source.Length;
+    }
+}

@@ -1,0 +1,34 @@
+using System;
+
+namespace Rabit.Mavlink;
+
+/// <summary>What a log says of one frame, beside its bytes. A plain value.</summary>
+public readonly struct TlogRecord
+{
+    internal TlogRecord(long index, long offset, long timeMicroseconds, bool isChecked, in MavlinkMessageInfo message)
+    {
+        Index = index;
+        Offset = offset;
+        TimeMicroseconds = timeMicroseconds;
+        IsChecked = isChecked;
+        Message = message;
+    }
+
+    /// <summary>Which intact record of the log it is, from 0.</summary>
+    public long Index { get; }
+
+    /// <summary>Where in the file it begins (its time, then its frame), in bytes.</summary>
+    public long Offset { get; }
+
+    /// <summary>When the recorder saw the frame, by its clock: microseconds since 1970-01-01 UTC.</summary>
+    public long TimeMicroseconds { get; }
+
+    /// <summary>The same as a date.</summary>
+    public DateTime TimeUtc => TlogFormat.ToUtc(TimeMicroseconds);
+
+    /// <summary>Whether the dialect knows the id, so that the checksum was checked and is right.</summary>
+    public bool IsChecked { get; }
+
+    /// <summary>The description of the message; <c>default</c> where the id is unknown.</summary>
+    public MavlinkMessageInfo Message { get; }
+}
