@@ -18,8 +18,8 @@ public sealed class MavlinkRouter
     private const int RadioStatus = 109;
     private const int Radio = 166;
 
-    private readonly byte _systemId;
-    private readonly byte _componentId;
+    private byte _systemId;
+    private byte _componentId;
     private readonly RouteTable _table;
     private ulong _links;
     private ulong _sendLinks;
@@ -39,14 +39,9 @@ public sealed class MavlinkRouter
     /// <exception cref="ArgumentOutOfRangeException">An id is 0, or there is room for no sender.</exception>
     public MavlinkRouter(byte systemId, byte componentId, int maximumSources = 1024)
     {
-        if (systemId == 0)
-            throw new ArgumentOutOfRangeException(nameof(systemId), systemId, "0 means every system; ours is 1 to 255.");
-        if (componentId == 0)
-            throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
         if (maximumSources < 1)
             throw new ArgumentOutOfRangeException(nameof(maximumSources), maximumSources, "A router needs room for one sender at least.");
-        _systemId = systemId;
-        _componentId = componentId;
+        SetOwnAddress(systemId, componentId);
         _table = new RouteTable(maximumSources);
     }
 
@@ -55,6 +50,20 @@ public sealed class MavlinkRouter
 
     /// <summary>How many senders (system, component) it remembers.</summary>
     public int Sources => _table.Count;
+
+    /// <summary>Changes our own address, for example when the system id of the vehicle that carries us becomes known. What was learned stays.</summary>
+    /// <param name="systemId">Our system id, 1 to 255.</param>
+    /// <param name="componentId">Our component id, 1 to 255.</param>
+    /// <exception cref="ArgumentOutOfRangeException">An id is 0.</exception>
+    public void SetOwnAddress(byte systemId, byte componentId)
+    {
+        if (systemId == 0)
+            throw new ArgumentOutOfRangeException(nameof(systemId), systemId, "0 means every system; ours is 1 to 255.");
+        if (componentId == 0)
+            throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
+        _systemId = systemId;
+        _componentId = componentId;
+    }
 
     /// <summary>Adds a link, or changes the rules of one.</summary>
     /// <param name="link">0 to 63, the caller's choice.</param>
