@@ -42,7 +42,7 @@ public sealed class CommunicationsManager : RabitManager
     public CommunicationsManager(CommunicationsOptions options)
         : base(ManagerName)
     {
-        _options = (options ?? throw new ArgumentNullException(nameof(options))).Validate();
+        _options = (options ?? throw new ArgumentNullException(nameof(options))).Validate(nameof(options));
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress, wakeOnPost: true);
         _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames);
         _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
@@ -156,7 +156,11 @@ public sealed class CommunicationsManager : RabitManager
         while (_outgoing.TryPop(out OutgoingFrame outgoing))
         {
             if (!MavlinkDialect.All.TryGetMessage(outgoing.Frame.MessageId, out MavlinkMessageInfo message))
+            {
+                Log($"{outgoing.Frame} is not sent: the dialect does not know its id");
                 continue;
+            }
+
             MavlinkFrame frame = outgoing.Frame.WithSequence(NextSequence(outgoing.Frame), message.CrcExtra);
             _own.Count(frame, isChecked: true);
             SendTo(_router.RouteOwn(frame, message), frame);

@@ -32,11 +32,12 @@ public sealed class CommunicationsOptions
 
     internal int Count => Links.Count + RecordedFiles.Count;
 
-    internal CommunicationsOptions Validate()
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    internal CommunicationsOptions Validate(string parameter)
     {
         var faults = new List<string>();
         if (Links is null || RecordedFiles is null)
-            throw new ArgumentException("Communications: the lists of links and recorded files may be empty, but not null.");
+            throw new ArgumentException("Communications: the lists of links and recorded files may be empty, but not null.", parameter);
         if (Count == 0)
             faults.Add("there is no link");
         if (Count > MavlinkRouter.MaximumLinks)
@@ -48,7 +49,7 @@ public sealed class CommunicationsOptions
         if (SilentAfter <= TimeSpan.Zero)
             faults.Add($"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero");
         if (faults.Count > 0)
-            throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".");
+            throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".", parameter);
         return this;
     }
 }
