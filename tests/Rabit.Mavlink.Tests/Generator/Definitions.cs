@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -11,7 +10,7 @@ namespace Rabit.Mavlink.Tests.Generator;
 internal static class Definitions
 {
     public static IReadOnlyList<DialectFile> PackageFiles { get; } =
-        Directory.GetFiles(Path.Combine(AppContext.BaseDirectory, "data", "dialects"), "*.xml")
+        Directory.GetFiles(Path.Combine(TestData.Folder, "..", "dialects"), "*.xml")
             .Select(path => new DialectFile(path, File.ReadAllText(path))).ToList();
 
     public static Dialect All { get; } = Package("all.xml");

@@ -37,13 +37,13 @@ internal sealed class GoldenVector(JsonElement line)
     public byte Sequence { get; } = line.GetProperty("seq").GetByte();
 
     /// <summary>The MAVLink 1 frame; null for ids above 255.</summary>
-    public byte[]? V1 { get; } = line.GetProperty("v1").GetString() is { } hex ? FromHex(hex) : null;
+    public byte[]? V1 { get; } = line.GetProperty("v1").GetString() is { } hex ? TestData.FromHex(hex) : null;
 
     /// <summary>The unsigned MAVLink 2 frame, its trailing zeros cut.</summary>
-    public byte[] V2 { get; } = FromHex(line.GetProperty("v2").GetString()!);
+    public byte[] V2 { get; } = TestData.FromHex(line.GetProperty("v2").GetString()!);
 
     /// <summary>The signed MAVLink 2 frame.</summary>
-    public byte[] V2Signed { get; } = FromHex(line.GetProperty("v2signed").GetString()!);
+    public byte[] V2Signed { get; } = TestData.FromHex(line.GetProperty("v2signed").GetString()!);
 
     /// <summary>Key, link id and time stamp of the signature.</summary>
     public JsonElement Signing { get; } = line.GetProperty("signing");
@@ -57,12 +57,4 @@ internal sealed class GoldenVector(JsonElement line)
     }
 
     public override string ToString() => $"{Name} {Case}";
-
-    private static byte[] FromHex(string hex)
-    {
-        var bytes = new byte[hex.Length / 2];
-        for (int i = 0; i < bytes.Length; i++)
-            bytes[i] = Convert.ToByte(hex.Substring(2 * i, 2), 16);
-        return bytes;
-    }
 }

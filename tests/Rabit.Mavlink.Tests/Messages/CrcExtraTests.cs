@@ -1,6 +1,5 @@
 using System;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Xunit;
@@ -12,7 +11,7 @@ public class CrcExtraTests
     [Fact]
     public void All_CrcExtraJson_AgreesInNameChecksumByteAndLengths()
     {
-        using var document = JsonDocument.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "data", "mavlink", "crc-extra.json")));
+        using JsonDocument document = TestData.Json(TestData.PathOf("crc-extra.json"));
         string[] expected = document.RootElement.EnumerateObject().Select(property =>
             $"{property.Name} {property.Value.GetProperty("name")} {property.Value.GetProperty("crc_extra")} {property.Value.GetProperty("min_len")} {property.Value.GetProperty("max_len")}")
             .OrderBy(line => line, StringComparer.Ordinal).ToArray();
