@@ -1,0 +1,20 @@
+namespace Rabit.Uav.Messages;
+
+/// <summary>How a link is.</summary>
+public enum LinkState
+{
+    /// <summary>Open, but nothing came in yet.</summary>
+    Waiting,
+
+    /// <summary>Frames come in.</summary>
+    Receiving,
+
+    /// <summary>Frames came in, but not any more.</summary>
+    Silent,
+
+    /// <summary>The other end closed it, or the log is at its end.</summary>
+    Ended,
+
+    /// <summary>It failed; see the log of the run.</summary>
+    Failed,
+}

@@ -1,0 +1,40 @@
+using System;
+
+namespace Rabit.Uav.Messages;
+
+/// <summary>What Communications tells of one link, at least once a second. A plain value; counts are since the start.</summary>
+public struct LinkStatus
+{
+    /// <summary>How it is.</summary>
+    public LinkState State { get; set; }
+
+    /// <summary>The URL it was opened by.</summary>
+    public string? Url { get; set; }
+
+    /// <summary>What ended it, where it failed.</summary>
+    public string? Fault { get; set; }
+
+    /// <summary>When the last frame came in, by the clock of the run; null before the first.</summary>
+    public TimeSpan? LastFrameTime { get; set; }
+
+    /// <summary>Frames that came in.</summary>
+    public long FramesIn { get; set; }
+
+    /// <summary>Frames that were sent or forwarded to it.</summary>
+    public long FramesOut { get; set; }
+
+    /// <summary>Frames that never came, by the gaps in the sequence numbers of their sources.</summary>
+    public long FramesMissing { get; set; }
+
+    /// <summary>Bytes that came in and belong to no frame.</summary>
+    public long BytesLost { get; set; }
+
+    /// <summary>Frames that came in and had no room in our queues.</summary>
+    public long FramesDroppedIn { get; set; }
+
+    /// <summary>Frames that were to go out and had no room.</summary>
+    public long FramesDroppedOut { get; set; }
+
+    /// <summary>How much of a recorded log has been read, 0 to 1; NaN for a live link.</summary>
+    public double Progress { get; set; }
+}

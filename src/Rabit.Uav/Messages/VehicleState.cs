@@ -1,0 +1,96 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.Messages;
+
+/// <summary>
+/// What the autopilot says of the vehicle: the latest of everything. Stamped with the time at which the newest part was true;
+/// parts with a rate of their own carry their own times, by the clock of the run. A plain value.
+/// </summary>
+public struct VehicleState
+{
+    /// <summary>Whether heartbeats of the autopilot come in.</summary>
+    public bool IsConnected { get; set; }
+
+    /// <summary>When the last heartbeat came; only meaningful once <see cref="SystemId"/> is not 0.</summary>
+    public TimeSpan LastHeartbeatTime { get; set; }
+
+    /// <summary>MAVLink system id of the vehicle; 0 before the first heartbeat of an autopilot.</summary>
+    public byte SystemId { get; set; }
+
+    /// <summary>MAVLink component id of the autopilot.</summary>
+    public byte ComponentId { get; set; }
+
+    /// <summary>The autopilot's make: ArduPilot, PX4, ...</summary>
+    public MavAutopilot Autopilot { get; set; }
+
+    /// <summary>The kind of vehicle.</summary>
+    public MavType VehicleType { get; set; }
+
+    /// <summary>The flight mode by the autopilot's own name, for example <c>GUIDED</c> or <c>AUTO.LOITER</c>; null before the first heartbeat.</summary>
+    public string? Mode { get; set; }
+
+    /// <summary>The flight mode as the autopilot sends it.</summary>
+    public uint CustomMode { get; set; }
+
+    /// <summary>The mode flags as the autopilot sends them.</summary>
+    public MavModeFlag BaseMode { get; set; }
+
+    /// <summary>Whether the motors may turn.</summary>
+    public bool IsArmed { get; set; }
+
+    /// <summary>The autopilot's own view of its state.</summary>
+    public MavState SystemStatus { get; set; }
+
+    /// <summary>Whether it flies, as far as the autopilot tells.</summary>
+    public MavLandedState LandedState { get; set; }
+
+    /// <summary>When position and velocity were true; null before the first.</summary>
+    public TimeSpan? PositionTime { get; set; }
+
+    /// <summary>Where the vehicle is.</summary>
+    public GeodeticPosition Position { get; set; }
+
+    /// <summary>Height above the home position, metres, up positive.</summary>
+    public double HeightAboveHomeMetres { get; set; }
+
+    /// <summary>Velocity over ground, metres per second, north-east-down.</summary>
+    public NedVector VelocityNed { get; set; }
+
+    /// <summary>When attitude and rates were true; null before the first.</summary>
+    public TimeSpan? AttitudeTime { get; set; }
+
+    /// <summary>Attitude of the body in the local north-east-down frame.</summary>
+    public EulerAngles Attitude { get; set; }
+
+    /// <summary>Angular velocity in the body frame.</summary>
+    public BodyRates Rates { get; set; }
+
+    /// <summary>When the battery was measured; null before the first.</summary>
+    public TimeSpan? BatteryTime { get; set; }
+
+    /// <summary>Battery voltage, volts; NaN where the autopilot does not know it.</summary>
+    public double BatteryVolts { get; set; }
+
+    /// <summary>Battery current, amperes, discharge positive; NaN where the autopilot does not know it.</summary>
+    public double BatteryAmperes { get; set; }
+
+    /// <summary>What remains in the battery, 0 to 1; NaN where the autopilot does not know it.</summary>
+    public double BatteryRemaining { get; set; }
+
+    /// <summary>When the receiver last told of its fix; null before the first.</summary>
+    public TimeSpan? GpsTime { get; set; }
+
+    /// <summary>How good the satellite fix is.</summary>
+    public GpsFixType GpsFix { get; set; }
+
+    /// <summary>Satellites in view; 255 where the autopilot does not know it.</summary>
+    public int Satellites { get; set; }
+
+    /// <summary>The autopilot's UTC from satellites, microseconds since 1970, true at <see cref="UtcTime"/>; 0 where it does not know it.</summary>
+    public long GpsUtcMicroseconds { get; set; }
+
+    /// <summary>When <see cref="GpsUtcMicroseconds"/> was true; null before the first.</summary>
+    public TimeSpan? UtcTime { get; set; }
+}
