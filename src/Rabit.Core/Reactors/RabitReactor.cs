@@ -244,7 +244,11 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         if (activity.HasBegun)
             End(activity, notStopped);
         foreach (DeviceActivity writer in activity.Manager.Writers)
+        {
             End(writer, notStopped);
+            if (!writer.HasBegun)
+                writer.Abandon();
+        }
 
         (IReadOnlyList<ManagerFault> faults, long count) = activity.Faults;
         ManagerOutcome outcome = !activity.HasBegun ? ManagerOutcome.NotStarted
