@@ -246,7 +246,7 @@ public abstract class ManagerContract(TimeKind kind) : ContractTests(kind)
 
         Assert.Equal(WakeUpCauses.Timer, manager.Causes[2]);
         Assert.Equal(TimeSpan.FromHours(1), run.StatusOf(manager).WakeUpDelay);
-        Assert.Equal(units + 1, manager.Units);
+        Assert.DoesNotContain(manager.Causes.Skip(units), cause => (cause & WakeUpCauses.Timer) != 0);
     }
 
     [Fact, Trait("Clause", "1.4")]

@@ -84,7 +84,7 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         Settle(run, manager, 2);
         ManagerStatus status = run.StatusOf(manager);
 
-        Assert.Equal(2, status.WakeLatency.Count);
+        Assert.InRange(status.WakeLatency.Count, FewestWakesFromSleep, 2);
         Assert.InRange(status.WakeLatency.Maximum, TimeSpan.Zero, run.Reactor.Now);
         Assert.InRange(status.LastRunAt, TimeSpan.Zero, run.Reactor.Now);
         if (!Kind.HasThreads)
@@ -106,7 +106,7 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         manager.WakeUp();
         Settle(run, manager, 10);
 
-        Assert.Equal(2, run.StatusOf(manager).WakeLatency.Count);
+        Assert.InRange(run.StatusOf(manager).WakeLatency.Count, FewestWakesFromSleep, 2);
     }
 
     [Fact, Trait("Clause", "4.4")]
@@ -185,6 +185,9 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
 
         Assert.InRange(status.Stamp.Time, atShutdown, run.Reactor.Now);
     }
+
+    // With threads the first unit may have told its status and not yet be asleep when the wake comes.
+    private int FewestWakesFromSleep => Kind.HasThreads ? 1 : 2;
 
     private static void Settle(TestRun run, ScriptedManager manager, long runs)
         => run.Until(() => run.StatusOf(manager).Runs == runs, $"{manager.Name} ends run {runs}");
