@@ -23,7 +23,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     private readonly RabitLog _log;
     private readonly ReactorEngine _engine;
     private readonly List<RabitManager> _managers = [];
-    private readonly List<ManagerActivity> _activities = [];
+    private readonly List<ManagerActivity> _activities = [];   // filled by Start, then read only
 
     // Guards the five fields below: a stop comes from any thread.
     private readonly object _gate = new();
@@ -63,6 +63,18 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
 
     /// <summary>Time since the reactor was made, on the monotonic clock of the run; the same as <see cref="RabitManager.Now"/>. Any thread.</summary>
     public TimeSpan Now => _clock.Now;
+
+    /// <summary>
+    /// Whether the managers are wired: from now on the ends that <see cref="Workspace"/> made may be used. Any thread.
+    /// </summary>
+    public bool IsWired
+    {
+        get
+        {
+            lock (_gate)
+                return _isWired;
+        }
+    }
 
     /// <summary>Adds a manager; they start in the order in which they were added. Before the start only.</summary>
     /// <param name="manager">In one reactor only.</param>
@@ -193,9 +205,11 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     /// </summary>
     /// <param name="managerName">The manager.</param>
     /// <returns>Zero turns in real time, where <see cref="ManagerStatus.UnitOfWorkTime"/> says it.</returns>
-    /// <exception cref="ArgumentException">There is no manager of that name, or the reactor has not started.</exception>
+    /// <exception cref="ArgumentException">There is no manager of that name, or the managers are not wired yet.</exception>
     public DurationStatistics RealTurnTime(string managerName)
     {
+        if (!IsWired)
+            throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
         ManagerActivity activity = _activities.Find(a => string.Equals(a.Name, managerName, StringComparison.Ordinal))
             ?? throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
         return _engine.RealTurnTime(activity);
@@ -231,6 +245,9 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
                 device.Connect(_clock, _log);
             _activities.Add(new ManagerActivity(manager, run));
         }
+
+        lock (_gate)
+            _isWired = true;
     }
 
     private void OpenBarrier()
