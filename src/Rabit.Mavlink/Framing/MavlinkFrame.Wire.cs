@@ -39,6 +39,21 @@ public unsafe partial struct MavlinkFrame
         return frame;
     }
 
+    /// <summary>The same message with another sequence number, with the checksum for it, unsigned. For whoever gives frames of our own their numbers.</summary>
+    /// <param name="sequence">The number.</param>
+    /// <param name="crcExtra">The checksum byte of the message; see <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
+    /// <returns>The frame; a signature, which would not hold any more, is dropped.</returns>
+    public readonly MavlinkFrame WithSequence(byte sequence, byte crcExtra)
+    {
+        MavlinkFrame frame = this;
+        frame._sequence = sequence;
+        frame._incompatibilityFlags &= unchecked((byte)~WireFormat.SignedFlag);
+        for (int index = 0; index < WireFormat.SignatureLength; index++)
+            frame._signature[index] = 0;
+        frame._checksum = frame.ComputeChecksum(crcExtra);
+        return frame;
+    }
+
     /// <summary>Writes the frame as it goes over the wire; a received frame gives the bytes that came in.</summary>
     /// <param name="destination">At least <see cref="WireLength"/> bytes.</param>
     /// <returns>How many bytes were written: <see cref="WireLength"/>.</returns>

@@ -32,7 +32,7 @@ public class VectorStreamTests
             var reader = new MavlinkFrameReader(CrcExtraDialect.All);
             List<FoundFrame> found = FrameCollector.Read(bytes, Math.Min(chunk, bytes.Length), reader);
 
-            Assert.Equal(rows.Select(row => Line(row, row[8].GetString() == "deliver")), found.Select(frame => frame.ToString()));
+            Assert.Equal(rows.Select(row => Line(row, row[8].GetString() == "deliver")), found.Select(frame => frame.ToString()), StringComparer.Ordinal);
             Assert.Equal((330, 159, 111), (reader.Counters.Frames, reader.Counters.UnknownFrames, reader.Counters.IncompatibleFrames));
             Assert.Equal((0, 0, bytes.Length), (reader.Counters.SkippedBytes, reader.Counters.BadChecksums, reader.Counters.Bytes));
             Assert.All(found, frame => AssertSameBytes(bytes, frame));
@@ -51,7 +51,7 @@ public class VectorStreamTests
             var reader = new MavlinkFrameReader(CrcExtraDialect.All);
             List<FoundFrame> found = FrameCollector.Read(bytes, Math.Min(chunk, bytes.Length), reader);
 
-            Assert.Equal(rows, found.Where(frame => frame.Info.IsChecked).Select(frame => frame.ToString()));
+            Assert.Equal(rows, found.Where(frame => frame.Info.IsChecked).Select(frame => frame.ToString()), StringComparer.Ordinal);
             Assert.All(found, frame => AssertSameBytes(bytes, frame));
             string all = string.Join("\n", found);
             Assert.Equal(first ??= all, all);

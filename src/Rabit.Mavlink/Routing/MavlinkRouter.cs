@@ -1,0 +1,211 @@
+using System;
+
+namespace Rabit.Mavlink;
+
+/// <summary>
+/// The address rules of MAVLink (guide, "Routing", "Routing in detail"), without any I/O: it learns who was seen on which link and
+/// says where a frame goes. It never changes a frame. One difference from the guide: what is addressed to a component of our
+/// system that nobody has seen is not ours; the guide would have every component act on it. One thread at a time; allocates
+/// nothing after it was made.
+/// </summary>
+public sealed class MavlinkRouter
+{
+    /// <summary>How many links a router can tell apart: the bits of a mask.</summary>
+    public const int MaximumLinks = 64;
+
+    // Secrets and the state of one radio: never leave the link (MAVLink guide, "Message signing"; ArduPilot, "MAVLink routing").
+    private const int SetupSigning = 256;
+    private const int RadioStatus = 109;
+    private const int Radio = 166;
+
+    private byte _systemId;
+    private byte _componentId;
+    private readonly RouteTable _table;
+    private ulong _links;
+    private ulong _sendLinks;
+    private ulong _forwardFromLinks;
+
+    private long _delivered;
+    private long _forwarded;
+    private long _unknownTargets;
+    private long _ourOwn;
+    private long _linkLocal;
+    private long _sourcesRefused;
+
+    /// <summary>Makes a router without links.</summary>
+    /// <param name="systemId">Our system id, 1 to 255.</param>
+    /// <param name="componentId">Our component id, 1 to 255.</param>
+    /// <param name="maximumSources">How many senders (system, component) it can remember, at least 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">An id is 0, or there is room for no sender.</exception>
+    public MavlinkRouter(byte systemId, byte componentId, int maximumSources = 1024)
+    {
+        if (maximumSources < 1)
+            throw new ArgumentOutOfRangeException(nameof(maximumSources), maximumSources, "A router needs room for one sender at least.");
+        SetOwnAddress(systemId, componentId);
+        _table = new RouteTable(maximumSources);
+    }
+
+    /// <summary>What it has decided so far.</summary>
+    public MavlinkRouterCounters Counters => new(_delivered, _forwarded, _unknownTargets, _ourOwn, _linkLocal, _sourcesRefused);
+
+    /// <summary>How many senders (system, component) it remembers.</summary>
+    public int Sources => _table.Count;
+
+    /// <summary>Changes our own address, for example when the system id of the vehicle that carries us becomes known. What was learned stays.</summary>
+    /// <param name="systemId">Our system id, 1 to 255.</param>
+    /// <param name="componentId">Our component id, 1 to 255.</param>
+    /// <exception cref="ArgumentOutOfRangeException">An id is 0.</exception>
+    public void SetOwnAddress(byte systemId, byte componentId)
+    {
+        if (systemId == 0)
+            throw new ArgumentOutOfRangeException(nameof(systemId), systemId, "0 means every system; ours is 1 to 255.");
+        if (componentId == 0)
+            throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
+        _systemId = systemId;
+        _componentId = componentId;
+    }
+
+    /// <summary>Adds a link, or changes the rules of one.</summary>
+    /// <param name="link">0 to 63, the caller's choice.</param>
+    /// <param name="rules">What may be done with it.</param>
+    /// <exception cref="ArgumentOutOfRangeException">No such link number.</exception>
+    public void SetLink(int link, MavlinkLinkRules rules)
+    {
+        ulong bit = Bit(link);
+        _links |= bit;
+        _sendLinks = (rules & MavlinkLinkRules.Send) != 0 ? _sendLinks | bit : _sendLinks & ~bit;
+        _forwardFromLinks = (rules & MavlinkLinkRules.ForwardFrom) != 0 ? _forwardFromLinks | bit : _forwardFromLinks & ~bit;
+    }
+
+    /// <summary>Takes a link away and forgets who was seen on it.</summary>
+    /// <param name="link">0 to 63; one that was never added does no harm.</param>
+    /// <exception cref="ArgumentOutOfRangeException">No such link number.</exception>
+    public void RemoveLink(int link)
+    {
+        ulong bit = Bit(link);
+        _links &= ~bit;
+        _sendLinks &= ~bit;
+        _forwardFromLinks &= ~bit;
+        _table.ForgetLinks(bit);
+    }
+
+    /// <summary>Forgets where a system was seen, as the guide asks for when it has rebooted.</summary>
+    /// <param name="systemId">The system.</param>
+    public void ForgetSystem(byte systemId)
+    {
+        if (systemId != 0)
+            _table.ForgetSystem(systemId);
+    }
+
+    /// <summary>The links on which a component was seen.</summary>
+    /// <param name="systemId">Its system id.</param>
+    /// <param name="componentId">Its component id; 0 for any component of the system.</param>
+    /// <returns>Bit n is link n.</returns>
+    public ulong LinksOf(byte systemId, byte componentId) =>
+        componentId == 0 ? _table.LinksOf(systemId) : _table.LinksOf(systemId, componentId);
+
+    /// <summary>Says where a frame goes that came in, and learns from it.</summary>
+    /// <param name="link">The link it came from.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="info">What the reader said of it.</param>
+    /// <returns>Where it goes; never back to its link.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
+    public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkFrameInfo info) =>
+        Route(link, frame, info.Message, info.IsChecked);
+
+    /// <summary>Says where a frame goes that came in, and learns from it.</summary>
+    /// <param name="link">The link it came from.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="message">The description of its message.</param>
+    /// <param name="isChecked">Whether its id is known and its checksum right. Only then is it learned from and its address read.</param>
+    /// <returns>Where it goes; never back to its link.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
+    public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkMessageInfo message, bool isChecked)
+    {
+        ulong bit = Bit(link);
+        if ((_links & bit) == 0)
+            throw new ArgumentOutOfRangeException(nameof(link), link, "The link was not added: SetLink comes first.");
+        if (frame.SystemId == _systemId && frame.ComponentId == _componentId)
+        {
+            _ourOwn++;
+            return new MavlinkRoute(MavlinkRouteReason.OurOwn, deliverLocally: false, 0);
+        }
+
+        if (isChecked)
+            Learn(frame, bit);
+        MavlinkRoute route = isChecked ? RouteByAddress(frame, message) : RouteUnchecked(frame.MessageId);
+        ulong allowed = (_forwardFromLinks & bit) != 0 ? _sendLinks & ~bit : 0;
+        return Count(new MavlinkRoute(route.Reason, route.DeliverLocally, route.ForwardTo & allowed));
+    }
+
+    /// <summary>
+    /// Says to which links a frame of our own goes: to all if it is a broadcast, else where its target was seen. SETUP_SIGNING,
+    /// which carries the key, goes nowhere without a target.
+    /// </summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="message">The description of its message.</param>
+    /// <returns>Bit n is link n; 0 where the target was not seen on any link that may be sent to, which is counted.</returns>
+    public ulong RouteOwn(in MavlinkFrame frame, in MavlinkMessageInfo message)
+    {
+        byte system = frame.TargetSystem(message);
+        ulong links = system != 0 ? LinksTowards(system, frame.TargetComponent(message))
+            : frame.MessageId == SetupSigning ? 0
+            : ulong.MaxValue;
+        links &= _sendLinks;
+        if (links == 0 && system != 0)
+            _unknownTargets++;
+        return links;
+    }
+
+    private MavlinkRoute RouteByAddress(in MavlinkFrame frame, in MavlinkMessageInfo message)
+    {
+        byte system = frame.TargetSystem(message);
+        byte component = frame.TargetComponent(message);
+        bool isForUs = system == 0 || (system == _systemId && (component == 0 || component == _componentId));
+        if (IsLinkLocal(frame.MessageId))
+            return new MavlinkRoute(MavlinkRouteReason.LinkLocal, isForUs, 0);
+        if (system == 0)
+            return new MavlinkRoute(MavlinkRouteReason.Broadcast, isForUs, ulong.MaxValue);
+        if (isForUs && component != 0)
+            return new MavlinkRoute(MavlinkRouteReason.ForUs, isForUs, 0);
+
+        ulong links = LinksTowards(system, component);
+        MavlinkRouteReason reason = isForUs ? MavlinkRouteReason.ForOurSystem
+            : links != 0 ? MavlinkRouteReason.ForOthers
+            : MavlinkRouteReason.UnknownTarget;
+        return new MavlinkRoute(reason, isForUs, links);
+    }
+
+    private static MavlinkRoute RouteUnchecked(int messageId) => IsLinkLocal(messageId)
+        ? new MavlinkRoute(MavlinkRouteReason.LinkLocal, deliverLocally: false, 0)
+        : new MavlinkRoute(MavlinkRouteReason.UnknownMessage, deliverLocally: false, ulong.MaxValue);
+
+    // Within our own system the component decides; another system sorts that out itself.
+    private ulong LinksTowards(byte system, byte component) => LinksOf(system, system == _systemId ? component : (byte)0);
+
+    private static bool IsLinkLocal(int messageId) => messageId is SetupSigning or RadioStatus or Radio;
+
+    // 0 is nobody's address; a sender that uses it is heard but cannot be answered.
+    private void Learn(in MavlinkFrame frame, ulong link)
+    {
+        if (frame.SystemId != 0 && frame.ComponentId != 0 && !_table.TryLearn(frame.SystemId, frame.ComponentId, link))
+            _sourcesRefused++;
+    }
+
+    private MavlinkRoute Count(in MavlinkRoute route)
+    {
+        if (route.DeliverLocally)
+            _delivered++;
+        if (route.ForwardTo != 0)
+            _forwarded++;
+        if (route.Reason == MavlinkRouteReason.UnknownTarget)
+            _unknownTargets++;
+        if (route.Reason == MavlinkRouteReason.LinkLocal)
+            _linkLocal++;
+        return route;
+    }
+
+    private static ulong Bit(int link) => (uint)link < MaximumLinks
+        ? 1UL << link
+        : throw new ArgumentOutOfRangeException(nameof(link), link, "Links are numbered 0 to 63.");
+}

@@ -1,0 +1,33 @@
+namespace Rabit.Mavlink;
+
+/// <summary>What a router has decided since it was made. A copy, taken at one moment.</summary>
+public readonly struct MavlinkRouterCounters
+{
+    internal MavlinkRouterCounters(long delivered, long forwarded, long unknownTargets, long ourOwn, long linkLocal, long sourcesRefused)
+    {
+        Delivered = delivered;
+        Forwarded = forwarded;
+        UnknownTargets = unknownTargets;
+        OurOwn = ourOwn;
+        LinkLocal = linkLocal;
+        SourcesRefused = sourcesRefused;
+    }
+
+    /// <summary>Frames for local use.</summary>
+    public long Delivered { get; }
+
+    /// <summary>Frames that came in and go on to one other link or more.</summary>
+    public long Forwarded { get; }
+
+    /// <summary>Frames, incoming or ours, for somebody who was not seen on any link.</summary>
+    public long UnknownTargets { get; }
+
+    /// <summary>Frames that came in with our own address.</summary>
+    public long OurOwn { get; }
+
+    /// <summary>Frames of messages that never leave their link.</summary>
+    public long LinkLocal { get; }
+
+    /// <summary>Frames whose sender could not be learned, since the table is full.</summary>
+    public long SourcesRefused { get; }
+}
