@@ -1,0 +1,213 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Uav.Links;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Communications;
+
+/// <summary>
+/// The post office between aircraft and ground: it owns the links, hands frames that are for us to their local addressee, passes
+/// the others on unchanged by MAVLink's address rules, and sends what the other managers want sent. It reads addresses, never meaning.
+/// </summary>
+public sealed class CommunicationsManager : RabitManager
+{
+    /// <summary>The name of the manager.</summary>
+    public const string ManagerName = "communications";
+
+    private const int OutgoingCapacity = 256;
+    private static readonly TimeSpan Rhythm = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan StatusPeriod = TimeSpan.FromMilliseconds(500);
+
+    // Until a vehicle is known nobody can address us: an address that no real system has (MAVLink ids are given upwards from 1).
+    private const byte UnknownSystemId = 255;
+    private const byte UnknownComponentId = 255;
+
+    private readonly CommunicationsOptions _options;
+    private readonly MavlinkRouter _router = new(UnknownSystemId, UnknownComponentId);
+    private readonly MessageSubscriber<OwnAddress> _ownAddress;
+    private readonly QueueSender<LinkFrame> _autopilot;
+    private readonly QueueReceiver<OutgoingFrame> _outgoing;
+    private readonly List<LinkPort> _ports = [];
+    private readonly long[] _droppedIn;
+    private readonly FrameTally _own = new();
+    private readonly Dictionary<int, byte> _sequences = [];
+    private TimeSpan _nextStatus;
+
+    /// <summary>Makes the manager.</summary>
+    /// <param name="options">Its links; checked and read now.</param>
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    public CommunicationsManager(CommunicationsOptions options)
+        : base(ManagerName)
+    {
+        _options = (options ?? throw new ArgumentNullException(nameof(options))).Validate(nameof(options));
+        _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress, wakeOnPost: true);
+        _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames);
+        _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
+        _droppedIn = new long[_options.Count];
+        foreach (IByteLink link in _options.Links)
+            AddLink(link);
+        foreach (RecordedFile file in _options.RecordedFiles)
+            AddRecordedFile(file);
+    }
+
+    /// <summary>What came in over each link, counted where its frames are made. Any thread.</summary>
+    public IReadOnlyList<LinkSummary> SummariseLinks() => _ports.Select(p => p.Summarise()).ToArray();
+
+    /// <summary>The frames of our own that were to be sent, whether or not a link could take them. Any thread.</summary>
+    public IReadOnlyList<FrameCount> CountOwnFrames() => _own.Counts();
+
+    /// <inheritdoc/>
+    protected override void Startup() => PostStatus();
+
+    /// <inheritdoc/>
+    protected override void ExecuteUnitOfWork()
+    {
+        if (_ownAddress.Fetch() && _ownAddress.Value.IsKnown)
+            _router.SetOwnAddress(_ownAddress.Value.SystemId, _ownAddress.Value.ComponentId);
+
+        bool isWaiting = false;
+        foreach (LinkPort port in _ports)
+            isWaiting |= !TakeFrames(port);
+        SendOwnFrames();
+
+        if (Now >= _nextStatus)
+            PostStatus();
+        if (_options.StopsWhenAllLinksEnd && !isWaiting)
+            isWaiting = StopAtTheEnd();
+        WakeUpDelay = isWaiting ? TimeSpan.FromMilliseconds(1) : Rhythm;
+    }
+
+    /// <inheritdoc/>
+    protected override void Shutdown()
+    {
+        SendOwnFrames();
+        PostStatus();
+    }
+
+    private void AddLink(IByteLink link)
+    {
+        int number = _ports.Count;
+        var tally = new FrameTally();
+        var source = new LinkFrameSource(link, number, tally);
+        var target = new LinkFrameTarget(link);
+        _ports.Add(new LinkPort(
+            number,
+            link.Url,
+            tally,
+            AttachReader($"link {number} in", source, _options.FramesWaitingIn, QueueFullMode.DropOldest),
+            AttachWriter($"link {number} out", target, _options.FramesWaitingOut, QueueFullMode.DropOldest),
+            Publish<LinkStatus>(MessageNames.LinkStatus(number)),
+            () => source.BytesLost,
+            target,
+            file: null));
+        _router.SetLink(number, MavlinkLinkRules.Live);
+    }
+
+    private void AddRecordedFile(RecordedFile file)
+    {
+        int number = _ports.Count;
+        var tally = new FrameTally();
+        long origin = _options.RecordedFiles.Min(f => f.StartUtcMicroseconds);
+        _ports.Add(new LinkPort(
+            number,
+            file.Url.ToString(),
+            tally,
+            AttachReader($"link {number} in", new RecordedFrameSource(file, number, origin, tally), _options.FramesWaitingIn, QueueFullMode.Wait),
+            writer: null,
+            Publish<LinkStatus>(MessageNames.LinkStatus(number)),
+            () => file.BytesLost,
+            target: null,
+            file));
+
+        // What was recorded is never sent to anybody alive.
+        _router.SetLink(number, MavlinkLinkRules.ReceiveOnly);
+    }
+
+    /// <returns>False when frames had to stay, because the addressee has no room for them.</returns>
+    private bool TakeFrames(LinkPort port)
+    {
+        while (true)
+        {
+            // We alone push into that queue, so room that is there now stays there.
+            if (port.IsRecorded && !HasRoom(_autopilot))
+                return port.Reader.Counters.Resident == 0;
+            if (!port.Reader.TryPop(out LinkFrame frame))
+                return true;
+            port.Saw(frame);
+            Route(frame);
+        }
+    }
+
+    private void Route(in LinkFrame frame)
+    {
+        MavlinkFrame mavlink = frame.Frame;
+        bool isKnown = MavlinkDialect.All.TryGetMessage(mavlink.MessageId, out MavlinkMessageInfo message);
+        MavlinkRoute route = _router.Route(frame.Link, mavlink, message, isKnown);
+        if (route.DeliverLocally && _autopilot.Push(frame) == PushResult.Rejected)
+            _droppedIn[frame.Link]++;
+        SendTo(route.ForwardTo, mavlink);
+    }
+
+    private void SendOwnFrames()
+    {
+        while (_outgoing.TryPop(out OutgoingFrame outgoing))
+        {
+            if (!MavlinkDialect.All.TryGetMessage(outgoing.Frame.MessageId, out MavlinkMessageInfo message))
+            {
+                Log($"{outgoing.Frame} is not sent: the dialect does not know its id");
+                continue;
+            }
+
+            MavlinkFrame frame = outgoing.Frame.WithSequence(NextSequence(outgoing.Frame), message.CrcExtra);
+            _own.Count(frame, isChecked: true);
+            SendTo(_router.RouteOwn(frame, message), frame);
+        }
+    }
+
+    private byte NextSequence(in MavlinkFrame frame)
+    {
+        int source = (frame.SystemId << 8) | frame.ComponentId;
+        _sequences.TryGetValue(source, out byte sequence);
+        _sequences[source] = unchecked((byte)(sequence + 1));
+        return sequence;
+    }
+
+    private void SendTo(ulong links, in MavlinkFrame frame)
+    {
+        if (links == 0)
+            return;
+        foreach (LinkPort port in _ports)
+        {
+            if ((links & (1UL << port.Number)) != 0)
+                port.Send(frame);
+        }
+    }
+
+    private void PostStatus()
+    {
+        _nextStatus = Now + StatusPeriod;
+        foreach (LinkPort port in _ports)
+            port.PostStatus(Now, _options.SilentAfter, _droppedIn[port.Number]);
+    }
+
+    /// <returns>True while the end is near but something is still to be handled.</returns>
+    private bool StopAtTheEnd()
+    {
+        if (!_ports.TrueForAll(p => p.HasEnded))
+            return false;
+        if (_ports.Exists(p => p.Reader.Counters.Resident > 0) || _autopilot.Counters.Resident > 0)
+            return true;
+        PostStatus();
+        StopSystem(_ports.Count == 1 ? "the recorded flight is over" : "all links have ended");
+        return false;
+    }
+
+    private static bool HasRoom<T>(QueueSender<T> queue)
+    {
+        QueueCounters counters = queue.Counters;
+        return counters.Resident < counters.Capacity;
+    }
+}

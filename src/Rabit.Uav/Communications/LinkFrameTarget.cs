@@ -1,0 +1,42 @@
+using System.Threading;
+using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Uav.Links;
+
+namespace Rabit.Uav.Communications;
+
+/// <summary>Writes frames to a live link. Runs on the writer's thread.</summary>
+internal sealed class LinkFrameTarget(IByteLink link) : IWriterTarget<MavlinkFrame>
+{
+    private readonly byte[] _buffer = new byte[MavlinkFrame.MaximumWireLength];
+    private long _lost;
+
+    public bool Blocks => link.Blocks;
+
+    /// <summary>Frames that the link could not take. Any thread.</summary>
+    public long Lost => Interlocked.Read(ref _lost);
+
+    public void Open()
+    {
+    }
+
+    public void Write(in MavlinkFrame value)
+    {
+        int length = value.WriteTo(_buffer);
+        try
+        {
+            link.Write(_buffer, 0, length);
+        }
+        catch (LinkException e) when (!e.LinkEnded)
+        {
+            // The next frame may get through; this one is lost, and counted.
+            Interlocked.Increment(ref _lost);
+        }
+    }
+
+    public void Unblock() => link.Unblock();
+
+    public void Close()
+    {
+    }
+}

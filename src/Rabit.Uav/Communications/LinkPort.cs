@@ -1,0 +1,80 @@
+using System;
+using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Uav.Links;
+using Rabit.Uav.Messages;
+using LinkState = Rabit.Uav.Messages.LinkState;
+
+namespace Rabit.Uav.Communications;
+
+/// <summary>One link as Communications sees it: what reads it, what writes it, what is counted, what is told of it.</summary>
+internal sealed class LinkPort(
+    int number,
+    string url,
+    FrameTally tally,
+    BlockingReader<LinkFrame> reader,
+    BlockingWriter<MavlinkFrame>? writer,
+    MessagePublisher<LinkStatus> status,
+    Func<long> bytesLost,
+    LinkFrameTarget? target,
+    RecordedFile? file)
+{
+    private long _framesOut;
+    private long _rejectedOut;
+    private TimeSpan? _lastFrameTime;
+
+    public int Number { get; } = number;
+
+    public BlockingReader<LinkFrame> Reader { get; } = reader;
+
+    /// <summary>A recorded log must lose nothing: it waits when there is no room.</summary>
+    public bool IsRecorded => file is not null;
+
+    public bool HasEnded => Reader.State is DeviceState.Ended or DeviceState.Faulted or DeviceState.Stopped;
+
+    public void Saw(in LinkFrame frame) => _lastFrameTime = frame.Time;
+
+    public void Send(in MavlinkFrame frame)
+    {
+        if (writer is null)
+            return;
+        if (writer.State is DeviceState.Faulted or DeviceState.Ended || writer.Push(frame) == PushResult.Rejected)
+            _rejectedOut++;
+        else
+            _framesOut++;
+    }
+
+    public void PostStatus(TimeSpan now, TimeSpan silentAfter, long droppedIn)
+    {
+        Exception? fault = Reader.Fault ?? writer?.Fault;
+        QueueCounters incoming = Reader.Counters;
+        status.Value = new LinkStatus
+        {
+            State = StateAt(now, silentAfter, fault),
+            Url = url,
+            Fault = fault?.Message,
+            LastFrameTime = _lastFrameTime,
+            FramesIn = tally.Frames,
+            FramesOut = _framesOut,
+            FramesMissing = tally.Missing,
+            BytesLost = bytesLost(),
+            FramesDroppedIn = droppedIn + incoming.Dropped + incoming.Rejected + Reader.Discarded,
+            FramesDroppedOut = _rejectedOut + (writer?.Counters.Dropped ?? 0) + (writer?.Discarded ?? 0) + (target?.Lost ?? 0),
+            Progress = file?.Progress ?? double.NaN,
+        };
+        status.Post();
+    }
+
+    public LinkSummary Summarise() => new(url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset);
+
+    private LinkState StateAt(TimeSpan now, TimeSpan silentAfter, Exception? fault)
+    {
+        if (fault is not null)
+            return LinkState.Failed;
+        if (HasEnded)
+            return LinkState.Ended;
+        if (_lastFrameTime is not { } last)
+            return LinkState.Waiting;
+        return now - last > silentAfter ? LinkState.Silent : LinkState.Receiving;
+    }
+}

@@ -1,0 +1,37 @@
+using System.Collections.Generic;
+using Rabit.Mavlink;
+
+namespace Rabit.Uav.Communications;
+
+/// <summary>What came in over one link since the start, counted where its frames are made. Immutable.</summary>
+public sealed class LinkSummary
+{
+    internal LinkSummary(
+        string url, long frames, IReadOnlyList<FrameCount> counts, IReadOnlyList<MavlinkSequenceStatistics> sources, long bytesLost, long? firstDamageOffset)
+    {
+        Url = url;
+        Frames = frames;
+        Counts = counts;
+        Sources = sources;
+        BytesLost = bytesLost;
+        FirstDamageOffset = firstDamageOffset;
+    }
+
+    /// <summary>What the link was opened by.</summary>
+    public string Url { get; }
+
+    /// <summary>All frames.</summary>
+    public long Frames { get; }
+
+    /// <summary>The frames by message and source, ordered by source, then by message id.</summary>
+    public IReadOnlyList<FrameCount> Counts { get; }
+
+    /// <summary>Frames and gaps of each source.</summary>
+    public IReadOnlyList<MavlinkSequenceStatistics> Sources { get; }
+
+    /// <summary>Bytes that belong to no frame or record.</summary>
+    public long BytesLost { get; }
+
+    /// <summary>File offset of the first damage of a recorded log; null where there is none.</summary>
+    public long? FirstDamageOffset { get; }
+}

@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Links;
+
+namespace Rabit.Uav;
+
+/// <summary>What a UAV companion computer is made of. Read once, when it is opened.</summary>
+public sealed class UavOptions
+{
+    /// <summary>The links, at least one. A recorded log at another speed than 1 goes with recorded logs of the same speed only.</summary>
+    public IReadOnlyList<LinkUrl> Links { get; set; } = Array.Empty<LinkUrl>();
+
+    /// <summary>Our MAVLink system id, 1 to 255; null for that of the vehicle that carries us.</summary>
+    /// <value>The default is null.</value>
+    public byte? SystemId { get; set; }
+
+    /// <summary>Our MAVLink component id.</summary>
+    /// <value>The default is 191, MAV_COMP_ID_ONBOARD_COMPUTER.</value>
+    public byte ComponentId { get; set; } = 191;
+
+    /// <summary>Whether the autopilot is asked for the message rates that we need. A replay asks nobody.</summary>
+    /// <value>The default is true.</value>
+    public bool RequestsMessageRates { get; set; } = true;
+
+    /// <summary>Fixes the order among managers in virtual time, where a log is played at another pace than its own.</summary>
+    /// <value>The default is 0.</value>
+    public long Seed { get; set; }
+
+    internal bool IsReplay => Links.All(l => l.Kind == LinkKind.RecordedFile);
+
+    /// <summary>How many times faster than real time; 1 for real time itself.</summary>
+    internal double Speed => Links.Max(l => l.Speed);
+
+    /// <exception cref="ArgumentException">Options are out of their range or do not go together; the text names all of them.</exception>
+    internal void Validate(string parameter)
+    {
+        var faults = new List<string>();
+        if (Links is null || Links.Count == 0)
+            throw new ArgumentException("A UAV needs at least one link.", parameter);
+        if (SystemId == 0)
+            faults.Add($"{nameof(SystemId)} is 0; it must be 1 to 255");
+        if (ComponentId == 0)
+            faults.Add($"{nameof(ComponentId)} is 0; it must be 1 to 255");
+        faults.AddRange(Links
+            .GroupBy(l => l.ToString(), StringComparer.Ordinal)
+            .Where(g => g.Count() > 1)
+            .Select(g => $"link {g.Key} is given {g.Count()} times"));
+
+        LinkUrl? fast = Links.FirstOrDefault(l => !l.Speed.Equals(1));
+        LinkUrl? other = fast is null ? null : Links.FirstOrDefault(l => l.Kind != LinkKind.RecordedFile || !l.Speed.Equals(fast.Speed));
+        if (other is not null)
+            faults.Add($"{fast} plays at another pace than {other}; a log at another speed than 1 goes with logs of the same speed only");
+        if (faults.Count > 0)
+            throw new ArgumentException(string.Join("; ", faults) + ".", parameter);
+    }
+}
