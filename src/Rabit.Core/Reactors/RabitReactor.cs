@@ -245,9 +245,6 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
                 device.Connect(_clock, _log);
             _activities.Add(new ManagerActivity(manager, run));
         }
-
-        lock (_gate)
-            _isWired = true;
     }
 
     private void OpenBarrier()
