@@ -13,6 +13,9 @@ public class NumberTextTests
     [InlineData("0x1F", "31")]
     [InlineData("0b101", "5")]
     [InlineData("2**4", "16")]
+    [InlineData("-2**63", "-9223372036854775808")]
+    [InlineData("0**64", "0")]
+    [InlineData("2**0", "1")]
     [InlineData("2**63", "9223372036854775808")]
     [InlineData("18446744073709551615", "18446744073709551615")]
     [InlineData("-9223372036854775808", "-9223372036854775808")]
@@ -36,6 +39,7 @@ public class NumberTextTests
     [InlineData("2**-1")]
     [InlineData("2**64")]
     [InlineData("10**99")]
+    [InlineData("18446744073709551615**2")]
     [InlineData("18446744073709551616")]
     [InlineData("0x10000000000000000")]
     public void TryParse_NoNumberOr64BitsExceeded_Refuses(string text) => Assert.False(NumberText.TryParse(text, out _));
