@@ -42,7 +42,7 @@ public sealed class AutopilotManager : RabitManager
     public AutopilotManager(AutopilotOptions options)
         : base(ManagerName)
     {
-        _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy();
+        _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         _tracker = new VehicleTracker(_options.SystemId, _options.HeartbeatTimeout);
         _rates = new MessageRateRequester(_options.RequestedRates);
         _frames = Receive<LinkFrame>(MessageNames.AutopilotFrames, FramesWaiting, QueueFullMode.Reject, wakeOnPush: true);

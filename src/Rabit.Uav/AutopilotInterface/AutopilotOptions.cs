@@ -49,11 +49,11 @@ public sealed class AutopilotOptions
 
     /// <summary>Checks, and takes a copy that later changes do not reach.</summary>
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
-    internal AutopilotOptions ValidatedCopy()
+    internal AutopilotOptions ValidatedCopy(string parameter)
     {
         List<string> faults = FindFaults().ToList();
         if (faults.Count > 0)
-            throw new ArgumentException("Autopilot Interface: " + string.Join("; ", faults) + ".");
+            throw new ArgumentException("Autopilot Interface: " + string.Join("; ", faults) + ".", parameter);
         var copy = (AutopilotOptions)MemberwiseClone();
         copy.RequestedRates = RequestedRates.ToArray();
         return copy;
