@@ -148,6 +148,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         }
 
         Prepare();
+        lock (_gate)
+            _isWired = true;
         _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
         foreach (ManagerActivity activity in _activities)
         {
