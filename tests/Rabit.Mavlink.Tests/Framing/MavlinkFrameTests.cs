@@ -122,6 +122,28 @@ public class MavlinkFrameTests
         Assert.Equal((0, 0), (broadcast.TargetSystem(default), broadcast.TargetComponent(command)));
     }
 
+    [Theory]
+    [InlineData(MavlinkVersion.V1)]
+    [InlineData(MavlinkVersion.V2)]
+    public void WithSequence_Unsigned_GivesWhatCreateGives(MavlinkVersion version)
+    {
+        MavlinkFrame renumbered = MavlinkFrame.Create(Sample, 1, 191, 5, version).WithSequence(6, Wire.Info<Heartbeat>().CrcExtra);
+
+        Assert.Equal(Wire.Bytes(MavlinkFrame.Create(Sample, 1, 191, 6, version)), Wire.Bytes(renumbered));
+    }
+
+    [Fact]
+    public void WithSequence_Signed_DropsTheSignature()
+    {
+        byte crcExtra = Wire.Info<Heartbeat>().CrcExtra;
+        MavlinkFrame signed = Wire.Single(Wire.V2(0, [1], crcExtra, incompatibilityFlags: 1), out _);
+
+        MavlinkFrame renumbered = signed.WithSequence(9, crcExtra);
+
+        Assert.Equal(Wire.V2(0, [1], crcExtra, sequence: 9), Wire.Bytes(renumbered));
+        Assert.Equal(0, renumbered.CopySignatureTo(new byte[13]));
+    }
+
     [Fact]
     public void Size_IsThatOfItsBytesNearly() => Assert.InRange(Marshal.SizeOf<MavlinkFrame>(), MavlinkFrame.MaximumWireLength, 288);
 

@@ -182,6 +182,18 @@ public class MavlinkRouterTests
     }
 
     [Fact]
+    public void SetOwnAddress_AnotherSystem_IsOursFromThenOn()
+    {
+        _router.SetOwnAddress(2, 191);
+        MavlinkFrame command = MavlinkFrame.Create(new CommandLong { TargetSystem = 2, TargetComponent = 191 }, 255, 190, 0);
+
+        Assert.Equal(MavlinkRouteReason.ForUs, _router.Route(Ground, command, Wire.Info<CommandLong>(), isChecked: true).Reason);
+        Assert.Equal(MavlinkRouteReason.OurOwn, Hear(Ground, 2, 191).Reason);
+        Assert.Equal("2", Links(_router.LinksOf(2, 1)));
+        Assert.Throws<ArgumentOutOfRangeException>("systemId", () => _router.SetOwnAddress(0, 1));
+    }
+
+    [Fact]
     public void SetLink_ForwardFromALogWhenAsked_GoesToLiveLinks()
     {
         _router.SetLink(Log, MavlinkLinkRules.ForwardFrom);
