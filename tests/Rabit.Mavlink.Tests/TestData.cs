@@ -9,7 +9,8 @@ namespace Rabit.Mavlink.Tests;
 /// <summary>Where the test data is, and the small things read from it by several tests.</summary>
 internal static class TestData
 {
-    public static string Folder { get; } = Path.Combine(AppContext.BaseDirectory, "data", "mavlink");
+    // Not the base directory: where tests run without a domain of their own, as under Mono, that is the runner's.
+    public static string Folder { get; } = Path.Combine(Path.GetDirectoryName(typeof(TestData).Assembly.Location)!, "data", "mavlink");
 
     public static string PathOf(string file) => Path.Combine(Folder, file);
 

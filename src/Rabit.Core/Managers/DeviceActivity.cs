@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 using Rabit.Core.Diagnostics;
 
 namespace Rabit.Core.Managers;
@@ -7,11 +8,18 @@ namespace Rabit.Core.Managers;
 internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner manager, DeviceHealth health) : Activity(name, wakeUp)
 {
     private bool _isOpen;
+    private bool _hasBegun;   // written by the device's thread, read by the reactor's
     private RabitLog? _log;
 
     public abstract bool Blocks { get; }
 
     public override string Doing => "using its device";
+
+    /// <summary>Whether it has a thread or turns: not where the run was stopped before the barrier opened.</summary>
+    public bool HasBegun => Volatile.Read(ref _hasBegun);
+
+    /// <summary>Whether it must still use its device when it is stopped before its first turn.</summary>
+    protected virtual bool HasWorkLeft => false;
 
     protected DeviceHealth Health { get; } = health;
 
@@ -25,7 +33,10 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
         _log = log;
     }
 
-    public override void Begin()
+    public override void Begin() => Volatile.Write(ref _hasBegun, true);
+
+    /// <summary>Instead of all turns, on the reactor's thread: it never began, and counts what is lost by that.</summary>
+    public virtual void Abandon()
     {
     }
 
@@ -54,6 +65,8 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
 
     public override void End()
     {
+        if (!_isOpen && HasWorkLeft)
+            TakeTurn(default, wokenAt: null);
         try
         {
             if (_isOpen)
@@ -67,6 +80,21 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
         if (!HasFinished)
             Health.State = DeviceState.Stopped;
     }
+
+    public override void Unblock()
+    {
+        try
+        {
+            UnblockDevice();
+        }
+        catch (Exception e)
+        {
+            // It runs on the thread that stops all the others: they must be stopped all the same.
+            Report("could not unblock its device", e);
+        }
+    }
+
+    protected abstract void UnblockDevice();
 
     protected abstract void Open();
 

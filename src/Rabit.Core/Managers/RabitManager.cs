@@ -112,6 +112,9 @@ public abstract partial class RabitManager
     /// <param name="reason">For the result of the run.</param>
     protected void StopSystem(string reason) => Run.RequestStop($"{Name}: {reason}");
 
+    /// <summary>Whether the manager is in a reactor that has started: it serves no other one.</summary>
+    internal bool IsAttached => _run is not null;
+
     internal void Attach(ManagerRun run) => _run = run;
 
     internal void RunStartup() => Startup();

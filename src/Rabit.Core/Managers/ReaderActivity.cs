@@ -16,7 +16,7 @@ internal sealed class ReaderActivity<T>(
 
     public override bool Blocks => source.Blocks;
 
-    public override void Unblock() => source.Unblock();
+    protected override void UnblockDevice() => source.Unblock();
 
     protected override void Open() => source.Open(new ReaderContext(Clock, WakeUp));
 
@@ -44,8 +44,8 @@ internal sealed class ReaderActivity<T>(
 
     protected override void Close()
     {
-        source.Close();
         ReportDiscarded(_holdsValue ? 1 : 0);
+        source.Close();
     }
 
     private bool TryHandOver()

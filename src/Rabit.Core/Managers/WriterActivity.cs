@@ -10,13 +10,18 @@ internal sealed class WriterActivity<T>(
     : DeviceActivity(name, wakeUp, manager, health)
 {
     private bool _unblocked;   // set by the reactor's thread, read by the writer's
+    private bool _holdsValue;  // popped, and not yet written as far as the target said
 
     public override bool Blocks => target.Blocks;
 
     public override bool DrainsAtEnd => true;
 
+    protected override bool HasWorkLeft => receiver.Queue!.Count > 0;
+
+    public override void Abandon() => ReportDiscarded(receiver.Queue!.Count);
+
     /// <summary>The writer had its time to write what was left; now it is to give up.</summary>
-    public override void Unblock()
+    protected override void UnblockDevice()
     {
         Volatile.Write(ref _unblocked, true);
         target.Unblock();
@@ -27,7 +32,12 @@ internal sealed class WriterActivity<T>(
     protected override NextTurn Work()
     {
         while (!Volatile.Read(ref _unblocked) && receiver.Queue!.TryPop(out T? value))
+        {
+            _holdsValue = true;
             target.Write(value);
+            _holdsValue = false;
+        }
+
         return NextTurn.At(TimeSpan.MaxValue);
     }
 
@@ -40,7 +50,7 @@ internal sealed class WriterActivity<T>(
         }
         finally
         {
-            ReportDiscarded(receiver.Queue!.Count);
+            ReportDiscarded(receiver.Queue!.Count + (_holdsValue ? 1 : 0));
             target.Close();
         }
     }

@@ -23,11 +23,12 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     private readonly RabitLog _log;
     private readonly ReactorEngine _engine;
     private readonly List<RabitManager> _managers = [];
-    private readonly List<ManagerActivity> _activities = [];
+    private readonly List<ManagerActivity> _activities = [];   // filled by Start, then read only
 
-    // Guards the four fields below: a stop comes from any thread.
+    // Guards the five fields below: a stop comes from any thread.
     private readonly object _gate = new();
     private bool _hasStarted;
+    private bool _isWired;
     private bool _isFinished;
     private string? _stopReason;
     private Exception? _failure;
@@ -51,7 +52,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     public RabitReactor(ReactorOptions options)
     {
         Require.NotNull(options, nameof(options)).Validate(nameof(options));
-        _options = options;
+        _options = options = options.Copy();
         _clock = new RunClock(options.Time.Clock);
         _log = new RabitLog(options.Log, options.LogRuns, _clock);
         _engine = options.Time.CreateEngine(new EngineContext(_clock, _log, Fail));
@@ -62,6 +63,18 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
 
     /// <summary>Time since the reactor was made, on the monotonic clock of the run; the same as <see cref="RabitManager.Now"/>. Any thread.</summary>
     public TimeSpan Now => _clock.Now;
+
+    /// <summary>
+    /// Whether the managers are wired: from now on the ends that <see cref="Workspace"/> made may be used. Any thread.
+    /// </summary>
+    public bool IsWired
+    {
+        get
+        {
+            lock (_gate)
+                return _isWired;
+        }
+    }
 
     /// <summary>Adds a manager; they start in the order in which they were added. Before the start only.</summary>
     /// <param name="manager">In one reactor only.</param>
@@ -135,6 +148,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         }
 
         Prepare();
+        lock (_gate)
+            _isWired = true;
         _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
         foreach (ManagerActivity activity in _activities)
         {
@@ -148,13 +163,17 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     }
 
     /// <summary>Lets the managers work for a while and comes back, or comes back early when the run is stopped.</summary>
-    /// <param name="duration">By the clock of the run.</param>
+    /// <param name="duration">By the clock of the run. Zero runs what is due now (in virtual time).</param>
     /// <returns>False when the run is stopped: go on with <see cref="Finish"/>.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">Negative: time does not go back.</exception>
     /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
     public bool RunFor(TimeSpan duration)
     {
-        RequireRunning();
-        _engine.RunUntil(_clock.Now + duration);
+        if (duration < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(duration), duration, "A run cannot last less than no time.");
+        RequireRunning(finishing: false);
+        TimeSpan now = _clock.Now;
+        _engine.RunUntil(duration > TimeSpan.MaxValue - now ? TimeSpan.MaxValue : now + duration);
         return !IsStopping;
     }
 
@@ -162,9 +181,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
     public ReactorResult Finish()
     {
-        RequireRunning();
-        lock (_gate)
-            _isFinished = true;
+        RequireRunning(finishing: true);
         _engine.RunUntil(TimeSpan.MaxValue);
         TimeSpan duration = _clock.Now;
         string reason = _stopReason ?? string.Empty;
@@ -188,9 +205,11 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     /// </summary>
     /// <param name="managerName">The manager.</param>
     /// <returns>Zero turns in real time, where <see cref="ManagerStatus.UnitOfWorkTime"/> says it.</returns>
-    /// <exception cref="ArgumentException">There is no manager of that name, or the reactor has not started.</exception>
+    /// <exception cref="ArgumentException">There is no manager of that name, or the managers are not wired yet.</exception>
     public DurationStatistics RealTurnTime(string managerName)
     {
+        if (!IsWired)
+            throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
         ManagerActivity activity = _activities.Find(a => string.Equals(a.Name, managerName, StringComparison.Ordinal))
             ?? throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
         return _engine.RealTurnTime(activity);
@@ -212,8 +231,9 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
 
     private void Prepare()
     {
-        RequireModelledManagersExist();
-        Workspace.Wire(_managers, _options.Time.AllowsBlocking, _clock, _log);
+        if (_managers.Find(m => m.IsAttached) is { } taken)
+            throw new InvalidOperationException($"Manager '{taken.Name}' is in another reactor that has started.");
+        Workspace.Wire(_managers, _options.Time, _clock, _log);
         foreach (string note in Workspace.Notes)
             _log.Write(RabitLogKind.Note, Source, note);
 
@@ -244,7 +264,11 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         if (activity.HasBegun)
             End(activity, notStopped);
         foreach (DeviceActivity writer in activity.Manager.Writers)
+        {
             End(writer, notStopped);
+            if (!writer.HasBegun)
+                writer.Abandon();
+        }
 
         (IReadOnlyList<ManagerFault> faults, long count) = activity.Faults;
         ManagerOutcome outcome = !activity.HasBegun ? ManagerOutcome.NotStarted
@@ -279,23 +303,13 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         _engine.RequestStop();
     }
 
-    private void RequireRunning()
+    private void RequireRunning(bool finishing)
     {
         lock (_gate)
         {
-            if (!_hasStarted || _isFinished)
+            if (!_isWired || _isFinished)
                 throw new InvalidOperationException(_isFinished ? "The run has finished." : "The reactor has not started.");
+            _isFinished = finishing;
         }
-    }
-
-    private void RequireModelledManagersExist()
-    {
-        if (_options.Time is not VirtualTime time)
-            return;
-        string[] unknown = time.UnitOfWorkDurations.Keys
-            .Where(name => !_managers.Exists(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
-            .ToArray();
-        if (unknown.Length > 0)
-            throw new RabitWiringException([$"Virtual time models units of work of managers that are not in the reactor: {string.Join(", ", unknown)}."]);
     }
 }

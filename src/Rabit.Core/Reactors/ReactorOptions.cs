@@ -26,6 +26,8 @@ public sealed class ReactorOptions
     /// <value>The default is true.</value>
     public bool StopsOnSignals { get; set; } = true;
 
+    internal ReactorOptions Copy() => (ReactorOptions)MemberwiseClone();
+
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal void Validate(string parameter)
     {

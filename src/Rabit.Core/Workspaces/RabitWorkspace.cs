@@ -101,12 +101,12 @@ public sealed class RabitWorkspace
 
     /// <summary>Checks what all managers declared and ties their ends together.</summary>
     /// <exception cref="RabitWiringException">It does not fit together.</exception>
-    internal void Wire(IReadOnlyList<RabitManager> managers, bool blockingAllowed, RunClock clock, RabitLog log)
+    internal void Wire(IReadOnlyList<RabitManager> managers, RabitTime time, RunClock clock, RabitLog log)
     {
         lock (_gate)
         {
             var wiring = new Wiring(managers, _outsideDeclarations);
-            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, blockingAllowed);
+            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time);
             if (faults.Count > 0)
                 throw new RabitWiringException(faults);
 

@@ -9,7 +9,7 @@ namespace Rabit.Core.Workspaces;
 /// <summary>Finds everything that does not fit together, before any thread starts.</summary>
 internal static class WiringCheck
 {
-    public static IReadOnlyList<string> FindFaults(Wiring wiring, bool blockingAllowed)
+    public static IReadOnlyList<string> FindFaults(Wiring wiring, RabitTime time)
     {
         var faults = new List<string>();
         if (wiring.Managers.Count == 0)
@@ -24,7 +24,14 @@ internal static class WiringCheck
         foreach (IReadOnlyList<EndDeclaration> ends in wiring.Queues.Values)
             CheckQueue(ends, faults);
 
-        if (!blockingAllowed)
+        if (time is VirtualTime modelled)
+        {
+            faults.AddRange(modelled.UnitOfWorkDurations.Keys
+                .Where(name => !wiring.Managers.Any(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
+                .Select(name => $"Virtual time models the units of work of manager '{name}', which is not in the reactor."));
+        }
+
+        if (!time.AllowsBlocking)
         {
             faults.AddRange(wiring.Managers
                 .SelectMany(m => m.Readers.Concat(m.Writers))

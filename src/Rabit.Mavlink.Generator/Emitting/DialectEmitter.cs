@@ -23,7 +23,7 @@ internal static class DialectEmitter
             writer.Close();
             writer.Blank();
             writer.Open($"private static class {property}Holder");
-            writer.Open($"internal static readonly MavlinkDialect Dialect = new MavlinkDialect(\"{dialect.Name}\", new MavlinkMessageInfo[]");
+            writer.Open($"internal static readonly MavlinkDialect Dialect = new MavlinkDialect({Literal(dialect.Name)}, new MavlinkMessageInfo[]");
             foreach (MessageDefinition message in dialect.Messages)
                 writer.Line(Info(message, names, isPackage ? options.Namespace + "." : ""));
             writer.Close(");");
@@ -31,6 +31,8 @@ internal static class DialectEmitter
             writer.Close();
         });
     }
+
+    private static string Literal(string text) => "\"" + text.Replace("\\", "\\\\").Replace("\"", "\\\"") + "\"";
 
     private static string Info(MessageDefinition message, TypeNames names, string prefix) => string.Format(
         CultureInfo.InvariantCulture,

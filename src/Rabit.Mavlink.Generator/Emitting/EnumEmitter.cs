@@ -18,25 +18,27 @@ internal sealed class EnumEmitter(Dialect dialect, TypeNames names, SourceWriter
         DocComment.Remarks(writer, (definition.Description is null ? [] : new[] { fact }).Concat(DocComment.Marks(definition.Marks)).ToList());
         if (definition.IsBitmask)
             writer.Line("[global::System.Flags]");
-        writer.Open($"public enum {names.OfEnum(definition.Name)} : {EnumUnderlyingType.Of(definition, dialect)}");
+        WireType underlying = EnumUnderlyingType.Of(definition, dialect);
+        writer.Open($"public enum {names.OfEnum(definition.Name)} : {underlying.CSharpName}");
         bool isFirst = true;
         foreach (EnumEntry entry in definition.Entries)
         {
             if (!isFirst)
                 writer.Blank();
             isFirst = false;
-            EmitEntry(entry, entryNames[entry.Name]);
+            EmitEntry(entry, entryNames[entry.Name], underlying);
         }
 
         writer.Close();
     }
 
-    private void EmitEntry(EnumEntry entry, string name)
+    private void EmitEntry(EnumEntry entry, string name, WireType underlying)
     {
         string code = DocComment.Code(entry.Name) + ".";
         DocComment.Summary(writer, entry.Description is null ? code : DocComment.Join([DocComment.Sentence(entry.Description), code]));
         DocComment.Remarks(writer, DocComment.Marks(entry.Marks).Concat(entry.Parameters.Select(Describe).Where(text => text.Length != 0)).ToList());
-        writer.Line($"{name} = {entry.Value.ToString(CultureInfo.InvariantCulture)},");
+        string value = entry.Value.ToString(CultureInfo.InvariantCulture);
+        writer.Line(entry.Value <= underlying.Maximum ? $"{name} = {value}," : $"{name} = unchecked(({underlying.CSharpName}){value}),");
     }
 
     private static string Describe(CommandParameter parameter)

@@ -14,7 +14,7 @@ internal static class EnumUnderlyingType
     private static readonly WireType[] Plain = Types("int32_t", "uint32_t", "int64_t", "uint64_t");
     private static readonly WireType[] Bits = Types("uint32_t", "uint64_t", "int32_t", "int64_t");
 
-    public static string Of(EnumDefinition definition, Dialect dialect)
+    public static WireType Of(EnumDefinition definition, Dialect dialect)
     {
         List<WireType> fields = dialect.Messages.SelectMany(message => message.Fields)
             .Where(field => field.Type.IsInteger && string.Equals(field.Enum, definition.Name, StringComparison.Ordinal))
@@ -22,7 +22,8 @@ internal static class EnumUnderlyingType
         decimal smallest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Minimum)).DefaultIfEmpty().Min();
         decimal largest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Maximum)).DefaultIfEmpty().Max();
         WireType? fitting = (definition.IsBitmask ? Bits : Plain).FirstOrDefault(type => type.Minimum <= smallest && type.Maximum >= largest);
-        return (fitting ?? Plain[2]).CSharpName;
+        // Nothing holds both a negative number and 2^63: the bits still fit.
+        return fitting ?? Plain[2];
     }
 
     private static WireType[] Types(params string[] names) => names.Select(name => WireType.Find(name)!).ToArray();

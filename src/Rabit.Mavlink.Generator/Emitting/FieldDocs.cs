@@ -40,7 +40,7 @@ internal static class FieldDocs
         else if (field.MaxValue is not null)
             yield return $"At most {DocComment.Escape(field.MaxValue)}.";
         if (field.Invalid is not null)
-            yield return $"Not known: {DocComment.Code(field.Invalid)}.";
+            yield return $"Invalid value: {DocComment.Code(field.Invalid)}.";
         if (field.IsInstance)
             yield return "Tells several instances of this message apart.";
         if (field.IsExtension)

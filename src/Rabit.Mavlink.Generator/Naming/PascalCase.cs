@@ -1,5 +1,6 @@
 using System.Linq;
 using System.Text;
+using System.Text.RegularExpressions;
 
 namespace Rabit.Mavlink.Generator.Naming;
 
@@ -10,7 +11,8 @@ namespace Rabit.Mavlink.Generator.Naming;
 /// </summary>
 internal static class PascalCase
 {
-    public static string[] Words(string name) => name.Split('_').Where(word => word.Length != 0).ToArray();
+    // Names have nothing but letters, digits and underscores; a file name, which a dialect is called after, may have more.
+    public static string[] Words(string name) => Regex.Split(name, "[^A-Za-z0-9]+", RegexOptions.CultureInvariant).Where(word => word.Length != 0).ToArray();
 
     public static string Of(string name) => Join(Words(name));
 

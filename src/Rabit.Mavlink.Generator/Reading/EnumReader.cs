@@ -35,9 +35,9 @@ internal sealed class EnumReader
             return;
         string? text = element.Attribute("value");
         decimal value = merged.NextValue;
-        if (text is not null && !NumberText.TryParse(text, out value))
+        if (text is null ? !NumberText.Fits(value) : !NumberText.TryParse(text, out value))
         {
-            element.Fault(DialectFaultKind.MalformedNumber, $"Value '{text}' of {name} in enum {merged.Name} is no number; write 12, 0x1F, 0b101 or 2**4.");
+            element.Fault(DialectFaultKind.MalformedNumber, $"Value '{text ?? "one more"}' of {name} in enum {merged.Name} is no number of 64 bits; write 12, 0x1F, 0b101 or 2**4.");
             return;
         }
 

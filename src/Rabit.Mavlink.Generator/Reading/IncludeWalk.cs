@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Xml;
 using System.Xml.Linq;
@@ -54,7 +55,9 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
     {
         try
         {
-            XElement? root = XDocument.Parse(file.Text, LoadOptions.SetLineInfo).Root;
+            // No document types: a definition needs none, and a few lines of them can expand to gigabytes.
+            using var reader = XmlReader.Create(new StringReader(file.Text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit });
+            XElement? root = XDocument.Load(reader, LoadOptions.SetLineInfo).Root;
             if (root?.Name.LocalName == "mavlink")
                 return root;
             faults.Add(DialectFaultKind.Malformed, file.Path, root, $"The root element is '{root?.Name.LocalName}', a MAVLink definition has 'mavlink'.");

@@ -25,6 +25,9 @@ internal static class NumberText
         return decimal.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value) && Fits(value);
     }
 
+    /// <summary>Whether it is a 64-bit integer, signed or not.</summary>
+    public static bool Fits(decimal value) => value is >= long.MinValue and <= ulong.MaxValue;
+
     private static bool TryBinary(string digits, out decimal value)
     {
         ulong bits = 0;
@@ -49,13 +52,12 @@ internal static class NumberText
             return false;
         for (int i = 0; i < exponent; i++)
         {
-            value *= factor;
-            if (!Fits(value))
+            // Asked before, since a decimal throws where it overflows.
+            if (factor != 0 && Math.Abs(value) > ulong.MaxValue / Math.Abs(factor))
                 return false;
+            value *= factor;
         }
 
-        return true;
+        return Fits(value);
     }
-
-    private static bool Fits(decimal value) => value is >= long.MinValue and <= ulong.MaxValue;
 }

@@ -1,0 +1,280 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Xunit;
+
+namespace Rabit.Core.Tests.Contracts;
+
+/// <summary>Contract 3: the message queue.</summary>
+public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
+{
+    [Fact, Trait("Clause", "3.1")]
+    public void Queue_ManySenders_IsFirstInFirstOutPerSenderAndLosesNothing()
+    {
+        const int Each = 2000;
+        using TestRun run = NewRun();
+        ScriptedManager sink = run.Add("sink");
+        QueueReceiver<(int Sender, int Number)> receiver = sink.Receive<(int Sender, int Number)>("queue", capacity: 3 * Each);
+        var senders = new List<ScriptedManager>();
+        for (int s = 0; s < 3; s++)
+        {
+            int number = s;
+            ScriptedManager source = run.Add("source " + s);
+            QueueSender<(int Sender, int Number)> sender = source.Send<(int Sender, int Number)>("queue");
+            source.OnUnit = () =>
+            {
+                for (int i = 0; source.Units == 1 && i < Each; i++)
+                    Assert.Equal(PushResult.Queued, sender.Push((number, i)));
+            };
+            senders.Add(source);
+        }
+
+        int[] next = new int[3];
+        sink.OnUnit = () =>
+        {
+            while (receiver.TryPop(out (int Sender, int Number) value))
+                Assert.Equal(next[value.Sender]++, value.Number);
+            if (next.All(n => n == Each))
+                run.Board.Write("complete");
+        };
+
+        run.Start();
+        run.Until(() => run.Board.Count("complete") > 0, "every value arrives");
+        Assert.Equal(0, run.Finish().ExitCode);
+    }
+
+    [Fact, Trait("Clause", "3.1")]
+    public void Push_FullQueueRejects_IsRefusedAndCounted()
+    {
+        using Pair pair = Connect(capacity: 2, QueueFullMode.Reject);
+        pair.Run.On(pair.Source, () => Assert.Equal(
+            [PushResult.Queued, PushResult.Queued, PushResult.Rejected], Push(pair.Sender, 1, 2, 3)));
+        pair.Run.On(pair.Sink, () =>
+        {
+            AssertBooks(pair.Receiver.Counters, pushed: 2, popped: 0, dropped: 0, rejected: 1, resident: 2);
+            Assert.Equal([1, 2], PopAll(pair.Receiver));
+            AssertBooks(pair.Receiver.Counters, pushed: 2, popped: 2, dropped: 0, rejected: 1, resident: 0);
+            Assert.Equal(2, pair.Receiver.Counters.Capacity);
+        });
+    }
+
+    [Fact, Trait("Clause", "3.1")]
+    public void Push_FullQueueDropsOldest_KeepsTheNewestAndCounts()
+    {
+        using Pair pair = Connect(capacity: 2, QueueFullMode.DropOldest);
+        pair.Run.On(pair.Source, () =>
+        {
+            Assert.Equal(
+                [PushResult.Queued, PushResult.Queued, PushResult.QueuedDroppedOldest, PushResult.QueuedDroppedOldest],
+                Push(pair.Sender, 1, 2, 3, 4));
+            AssertBooks(pair.Sender.Counters, pushed: 4, popped: 0, dropped: 2, rejected: 0, resident: 2);
+        });
+        pair.Run.On(pair.Sink, () =>
+        {
+            Assert.Equal([3, 4], PopAll(pair.Receiver));
+            AssertBooks(pair.Receiver.Counters, pushed: 4, popped: 2, dropped: 2, rejected: 0, resident: 0);
+        });
+    }
+
+    [Theory, Trait("Clause", "3.1")]
+    [InlineData(1, QueueFullMode.Reject)]
+    [InlineData(1, QueueFullMode.DropOldest)]
+    [InlineData(3, QueueFullMode.Reject)]
+    [InlineData(7, QueueFullMode.DropOldest)]
+    public void Books_RandomPushesAndPops_BalanceAndAgreeWithAModel(int capacity, QueueFullMode whenFull)
+    {
+        const int Seed = 20171;
+        var random = new Random(Seed);
+        var model = new Queue<int>();
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        QueueReceiver<int> receiver = manager.Receive<int>("queue", capacity, whenFull, wakeOnPush: false);
+        QueueSender<int> sender = manager.Send<int>("queue");
+
+        run.StartAndSettle();
+        run.On(manager, () =>
+        {
+            for (int i = 0; i < 5000; i++)
+            {
+                if (random.Next(5) < 3)
+                {
+                    Assert.Equal(PushToModel(model, capacity, whenFull, i), sender.Push(i));
+                }
+                else
+                {
+                    Assert.Equal(model.Count > 0, receiver.TryPop(out int value));
+                    Assert.Equal(model.Count > 0 ? model.Dequeue() : 0, value);
+                }
+
+                QueueCounters books = receiver.Counters;
+                Assert.True(books.Pushed == books.Popped + books.Dropped + books.Resident, $"seed {Seed}, step {i}");
+                Assert.Equal(model.Count, receiver.Count);
+            }
+        });
+    }
+
+    [Fact, Trait("Clause", "3.1")]
+    public void TryPop_EmptyQueue_IsFalseAndDefault()
+    {
+        using Pair pair = Connect(capacity: 2, QueueFullMode.Reject);
+        pair.Run.On(pair.Sink, () =>
+        {
+            Assert.False(pair.Receiver.TryPop(out int value));
+            Assert.Equal(0, value);
+        });
+    }
+
+    [Fact, Trait("Clause", "3.1"), Trait("Clause", "4.2")]
+    public void WaitWhenFull_ManagerOrOutsideSends_IsAWiringFault()
+    {
+        using TestRun run = NewRun();
+        run.Add("source").Send<int>("queue");
+        run.Add("sink").Receive<int>("queue", 1, QueueFullMode.Wait);
+        run.Reactor.Workspace.Send<int>("queue");
+
+        IReadOnlyList<string> faults = Assert.Throws<RabitWiringException>(run.Start).Faults;
+
+        Assert.Equal(2, faults.Count);
+        Assert.All(faults, fault => Assert.Contains("'queue'", fault, StringComparison.Ordinal));
+        Assert.Contains(faults, fault => fault.Contains("'source'", StringComparison.Ordinal));
+        Assert.Contains(faults, fault => fault.Contains("'outside'", StringComparison.Ordinal));
+    }
+
+    [Fact, Trait("Clause", "3.2")]
+    public void PushEvent_RejectedPush_DoesNotWake()
+    {
+        using Pair pair = Connect(capacity: 1, QueueFullMode.Reject, wakeOnPush: true);
+        pair.Run.On(pair.Source, () => pair.Sender.Push(1));
+        pair.Run.Until(() => pair.Run.StatusOf(pair.Sink).Runs == 2, "the push wakes the sink");
+        pair.Run.OnAndSettle(pair.Source, () => Assert.Equal(PushResult.Rejected, pair.Sender.Push(2)));
+        pair.Run.OnAndSettle(pair.Sink, () => { });
+
+        Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Push, WakeUpCauses.Request], pair.Sink.Causes);
+    }
+
+    [Fact, Trait("Clause", "3.2")]
+    public void PushEvent_PushThatDropsTheOldest_Wakes()
+    {
+        using Pair pair = Connect(capacity: 1, QueueFullMode.DropOldest, wakeOnPush: true);
+        pair.Run.On(pair.Source, () => pair.Sender.Push(1));
+        pair.Run.Until(() => pair.Run.StatusOf(pair.Sink).Runs == 2, "the push wakes the sink");
+        pair.Run.On(pair.Source, () => Assert.Equal(PushResult.QueuedDroppedOldest, pair.Sender.Push(2)));
+        pair.Run.Until(() => pair.Sink.Units == 3, "the second push wakes it too");
+
+        Assert.Equal(WakeUpCauses.Push, pair.Sink.Causes[2]);
+    }
+
+    [Fact, Trait("Clause", "3.2")]
+    public void PopEvent_EmptyPop_DoesNotWake()
+    {
+        using Pair pair = Connect(capacity: 1, QueueFullMode.Reject, wakeOnPop: true);
+        pair.Run.OnAndSettle(pair.Sink, () => Assert.False(pair.Receiver.TryPop(out _)));
+        pair.Run.OnAndSettle(pair.Source, () => { });
+
+        Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Request], pair.Source.Causes);
+    }
+
+    [Fact, Trait("Clause", "3.2")]
+    public void PopEvent_DroppedOldest_DoesNotWake()
+    {
+        using Pair pair = Connect(capacity: 1, QueueFullMode.DropOldest, wakeOnPop: true);
+        pair.Run.OnAndSettle(pair.Source, () => Push(pair.Sender, 1, 2, 3));
+        pair.Run.OnAndSettle(pair.Source, () => { });
+
+        Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Request, WakeUpCauses.Request], pair.Source.Causes);
+    }
+
+    [Fact, Trait("Clause", "2.8")]
+    public void End_UsedByAnotherManager_IsAnErrorThatNamesBoth()
+    {
+        using Pair pair = Connect(capacity: 1, QueueFullMode.Reject);
+        pair.Run.On(pair.Sink, () => AssertMisuse(() => pair.Sender.Push(1)));
+        pair.Run.On(pair.Sink, () => AssertMisuse(() => _ = pair.Sender.Counters));
+        pair.Run.On(pair.Source, () => AssertMisuse(() => pair.Receiver.TryPop(out _)));
+        pair.Run.On(pair.Source, () => AssertMisuse(() => _ = pair.Receiver.Count));
+        pair.Run.On(pair.Source, () => AssertMisuse(() => _ = pair.Receiver.Counters));
+    }
+
+    [Fact, Trait("Clause", "2.8"), Trait("Clause", "3.1")]
+    public void OutsideSender_AnyThread_MayPush()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager sink = run.Add("sink");
+        QueueReceiver<int> receiver = sink.Receive<int>("queue");
+        QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
+
+        run.StartAndSettle();
+        Assert.Equal(PushResult.Queued, outside.Push(5));
+        run.Until(() => sink.Units == 2, "the push wakes the sink");
+        run.On(sink, () => Assert.Equal([5], PopAll(receiver)));
+    }
+
+    private static void AssertMisuse(Action misuse)
+    {
+        string text = Assert.Throws<InvalidOperationException>(misuse).Message;
+        Assert.Contains("'queue'", text, StringComparison.Ordinal);
+        Assert.Contains("'source'", text, StringComparison.Ordinal);
+        Assert.Contains("'sink'", text, StringComparison.Ordinal);
+    }
+
+    private static void AssertBooks(QueueCounters books, long pushed, long popped, long dropped, long rejected, int resident)
+        => Assert.Equal((pushed, popped, dropped, rejected, resident), (books.Pushed, books.Popped, books.Dropped, books.Rejected, books.Resident));
+
+    private static PushResult[] Push(QueueSender<int> sender, params int[] values) => values.Select(v => sender.Push(v)).ToArray();
+
+    private static int[] PopAll(QueueReceiver<int> receiver)
+    {
+        var values = new List<int>();
+        while (receiver.TryPop(out int value))
+            values.Add(value);
+        return values.ToArray();
+    }
+
+    private static PushResult PushToModel(Queue<int> model, int capacity, QueueFullMode whenFull, int value)
+    {
+        PushResult result = PushResult.Queued;
+        if (model.Count == capacity)
+        {
+            if (whenFull == QueueFullMode.Reject)
+                return PushResult.Rejected;
+            model.Dequeue();
+            result = PushResult.QueuedDroppedOldest;
+        }
+
+        model.Enqueue(value);
+        return result;
+    }
+
+    private Pair Connect(int capacity, QueueFullMode whenFull, bool wakeOnPush = false, bool wakeOnPop = false)
+        => new(NewRun(), capacity, whenFull, wakeOnPush, wakeOnPop);
+
+    /// <summary>One manager that sends to a queue and one that receives it.</summary>
+    private sealed class Pair : IDisposable
+    {
+        public Pair(TestRun run, int capacity, QueueFullMode whenFull, bool wakeOnPush, bool wakeOnPop)
+        {
+            Run = run;
+            Source = run.Add("source");
+            Sink = run.Add("sink");
+            Sender = Source.Send<int>("queue", wakeOnPop);
+            Receiver = Sink.Receive<int>("queue", capacity, whenFull, wakeOnPush);
+            run.StartAndSettle();
+        }
+
+        public TestRun Run { get; }
+
+        public ScriptedManager Source { get; }
+
+        public ScriptedManager Sink { get; }
+
+        public QueueSender<int> Sender { get; }
+
+        public QueueReceiver<int> Receiver { get; }
+
+        public void Dispose() => Run.Dispose();
+    }
+}
+
+public sealed class QueueInRealTime() : QueueContract(TimeKind.Real);
+
+public sealed class QueueInVirtualTime() : QueueContract(TimeKind.Virtual);

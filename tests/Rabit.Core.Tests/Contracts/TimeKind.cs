@@ -1,0 +1,75 @@
+using System;
+using System.Diagnostics;
+using System.Threading;
+
+namespace Rabit.Core.Tests.Contracts;
+
+/// <summary>
+/// The two kinds of time that pass the same contract tests, and how a test lets a run go on in each until something is so.
+/// </summary>
+public abstract class TimeKind
+{
+    public static TimeKind Real { get; } = new RealKind();
+
+    public static TimeKind Virtual { get; } = new VirtualKind();
+
+    /// <summary>Whether units of work of several managers may overlap.</summary>
+    public abstract bool HasThreads { get; }
+
+    public abstract RabitTime Create();
+
+    internal abstract bool TryReach(RabitReactor reactor, TestBoard board, Func<bool> condition);
+
+    private sealed class RealKind : TimeKind
+    {
+        // Only a test that fails waits this long.
+        private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
+
+        // For conditions that change without a pulse, such as the state of a device.
+        private static readonly TimeSpan LookAgain = TimeSpan.FromMilliseconds(20);
+
+        public override bool HasThreads => true;
+
+        public override RabitTime Create() => new RealTime();
+
+        internal override bool TryReach(RabitReactor reactor, TestBoard board, Func<bool> condition)
+        {
+            var waited = Stopwatch.StartNew();
+            lock (board.Gate)
+            {
+                while (!condition())
+                {
+                    if (waited.Elapsed > Patience)
+                        return false;
+                    Monitor.Wait(board.Gate, LookAgain);
+                }
+            }
+
+            return true;
+        }
+
+        public override string ToString() => "real time";
+    }
+
+    private sealed class VirtualKind : TimeKind
+    {
+        private const int MostSteps = 100_000;
+        private static readonly TimeSpan Step = TimeSpan.FromMilliseconds(1);
+
+        public override bool HasThreads => false;
+
+        public override RabitTime Create() => new VirtualTime(seed: 1);
+
+        internal override bool TryReach(RabitReactor reactor, TestBoard board, Func<bool> condition)
+        {
+            if (condition())
+                return true;
+            bool goesOn = reactor.RunFor(TimeSpan.Zero);
+            for (int step = 0; goesOn && step < MostSteps && !condition(); step++)
+                goesOn = reactor.RunFor(Step);
+            return condition();
+        }
+
+        public override string ToString() => "virtual time";
+    }
+}
