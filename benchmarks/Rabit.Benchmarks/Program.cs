@@ -1,1 +1,26 @@
-return 0;
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using BenchmarkDotNet.Configs;
+using BenchmarkDotNet.Diagnosers;
+using BenchmarkDotNet.Jobs;
+using BenchmarkDotNet.Reports;
+using BenchmarkDotNet.Running;
+
+// Without arguments all of them; `-- --filter *Queue*` chooses, `-- --list flat` lists, `-- --job Dry` only tries whether they run.
+bool chooses = args.Any(a => a is "--filter" or "-f" or "--list" or "--help" or "--info" or "--version");
+string[] arguments = chooses ? args : [.. args, "--filter", "*"];
+
+// BenchmarkDotNet builds everything once more, for a process of its own: without the analyzers, and with time for a small machine.
+Job build = Job.Default.WithArguments([new MsBuildArgument("/p:RunAnalyzers=false")]).AsMutator();
+IConfig config = ManualConfig.Create(DefaultConfig.Instance)
+    .WithBuildTimeout(TimeSpan.FromMinutes(10))
+    .AddDiagnoser(MemoryDiagnoser.Default)
+    .AddJob(build);
+List<Summary> summaries = [.. BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments, config)];
+
+// It goes on after a benchmark that failed; whoever called us should know all the same.
+string[] failed = [.. summaries.SelectMany(s => s.Reports).Where(r => !r.Success).Select(r => r.BenchmarkCase.DisplayInfo)];
+foreach (string name in failed)
+    Console.Error.WriteLine("failed: " + name);
+return failed.Length > 0 || summaries.Exists(s => s.HasCriticalValidationErrors) || (!chooses && summaries.Count == 0) ? 1 : 0;

@@ -20,7 +20,6 @@ internal sealed class Thermometer : RabitManager
     {
         _cabin.Value.Celsius -= 0.3;   // fill in the local copy ...
         _cabin.Post();                 // ... and post it
-        if (_cabin.Value.Celsius < 19) StopSystem("it is too cold");
     }
 }
 
@@ -34,5 +33,6 @@ internal sealed class Heater : RabitManager
     {
         if (!_cabin.Fetch()) return;   // woken, but no news
         Console.WriteLine($"{_cabin.Value.Celsius:0.0} degrees: heater {(_cabin.Value.Celsius < 20 ? "on" : "off")}");
+        if (_cabin.Value.Celsius < 19) StopSystem("it is too cold");
     }
 }

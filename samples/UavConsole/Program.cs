@@ -1,1 +1,16 @@
-return 0;
+using System;
+using System.CommandLine;
+using System.Linq;
+using UavConsole;
+
+const int BadInput = 2;
+
+RootCommand command = CommandLine.Create(FlightRun.Run);
+ParseResult parsed = command.Parse(args);
+if (parsed.Errors.Count > 0)
+{
+    Console.Error.WriteLine("UavConsole: " + string.Join(" ", parsed.Errors.Select(e => e.Message)) + " (--help shows the options)");
+    return BadInput;
+}
+
+return parsed.Invoke();

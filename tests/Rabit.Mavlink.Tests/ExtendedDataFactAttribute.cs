@@ -22,7 +22,7 @@ internal static class ExtendedData
     {
         if (Environment.GetEnvironmentVariable("RABIT_VECTORS") is { Length: > 0 } named)
             return Existing(Path.Combine(named, file));
-        for (DirectoryInfo? folder = new(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
+        for (DirectoryInfo? folder = new(TestData.Folder); folder is not null; folder = folder.Parent)
         {
             if (File.Exists(Path.Combine(folder.FullName, "Rabit.sln")))
                 return Existing(Path.Combine(folder.FullName, "..", "shared", "vectors", "mavlink", file));

@@ -148,6 +148,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         }
 
         Prepare();
+        lock (_gate)
+            _isWired = true;
         _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
         foreach (ManagerActivity activity in _activities)
         {
@@ -243,9 +245,6 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
                 device.Connect(_clock, _log);
             _activities.Add(new ManagerActivity(manager, run));
         }
-
-        lock (_gate)
-            _isWired = true;
     }
 
     private void OpenBarrier()

@@ -7,7 +7,7 @@ namespace Rabit.Uav.Links;
 /// thread of its own: one thread may read while another writes, and any thread may ask for the counters, unblock or dispose it.
 /// </summary>
 /// <remarks>
-/// A link is opened by its class or by <c>LinkFactory</c>, which throw a <see cref="LinkException"/> when that fails. What goes wrong
+/// A link is opened by its class or by <see cref="LinkFactory"/>, which throw a <see cref="LinkException"/> when that fails. What goes wrong
 /// later and passes (a peer that is not up yet) is counted; what does not pass ends the link.
 /// </remarks>
 public interface IByteLink : IDisposable

@@ -26,6 +26,8 @@ public sealed class LinkOptions
     /// <summary>How long one write may wait for room on the way out. Default 1 s.</summary>
     public TimeSpan WriteTimeout { get; }
 
+    internal int WriteTimeoutMilliseconds => (int)Math.Ceiling(WriteTimeout.TotalMilliseconds);
+
     private static TimeSpan Checked(TimeSpan limit, string name)
     {
         if (limit < TimeSpan.FromMilliseconds(1) || limit > Longest)

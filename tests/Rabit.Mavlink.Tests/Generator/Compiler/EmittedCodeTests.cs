@@ -14,7 +14,6 @@ public class EmittedCodeTests
 {
     [Theory]
     [InlineData("minimal.xml")]
-    [InlineData("common.xml")]
     [InlineData("all.xml")]
     public void Emit_PackageDialects_CompileAsCSharp73(string file) => AssertCompiles(Definitions.Package(file));
 

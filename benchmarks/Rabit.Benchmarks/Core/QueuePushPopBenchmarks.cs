@@ -1,0 +1,61 @@
+using System.Threading.Channels;
+using BenchmarkDotNet.Attributes;
+
+namespace Rabit.Benchmarks.Core;
+
+/// <summary>A push and the pop that takes it out, on one thread. Rabit's ends are a manager's and run inside its unit of work.</summary>
+[GenericTypeArguments(typeof(int))]
+[GenericTypeArguments(typeof(Block64))]
+public class QueuePushPopBenchmarks<T>
+    where T : struct
+{
+    private const int Capacity = 1024;
+    private const int PerInvocation = 10_000;
+
+    private readonly LockedQueue<T> _locked = new(Capacity);
+    private readonly Channel<T> _channel = Channels.Queue<T>(Capacity);
+    private readonly PushPopManager<T> _manager = new(Capacity, PerInvocation);
+    private VirtualTurns _turns = null!;
+
+    [GlobalSetup]
+    public void Start() => _turns = new VirtualTurns(_manager);
+
+    [GlobalCleanup]
+    public void Stop() => _turns.Dispose();
+
+    [Benchmark(Baseline = true, OperationsPerInvoke = PerInvocation)]
+    public int Lock()
+    {
+        int popped = 0;
+        T value = default;
+        for (int i = 0; i < PerInvocation; i++)
+        {
+            if (_locked.TryPush(value) && _locked.TryPop(out value))
+                popped++;
+        }
+
+        return popped;
+    }
+
+    [Benchmark(OperationsPerInvoke = PerInvocation)]
+    public int Channel()
+    {
+        int popped = 0;
+        T value = default;
+        for (int i = 0; i < PerInvocation; i++)
+        {
+            if (_channel.Writer.TryWrite(value) && _channel.Reader.TryRead(out value))
+                popped++;
+        }
+
+        return popped;
+    }
+
+    [Benchmark(OperationsPerInvoke = PerInvocation)]
+    public int Rabit()
+    {
+        _manager.Popped = 0;
+        _turns.Give();
+        return _manager.Popped;
+    }
+}

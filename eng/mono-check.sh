@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Rabit under Mono: builds tests and samples for net472 (into artifacts-mono/), runs every test project but the longer tests,
+# and compares what the samples print with what they print under .NET.
+# Ends with one line, "N passed, N failed": each test and each comparison counts as one.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+# Recorded flights (tests/data/mavlink/NAME.tlog) that UavConsole replays on both runtimes, to the same summary.
+flights=(ardupilot-flight px4-flight)
+
+results=artifacts-mono/results
+passed=0
+failed=0
+rm -rf "$results"
+mkdir -p "$results"
+export LC_ALL=C.UTF-8   # Mono formats numbers by the locale; the samples are compared with the invariant one
+
+if ! command -v mono > /dev/null; then
+    echo "Mono is not installed: eng/install-tools.sh installs it." >&2
+    exit 1
+fi
+
+# One check: a name, then the command that must succeed.
+check() {
+    local name=$1
+    shift
+    if "$@"; then
+        echo "$name: ok"
+        passed=$((passed + 1))
+    else
+        echo "$name: FAILED"
+        failed=$((failed + 1))
+    fi
+}
+
+build_for_mono() {
+    dotnet build "$1" -p:RabitMono=true -v quiet
+}
+
+property() {
+    dotnet msbuild "$1" -p:RabitMono=true -getProperty:"$2"
+}
+
+# Runs a test project with xunit's console runner and adds up its result file. The runner is put beside the tests, so that
+# the base directory is theirs, and needs no second application domain, whose end would wait for every thread.
+run_tests() {
+    local project=$1 name file assembly total ok
+    name=$(basename "$project" .csproj)
+    file=$results/$name.xml
+    assembly=$(property "$project" TargetPath)
+    cp "$(dirname "$(property "$project" XunitConsole472Path)")"/xunit.* "$(dirname "$assembly")"
+    mono "$(dirname "$assembly")/xunit.console.exe" "$assembly" -noappdomain -nologo -notrait Category=Long -xml "$file" || true
+
+    total=$(attribute "$file" total)
+    ok=$(attribute "$file" passed)
+    if [ $((total - $(attribute "$file" skipped))) -le 0 ]; then
+        echo "$name: no test was run"
+        failed=$((failed + 1))
+        return
+    fi
+    passed=$((passed + ok))
+    failed=$((failed + $(attribute "$file" failed) + $(attribute "$file" errors)))
+}
+
+# A number of the assembly element of an xunit result file; 0 when the run did not get that far.
+attribute() {
+    local number
+    number=$(grep -s -m 1 '<assembly ' "$1" | sed -n "s/.* $2=\"\([0-9]*\)\".*/\1/p") || true
+    echo "${number:-0}"
+}
+
+# The steps of a comparison are joined by &&: what an "if" calls does not stop at an error by itself.
+hello_is_the_same() {
+    dotnet run --project samples/HelloRabit > "$results/HelloRabit.net.txt" &&
+    mono artifacts-mono/bin/HelloRabit/debug/HelloRabit.exe > "$results/HelloRabit.mono.txt" &&
+    diff -u "$results/HelloRabit.net.txt" "$results/HelloRabit.mono.txt"
+}
+
+flight_is_the_same() {
+    local link="tlog:tests/data/mavlink/$1.tlog?speed=max"
+    dotnet run --project samples/UavConsole -- --link "$link" --headless --summary "$results/$1.net.json" > "$results/$1.net.txt" &&
+    mono artifacts-mono/bin/UavConsole/debug/UavConsole.exe \
+        --link "$link" --headless --summary "$results/$1.mono.json" > "$results/$1.mono.txt" &&
+    diff -u "$results/$1.net.json" "$results/$1.mono.json"
+}
+
+for project in tests/*/*.csproj; do
+    if build_for_mono "$project"; then
+        run_tests "$project"
+    else
+        check "build of $project" false
+    fi
+done
+
+for project in samples/*/*.csproj; do
+    check "build of $project" build_for_mono "$project"
+done
+
+check "HelloRabit prints the same" hello_is_the_same
+for flight in "${flights[@]}"; do
+    check "the summary of $flight is the same" flight_is_the_same "$flight"
+done
+
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]

@@ -1,0 +1,78 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Threading.Tasks;
+using Rabit.Core;
+using Rabit.Uav;
+using Rabit.Uav.Links;
+
+namespace UavConsole;
+
+/// <summary>The main job: opens the UAV, runs its managers, shows them, and tells at the end what there was.</summary>
+internal static class FlightRun
+{
+    private const int BadInput = 2;
+
+    // Ctrl-C must end all within a second.
+    private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
+
+    public static int Run(ConsoleOptions options)
+    {
+        try
+        {
+            using UavSystem uav = UavSystem.Open(new UavOptions { Links = options.Links, SystemId = options.SystemId });
+            using Stream? summaryFile = OpenSummaryFile(options.SummaryFile);
+            RunSummary summary = Fly(uav, options);
+            new SummaryText(Console.Out, summary).Write();
+            if (summaryFile is not null)
+                SummaryJson.Write(summaryFile, summary);
+            return summary.ExitCode;
+        }
+        catch (Exception e) when (e is LinkException or ArgumentException)
+        {
+            Console.Error.WriteLine("UavConsole: " + FirstLine(e));
+            return BadInput;
+        }
+    }
+
+    private static RunSummary Fly(UavSystem uav, ConsoleOptions options)
+    {
+        var log = new RunLog();
+        RabitReactor reactor = uav.CreateReactor(new ReactorOptions { Log = log.Add, StopTimeout = StopTimeout });
+        var monitor = new FlightMonitor(reactor, uav);
+        Console.WriteLine("replaying or listening to " + string.Join(", ", options.Links.Select(l => l.ToString())));
+
+        Task<ReactorResult> run = reactor.RunAsync();
+        if (options.IsHeadless)
+            new PlainLines(monitor, log).ShowUntilEnd(run);
+        else
+            new LiveScreen(monitor, log).ShowUntilEnd(run);
+        ReactorResult result = run.GetAwaiter().GetResult();
+        monitor.Refresh();
+        return new RunSummary(uav, result, monitor.Health, monitor.Links);
+    }
+
+    private static FileStream? OpenSummaryFile(string? path)
+    {
+        if (path is null)
+            return null;
+        try
+        {
+            return new FileStream(path, FileMode.Create, FileAccess.Write);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new ArgumentException($"--summary {path} cannot be written: {e.Message}", nameof(path), e);
+        }
+    }
+
+    // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.
+    private static string FirstLine(Exception e)
+    {
+        string text = e.Message;
+        int end = text.IndexOf(" (Parameter '", StringComparison.Ordinal);
+        if (end < 0)
+            end = text.IndexOfAny(['\r', '\n']);
+        return end < 0 ? text : text.Substring(0, end);
+    }
+}

@@ -1,0 +1,92 @@
+using System;
+using System.Globalization;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace UavConsole;
+
+/// <summary>Words for people. Degrees, metres, seconds: here is the edge where radians end.</summary>
+internal static class Text
+{
+    private const double DegreesPerRadian = 180 / Math.PI;
+
+    public static string At(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0,10:0.000}  ", time.TotalSeconds);
+
+    public static string Of(StatusText text) => $"{text.Severity.ToString().ToLowerInvariant()}: {text.Text}";
+
+    public static string Health(in HealthReport health) => health.Text is null ? health.Level.ToString() : $"{health.Level}: {health.Text}";
+
+    public static string Name(MavAutopilot autopilot) => autopilot switch
+    {
+        MavAutopilot.Ardupilotmega => "ArduPilot",
+        MavAutopilot.Px4 => "PX4",
+        _ => autopilot.ToString(),
+    };
+
+    public static string Vehicle(in VehicleState vehicle) => vehicle.SystemId == 0
+        ? "no autopilot heard yet"
+        : $"{Name(vehicle.Autopilot)} {vehicle.VehicleType} {vehicle.SystemId}/{vehicle.ComponentId}, {(vehicle.IsConnected ? "connected" : "LOST")}";
+
+    public static string Flight(in VehicleState vehicle) => vehicle.SystemId == 0
+        ? "-"
+        : $"{vehicle.Mode}, {(vehicle.IsArmed ? "ARMED" : "disarmed")}, {vehicle.SystemStatus}";
+
+    public static string Position(in VehicleState vehicle) => vehicle.PositionTime is null ? "-" : string.Format(
+        CultureInfo.InvariantCulture,
+        "{0:0.000000} {1:0.000000}, {2:0.0} m AMSL, {3:0.0} m above home",
+        vehicle.Position.LatitudeRadians * DegreesPerRadian,
+        vehicle.Position.LongitudeRadians * DegreesPerRadian,
+        vehicle.Position.AltitudeAmslMetres,
+        vehicle.HeightAboveHomeMetres);
+
+    public static string Velocity(in VehicleState vehicle) => vehicle.PositionTime is null ? "-" : string.Format(
+        CultureInfo.InvariantCulture,
+        "north {0:0.0} east {1:0.0} down {2:0.0} m/s",
+        vehicle.VelocityNed.North,
+        vehicle.VelocityNed.East,
+        vehicle.VelocityNed.Down);
+
+    public static string Attitude(in VehicleState vehicle) => vehicle.AttitudeTime is null ? "-" : string.Format(
+        CultureInfo.InvariantCulture,
+        "roll {0:0.0} pitch {1:0.0} yaw {2:0.0} degrees",
+        vehicle.Attitude.RollRadians * DegreesPerRadian,
+        vehicle.Attitude.PitchRadians * DegreesPerRadian,
+        vehicle.Attitude.YawRadians * DegreesPerRadian);
+
+    public static string Battery(in VehicleState vehicle) => vehicle.BatteryTime is null ? "-" : string.Format(
+        CultureInfo.InvariantCulture,
+        "{0} {1} {2}",
+        OrUnknown(vehicle.BatteryVolts, "0.0 V"),
+        OrUnknown(vehicle.BatteryAmperes, "0.0 A"),
+        OrUnknown(vehicle.BatteryRemaining * 100, "0'%'"));
+
+    public static string Gps(in VehicleState vehicle) => vehicle.GpsTime is null
+        ? "-"
+        : $"{vehicle.GpsFix}, {(vehicle.Satellites == 255 ? "?" : vehicle.Satellites.ToString(CultureInfo.InvariantCulture))} satellites";
+
+    public static string Link(in LinkStatus link) => string.Format(
+        CultureInfo.InvariantCulture,
+        "{0}: {1} frames in, {2} out, {3} missing, {4} bytes lost, {5} dropped{6}",
+        link.State,
+        link.FramesIn,
+        link.FramesOut,
+        link.FramesMissing,
+        link.BytesLost,
+        link.FramesDroppedIn + link.FramesDroppedOut,
+        link.Fault is null ? string.Empty : ", " + link.Fault);
+
+    public static string Milliseconds(TimeSpan time) => time.TotalMilliseconds.ToString("0.000", CultureInfo.InvariantCulture);
+
+    public static string StatusLine(FlightMonitor monitor)
+    {
+        VehicleState vehicle = monitor.Vehicle;
+        string progress = monitor.Progress is { } p ? string.Format(CultureInfo.InvariantCulture, "{0:0}% ", p * 100) : string.Empty;
+        string links = string.Join("; ", monitor.Links.Select(l => Link(l)));
+        return At(monitor.Now) + progress + $"{Vehicle(vehicle)}; {Flight(vehicle)}; {Position(vehicle)}; {links}";
+    }
+
+    private static string OrUnknown(double value, string format)
+        => double.IsNaN(value) ? "?" : value.ToString(format, CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,201 @@
+using System;
+using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>
+/// Hears the autopilot: turns its frames into the state of the vehicle, keeps its last texts and acknowledgements, knows when it
+/// is lost, and asks it for the message rates that the others need. ArduPilot, PX4, or any other in general terms.
+/// </summary>
+public sealed class AutopilotManager : RabitManager
+{
+    /// <summary>The name of the manager.</summary>
+    public const string ManagerName = "autopilot";
+
+    /// <summary>How many of the last status texts and acknowledgements are posted.</summary>
+    public const int RecentItemsKept = 20;
+
+    private const int FramesWaiting = 1024;
+    private static readonly TimeSpan Rhythm = TimeSpan.FromMilliseconds(200);
+
+    // A manager that slept longer than this did not listen: whether the autopilot is silent shows at the next wake-up.
+    private static readonly TimeSpan OversleptAfter = TimeSpan.FromSeconds(1);
+
+    private readonly AutopilotOptions _options;
+    private readonly QueueReceiver<LinkFrame> _frames;
+    private readonly QueueSender<OutgoingFrame> _outgoing;
+    private readonly MessagePublisher<VehicleState> _vehicle;
+    private readonly MessagePublisher<OwnAddress> _ownAddress;
+    private readonly MessagePublisher<RecentItems<StatusText>> _statusTexts;
+    private readonly MessagePublisher<RecentItems<CommandAcknowledgement>> _acknowledgements;
+    private readonly VehicleTracker _tracker;
+    private readonly MessageRateRequester _rates;
+    private readonly FlightRecorder _recorder = new();
+    private TimeSpan _lastRun;
+
+    /// <summary>Makes the manager.</summary>
+    /// <param name="options">Checked and read now; later changes have no effect.</param>
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    public AutopilotManager(AutopilotOptions options)
+        : base(ManagerName)
+    {
+        _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
+        _tracker = new VehicleTracker(_options.SystemId, _options.HeartbeatTimeout);
+        _rates = new MessageRateRequester(_options.RequestedRates);
+        _frames = Receive<LinkFrame>(MessageNames.AutopilotFrames, FramesWaiting, QueueFullMode.Reject, wakeOnPush: true);
+        _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
+        _vehicle = Publish(MessageNames.VehicleState, VehicleTracker.Unknown);
+        _ownAddress = Publish(MessageNames.OwnAddress, new OwnAddress { ComponentId = _options.ComponentId });
+        _statusTexts = Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
+        _acknowledgements = Publish(MessageNames.CommandAcknowledgements, RecentItems<CommandAcknowledgement>.None);
+        WakeUpDelay = Rhythm;
+    }
+
+    /// <summary>What was seen so far, frame by frame. A new snapshot at each call. Any thread.</summary>
+    public FlightSummary Flight => _recorder.Summarise();
+
+    /// <summary>What became of the requests for message rates. Any thread.</summary>
+    public RateRequestCounts RateRequests => _recorder.RateRequests;
+
+    /// <inheritdoc/>
+    protected override void Startup()
+    {
+        if (_options.SystemId is { } systemId)
+            PostOwnAddress(systemId);
+    }
+
+    /// <inheritdoc/>
+    protected override void ExecuteUnitOfWork()
+    {
+        VehicleEvents events = TakeFrames() | JudgeSilence();
+        if ((events & VehicleEvents.Changed) != 0)
+        {
+            _vehicle.Value = _tracker.State;
+            _vehicle.Post(_tracker.NewestTime);
+        }
+
+        RequestRates();
+    }
+
+    private VehicleEvents TakeFrames()
+    {
+        var all = VehicleEvents.None;
+        RecentItems<StatusText> texts = _statusTexts.Value;
+        RecentItems<CommandAcknowledgement> acknowledgements = _acknowledgements.Value;
+        while (_frames.TryPop(out LinkFrame frame))
+        {
+            VehicleEvents events = _tracker.Fold(frame);
+            _recorder.Record(frame, events, _tracker.State);
+            Handle(events);
+            TakeText(frame);
+            TakeAcknowledgement(frame);
+            all |= events;
+        }
+
+        if (!ReferenceEquals(texts, _statusTexts.Value))
+            _statusTexts.Post(_statusTexts.Value.Newest!.Time);
+        if (!ReferenceEquals(acknowledgements, _acknowledgements.Value))
+            _acknowledgements.Post(_acknowledgements.Value.Newest!.Time);
+        return all;
+    }
+
+    private VehicleEvents JudgeSilence()
+    {
+        TimeSpan now = Now;
+        bool hasOverslept = now - _lastRun > OversleptAfter;
+        _lastRun = now;
+        if (hasOverslept)
+            return VehicleEvents.None;
+        VehicleEvents events = _tracker.Judge(now);
+        if (events != VehicleEvents.None)
+            _recorder.Record(events);
+        Handle(events);
+        return events;
+    }
+
+    // In this order: a frame after a gap tells of the loss, then of the end of it.
+    private void Handle(VehicleEvents events)
+    {
+        if ((events & VehicleEvents.Lost) != 0)
+        {
+            Log("the autopilot is lost");
+            _rates.Stop();
+        }
+
+        if ((events & VehicleEvents.Found) != 0)
+        {
+            VehicleState vehicle = _tracker.State;
+            Log($"autopilot {vehicle.Autopilot} of a {vehicle.VehicleType}, system {vehicle.SystemId}, component {vehicle.ComponentId}");
+            PostOwnAddress(vehicle.SystemId);
+        }
+
+        if ((events & VehicleEvents.FoundAgain) != 0)
+            Log("the autopilot is back");
+        if ((events & VehicleEvents.Rebooted) != 0)
+            Log("the autopilot has rebooted");
+        if ((events & (VehicleEvents.Found | VehicleEvents.FoundAgain | VehicleEvents.Rebooted)) != 0)
+            _rates.Start();
+    }
+
+    // Any component of the vehicle may have something to say to people.
+    private void TakeText(in LinkFrame frame)
+    {
+        MavlinkFrame mavlink = frame.Frame;
+        if (mavlink.MessageId != Statustext.MavlinkId || _tracker.State.SystemId == 0 || mavlink.SystemId != _tracker.State.SystemId)
+            return;
+        mavlink.TryDecode(out Statustext text);
+        var item = new StatusText(frame.Time, text.Severity, text.Text.ToString());
+        _statusTexts.Value = _statusTexts.Value.With(item, RecentItemsKept);
+    }
+
+    private void TakeAcknowledgement(in LinkFrame frame)
+    {
+        MavlinkFrame mavlink = frame.Frame;
+        if (mavlink.MessageId != CommandAck.MavlinkId || !_tracker.IsFromAutopilot(mavlink))
+            return;
+        mavlink.TryDecode(out CommandAck ack);
+        var item = new CommandAcknowledgement(frame.Time, ack.Command, ack.Result, ack.TargetSystem, ack.TargetComponent);
+        _acknowledgements.Value = _acknowledgements.Value.With(item, RecentItemsKept);
+        if (ack.Command == MavCmd.SetMessageInterval && IsForUs(ack) && _rates.TakeAnswer(ack.Result, Now) is { } refused)
+            Log($"the autopilot refuses a rate for {NameOf(refused)}: {ack.Result}");
+    }
+
+    // 0 is everybody, and what MAVLink 1 leaves out.
+    private bool IsForUs(in CommandAck ack)
+    {
+        OwnAddress own = _ownAddress.Value;
+        return (ack.TargetSystem == 0 || ack.TargetSystem == own.SystemId)
+            && (ack.TargetComponent == 0 || ack.TargetComponent == own.ComponentId);
+    }
+
+    private void RequestRates()
+    {
+        if (!_options.RequestsRates)
+            return;
+        if (_rates.TryNext(Now, out CommandLong command, out int? gaveUp))
+        {
+            OwnAddress own = _ownAddress.Value;
+            command.TargetSystem = _tracker.State.SystemId;
+            command.TargetComponent = _tracker.State.ComponentId;
+            _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(command, own.SystemId, own.ComponentId, sequence: 0) });
+        }
+
+        if (gaveUp is { } unanswered)
+            Log($"the autopilot does not answer to a rate for {NameOf(unanswered)}");
+        _recorder.RateRequests = _rates.Counts;
+    }
+
+    private void PostOwnAddress(byte systemId)
+    {
+        if (_ownAddress.Value.IsKnown)
+            return;
+        _ownAddress.Value.SystemId = systemId;
+        _ownAddress.Post();
+    }
+
+    private static string NameOf(int messageId)
+        => MavlinkDialect.All.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : "an unknown message";
+}

@@ -1,0 +1,83 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>How Autopilot Interface works. Read once, when the manager is made.</summary>
+public sealed class AutopilotOptions
+{
+    // An autopilot's loop runs at a few hundred hertz at most; more than this is a slip of the pen.
+    private const double HighestRate = 1000;
+
+    /// <summary>
+    /// The system id of our vehicle. Where it is set, autopilots of other systems are never taken for ours; where it is null,
+    /// the first autopilot that is heard is ours, and we take its system id.
+    /// </summary>
+    /// <value>The default is null.</value>
+    public byte? SystemId { get; set; }
+
+    /// <summary>Our own component id.</summary>
+    /// <value>The default is 191, MAV_COMP_ID_ONBOARD_COMPUTER (MAVLink guide, "MAVLink identifiers").</value>
+    public byte ComponentId { get; set; } = (byte)MavComponent.OnboardComputer;
+
+    /// <summary>After what time without a heartbeat the autopilot is lost.</summary>
+    /// <value>The default is 5 s: four to five missed at 1 Hz (MAVLink guide, "Heartbeat/Connection Protocol").</value>
+    public TimeSpan HeartbeatTimeout { get; set; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>Whether the autopilot is asked for <see cref="RequestedRates"/>: not in a replay, where nobody listens.</summary>
+    /// <value>The default is true.</value>
+    public bool RequestsRates { get; set; } = true;
+
+    /// <summary>What the autopilot is asked to send, and how often, when it is heard, heard again or has rebooted.</summary>
+    /// <value>
+    /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees is located by it,
+    /// position at 10 Hz, the rest at 1 or 2 Hz.
+    /// </value>
+    public IReadOnlyList<RequestedRate> RequestedRates { get; set; } =
+    [
+        new(Attitude.MavlinkId, 25),
+        new(GlobalPositionInt.MavlinkId, 10),
+        new(SysStatus.MavlinkId, 1),
+        new(BatteryStatus.MavlinkId, 1),
+        new(GpsRawInt.MavlinkId, 2),
+        new(SystemTime.MavlinkId, 1),
+        new(ExtendedSysState.MavlinkId, 2),
+    ];
+
+    /// <summary>Checks, and takes a copy that later changes do not reach.</summary>
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    internal AutopilotOptions ValidatedCopy(string parameter)
+    {
+        List<string> faults = FindFaults().ToList();
+        if (faults.Count > 0)
+            throw new ArgumentException("Autopilot Interface: " + string.Join("; ", faults) + ".", parameter);
+        var copy = (AutopilotOptions)MemberwiseClone();
+        copy.RequestedRates = RequestedRates.ToArray();
+        return copy;
+    }
+
+    private IEnumerable<string> FindFaults()
+    {
+        if (SystemId == 0)
+            yield return $"{nameof(SystemId)} is 0, which means everybody; it must be 1 to 255, or null for that of the autopilot";
+        if (ComponentId == 0)
+            yield return $"{nameof(ComponentId)} is 0, which means every component; it must be 1 to 255";
+        if (HeartbeatTimeout < TimeSpan.FromSeconds(1))
+            yield return $"{nameof(HeartbeatTimeout)} is {HeartbeatTimeout}; heartbeats come once a second, so it must be at least that";
+        if (RequestedRates is null)
+            yield return $"{nameof(RequestedRates)} is null; it may be empty";
+        foreach (RequestedRate rate in RequestedRates ?? [])
+        {
+            if (!MavlinkDialect.All.TryGetMessage(rate.MessageId, out _))
+                yield return $"{nameof(RequestedRates)} has message {rate.MessageId}, which MAVLink does not have";
+            if (!(rate.Hertz > 0 && rate.Hertz <= HighestRate))
+                yield return FormattableString.Invariant($"{nameof(RequestedRates)} has message {rate.MessageId} at {rate.Hertz} Hz; it must be above 0 and at most {HighestRate}");
+        }
+
+        foreach (int twice in (RequestedRates ?? []).GroupBy(r => r.MessageId).Where(g => g.Count() > 1).Select(g => g.Key))
+            yield return $"{nameof(RequestedRates)} has message {twice} more than once";
+    }
+}

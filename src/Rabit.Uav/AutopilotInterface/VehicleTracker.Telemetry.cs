@@ -1,0 +1,119 @@
+using System;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+// The messages that make up the state, from the units of the wire to SI and radians.
+internal sealed partial class VehicleTracker
+{
+    private const double RadiansPerDegE7 = Math.PI / 180 * 1e-7;
+    private const int NorthPoleDegE7 = 900_000_000;
+    private const int DateLineDegE7 = 1_800_000_000;
+
+    // A clock that says less is not set, one that says more is wrong: 2000-01-01 and 2100-01-01 UTC in microseconds since 1970.
+    private const ulong EarliestUtc = 946_684_800_000_000;
+    private const ulong LatestUtc = 4_102_444_800_000_000;
+
+    private VehicleEvents FoldTelemetry(in MavlinkFrame frame, TimeSpan time)
+    {
+        switch (frame.MessageId)
+        {
+            case GlobalPositionInt.MavlinkId:
+                frame.TryDecode(out GlobalPositionInt position);
+                return Fold(position, time);
+            case Attitude.MavlinkId:
+                frame.TryDecode(out Attitude attitude);
+                return Fold(attitude, time);
+            case SysStatus.MavlinkId:
+                frame.TryDecode(out SysStatus status);
+                return Fold(_battery.Take(status, time));
+            case BatteryStatus.MavlinkId:
+                frame.TryDecode(out BatteryStatus battery);
+                return battery.Id == 0 ? Fold(_battery.Take(battery, time)) : VehicleEvents.None;
+            case GpsRawInt.MavlinkId:
+                frame.TryDecode(out GpsRawInt gps);
+                return Fold(gps, time);
+            case SystemTime.MavlinkId:
+                frame.TryDecode(out SystemTime clock);
+                return Fold(clock, time);
+            case ExtendedSysState.MavlinkId:
+                frame.TryDecode(out ExtendedSysState extended);
+                return Fold(extended);
+            default:
+                return VehicleEvents.None;
+        }
+    }
+
+    private VehicleEvents Fold(in GlobalPositionInt message, TimeSpan time)
+    {
+        VehicleEvents events = JudgeBoot(message.TimeBootMs);
+
+        // Both exactly zero is what an autopilot sends that does not know where it is.
+        bool isPlace = message.Lat is >= -NorthPoleDegE7 and <= NorthPoleDegE7
+            && message.Lon is >= -DateLineDegE7 and <= DateLineDegE7
+            && (message.Lat != 0 || message.Lon != 0);
+        if (!isPlace)
+            return events | VehicleEvents.Refused;
+
+        _state.PositionTime = time;
+        _state.Position = new GeodeticPosition(message.Lat * RadiansPerDegE7, message.Lon * RadiansPerDegE7, message.Alt / 1000.0);
+        _state.HeightAboveHomeMetres = message.RelativeAlt / 1000.0;
+        _state.VelocityNed = new NedVector(message.Vx / 100.0, message.Vy / 100.0, message.Vz / 100.0);
+        return events | VehicleEvents.Changed;
+    }
+
+    private VehicleEvents Fold(in Attitude message, TimeSpan time)
+    {
+        VehicleEvents events = JudgeBoot(message.TimeBootMs);
+        bool isSound = IsAngle(message.Roll) && IsAngle(message.Pitch) && Math.Abs(message.Pitch) < Math.PI / 2 + 1e-3 && IsAngle(message.Yaw)
+            && IsFinite(message.Rollspeed) && IsFinite(message.Pitchspeed) && IsFinite(message.Yawspeed);
+        if (!isSound)
+            return events | VehicleEvents.Refused;
+
+        _state.AttitudeTime = time;
+        _state.Attitude = new EulerAngles(Wrapped(message.Roll), message.Pitch, Wrapped(message.Yaw));
+        _state.Rates = new BodyRates(message.Rollspeed, message.Pitchspeed, message.Yawspeed);
+        return events | VehicleEvents.Changed;
+    }
+
+    private VehicleEvents Fold(in BatteryReading battery)
+    {
+        _state.BatteryTime = battery.Time;
+        _state.BatteryVolts = battery.Volts;
+        _state.BatteryAmperes = battery.Amperes;
+        _state.BatteryRemaining = battery.Remaining;
+        return VehicleEvents.Changed;
+    }
+
+    private VehicleEvents Fold(in GpsRawInt message, TimeSpan time)
+    {
+        _state.GpsTime = time;
+        _state.GpsFix = message.FixType;
+        _state.Satellites = message.SatellitesVisible;
+        return VehicleEvents.Changed;
+    }
+
+    private VehicleEvents Fold(in SystemTime message, TimeSpan time)
+    {
+        _state.UtcTime = time;
+        _state.GpsUtcMicroseconds = message.TimeUnixUsec is >= EarliestUtc and <= LatestUtc ? (long)message.TimeUnixUsec : 0;
+        return JudgeBoot(message.TimeBootMs) | VehicleEvents.Changed;
+    }
+
+    private VehicleEvents Fold(in ExtendedSysState message)
+    {
+        _state.LandedState = message.LandedState;
+        return VehicleEvents.Changed;
+    }
+
+    private VehicleEvents JudgeBoot(uint timeBootMs) => _bootClock.HasRebooted(timeBootMs) ? VehicleEvents.Rebooted : VehicleEvents.None;
+
+    private static bool IsFinite(float value) => !float.IsNaN(value) && !float.IsInfinity(value);
+
+    // Some autopilots count yaw from 0 to 2 pi; more than one turn is no angle.
+    private static bool IsAngle(float radians) => Math.Abs(radians) <= 2 * Math.PI + 1e-3;
+
+    private static double Wrapped(double radians) => Math.IEEERemainder(radians, 2 * Math.PI);
+}

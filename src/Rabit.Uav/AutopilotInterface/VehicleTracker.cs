@@ -1,0 +1,105 @@
+using System;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>
+/// Folds the frames of the autopilot into the state of the vehicle. The first autopilot that is heard is ours and stays so,
+/// lost or not: a second one on the same net is another aircraft. Time comes in with the frames; no I/O, one thread.
+/// </summary>
+/// <param name="systemId">The system that the autopilot must be of; null for any.</param>
+/// <param name="heartbeatTimeout">After what time without a heartbeat the autopilot is lost.</param>
+internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatTimeout)
+{
+    private readonly FlightModeNames _modeNames = new();
+    private readonly BootClock _bootClock = new();
+    private readonly BatteryTracker _battery = new();
+    private VehicleState _state = Unknown;
+
+    /// <summary>The state before anything was heard.</summary>
+    public static VehicleState Unknown => new()
+    {
+        BatteryVolts = double.NaN,
+        BatteryAmperes = double.NaN,
+        BatteryRemaining = double.NaN,
+        Satellites = byte.MaxValue,
+    };
+
+    public ref readonly VehicleState State => ref _state;
+
+    /// <summary>When the newest part of the state was true.</summary>
+    public TimeSpan NewestTime { get; private set; }
+
+    /// <summary>Whether the autopilot is known and the frame comes from it.</summary>
+    public bool IsFromAutopilot(in MavlinkFrame frame)
+        => _state.SystemId != 0 && frame.SystemId == _state.SystemId && frame.ComponentId == _state.ComponentId;
+
+    /// <summary>Folds one frame in.</summary>
+    public VehicleEvents Fold(in LinkFrame frame)
+    {
+        MavlinkFrame mavlink = frame.Frame;
+        VehicleEvents events = Judge(frame.Time);
+        if (mavlink.TryDecode(out Heartbeat heartbeat))
+            events |= FoldHeartbeat(mavlink, heartbeat, frame.Time);
+        else if (IsFromAutopilot(mavlink))
+            events |= FoldTelemetry(mavlink, frame.Time);
+        else
+            events |= VehicleEvents.OfOther;
+
+        if ((events & VehicleEvents.Changed) != 0 && frame.Time > NewestTime)
+            NewestTime = frame.Time;
+        return events;
+    }
+
+    /// <summary>
+    /// Says whether the autopilot was lost by a time. Frames bring their own, so that a gap between two heartbeats counts the
+    /// same whether they were handled at once or late together.
+    /// </summary>
+    public VehicleEvents Judge(TimeSpan time)
+    {
+        if (!_state.IsConnected || time - _state.LastHeartbeatTime <= heartbeatTimeout)
+            return VehicleEvents.None;
+        _state.IsConnected = false;
+        TimeSpan lostAt = _state.LastHeartbeatTime + heartbeatTimeout;
+        if (lostAt > NewestTime)
+            NewestTime = lostAt;
+        return VehicleEvents.Changed | VehicleEvents.Lost;
+    }
+
+    private VehicleEvents FoldHeartbeat(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan time)
+    {
+        if (!IsAutopilot(frame, heartbeat))
+            return VehicleEvents.OfOther;
+        bool isFirst = _state.SystemId == 0;
+        if (isFirst ? systemId is { } wanted && wanted != frame.SystemId : !IsFromAutopilot(frame))
+            return VehicleEvents.OfOther | VehicleEvents.OtherAutopilot;
+
+        VehicleEvents events = VehicleEvents.Changed;
+        if (!_state.IsConnected)
+            events |= isFirst ? VehicleEvents.Found : VehicleEvents.FoundAgain;
+        _state.SystemId = frame.SystemId;
+        _state.ComponentId = frame.ComponentId;
+        _state.IsConnected = true;
+        _state.LastHeartbeatTime = time;
+        _state.Autopilot = heartbeat.Autopilot;
+        _state.VehicleType = heartbeat.Type;
+        _state.BaseMode = heartbeat.BaseMode;
+        _state.CustomMode = heartbeat.CustomMode;
+        _state.Mode = _modeNames.NameOf(heartbeat);
+        _state.IsArmed = (heartbeat.BaseMode & MavModeFlag.SafetyArmed) != 0;
+        _state.SystemStatus = heartbeat.SystemStatus;
+        return events;
+    }
+
+    // "INVALID" is what everything that is no flight controller says of its autopilot (MAVLink guide, "Heartbeat/Connection
+    // Protocol"); some ground stations and companions say otherwise, so their types are left out too.
+    private static bool IsAutopilot(in MavlinkFrame frame, in Heartbeat heartbeat)
+        => frame.SystemId != 0
+        && frame.ComponentId != 0
+        && heartbeat.Autopilot != MavAutopilot.Invalid
+        && heartbeat.Type is not (MavType.Gcs or MavType.OnboardController or MavType.Gimbal or MavType.Adsb or MavType.Camera
+            or MavType.ChargingStation or MavType.Flarm or MavType.Servo or MavType.Odid or MavType.Battery or MavType.Log
+            or MavType.Osd or MavType.Imu or MavType.Gps or MavType.Winch or MavType.Illuminator or MavType.Gripper or MavType.Radio);
+}

@@ -1,0 +1,191 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.HealthMonitoring;
+
+/// <summary>
+/// Watches the managers, the autopilot, the battery and the links, and says how well they are. It writes our MAVLink heartbeat,
+/// once a second and only while it is true: an unknown address, a manager that threw or that does not come back silences it.
+/// </summary>
+public sealed class HealthManager : RabitManager
+{
+    /// <summary>The name of the manager.</summary>
+    public const string ManagerName = "health";
+
+    /// <summary>How often the rules are judged.</summary>
+    internal static readonly TimeSpan Cycle = TimeSpan.FromMilliseconds(250);
+
+    // MAVLink guide, "Heartbeat/Connection Protocol": 1 Hz.
+    private static readonly TimeSpan HeartbeatPeriod = TimeSpan.FromSeconds(1);
+
+    // The version of the protocol's messages that every HEARTBEAT carries (minimal.xml: <version>3</version>).
+    private const byte MavlinkMessagesVersion = 3;
+
+    private readonly HealthOptions _options;
+    private readonly ManagerWatch[] _managers;
+    private readonly LinkWatch[] _links;
+    private readonly MessageSubscriber<VehicleState> _vehicle;
+    private readonly MessageSubscriber<OwnAddress> _ownAddress;
+    private readonly QueueSender<OutgoingFrame> _outgoing;
+    private readonly MessagePublisher<HealthReport> _report;
+    private readonly HeartbeatSchedule _schedule = new(HeartbeatPeriod, Cycle);
+    private List<HealthFinding> _findings = [];
+    private List<HealthFinding> _lastFindings = [];
+    private HealthReport _next;
+    private TimeSpan? _watchedSince;
+    private TimeSpan _lastPost;
+
+    /// <summary>Makes the manager.</summary>
+    /// <param name="options">Checked and read now; later changes have no effect.</param>
+    /// <param name="managerNames">The managers to watch, which must be in the same reactor; this one is watched too, named or not.</param>
+    /// <param name="linkCount">How many links Communications has; their numbers are 0 to one less.</param>
+    /// <exception cref="ArgumentException">Options are out of their range (the text names all of them), or a manager is named twice.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The number of links is negative.</exception>
+    public HealthManager(HealthOptions options, IEnumerable<string> managerNames, int linkCount)
+        : base(ManagerName)
+    {
+        _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
+        if (linkCount < 0)
+            throw new ArgumentOutOfRangeException(nameof(linkCount), linkCount, "The number of links cannot be negative.");
+        _managers = NamesToWatch(managerNames).Select(name => new ManagerWatch(name, SubscribeToStatus(name))).ToArray();
+        _links = Enumerable.Range(0, linkCount)
+            .Select(number => new LinkWatch(number, Subscribe<LinkStatus>(MessageNames.LinkStatus(number)))).ToArray();
+        _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
+        _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
+        _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
+        _report = Publish<HealthReport>(MessageNames.Health);
+        WakeUpDelay = Cycle;
+    }
+
+    /// <inheritdoc/>
+    protected override void ExecuteUnitOfWork()
+    {
+        TimeSpan now = Now;
+        _watchedSince ??= now;
+        Judge(now, _watchedSince.Value);
+        if (_schedule.TakeBeat(now) && _next.SendsHeartbeat)
+            SendHeartbeat();
+        PostReport(now);
+        WakeUpDelay = _schedule.UntilNext(now);
+    }
+
+    private static List<string> NamesToWatch(IEnumerable<string> managerNames)
+    {
+        List<string> names = (managerNames ?? throw new ArgumentNullException(nameof(managerNames))).ToList();
+        foreach (IGrouping<string, string> twice in names.GroupBy(n => n, StringComparer.Ordinal).Where(g => g.Count() > 1))
+            throw new ArgumentException($"Health Monitoring: manager '{twice.Key}' is named more than once.", nameof(managerNames));
+        if (!names.Contains(ManagerName, StringComparer.Ordinal))
+            names.Add(ManagerName);
+        return names;
+    }
+
+    private void Judge(TimeSpan now, TimeSpan watchedSince)
+    {
+        _findings.Clear();
+        bool areAllAlive = JudgeManagers(now, watchedSince);
+        JudgeVehicle(now, isReplayOver: JudgeLinks(now, watchedSince));
+        _ownAddress.Fetch();
+        _next.SendsHeartbeat = areAllAlive && _ownAddress.Value.IsKnown;
+        TakeFindings();
+    }
+
+    /// <returns>Whether every manager works.</returns>
+    private bool JudgeManagers(TimeSpan now, TimeSpan watchedSince)
+    {
+        bool areAllAlive = true;
+        foreach (ManagerWatch watch in _managers)
+        {
+            ManagerFacts manager = watch.Look(now, watchedSince, _options);
+            HealthRules.Judge(manager, _options, _findings);
+            areAllAlive &= HealthRules.IsAlive(manager, _options);
+        }
+
+        return areAllAlive;
+    }
+
+    /// <returns>Whether all links are recorded logs that have ended.</returns>
+    private bool JudgeLinks(TimeSpan now, TimeSpan watchedSince)
+    {
+        bool isReplayOver = _links.Length > 0;
+        foreach (LinkWatch watch in _links)
+        {
+            LinkFacts link = watch.Look(now, watchedSince, _options);
+            HealthRules.Judge(link, _options, _findings);
+            isReplayOver &= link.IsRecorded && link.State == LinkState.Ended;
+        }
+
+        return isReplayOver;
+    }
+
+    private void JudgeVehicle(TimeSpan now, bool isReplayOver)
+    {
+        _vehicle.Fetch();
+        HealthRules.Judge(new VehicleFacts(_vehicle.Value, now, isReplayOver), _options, _findings);
+    }
+
+    // The text is made anew only when a finding has: a cycle without news allocates nothing.
+    private void TakeFindings()
+    {
+        if (AreEqual(_findings, _lastFindings) && _next.Level != HealthLevel.Unknown)
+            return;
+        _next.Level = HealthLevel.Good;
+        _next.Reasons = HealthReasons.None;
+        foreach (HealthFinding finding in _findings)
+        {
+            _next.Reasons |= finding.Reason;
+            if (finding.Level > _next.Level)
+                _next.Level = finding.Level;
+        }
+
+        _next.Text = HealthText.Of(_findings);
+        (_findings, _lastFindings) = (_lastFindings, _findings);
+    }
+
+    private static bool AreEqual(List<HealthFinding> a, List<HealthFinding> b)
+    {
+        if (a.Count != b.Count)
+            return false;
+        for (int i = 0; i < a.Count; i++)
+        {
+            if (!a[i].Equals(b[i]))
+                return false;
+        }
+
+        return true;
+    }
+
+    private void SendHeartbeat()
+    {
+        var heartbeat = new Heartbeat
+        {
+            Type = MavType.OnboardController,
+            Autopilot = MavAutopilot.Invalid,
+            SystemStatus = _next.Level == HealthLevel.Critical ? MavState.Critical : MavState.Active,
+            MavlinkVersion = MavlinkMessagesVersion,
+        };
+        OwnAddress own = _ownAddress.Value;
+        var frame = new OutgoingFrame { Frame = MavlinkFrame.Create(heartbeat, own.SystemId, own.ComponentId, sequence: 0) };
+        if (_outgoing.Push(frame) != PushResult.Rejected)
+            _next.HeartbeatsSent++;
+    }
+
+    // At once when it is news, else once a second, so that its age tells that we live.
+    private void PostReport(TimeSpan now)
+    {
+        ref HealthReport posted = ref _report.Value;
+        bool isNews = posted.Level != _next.Level
+            || posted.SendsHeartbeat != _next.SendsHeartbeat
+            || posted.HeartbeatsSent != _next.HeartbeatsSent
+            || !ReferenceEquals(posted.Text, _next.Text);
+        if (!isNews && now - _lastPost < HeartbeatPeriod)
+            return;
+        posted = _next;
+        _report.Post();
+        _lastPost = now;
+    }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Core;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.HealthMonitoring;
+
+/// <summary>
+/// All that Health Monitoring finds wrong, in one place: a table for managers, one for the vehicle, one for links.
+/// Thresholds are in <see cref="HealthOptions"/>.
+/// </summary>
+internal static class HealthRules
+{
+    private static readonly HealthRule<ManagerFacts>[] OfManagers =
+    [
+        new(HealthReasons.ManagerFaulted, HealthLevel.Critical,
+            static (in ManagerFacts m, HealthOptions _) => m.State == ManagerState.Faulted || m.HasFaultedLately,
+            static (in ManagerFacts m) => m.Faults),
+        new(HealthReasons.ManagerStuck, HealthLevel.Critical,
+            static (in ManagerFacts m, HealthOptions o) => IsAtWork(m) && m.QuietFor > m.WakeUpDelay + o.StuckAfter,
+            static (in ManagerFacts m) => m.WakeUpDelay.Ticks),
+    ];
+
+    private static readonly HealthRule<VehicleFacts>[] OfVehicle =
+    [
+        new(HealthReasons.NoAutopilot, HealthLevel.Warning,
+            static (in VehicleFacts v, HealthOptions _) => v.State.SystemId == 0,
+            static (in VehicleFacts _) => 0),
+        new(HealthReasons.AutopilotLost, HealthLevel.Critical,
+            static (in VehicleFacts v, HealthOptions o) => v.State.SystemId != 0 && !v.IsReplayOver
+                && (!v.State.IsConnected || v.HeartbeatAge > o.AutopilotTimeout),
+            static (in VehicleFacts v) => v.State.LastHeartbeatTime.Ticks),
+        new(HealthReasons.AutopilotCritical, HealthLevel.Critical,
+            static (in VehicleFacts v, HealthOptions _) => v.State.SystemStatus is MavState.Critical or MavState.Emergency or MavState.FlightTermination,
+            static (in VehicleFacts v) => (long)v.State.SystemStatus),
+        new(HealthReasons.BatteryCritical, HealthLevel.Critical,
+            static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null && v.State.BatteryRemaining <= o.BatteryCritical,
+            static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
+        new(HealthReasons.BatteryLow, HealthLevel.Warning,
+            static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null
+                && v.State.BatteryRemaining <= o.BatteryLow && v.State.BatteryRemaining > o.BatteryCritical,
+            static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
+    ];
+
+    private static readonly HealthRule<LinkFacts>[] OfLinks =
+    [
+        new(HealthReasons.LinkDown, HealthLevel.Critical,
+            static (in LinkFacts l, HealthOptions _) => l.State == LinkState.Failed || (l.State == LinkState.Ended && !l.IsRecorded),
+            static (in LinkFacts l) => (long)l.State),
+        new(HealthReasons.LinkSilent, HealthLevel.Warning,
+            static (in LinkFacts l, HealthOptions o) => l.State == LinkState.Silent
+                || (l.State == LinkState.Waiting && l.WatchedFor > o.FirstFrameWithin),
+            static (in LinkFacts l) => (long)l.State),
+        new(HealthReasons.FramesDropped, HealthLevel.Warning,
+            static (in LinkFacts l, HealthOptions _) => l.HasDroppedLately,
+            static (in LinkFacts l) => l.FramesDropped),
+    ];
+
+    /// <summary>Whether a manager works, as our heartbeat claims: it runs, did not throw lately and comes back in time.</summary>
+    public static bool IsAlive(in ManagerFacts manager, HealthOptions options)
+        => IsAtWork(manager) && !Breaks(OfManagers, manager, options);
+
+    public static void Judge(in ManagerFacts manager, HealthOptions options, List<HealthFinding> findings)
+        => Judge(OfManagers, manager, manager.Name, options, findings);
+
+    public static void Judge(in VehicleFacts vehicle, HealthOptions options, List<HealthFinding> findings)
+        => Judge(OfVehicle, vehicle, subject: null, options, findings);
+
+    public static void Judge(in LinkFacts link, HealthOptions options, List<HealthFinding> findings)
+        => Judge(OfLinks, link, link.Name, options, findings);
+
+    private static void Judge<T>(HealthRule<T>[] rules, in T facts, string? subject, HealthOptions options, List<HealthFinding> findings)
+        where T : struct
+    {
+        foreach (HealthRule<T> rule in rules)
+        {
+            if (rule.Condition(facts, options))
+                findings.Add(new HealthFinding(rule.Reason, rule.Level, subject, rule.Figure(facts)));
+        }
+    }
+
+    private static bool Breaks<T>(HealthRule<T>[] rules, in T facts, HealthOptions options)
+        where T : struct
+    {
+        foreach (HealthRule<T> rule in rules)
+        {
+            if (rule.Condition(facts, options))
+                return true;
+        }
+
+        return false;
+    }
+
+    // Before its first unit of work a manager is "starting"; that it does not get to it counts as stuck too.
+    private static bool IsAtWork(in ManagerFacts manager) => manager.State is ManagerState.Running or ManagerState.Starting;
+
+    // Never more than there is; autopilots tell whole per cents, and 0.29 * 100 is a hair less than 29.
+    private static long Percent(double fraction) => (long)Math.Floor((fraction * 100) + 1e-9);
+}

@@ -1,0 +1,36 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.HealthMonitoring;
+
+/// <summary>Puts findings into words. Called only when they have changed.</summary>
+internal static class HealthText
+{
+    public static string? Of(IReadOnlyList<HealthFinding> findings)
+        => findings.Count == 0 ? null : string.Join("; ", findings.OrderByDescending(f => f.Level).Select(Describe));
+
+    private static string Describe(HealthFinding finding) => finding.Reason switch
+    {
+        HealthReasons.ManagerFaulted => Invariant($"manager {finding.Subject} faulted ({finding.Figure} faults so far)"),
+        HealthReasons.ManagerStuck => Invariant($"manager {finding.Subject} is stuck (it should work every {Seconds(finding.Figure)} s)"),
+        HealthReasons.NoAutopilot => "no autopilot heard yet",
+        HealthReasons.AutopilotLost => Invariant($"autopilot lost (last heartbeat at {Seconds(finding.Figure)} s)"),
+        HealthReasons.AutopilotCritical => $"autopilot says {(MavState)finding.Figure}",
+        HealthReasons.BatteryCritical => Invariant($"battery nearly empty ({finding.Figure} %)"),
+        HealthReasons.BatteryLow => Invariant($"battery low ({finding.Figure} %)"),
+        HealthReasons.LinkDown when finding.Figure == (long)LinkState.Failed => $"link {finding.Subject} failed",
+        HealthReasons.LinkDown => $"link {finding.Subject} was closed by the other end",
+        HealthReasons.LinkSilent when finding.Figure == (long)LinkState.Waiting => $"link {finding.Subject}: nothing came in yet",
+        HealthReasons.LinkSilent => $"link {finding.Subject} is silent",
+        HealthReasons.FramesDropped => Invariant($"link {finding.Subject} dropped frames ({finding.Figure} so far)"),
+        _ => finding.Reason.ToString(),
+    };
+
+    private static string Seconds(long ticks) => new TimeSpan(ticks).TotalSeconds.ToString("0.0", CultureInfo.InvariantCulture);
+
+    private static string Invariant(FormattableString text) => FormattableString.Invariant(text);
+}

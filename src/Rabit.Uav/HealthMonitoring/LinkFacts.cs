@@ -1,0 +1,23 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.HealthMonitoring;
+
+/// <summary>What the rules judge a link by.</summary>
+internal readonly struct LinkFacts(string name, in LinkStatus status, bool hasDroppedLately, TimeSpan watchedFor)
+{
+    /// <summary>Its URL, as soon as Communications has told it.</summary>
+    public string Name { get; } = name;
+
+    public LinkState State { get; } = status.State;
+
+    /// <summary>Whether it is a recorded log, which may end.</summary>
+    public bool IsRecorded { get; } = !double.IsNaN(status.Progress);
+
+    public long FramesDropped { get; } = status.FramesDroppedIn + status.FramesDroppedOut;
+
+    public bool HasDroppedLately { get; } = hasDroppedLately;
+
+    /// <summary>Since Health Monitoring began.</summary>
+    public TimeSpan WatchedFor { get; } = watchedFor;
+}

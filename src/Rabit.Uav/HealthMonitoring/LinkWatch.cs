@@ -1,0 +1,20 @@
+using System;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.HealthMonitoring;
+
+/// <summary>What is remembered of one link between two looks.</summary>
+internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status)
+{
+    private readonly string _nameBeforeFirst = MessageNames.LinkStatus(number);
+    private readonly RecentRise _dropped = new();
+
+    public LinkFacts Look(TimeSpan now, TimeSpan watchedSince, HealthOptions options)
+    {
+        status.Fetch();
+        ref readonly LinkStatus value = ref status.Value;
+        bool drops = _dropped.Take(value.FramesDroppedIn + value.FramesDroppedOut, now, options.RememberedFor);
+        return new LinkFacts(value.Url ?? _nameBeforeFirst, value, drops, now - watchedSince);
+    }
+}

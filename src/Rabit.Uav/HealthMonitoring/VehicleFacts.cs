@@ -1,0 +1,15 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.HealthMonitoring;
+
+/// <summary>What the rules judge the vehicle by.</summary>
+internal readonly struct VehicleFacts(in VehicleState state, TimeSpan now, bool isReplayOver)
+{
+    public VehicleState State { get; } = state;
+
+    public TimeSpan HeartbeatAge { get; } = now - state.LastHeartbeatTime;
+
+    /// <summary>Whether all links are recorded logs that have been played: then silence is what is to be expected.</summary>
+    public bool IsReplayOver { get; } = isReplayOver;
+}

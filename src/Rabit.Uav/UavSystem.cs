@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Uav.AutopilotInterface;
+using Rabit.Uav.Communications;
+using Rabit.Uav.HealthMonitoring;
+using Rabit.Uav.Links;
+
+namespace Rabit.Uav;
+
+/// <summary>
+/// The companion computer: opens the links and makes the managers, which know nothing of each other. For one run: open it, make
+/// its reactor, run that, dispose it.
+/// </summary>
+public sealed class UavSystem : IDisposable
+{
+    private readonly UavOptions _options;
+    private readonly List<IByteLink> _links = [];
+    private readonly List<RecordedFile> _files = [];
+
+    private UavSystem(UavOptions options)
+    {
+        _options = options;
+        try
+        {
+            OpenLinks();
+        }
+        catch
+        {
+            Dispose();
+            throw;
+        }
+
+        Communications = new CommunicationsManager(new CommunicationsOptions
+        {
+            Links = _links,
+            RecordedFiles = _files,
+            StopsWhenAllLinksEnd = options.IsReplay,
+        });
+        Autopilot = new AutopilotManager(new AutopilotOptions
+        {
+            SystemId = options.SystemId,
+            ComponentId = options.ComponentId,
+            RequestsRates = options.RequestsMessageRates && !options.IsReplay,
+        });
+        Health = new HealthManager(new HealthOptions(), [Communications.Name, Autopilot.Name], LinkCount);
+        Time = CreateTime();
+    }
+
+    /// <summary>Owns the links; tells what came in over them.</summary>
+    public CommunicationsManager Communications { get; }
+
+    /// <summary>Speaks with the autopilot; tells what the flight was like.</summary>
+    public AutopilotManager Autopilot { get; }
+
+    /// <summary>Watches all of it, and writes our heartbeat while it is true.</summary>
+    public HealthManager Health { get; }
+
+    /// <summary>
+    /// The time to run in: real time, or, where logs are played at another speed than 1, virtual time that starts with the first stamp
+    /// and is driven by the stamps, so that no time-out misjudges a fast replay and every speed gives the same.
+    /// </summary>
+    public RabitTime Time { get; }
+
+    /// <summary>How many links there are; they are numbered from 0 in the order live links, recorded logs.</summary>
+    public int LinkCount => _links.Count + _files.Count;
+
+    /// <summary>Opens all links and makes the managers.</summary>
+    /// <param name="options">Checked and read now.</param>
+    /// <exception cref="ArgumentException">Options are out of their range or do not go together; the text names all of them.</exception>
+    /// <exception cref="LinkException">A link cannot be opened; the text names it and says why.</exception>
+    public static UavSystem Open(UavOptions options)
+    {
+        if (options is null)
+            throw new ArgumentNullException(nameof(options));
+        options.Validate(nameof(options));
+        return new UavSystem(options);
+    }
+
+    /// <summary>Makes the reactor with all managers.</summary>
+    /// <param name="options">Its options; the time is set to <see cref="Time"/>.</param>
+    public RabitReactor CreateReactor(ReactorOptions options)
+    {
+        if (options is null)
+            throw new ArgumentNullException(nameof(options));
+        options.Time = Time;
+        return new RabitReactor(options) { Communications, Autopilot, Health };
+    }
+
+    /// <summary>Closes the links. After the run.</summary>
+    public void Dispose()
+    {
+        foreach (IByteLink link in _links)
+            link.Dispose();
+        foreach (RecordedFile file in _files)
+            file.Dispose();
+    }
+
+    private void OpenLinks()
+    {
+        foreach (LinkUrl url in _options.Links)
+        {
+            if (url.Kind == LinkKind.RecordedFile)
+                _files.Add(RecordedFile.Open(url));
+            else
+                _links.Add(LinkFactory.Open(url));
+        }
+    }
+
+    private RabitTime CreateTime()
+    {
+        if (_options.Speed.Equals(1))
+            return new RealTime();
+        long startMicroseconds = _files.Min(f => f.StartUtcMicroseconds);
+        var start = new DateTimeOffset(DateTimeOffset.FromUnixTimeMilliseconds(0).Ticks + (startMicroseconds * 10), TimeSpan.Zero);
+        return new VirtualTime(_options.Seed, start) { Pace = _options.Speed };
+    }
+}
