@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 # Recorded flights (tests/data/mavlink/NAME.tlog) that UavConsole replays on both runtimes, to the same summary.
-flights=()
+flights=(ardupilot-flight px4-flight)
 
 results=artifacts-mono/results
 passed=0

@@ -89,7 +89,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
             thrown = e;
         }
 
-        _lastEnd = EndOf(begin);
+        _lastEnd = EndOf(stage, begin);
         if (thrown is not null)
             OnFault(stage, thrown);
         ref ManagerStatus status = ref manager.StatusPublisher.Value;
@@ -167,7 +167,8 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
     }
 
     // In virtual time the clock stands still during a unit of work; its modelled duration is added.
-    private TimeSpan EndOf(TimeSpan begin) => ModelledDuration == TimeSpan.Zero ? run.Clock.Now : begin + ModelledDuration;
+    private TimeSpan EndOf(ManagerStage stage, TimeSpan begin)
+        => stage == ManagerStage.UnitOfWork && ModelledDuration > TimeSpan.Zero ? begin + ModelledDuration : run.Clock.Now;
 
     private static TimeSpan Later(TimeSpan time, TimeSpan delay) => time > TimeSpan.MaxValue - delay ? TimeSpan.MaxValue : time + delay;
 }

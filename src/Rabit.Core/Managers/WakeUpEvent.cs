@@ -33,16 +33,18 @@ internal sealed class WakeUpEvent
     private const int OneWake = 512;
     private const uint CountIsFull = 0xFFFF_FE00;
 
+    private const long NotTold = -1;
+
     private int _state;            // written by all, by compare-and-swap
-    private long _wokenAtTicks;    // written by the waker that ends a sleep, before it signals; read by the sleeper
+    private long _wokenAtTicks;    // written by the waker that ends a sleep, before it signals; read and unset by the sleeper
     private IWakeSignal? _signal;  // written once, before the sleeper first sleeps
     private RunClock? _clock;      // same
 
     /// <summary>Whether a stop was asked for and not yet taken.</summary>
     public bool StopRequested => Has(Stop);
 
-    /// <summary>When the wake that ended the last sleep came.</summary>
-    public TimeSpan WokenAt => new(Interlocked.Read(ref _wokenAtTicks));
+    /// <summary>When the wake that ended the last sleep came; null while the waker, who has set the cause already, has not told.</summary>
+    public TimeSpan? WokenAt => Interlocked.Read(ref _wokenAtTicks) is var ticks && ticks == NotTold ? null : new TimeSpan(ticks);
 
     /// <summary>Tells what to signal. Wakes that came before are kept.</summary>
     public void Connect(IWakeSignal signal, RunClock clock)
@@ -62,6 +64,8 @@ internal sealed class WakeUpEvent
         int seen = Volatile.Read(ref _state);
         while ((seen & wanted) == 0)
         {
+            // Before the mark: a waker tells its time after it has found the mark.
+            Interlocked.Exchange(ref _wokenAtTicks, NotTold);
             int found = Interlocked.CompareExchange(ref _state, seen | Asleep, seen);
             if (found == seen)
                 return true;

@@ -261,8 +261,9 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         var notStopped = new List<string>();
         foreach (DeviceActivity reader in activity.Manager.Readers)
             End(reader, notStopped);
-        if (activity.HasBegun)
-            End(activity, notStopped);
+
+        // Whoever was given a thread, even if a stop came before it took its first step; the engine knows.
+        End(activity, notStopped);
         foreach (DeviceActivity writer in activity.Manager.Writers)
         {
             End(writer, notStopped);

@@ -19,7 +19,8 @@ internal sealed class VirtualEngine : ReactorEngine
     private readonly List<VirtualSlot> _slots = [];
     private readonly List<VirtualSlot> _candidates = [];
 
-    // Guards the woken marks and the real turn times; pulsed by a wake or a stop from another thread while the pacer waits.
+    // Guards the woken marks, the real turn times, and the list of slots for those who read it on other threads; pulsed by a
+    // wake or a stop from another thread while the pacer waits.
     private readonly object _gate = new();
     private SplitMix64 _random;
     private int _runsAtInstant;
@@ -31,7 +32,7 @@ internal sealed class VirtualEngine : ReactorEngine
         _time = time;
         _context = context;
         _random = new SplitMix64(unchecked((ulong)time.Seed));
-        _pacer = new Pacer(time.Pace);
+        _pacer = new Pacer(time);
     }
 
     public override void Begin(Activity activity)
@@ -40,7 +41,8 @@ internal sealed class VirtualEngine : ReactorEngine
         if (_time.UnitOfWorkDurations.TryGetValue(activity.Name, out TimeSpan duration))
             activity.ModelledDuration = duration;
         activity.WakeUp.Connect(slot, _context.Clock);
-        _slots.Add(slot);
+        lock (_gate)
+            _slots.Add(slot);
         activity.Begin();
         Sleep(slot, NextTurn.AtStart());
     }
@@ -146,10 +148,15 @@ internal sealed class VirtualEngine : ReactorEngine
     private void GiveTurn(VirtualSlot slot, TimeSpan now)
     {
         bool timer = slot.Due <= now;
-        TimeSpan? wokenAt = timer ? slot.Due : slot.WokenAt;
+        TimeSpan? wokenAt;
         WakeUps wakes = slot.Activity.WakeUp.Take();
         lock (_gate)
+        {
+            // Nobody sleeps on while there is a turn for him, so the wake is now, even if it came from outside while the clock
+            // was held back. One that came while a modelled unit of work kept him busy ended no sleep.
+            wokenAt = timer ? slot.Due : slot.WokenAt >= slot.NotBefore ? now : null;
             slot.IsWoken = false;
+        }
 
         if (timer)
         {

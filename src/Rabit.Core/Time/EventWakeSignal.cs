@@ -10,7 +10,17 @@ internal sealed class EventWakeSignal : IWakeSignal, IDisposable
 
     private readonly AutoResetEvent _event = new(initialState: false);
 
-    public void Set() => _event.Set();
+    public void Set()
+    {
+        try
+        {
+            _event.Set();
+        }
+        catch (ObjectDisposedException)
+        {
+            // A waker that was held up since it found the sleeper asleep; by now the sleeper has ended, by another wake.
+        }
+    }
 
     /// <summary>Waits for a signal; may return early without one, so the caller looks at its own state again.</summary>
     public void Wait(TimeSpan atMost)

@@ -3,14 +3,14 @@ using System;
 namespace Rabit.Core;
 
 /// <summary>Holds virtual time back to a multiple of real time, and measures what turns really take.</summary>
-internal sealed class Pacer(double pace)
+internal sealed class Pacer(VirtualTime time)
 {
     private readonly TimeProvider _real = TimeProvider.System;
     private long _startCount;
     private TimeSpan _startVirtual;
     private bool _started;
 
-    public bool IsUnlimited => double.IsPositiveInfinity(pace);
+    public bool IsUnlimited => double.IsPositiveInfinity(time.Pace);
 
     /// <summary>The virtual time that should be now; the first call starts the pacing.</summary>
     public TimeSpan Now(TimeSpan virtualNow)
@@ -22,11 +22,11 @@ internal sealed class Pacer(double pace)
             _started = true;
         }
 
-        return _startVirtual + new TimeSpan((long)(_real.GetElapsedTime(_startCount).Ticks * pace));
+        return _startVirtual + new TimeSpan((long)(_real.GetElapsedTime(_startCount).Ticks * time.Pace));
     }
 
     /// <summary>Real time until a virtual time comes.</summary>
-    public TimeSpan Until(TimeSpan virtualDue, TimeSpan virtualNow) => new((long)((virtualDue - virtualNow).Ticks / pace));
+    public TimeSpan Until(TimeSpan virtualDue, TimeSpan virtualNow) => new((long)((virtualDue - virtualNow).Ticks / time.Pace));
 
     public long Mark() => _real.GetTimestamp();
 

@@ -7,16 +7,19 @@ namespace Rabit.Uav.Links;
 /// <summary>
 /// <c>udpin:ADDRESS:PORT</c>: waits on a UDP port and hears everybody. Writes go to whoever was heard last; before anybody was heard, and while
 /// the network is down, they are dropped and counted. One write is one datagram. A peer that goes away cannot be seen.
+/// Allocates nothing per datagram on .NET; on Mono about 400 bytes for one received and one sent.
 /// </summary>
 public sealed class UdpListenLink : IByteLink
 {
     private readonly LinkState _state;
     private readonly UdpSocket _socket;
+    private readonly DatagramExchange _exchange;
 
     private UdpListenLink(Socket socket, LinkState state, IPEndPoint local)
     {
         _state = state;
-        _socket = new UdpSocket(socket, state);
+        _exchange = new DatagramExchange(socket);
+        _socket = new UdpSocket(socket, state, _exchange);
         Port = local.Port;
     }
 
@@ -69,7 +72,7 @@ public sealed class UdpListenLink : IByteLink
     public void Write(byte[] buffer, int offset, int count)
     {
         if (!_state.CheckWrite(buffer, offset, count)) return;
-        if (_socket.LastSender is { } receiver) _socket.Write(buffer, offset, count, receiver);
+        if (_exchange.HasSender) _socket.Write(buffer, offset, count);
         else _state.Dropped(count);
     }
 

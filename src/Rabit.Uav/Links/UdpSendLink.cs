@@ -16,7 +16,7 @@ public sealed class UdpSendLink : IByteLink
     private UdpSendLink(Socket socket, LinkState state)
     {
         _state = state;
-        _socket = new UdpSocket(socket, state);
+        _socket = new UdpSocket(socket, state, exchange: null);
     }
 
     /// <inheritdoc/>
@@ -63,7 +63,7 @@ public sealed class UdpSendLink : IByteLink
     /// <inheritdoc/>
     public void Write(byte[] buffer, int offset, int count)
     {
-        if (_state.CheckWrite(buffer, offset, count)) _socket.Write(buffer, offset, count, receiver: null);
+        if (_state.CheckWrite(buffer, offset, count)) _socket.Write(buffer, offset, count);
     }
 
     /// <inheritdoc/>

@@ -1,7 +1,5 @@
 using System;
-using System.Net;
 using System.Net.Sockets;
-using System.Threading;
 
 namespace Rabit.Uav.Links;
 
@@ -9,7 +7,10 @@ namespace Rabit.Uav.Links;
 /// What both UDP links do: hand out the bytes of datagrams one after the other, send, and tell faults that pass from those that do not.
 /// Closing the socket is what ends a blocked call, on .NET and on Mono alike.
 /// </summary>
-internal sealed class UdpSocket(Socket socket, LinkState state)
+/// <param name="socket">Bound or connected.</param>
+/// <param name="state">The state of the link.</param>
+/// <param name="exchange">For a socket without one peer; null if it is connected to its peer.</param>
+internal sealed class UdpSocket(Socket socket, LinkState state, DatagramExchange? exchange)
 {
     private const int LargestDatagram = 65535;
 
@@ -19,10 +20,6 @@ internal sealed class UdpSocket(Socket socket, LinkState state)
     private readonly byte[] _datagram = new byte[LargestDatagram]; // reader's thread, as the two indices
     private int _next;
     private int _end;
-    private EndPoint? _lastSender; // written by the reader's thread, read by writers, volatile access
-
-    /// <summary>Who sent the last datagram; null before anybody did.</summary>
-    public EndPoint? LastSender => Volatile.Read(ref _lastSender);
 
     public LinkRead Read(byte[] buffer)
     {
@@ -39,13 +36,13 @@ internal sealed class UdpSocket(Socket socket, LinkState state)
         }
     }
 
-    /// <summary>Sends one datagram to the peer the socket is connected to, or to <paramref name="receiver"/>.</summary>
-    public void Write(byte[] buffer, int offset, int count, EndPoint? receiver)
+    /// <summary>Sends one datagram to the peer, or to whoever was heard last; there must be one.</summary>
+    public void Write(byte[] buffer, int offset, int count)
     {
         SocketError error = SocketError.Success;
         for (int attempt = 0; attempt < SendAttempts; attempt++)
         {
-            error = Send(buffer, offset, count, receiver);
+            error = Send(buffer, offset, count);
             if (error == SocketError.Success)
             {
                 state.Sent(count);
@@ -70,12 +67,14 @@ internal sealed class UdpSocket(Socket socket, LinkState state)
 
     private SocketError Receive()
     {
-        EndPoint sender = LastSender ?? AnySender();
-        EndPoint before = sender;
         try
         {
-            _end = socket.ReceiveFrom(_datagram, 0, _datagram.Length, SocketFlags.None, ref sender);
+            SocketError error = SocketError.Success;
+            int count = exchange?.Receive(_datagram) ?? socket.Receive(_datagram, 0, _datagram.Length, SocketFlags.None, out error);
+            if (error != SocketError.Success) return error;
             _next = 0;
+            _end = count;
+            return SocketError.Success;
         }
         catch (SocketException e)
         {
@@ -85,22 +84,15 @@ internal sealed class UdpSocket(Socket socket, LinkState state)
         {
             return SocketError.OperationAborted;
         }
-
-        if (!ReferenceEquals(sender, before) || LastSender is null) Volatile.Write(ref _lastSender, sender);
-        return SocketError.Success;
     }
 
-    private SocketError Send(byte[] buffer, int offset, int count, EndPoint? receiver)
+    private SocketError Send(byte[] buffer, int offset, int count)
     {
         try
         {
-            if (receiver is not null)
-            {
-                socket.SendTo(buffer, offset, count, SocketFlags.None, receiver);
-                return SocketError.Success;
-            }
-
-            socket.Send(buffer, offset, count, SocketFlags.None, out SocketError error);
+            SocketError error = SocketError.Success;
+            if (exchange is not null) exchange.Reply(buffer, offset, count);
+            else socket.Send(buffer, offset, count, SocketFlags.None, out error);
             return error;
         }
         catch (SocketException e)
@@ -112,9 +104,6 @@ internal sealed class UdpSocket(Socket socket, LinkState state)
             return SocketError.OperationAborted;
         }
     }
-
-    private IPEndPoint AnySender() =>
-        new(socket.AddressFamily == AddressFamily.InterNetworkV6 ? IPAddress.IPv6Any : IPAddress.Any, 0);
 
     private int TakeInto(byte[] buffer)
     {

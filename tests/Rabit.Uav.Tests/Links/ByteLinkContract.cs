@@ -14,8 +14,15 @@ public abstract class ByteLinkContract
     private const int WritesPerBatch = 40;
     private const int Batches = 25;
 
+    // Not in the reference assemblies of net472.
+    private static readonly Func<long> AllocatedBytes =
+        (Func<long>)Delegate.CreateDelegate(typeof(Func<long>), typeof(GC).GetMethod("GetAllocatedBytesForCurrentThread")!);
+
     /// <summary>Opens a link and its peer, bytes from each having reached the other where that matters.</summary>
     protected abstract LinkTestBed Open();
+
+    /// <summary>Bytes that one read and one write may allocate together.</summary>
+    protected virtual long AllocationLimit => 0;
 
     [Fact]
     public void Read_ManyWritesOfThePeer_ArriveInOrder()
@@ -202,6 +209,28 @@ public abstract class ByteLinkContract
     }
 
     [Fact]
+    public void ReadAndWrite_SteadyState_AllocateNoMoreThanPromised()
+    {
+        using LinkTestBed bed = Open();
+        byte[] buffer = new byte[100];
+        const int exchanges = 200;
+        const int warmUp = 100;
+        long allocated = 0;
+        for (int i = 0; i < warmUp + exchanges; i++)
+        {
+            bed.PeerSends(1, 2, 3);
+            long before = AllocatedBytes();
+            bed.Link.Write(buffer, 0, 20);
+            int count = ReadSome(bed.Link, buffer);
+            if (i >= warmUp) allocated += AllocatedBytes() - before;
+            Assert.Equal(3, count);
+            bed.PeerReceives(20);
+        }
+
+        Assert.InRange(allocated, 0, exchanges * AllocationLimit);
+    }
+
+    [Fact]
     public void ReadAndWrite_BadBuffer_NameTheLinkAndTheFault()
     {
         using LinkTestBed bed = Open();
@@ -215,6 +244,13 @@ public abstract class ByteLinkContract
             string message = Assert.Throws<ArgumentOutOfRangeException>(() => link.Write(new byte[4], offset, count)).Message;
             Assert.Contains($"offset {offset} and count {count} do not lie in a buffer of 4 bytes", message, StringComparison.Ordinal);
         }
+    }
+
+    private static int ReadSome(IByteLink link, byte[] buffer)
+    {
+        LinkRead read = link.Read(buffer);
+        while (read.Kind == LinkReadKind.NothingYet) read = link.Read(buffer);
+        return read.Count;
     }
 
     /// <summary>Bytes of every value, in chunks of 1 to 60.</summary>

@@ -8,6 +8,9 @@ namespace Rabit.Uav.Tests.Links;
 
 public sealed class UdpListenLinkTests : ByteLinkContract
 {
+    // The calls that allocate nothing do not exist on Mono; 376 bytes were measured there.
+    protected override long AllocationLimit => Type.GetType("Mono.Runtime") is null ? 0 : 500;
+
     protected override LinkTestBed Open()
     {
         UdpListenLink link = UdpListenLink.Open("127.0.0.1", 0);
