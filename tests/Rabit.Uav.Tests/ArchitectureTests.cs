@@ -41,8 +41,10 @@ public class ArchitectureTests
     public void Rooms_Walls_AreSeenInFieldsSignaturesAndCode()
     {
         const string Planted = "Rabit.Uav.Tests.Planted";
-        Type[] types = typeof(ArchitectureTests).Assembly.GetTypes().Where(t => t.Namespace?.StartsWith(Planted, StringComparison.Ordinal) == true).ToArray();
-        string[] culprits = FindViolations(types, Planted).Select(v => v.Substring(0, v.IndexOf(' '))).Distinct(StringComparer.Ordinal).OrderBy(n => n, StringComparer.Ordinal).ToArray();
+        IEnumerable<Type> types = typeof(ArchitectureTests).Assembly.GetTypes()
+            .Where(t => t.Namespace?.StartsWith(Planted, StringComparison.Ordinal) == true);
+        IEnumerable<string> culprits = FindViolations(types, Planted)
+            .Select(v => v.Substring(0, v.IndexOf(' '))).Distinct(StringComparer.Ordinal).OrderBy(n => n, StringComparer.Ordinal);
 
         Assert.Equal(
             ["ByAttribute", "ByBase", "ByCall", "ByField", "ByGenericArgument", "ByLambda", "ByLocal", "ByMail", "BySignature"], culprits);

@@ -18,7 +18,12 @@ public class AutopilotOptionsTests
         };
 
         string text = Assert.Throws<ArgumentException>(() => new AutopilotManager(options)).Message;
-        foreach (string part in new[] { "SystemId", "ComponentId", "HeartbeatTimeout", "message 30 more than once", "message 33 at 0", "message 1 at NaN", "message 24 at 1001", "message 16000000" })
+        string[] parts =
+        [
+            "SystemId", "ComponentId", "HeartbeatTimeout", "message 30 more than once", "message 33 at 0", "message 1 at NaN",
+            "message 24 at 1001", "message 16000000",
+        ];
+        foreach (string part in parts)
             Assert.Contains(part, text, StringComparison.Ordinal);
     }
 

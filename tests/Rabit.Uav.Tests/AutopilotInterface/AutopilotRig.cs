@@ -68,14 +68,14 @@ internal sealed class AutopilotRig : IDisposable
 
     public static Heartbeat Copter(
         CopterMode mode = CopterMode.Stabilize, MavModeFlag flags = MavModeFlag.CustomModeEnabled, MavState status = MavState.Standby) => new()
-    {
-        Type = MavType.Quadrotor,
-        Autopilot = MavAutopilot.Ardupilotmega,
-        BaseMode = flags,
-        CustomMode = (uint)mode,
-        SystemStatus = status,
-        MavlinkVersion = 3,
-    };
+        {
+            Type = MavType.Quadrotor,
+            Autopilot = MavAutopilot.Ardupilotmega,
+            BaseMode = flags,
+            CustomMode = (uint)mode,
+            SystemStatus = status,
+            MavlinkVersion = 3,
+        };
 
     public static LinkFrame FrameOf<T>(in T message, TimeSpan time, byte system = System, byte component = Autopilot, long index = 0)
         where T : struct, IMavlinkMessage

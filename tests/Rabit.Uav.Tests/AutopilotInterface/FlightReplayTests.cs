@@ -108,7 +108,9 @@ public class FlightReplayTests
         => facts.GetProperty(list).EnumerateArray().Select(text);
 
     private static string ModeChange(JsonElement e)
-        => Line(Number(e, "record"), Number(e, "t_us"), Number(e, "custom_mode"), Number(e, "base_mode"), e.GetProperty("armed").GetBoolean(), Number(e, "system_status"));
+        => Line(
+            Number(e, "record"), Number(e, "t_us"), Number(e, "custom_mode"), Number(e, "base_mode"),
+            e.GetProperty("armed").GetBoolean(), Number(e, "system_status"));
 
     private static string Text(FlightModeChange c)
         => Line(c.Record, c.UtcMicroseconds, c.CustomMode, (long)c.BaseMode, c.IsArmed, (long)c.SystemStatus);

@@ -16,7 +16,14 @@ public class VehicleTrackerTests
         VehicleTracker tracker = Heard();
         var message = new GlobalPositionInt
         {
-            Lat = -353_632_000, Lon = 1_491_652_300, Alt = 584_040, RelativeAlt = -33, Vx = 150, Vy = -250, Vz = -100, Hdg = 9000,
+            Lat = -353_632_000,
+            Lon = 1_491_652_300,
+            Alt = 584_040,
+            RelativeAlt = -33,
+            Vx = 150,
+            Vy = -250,
+            Vz = -100,
+            Hdg = 9000,
         };
 
         Assert.Equal(VehicleEvents.Changed, Fold(tracker, message, 2));

@@ -134,8 +134,12 @@ public class HealthManagerTests
     {
         var options = new HealthOptions
         {
-            BatteryLow = 1.5, BatteryCritical = double.NaN, AutopilotTimeout = TimeSpan.Zero, StuckAfter = TimeSpan.Zero,
-            RememberedFor = TimeSpan.Zero, FirstFrameWithin = TimeSpan.Zero,
+            BatteryLow = 1.5,
+            BatteryCritical = double.NaN,
+            AutopilotTimeout = TimeSpan.Zero,
+            StuckAfter = TimeSpan.Zero,
+            RememberedFor = TimeSpan.Zero,
+            FirstFrameWithin = TimeSpan.Zero,
         };
         string text = Assert.Throws<ArgumentException>(() => new HealthManager(options, [], 0)).Message;
         foreach (string name in new[] { "BatteryLow", "BatteryCritical", "AutopilotTimeout", "StuckAfter", "RememberedFor", "FirstFrameWithin" })

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
@@ -120,8 +119,11 @@ public class HealthRulesTests
     [Fact]
     public void Text_EveryReason_HasWords()
     {
-        for (var reason = HealthReasons.NoAutopilot; reason.ToString() != ((int)reason).ToString(CultureInfo.InvariantCulture); reason = (HealthReasons)((int)reason * 2))
+        int reasons = 0;
+        foreach (string name in typeof(HealthReasons).GetEnumNames().Where(n => n != nameof(HealthReasons.None)))
         {
+            var reason = (HealthReasons)(1 << reasons++);
+            Assert.Equal(name, reason.ToString());
             string text = HealthText.Of([new HealthFinding(reason, HealthLevel.Warning, "x", 5)])!;
             Assert.DoesNotContain(reason.ToString(), text, StringComparison.Ordinal);
         }
