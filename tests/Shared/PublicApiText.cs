@@ -105,7 +105,7 @@ internal static class PublicApiText
 
     private static string Describe(PropertyInfo property)
     {
-        MethodInfo[] accessors = property.GetAccessors(nonPublic: true).Where(IsVisible).ToArray();
+        MethodInfo[] accessors = property.GetAccessors(nonPublic: true).Where(IsVisible).OrderBy(Word, StringComparer.Ordinal).ToArray();
         MethodInfo widest = accessors.FirstOrDefault(a => a.IsPublic) ?? accessors[0];
         string parameters = property.GetIndexParameters().Length == 0 ? property.Name : $"this[{Parameters(property.GetIndexParameters())}]";
         IEnumerable<string> words = accessors.Select(a => (a.IsPublic == widest.IsPublic ? string.Empty : Access(a)) + Word(a) + ";");

@@ -11,12 +11,14 @@ internal static class Repository
 
     private static string FindRoot()
     {
-        for (DirectoryInfo? folder = new(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
+        // Not the base directory: some runners have one of their own.
+        string assembly = typeof(Repository).Assembly.Location;
+        for (DirectoryInfo? folder = Directory.GetParent(assembly); folder is not null; folder = folder.Parent)
         {
             if (File.Exists(Path.Combine(folder.FullName, "Rabit.sln")))
                 return folder.FullName;
         }
 
-        throw new InvalidOperationException($"No folder above {AppContext.BaseDirectory} holds Rabit.sln.");
+        throw new InvalidOperationException($"No folder above {assembly} holds Rabit.sln.");
     }
 }
