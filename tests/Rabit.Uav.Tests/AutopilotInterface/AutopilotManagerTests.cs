@@ -4,6 +4,7 @@ using Rabit.Core;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Messages;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Tests.AutopilotInterface;

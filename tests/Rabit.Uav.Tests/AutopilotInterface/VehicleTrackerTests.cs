@@ -2,6 +2,7 @@ using System;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Messages;
+using Rabit.Tests.Shared;
 using Xunit;
 using Xunit.Abstractions;
 
