@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
 using Rabit.Core;
@@ -21,14 +20,13 @@ internal static class FlightRun
         try
         {
             using UavSystem uav = UavSystem.Open(new UavOptions { Links = options.Links, SystemId = options.SystemId });
-            using Stream? summaryFile = OpenSummaryFile(options.SummaryFile);
+            using SummaryFile? summaryFile = SummaryFile.Open(options);
             RunSummary summary = Fly(uav, options);
             new SummaryText(Console.Out, summary).Write();
-            if (summaryFile is not null)
-                SummaryJson.Write(summaryFile, summary);
+            summaryFile?.Write(summary);
             return summary.ExitCode;
         }
-        catch (Exception e) when (e is LinkException or ArgumentException)
+        catch (Exception e) when (e is LinkException or ArgumentException or PlatformNotSupportedException)
         {
             Console.Error.WriteLine("UavConsole: " + FirstLine(e));
             return BadInput;
@@ -50,20 +48,6 @@ internal static class FlightRun
         ReactorResult result = run.GetAwaiter().GetResult();
         monitor.Refresh();
         return new RunSummary(uav, result, monitor.Health, monitor.Links);
-    }
-
-    private static FileStream? OpenSummaryFile(string? path)
-    {
-        if (path is null)
-            return null;
-        try
-        {
-            return new FileStream(path, FileMode.Create, FileAccess.Write);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
-        {
-            throw new ArgumentException($"--summary {path} cannot be written: {e.Message}", nameof(path), e);
-        }
     }
 
     // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.

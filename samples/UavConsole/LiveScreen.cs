@@ -33,7 +33,7 @@ internal sealed class LiveScreen(FlightMonitor monitor, RunLog log)
         }
     });
 
-    private Rows Draw()
+    internal Rows Draw()
     {
         var rows = new List<IRenderable> { Managers(), Vehicle(), Links(), Texts() };
         if (monitor.Progress is { } progress)

@@ -12,7 +12,7 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log)
     private static readonly TimeSpan LookEvery = TimeSpan.FromMilliseconds(100);
     private const int LooksPerLine = 50;
 
-    private string? _lastHealth;
+    private HealthReport _lastHealth;
     private StatusText? _lastText;
 
     public void ShowUntilEnd(Task run)
@@ -20,24 +20,28 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log)
         for (int look = 1; !run.Wait(LookEvery); look++)
         {
             monitor.Refresh();
-            ShowNews();
-            if (look % LooksPerLine == 0)
+            bool isTimeForALine = look % LooksPerLine == 0;
+            ShowNews(withFigures: isTimeForALine);
+            if (isTimeForALine)
                 Console.WriteLine(Text.StatusLine(monitor));
         }
 
         monitor.Refresh();
-        ShowNews();
+        ShowNews(withFigures: true);
     }
 
-    private void ShowNews()
+    /// <param name="withFigures">Also where only a figure in the health report has changed, which some do all the time.</param>
+    private void ShowNews(bool withFigures)
     {
         foreach (RabitLogEntry entry in log.TakeAll())
             Console.WriteLine(entry);
 
-        string health = Text.Health(monitor.Health);
-        if (health != _lastHealth)
-            Console.WriteLine(Text.At(monitor.Now) + "health: " + health);
-        _lastHealth = health;
+        HealthReport health = monitor.Health;
+        if (health.Level != _lastHealth.Level || health.Reasons != _lastHealth.Reasons || (withFigures && health.Text != _lastHealth.Text))
+        {
+            Console.WriteLine(Text.At(monitor.Now) + "health: " + Text.Health(health));
+            _lastHealth = health;
+        }
 
         foreach (StatusText text in monitor.Texts.TakeWhile(t => t != _lastText).Reverse())
             Console.WriteLine(Text.At(text.Time) + Text.Of(text));

@@ -47,7 +47,7 @@ internal sealed class SummaryText(TextWriter output, RunSummary summary)
         Line("height     " + Range(flight.HeightAboveHomeMillimetres, 1e3, "0.000", "m above home"));
         Line("status texts:" + (flight.StatusTexts.Count == 0 ? " none" : string.Empty));
         foreach (FlightStatusText text in flight.StatusTexts)
-            Line($"{At(text.UtcMicroseconds)}{text.Severity.ToString().ToLowerInvariant()}: {text.Text}");
+            Line($"{At(text.UtcMicroseconds)}{text.Severity.ToString().ToLowerInvariant()}: {Text.Printable(text.Text)}");
         Line("command acknowledgements:" + (flight.Acknowledgements.Count == 0 ? " none" : string.Empty));
         foreach (FlightAcknowledgement ack in flight.Acknowledgements)
             Line($"{At(ack.UtcMicroseconds)}{ack.Command} ({(int)ack.Command}): {ack.Result}");

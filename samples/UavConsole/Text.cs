@@ -14,7 +14,10 @@ internal static class Text
 
     public static string At(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0,10:0.000}  ", time.TotalSeconds);
 
-    public static string Of(StatusText text) => $"{text.Severity.ToString().ToLowerInvariant()}: {text.Text}";
+    public static string Of(StatusText text) => $"{text.Severity.ToString().ToLowerInvariant()}: {Printable(text.Text)}";
+
+    // What came from outside must neither break the line nor steer the terminal.
+    public static string Printable(string text) => new(text.Select(c => char.IsControl(c) ? '.' : c).ToArray());
 
     public static string Health(in HealthReport health) => health.Text is null ? health.Level.ToString() : $"{health.Level}: {health.Text}";
 

@@ -38,6 +38,8 @@ public sealed class UavOptions
         var faults = new List<string>();
         if (Links is null || Links.Count == 0)
             throw new ArgumentException("A UAV needs at least one link.", parameter);
+        if (Links.Contains(null!))
+            throw new ArgumentException("A link is null.", parameter);
         if (SystemId == 0)
             faults.Add($"{nameof(SystemId)} is 0; it must be 1 to 255");
         if (ComponentId == 0)

@@ -23,14 +23,15 @@ internal sealed class LinkFrameTarget(IByteLink link) : IWriterTarget<MavlinkFra
     public void Write(in MavlinkFrame value)
     {
         int length = value.WriteTo(_buffer);
+        bool isWritten = false;
         try
         {
-            link.Write(_buffer, 0, length);
+            isWritten = TryWrite(length);
         }
-        catch (LinkException e) when (!e.LinkEnded)
+        finally
         {
-            // The next frame may get through; this one is lost, and counted.
-            Interlocked.Increment(ref _lost);
+            if (!isWritten)
+                Interlocked.Increment(ref _lost);
         }
     }
 
@@ -38,5 +39,21 @@ internal sealed class LinkFrameTarget(IByteLink link) : IWriterTarget<MavlinkFra
 
     public void Close()
     {
+    }
+
+    /// <returns>False where this frame is lost but the next one may get through. Some links say so by their counter alone.</returns>
+    private bool TryWrite(int length)
+    {
+        long dropped = link.Counters.WritesDropped;
+        try
+        {
+            link.Write(_buffer, 0, length);
+        }
+        catch (LinkException e) when (!e.LinkEnded)
+        {
+            return false;
+        }
+
+        return link.Counters.WritesDropped == dropped;
     }
 }

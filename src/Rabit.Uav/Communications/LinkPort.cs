@@ -38,7 +38,7 @@ internal sealed class LinkPort(
     {
         if (writer is null)
             return;
-        if (writer.State is DeviceState.Faulted or DeviceState.Ended || writer.Push(frame) == PushResult.Rejected)
+        if (HasNobodyBehindIt(writer) || writer.Push(frame) == PushResult.Rejected)
             _rejectedOut++;
         else
             _framesOut++;
@@ -46,8 +46,10 @@ internal sealed class LinkPort(
 
     public void PostStatus(TimeSpan now, TimeSpan silentAfter, long droppedIn)
     {
-        Exception? fault = Reader.Fault ?? writer?.Fault;
+        // Where the other end closed the link, that our next write then fails is no news.
+        Exception? fault = Reader.State == DeviceState.Ended ? null : Reader.Fault ?? writer?.Fault;
         QueueCounters incoming = Reader.Counters;
+        long lostOut = CountLostOut();
         status.Value = new LinkStatus
         {
             State = StateAt(now, silentAfter, fault),
@@ -55,17 +57,31 @@ internal sealed class LinkPort(
             Fault = fault?.Message,
             LastFrameTime = _lastFrameTime,
             FramesIn = tally.Frames,
-            FramesOut = _framesOut,
+            FramesOut = _framesOut - lostOut,
             FramesMissing = tally.Missing,
             BytesLost = bytesLost(),
-            FramesDroppedIn = droppedIn + incoming.Dropped + incoming.Rejected + Reader.Discarded,
-            FramesDroppedOut = _rejectedOut + (writer?.Counters.Dropped ?? 0) + (writer?.Discarded ?? 0) + (target?.Lost ?? 0),
+            FramesDroppedIn = droppedIn + incoming.Dropped + incoming.Rejected + DiscardedIn,
+            FramesDroppedOut = _rejectedOut + lostOut,
             Progress = file?.Progress ?? double.NaN,
         };
         status.Post();
     }
 
     public LinkSummary Summarise() => new(url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset);
+
+    // What a log still held when the run was stopped was not dropped: it is in the log.
+    private long DiscardedIn => IsRecorded ? 0 : Reader.Discarded;
+
+    private long CountLostOut()
+    {
+        if (writer is null)
+            return 0;
+        QueueCounters outgoing = writer.Counters;
+        return outgoing.Dropped + target!.Lost + (writer.State == DeviceState.Faulted ? outgoing.Resident : 0);
+    }
+
+    private bool HasNobodyBehindIt(BlockingWriter<MavlinkFrame> writer)
+        => Reader.State == DeviceState.Ended || writer.State is DeviceState.Faulted or DeviceState.Ended;
 
     private LinkState StateAt(TimeSpan now, TimeSpan silentAfter, Exception? fault)
     {

@@ -8,15 +8,21 @@ namespace Rabit.Uav.Communications;
 
 /// <summary>
 /// Plays a recorded log: each record comes when its stamp is due, counted from the start of the earliest log that is played, so that
-/// several logs merge by their stamps. It never blocks: real time waits for the due time, virtual time jumps to it.
+/// several logs merge by their stamps. Where the stamps step back, because the recorder's clock was set, it goes on from there at
+/// their pace: else all that follows would come at once. It never blocks: real time waits for the due time, virtual time jumps to it.
 /// </summary>
 internal sealed class RecordedFrameSource(RecordedFile file, int number, long originUtcMicroseconds, FrameTally tally) : IReaderSource<LinkFrame>
 {
     private const long TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000;
 
+    // Records of several senders may lie a little out of order; a clock that was set has moved by more.
+    private const long StepMicroseconds = 1_000_000;
+
     private ReaderContext? _context;
     private TimeSpan _start;
     private LinkFrame _next;
+    private long _lastMicroseconds;
+    private long _shiftMicroseconds;
     private bool _isChecked;
     private bool _holdsNext;
 
@@ -59,11 +65,24 @@ internal sealed class RecordedFrameSource(RecordedFile file, int number, long or
             Frame = frame,
             Link = number,
             Index = record.Index,
-            Time = _start + new TimeSpan((record.TimeMicroseconds - originUtcMicroseconds) * TicksPerMicrosecond),
+            Time = _start + new TimeSpan(SinceStart(record.TimeMicroseconds) * TicksPerMicrosecond),
             UtcMicroseconds = record.TimeMicroseconds,
         };
         _isChecked = record.IsChecked;
         _holdsNext = true;
         return true;
+    }
+
+    private long SinceStart(long utcMicroseconds)
+    {
+        long since = utcMicroseconds - originUtcMicroseconds + _shiftMicroseconds;
+        if (since < _lastMicroseconds - StepMicroseconds)
+        {
+            _shiftMicroseconds += _lastMicroseconds - since;
+            since = _lastMicroseconds;
+        }
+
+        _lastMicroseconds = Math.Max(_lastMicroseconds, since);
+        return since;
     }
 }

@@ -25,7 +25,7 @@ public sealed class RecordedFile : IDisposable
         _stream = stream;
         Length = stream.Length;
         _reader = new TlogReader(stream, MavlinkDialect.All);
-        _holdsFirst = _reader.TryRead(out _firstFrame, out _firstRecord);
+        _holdsFirst = TryReadRecord(out _firstFrame, out _firstRecord);
         StartUtcMicroseconds = _firstRecord.TimeMicroseconds;
     }
 
@@ -76,13 +76,22 @@ public sealed class RecordedFile : IDisposable
         if (url is null || url.Kind != LinkKind.RecordedFile)
             throw new ArgumentException("A recorded file is opened by a tlog: link.", nameof(url));
 
-        var file = new RecordedFile(url, OpenStream(url));
-        if (file._holdsFirst)
-            return file;
-
-        file.Dispose();
-        string reason = file.Length == 0 ? "the file is empty" : "no intact record in it: it is no telemetry log";
-        throw new LinkException(url.ToString(), reason, linkEnded: true);
+        FileStream stream = OpenStream(url);
+        try
+        {
+            if (!stream.CanSeek)
+                throw new LinkException(url.ToString(), "that is no file: its length is not known", linkEnded: true);
+            var file = new RecordedFile(url, stream);
+            if (file._holdsFirst)
+                return file;
+            string reason = file.Length == 0 ? "the file is empty" : "no intact record in it: it is no telemetry log";
+            throw new LinkException(url.ToString(), reason, linkEnded: true);
+        }
+        catch
+        {
+            stream.Dispose();
+            throw;
+        }
     }
 
     /// <summary>Reads the next intact record.</summary>
@@ -102,19 +111,24 @@ public sealed class RecordedFile : IDisposable
                 return true;
             }
 
-            try
-            {
-                return _reader.TryRead(out frame, out record);
-            }
-            catch (IOException e)
-            {
-                throw new LinkException(Url.ToString(), "the file cannot be read on: " + e.Message, linkEnded: true, e);
-            }
+            return TryReadRecord(out frame, out record);
         }
     }
 
     /// <summary>Closes the file.</summary>
     public void Dispose() => _stream.Dispose();
+
+    private bool TryReadRecord(out MavlinkFrame frame, out TlogRecord record)
+    {
+        try
+        {
+            return _reader.TryRead(out frame, out record);
+        }
+        catch (IOException e)
+        {
+            throw new LinkException(Url.ToString(), "the file cannot be read: " + e.Message, linkEnded: true, e);
+        }
+    }
 
     private static FileStream OpenStream(LinkUrl url)
     {

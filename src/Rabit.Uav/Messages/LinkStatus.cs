@@ -32,7 +32,7 @@ public struct LinkStatus
     /// <summary>Frames that came in and had no room in our queues.</summary>
     public long FramesDroppedIn { get; set; }
 
-    /// <summary>Frames that were to go out and had no room.</summary>
+    /// <summary>Frames that were to go out and did not: there was no room, nobody to hear them, or the link had ended.</summary>
     public long FramesDroppedOut { get; set; }
 
     /// <summary>How much of a recorded log has been read, 0 to 1; NaN for a live link.</summary>

@@ -4,6 +4,7 @@ using Rabit.Core;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Messages;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Tests.AutopilotInterface;
@@ -131,6 +132,27 @@ public class AutopilotManagerTests
         reactor.Stop();
         reactor.Finish();
         Assert.Equal(losses, manager.Flight.Losses);
+    }
+
+    [Fact]
+    public void IsConnected_FramesHandedOverOnlyAfterAStall_AreNotMissed()
+    {
+        // The manager is away until 8 s, wakes at 8.2 s to an empty queue, and what came meanwhile is handed over at 8.3 s.
+        var time = new VirtualTime(1);
+        time.SetUnitOfWorkDuration(AutopilotManager.ManagerName, TimeSpan.FromSeconds(8));
+        var manager = new AutopilotManager(new AutopilotOptions { RequestsRates = false });
+        var reactor = new RabitReactor(time) { manager, new OutgoingSink() };
+        QueueSender<LinkFrame> frames = reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
+        reactor.Start();
+        frames.Push(AutopilotRig.FrameOf(AutopilotRig.Copter(), TimeSpan.Zero));
+        reactor.RunFor(TimeSpan.FromSeconds(8.3));
+        for (int second = 1; second <= 8; second++)
+            frames.Push(AutopilotRig.FrameOf(AutopilotRig.Copter(), TimeSpan.FromSeconds(second)));
+        reactor.RunFor(TimeSpan.FromSeconds(8.2));
+
+        Assert.Equal((9L, 0L), (manager.Flight.Frames, manager.Flight.Losses));
+        reactor.Stop();
+        reactor.Finish();
     }
 
     [Fact]

@@ -3,6 +3,7 @@ using Rabit.Core;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;

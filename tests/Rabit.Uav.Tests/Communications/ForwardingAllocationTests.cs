@@ -1,0 +1,39 @@
+using System;
+using System.Linq;
+using Rabit.Tests.Shared;
+using Xunit;
+
+namespace Rabit.Uav.Tests.Communications;
+
+public sealed class ForwardingAllocationTests
+{
+    // Turns cost what they cost in virtual time; it must not depend on how many frames they are about.
+    [Fact]
+    public void Forwarding_MoreFramesInTheSameTurns_AllocatesNoMore()
+    {
+        if (!Allocated.CanTell)
+            return;
+        Assert.Equal(AllocatedByForwarding(framesAtOnce: 1), AllocatedByForwarding(framesAtOnce: 50));
+    }
+
+    private static long AllocatedByForwarding(int framesAtOnce)
+    {
+        var autopilot = new FakeAutopilot(1024) { Keeps = false };
+        using CommunicationsRig rig = new CommunicationsRig(links: 2, autopilot: autopilot).As(1);
+        byte[] bytes = Frames.Join(Enumerable.Range(0, framesAtOnce).Select(n => Frames.Heartbeat(sequence: (byte)n)));
+        var received = new byte[bytes.Length];
+        Forward(100);
+        return Allocated.By(() => Forward(100));
+
+        void Forward(int times)
+        {
+            for (int n = 0; n < times; n++)
+            {
+                rig.Far(0).Write(bytes, 0, bytes.Length);
+                rig.Run(TimeSpan.FromMilliseconds(10));
+                if (rig.Far(1).Read(received).Count != bytes.Length)
+                    throw new InvalidOperationException("not all was forwarded");
+            }
+        }
+    }
+}
