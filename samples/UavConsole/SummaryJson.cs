@@ -42,9 +42,7 @@ internal static class SummaryJson
         foreach (FlightModeChange change in flight.ModeChanges)
         {
             json.WriteStartObject();
-            json.WriteNumber("link", change.Link);
-            json.WriteNumber("record", change.Record);
-            json.WriteNumber("t_us", change.UtcMicroseconds);
+            WritePlace(json, change.Link, change.Record, change.UtcMicroseconds);
             json.WriteString("mode", change.Mode);
             json.WriteNumber("custom_mode", change.CustomMode);
             json.WriteNumber("base_mode", (uint)change.BaseMode);
@@ -87,11 +85,8 @@ internal static class SummaryJson
         foreach (FlightStatusText text in flight.StatusTexts)
         {
             json.WriteStartObject();
-            json.WriteNumber("link", text.Link);
-            json.WriteNumber("record", text.Record);
-            json.WriteNumber("t_us", text.UtcMicroseconds);
-            json.WriteNumber("sysid", text.SystemId);
-            json.WriteNumber("compid", text.ComponentId);
+            WritePlace(json, text.Link, text.Record, text.UtcMicroseconds);
+            WriteSource(json, text.SystemId, text.ComponentId);
             json.WriteNumber("severity", (int)text.Severity);
             json.WriteString("text", text.Text);
             json.WriteEndObject();
@@ -107,11 +102,8 @@ internal static class SummaryJson
         foreach (FlightAcknowledgement ack in flight.Acknowledgements)
         {
             json.WriteStartObject();
-            json.WriteNumber("link", ack.Link);
-            json.WriteNumber("record", ack.Record);
-            json.WriteNumber("t_us", ack.UtcMicroseconds);
-            json.WriteNumber("sysid", ack.SystemId);
-            json.WriteNumber("compid", ack.ComponentId);
+            WritePlace(json, ack.Link, ack.Record, ack.UtcMicroseconds);
+            WriteSource(json, ack.SystemId, ack.ComponentId);
             json.WriteNumber("command", (int)ack.Command);
             json.WriteNumber("result", (int)ack.Result);
             json.WriteNumber("progress", ack.Progress);
@@ -154,8 +146,7 @@ internal static class SummaryJson
         foreach (MavlinkSequenceStatistics source in sources)
         {
             json.WriteStartObject();
-            json.WriteNumber("sysid", source.SystemId);
-            json.WriteNumber("compid", source.ComponentId);
+            WriteSource(json, source.SystemId, source.ComponentId);
             json.WriteNumber("frames", source.Frames);
             json.WriteNumber("missing", source.Missing);
             json.WriteNumber("out_of_order", source.OutOfOrder);
@@ -173,8 +164,7 @@ internal static class SummaryJson
             json.WriteStartObject();
             json.WriteNumber("msgid", count.MessageId);
             json.WriteString("name", count.Name);
-            json.WriteNumber("sysid", count.SystemId);
-            json.WriteNumber("compid", count.ComponentId);
+            WriteSource(json, count.SystemId, count.ComponentId);
             json.WriteNumber("version", (int)count.Version);
             json.WriteNumber("count", count.Count);
             json.WriteEndObject();
@@ -207,6 +197,19 @@ internal static class SummaryJson
 
         json.WriteEndArray();
         json.WriteEndObject();
+    }
+
+    private static void WritePlace(Utf8JsonWriter json, int link, long record, long utcMicroseconds)
+    {
+        json.WriteNumber("link", link);
+        json.WriteNumber("record", record);
+        json.WriteNumber("t_us", utcMicroseconds);
+    }
+
+    private static void WriteSource(Utf8JsonWriter json, byte systemId, byte componentId)
+    {
+        json.WriteNumber("sysid", systemId);
+        json.WriteNumber("compid", componentId);
     }
 
     private static void WriteNumberOrNull(Utf8JsonWriter json, string name, long? value)

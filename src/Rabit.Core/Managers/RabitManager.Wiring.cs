@@ -33,7 +33,7 @@ public abstract partial class RabitManager
     /// <typeparam name="T">The type that its publisher posts.</typeparam>
     /// <param name="name">The name of the message.</param>
     /// <param name="wakeOnPost">Whether a post wakes this manager.</param>
-    /// <param name="optional">Whether it may be that nobody publishes it.</param>
+    /// <param name="optional">Whether it may be that nobody publishes it. Its value is the default then, null for a class; see <see cref="MessageSubscriber{T}.WasPosted"/>.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected MessageSubscriber<T> Subscribe<T>(string name, bool wakeOnPost = false, bool optional = false)
         => new(Declare(new MessageBinding<T>(_owner, EndRole.Subscribe, MessageName(name)) { Wakes = wakeOnPost, IsOptional = optional }));

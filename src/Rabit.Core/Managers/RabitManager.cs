@@ -46,7 +46,13 @@ public abstract partial class RabitManager
     public TimeSpan WakeUpDelay
     {
         get => _wakeUpDelay;
-        protected set => _wakeUpDelay = Require.Positive(value, nameof(value), $"The wake-up delay of manager '{Name}'");
+        protected set
+        {
+            // Units of work set it too: the text is made only where it is needed.
+            if (value <= TimeSpan.Zero)
+                Require.Positive(value, nameof(value), $"The wake-up delay of manager '{Name}'");
+            _wakeUpDelay = value;
+        }
     }
 
     /// <summary>What happens after an exception left the manager's code; by default the system stops. Set before the start.</summary>

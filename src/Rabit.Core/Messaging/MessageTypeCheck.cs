@@ -14,7 +14,7 @@ internal static class MessageTypeCheck
 {
     private static readonly HashSet<string> TrustedTypes = new(StringComparer.Ordinal)
     {
-        "System.String", "System.Version", "System.Uri", "System.TimeZoneInfo", "System.Globalization.CultureInfo",
+        "System.String", "System.Version", "System.Uri", "System.TimeZoneInfo",
     };
 
     /// <summary>Why the type cannot be a message, with the path of the field that is to blame; null when it can.</summary>

@@ -187,9 +187,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         string reason = _stopReason ?? string.Empty;
         _log.Write(RabitLogKind.Lifecycle, Source, "stops: " + reason);
 
-        var results = new List<ManagerResult>();
-        foreach (ManagerActivity activity in Enumerable.Reverse(_activities))
-            results.Add(EndManager(activity));
+        var ending = new ManagerEnding(_engine, _log, _options.StopTimeout);
+        List<ManagerResult> results = Enumerable.Reverse(_activities).Select(ending.End).ToList();
         results.Reverse();
         _engine.Dispose();
         return new ReactorResult(reason, _failure, duration, results);
@@ -254,37 +253,6 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
             _engine.Begin(device);
         foreach (Activity activity in _activities.Concat<Activity>(devices))
             activity.WakeUp.Wake(WakeUpCauses.Start);
-    }
-
-    private ManagerResult EndManager(ManagerActivity activity)
-    {
-        var notStopped = new List<string>();
-        foreach (DeviceActivity reader in activity.Manager.Readers)
-            End(reader, notStopped);
-
-        // Whoever was given a thread, even if a stop came before it took its first step; the engine knows.
-        End(activity, notStopped);
-        foreach (DeviceActivity writer in activity.Manager.Writers)
-        {
-            End(writer, notStopped);
-            if (!writer.HasBegun)
-                writer.Abandon();
-        }
-
-        (IReadOnlyList<ManagerFault> faults, long count) = activity.Faults;
-        ManagerOutcome outcome = !activity.HasBegun ? ManagerOutcome.NotStarted
-            : notStopped.Count > 0 ? ManagerOutcome.DidNotStop
-            : count > 0 ? ManagerOutcome.Faulted
-            : ManagerOutcome.Ended;
-        var result = new ManagerResult(activity.Name, outcome, activity.Runs, count, faults, notStopped);
-        _log.Write(RabitLogKind.Lifecycle, activity.Name, result.ToString());
-        return result;
-    }
-
-    private void End(Activity activity, List<string> notStopped)
-    {
-        if (!_engine.TryEnd(activity, _options.StopTimeout))
-            notStopped.Add($"{activity.Name}: {activity.Doing}");
     }
 
     private void Fail(Exception failure)

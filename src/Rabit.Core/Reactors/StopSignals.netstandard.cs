@@ -54,19 +54,22 @@ internal sealed class StopSignals : IDisposable
         signals.SetValue(Activator.CreateInstance(type, Enum.ToObject(number, SignalInterrupt)), 0);
         signals.SetValue(Activator.CreateInstance(type, Enum.ToObject(number, SignalTerminate)), 1);
         MethodInfo? waitAny = type.GetMethod("WaitAny", [signals.GetType(), typeof(int)]);
-        if (waitAny is null)
+        PropertyInfo? isSet = type.GetProperty("IsSet");
+        if (waitAny is null || isSet is null)
             return false;
-        new Thread(() => Listen(signals, waitAny)) { Name = "stop signals", IsBackground = true }.Start();
+        new Thread(() => Listen(signals, waitAny, isSet)) { Name = "stop signals", IsBackground = true }.Start();
         return true;
     }
 
-    private void Listen(Array signals, MethodInfo waitAny)
+    private void Listen(Array signals, MethodInfo waitAny, PropertyInfo isSet)
     {
         object[] arguments = [signals, PollMilliseconds];
         while (Volatile.Read(ref _isDisposed) == 0)
         {
-            int index = (int)waitAny.Invoke(null, arguments)!;
-            if (index is 0 or 1)
+            // A wait ends only by a signal that comes while it lasts; one that came before it is found by asking.
+            waitAny.Invoke(null, arguments);
+            int index = Array.FindIndex((object[])signals, signal => (bool)isSet.GetValue(signal)!);
+            if (index >= 0)
             {
                 _stop(index == 0 ? "Ctrl-C" : "SIGTERM");
                 break;

@@ -236,8 +236,10 @@ internal sealed class VirtualEngine : ReactorEngine
         if (++_runsAtInstant <= _time.MaximumRunsPerInstant)
             return true;
 
+        // Who ran once is a bystander, unless all did.
+        int fewest = _slots.Exists(s => s.RunsAtInstant > 1) ? 2 : 1;
         string names = string.Join(", ", _slots
-            .Where(s => s.RunsAtInstant > 1)
+            .Where(s => s.RunsAtInstant >= fewest)
             .OrderByDescending(s => s.RunsAtInstant)
             .Select(s => string.Format(CultureInfo.InvariantCulture, "{0} ({1})", s.Activity.Name, s.RunsAtInstant)));
         _context.Fail(new InvalidOperationException(string.Format(

@@ -21,9 +21,6 @@ public sealed class AutopilotManager : RabitManager
     private const int FramesWaiting = 1024;
     private static readonly TimeSpan Rhythm = TimeSpan.FromMilliseconds(200);
 
-    // A manager that slept longer than this did not listen: whether the autopilot is silent shows at the next wake-up.
-    private static readonly TimeSpan OversleptAfter = TimeSpan.FromSeconds(1);
-
     private readonly AutopilotOptions _options;
     private readonly QueueReceiver<LinkFrame> _frames;
     private readonly QueueSender<OutgoingFrame> _outgoing;
@@ -34,7 +31,7 @@ public sealed class AutopilotManager : RabitManager
     private readonly VehicleTracker _tracker;
     private readonly MessageRateRequester _rates;
     private readonly FlightRecorder _recorder = new();
-    private TimeSpan _lastRun;
+    private TimeSpan _listenedUntil;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
@@ -102,14 +99,15 @@ public sealed class AutopilotManager : RabitManager
         return all;
     }
 
+    // Judged by a moment that is a wake-up delay ago: what had come by then has been handed over by now, even where the
+    // whole computer stood still in between.
     private VehicleEvents JudgeSilence()
     {
         TimeSpan now = Now;
-        bool hasOverslept = now - _lastRun > OversleptAfter;
-        _lastRun = now;
-        if (hasOverslept)
+        if (now - _listenedUntil < Rhythm)
             return VehicleEvents.None;
-        VehicleEvents events = _tracker.Judge(now);
+        VehicleEvents events = _tracker.Judge(_listenedUntil);
+        _listenedUntil = now;
         if (events != VehicleEvents.None)
             _recorder.Record(events);
         Handle(events);

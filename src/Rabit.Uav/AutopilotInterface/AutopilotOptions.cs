@@ -74,7 +74,10 @@ public sealed class AutopilotOptions
             if (!MavlinkDialect.All.TryGetMessage(rate.MessageId, out _))
                 yield return $"{nameof(RequestedRates)} has message {rate.MessageId}, which MAVLink does not have";
             if (!(rate.Hertz > 0 && rate.Hertz <= HighestRate))
-                yield return FormattableString.Invariant($"{nameof(RequestedRates)} has message {rate.MessageId} at {rate.Hertz} Hz; it must be above 0 and at most {HighestRate}");
+            {
+                yield return FormattableString.Invariant(
+                    $"{nameof(RequestedRates)} has message {rate.MessageId} at {rate.Hertz} Hz; it must be above 0 and at most {HighestRate}");
+            }
         }
 
         foreach (int twice in (RequestedRates ?? []).GroupBy(r => r.MessageId).Where(g => g.Count() > 1).Select(g => g.Key))

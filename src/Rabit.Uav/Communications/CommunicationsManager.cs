@@ -35,6 +35,7 @@ public sealed class CommunicationsManager : RabitManager
     private readonly FrameTally _own = new();
     private readonly Dictionary<int, byte> _sequences = [];
     private TimeSpan _nextStatus;
+    private long _reportedDrops;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Its links; checked and read now.</param>
@@ -129,7 +130,7 @@ public sealed class CommunicationsManager : RabitManager
     /// <returns>False when frames had to stay, because the addressee has no room for them.</returns>
     private bool TakeFrames(LinkPort port)
     {
-        while (true)
+        for (int taken = 0; taken < _options.FramesWaitingIn; taken++)
         {
             // We alone push into that queue, so room that is there now stays there.
             if (port.IsRecorded && !HasRoom(_autopilot))
@@ -139,6 +140,10 @@ public sealed class CommunicationsManager : RabitManager
             port.Saw(frame);
             Route(frame);
         }
+
+        // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which is at once.
+        WakeUp();
+        return true;
     }
 
     private void Route(in LinkFrame frame)
@@ -191,6 +196,11 @@ public sealed class CommunicationsManager : RabitManager
         _nextStatus = Now + StatusPeriod;
         foreach (LinkPort port in _ports)
             port.PostStatus(Now, _options.SilentAfter, _droppedIn[port.Number]);
+
+        long dropped = _outgoing.Counters.Dropped;
+        if (dropped > _reportedDrops)
+            Log($"{dropped - _reportedDrops} frames of our own were dropped: more came than could be sent");
+        _reportedDrops = dropped;
     }
 
     /// <returns>True while the end is near but something is still to be handled.</returns>

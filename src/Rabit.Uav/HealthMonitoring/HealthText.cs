@@ -11,7 +11,7 @@ namespace Rabit.Uav.HealthMonitoring;
 internal static class HealthText
 {
     public static string? Of(IReadOnlyList<HealthFinding> findings)
-        => findings.Count == 0 ? null : string.Join("; ", findings.OrderByDescending(f => f.Level).Select(Describe));
+        => findings.Count == 0 ? null : string.Join("; ", findings.OrderByDescending(f => f.Level).ThenBy(f => f.Reason).Select(Describe));
 
     private static string Describe(HealthFinding finding) => finding.Reason switch
     {

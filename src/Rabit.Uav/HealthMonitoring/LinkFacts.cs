@@ -6,7 +6,7 @@ namespace Rabit.Uav.HealthMonitoring;
 /// <summary>What the rules judge a link by.</summary>
 internal readonly struct LinkFacts(string name, in LinkStatus status, bool hasDroppedLately, TimeSpan watchedFor)
 {
-    /// <summary>Its URL, as soon as Communications has told it.</summary>
+    /// <summary>Its URL; its number until Communications has told it.</summary>
     public string Name { get; } = name;
 
     public LinkState State { get; } = status.State;

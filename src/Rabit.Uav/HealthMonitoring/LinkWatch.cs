@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using Rabit.Core;
 using Rabit.Uav.Messages;
 
@@ -7,7 +8,7 @@ namespace Rabit.Uav.HealthMonitoring;
 /// <summary>What is remembered of one link between two looks.</summary>
 internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status)
 {
-    private readonly string _nameBeforeFirst = MessageNames.LinkStatus(number);
+    private readonly string _number = number.ToString(CultureInfo.InvariantCulture);
     private readonly RecentRise _dropped = new();
 
     public LinkFacts Look(TimeSpan now, TimeSpan watchedSince, HealthOptions options)
@@ -15,6 +16,6 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
         status.Fetch();
         ref readonly LinkStatus value = ref status.Value;
         bool drops = _dropped.Take(value.FramesDroppedIn + value.FramesDroppedOut, now, options.RememberedFor);
-        return new LinkFacts(value.Url ?? _nameBeforeFirst, value, drops, now - watchedSince);
+        return new LinkFacts(value.Url ?? _number, value, drops, now - watchedSince);
     }
 }

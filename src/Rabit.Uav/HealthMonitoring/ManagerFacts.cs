@@ -4,15 +4,16 @@ using Rabit.Core;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>What the rules judge a manager by.</summary>
-internal readonly struct ManagerFacts(string name, in ManagerStatus status, bool hasFaultedLately, TimeSpan quietFor)
+internal readonly struct ManagerFacts(
+    string name, ManagerState state, TimeSpan wakeUpDelay, long faults, bool hasFaultedLately, TimeSpan quietFor)
 {
     public string Name { get; } = name;
 
-    public ManagerState State { get; } = status.State;
+    public ManagerState State { get; } = state;
 
-    public TimeSpan WakeUpDelay { get; } = status.WakeUpDelay;
+    public TimeSpan WakeUpDelay { get; } = wakeUpDelay;
 
-    public long Faults { get; } = status.Faults;
+    public long Faults { get; } = faults;
 
     public bool HasFaultedLately { get; } = hasFaultedLately;
 

@@ -5,7 +5,7 @@ namespace Rabit.Core.Tests.Contracts;
 /// <summary>What every contract test class has: a kind of time, and runs in it. Derived once for each kind.</summary>
 public abstract class ContractTests(TimeKind kind)
 {
-    protected TimeKind Kind { get; } = kind;
+    public TimeKind Kind { get; } = kind;
 
     protected RabitTime CreateTime() => Kind.Create();
 

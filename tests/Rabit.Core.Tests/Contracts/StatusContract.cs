@@ -79,12 +79,14 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
 
+        // With threads a wake may come before the manager has fallen asleep, and is none from sleep then.
         run.StartAndSettle();
-        manager.WakeUp();
-        Settle(run, manager, 2);
+        for (int i = 0; i < 1000 && run.StatusOf(manager).WakeLatency.Count < 2; i++)
+            run.OnAndSettle(manager, () => { });
         ManagerStatus status = run.StatusOf(manager);
 
-        Assert.InRange(status.WakeLatency.Count, FewestWakesFromSleep, 2);
+        Assert.Equal(2, status.WakeLatency.Count);
+        Assert.Equal(status.WakeLatency.Total.Ticks / 2, status.WakeLatency.Mean.Ticks);
         Assert.InRange(status.WakeLatency.Maximum, TimeSpan.Zero, run.Reactor.Now);
         Assert.InRange(status.LastRunAt, TimeSpan.Zero, run.Reactor.Now);
         if (!Kind.HasThreads)
@@ -106,7 +108,8 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         manager.WakeUp();
         Settle(run, manager, 10);
 
-        Assert.InRange(run.StatusOf(manager).WakeLatency.Count, FewestWakesFromSleep, 2);
+        // The start and the first wake, where they found it asleep; not the eight that it gave itself.
+        Assert.InRange(run.StatusOf(manager).WakeLatency.Count, Kind.HasThreads ? 0 : 2, 2);
     }
 
     [Fact, Trait("Clause", "4.4")]
@@ -185,9 +188,6 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
 
         Assert.InRange(status.Stamp.Time, atShutdown, run.Reactor.Now);
     }
-
-    // With threads the first unit may have told its status and not yet be asleep when the wake comes.
-    private int FewestWakesFromSleep => Kind.HasThreads ? 1 : 2;
 
     private static void Settle(TestRun run, ScriptedManager manager, long runs)
         => run.Until(() => run.StatusOf(manager).Runs == runs, $"{manager.Name} ends run {runs}");

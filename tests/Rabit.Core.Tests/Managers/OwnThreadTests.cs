@@ -51,16 +51,38 @@ public sealed class OwnThreadTests
     }
 
     [Fact, Trait("Clause", "1.2")]
-    public void Sleep_OfALongTimer_TakesNoProcessorTime()
+    public void Sleep_UntilTheTimer_NeitherPollsNorSpins()
     {
-        using var run = new TestRun(TimeKind.Real);
+        const int Units = 20;
+        var clock = new CountingClock();
+        using var run = new TestRun(TimeKind.Real, options => options.Time = new RealTime(clock));
         ScriptedManager manager = run.Add("m");
+        manager.OnStartup = () => clock.Counted = Thread.CurrentThread;
 
-        run.StartAndSettle();
-        run.Reactor.RunFor(TimeSpan.FromMilliseconds(50));
+        // Not whole milliseconds, in which the system's waits are counted.
+        manager.WakeUpDelay = TimeSpan.FromTicks((5 * TimeSpan.TicksPerMillisecond) + 4321);
+
+        run.Start();
+        run.Until(() => manager.Units >= Units, "the timer wakes it");
         run.Finish();
 
-        // It neither polls nor spins: one run, and one measured wake at most.
-        Assert.Equal(1, manager.Units);
+        // Whoever waits looks at the clock before and after each wait: a handful of looks for each unit, not thousands.
+        Assert.True(clock.Reads < 20 * manager.Units, $"{clock.Reads} looks at the clock in {manager.Units} units");
+    }
+
+    private sealed class CountingClock : TimeProvider
+    {
+        private long _reads;
+
+        public Thread? Counted { get; set; }
+
+        public long Reads => Interlocked.Read(ref _reads);
+
+        public override long GetTimestamp()
+        {
+            if (Thread.CurrentThread == Counted)
+                Interlocked.Increment(ref _reads);
+            return base.GetTimestamp();
+        }
     }
 }

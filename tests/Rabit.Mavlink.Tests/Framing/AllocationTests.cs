@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Rabit.Mavlink.Messages;
+using Rabit.Tests.Shared;
 using Xunit;
 using Xunit.Abstractions;
 

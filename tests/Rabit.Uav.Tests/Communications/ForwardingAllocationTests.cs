@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Communications;

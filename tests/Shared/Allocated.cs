@@ -1,7 +1,7 @@
 using System;
 using System.Reflection;
 
-namespace Rabit.Mavlink.Tests;
+namespace Rabit.Tests.Shared;
 
 /// <summary>Measures what a piece of work allocates on this thread.</summary>
 internal static class Allocated

@@ -1,0 +1,124 @@
+using System;
+using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.AutopilotInterface;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Tests.AutopilotInterface;
+
+/// <summary>An Autopilot Interface in virtual time, with the test in the place of Communications.</summary>
+internal sealed class AutopilotRig : IDisposable
+{
+    public const byte System = 1;
+    public const byte Autopilot = 1;
+    public const MavModeFlag Armed = MavModeFlag.CustomModeEnabled | MavModeFlag.SafetyArmed;
+
+    private readonly QueueSender<LinkFrame> _frames;
+    private readonly MessageSubscriber<VehicleState> _vehicle;
+    private readonly MessageSubscriber<OwnAddress> _ownAddress;
+    private readonly MessageSubscriber<RecentItems<StatusText>> _texts;
+    private readonly MessageSubscriber<RecentItems<CommandAcknowledgement>> _acknowledgements;
+    private long _index;
+
+    public AutopilotRig(AutopilotOptions? options = null)
+    {
+        Manager = new AutopilotManager(options ?? new AutopilotOptions { RequestsRates = false });
+        Reactor = new RabitReactor(new VirtualTime(1)) { Manager, Sink };
+        _frames = Reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
+        _vehicle = Reactor.Workspace.Subscribe<VehicleState>(MessageNames.VehicleState);
+        _ownAddress = Reactor.Workspace.Subscribe<OwnAddress>(MessageNames.OwnAddress);
+        _texts = Reactor.Workspace.Subscribe<RecentItems<StatusText>>(MessageNames.StatusTexts);
+        _acknowledgements = Reactor.Workspace.Subscribe<RecentItems<CommandAcknowledgement>>(MessageNames.CommandAcknowledgements);
+        Reactor.Start();
+        Reactor.RunFor(TimeSpan.Zero);
+    }
+
+    public RabitReactor Reactor { get; }
+
+    public AutopilotManager Manager { get; }
+
+    public OutgoingSink Sink { get; } = new();
+
+    public VehicleState Vehicle => Fetched(_vehicle);
+
+    public TimeSpan VehicleTime
+    {
+        get
+        {
+            _vehicle.Fetch();
+            return _vehicle.Stamp.Time;
+        }
+    }
+
+    public int VehiclePosts
+    {
+        get
+        {
+            _vehicle.Fetch();
+            return _vehicle.Stamp.Version;
+        }
+    }
+
+    public OwnAddress OwnAddress => Fetched(_ownAddress);
+
+    public RecentItems<StatusText> Texts => Fetched(_texts);
+
+    public RecentItems<CommandAcknowledgement> Acknowledgements => Fetched(_acknowledgements);
+
+    public static Heartbeat Copter(
+        CopterMode mode = CopterMode.Stabilize, MavModeFlag flags = MavModeFlag.CustomModeEnabled, MavState status = MavState.Standby) => new()
+        {
+            Type = MavType.Quadrotor,
+            Autopilot = MavAutopilot.Ardupilotmega,
+            BaseMode = flags,
+            CustomMode = (uint)mode,
+            SystemStatus = status,
+            MavlinkVersion = 3,
+        };
+
+    public static LinkFrame FrameOf<T>(in T message, TimeSpan time, byte system = System, byte component = Autopilot, long index = 0)
+        where T : struct, IMavlinkMessage
+        => new()
+        {
+            Frame = MavlinkFrame.Create(message, system, component, (byte)index),
+            Index = index,
+            Time = time,
+            UtcMicroseconds = 1_700_000_000_000_000 + (time.Ticks / 10),
+        };
+
+    /// <summary>Hands a message in as if it had just come.</summary>
+    public void Send<T>(in T message, byte system = System, byte component = Autopilot, TimeSpan? time = null)
+        where T : struct, IMavlinkMessage
+        => Push(FrameOf(message, time ?? Reactor.Now, system, component, _index++));
+
+    public void Push(in LinkFrame frame)
+    {
+        if (_frames.Push(frame) == PushResult.Rejected)
+            throw new InvalidOperationException("The queue of frames is full.");
+    }
+
+    public void Run(double seconds = 0) => Reactor.RunFor(TimeSpan.FromSeconds(seconds));
+
+    /// <summary>Heartbeats once a second for so many seconds.</summary>
+    public void Beat(int seconds, Heartbeat? heartbeat = null)
+    {
+        for (int i = 0; i < seconds; i++)
+        {
+            Send(heartbeat ?? Copter());
+            Run(1);
+        }
+    }
+
+    public void Dispose()
+    {
+        Reactor.Stop();
+        Reactor.Finish();
+    }
+
+    private static T Fetched<T>(MessageSubscriber<T> subscriber)
+    {
+        subscriber.Fetch();
+        return subscriber.Value;
+    }
+}

@@ -1,0 +1,280 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.AutopilotInterface;
+using Rabit.Uav.Messages;
+using Rabit.Tests.Shared;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Tests.AutopilotInterface;
+
+public class VehicleTrackerTests(ITestOutputHelper output)
+{
+    private static readonly TimeSpan Timeout = TimeSpan.FromSeconds(5);
+
+    [Fact]
+    public void Fold_Position_IsInSiAndRadians()
+    {
+        VehicleTracker tracker = Heard();
+        var message = new GlobalPositionInt
+        {
+            Lat = -353_632_000,
+            Lon = 1_491_652_300,
+            Alt = 584_040,
+            RelativeAlt = -33,
+            Vx = 150,
+            Vy = -250,
+            Vz = -100,
+            Hdg = 9000,
+        };
+
+        Assert.Equal(VehicleEvents.Changed, Fold(tracker, message, 2));
+
+        VehicleState state = tracker.State;
+        Assert.Equal(-35.3632 * Math.PI / 180, state.Position.LatitudeRadians, 12);
+        Assert.Equal(149.16523 * Math.PI / 180, state.Position.LongitudeRadians, 12);
+        Assert.Equal(584.04, state.Position.AltitudeAmslMetres, 9);
+        Assert.Equal(-0.033, state.HeightAboveHomeMetres, 9);
+        Assert.Equal((1.5, -2.5, -1.0), (state.VelocityNed.North, state.VelocityNed.East, state.VelocityNed.Down));
+        Assert.Equal(TimeSpan.FromSeconds(2), state.PositionTime);
+        Assert.Equal(TimeSpan.FromSeconds(2), tracker.NewestTime);
+    }
+
+    [Theory]
+    [InlineData(900_000_001, 0)]
+    [InlineData(-900_000_001, 0)]
+    [InlineData(0, 1_800_000_001)]
+    [InlineData(0, -1_800_000_001)]
+    [InlineData(int.MaxValue, int.MaxValue)]
+    [InlineData(int.MinValue, int.MinValue)]
+    [InlineData(0, 0)]
+    public void Fold_PlaceThatIsNone_IsRefused(int latitude, int longitude)
+    {
+        VehicleTracker tracker = Heard();
+        Assert.Equal(VehicleEvents.Refused, Fold(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude, Alt = 1 }, 2));
+        Assert.Null(tracker.State.PositionTime);
+    }
+
+    [Theory]
+    [InlineData(900_000_000, 1_800_000_000)]
+    [InlineData(-900_000_000, -1_800_000_000)]
+    [InlineData(0, 1)]
+    public void Fold_PlaceAtTheLimit_IsTaken(int latitude, int longitude)
+    {
+        VehicleTracker tracker = Heard();
+        Assert.Equal(VehicleEvents.Changed, Fold(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude }, 2));
+    }
+
+    [Theory]
+    [InlineData(float.NaN, 0, 0, 0)]
+    [InlineData(0, float.PositiveInfinity, 0, 0)]
+    [InlineData(0, 0, float.NegativeInfinity, 0)]
+    [InlineData(0, 0, 0, float.NaN)]
+    [InlineData(7, 0, 0, 0)]
+    [InlineData(0, 1.6f, 0, 0)]
+    [InlineData(float.MaxValue, 0, 0, 0)]
+    public void Fold_AttitudeThatIsNone_IsRefused(float roll, float pitch, float yaw, float yawRate)
+    {
+        VehicleTracker tracker = Heard();
+        var message = new Attitude { Roll = roll, Pitch = pitch, Yaw = yaw, Yawspeed = yawRate };
+        Assert.Equal(VehicleEvents.Refused, Fold(tracker, message, 2));
+        Assert.Null(tracker.State.AttitudeTime);
+    }
+
+    [Fact]
+    public void Fold_YawFromZeroToTwoPi_IsWrapped()
+    {
+        VehicleTracker tracker = Heard();
+        Fold(tracker, new Attitude { Roll = 0.1f, Pitch = -0.2f, Yaw = 6, Rollspeed = 1, Pitchspeed = 2, Yawspeed = 3 }, 2);
+
+        VehicleState state = tracker.State;
+        Assert.Equal(6 - (2 * Math.PI), state.Attitude.YawRadians, 6);
+        Assert.Equal(0.1f, state.Attitude.RollRadians);
+        Assert.Equal(-0.2f, state.Attitude.PitchRadians);
+        Assert.Equal((1.0, 2.0, 3.0), (state.Rates.RollRadiansPerSecond, state.Rates.PitchRadiansPerSecond, state.Rates.YawRadiansPerSecond));
+    }
+
+    [Theory]
+    [InlineData(12_345, 1_234, 87, 12.345, 12.34, 0.87)]
+    [InlineData(ushort.MaxValue, -1, -1, double.NaN, double.NaN, double.NaN)]
+    [InlineData(0, -250, 0, 0, -2.5, 0)]
+    [InlineData(12_000, 0, 100, 12, 0, 1)]
+    [InlineData(12_000, 0, 101, 12, 0, double.NaN)]
+    [InlineData(12_000, 0, -128, 12, 0, double.NaN)]
+    public void Fold_SysStatus_UnknownIsNotANumber(int millivolts, short centiamperes, sbyte percent, double volts, double amperes, double remaining)
+    {
+        VehicleTracker tracker = Heard();
+        Fold(tracker, new SysStatus { VoltageBattery = (ushort)millivolts, CurrentBattery = centiamperes, BatteryRemaining = percent }, 2);
+        AssertBattery(tracker, volts, amperes, remaining);
+    }
+
+    [Fact]
+    public void State_BeforeAnyBattery_IsNotANumber() => AssertBattery(Heard(), double.NaN, double.NaN, double.NaN);
+
+    [Fact]
+    public void Fold_BatteryStatus_AddsTheCells()
+    {
+        VehicleTracker tracker = Heard();
+        Fold(tracker, Battery(500, 55, 4_100, 4_110, 4_120), 2);
+        AssertBattery(tracker, 12.33, 5, 0.55);
+        Fold(tracker, Battery(-1, -1), 30);
+        AssertBattery(tracker, double.NaN, double.NaN, double.NaN);
+    }
+
+    [Fact]
+    public void Fold_BatteryStatusOfAnotherBattery_ChangesNothing()
+    {
+        VehicleTracker tracker = Heard();
+        BatteryStatus second = Battery(500, 55, 4_100);
+        second.Id = 1;
+        Assert.Equal(VehicleEvents.None, Fold(tracker, second, 2));
+        Assert.Null(tracker.State.BatteryTime);
+    }
+
+    [Fact]
+    public void Fold_TwoBatteryMessages_FillEachOthersGapsForAWhile()
+    {
+        VehicleTracker tracker = Heard();
+        Fold(tracker, Battery(500, 55, 12_000), 2);
+        Fold(tracker, new SysStatus { VoltageBattery = 11_000, CurrentBattery = -1, BatteryRemaining = -1 }, 3);
+        AssertBattery(tracker, 11, 5, 0.55);
+        Fold(tracker, new SysStatus { VoltageBattery = 11_000, CurrentBattery = -1, BatteryRemaining = -1 }, 13);
+        AssertBattery(tracker, 11, double.NaN, double.NaN);
+    }
+
+    [Fact]
+    public void Fold_GpsAndTime_AreTaken()
+    {
+        VehicleTracker tracker = Heard();
+        Fold(tracker, new GpsRawInt { FixType = GpsFixType.RtkFixed, SatellitesVisible = 17 }, 2);
+        Fold(tracker, new SystemTime { TimeUnixUsec = 1_795_227_296_098_321, TimeBootMs = 100 }, 3);
+        Fold(tracker, new ExtendedSysState { LandedState = MavLandedState.InAir }, 3);
+
+        VehicleState state = tracker.State;
+        Assert.Equal((GpsFixType.RtkFixed, 17, TimeSpan.FromSeconds(2)), (state.GpsFix, state.Satellites, state.GpsTime));
+        Assert.Equal((1_795_227_296_098_321, TimeSpan.FromSeconds(3)), (state.GpsUtcMicroseconds, state.UtcTime));
+        Assert.Equal(MavLandedState.InAir, state.LandedState);
+    }
+
+    [Theory]
+    [InlineData(0UL)]
+    [InlineData(12_345UL)]
+    [InlineData(ulong.MaxValue)]
+    public void Fold_TimeThatIsNotSet_IsZero(ulong microseconds)
+    {
+        VehicleTracker tracker = Heard();
+        Fold(tracker, new SystemTime { TimeUnixUsec = microseconds }, 2);
+        Assert.Equal(0, tracker.State.GpsUtcMicroseconds);
+    }
+
+    [Theory]
+    [InlineData(MavType.Gcs, MavAutopilot.Generic, 1, 1)]
+    [InlineData(MavType.Gcs, MavAutopilot.Invalid, 255, 190)]
+    [InlineData(MavType.OnboardController, MavAutopilot.Invalid, 1, 191)]
+    [InlineData(MavType.Camera, MavAutopilot.Generic, 1, 100)]
+    [InlineData(MavType.Quadrotor, MavAutopilot.Invalid, 1, 1)]
+    [InlineData(MavType.Quadrotor, MavAutopilot.Px4, 0, 1)]
+    [InlineData(MavType.Quadrotor, MavAutopilot.Px4, 1, 0)]
+    public void Fold_HeartbeatOfNoAutopilot_IsNotOurs(MavType type, MavAutopilot autopilot, byte system, byte component)
+    {
+        var tracker = new VehicleTracker(null, Timeout);
+        LinkFrame frame = AutopilotRig.FrameOf(new Heartbeat { Type = type, Autopilot = autopilot }, TimeSpan.Zero, system, component);
+        Assert.Equal(VehicleEvents.OfOther, tracker.Fold(frame));
+        Assert.Equal(0, tracker.State.SystemId);
+    }
+
+    [Fact]
+    public void Fold_HostileFrames_NeverThrow()
+    {
+        const int Seed = 20_261_121;
+        output.WriteLine($"seed {Seed}");
+        var random = new Random(Seed);
+        VehicleTracker tracker = Heard();
+        var payload = new byte[255];
+        for (int i = 0; i < 20_000; i++)
+        {
+            random.NextBytes(payload);
+            Assert.False(ThrowsOrLies(tracker, payload), $"round {i}");
+        }
+    }
+
+    [Fact]
+    public void Fold_KnownMessages_AllocatesNothing()
+    {
+        VehicleTracker tracker = Heard();
+        LinkFrame[] frames =
+        [
+            AutopilotRig.FrameOf(AutopilotRig.Copter((CopterMode)99), TimeSpan.Zero),
+            AutopilotRig.FrameOf(new GlobalPositionInt { Lat = 1, Lon = 1 }, TimeSpan.Zero),
+            AutopilotRig.FrameOf(new Attitude { Roll = 1 }, TimeSpan.Zero),
+            AutopilotRig.FrameOf(Battery(1, 2, 3), TimeSpan.Zero),
+            AutopilotRig.FrameOf(new SysStatus(), TimeSpan.Zero),
+            AutopilotRig.FrameOf(new SystemTime(), TimeSpan.Zero),
+            AutopilotRig.FrameOf(new VfrHud(), TimeSpan.Zero),
+            AutopilotRig.FrameOf(new Heartbeat { Type = MavType.Gcs }, TimeSpan.Zero, 255, 190),
+        ];
+        var recorder = new FlightRecorder();
+        void FoldAll()
+        {
+            foreach (LinkFrame frame in frames)
+                recorder.Record(frame, tracker.Fold(frame), tracker.State);
+        }
+
+        FoldAll();
+        Assert.Equal(0, Allocated.By(FoldAll));
+    }
+
+    private static bool ThrowsOrLies(VehicleTracker tracker, byte[] payload)
+    {
+        Fold(tracker, Random<GlobalPositionInt>(payload), 1);
+        Fold(tracker, Random<Attitude>(payload), 1);
+        Fold(tracker, Random<SysStatus>(payload), 1);
+        Fold(tracker, Random<BatteryStatus>(payload), 1);
+        Fold(tracker, Random<GpsRawInt>(payload), 1);
+        Fold(tracker, Random<SystemTime>(payload), 1);
+        Fold(tracker, Random<ExtendedSysState>(payload), 1);
+        Fold(tracker, Random<Heartbeat>(payload), 1);
+        VehicleState state = tracker.State;
+        return !(Math.Abs(state.Position.LatitudeRadians) <= Math.PI / 2)
+            || !(Math.Abs(state.Position.LongitudeRadians) <= Math.PI)
+            || !(Math.Abs(state.Attitude.YawRadians) <= Math.PI)
+            || !(Math.Abs(state.Attitude.PitchRadians) <= 1.58)
+            || double.IsInfinity(state.Rates.YawRadiansPerSecond)
+            || double.IsNaN(state.Rates.YawRadiansPerSecond)
+            || state.BatteryRemaining is < 0 or > 1;
+    }
+
+    private static T Random<T>(byte[] payload)
+        where T : struct, Mavlink.IMavlinkMessage
+    {
+        var message = default(T);
+        message.Decode(payload);
+        return message;
+    }
+
+    private static VehicleTracker Heard()
+    {
+        var tracker = new VehicleTracker(null, Timeout);
+        Assert.Equal(VehicleEvents.Changed | VehicleEvents.Found, Fold(tracker, AutopilotRig.Copter(), 1));
+        return tracker;
+    }
+
+    private static VehicleEvents Fold<T>(VehicleTracker tracker, in T message, double seconds)
+        where T : struct, Mavlink.IMavlinkMessage
+        => tracker.Fold(AutopilotRig.FrameOf(message, TimeSpan.FromSeconds(seconds))) & ~VehicleEvents.Lost;
+
+    private static BatteryStatus Battery(short centiamperes, sbyte percent, params ushort[] cells)
+    {
+        ushort[] all = new ushort[10];
+        for (int i = 0; i < all.Length; i++)
+            all[i] = i < cells.Length ? cells[i] : ushort.MaxValue;
+        return new BatteryStatus { Voltages = new UInt16Array10(all), CurrentBattery = centiamperes, BatteryRemaining = percent };
+    }
+
+    private static void AssertBattery(VehicleTracker tracker, double volts, double amperes, double remaining)
+    {
+        Assert.Equal(volts, tracker.State.BatteryVolts, 9);
+        Assert.Equal(amperes, tracker.State.BatteryAmperes, 9);
+        Assert.Equal(remaining, tracker.State.BatteryRemaining, 9);
+    }
+}

@@ -1,0 +1,158 @@
+using System;
+using Rabit.Core;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.HealthMonitoring;
+using Rabit.Uav.Messages;
+using Rabit.Tests.Shared;
+using Xunit;
+
+namespace Rabit.Uav.Tests.HealthMonitoring;
+
+public class HealthManagerTests
+{
+    [Fact]
+    public void Report_AllWell_IsGoodWithoutText()
+    {
+        using var rig = new HealthRig(new WorkingManager("a"), new WorkingManager("b", wakeUpSeconds: 1));
+        rig.PostAddress();
+        rig.Fly(30);
+
+        HealthReport report = rig.Report;
+        Assert.Equal((HealthLevel.Good, HealthReasons.None, null, true), (report.Level, report.Reasons, report.Text, report.SendsHeartbeat));
+    }
+
+    [Fact]
+    public void Report_NothingHeard_WarnsOfAutopilotAndLink()
+    {
+        using var rig = new HealthRig();
+        rig.Run(1);
+        Assert.Equal((HealthLevel.Warning, HealthReasons.NoAutopilot), (rig.Report.Level, rig.Report.Reasons));
+        rig.Run(5);
+        Assert.Equal(HealthReasons.NoAutopilot | HealthReasons.LinkSilent, rig.Report.Reasons);
+        Assert.Equal("no autopilot heard yet; link 0: nothing came in yet", rig.Report.Text);
+    }
+
+    [Fact]
+    public void Report_AutopilotLost_ComesBackGood()
+    {
+        using var rig = new HealthRig();
+        rig.Fly(3);
+        rig.PostVehicle(isConnected: false);
+        rig.Run(0.3);
+        Assert.Equal((HealthLevel.Critical, HealthReasons.AutopilotLost), (rig.Report.Level, rig.Report.Reasons));
+        rig.Fly(1);
+        Assert.Equal(HealthLevel.Good, rig.Report.Level);
+    }
+
+    [Fact]
+    public void Report_AutopilotInterfaceFallsSilent_IsNotBelievedForEver()
+    {
+        using var rig = new HealthRig();
+        rig.Fly(3);
+        rig.PostLink();
+        rig.Run(6);
+        Assert.Equal(HealthReasons.AutopilotLost, rig.Report.Reasons);
+    }
+
+    [Fact]
+    public void Report_LogAtItsEnd_IsNoFault()
+    {
+        using var rig = new HealthRig();
+        rig.PostVehicle();
+        rig.PostLink(LinkState.Ended, progress: 1);
+        rig.Run(60);
+        Assert.Equal((HealthLevel.Good, HealthReasons.None), (rig.Report.Level, rig.Report.Reasons));
+    }
+
+    [Fact]
+    public void Report_FramesDropped_IsToldOfForAWhile()
+    {
+        using var rig = new HealthRig();
+        rig.Fly(2);
+        rig.PostLink(dropped: 7);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.FramesDropped, rig.Report.Reasons);
+        Assert.Contains("7 so far", rig.Report.Text!, StringComparison.Ordinal);
+        for (int i = 0; i < 6; i++)
+        {
+            rig.PostVehicle();
+            rig.Run(1);
+        }
+
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons);
+    }
+
+    [Fact]
+    public void Report_SeveralReasons_HasTheWorstLevel()
+    {
+        using var rig = new HealthRig();
+        rig.PostLink(LinkState.Silent);
+        rig.PostVehicle(remaining: 0.2, state: MavState.Emergency);
+        rig.Run(0.5);
+
+        Assert.Equal(HealthLevel.Critical, rig.Report.Level);
+        Assert.Equal(HealthReasons.LinkSilent | HealthReasons.BatteryLow | HealthReasons.AutopilotCritical, rig.Report.Reasons);
+        Assert.Equal("autopilot says Emergency; battery low (20 %); link udpin:0.0.0.0:14550 is silent", rig.Report.Text);
+    }
+
+    [Fact]
+    public void Report_News_IsPostedWithinHalfASecondElseOnceASecond()
+    {
+        using var rig = new HealthRig();
+        rig.Run(0.1);
+        int reports = rig.Reports;
+        rig.Run(10);
+        Assert.InRange(rig.Reports - reports, 10, 13);
+        rig.PostVehicle(remaining: 0.05);
+        rig.Run(0.5);
+        Assert.Equal(HealthReasons.BatteryCritical, rig.Report.Reasons & HealthReasons.BatteryCritical);
+    }
+
+    [Fact]
+    public void ExecuteUnitOfWork_SteadyState_AllocatesNothing()
+    {
+        using var rig = new HealthRig(new WorkingManager("a"), new WorkingManager("b"));
+        rig.PostAddress();
+        rig.PostLink(LinkState.Silent);
+        void TenSeconds()
+        {
+            for (int i = 0; i < 10; i++)
+            {
+                rig.PostVehicle(remaining: 0.2);
+                rig.Run(1);
+            }
+        }
+
+        rig.Sink.Frames.Capacity = 1000;
+        TenSeconds();
+        TenSeconds();
+        Assert.Equal(0, Allocated.By(TenSeconds));
+        Assert.Equal(HealthLevel.Warning, rig.Report.Level);
+    }
+
+    [Fact]
+    public void Constructor_BadOptions_NamesAllFaults()
+    {
+        var options = new HealthOptions
+        {
+            BatteryLow = 1.5,
+            BatteryCritical = double.NaN,
+            AutopilotTimeout = TimeSpan.Zero,
+            StuckAfter = TimeSpan.Zero,
+            RememberedFor = TimeSpan.Zero,
+            FirstFrameWithin = TimeSpan.Zero,
+        };
+        string text = Assert.Throws<ArgumentException>(() => new HealthManager(options, [], 0)).Message;
+        foreach (string name in new[] { "BatteryLow", "BatteryCritical", "AutopilotTimeout", "StuckAfter", "RememberedFor", "FirstFrameWithin" })
+            Assert.Contains(name, text, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => new HealthManager(new HealthOptions(), ["a", "a"], 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new HealthManager(new HealthOptions(), [], -1));
+    }
+
+    [Fact]
+    public void Constructor_ManagerThatIsNotThere_IsAWiringFault()
+    {
+        var reactor = new RabitReactor(new VirtualTime(1)) { new OutgoingSink(), new HealthManager(new HealthOptions(), ["ghost"], 0) };
+        Assert.Contains("ghost", Assert.Throws<RabitWiringException>(reactor.Start).Message, StringComparison.Ordinal);
+    }
+}

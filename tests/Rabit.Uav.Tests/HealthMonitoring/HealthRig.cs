@@ -1,0 +1,107 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.HealthMonitoring;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Tests.HealthMonitoring;
+
+/// <summary>Health Monitoring in virtual time beside managers of the test's, with the test in the place of all who post what it fetches.</summary>
+internal sealed class HealthRig : IDisposable
+{
+    private readonly MessagePublisher<VehicleState> _vehicle;
+    private readonly MessagePublisher<OwnAddress> _ownAddress;
+    private readonly MessagePublisher<LinkStatus> _link;
+    private readonly MessageSubscriber<HealthReport> _report;
+
+    public HealthRig(params RabitManager[] others)
+        : this(new VirtualTime(1), others)
+    {
+    }
+
+    public HealthRig(VirtualTime time, params RabitManager[] others)
+    {
+        Reactor = new RabitReactor(time) { Sink };
+        foreach (RabitManager other in others)
+            Reactor.Add(other);
+        Reactor.Add(new HealthManager(new HealthOptions(), others.Select(m => m.Name).Concat([Sink.Name]), linkCount: 1));
+        _vehicle = Reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
+        _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
+        _link = Reactor.Workspace.Publish<LinkStatus>(MessageNames.LinkStatus(0));
+        _report = Reactor.Workspace.Subscribe<HealthReport>(MessageNames.Health);
+        Reactor.Start();
+    }
+
+    public RabitReactor Reactor { get; }
+
+    public OutgoingSink Sink { get; } = new();
+
+    public HealthReport Report
+    {
+        get
+        {
+            _report.Fetch();
+            return _report.Value;
+        }
+    }
+
+    public int Reports
+    {
+        get
+        {
+            _report.Fetch();
+            return _report.Stamp.Version;
+        }
+    }
+
+    /// <summary>When heartbeats came, in seconds.</summary>
+    public IReadOnlyList<double> BeatTimes
+        => Sink.Frames.Where(f => f.Frame.MessageId == Heartbeat.MavlinkId).Select(f => f.Time.TotalSeconds).ToList();
+
+    public void PostAddress(byte system = 1)
+    {
+        _ownAddress.Value = new OwnAddress { SystemId = system, ComponentId = 191 };
+        _ownAddress.Post();
+    }
+
+    public void PostVehicle(double remaining = 0.8, bool isConnected = true, MavState state = MavState.Active)
+    {
+        _vehicle.Value = new VehicleState
+        {
+            SystemId = 1,
+            IsConnected = isConnected,
+            LastHeartbeatTime = Reactor.Now,
+            SystemStatus = state,
+            BatteryTime = Reactor.Now,
+            BatteryRemaining = remaining,
+        };
+        _vehicle.Post();
+    }
+
+    public void PostLink(LinkState state = LinkState.Receiving, long dropped = 0, double progress = double.NaN)
+    {
+        _link.Value = new LinkStatus { State = state, Url = "udpin:0.0.0.0:14550", FramesDroppedIn = dropped, Progress = progress };
+        _link.Post();
+    }
+
+    /// <summary>Lets all go on, with a healthy vehicle that tells of itself once a second.</summary>
+    public void Fly(int seconds)
+    {
+        for (int i = 0; i < seconds; i++)
+        {
+            PostVehicle();
+            PostLink();
+            Reactor.RunFor(TimeSpan.FromSeconds(1));
+        }
+    }
+
+    public void Run(double seconds) => Reactor.RunFor(TimeSpan.FromSeconds(seconds));
+
+    public void Dispose()
+    {
+        Reactor.Stop();
+        Reactor.Finish();
+    }
+}
