@@ -236,6 +236,13 @@ internal sealed class VirtualEngine : ReactorEngine
         if (++_runsAtInstant <= _time.MaximumRunsPerInstant)
             return true;
 
+        FailStandingStill();
+        return false;
+    }
+
+    // Apart from the count, which is hot: what this captures is made only when it is called.
+    private void FailStandingStill()
+    {
         // Who ran once is a bystander, unless all did.
         int fewest = _slots.Exists(s => s.RunsAtInstant > 1) ? 2 : 1;
         string names = string.Join(", ", _slots
@@ -248,7 +255,6 @@ internal sealed class VirtualEngine : ReactorEngine
             _context.Clock.Now,
             _time.MaximumRunsPerInstant,
             names)));
-        return false;
     }
 
     private static TimeSpan Max(TimeSpan a, TimeSpan b) => a > b ? a : b;
