@@ -144,6 +144,20 @@ public sealed class RecordedLogTests
         Assert.Equal(count, rig.Manager.SummariseLinks()[0].Frames);
     }
 
+    [Fact]
+    public void ClockStepsForward_ByYears_IsPlayedOnAtOnce()
+    {
+        using TestLog log = new TestLog().Record(0, Frames.Heartbeat());
+        log.Record(10L * 365 * 24 * 3_600_000_000, Frames.Heartbeat(sequence: 1)).Record((10L * 365 * 24 * 3_600_000_000) + 2_000_000, Frames.Heartbeat(sequence: 2));
+        var autopilot = new FakeAutopilot(1024);
+        using var rig = new CommunicationsRig(0, o => Replay(o, log), autopilot);
+
+        ReactorResult result = rig.FinishByItself();
+
+        Assert.Null(result.Failure);
+        Assert.Equal([0, 0, 2], autopilot.Taken.Select(f => f.Time.TotalSeconds));
+    }
+
     private static void StopAt(FakeAutopilot autopilot, in LinkFrame frame, long index)
     {
         if (frame.Index == index)

@@ -65,6 +65,24 @@ public class HealthManagerTests
     }
 
     [Fact]
+    public void Report_FramesToALinkWithNobodyOnIt_AreNoLoss()
+    {
+        using var rig = new HealthRig();
+        rig.Fly(2);
+        rig.PostLink(LinkState.Waiting, droppedOut: 50);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons & HealthReasons.FramesDropped);
+
+        rig.PostLink(LinkState.Receiving, droppedOut: 50);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons & HealthReasons.FramesDropped);
+
+        rig.PostLink(LinkState.Receiving, droppedOut: 51);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.FramesDropped, rig.Report.Reasons & HealthReasons.FramesDropped);
+    }
+
+    [Fact]
     public void Report_FramesDropped_IsToldOfForAWhile()
     {
         using var rig = new HealthRig();
