@@ -1,9 +1,9 @@
 using System;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
+using Rabit.Tests.Shared;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
-using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;
