@@ -35,7 +35,7 @@ internal sealed class CommunicationsRig : IDisposable
         Manager = new CommunicationsManager(options);
         Autopilot = autopilot ?? new FakeAutopilot(1024);
         Reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(seed), Log = Log.Add, StopsOnSignals = false }) { Manager, Autopilot };
-        _ownAddress = Reactor.Workspace.Publish(MessageNames.OwnAddress, default(OwnAddress));
+        _ownAddress = Reactor.Workspace.Publish(MessageNames.OwnAddress, new OwnAddress { ComponentId = 191 });
         _outgoing = Reactor.Workspace.Send<OutgoingFrame>(MessageNames.OutgoingFrames);
         _statuses = Enumerable.Range(0, options.Links.Count + options.RecordedFiles.Count)
             .Select(n => Reactor.Workspace.Subscribe<LinkStatus>(MessageNames.LinkStatus(n))).ToList();
