@@ -20,6 +20,7 @@ for project in tests/*/*.csproj; do
     file=$(grep -rlis "storage=\"[^\"]*/$name\.dll\"" "$results" | head -n 1 || true)
     executed=0
     [ -z "$file" ] || executed=$(counter "$file" executed)
+    executed=${executed:-0}
     if [ "$executed" -eq 0 ]; then
         echo "$name: no test was run"
         failed=$((failed + 1))

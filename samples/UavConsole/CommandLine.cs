@@ -28,7 +28,7 @@ internal static class CommandLine
         var summary = new Option<string>("--summary") { Description = "Writes the summary as JSON too (docs/uavconsole-summary.md).", HelpName = "FILE" };
         var systemId = new Option<byte?>("--system-id")
         {
-            Description = "Our MAVLink system id, 1 to 255; without it that of the vehicle.",
+            Description = "Our MAVLink system id, 1 to 255, and so that of the vehicle that carries us; without it that of the first autopilot heard.",
             HelpName = "N",
             CustomParser = ParseSystemId,
         };

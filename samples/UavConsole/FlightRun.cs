@@ -17,23 +17,43 @@ internal static class FlightRun
 
     public static int Run(ConsoleOptions options)
     {
+        UavSystem? uav = null;
+        SummaryFile? summaryFile = null;
         try
         {
-            using UavSystem uav = UavSystem.Open(new UavOptions { Links = options.Links, SystemId = options.SystemId });
-            using SummaryFile? summaryFile = SummaryFile.Open(options);
-            RunSummary summary = Fly(uav, options);
-            new SummaryText(Console.Out, summary).Write();
-            summaryFile?.Write(summary);
-            return summary.ExitCode;
+            uav = UavSystem.Open(new UavOptions { Links = options.Links, SystemId = options.SystemId });
+            summaryFile = SummaryFile.Open(options);
         }
         catch (Exception e) when (e is LinkException or ArgumentException or PlatformNotSupportedException)
+        {
+            uav?.Dispose();
+            Console.Error.WriteLine("UavConsole: " + FirstLine(e));
+            return BadInput;
+        }
+
+        using (uav)
+        using (summaryFile)
+            return Fly(uav, summaryFile, options);
+    }
+
+    private static int Fly(UavSystem uav, SummaryFile? summaryFile, ConsoleOptions options)
+    {
+        RunSummary summary = Show(uav, options);
+        new SummaryText(Console.Out, summary).Write();
+        try
+        {
+            summaryFile?.Write(summary);
+        }
+        catch (ArgumentException e)
         {
             Console.Error.WriteLine("UavConsole: " + FirstLine(e));
             return BadInput;
         }
+
+        return summary.ExitCode;
     }
 
-    private static RunSummary Fly(UavSystem uav, ConsoleOptions options)
+    private static RunSummary Show(UavSystem uav, ConsoleOptions options)
     {
         var log = new RunLog();
         RabitReactor reactor = uav.CreateReactor(new ReactorOptions { Log = log.Add, StopTimeout = StopTimeout });

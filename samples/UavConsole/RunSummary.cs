@@ -26,7 +26,7 @@ internal sealed class RunSummary(UavSystem uav, ReactorResult result, HealthRepo
     public ReactorResult Result { get; } = result;
 
     /// <summary>A replay that lost a frame has failed: it would not show the flight as it was.</summary>
-    public bool HasReplayLostFrames { get; } = linkStatus.Any(l => !double.IsNaN(l.Progress) && l.FramesDroppedIn > 0);
+    public bool HasReplayLostFrames { get; } = linkStatus.Any(l => !double.IsNaN(l.Progress) && (l.FramesDroppedIn > 0 || l.State == LinkState.Failed));
 
     public int ExitCode => HasReplayLostFrames ? 1 : Result.ExitCode;
 }

@@ -132,6 +132,7 @@ internal static class SummaryJson
             json.WriteNumber("frames_dropped_out", summary.LinkStatus[index].FramesDroppedOut);
             json.WriteNumber("bytes_lost", link.BytesLost);
             WriteNumberOrNull(json, "first_damage_offset", link.FirstDamageOffset);
+            json.WriteNumber("frames_incompatible", link.IncompatibleFrames);
             WriteSources(json, link.Sources);
             WriteCounts(json, "counts", link.Counts);
             json.WriteEndObject();

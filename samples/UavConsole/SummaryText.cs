@@ -7,24 +7,25 @@ using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
+using Rabit.Uav.Messages;
 
 namespace UavConsole;
 
-/// <summary>Writes the summary for people. Times are log times: seconds since the first frame of the vehicle's link.</summary>
+/// <summary>Writes the summary for people. Times are log times: seconds since the first frame that Autopilot Interface was given.</summary>
 internal sealed class SummaryText(TextWriter output, RunSummary summary)
 {
     public void Write()
     {
         Line($"--- summary: {summary.Result.StopReason} ---");
         WriteFlight(summary.Flight);
-        foreach (LinkSummary link in summary.Links)
-            WriteLink(link);
+        for (int index = 0; index < summary.Links.Count; index++)
+            WriteLink(summary.Links[index], summary.LinkStatus[index]);
         Line("sent by us: " + Counts(summary.OwnFrames));
         Line("health at the end: " + Text.Health(summary.Health));
         foreach (ManagerResult manager in summary.Result.Managers)
             Line("manager " + manager);
         if (summary.HasReplayLostFrames)
-            Line("FAILED: frames of a recorded flight were dropped");
+            Line("FAILED: frames of a recorded flight were dropped, or it could not be read to its end");
     }
 
     private void WriteFlight(FlightSummary flight)
@@ -53,9 +54,12 @@ internal sealed class SummaryText(TextWriter output, RunSummary summary)
             Line($"{At(ack.UtcMicroseconds)}{ack.Command} ({(int)ack.Command}): {ack.Result}");
     }
 
-    private void WriteLink(LinkSummary link)
+    private void WriteLink(LinkSummary link, LinkStatus status)
     {
-        Line($"link {link.Url}: {link.Frames.ToString(CultureInfo.InvariantCulture)} frames");
+        string fault = status.Fault is null ? string.Empty : $" ({status.Fault})";
+        Line($"link {link.Url}: {status.State}{fault}, {link.Frames.ToString(CultureInfo.InvariantCulture)} frames");
+        if (link.IncompatibleFrames > 0)
+            Line($"  {link.IncompatibleFrames.ToString(CultureInfo.InvariantCulture)} frames left out, because they have an incompatibility flag that is not known");
         if (link.BytesLost > 0)
         {
             string where = link.FirstDamageOffset is { } offset ? $", the first at offset {offset.ToString(CultureInfo.InvariantCulture)}" : string.Empty;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Mavlink;
 using Rabit.Uav.Links;
 
 namespace Rabit.Uav;
@@ -40,6 +41,8 @@ public sealed class UavOptions
             throw new ArgumentException("A UAV needs at least one link.", parameter);
         if (Links.Contains(null!))
             throw new ArgumentException("A link is null.", parameter);
+        if (Links.Count > MavlinkRouter.MaximumLinks)
+            faults.Add($"there are {Links.Count} links; at most {MavlinkRouter.MaximumLinks} are possible");
         if (SystemId == 0)
             faults.Add($"{nameof(SystemId)} is 0; it must be 1 to 255");
         if (ComponentId == 0)

@@ -67,7 +67,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
             return NextTurn.At(Later(end, manager.WakeUpDelay), notBefore: end);
         }
 
-        return _isHalted ? NextTurn.Never : NextTurn.OnlyAt(end + _faultDelay);
+        return _isHalted ? NextTurn.Never : NextTurn.OnlyAt(Later(end, _faultDelay));
     }
 
     public override void End() => Execute(ManagerStage.Shutdown, WakeUpCauses.None, ManagerState.Stopped);

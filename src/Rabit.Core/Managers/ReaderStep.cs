@@ -28,5 +28,5 @@ public readonly struct ReaderStep
 
     /// <summary>Nothing now; ask again at a time, or when <see cref="ReaderContext.Signal"/> was called.</summary>
     /// <param name="due">By the clock of the run; a time that has passed means at once.</param>
-    public static ReaderStep WaitUntil(TimeSpan due) => new(ReaderStepKind.Wait, due);
+    public static ReaderStep WaitUntil(TimeSpan due) => new(ReaderStepKind.Wait, due < TimeSpan.Zero ? TimeSpan.Zero : due);
 }

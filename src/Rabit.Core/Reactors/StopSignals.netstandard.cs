@@ -51,8 +51,17 @@ internal sealed class StopSignals : IDisposable
             return false;
 
         Array signals = Array.CreateInstance(type, 2);
-        signals.SetValue(Activator.CreateInstance(type, Enum.ToObject(number, SignalInterrupt)), 0);
-        signals.SetValue(Activator.CreateInstance(type, Enum.ToObject(number, SignalTerminate)), 1);
+        try
+        {
+            signals.SetValue(Activator.CreateInstance(type, Enum.ToObject(number, SignalInterrupt)), 0);
+            signals.SetValue(Activator.CreateInstance(type, Enum.ToObject(number, SignalTerminate)), 1);
+        }
+        catch (TargetInvocationException)
+        {
+            // The native helper of Mono.Posix is missing.
+            return false;
+        }
+
         MethodInfo? waitAny = type.GetMethod("WaitAny", [signals.GetType(), typeof(int)]);
         PropertyInfo? isSet = type.GetProperty("IsSet");
         if (waitAny is null || isSet is null)

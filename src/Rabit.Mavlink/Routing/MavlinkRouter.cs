@@ -13,6 +13,8 @@ public sealed class MavlinkRouter
     /// <summary>How many links a router can tell apart: the bits of a mask.</summary>
     public const int MaximumLinks = 64;
 
+    private const int DefaultSources = 1024;
+
     // Secrets and the state of one radio: never leave the link (MAVLink guide, "Message signing"; ArduPilot, "MAVLink routing").
     private const int SetupSigning = 256;
     private const int RadioStatus = 109;
@@ -32,12 +34,15 @@ public sealed class MavlinkRouter
     private long _linkLocal;
     private long _sourcesRefused;
 
+    /// <summary>Makes a router without links and without an address of our own, until <see cref="SetOwnAddress"/> gives it one: nothing is for us but broadcasts.</summary>
+    public MavlinkRouter() => _table = new RouteTable(DefaultSources);
+
     /// <summary>Makes a router without links.</summary>
     /// <param name="systemId">Our system id, 1 to 255.</param>
     /// <param name="componentId">Our component id, 1 to 255.</param>
     /// <param name="maximumSources">How many senders (system, component) it can remember, at least 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">An id is 0, or there is room for no sender.</exception>
-    public MavlinkRouter(byte systemId, byte componentId, int maximumSources = 1024)
+    public MavlinkRouter(byte systemId, byte componentId, int maximumSources = DefaultSources)
     {
         if (maximumSources < 1)
             throw new ArgumentOutOfRangeException(nameof(maximumSources), maximumSources, "A router needs room for one sender at least.");
@@ -125,7 +130,7 @@ public sealed class MavlinkRouter
         ulong bit = Bit(link);
         if ((_links & bit) == 0)
             throw new ArgumentOutOfRangeException(nameof(link), link, "The link was not added: SetLink comes first.");
-        if (frame.SystemId == _systemId && frame.ComponentId == _componentId)
+        if (_systemId != 0 && frame.SystemId == _systemId && frame.ComponentId == _componentId)
         {
             _ourOwn++;
             return new MavlinkRoute(MavlinkRouteReason.OurOwn, deliverLocally: false, 0);

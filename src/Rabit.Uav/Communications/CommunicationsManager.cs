@@ -21,12 +21,8 @@ public sealed class CommunicationsManager : RabitManager
     private static readonly TimeSpan Rhythm = TimeSpan.FromMilliseconds(200);
     private static readonly TimeSpan StatusPeriod = TimeSpan.FromMilliseconds(500);
 
-    // Until a vehicle is known nobody can address us: an address that no real system has (MAVLink ids are given upwards from 1).
-    private const byte UnknownSystemId = 255;
-    private const byte UnknownComponentId = 255;
-
     private readonly CommunicationsOptions _options;
-    private readonly MavlinkRouter _router = new(UnknownSystemId, UnknownComponentId);
+    private readonly MavlinkRouter _router = new();
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly QueueSender<LinkFrame> _autopilot;
     private readonly QueueReceiver<OutgoingFrame> _outgoing;
@@ -102,6 +98,7 @@ public sealed class CommunicationsManager : RabitManager
             AttachWriter($"link {number} out", target, _options.FramesWaitingOut, QueueFullMode.DropOldest),
             Publish<LinkStatus>(MessageNames.LinkStatus(number)),
             () => source.BytesLost,
+            () => source.IncompatibleFrames,
             target,
             file: null));
         _router.SetLink(number, MavlinkLinkRules.Live);
@@ -120,6 +117,7 @@ public sealed class CommunicationsManager : RabitManager
             writer: null,
             Publish<LinkStatus>(MessageNames.LinkStatus(number)),
             () => file.BytesLost,
+            () => file.IncompatibleFrames,
             target: null,
             file));
 
@@ -138,7 +136,7 @@ public sealed class CommunicationsManager : RabitManager
             if (!port.Reader.TryPop(out LinkFrame frame))
                 return true;
             port.Saw(frame);
-            Route(frame);
+            Route(frame, port.IsRecorded);
         }
 
         // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which is at once.
@@ -146,12 +144,21 @@ public sealed class CommunicationsManager : RabitManager
         return true;
     }
 
-    private void Route(in LinkFrame frame)
+    private void Route(in LinkFrame frame, bool isRecorded)
     {
         MavlinkFrame mavlink = frame.Frame;
+
+        // In a log our own part may come before the vehicle has told whose computer we are.
+        OwnAddress own = _ownAddress.Value;
+        if (isRecorded && !own.IsKnown && mavlink.ComponentId == own.ComponentId)
+            return;
+
         bool isKnown = MavlinkDialect.All.TryGetMessage(mavlink.MessageId, out MavlinkMessageInfo message);
         MavlinkRoute route = _router.Route(frame.Link, mavlink, message, isKnown);
-        if (route.DeliverLocally && _autopilot.Push(frame) == PushResult.Rejected)
+
+        // A log is no network: whoever an answer was for then, it is part of the flight that we look at now.
+        bool isForUs = route.DeliverLocally || (isRecorded && isKnown && route.Reason != MavlinkRouteReason.OurOwn);
+        if (isForUs && _autopilot.Push(frame) == PushResult.Rejected)
             _droppedIn[frame.Link]++;
         SendTo(route.ForwardTo, mavlink);
     }

@@ -50,6 +50,6 @@ public sealed class CommunicationsOptions
             faults.Add($"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero");
         if (faults.Count > 0)
             throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".", parameter);
-        return this;
+        return (CommunicationsOptions)MemberwiseClone();
     }
 }

@@ -10,7 +10,7 @@ namespace Rabit.Uav.Communications;
 /// </summary>
 internal sealed class FrameTally
 {
-    // A hostile stream may make up as many sources and ids as it likes; what does not fit is counted together.
+    // A hostile stream may make up as many sources and ids as it likes; what does not fit is counted in the number of all frames alone.
     private const int KindsAtMost = 4096;
 
     private readonly object _gate = new();

@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Uav.Links;
@@ -20,12 +21,16 @@ internal sealed class LinkFrameSource(IByteLink link, int number, FrameTally tal
     private long _utcMicroseconds;
     private long _index;
     private long _bytesLost;
+    private long _incompatibleFrames;
     private bool _hasEnded;
 
     public bool Blocks => link.Blocks;
 
     /// <summary>Bytes that belong to no frame. Any thread.</summary>
-    public long BytesLost => System.Threading.Interlocked.Read(ref _bytesLost);
+    public long BytesLost => Interlocked.Read(ref _bytesLost);
+
+    /// <summary>Frames that had to be left out, because an incompatibility flag is not known. Any thread.</summary>
+    public long IncompatibleFrames => Interlocked.Read(ref _incompatibleFrames);
 
     public void Open(ReaderContext context)
     {
@@ -46,7 +51,8 @@ internal sealed class LinkFrameSource(IByteLink link, int number, FrameTally tal
             }
 
             value = default;
-            System.Threading.Interlocked.Exchange(ref _bytesLost, _frames.Counters.SkippedBytes);
+            Interlocked.Exchange(ref _bytesLost, _frames.Counters.SkippedBytes);
+            Interlocked.Exchange(ref _incompatibleFrames, _frames.Counters.IncompatibleFrames);
             if (_hasEnded)
                 return ReaderStep.Ended;
 

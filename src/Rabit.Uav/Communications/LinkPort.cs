@@ -16,6 +16,7 @@ internal sealed class LinkPort(
     BlockingWriter<MavlinkFrame>? writer,
     MessagePublisher<LinkStatus> status,
     Func<long> bytesLost,
+    Func<long> incompatibleFrames,
     LinkFrameTarget? target,
     RecordedFile? file)
 {
@@ -30,7 +31,7 @@ internal sealed class LinkPort(
     /// <summary>A recorded log must lose nothing: it waits when there is no room.</summary>
     public bool IsRecorded => file is not null;
 
-    public bool HasEnded => Reader.State is DeviceState.Ended or DeviceState.Faulted or DeviceState.Stopped;
+    public bool HasEnded => Reader.State is DeviceState.Ended or DeviceState.Faulted;
 
     public void Saw(in LinkFrame frame) => _lastFrameTime = frame.Time;
 
@@ -67,7 +68,7 @@ internal sealed class LinkPort(
         status.Post();
     }
 
-    public LinkSummary Summarise() => new(url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset);
+    public LinkSummary Summarise() => new(url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset, incompatibleFrames());
 
     // What a log still held when the run was stopped was not dropped: it is in the log.
     private long DiscardedIn => IsRecorded ? 0 : Reader.Discarded;

@@ -7,7 +7,7 @@ namespace Rabit.Uav.Communications;
 public sealed class LinkSummary
 {
     internal LinkSummary(
-        string url, long frames, IReadOnlyList<FrameCount> counts, IReadOnlyList<MavlinkSequenceStatistics> sources, long bytesLost, long? firstDamageOffset)
+        string url, long frames, IReadOnlyList<FrameCount> counts, IReadOnlyList<MavlinkSequenceStatistics> sources, long bytesLost, long? firstDamageOffset, long incompatibleFrames)
     {
         Url = url;
         Frames = frames;
@@ -15,6 +15,7 @@ public sealed class LinkSummary
         Sources = sources;
         BytesLost = bytesLost;
         FirstDamageOffset = firstDamageOffset;
+        IncompatibleFrames = incompatibleFrames;
     }
 
     /// <summary>What the link was opened by.</summary>
@@ -31,6 +32,9 @@ public sealed class LinkSummary
 
     /// <summary>Bytes that belong to no frame or record.</summary>
     public long BytesLost { get; }
+
+    /// <summary>Intact frames that had to be left out, because they have an incompatibility flag that is not known here. They are in no other figure.</summary>
+    public long IncompatibleFrames { get; }
 
     /// <summary>File offset of the first damage of a recorded log; null where there is none.</summary>
     public long? FirstDamageOffset { get; }

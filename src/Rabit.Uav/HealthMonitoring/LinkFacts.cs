@@ -4,7 +4,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>What the rules judge a link by.</summary>
-internal readonly struct LinkFacts(string name, in LinkStatus status, bool hasDroppedLately, TimeSpan watchedFor)
+internal readonly struct LinkFacts(string name, in LinkStatus status, long framesDropped, bool hasDroppedLately, TimeSpan watchedFor)
 {
     /// <summary>Its URL; its number until Communications has told it.</summary>
     public string Name { get; } = name;
@@ -14,7 +14,8 @@ internal readonly struct LinkFacts(string name, in LinkStatus status, bool hasDr
     /// <summary>Whether it is a recorded log, which may end.</summary>
     public bool IsRecorded { get; } = !double.IsNaN(status.Progress);
 
-    public long FramesDropped { get; } = status.FramesDroppedIn + status.FramesDroppedOut;
+    /// <summary>Frames for which there was no room, either way, since somebody was heard on the link.</summary>
+    public long FramesDropped { get; } = framesDropped;
 
     public bool HasDroppedLately { get; } = hasDroppedLately;
 

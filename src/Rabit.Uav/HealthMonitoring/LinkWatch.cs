@@ -10,12 +10,18 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
 {
     private readonly string _number = number.ToString(CultureInfo.InvariantCulture);
     private readonly RecentRise _dropped = new();
+    private long _droppedUnheard;
 
     public LinkFacts Look(TimeSpan now, TimeSpan watchedSince, HealthOptions options)
     {
         status.Fetch();
         ref readonly LinkStatus value = ref status.Value;
-        bool drops = _dropped.Take(value.FramesDroppedIn + value.FramesDroppedOut, now, options.RememberedFor);
-        return new LinkFacts(value.Url ?? _number, value, drops, now - watchedSince);
+
+        // While nobody was heard on a link there is nobody to lose what we say.
+        if (value.State == LinkState.Waiting)
+            _droppedUnheard = value.FramesDroppedOut;
+        long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedUnheard;
+        bool drops = _dropped.Take(dropped, now, options.RememberedFor);
+        return new LinkFacts(value.Url ?? _number, value, dropped, drops, now - watchedSince);
     }
 }

@@ -44,7 +44,7 @@ public sealed class RecordedFile : IDisposable
         get
         {
             lock (_gate)
-                return Length == 0 ? 1 : (double)_reader.Position / Length;
+                return Length == 0 ? 1 : Math.Min(1, (double)_reader.Position / Length);   // a log may grow while it is read
         }
     }
 
@@ -55,6 +55,16 @@ public sealed class RecordedFile : IDisposable
         {
             lock (_gate)
                 return _reader.LostBytes;
+        }
+    }
+
+    /// <summary>Intact records so far whose frame has an incompatibility flag that is not known, so that it had to be left out. Any thread.</summary>
+    public long IncompatibleFrames
+    {
+        get
+        {
+            lock (_gate)
+                return _reader.IncompatibleRecords;
         }
     }
 

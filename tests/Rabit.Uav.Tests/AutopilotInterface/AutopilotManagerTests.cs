@@ -2,9 +2,9 @@ using System;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
+using Rabit.Tests.Shared;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Messages;
-using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Tests.AutopilotInterface;

@@ -1,7 +1,7 @@
 using System;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.AutopilotInterface;
 using Rabit.Tests.Shared;
+using Rabit.Uav.AutopilotInterface;
 using Xunit;
 
 namespace Rabit.Uav.Tests.AutopilotInterface;

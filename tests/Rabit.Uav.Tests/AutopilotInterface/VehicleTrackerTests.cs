@@ -1,8 +1,8 @@
 using System;
 using Rabit.Mavlink.Messages;
+using Rabit.Tests.Shared;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Messages;
-using Rabit.Tests.Shared;
 using Xunit;
 using Xunit.Abstractions;
 

@@ -45,6 +45,44 @@ public sealed class RecordedLogTests
     }
 
     [Fact]
+    public void FramesOfTheRecorder_BeforeTheVehicleIsKnown_AreNotHandedOverEither()
+    {
+        using TestLog log = new TestLog().Record(0, Frames.Heartbeat(component: 191)).Record(1, Frames.Heartbeat());
+        using var rig = new CommunicationsRig(links: 0, o => o.RecordedFiles = [log.Open()]);
+        rig.Run(TimeSpan.FromSeconds(1));
+
+        Assert.Equal(1, Assert.Single(rig.Autopilot.Taken).Frame.ComponentId);
+        Assert.Equal(2, rig.Manager.SummariseLinks()[0].Frames);
+    }
+
+    [Fact]
+    public void AnswersToAGroundStation_InALog_ArePartOfTheFlight()
+    {
+        var answer = new CommandAck { Command = MavCmd.NavTakeoff, TargetSystem = 255, TargetComponent = 190 };
+        using TestLog log = new TestLog().Record(0, Frames.Heartbeat()).Record(1, Frames.Of(answer));
+        using CommunicationsRig rig = new CommunicationsRig(links: 1, o => o.RecordedFiles = [log.Open()]).As(1);
+        rig.Run(TimeSpan.FromSeconds(1));
+        Assert.Equal([Heartbeat.MavlinkId, CommandAck.MavlinkId], rig.Autopilot.Taken.Select(f => f.Frame.MessageId));
+
+        // On a live link they are somebody else's.
+        rig.Send(0, Frames.Of(answer, sequence: 1));
+        rig.Run(TimeSpan.FromSeconds(1));
+        Assert.Equal(2, rig.Autopilot.Taken.Count);
+    }
+
+    [Fact]
+    public void StatusAfterAStop_OfALogThatWasNotAtItsEnd_IsNotEnded()
+    {
+        using TestLog log = new TestLog().Record(0, Frames.Heartbeat()).Record(9_000_000, Frames.Heartbeat(sequence: 1));
+        using var rig = new CommunicationsRig(links: 0, o => o.RecordedFiles = [log.Open()]);
+        rig.Run(TimeSpan.FromSeconds(1));
+        rig.Reactor.Stop();
+        rig.Finish();
+
+        Assert.Equal(LinkState.Receiving, rig.LastStatus(0).State);
+    }
+
+    [Fact]
     public void FramesOfTheRecorder_AreCountedButNotHandedOver()
     {
         using TestLog log = new TestLog().Record(500_000, Frames.Heartbeat()).Record(500_001, Frames.Heartbeat(component: 191));
@@ -142,6 +180,20 @@ public sealed class RecordedLogTests
 
         Assert.Null(result.Failure);
         Assert.Equal(count, rig.Manager.SummariseLinks()[0].Frames);
+    }
+
+    [Fact]
+    public void ClockStepsForward_ByYears_IsPlayedOnAtOnce()
+    {
+        using TestLog log = new TestLog().Record(0, Frames.Heartbeat());
+        log.Record(10L * 365 * 24 * 3_600_000_000, Frames.Heartbeat(sequence: 1)).Record((10L * 365 * 24 * 3_600_000_000) + 2_000_000, Frames.Heartbeat(sequence: 2));
+        var autopilot = new FakeAutopilot(1024);
+        using var rig = new CommunicationsRig(0, o => Replay(o, log), autopilot);
+
+        ReactorResult result = rig.FinishByItself();
+
+        Assert.Null(result.Failure);
+        Assert.Equal([0, 0, 2], autopilot.Taken.Select(f => f.Time.TotalSeconds));
     }
 
     private static void StopAt(FakeAutopilot autopilot, in LinkFrame frame, long index)

@@ -1,9 +1,9 @@
 using System;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
+using Rabit.Tests.Shared;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
-using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;
@@ -62,6 +62,24 @@ public class HealthManagerTests
         rig.PostLink(LinkState.Ended, progress: 1);
         rig.Run(60);
         Assert.Equal((HealthLevel.Good, HealthReasons.None), (rig.Report.Level, rig.Report.Reasons));
+    }
+
+    [Fact]
+    public void Report_FramesToALinkWithNobodyOnIt_AreNoLoss()
+    {
+        using var rig = new HealthRig();
+        rig.Fly(2);
+        rig.PostLink(LinkState.Waiting, droppedOut: 50);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons & HealthReasons.FramesDropped);
+
+        rig.PostLink(LinkState.Receiving, droppedOut: 50);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons & HealthReasons.FramesDropped);
+
+        rig.PostLink(LinkState.Receiving, droppedOut: 51);
+        rig.Run(0.3);
+        Assert.Equal(HealthReasons.FramesDropped, rig.Report.Reasons & HealthReasons.FramesDropped);
     }
 
     [Fact]

@@ -80,9 +80,16 @@ internal sealed class HealthRig : IDisposable
         _vehicle.Post();
     }
 
-    public void PostLink(LinkState state = LinkState.Receiving, long dropped = 0, double progress = double.NaN)
+    public void PostLink(LinkState state = LinkState.Receiving, long dropped = 0, double progress = double.NaN, long droppedOut = 0)
     {
-        _link.Value = new LinkStatus { State = state, Url = "udpin:0.0.0.0:14550", FramesDroppedIn = dropped, Progress = progress };
+        _link.Value = new LinkStatus
+        {
+            State = state,
+            Url = "udpin:0.0.0.0:14550",
+            FramesDroppedIn = dropped,
+            FramesDroppedOut = droppedOut,
+            Progress = progress,
+        };
         _link.Post();
     }
 

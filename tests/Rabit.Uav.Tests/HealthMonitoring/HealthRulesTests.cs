@@ -86,7 +86,7 @@ public class HealthRulesTests
     public void Link_IsJudgedByItsState(LinkState state, bool isRecorded, double watchedSeconds, HealthReasons expected, HealthLevel level)
     {
         var status = new LinkStatus { State = state, Url = "udp", Progress = isRecorded ? 1 : double.NaN };
-        AssertLink(new LinkFacts("udp", status, hasDroppedLately: false, TimeSpan.FromSeconds(watchedSeconds)), expected, level);
+        AssertLink(new LinkFacts("udp", status, framesDropped: 0, hasDroppedLately: false, TimeSpan.FromSeconds(watchedSeconds)), expected, level);
     }
 
     [Theory]
@@ -95,7 +95,7 @@ public class HealthRulesTests
     public void Link_IsJudgedByFramesThatWereDroppedLately(bool droppedLately, HealthReasons expected, HealthLevel level)
     {
         var status = new LinkStatus { State = LinkState.Receiving, FramesDroppedIn = 3, FramesDroppedOut = 4, Progress = double.NaN };
-        AssertLink(new LinkFacts("udp", status, droppedLately, TimeSpan.Zero), expected, level);
+        AssertLink(new LinkFacts("udp", status, framesDropped: 7, droppedLately, TimeSpan.Zero), expected, level);
     }
 
     [Fact]

@@ -105,6 +105,7 @@ public sealed class LinkUrlTests
     [InlineData("serial:/dev/tty\0:9600", @"link 'serial:/dev/tty\0:9600': the device holds a zero character; write " + SerialForm)]
     [InlineData("tlog:", "link 'tlog:': the file is missing; write " + FileForm)]
     [InlineData("tlog:?speed=2", "link 'tlog:?speed=2': the file is missing; write " + FileForm)]
+    [InlineData("tlog:f?speed=1000001", "link 'tlog:f?speed=1000001': the speed '1000001' is above 1000000; that is max; write " + FileForm)]
     [InlineData("tlog:f?speed=0", "link 'tlog:f?speed=0': the speed '0' is not a positive number or max; write " + FileForm)]
     [InlineData("tlog:f?speed=-1", "link 'tlog:f?speed=-1': the speed '-1' is not a positive number or max; write " + FileForm)]
     [InlineData("tlog:f?speed=fast", "link 'tlog:f?speed=fast': the speed 'fast' is not a positive number or max; write " + FileForm)]
