@@ -38,6 +38,8 @@ internal static class FlightRun
 
     private static int Fly(UavSystem uav, SummaryFile? summaryFile, ConsoleOptions options)
     {
+        // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the summary off.
+        Console.CancelKeyPress += (_, e) => e.Cancel = true;
         RunSummary summary = Show(uav, options);
         new SummaryText(Console.Out, summary).Write();
         try

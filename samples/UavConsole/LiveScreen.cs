@@ -14,7 +14,9 @@ namespace UavConsole;
 internal sealed class LiveScreen(FlightMonitor monitor, RunLog log)
 {
     private static readonly TimeSpan RefreshEvery = TimeSpan.FromMilliseconds(150);
-    private const int TextsShown = 6;
+    private const int TextsShown = 4;
+    private const int NotesShown = 2;
+    private const int LongestLinkName = 40;
     private const int BarWidth = 60;
 
     private readonly Queue<string> _notes = new();
@@ -33,9 +35,12 @@ internal sealed class LiveScreen(FlightMonitor monitor, RunLog log)
         }
     });
 
+    // Fits 80 by 24: one row for each manager and link where they are few, and every text on one line.
     internal Rows Draw()
     {
-        var rows = new List<IRenderable> { Managers(), Vehicle(), Links(), Texts() };
+        var rows = new List<IRenderable> { Managers(), Vehicle() };
+        rows.AddRange(Links());
+        rows.AddRange(Texts());
         if (monitor.Progress is { } progress)
             rows.Add(new Markup(Bar(progress)));
         return new Rows(rows);
@@ -43,11 +48,10 @@ internal sealed class LiveScreen(FlightMonitor monitor, RunLog log)
 
     private Table Managers()
     {
-        Table table = new Table().Border(TableBorder.Rounded).Title("[bold]managers[/]");
-        table.AddColumns("manager", "state");
+        Table table = new Table().Border(TableBorder.None).AddColumns("[bold]managers[/]", "state");
         table.AddColumn(new TableColumn("runs").RightAligned());
         table.AddColumn("woken by");
-        foreach (string column in new[] { "merged", "work ms mean/max", "wake ms mean/max", "faults" })
+        foreach (string column in new[] { "work ms", "wake ms", "faults" })
             table.AddColumn(new TableColumn(column).RightAligned());
         for (int index = 0; index < monitor.Managers.Count; index++)
             AddManager(table, index);
@@ -58,15 +62,13 @@ internal sealed class LiveScreen(FlightMonitor monitor, RunLog log)
     {
         ManagerStatus status = monitor.Managers[index];
         DurationStatistics work = monitor.UnitOfWorkTimeOf(index);
-        WakeUpCounts wakes = status.WakeUps;
         table.AddRow(
             monitor.ManagerNames[index],
             status.State == ManagerState.Faulted ? "[red]Faulted[/]" : status.State.ToString(),
             Number(status.Runs),
-            Causes(wakes),
-            Number(wakes.Merged),
-            $"{Text.Milliseconds(work.Mean)}/{Text.Milliseconds(work.Maximum)}",
-            $"{Text.Milliseconds(status.WakeLatency.Mean)}/{Text.Milliseconds(status.WakeLatency.Maximum)}",
+            Causes(status.WakeUps),
+            MeanAndMaximum(work),
+            MeanAndMaximum(status.WakeLatency),
             status.Faults == 0 ? "0" : $"[red]{Number(status.Faults)}[/]");
     }
 
@@ -74,20 +76,27 @@ internal sealed class LiveScreen(FlightMonitor monitor, RunLog log)
     {
         (string Name, long Count)[] causes =
         [
-            ("timer", wakes.Timer), ("post", wakes.Post), ("push", wakes.Push), ("pop", wakes.Pop), ("request", wakes.Request), ("device", wakes.Device),
+            ("timer", wakes.Timer), ("post", wakes.Post), ("push", wakes.Push), ("pop", wakes.Pop), ("request", wakes.Request),
+            ("device", wakes.Device), ("merged", wakes.Merged),
         ];
         return string.Join(" ", causes.Where(c => c.Count > 0).Select(c => $"{c.Name} {Number(c.Count)}"));
     }
 
-    private Table Vehicle()
+    private static string MeanAndMaximum(in DurationStatistics time)
+        => string.Format(CultureInfo.InvariantCulture, "{0:0.00}/{1:0.0}", time.Mean.TotalMilliseconds, time.Maximum.TotalMilliseconds);
+
+    private Grid Vehicle()
     {
         VehicleState vehicle = monitor.Vehicle;
-        Table table = new Table().Border(TableBorder.Rounded).HideHeaders().AddColumns("what", "value", "what", "value");
-        table.AddRow("vehicle", Plain(Text.Vehicle(vehicle)), "mode", Plain(Text.Flight(vehicle)));
-        table.AddRow("position", Plain(Text.Position(vehicle)), "velocity", Plain(Text.Velocity(vehicle)));
-        table.AddRow("attitude", Plain(Text.Attitude(vehicle)), "battery", Plain(Text.Battery(vehicle)));
-        table.AddRow("GPS", Plain(Text.Gps(vehicle)), "health", Health());
-        return table;
+        Grid grid = new Grid().AddColumn(new GridColumn().NoWrap()).AddColumn();
+        grid.AddRow("[bold]vehicle[/]", Plain(Text.Vehicle(vehicle)));
+        grid.AddRow("mode", Plain(Text.Flight(vehicle)));
+        grid.AddRow("position", Plain(Text.Position(vehicle)));
+        grid.AddRow("velocity", Plain(Text.Velocity(vehicle)));
+        grid.AddRow("attitude", Plain(Text.Attitude(vehicle)));
+        grid.AddRow("battery", Plain($"{Text.Battery(vehicle)}; GPS {Text.Gps(vehicle)}"));
+        grid.AddRow("health", Health());
+        return grid;
     }
 
     private string Health()
@@ -103,24 +112,25 @@ internal sealed class LiveScreen(FlightMonitor monitor, RunLog log)
         return $"[{colour}]{Plain(Text.Health(health))}[/]{(health.SendsHeartbeat ? "" : " [grey](no heartbeat of ours)[/]")}";
     }
 
-    private Table Links()
-    {
-        Table table = new Table().Border(TableBorder.Rounded).AddColumns("link", "status");
-        foreach (LinkStatus link in monitor.Links)
-            table.AddRow(Plain(link.Url ?? "-"), Plain(Text.Link(link)));
-        return table;
-    }
+    private IEnumerable<IRenderable> Links() => monitor.Links.Select(link => new Markup(
+        $"[bold]link[/] {Plain(ShortName(link.Url))} {Plain(Text.Link(link))}"));
 
-    private Panel Texts()
+    // The end of a long path tells more than its beginning.
+    private static string ShortName(string? url)
+        => url is null ? "-" : url.Length <= LongestLinkName ? url : $"...{url.Substring(url.Length - LongestLinkName + 3)}";
+
+    private IEnumerable<IRenderable> Texts()
     {
         foreach (RabitLogEntry entry in log.TakeAll())
-            _notes.Enqueue(Plain(entry.ToString()));
-        while (_notes.Count > 3)
+            _notes.Enqueue(entry.ToString());
+        while (_notes.Count > NotesShown)
             _notes.Dequeue();
-        IEnumerable<string> texts = monitor.Texts.Take(TextsShown).Reverse().Select(t => Plain(Text.At(t.Time) + Text.Of(t)));
-        string[] lines = texts.Concat(_notes.Select(n => $"[grey]{n}[/]")).ToArray();
-        return new Panel(new Markup(lines.Length == 0 ? "-" : string.Join("\n", lines))).Header("status texts and log").Expand();
+        IEnumerable<string> texts = monitor.Texts.Take(TextsShown).Reverse().Select(t => Text.At(t.Time) + Text.Of(t));
+        return texts.Select(t => OneLine(t, "default")).Concat(_notes.Select(n => OneLine(n, "grey")));
     }
+
+    private static Markup OneLine(string text, string colour)
+        => new Markup($"[{colour}]{Plain(text)}[/]").Overflow(Overflow.Ellipsis);
 
     private static string Bar(double progress)
     {

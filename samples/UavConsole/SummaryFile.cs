@@ -29,8 +29,13 @@ internal sealed class SummaryFile : IDisposable
             if (options.Links.Any(l => l.Kind == LinkKind.RecordedFile && string.Equals(Path.GetFullPath(l.Path!), full, StringComparison.Ordinal)))
                 throw new IOException("it is the log that is played.");
 
-            // One write into it and no buffer, so that what cannot be written shows there and not at the end.
-            return new SummaryFile(path, new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.Read, bufferSize: 1));
+            // What was there before stays until there is something to put in its place. One write and no buffer, so that what cannot
+            // be written shows there and not at the end.
+            var stream = new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite, bufferSize: 1);
+            if (!options.Links.Any(l => l.Kind == LinkKind.RecordedFile && IsSameFile(stream, l.Path!)))
+                return new SummaryFile(path, stream);
+            stream.Dispose();
+            throw new IOException("it is the log that is played.");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
@@ -45,6 +50,8 @@ internal sealed class SummaryFile : IDisposable
         SummaryJson.Write(text, summary);
         try
         {
+            if (_stream.CanSeek && _stream.Length > 0)
+                _stream.SetLength(0);
             _stream.Write(text.ToArray(), 0, (int)text.Length);
             _stream.Flush();
         }
@@ -55,6 +62,24 @@ internal sealed class SummaryFile : IDisposable
     }
 
     public void Dispose() => _stream.Dispose();
+
+    // By a link of either kind the log may have a second name; no portable call tells, but its content does.
+    private static bool IsSameFile(FileStream summary, string log)
+    {
+        using var other = new FileStream(log, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        if (!summary.CanSeek || summary.Length == 0 || summary.Length != other.Length)
+            return false;
+        byte[] ours = Head(summary);
+        summary.Position = 0;
+        return ours.SequenceEqual(Head(other));
+    }
+
+    private static byte[] Head(FileStream stream)
+    {
+        var head = new byte[4096];
+        int count = stream.Read(head, 0, head.Length);
+        return head.Take(count).ToArray();
+    }
 
     private static ArgumentException CannotWrite(string path, Exception e) => new($"--summary {path} cannot be written: {e.Message}", nameof(path), e);
 }

@@ -135,6 +135,7 @@ internal static class SummaryJson
             json.WriteNumber("frames_incompatible", link.IncompatibleFrames);
             WriteSources(json, link.Sources);
             WriteCounts(json, "counts", link.Counts);
+            json.WriteNumber("frames_not_listed", link.FramesNotListed);
             json.WriteEndObject();
         }
 

@@ -78,6 +78,18 @@ internal sealed class SummaryText(TextWriter output, RunSummary summary)
                 source.OutOfOrder));
             Line("    " + Counts(link.Counts.Where(c => c.SystemId == source.SystemId && c.ComponentId == source.ComponentId)));
         }
+
+        WriteUncertain(link);
+    }
+
+    // Sources of which nothing could be checked: their ids are unknown, so that even who sent them is not certain.
+    private void WriteUncertain(LinkSummary link)
+    {
+        FrameCount[] uncertain = link.Counts.Where(c => !link.Sources.Any(s => s.SystemId == c.SystemId && s.ComponentId == c.ComponentId)).ToArray();
+        if (uncertain.Length > 0)
+            Line($"  from others, with ids that are not known: {uncertain.Sum(c => c.Count).ToString(CultureInfo.InvariantCulture)} frames of {uncertain.Length.ToString(CultureInfo.InvariantCulture)} kinds");
+        if (link.FramesNotListed > 0)
+            Line($"  of more kinds than are listed: {link.FramesNotListed.ToString(CultureInfo.InvariantCulture)} frames");
     }
 
     private static string Counts(IEnumerable<FrameCount> counts)

@@ -80,8 +80,6 @@ internal static class Text
         link.FramesDroppedIn + link.FramesDroppedOut,
         link.Fault is null ? string.Empty : ", " + link.Fault);
 
-    public static string Milliseconds(TimeSpan time) => time.TotalMilliseconds.ToString("0.000", CultureInfo.InvariantCulture);
-
     public static string StatusLine(FlightMonitor monitor)
     {
         VehicleState vehicle = monitor.Vehicle;

@@ -9,6 +9,9 @@ namespace Rabit.Core.Workspaces;
 /// <summary>Finds everything that does not fit together, before any thread starts.</summary>
 internal static class WiringCheck
 {
+    // All places of a queue are there from the start. More than this is a slip, or a wish for a queue without an end.
+    private const int LargestQueue = 1 << 24;
+
     public static IReadOnlyList<string> FindFaults(Wiring wiring, RabitTime time)
     {
         var faults = new List<string>();
@@ -85,6 +88,8 @@ internal static class WiringCheck
             var queue = (IQueueDeclaration)receiver;
             if (queue.Capacity < 1)
                 faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it needs at least 1.");
+            if (queue.Capacity > LargestQueue)
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it can have {LargestQueue}.");
             if (queue.FullMode is < QueueFullMode.Reject or > QueueFullMode.Wait)
                 faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has an unknown rule for a full queue: {(int)queue.FullMode}.");
             if (queue.FullMode != QueueFullMode.Wait)

@@ -10,13 +10,27 @@ namespace Rabit.Uav.Communications;
 /// </summary>
 internal sealed class FrameTally
 {
-    // A hostile stream may make up as many sources and ids as it likes; what does not fit is counted in the number of all frames alone.
-    private const int KindsAtMost = 4096;
+    // A hostile stream may make up as many sources and ids as it likes, ids that nobody knows most easily of all: those may not
+    // take the places of frames that were checked. What does not fit is counted together.
+    private const int UncheckedKindsAtMost = 1024;
+    private const int KindsAtMost = 8192;
 
     private readonly object _gate = new();
     private readonly Dictionary<long, long> _counts = [];
     private readonly MavlinkSequenceTracker _sequences = new();
+    private int _uncheckedKinds;
     private long _frames;
+    private long _notListed;
+
+    /// <summary>Frames of kinds for which there was no room in the list.</summary>
+    public long NotListed
+    {
+        get
+        {
+            lock (_gate)
+                return _notListed;
+        }
+    }
 
     public long Frames
     {
@@ -51,8 +65,10 @@ internal sealed class FrameTally
             long key = KeyOf(frame);
             if (_counts.TryGetValue(key, out long count))
                 _counts[key] = count + 1;
-            else if (_counts.Count < KindsAtMost)
-                _counts.Add(key, 1);
+            else if (HasRoom(isChecked))
+                Add(key, isChecked);
+            else
+                _notListed++;
         }
     }
 
@@ -66,6 +82,15 @@ internal sealed class FrameTally
     {
         lock (_gate)
             return Enumerable.Range(0, _sequences.Count).Select(i => _sequences[i]).OrderBy(s => (s.SystemId << 8) | s.ComponentId).ToArray();
+    }
+
+    private bool HasRoom(bool isChecked) => _counts.Count < KindsAtMost && (isChecked || _uncheckedKinds < UncheckedKindsAtMost);
+
+    private void Add(long key, bool isChecked)
+    {
+        _counts.Add(key, 1);
+        if (!isChecked)
+            _uncheckedKinds++;
     }
 
     // Source, then message id, then version: the order in which people read them.

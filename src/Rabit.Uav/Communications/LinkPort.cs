@@ -68,7 +68,7 @@ internal sealed class LinkPort(
         status.Post();
     }
 
-    public LinkSummary Summarise() => new(url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset, incompatibleFrames());
+    public LinkSummary Summarise() => new(url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset, incompatibleFrames(), tally.NotListed);
 
     // What a log still held when the run was stopped was not dropped: it is in the log.
     private long DiscardedIn => IsRecorded ? 0 : Reader.Discarded;

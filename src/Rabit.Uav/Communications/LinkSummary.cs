@@ -7,7 +7,7 @@ namespace Rabit.Uav.Communications;
 public sealed class LinkSummary
 {
     internal LinkSummary(
-        string url, long frames, IReadOnlyList<FrameCount> counts, IReadOnlyList<MavlinkSequenceStatistics> sources, long bytesLost, long? firstDamageOffset, long incompatibleFrames)
+        string url, long frames, IReadOnlyList<FrameCount> counts, IReadOnlyList<MavlinkSequenceStatistics> sources, long bytesLost, long? firstDamageOffset, long incompatibleFrames, long framesNotListed)
     {
         Url = url;
         Frames = frames;
@@ -16,6 +16,7 @@ public sealed class LinkSummary
         BytesLost = bytesLost;
         FirstDamageOffset = firstDamageOffset;
         IncompatibleFrames = incompatibleFrames;
+        FramesNotListed = framesNotListed;
     }
 
     /// <summary>What the link was opened by.</summary>
@@ -26,6 +27,9 @@ public sealed class LinkSummary
 
     /// <summary>The frames by message and source, ordered by source, then by message id.</summary>
     public IReadOnlyList<FrameCount> Counts { get; }
+
+    /// <summary>Frames of so many kinds that <see cref="Counts"/> has no room for them; they are in <see cref="Frames"/>.</summary>
+    public long FramesNotListed { get; }
 
     /// <summary>Frames and gaps of each source.</summary>
     public IReadOnlyList<MavlinkSequenceStatistics> Sources { get; }
