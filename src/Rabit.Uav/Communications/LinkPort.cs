@@ -3,7 +3,6 @@ using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Uav.Links;
 using Rabit.Uav.Messages;
-using LinkState = Rabit.Uav.Messages.LinkState;
 
 namespace Rabit.Uav.Communications;
 

@@ -8,7 +8,7 @@ internal sealed class MemoryLink(string url, int capacityBytes) : IByteLink
 {
     private const string PeerGoneReason = "the other end was closed";
 
-    private readonly LinkState _state = new(url);
+    private readonly LinkLifetime _state = new(url);
     private readonly object _gate = new();
     private readonly byte[] _ring = new byte[capacityBytes];
     private MemoryLink? _peer; // set once, before anybody else sees this end
@@ -54,7 +54,7 @@ internal sealed class MemoryLink(string url, int capacityBytes) : IByteLink
 
     public void Unblock()
     {
-        if (!_state.TryEnd(LinkState.UnblockedReason)) return;
+        if (!_state.TryEnd(LinkLifetime.UnblockedReason)) return;
         SignalReadable();
         _peer!.LosePeer();
     }

@@ -12,11 +12,11 @@ public sealed class SerialLink : IByteLink
     private const string UnpluggedReason = "the device hung up (unplugged?)";
 
     private readonly SerialDevice _device;
-    private readonly LinkState _state;
+    private readonly LinkLifetime _state;
     private readonly int _writeTimeoutMilliseconds;
     private readonly object _writeGate = new(); // keeps the bytes of one write together
 
-    private SerialLink(SerialDevice device, LinkState state, int writeTimeoutMilliseconds)
+    private SerialLink(SerialDevice device, LinkLifetime state, int writeTimeoutMilliseconds)
     {
         _device = device;
         _state = state;
@@ -48,7 +48,7 @@ public sealed class SerialLink : IByteLink
 
         SerialDevice opened = SerialDevice.TryOpen(device, baudRate, out string fault)
             ?? throw new LinkException(url, $"cannot open: {fault}", linkEnded: true);
-        return new SerialLink(opened, new LinkState(url), (options ?? LinkOptions.Default).WriteTimeoutMilliseconds);
+        return new SerialLink(opened, new LinkLifetime(url), (options ?? LinkOptions.Default).WriteTimeoutMilliseconds);
     }
 
     /// <inheritdoc/>
@@ -84,7 +84,7 @@ public sealed class SerialLink : IByteLink
     }
 
     /// <inheritdoc/>
-    public void Unblock() => End(LinkState.UnblockedReason);
+    public void Unblock() => End(LinkLifetime.UnblockedReason);
 
     /// <inheritdoc/>
     public void SetReadableCallback(Action? callback)

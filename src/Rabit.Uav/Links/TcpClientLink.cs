@@ -12,11 +12,11 @@ namespace Rabit.Uav.Links;
 public sealed class TcpClientLink : IByteLink
 {
     private readonly Socket _socket;
-    private readonly LinkState _state;
+    private readonly LinkLifetime _state;
     private readonly int _writeTimeoutMilliseconds;
     private readonly object _writeGate = new(); // keeps the bytes of one write together
 
-    private TcpClientLink(Socket socket, LinkState state, int writeTimeoutMilliseconds)
+    private TcpClientLink(Socket socket, LinkLifetime state, int writeTimeoutMilliseconds)
     {
         _socket = socket;
         _state = state;
@@ -44,7 +44,7 @@ public sealed class TcpClientLink : IByteLink
         string url = LinkUrl.ForHost(LinkKind.TcpClient, host, port).ToString();
         options ??= LinkOptions.Default;
         Socket socket = TcpConnector.Connect(url, HostAddresses.Find(url, host), port, options);
-        return new TcpClientLink(socket, new LinkState(url), options.WriteTimeoutMilliseconds);
+        return new TcpClientLink(socket, new LinkLifetime(url), options.WriteTimeoutMilliseconds);
     }
 
     /// <inheritdoc/>
@@ -81,7 +81,7 @@ public sealed class TcpClientLink : IByteLink
     }
 
     /// <inheritdoc/>
-    public void Unblock() => End(LinkState.UnblockedReason);
+    public void Unblock() => End(LinkLifetime.UnblockedReason);
 
     /// <inheritdoc/>
     public void SetReadableCallback(Action? callback)

@@ -11,11 +11,11 @@ namespace Rabit.Uav.Links;
 /// </summary>
 public sealed class UdpListenLink : IByteLink
 {
-    private readonly LinkState _state;
+    private readonly LinkLifetime _state;
     private readonly UdpSocket _socket;
     private readonly DatagramExchange _exchange;
 
-    private UdpListenLink(Socket socket, LinkState state, IPEndPoint local)
+    private UdpListenLink(Socket socket, LinkLifetime state, IPEndPoint local)
     {
         _state = state;
         _exchange = new DatagramExchange(socket);
@@ -56,7 +56,7 @@ public sealed class UdpListenLink : IByteLink
             socket.SendTimeout = (options ?? LinkOptions.Default).WriteTimeoutMilliseconds;
             socket.Bind(new IPEndPoint(own, port));
             var local = (IPEndPoint)socket.LocalEndPoint!;
-            return new UdpListenLink(socket, new LinkState(LinkUrl.ForHost(LinkKind.UdpListen, address, local.Port).ToString()), local);
+            return new UdpListenLink(socket, new LinkLifetime(LinkUrl.ForHost(LinkKind.UdpListen, address, local.Port).ToString()), local);
         }
         catch (SocketException e)
         {
@@ -77,7 +77,7 @@ public sealed class UdpListenLink : IByteLink
     }
 
     /// <inheritdoc/>
-    public void Unblock() => _socket.End(LinkState.UnblockedReason);
+    public void Unblock() => _socket.End(LinkLifetime.UnblockedReason);
 
     /// <inheritdoc/>
     public void SetReadableCallback(Action? callback)

@@ -10,10 +10,10 @@ namespace Rabit.Uav.Links;
 /// </summary>
 public sealed class UdpSendLink : IByteLink
 {
-    private readonly LinkState _state;
+    private readonly LinkLifetime _state;
     private readonly UdpSocket _socket;
 
-    private UdpSendLink(Socket socket, LinkState state)
+    private UdpSendLink(Socket socket, LinkLifetime state)
     {
         _state = state;
         _socket = new UdpSocket(socket, state, exchange: null);
@@ -48,7 +48,7 @@ public sealed class UdpSendLink : IByteLink
                 SendTimeout = (options ?? LinkOptions.Default).WriteTimeoutMilliseconds,
             };
             socket.Connect(new IPEndPoint(peer, port));
-            return new UdpSendLink(socket, new LinkState(url));
+            return new UdpSendLink(socket, new LinkLifetime(url));
         }
         catch (SocketException e)
         {
@@ -67,7 +67,7 @@ public sealed class UdpSendLink : IByteLink
     }
 
     /// <inheritdoc/>
-    public void Unblock() => _socket.End(LinkState.UnblockedReason);
+    public void Unblock() => _socket.End(LinkLifetime.UnblockedReason);
 
     /// <inheritdoc/>
     public void SetReadableCallback(Action? callback)

@@ -10,7 +10,7 @@ namespace Rabit.Uav.Links;
 /// <param name="socket">Bound or connected.</param>
 /// <param name="state">The state of the link.</param>
 /// <param name="exchange">For a socket without one peer; null if it is connected to its peer.</param>
-internal sealed class UdpSocket(Socket socket, LinkState state, DatagramExchange? exchange)
+internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExchange? exchange)
 {
     private const int LargestDatagram = 65535;
 

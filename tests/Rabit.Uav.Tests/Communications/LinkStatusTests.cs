@@ -5,7 +5,6 @@ using Rabit.Mavlink.Messages;
 using Rabit.Uav.Links;
 using Rabit.Uav.Messages;
 using Xunit;
-using LinkState = Rabit.Uav.Messages.LinkState;
 
 namespace Rabit.Uav.Tests.Communications;
 

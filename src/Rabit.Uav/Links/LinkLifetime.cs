@@ -7,7 +7,7 @@ namespace Rabit.Uav.Links;
 /// What every link keeps beside its device: its name, whether and why it has ended, whether it was disposed, and its counters.
 /// Any thread; each field is changed by an interlocked operation and never changes back.
 /// </summary>
-internal sealed class LinkState(string url)
+internal sealed class LinkLifetime(string url)
 {
     public const string UnblockedReason = "it was closed on this side";
 
