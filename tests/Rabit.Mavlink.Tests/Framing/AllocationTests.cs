@@ -63,8 +63,7 @@ public class AllocationTests(ITestOutputHelper output)
     {
         prepare?.Invoke();
         work();
-        prepare?.Invoke();
-        long allocated = Allocated.By(work);
+        long allocated = Allocated.By(work, prepare);
         output.WriteLine(Allocated.CanTell ? $"{allocated} bytes" : "this runtime does not count bytes per thread");
         Assert.Equal(0, allocated);
     }

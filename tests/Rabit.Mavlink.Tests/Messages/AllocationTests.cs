@@ -1,5 +1,6 @@
 using System;
 using System.Reflection;
+using Rabit.Tests.Shared;
 using Xunit;
 
 namespace Rabit.Mavlink.Tests.Messages;
@@ -19,16 +20,17 @@ public class AllocationTests
     {
         var payload = new byte[255];
         var message = default(T);
-        long before = 0;
-        // The first rounds let the runtime load what it needs.
-        for (int round = 0; round < 10; round++)
+        void Rounds()
         {
-            if (round == 5)
-                before = GC.GetAllocatedBytesForCurrentThread();
-            message.Decode(payload);
-            message.Encode(payload);
+            for (int round = 0; round < 5; round++)
+            {
+                message.Decode(payload);
+                message.Encode(payload);
+            }
         }
 
-        return GC.GetAllocatedBytesForCurrentThread() - before;
+        // The first rounds let the runtime load what it needs.
+        Rounds();
+        return Allocated.By(Rounds);
     }
 }
