@@ -174,6 +174,7 @@ internal static class PublicApiText
         null => "null",
         string text => "\"" + text + "\"",
         bool yes => yes ? "true" : "false",
+        double number => number.ToString("G17", CultureInfo.InvariantCulture),   // the shortest form differs between runtimes
         _ => Convert.ToString(value, CultureInfo.InvariantCulture)!,
     };
 

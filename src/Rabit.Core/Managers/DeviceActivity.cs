@@ -9,7 +9,6 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
 {
     private bool _isOpen;
     private bool _hasBegun;   // written by the device's thread, read by the reactor's
-    private RabitLog? _log;
 
     public abstract bool Blocks { get; }
 
@@ -25,12 +24,14 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
 
     protected RunClock Clock { get; private set; } = null!;
 
+    protected RabitLog? Log { get; private set; }
+
     protected bool HasFinished => Health.State is DeviceState.Ended or DeviceState.Faulted;
 
     public void Connect(RunClock clock, RabitLog log)
     {
         Clock = clock;
-        _log = log;
+        Log = log;
     }
 
     public override void Begin() => Volatile.Write(ref _hasBegun, true);
@@ -107,7 +108,7 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
         Health.Fault = fault;
         Health.State = state;
         if (fault is null)
-            _log!.Write(RabitLogKind.Lifecycle, Name, "ended");
+            Log!.Write(RabitLogKind.Lifecycle, Name, "ended");
         else
             Report("failed", fault);
         manager.WakeUp!.Wake(WakeUpCauses.Device);
@@ -117,9 +118,9 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
     {
         Health.AddDiscarded(count);
         if (count > 0)
-            _log!.Write(RabitLogKind.Note, Name, FormattableString.Invariant($"{count} values were lost at the end"));
+            Log!.Write(RabitLogKind.Note, Name, FormattableString.Invariant($"{count} values were lost at the end"));
     }
 
     private void Report(string what, Exception e)
-        => _log!.Write(RabitLogKind.Fault, Name, $"{what}: {e.GetType().Name}: {e.Message}", e);
+        => Log!.Write(RabitLogKind.Fault, Name, $"{what}: {e.GetType().Name}: {e.Message}", e);
 }

@@ -17,6 +17,8 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
     private bool _hasBegun;                                // same
     private TimeSpan _faultDelay;
     private TimeSpan _lastEnd;                             // when the last stage ended: read from the clock once, used for all
+    private TimeSpan _due;                                 // when the timer is to wake, set with each run
+    private PeriodGrid _grid;                              // the deadlines of a manager with a fixed period
     private bool _isHalted;
 
     private const int FaultsKept = 10;
@@ -64,7 +66,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         if (isSound)
         {
             _faultDelay = TimeSpan.Zero;
-            return NextTurn.At(Later(end, manager.WakeUpDelay), notBefore: end);
+            return NextTurn.At(_due, notBefore: end);
         }
 
         return _isHalted ? NextTurn.Never : NextTurn.OnlyAt(Later(end, _faultDelay));
@@ -130,12 +132,27 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         status.UnitOfWorkTime = status.UnitOfWorkTime.With(_lastEnd - begin);
         if (wokenAt is { } at)
             status.WakeLatency = status.WakeLatency.With(begin - at);
+        status.Slips += SetTimer(begin);
+    }
+
+    /// <returns>The deadlines that have passed.</returns>
+    private long SetTimer(TimeSpan begin)
+    {
+        if (manager.Period is not { } period)
+        {
+            _grid = default;
+            _due = Later(_lastEnd, manager.WakeUpDelay);
+            return 0;
+        }
+
+        _due = _grid.Next(period, begin, _lastEnd, out long slips);
+        return slips;
     }
 
     private void PostStatus(ref ManagerStatus status, ManagerState state)
     {
         status.State = state;
-        status.WakeUpDelay = manager.WakeUpDelay;
+        status.WakeUpDelay = manager.Period ?? manager.WakeUpDelay;
         manager.StatusPublisher.Post(_lastEnd);
     }
 

@@ -30,7 +30,10 @@ public struct ManagerStatus
     /// <summary>The last one: stage, type and text. Null when there was none.</summary>
     public string? LastFault { get; internal set; }
 
-    /// <summary>The wake-up delay that holds now.</summary>
+    /// <summary>Deadlines of <see cref="RabitManager.Period"/> that passed before their unit of work could begin.</summary>
+    public long Slips { get; internal set; }
+
+    /// <summary>The wake-up delay or the period that holds now.</summary>
     public TimeSpan WakeUpDelay { get; internal set; }
 
     /// <summary>When the last unit of work began, by <see cref="RabitManager.Now"/>.</summary>

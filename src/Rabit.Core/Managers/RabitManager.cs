@@ -20,6 +20,7 @@ public abstract partial class RabitManager
 {
     private readonly EndOwner _owner;
     private TimeSpan _wakeUpDelay = TimeSpan.FromSeconds(1);
+    private TimeSpan? _period;
     private FaultPolicy _faultPolicy = FaultPolicy.StopSystem;
     private ManagerRun? _run;
 
@@ -52,6 +53,24 @@ public abstract partial class RabitManager
             if (value <= TimeSpan.Zero)
                 Require.Positive(value, nameof(value), $"The wake-up delay of manager '{Name}'");
             _wakeUpDelay = value;
+        }
+    }
+
+    /// <summary>
+    /// A fixed period instead of <see cref="WakeUpDelay"/>: deadlines on a grid that begins with the unit of work that first runs with
+    /// this period, so that they do not drift, however long the work takes and whatever else wakes the manager. A deadline that passes
+    /// during a unit of work is a slip (<see cref="ManagerStatus.Slips"/>): one run follows at once, and the grid goes on; there is never
+    /// a burst. Null, the default, for <see cref="WakeUpDelay"/>. The unit of work may change it; the change holds from the next sleep.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">Zero or negative.</exception>
+    public TimeSpan? Period
+    {
+        get => _period;
+        protected set
+        {
+            if (value is { } period && period <= TimeSpan.Zero)
+                Require.Positive(period, nameof(value), $"The period of manager '{Name}'");
+            _period = value;
         }
     }
 

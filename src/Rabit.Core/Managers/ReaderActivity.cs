@@ -45,6 +45,8 @@ internal sealed class ReaderActivity<T>(
     protected override void Close()
     {
         ReportDiscarded(_holdsValue ? 1 : 0);
+        if (_holdsValue)
+            Discard();
         source.Close();
     }
 
@@ -58,10 +60,18 @@ internal sealed class ReaderActivity<T>(
         else
         {
             // The books of the queue tell what was rejected or dropped.
-            queue.Push(_value);
+            if (queue.Push(_value) == PushResult.Rejected)
+                Discard();
             _holdsValue = false;
         }
 
         return !_holdsValue;
+    }
+
+    // What the queue did not take is still ours.
+    private void Discard()
+    {
+        if (Discarded<T>.Matters)
+            Discarded<T>.Dispose(_value, Name, Log);
     }
 }

@@ -1,11 +1,16 @@
 using System.Diagnostics.CodeAnalysis;
 using System.Threading;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
 
 namespace Rabit.Core.Messaging;
 
-/// <summary>A bounded first-in first-out queue: many senders, one receiver, a ring under a lock. Wakes go out after the lock is released.</summary>
-internal sealed class MessageQueue<T>(string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp)
+/// <summary>
+/// A bounded first-in first-out queue: many senders, one receiver, a ring under a lock. Wakes go out, and what was dropped is disposed,
+/// after the lock is released.
+/// </summary>
+internal sealed class MessageQueue<T>(string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, RabitLog log)
+    : IMessageQueue
 {
     private readonly object _gate = new();
     private readonly T[] _ring = new T[capacity];
@@ -18,6 +23,7 @@ internal sealed class MessageQueue<T>(string name, int capacity, QueueFullMode f
     private long _dropped;
     private long _rejected;
     private WakeUpEvent? _waitingSender;
+    private bool _isClosed;
 
     private WakeUpEvent[] _popTargets = [];   // written while wiring, then read only
 
@@ -49,6 +55,8 @@ internal sealed class MessageQueue<T>(string name, int capacity, QueueFullMode f
 
     public PushResult Push(in T value)
     {
+        if (Discarded<T>.Matters)
+            return PushAndDispose(value);
         PushResult result;
         lock (_gate)
         {
@@ -67,7 +75,7 @@ internal sealed class MessageQueue<T>(string name, int capacity, QueueFullMode f
     {
         lock (_gate)
         {
-            if (_count == _ring.Length)
+            if (_count == _ring.Length || _isClosed)
             {
                 // One reader feeds one queue, so there is never a second sender to remember.
                 _waitingSender = sender;
@@ -104,17 +112,72 @@ internal sealed class MessageQueue<T>(string name, int capacity, QueueFullMode f
         return true;
     }
 
+    /// <summary>Disposes what is left, if it can be disposed, and takes nothing more of that kind: a push is rejected.</summary>
+    public void Close()
+    {
+        if (!Discarded<T>.Matters)
+            return;
+        while (TryDropOldest(out T value))
+            Discarded<T>.Dispose(value, Name, log);
+    }
+
+    private bool TryDropOldest(out T value)
+    {
+        lock (_gate)
+        {
+            _isClosed = true;
+            if (_count == 0)
+            {
+                value = default!;
+                return false;
+            }
+
+            value = TakeOut();
+            _dropped++;
+            return true;
+        }
+    }
+
+    // Apart from Push, which for all other types needs neither room for what was dropped nor the mark.
+    private PushResult PushAndDispose(in T value)
+    {
+        PushResult result = PushResult.Queued;
+        T dropped = default!;
+        lock (_gate)
+        {
+            if (_count == _ring.Length && FullMode == QueueFullMode.DropOldest)
+            {
+                dropped = TakeOut();
+                _dropped++;
+                result = PushResult.QueuedDroppedOldest;
+            }
+
+            if (_isClosed || _count == _ring.Length)
+                result = Reject();
+            else
+                PutIn(value);
+        }
+
+        if (result != PushResult.Rejected)
+            receiverWakeUp?.Wake(WakeUpCauses.Push);
+        if (result == PushResult.QueuedDroppedOldest)
+            Discarded<T>.Dispose(dropped, Name, log);
+        return result;
+    }
+
     private PushResult WhenFull()
     {
         if (FullMode != QueueFullMode.DropOldest)
-        {
-            _rejected++;
-            return PushResult.Rejected;
-        }
-
+            return Reject();
         TakeOut();
         _dropped++;
         return PushResult.QueuedDroppedOldest;
+    }
+
+    private PushResult Reject()
+    {
+        _rejected++;
+        return PushResult.Rejected;
     }
 
     private void PutIn(in T value)

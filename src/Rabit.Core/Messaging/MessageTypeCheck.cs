@@ -24,6 +24,8 @@ internal static class MessageTypeCheck
     {
         if (type.IsPrimitive || type.IsEnum || TrustedTypes.Contains(type.FullName ?? string.Empty) || !visited.Add(type))
             return null;
+        if (type == typeof(BufferLease))
+            return $"{path} is a {nameof(BufferLease)}: a buffer has one owner at a time, and travels by queue.";
         if (type.IsPointer)
             return $"{path} is a pointer, which copies would share.";
         if (IsImmutableCollection(type))

@@ -38,7 +38,7 @@ internal sealed class QueueBinding<T>(EndOwner owner, EndRole role, string name)
                 receiver = (QueueBinding<T>)end;
         }
 
-        return new MessageQueue<T>(Name, receiver.Capacity, receiver.FullMode, receiver.Wakes ? receiver.Owner.WakeUp : null);
+        return new MessageQueue<T>(Name, receiver.Capacity, receiver.FullMode, receiver.Wakes ? receiver.Owner.WakeUp : null, log);
     }
 
     public override void Bind(object hub, EndDeclaration? firstOfOwner)

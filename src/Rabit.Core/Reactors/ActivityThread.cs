@@ -9,15 +9,16 @@ internal sealed class ActivityThread : IDisposable
 {
     private readonly Activity _activity;
     private readonly RunClock _clock;
-    private readonly EventWakeSignal _signal = new();
+    private readonly IWaitSignal _signal;
     private readonly object _changed;   // the engine's; guards the two marks below
     private bool _hasBegun;
     private bool _hasEnded;
 
-    public ActivityThread(Activity activity, RunClock clock, object changed)
+    public ActivityThread(Activity activity, RunClock clock, IWaitSignal signal, object changed)
     {
         _activity = activity;
         _clock = clock;
+        _signal = signal;
         _changed = changed;
         _activity.WakeUp.Connect(_signal, clock);
     }

@@ -190,6 +190,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         var ending = new ManagerEnding(_engine, _log, _options.StopTimeout);
         List<ManagerResult> results = Enumerable.Reverse(_activities).Select(ending.End).ToList();
         results.Reverse();
+        Workspace.CloseQueues();
         _engine.Dispose();
         return new ReactorResult(reason, _failure, duration, results);
     }

@@ -6,7 +6,7 @@ using Rabit.Core.Managers;
 namespace Rabit.Core.Reactors;
 
 /// <summary>Real time: one thread per activity.</summary>
-internal sealed class ThreadEngine(EngineContext context) : ReactorEngine
+internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine) : ReactorEngine
 {
     private readonly Dictionary<Activity, ActivityThread> _threads = [];
 
@@ -16,7 +16,7 @@ internal sealed class ThreadEngine(EngineContext context) : ReactorEngine
 
     public override void Begin(Activity activity)
     {
-        var thread = new ActivityThread(activity, context.Clock, _changed);
+        var thread = new ActivityThread(activity, context.Clock, WaitEngines.Create(waitEngine), _changed);
         _threads.Add(activity, thread);
         thread.Start();
         WaitFor(() => thread.HasBegun || _stopRequested, TimeSpan.MaxValue);

@@ -19,7 +19,24 @@ public sealed class RealTime : RabitTime
     /// <inheritdoc/>
     public override TimeProvider Clock { get; }
 
+    /// <summary>What threads sleep on. Set before the start.</summary>
+    /// <value>The default is <see cref="WaitEngine.Best"/>.</value>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such engine.</exception>
+    public WaitEngine WaitEngine
+    {
+        get;
+        set => field = value is WaitEngine.Best or WaitEngine.Event or WaitEngine.Futex
+            ? value
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "There is no such wait engine.");
+    }
+
     internal override bool AllowsBlocking => true;
 
-    internal override ReactorEngine CreateEngine(EngineContext context) => new ThreadEngine(context);
+    internal override ReactorEngine CreateEngine(EngineContext context)
+    {
+        WaitEngine engine = WaitEngines.Choose(WaitEngine, Environment.GetEnvironmentVariable(WaitEngines.Variable), Futex.IsThere, out string? note);
+        if (note is not null)
+            context.Log.Write(RabitLogKind.Note, "wait engine", note);
+        return new ThreadEngine(context, engine);
+    }
 }

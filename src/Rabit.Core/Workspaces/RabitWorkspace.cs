@@ -22,6 +22,7 @@ public sealed class RabitWorkspace
     private readonly EndOwner _outside = new(OutsideName, isManager: false, wakeUp: null);
     private readonly List<EndDeclaration> _outsideDeclarations = [];
     private readonly Dictionary<string, object> _messages = new(StringComparer.Ordinal);
+    private readonly List<IMessageQueue> _queues = [];
     private Wiring? _wiring;
 
     internal RabitWorkspace()
@@ -29,13 +30,24 @@ public sealed class RabitWorkspace
     }
 
     /// <summary>
-    /// The wiring as text: every message and queue, who posts, fetches, pushes and pops it, who is woken by it, and notes on what
-    /// looks odd. Any thread; empty before the reactor has started.
+    /// The wiring: every message and queue, who posts, fetches, pushes and pops it, who is woken by it, and, as text, notes on what looks
+    /// odd. Any thread; empty before the reactor has started.
     /// </summary>
-    public string DescribeWiring()
+    /// <param name="format">How it is written.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such format.</exception>
+    public string DescribeWiring(WiringFormat format = WiringFormat.Text)
     {
         lock (_gate)
-            return _wiring is null ? string.Empty : WiringText.Describe(_wiring);
+        {
+            return format switch
+            {
+                _ when format is < WiringFormat.Text or > WiringFormat.Dot => throw new ArgumentOutOfRangeException(nameof(format), format, "There is no such format."),
+                _ when _wiring is null => string.Empty,
+                WiringFormat.Mermaid => WiringDrawing.Mermaid(_wiring),
+                WiringFormat.Dot => WiringDrawing.Dot(_wiring),
+                _ => WiringText.Describe(_wiring),
+            };
+        }
     }
 
     /// <summary>Makes an end that posts, for code outside managers. Before the start only.</summary>
@@ -113,8 +125,18 @@ public sealed class RabitWorkspace
             foreach (IReadOnlyList<EndDeclaration> ends in wiring.Messages.Values)
                 _messages.Add(ends[0].Name, Bind(ends, clock, log));
             foreach (IReadOnlyList<EndDeclaration> ends in wiring.Queues.Values)
-                Bind(ends, clock, log);
+                _queues.Add((IMessageQueue)Bind(ends, clock, log));
             _wiring = wiring;
+        }
+    }
+
+    /// <summary>The run is over: what is left in the queues, and must be given back, is given back.</summary>
+    internal void CloseQueues()
+    {
+        lock (_gate)
+        {
+            foreach (IMessageQueue queue in _queues)
+                queue.Close();
         }
     }
 

@@ -44,6 +44,12 @@ internal sealed class ScriptedManager : RabitManager
         set => base.WakeUpDelay = value;
     }
 
+    public new TimeSpan? Period
+    {
+        get => base.Period;
+        set => base.Period = value;
+    }
+
     public TimeSpan Time => Now;
 
     public TimeProvider RunClock => Clock;

@@ -53,6 +53,9 @@ public sealed class MessageTypeCheckTests
         { typeof(IImmutableList<int>), "which may hold something mutable" },
         { typeof(HoldsPointer), "HoldsPointer.Memory is a pointer" },
 
+        { typeof(BufferLease), "BufferLease is a BufferLease: a buffer has one owner at a time, and travels by queue." },
+        { typeof(HoldsBuffer), "HoldsBuffer.Pixels is a BufferLease: a buffer has one owner at a time, and travels by queue." },
+
         // A culture can be changed unless it was made read only.
         { typeof(CultureInfo), "CultureInfo" },
     };
@@ -202,6 +205,11 @@ public sealed class MessageTypeCheckTests
     internal struct HoldsInterface
     {
         public IReadOnlyList<int> Numbers;
+    }
+
+    internal struct HoldsBuffer
+    {
+        public BufferLease Pixels { get; set; }
     }
 
     internal unsafe struct HoldsPointer

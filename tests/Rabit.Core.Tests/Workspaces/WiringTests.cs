@@ -174,6 +174,71 @@ public sealed class WiringTests
         Assert.Equal(string.Join("\n", expected) + "\n", run.Reactor.Workspace.DescribeWiring());
     }
 
+    [Fact, Trait("Clause", "4.2")]
+    public void DescribeWiring_AsMermaid_DrawsWhoMeetsWhere()
+    {
+        using TestRun run = NewDrawnRun();
+        string[] expected =
+        [
+            "flowchart LR",
+            "  m0[\"sensor #quot;A#quot;\"]",
+            "  m1[\"control\"]",
+            "  h0([\"height\"])",
+            "  m0 --> h0",
+            "  h0 ==> m1",
+            "  h1[/\"orders\"/]",
+            "  h1 ==> m1",
+            "  m0 -- woken by pops --> h1",
+        ];
+        AssertSameLines(expected, run.Reactor.Workspace.DescribeWiring(WiringFormat.Mermaid));
+    }
+
+    [Fact, Trait("Clause", "4.2")]
+    public void DescribeWiring_AsDot_DrawsWhoMeetsWhere()
+    {
+        using TestRun run = NewDrawnRun();
+        string[] expected =
+        [
+            "digraph wiring {",
+            "  rankdir=LR;",
+            "  m0 [shape=box, label=\"sensor \\\"A\\\"\"];",
+            "  m1 [shape=box, label=\"control\"];",
+            "  h0 [shape=ellipse, label=\"height\"];",
+            "  m0 -> h0;",
+            "  h0 -> m1 [penwidth=2];",
+            "  h1 [shape=parallelogram, label=\"orders\"];",
+            "  h1 -> m1 [penwidth=2];",
+            "  m0 -> h1 [label=\"woken by pops\"];",
+            "}",
+        ];
+        AssertSameLines(expected, run.Reactor.Workspace.DescribeWiring(WiringFormat.Dot));
+    }
+
+    [Fact]
+    public void DescribeWiring_UnknownFormat_IsRefused()
+    {
+        using TestRun run = NewRun();
+        Assert.Throws<ArgumentOutOfRangeException>(() => run.Reactor.Workspace.DescribeWiring((WiringFormat)9));
+    }
+
+    // The order of ends of one name is that of their declaration or binding: not the drawing's matter.
+    private static void AssertSameLines(IEnumerable<string> expected, string drawing)
+        => Assert.Equal(
+            expected.OrderBy(l => l, StringComparer.Ordinal), drawing.TrimEnd('\n').Split('\n').OrderBy(l => l, StringComparer.Ordinal));
+
+    private static TestRun NewDrawnRun()
+    {
+        TestRun run = NewRun();
+        ScriptedManager sensor = NewManager(run, "sensor \"A\"");
+        ScriptedManager control = NewManager(run, "control");
+        sensor.Publish<double>("height");
+        control.Subscribe<double>("height", wakeOnPost: true);
+        control.Receive<int>("orders");
+        sensor.Send<int>("orders", wakeOnPop: true);
+        run.Start();
+        return run;
+    }
+
     // Without the status subscription of the test, which would be in the list.
     private static ScriptedManager NewManager(TestRun run, string name)
     {

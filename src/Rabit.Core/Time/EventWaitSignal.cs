@@ -4,7 +4,7 @@ using System.Threading;
 namespace Rabit.Core;
 
 /// <summary>The portable wait engine: an <see cref="AutoResetEvent"/>. One thread waits, any thread sets.</summary>
-internal sealed class EventWakeSignal : IWakeSignal, IDisposable
+internal sealed class EventWaitSignal : IWaitSignal
 {
     private static readonly TimeSpan LongestWait = TimeSpan.FromHours(1);
 
@@ -22,7 +22,6 @@ internal sealed class EventWakeSignal : IWakeSignal, IDisposable
         }
     }
 
-    /// <summary>Waits for a signal; may return early without one, so the caller looks at its own state again.</summary>
     public void Wait(TimeSpan atMost)
     {
         if (atMost > LongestWait)
@@ -30,7 +29,7 @@ internal sealed class EventWakeSignal : IWakeSignal, IDisposable
 
         // The event counts in milliseconds: round up, so that a timer is late by less than one and never early.
         long milliseconds = (atMost.Ticks + TimeSpan.TicksPerMillisecond - 1) / TimeSpan.TicksPerMillisecond;
-        _event.WaitOne((int)milliseconds);
+        _event.WaitOne((int)Math.Max(0, milliseconds));
     }
 
     public void Dispose() => _event.Dispose();

@@ -1,0 +1,8 @@
+namespace Rabit.Core.Messaging;
+
+/// <summary>What the workspace needs of a queue, whatever its type.</summary>
+internal interface IMessageQueue
+{
+    /// <summary>The run is over: nobody takes out what is left in it, nor what may still come.</summary>
+    void Close();
+}

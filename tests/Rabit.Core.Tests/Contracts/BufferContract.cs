@@ -1,0 +1,224 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Xunit;
+
+namespace Rabit.Core.Tests.Contracts;
+
+/// <summary>Contract 2.5: buffers that travel by queue come back, whatever becomes of the queue.</summary>
+public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
+{
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
+    public void Queue_BufferFromOneManagerToAnother_HasOneOwnerAtATime()
+    {
+        var pool = new BufferPool("pictures", 1, 8);
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        ScriptedManager sink = run.Add("sink");
+        QueueSender<Picture> sender = source.Send<Picture>("queue");
+        QueueReceiver<Picture> receiver = sink.Receive<Picture>("queue", 2, wakeOnPush: false);
+        BufferLease kept = default;
+
+        run.StartAndSettle();
+        for (int i = 0; i < 20; i++)
+        {
+            run.On(source, () =>
+            {
+                Assert.True(pool.TryRent("source", out kept));
+                kept.Span[0] = (byte)i;
+                Assert.Equal(PushResult.Queued, sender.Push(new Picture { Number = i, Pixels = kept }));
+            });
+            run.On(sink, () =>
+            {
+                Assert.True(receiver.TryPop(out Picture picture));
+                BufferLease mine = picture.Pixels.HandTo("sink");
+                Assert.Equal(i, mine.Span[0]);
+                Assert.Contains("'sink' has it now", Assert.Throws<InvalidOperationException>(() => _ = kept.Array).Message, StringComparison.Ordinal);
+                mine.Dispose();
+            });
+        }
+
+        Assert.Equal(1, pool.Free);
+        Assert.Equal(0, run.Finish().ExitCode);
+    }
+
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
+    public void Queue_DropsTheOldest_GivesItsBufferBack()
+    {
+        var pool = new BufferPool("pictures", 3, 8);
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        ScriptedManager sink = run.Add("sink");
+        QueueSender<Picture> sender = source.Send<Picture>("queue");
+        QueueReceiver<Picture> receiver = sink.Receive<Picture>("queue", 2, QueueFullMode.DropOldest, wakeOnPush: false);
+
+        run.StartAndSettle();
+        run.On(source, () =>
+        {
+            for (int i = 0; i < 10; i++)
+                Assert.Equal(i < 2 ? PushResult.Queued : PushResult.QueuedDroppedOldest, sender.Push(Take(pool, i)));
+            QueueCounters books = sender.Counters;
+            Assert.Equal((10, 8, 2), (books.Pushed, books.Dropped, books.Resident));
+        });
+        Assert.Equal(1, pool.Free);
+        run.On(sink, () =>
+        {
+            for (int i = 8; i < 10; i++)
+            {
+                Assert.True(receiver.TryPop(out Picture picture));
+                Assert.Equal(i, picture.Number);
+                picture.Dispose();
+            }
+        });
+        Assert.Equal(3, pool.Free);
+    }
+
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
+    public void Queue_RejectsAPush_TheBufferStaysTheSenders()
+    {
+        var pool = new BufferPool("pictures", 2, 8);
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        QueueSender<Picture> sender = source.Send<Picture>("queue");
+        run.Add("sink").Receive<Picture>("queue", 1, QueueFullMode.Reject, wakeOnPush: false);
+
+        run.StartAndSettle();
+        run.On(source, () =>
+        {
+            sender.Push(Take(pool, 0));
+            Picture refused = Take(pool, 1);
+            Assert.Equal(PushResult.Rejected, sender.Push(refused));
+            Assert.Equal(8, refused.Pixels.Span.Length);
+            refused.Dispose();
+            Assert.Equal(1, pool.Free);
+        });
+    }
+
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "5.1")]
+    public void Finish_BuffersStillInAQueue_GivesThemBack()
+    {
+        var pool = new BufferPool("pictures", 3, 8);
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        QueueSender<Picture> sender = source.Send<Picture>("queue");
+        QueueSender<Picture> outside = run.Reactor.Workspace.Send<Picture>("queue");
+        run.Add("sink").Receive<Picture>("queue", 8, wakeOnPush: false);
+        source.OnShutdown = () => sender.Push(Take(pool, 2));
+
+        run.StartAndSettle();
+        run.On(source, () => sender.Push(Take(pool, 0)));
+        outside.Push(Take(pool, 1));
+        Assert.Equal(1, pool.Free);
+        run.Finish();
+
+        Assert.Equal(3, pool.Free);
+        QueueCounters books = outside.Counters;
+        Assert.Equal((3, 3, 0), (books.Pushed, books.Dropped, books.Resident));
+        Assert.Equal(PushResult.Rejected, outside.Push(default));
+        Assert.Equal(0, outside.Counters.Resident);
+    }
+
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "1.8")]
+    public void Reader_QueueFull_GivesBackWhatItDiscards()
+    {
+        foreach (QueueFullMode whenFull in new[] { QueueFullMode.Wait, QueueFullMode.Reject, QueueFullMode.DropOldest })
+        {
+            var source = new PictureSource(new BufferPool("pictures", 4, 8));
+            using TestRun run = NewRun();
+            ScriptedManager manager = run.Add("m");
+            BlockingReader<Picture> reader = manager.AttachReader("camera", source, capacity: 2, whenFull);
+
+            run.StartAndSettle();
+            int leftAtTheEnd = whenFull == QueueFullMode.Wait ? 7 : 0;
+            run.Until(() => source.Left == leftAtTheEnd, "it reads until the queue stops it, or all");
+            run.Finish();
+
+            Assert.Equal("Pool 'pictures': 4 of 4 buffers are free, 0 times none was.", source.Pool.Describe());
+            Assert.Equal(whenFull == QueueFullMode.Wait ? 1 : 0, reader.Discarded);
+        }
+    }
+
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
+    public void Queue_ValueThatThrowsWhenDisposed_IsToldAndTheQueueGoesOn()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        ScriptedManager sink = run.Add("sink");
+        QueueSender<Grenade> sender = source.Send<Grenade>("queue");
+        QueueReceiver<Grenade> receiver = sink.Receive<Grenade>("queue", 1, QueueFullMode.DropOldest, wakeOnPush: false);
+
+        run.StartAndSettle();
+        run.On(source, () =>
+        {
+            sender.Push(new Grenade(1));
+            Assert.Equal(PushResult.QueuedDroppedOldest, sender.Push(new Grenade(2)));
+        });
+        run.On(sink, () =>
+        {
+            Assert.True(receiver.TryPop(out Grenade? value));
+            Assert.Equal(2, value!.Number);
+        });
+        run.On(source, () => sender.Push(new Grenade(3)));
+        Assert.Equal(0, run.Finish().ExitCode);
+
+        IEnumerable<RabitLogEntry> told = run.Log.Where(e => e.Kind == RabitLogKind.Fault);
+        Assert.Equal(["bang 1", "bang 3"], told.Select(e => e.Exception!.Message));
+        Assert.All(told, e => Assert.Equal("queue", e.Source));
+    }
+
+    private static Picture Take(BufferPool pool, int number)
+    {
+        Assert.True(pool.TryRent("source", out BufferLease lease));
+        return new Picture { Number = number, Pixels = lease };
+    }
+
+    private struct Picture : IDisposable
+    {
+        public int Number;
+        public BufferLease Pixels;
+
+        public readonly void Dispose() => Pixels.Dispose();
+    }
+
+    private sealed class Grenade(int number) : IDisposable
+    {
+        public int Number { get; } = number;
+
+        public void Dispose() => throw new InvalidOperationException("bang " + Number);
+    }
+
+    /// <summary>Ten pictures as fast as they are taken, then waits for ever.</summary>
+    private sealed class PictureSource(BufferPool pool) : IReaderSource<Picture>
+    {
+        public BufferPool Pool { get; } = pool;
+
+        public int Left { get; private set; } = 10;
+
+        public bool Blocks => false;
+
+        public void Open(ReaderContext context)
+        {
+        }
+
+        public ReaderStep Read(out Picture value)
+        {
+            value = default;
+            if (Left == 0 || !Pool.TryRent("camera", out value.Pixels))
+                return ReaderStep.WaitForSignal;
+            value.Number = 10 - Left--;
+            return ReaderStep.Value;
+        }
+
+        public void Unblock()
+        {
+        }
+
+        public void Close()
+        {
+        }
+    }
+}
+
+public sealed class BuffersInRealTime() : BufferContract(TimeKind.Real);
+
+public sealed class BuffersInVirtualTime() : BufferContract(TimeKind.Virtual);

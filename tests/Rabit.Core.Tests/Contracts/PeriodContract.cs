@@ -1,0 +1,127 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Xunit;
+
+namespace Rabit.Core.Tests.Contracts;
+
+/// <summary>Contract 1.3: a fixed period.</summary>
+public abstract class PeriodContract(TimeKind kind) : ContractTests(kind)
+{
+    private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(20);
+
+    [Theory, Trait("Clause", "1.3")]
+    [InlineData(0)]
+    [InlineData(-1)]
+    public void Period_NotPositive_IsRefusedByName(int milliseconds)
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+
+        var thrown = Assert.Throws<ArgumentOutOfRangeException>(() => manager.Period = TimeSpan.FromMilliseconds(milliseconds));
+
+        Assert.Contains("'m'", thrown.Message, StringComparison.Ordinal);
+    }
+
+    [Fact, Trait("Clause", "1.3")]
+    public void Period_OtherWakesInBetween_KeepsTheGrid()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        manager.Period = Period;
+        List<TimeSpan> begins = RecordBegins(manager);
+
+        run.StartAndSettle();
+        run.Until(() => manager.Units >= 3, "the timer wakes");
+        run.OnAndSettle(manager, () => { });
+        run.Until(() => manager.Units >= 8, "the timer wakes on");
+        run.Finish();
+
+        // Never early, whatever the machine does; how late it is, is for the machine and the benchmarks. The grid begins before the
+        // unit of work can look at the clock.
+        TimeSpan slack = TimeSpan.FromMilliseconds(Kind.HasThreads ? 5 : 0);
+        IEnumerable<TimeSpan> byTimer = begins.Where((_, i) => manager.Causes[i] == WakeUpCauses.Timer);
+        Assert.All(byTimer.Select((at, i) => at - begins[0] - TimeSpan.FromTicks(Period.Ticks * (i + 1))), late => Assert.True(late >= -slack, $"{late}"));
+    }
+
+    [Fact, Trait("Clause", "1.3")]
+    public void Period_SetByAUnitOfWork_HoldsFromTheNextSleep()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+
+        run.StartAndSettle();
+        run.OnAndSettle(manager, () => manager.Period = Period);
+        run.Until(() => manager.Causes.Count(c => c == WakeUpCauses.Timer) >= 3, "the timer wakes with the period");
+        Assert.Equal(Period, run.StatusOf(manager).WakeUpDelay);
+        run.OnAndSettle(manager, () => manager.Period = null);
+        run.Finish();
+    }
+
+    private static List<TimeSpan> RecordBegins(ScriptedManager manager)
+    {
+        var begins = new List<TimeSpan>();
+        manager.OnUnit = () => begins.Add(manager.Time);
+        return begins;
+    }
+}
+
+public sealed class PeriodContractInRealTime() : PeriodContract(TimeKind.Real)
+{
+    [Fact, Trait("Clause", "1.3")]
+    public void Period_WorkLongerThanIt_CountsSlipsAndRunsNoBurst()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        var period = TimeSpan.FromMilliseconds(50);
+        manager.Period = period;
+        bool hasWorkedLong = false;
+        var begins = new List<TimeSpan>();
+        manager.OnUnit = () =>
+        {
+            begins.Add(manager.Time);
+            if (hasWorkedLong || (manager.CausesNow & WakeUpCauses.Timer) == 0)
+                return;
+            hasWorkedLong = true;
+            TimeSpan until = manager.Time + TimeSpan.FromTicks(period.Ticks * 4);
+            while (manager.Time < until)
+                Thread.SpinWait(100);
+        };
+
+        run.StartAndSettle();
+        run.Until(() => manager.Units >= 4, "the timer wakes on");
+        run.Finish();
+
+        // Four deadlines passed: one run at once, and then the grid again.
+        Assert.True(run.StatusOf(manager).Slips >= 4, $"{run.StatusOf(manager).Slips} slips");
+        Assert.True(begins[3] - begins[1] >= TimeSpan.FromTicks(period.Ticks * 4), "the deadlines that passed were caught up on");
+    }
+}
+
+public sealed class PeriodContractInVirtualTime() : PeriodContract(TimeKind.Virtual)
+{
+    [Fact, Trait("Clause", "1.3")]
+    public void Period_ModelledWorkLongerThanIt_SlipsByTheBook()
+    {
+        var time = new VirtualTime(seed: 1);
+        time.SetUnitOfWorkDuration("m", TimeSpan.FromMilliseconds(25));
+        var board = new TestBoard();
+        var manager = new ScriptedManager("m", board) { Period = TimeSpan.FromMilliseconds(10) };
+        var begins = new List<TimeSpan>();
+        manager.OnUnit = () => begins.Add(manager.Time);
+        var reactor = new RabitReactor(time) { manager };
+        MessageSubscriber<ManagerStatus> status = reactor.Workspace.SubscribeToStatus("m");
+
+        reactor.Start();
+        reactor.RunFor(TimeSpan.FromMilliseconds(80));
+        status.Fetch();
+        reactor.Stop();
+        reactor.Finish();
+
+        // 0 to 25 passes 10 and 20; 25 to 50 is for 20 and passes 30, 40 and 50; 50 to 75 is for 50 and passes 60 and 70; the
+        // last, to 100, is for 70 and passes 80, 90 and 100.
+        Assert.Equal([0, 25, 50, 75], begins.Select(b => (int)b.TotalMilliseconds));
+        Assert.Equal(2 + 3 + 2 + 3, status.Value.Slips);
+    }
+}
