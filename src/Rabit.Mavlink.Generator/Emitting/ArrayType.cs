@@ -15,7 +15,7 @@ internal sealed record ArrayType(string Element, string ElementClrName, int Elem
     public static ArrayType Of(FieldDefinition field) =>
         new(field.Type.CSharpName, field.Type.ClrName, field.Type.Size, field.ArrayLength, field.IsText);
 
-    public static IReadOnlyList<ArrayType> AllOf(Dialect dialect) =>
-        dialect.Messages.SelectMany(message => message.Fields).Where(field => field.ArrayLength != 0).Select(Of).Distinct()
+    public static IReadOnlyList<ArrayType> AllOf(IEnumerable<MessageDefinition> messages) =>
+        messages.SelectMany(message => message.Fields).Where(field => field.ArrayLength != 0).Select(Of).Distinct()
             .OrderBy(array => array.Name, System.StringComparer.Ordinal).ToList();
 }

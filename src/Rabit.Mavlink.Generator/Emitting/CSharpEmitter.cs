@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using Rabit.Mavlink.Generator.Model;
 using Rabit.Mavlink.Generator.Naming;
 
@@ -15,21 +14,20 @@ public static class CSharpEmitter
     /// <summary>Writes a dialect. The same dialect gives the same text, byte for byte.</summary>
     /// <param name="dialect">Sound definitions, as the reader gives them.</param>
     /// <param name="options">Where the code goes.</param>
-    /// <returns>One file per type.</returns>
+    /// <returns>One file per type that the package does not have, and one for the dialect itself.</returns>
     public static IReadOnlyList<GeneratedSource> Emit(Dialect dialect, EmitOptions options)
     {
         if (dialect is null)
             throw new ArgumentNullException(nameof(dialect));
         if (options is null)
             throw new ArgumentNullException(nameof(options));
-        IReadOnlyList<ArrayType> arrays = ArrayType.AllOf(dialect);
-        var names = new TypeNames(dialect, arrays.Select(array => array.Name));
+        var names = new TypeNames(dialect, options.Existing);
         var sources = new List<GeneratedSource>();
-        foreach (ArrayType array in arrays)
+        foreach (ArrayType array in names.OwnArrays)
             Add(sources, options, array.Name, writer => ArrayEmitter.Emit(writer, array));
-        foreach (EnumDefinition definition in dialect.Enums)
+        foreach (EnumDefinition definition in names.OwnEnums)
             Add(sources, options, names.OfEnum(definition.Name), writer => new EnumEmitter(dialect, names, writer).Emit(definition));
-        foreach (MessageDefinition message in dialect.Messages)
+        foreach (MessageDefinition message in names.OwnMessages)
             Add(sources, options, names.OfMessage(message), writer => new MessageEmitter(names, message, writer).Emit());
         sources.Add(DialectEmitter.Emit(dialect, options, names));
         return sources;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Rabit.Mavlink.Generator.Model;
 using Rabit.Mavlink.Generator.Naming;
 
@@ -14,9 +15,17 @@ public sealed record EmitOptions(string Namespace)
     /// </summary>
     public string? DialectProperty { get; init; }
 
-    /// <summary>The namespace of a dialect whose user chose none.</summary>
+    /// <summary>
+    /// Beside <see cref="DialectProperty"/>: names of properties that give a part of the dialect, by the name of its file
+    /// (<c>common.xml</c>: <c>Common</c>).
+    /// </summary>
+    public IReadOnlyDictionary<string, string> PartProperties { get; init; } = new Dictionary<string, string>(StringComparer.Ordinal);
+
+    /// <summary>What need not be generated because the package has it; null where the package itself is made.</summary>
+    public ExistingTypes? Existing { get; init; }
+
+    /// <summary>A dialect's name as a part of a namespace: <c>my-own.xml</c> is <c>MyOwn</c>.</summary>
     /// <param name="dialect">The dialect.</param>
-    /// <returns>One of its own below that of the package's messages.</returns>
-    public static string DefaultNamespace(Dialect dialect) =>
-        "Rabit.Mavlink.Messages." + PascalCase.Of((dialect ?? throw new ArgumentNullException(nameof(dialect))).Name) + "Dialect";
+    /// <returns>The name in Pascal case.</returns>
+    public static string NameOf(Dialect dialect) => PascalCase.Of((dialect ?? throw new ArgumentNullException(nameof(dialect))).Name);
 }

@@ -132,7 +132,7 @@ internal sealed class MessageEmitter
     private static bool HasEnumType(FieldDefinition field) => field.Enum is not null && field.ArrayLength == 0 && field.Type.IsInteger;
 
     private string TypeOf(FieldDefinition field) =>
-        field.ArrayLength != 0 ? ArrayType.Of(field).Name : HasEnumType(field) ? _names.OfEnum(field.Enum!) : field.Type.CSharpName;
+        field.ArrayLength != 0 ? _names.OfArray(ArrayType.Of(field)) : HasEnumType(field) ? _names.OfEnum(field.Enum!) : field.Type.CSharpName;
 
     private string Variable(FieldDefinition field)
     {

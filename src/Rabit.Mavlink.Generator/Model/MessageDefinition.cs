@@ -74,4 +74,13 @@ public sealed class MessageDefinition
             candidate.ArrayLength == 0 && candidate.Type.Size == 1 && string.Equals(candidate.Name, fieldName, StringComparison.Ordinal));
         return field is null ? -1 : OffsetOf(field);
     }
+
+    /// <summary>Whether another definition means the same bytes: id, name and every field by name, type, length and place.</summary>
+    /// <param name="other">The other definition.</param>
+    /// <returns>Whether one struct will do for both. Units, enums and words may differ.</returns>
+    public bool HasSameWireForm(MessageDefinition other) =>
+        other is not null && Id == other.Id && string.Equals(Name, other.Name, StringComparison.Ordinal) && Fields.Count == other.Fields.Count
+        && Fields.Zip(other.Fields, (left, right) =>
+            string.Equals(left.Name, right.Name, StringComparison.Ordinal) && left.Type == right.Type
+            && left.ArrayLength == right.ArrayLength && left.IsExtension == right.IsExtension).All(isSame => isSame);
 }

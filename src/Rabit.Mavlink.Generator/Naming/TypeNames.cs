@@ -1,38 +1,76 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
+using Rabit.Mavlink.Generator.Emitting;
 using Rabit.Mavlink.Generator.Model;
 
 namespace Rabit.Mavlink.Generator.Naming;
 
 /// <summary>
 /// Names of the types of a dialect. Enums and messages are their names in the definition, in Pascal case. An enum whose name is
-/// taken gets Enum behind it, a message whose name is taken Message, and if that is taken too its id.
+/// taken gets Enum behind it, a message whose name is taken Message, and if that is taken too its id. What the package has
+/// already keeps its name there; only the rest is the dialect's own.
 /// </summary>
 internal sealed class TypeNames
 {
     private readonly Dictionary<string, string> _enums = new(StringComparer.Ordinal);
     private readonly Dictionary<int, string> _messages = [];
+    private readonly Dictionary<ArrayType, string> _arrays = [];
+    private readonly HashSet<int> _ownIds;
 
     // What generated code itself refers to by its bare name.
     private readonly HashSet<string> _used = new(StringComparer.OrdinalIgnoreCase)
     {
-        "MavlinkPayload", "MavlinkArray", "MavlinkText", "MavlinkDialect", "MavlinkMessageInfo", "IMavlinkMessage",
+        "MavlinkPayload", "MavlinkArray", "MavlinkText", "MavlinkDialect", "MavlinkDialectData", "IMavlinkMessage",
     };
 
-    public TypeNames(Dialect dialect, IEnumerable<string> arrayNames)
+    public TypeNames(Dialect dialect, ExistingTypes? existing = null)
     {
-        foreach (string name in arrayNames)
-            _used.Add(name);
-        foreach (EnumDefinition definition in dialect.Enums)
+        OwnMessages = dialect.Messages.Where(message => !Exists(_messages, message.Id, existing?.Find(message))).ToList();
+        _ownIds = [.. OwnMessages.Select(message => message.Id)];
+        OwnArrays = ArrayType.AllOf(OwnMessages).Where(array => !Exists(_arrays, array, existing?.Find(array))).ToList();
+        ILookup<string?, WireType> typesByEnum = OwnMessages.SelectMany(message => message.Fields)
+            .Where(field => field.Enum is not null && field.Type.IsInteger).ToLookup(field => field.Enum, field => field.Type, StringComparer.Ordinal);
+        OwnEnums = dialect.Enums.Where(definition => !Exists(_enums, definition.Name, existing?.Find(definition, typesByEnum[definition.Name]))).ToList();
+
+        DialectClass = PascalCase.Of(dialect.Name) + "Dialect";
+        _used.Add(DialectClass);
+        foreach (ArrayType array in OwnArrays)
+            _used.Add(_arrays[array] = array.Name);
+        foreach (EnumDefinition definition in OwnEnums)
             _enums[definition.Name] = Take(PascalCase.Of(definition.Name), "Enum", definition.Name);
-        foreach (MessageDefinition message in dialect.Messages)
+        foreach (MessageDefinition message in OwnMessages)
             _messages[message.Id] = Take(PascalCase.Of(message.Name), "Message", message.Id.ToString(CultureInfo.InvariantCulture));
     }
+
+    /// <summary>The messages that the package does not have in this form.</summary>
+    public IReadOnlyList<MessageDefinition> OwnMessages { get; }
+
+    /// <summary>The enums that the package does not have, or not with all these entries.</summary>
+    public IReadOnlyList<EnumDefinition> OwnEnums { get; }
+
+    /// <summary>The arrays in the own messages that the package does not have.</summary>
+    public IReadOnlyList<ArrayType> OwnArrays { get; }
+
+    /// <summary>The class that gives the dialect as a value.</summary>
+    public string DialectClass { get; }
+
+    public bool IsOwn(MessageDefinition message) => _ownIds.Contains(message.Id);
 
     public string OfEnum(string name) => _enums[name];
 
     public string OfMessage(MessageDefinition message) => _messages[message.Id];
+
+    public string OfArray(ArrayType array) => _arrays[array];
+
+    private static bool Exists<TKey>(Dictionary<TKey, string> names, TKey key, string? name)
+        where TKey : notnull
+    {
+        if (name is not null)
+            names[key] = name;
+        return name is not null;
+    }
 
     // Compared without case: file names are made of type names, and not every file system tells case apart.
     private string Take(string name, string suffix, string last)

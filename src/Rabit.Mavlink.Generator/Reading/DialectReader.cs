@@ -20,7 +20,8 @@ public static class DialectReader
         if (files is null)
             throw new ArgumentNullException(nameof(files));
         var faults = new FaultList();
-        IReadOnlyList<DefinitionElement> elements = new IncludeWalk(files, faults).Walk(root);
+        var walk = new IncludeWalk(files, faults);
+        IReadOnlyList<DefinitionElement> elements = walk.Walk(root);
 
         // All enums first: a file may use an enum that a file beside it defines, and files without includes do.
         var enums = new EnumReader();
@@ -31,7 +32,7 @@ public static class DialectReader
             Each(file, "messages", "message", messages.Read);
 
         string name = Path.GetFileNameWithoutExtension(IncludePath.FileName(root.Path));
-        return new DialectReadResult(new Dialect(name, enums.Enums, messages.Messages), faults.Faults);
+        return new DialectReadResult(new Dialect(name, enums.Enums, messages.Messages) { Parts = walk.Parts }, faults.Faults);
     }
 
     private static void Each(DefinitionElement file, string group, string name, Action<DefinitionElement> read)

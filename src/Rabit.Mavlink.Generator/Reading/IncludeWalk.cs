@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Xml;
 using System.Xml.Linq;
+using Rabit.Mavlink.Generator.Model;
 
 namespace Rabit.Mavlink.Generator.Reading;
 
@@ -13,6 +14,10 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
     private readonly List<DefinitionElement> _roots = [];
     private readonly HashSet<string> _done = new(StringComparer.OrdinalIgnoreCase);
     private readonly List<string> _open = [];
+    private readonly Dictionary<string, SortedSet<string>> _parts = new(StringComparer.OrdinalIgnoreCase);
+
+    /// <summary>The files found, included ones first.</summary>
+    public IReadOnlyList<DialectPart> Parts => _roots.Select(root => new DialectPart(root.FileName, _parts[IncludePath.Normalize(root.Path)])).ToList();
 
     public IReadOnlyList<DefinitionElement> Walk(DialectFile root)
     {
@@ -25,6 +30,7 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
         if (!_done.Add(IncludePath.Normalize(file.Path)) || Load(file) is not { } root)
             return;
         _open.Add(file.Path);
+        _parts[IncludePath.Normalize(file.Path)] = new SortedSet<string>(StringComparer.Ordinal) { IncludePath.FileName(file.Path) };
         foreach (XElement include in root.Elements("include"))
             Follow(file, new DefinitionElement(include, file.Path, faults));
         _open.RemoveAt(_open.Count - 1);
@@ -36,7 +42,7 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
         string name = include.Element.Value.Trim();
         if (IncludePath.Find(files, from.Path, name) is not { } target)
         {
-            include.Fault(DialectFaultKind.MissingInclude, $"'{name}' is included but was not found among the definition files.");
+            include.Fault(DialectFaultKind.MissingInclude, $"'{name}' is included, but it is neither among the definition files of the project nor among those of the package.");
             return;
         }
 
@@ -49,6 +55,8 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
         }
 
         Visit(target);
+        if (_parts.TryGetValue(IncludePath.Normalize(target.Path), out SortedSet<string>? included))
+            _parts[IncludePath.Normalize(from.Path)].UnionWith(included);
     }
 
     private XElement? Load(DialectFile file)

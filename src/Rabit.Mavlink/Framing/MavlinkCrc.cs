@@ -1,4 +1,6 @@
 using System;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 
 namespace Rabit.Mavlink;
 
@@ -10,7 +12,13 @@ public static class MavlinkCrc
 {
     private const int ReflectedPolynomial = 0x8408;
 
-    private static readonly ushort[] Table = MakeTable();
+    // Bytes taken in at once: a checksum is linear, so that what each byte of a block adds to it is looked up by itself
+    // ("slicing"), and the look-ups do not wait for one another as they do byte by byte.
+    private const int Block = 8;
+    private const int TableLength = 256;
+
+    // [256 n + b]: what byte b adds when n bytes follow it in its block.
+    private static readonly ushort[] Tables = MakeTables();
 
     /// <summary>What a checksum starts from.</summary>
     public const ushort Initial = 0xFFFF;
@@ -19,7 +27,7 @@ public static class MavlinkCrc
     /// <param name="crc">The checksum so far; <see cref="Initial"/> at first.</param>
     /// <param name="value">The next byte.</param>
     /// <returns>The checksum with the byte.</returns>
-    public static ushort Add(ushort crc, byte value) => (ushort)((crc >> 8) ^ Table[(byte)(crc ^ value)]);
+    public static ushort Add(ushort crc, byte value) => (ushort)((crc >> 8) ^ Tables[(byte)(crc ^ value)]);
 
     /// <summary>Takes more bytes into a checksum.</summary>
     /// <param name="crc">The checksum so far; <see cref="Initial"/> at first.</param>
@@ -27,23 +35,97 @@ public static class MavlinkCrc
     /// <returns>The checksum with the bytes.</returns>
     public static ushort Add(ushort crc, ReadOnlySpan<byte> bytes)
     {
-        ushort[] table = Table;
-        int sum = crc;
-        for (int i = 0; i < bytes.Length; i++)
-            sum = (sum >> 8) ^ table[(byte)(sum ^ bytes[i])];
-        return (ushort)sum;
+        if (bytes.Length < Block || !BitConverter.IsLittleEndian)
+            return AddByByte(crc, bytes);
+        ref byte start = ref MemoryMarshal.GetReference(bytes);
+        uint sum = crc;
+        int position = AddBlocks(ref start, bytes.Length, ref sum);
+        return position == bytes.Length ? (ushort)sum : AddLast(sum, LastOf(ref start, bytes.Length, position), 8 * (bytes.Length - position));
     }
 
-    private static ushort[] MakeTable()
+    /// <summary>The checksum of a frame: its bytes without the magic, then the byte that stands for the fields of its message.</summary>
+    /// <param name="bytes">From the payload length to the end of the payload.</param>
+    /// <param name="crcExtra">See <see cref="IMavlinkMessage.CrcExtra"/>.</param>
+    internal static ushort OfFrame(ReadOnlySpan<byte> bytes, byte crcExtra)
     {
-        var table = new ushort[256];
-        for (int index = 0; index < table.Length; index++)
+        if (bytes.Length < Block || !BitConverter.IsLittleEndian)
+            return Add(AddByByte(Initial, bytes), crcExtra);
+        ref byte start = ref MemoryMarshal.GetReference(bytes);
+        uint sum = Initial;
+        int position = AddBlocks(ref start, bytes.Length, ref sum);
+
+        // The extra byte goes through together with what is left.
+        int left = 8 * (bytes.Length - position);
+        return AddLast(sum, LastOf(ref start, bytes.Length, position) | ((ulong)crcExtra << left), left + 8);
+    }
+
+    private static ushort AddByByte(ushort crc, ReadOnlySpan<byte> bytes)
+    {
+        foreach (byte value in bytes)
+            crc = Add(crc, value);
+        return crc;
+    }
+
+    // Takes in whole blocks, and says how far it came.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int AddBlocks(ref byte start, int length, ref uint sum)
+    {
+        ref ushort tables = ref Tables[0];
+        uint value = sum;
+        int position = 0;
+        for (; position <= length - Block; position += Block)
+            value = LookUp(ref tables, Unsafe.ReadUnaligned<ulong>(ref Unsafe.Add(ref start, position)) ^ value);
+        sum = value;
+        return position;
+    }
+
+    // The 0 to 7 bytes behind the last whole block, as a number: read together with those before them, which are shifted out.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ulong LastOf(ref byte start, int length, int position) =>
+        (Unsafe.ReadUnaligned<ulong>(ref Unsafe.Add(ref start, length - Block)) >> 1) >> (63 - (8 * (length - position)));
+
+    // Takes in 1 to 8 bytes: put to the end of a block, since zeros before them add nothing.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ushort AddLast(uint sum, ulong last, int bits)
+    {
+        ulong block = (last ^ sum) << (64 - bits);
+        uint rest = (uint)(((ulong)sum >> 8) >> (bits - 8));
+        return (ushort)(LookUp(ref Tables[0], block) ^ rest);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static uint LookUp(ref ushort tables, ulong block)
+    {
+        uint early = (uint)block;
+        uint late = (uint)(block >> 32);
+        return (uint)(Unsafe.Add(ref tables, (7 * TableLength) + (int)(byte)early)
+            ^ Unsafe.Add(ref tables, (6 * TableLength) + (int)(byte)(early >> 8))
+            ^ Unsafe.Add(ref tables, (5 * TableLength) + (int)(byte)(early >> 16))
+            ^ Unsafe.Add(ref tables, (4 * TableLength) + (int)(early >> 24))
+            ^ Unsafe.Add(ref tables, (3 * TableLength) + (int)(byte)late)
+            ^ Unsafe.Add(ref tables, (2 * TableLength) + (int)(byte)(late >> 8))
+            ^ Unsafe.Add(ref tables, TableLength + (int)(byte)(late >> 16))
+            ^ Unsafe.Add(ref tables, (int)(late >> 24)));
+    }
+
+    private static ushort[] MakeTables()
+    {
+        var tables = new ushort[Block * TableLength];
+        for (int index = 0; index < TableLength; index++)
         {
             int value = index;
             for (int bit = 0; bit < 8; bit++)
                 value = (value & 1) != 0 ? (value >> 1) ^ ReflectedPolynomial : value >> 1;
-            table[index] = (ushort)value;
+            tables[index] = (ushort)value;
         }
-        return table;
+
+        // One more byte behind it: the same step that a zero byte makes.
+        for (int index = TableLength; index < tables.Length; index++)
+        {
+            int before = tables[index - TableLength];
+            tables[index] = (ushort)((before >> 8) ^ tables[before & 0xFF]);
+        }
+
+        return tables;
     }
 }

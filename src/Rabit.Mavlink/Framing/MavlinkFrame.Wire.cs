@@ -1,11 +1,13 @@
 using System;
+using System.Buffers;
+using System.Runtime.CompilerServices;
 
 namespace Rabit.Mavlink;
 
 // The wire form: from bytes, to bytes, and from a message.
 public unsafe partial struct MavlinkFrame
 {
-    /// <summary>Makes a frame of a message, with its checksum, unsigned. Allocates nothing.</summary>
+    /// <summary>Makes a frame of a message, with its checksum, unsigned. Allocates nothing. <see cref="MavlinkSender"/> does this and counts.</summary>
     /// <typeparam name="T">The message.</typeparam>
     /// <param name="message">The fields to send.</param>
     /// <param name="systemId">Our system id, 1 to 255.</param>
@@ -22,19 +24,15 @@ public unsafe partial struct MavlinkFrame
         where T : struct, IMavlinkMessage
     {
         T fields = message;
-        int messageId = fields.MessageId;
-        if (version is not (MavlinkVersion.V1 or MavlinkVersion.V2))
-            ThrowHelper.NotAVersion(version);
-        if (version == MavlinkVersion.V1 && messageId > WireFormat.MaxMessageIdV1)
-            ThrowHelper.NotInMavlink1(typeof(T), messageId);
+        FrameEncoder.CheckVersion(ref fields, version);
 
         MavlinkFrame frame = default;
-        frame._version = (byte)version;
-        frame._messageId = messageId;
-        frame._systemId = systemId;
-        frame._componentId = componentId;
-        frame._sequence = sequence;
-        frame.Encode(fields);
+        var header = new FrameHeader(version, systemId, componentId, sequence);
+        byte* wire = frame._wire;
+        header.WriteV2(new Span<byte>(wire, WireFormat.HeaderLengthV2), fields.MessageId);
+        if (version == MavlinkVersion.V1)
+            wire[0] = WireFormat.MagicV1;
+        wire[1] = (byte)FrameEncoder.EncodePayload(ref fields, version, new Span<byte>(wire + WireFormat.HeaderLengthV2, WireFormat.MaxPayloadLength));
         frame._checksum = frame.ComputeChecksum(fields.CrcExtra);
         return frame;
     }
@@ -46,11 +44,19 @@ public unsafe partial struct MavlinkFrame
     public readonly MavlinkFrame WithSequence(byte sequence, byte crcExtra)
     {
         MavlinkFrame frame = this;
-        frame._sequence = sequence;
-        frame._incompatibilityFlags &= unchecked((byte)~WireFormat.SignedFlag);
-        for (int index = 0; index < WireFormat.SignatureLength; index++)
-            frame._signature[index] = 0;
-        frame._checksum = frame.ComputeChecksum(crcExtra);
+        frame._wire[4] = sequence;
+        frame.RemoveSignature(crcExtra);
+        return frame;
+    }
+
+    /// <summary>The same frame unsigned, with the checksum for it: what the MAVLink guide ("Message signing", Logging) wants in a log.</summary>
+    /// <param name="crcExtra">The checksum byte of the message; see <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
+    /// <returns>The frame.</returns>
+    public readonly MavlinkFrame WithoutSignature(byte crcExtra)
+    {
+        MavlinkFrame frame = this;
+        if (IsSigned)
+            frame.RemoveSignature(crcExtra);
         return frame;
     }
 
@@ -66,11 +72,27 @@ public unsafe partial struct MavlinkFrame
         if (length == 0)
             return 0;
 
-        int position = WriteHeader(destination);
-        position += CopyPayloadTo(destination.Slice(position));
-        destination[position++] = (byte)_checksum;
-        destination[position++] = (byte)(_checksum >> 8);
-        CopySignatureTo(destination.Slice(position));
+        int position = WriteHeaderAndPayload(destination);
+        destination[position] = (byte)_checksum;
+        destination[position + 1] = (byte)(_checksum >> 8);
+        if (IsSigned)
+            CopySignatureTo(destination.Slice(position + WireFormat.ChecksumLength));
+        return length;
+    }
+
+    /// <summary>Writes the frame as it goes over the wire into a buffer that grows.</summary>
+    /// <param name="destination">The buffer, moved on behind the frame.</param>
+    /// <returns>How many bytes were written: <see cref="WireLength"/>.</returns>
+    /// <exception cref="ArgumentNullException">No buffer.</exception>
+    public readonly int WriteTo(IBufferWriter<byte> destination)
+    {
+        if (destination is null)
+            throw new ArgumentNullException(nameof(destination));
+        int length = WireLength;
+        if (length == 0)
+            return 0;
+        WriteTo(destination.GetSpan(length));
+        destination.Advance(length);
         return length;
     }
 
@@ -79,95 +101,108 @@ public unsafe partial struct MavlinkFrame
     /// <param name="frame">The frame.</param>
     internal static void FromWire(ReadOnlySpan<byte> wire, out MavlinkFrame frame)
     {
-        frame = default;
-        int position = frame.ReadHeader(wire);
-        int payloadLength = frame._payloadLength;
-        fixed (byte* payload = frame._payload)
-            wire.Slice(position, payloadLength).CopyTo(new Span<byte>(payload, WireFormat.MaxPayloadLength));
-        position += payloadLength;
-        frame._checksum = (ushort)(wire[position] | (wire[position + 1] << 8));
-        if (!frame.IsSigned)
-            return;
-        fixed (byte* signature = frame._signature)
-            wire.Slice(position + WireFormat.ChecksumLength).CopyTo(new Span<byte>(signature, WireFormat.SignatureLength));
-    }
+        // Every byte is written below: what was in that place before does not matter.
+        Unsafe.SkipInit(out frame);
+        int payloadLength = wire[1];
+        int end = (wire[0] == WireFormat.MagicV2 ? WireFormat.HeaderLengthV2 : WireFormat.HeaderLengthV1) + payloadLength;
+        ReadOnlySpan<byte> bytes = wire.Slice(0, end + WireFormat.ChecksumLength);
+        frame._checksum = (ushort)(bytes[end] | (bytes[end + 1] << 8));
 
-    private int ReadHeader(ReadOnlySpan<byte> wire)
-    {
-        _payloadLength = wire[1];
-        if (wire[0] == WireFormat.MagicV1)
+        // Blocks of memory instead of spans: three times as fast where spans are not built in, that is on Mono.
+        fixed (byte* from = bytes)
+        fixed (byte* to = frame._wire)
         {
-            _version = (byte)MavlinkVersion.V1;
-            _sequence = wire[2];
-            _systemId = wire[3];
-            _componentId = wire[4];
-            _messageId = wire[5];
-            return WireFormat.HeaderLengthV1;
-        }
-
-        _version = (byte)MavlinkVersion.V2;
-        _incompatibilityFlags = wire[2];
-        _compatibilityFlags = wire[3];
-        _sequence = wire[4];
-        _systemId = wire[5];
-        _componentId = wire[6];
-        _messageId = wire[7] | (wire[8] << 8) | (wire[9] << 16);
-        return WireFormat.HeaderLengthV2;
-    }
-
-    private readonly int WriteHeader(Span<byte> destination)
-    {
-        destination[1] = _payloadLength;
-        if (_version == (byte)MavlinkVersion.V1)
-        {
-            destination[0] = WireFormat.MagicV1;
-            destination[2] = _sequence;
-            destination[3] = _systemId;
-            destination[4] = _componentId;
-            destination[5] = (byte)_messageId;
-            return WireFormat.HeaderLengthV1;
-        }
-
-        destination[0] = WireFormat.MagicV2;
-        destination[2] = _incompatibilityFlags;
-        destination[3] = _compatibilityFlags;
-        destination[4] = _sequence;
-        destination[5] = _systemId;
-        destination[6] = _componentId;
-        destination[7] = (byte)_messageId;
-        destination[8] = (byte)(_messageId >> 8);
-        destination[9] = (byte)(_messageId >> 16);
-        return WireFormat.HeaderLengthV2;
-    }
-
-    private void Encode<T>(in T fields)
-        where T : struct, IMavlinkMessage
-    {
-        fixed (byte* start = _payload)
-        {
-            var payload = new Span<byte>(start, WireFormat.MaxPayloadLength);
-            fields.Encode(payload);
-            if (_version == (byte)MavlinkVersion.V1)
+            int length = WireFormat.HeaderLengthV2 + payloadLength;
+            if (from[0] == WireFormat.MagicV2)
             {
-                _payloadLength = (byte)fields.MinimumLength;
-                payload.Slice(_payloadLength).Clear();
-                return;
+                Unsafe.CopyBlockUnaligned(to, from, (uint)length);
+            }
+            else
+            {
+                ReadHeaderV1(from, to);
+                Unsafe.CopyBlockUnaligned(to + WireFormat.HeaderLengthV2, from + WireFormat.HeaderLengthV1, (uint)payloadLength);
             }
 
-            int length = fields.MaximumLength;
-            while (length > 1 && payload[length - 1] == 0)
-                length--;
-            _payloadLength = (byte)length;
+            Unsafe.InitBlockUnaligned(to + length, 0, (uint)(WireFormat.HeaderLengthV2 + WireFormat.MaxPayloadLength - length));
+        }
+
+        fixed (byte* signature = frame._signature)
+        {
+            if (frame.IsSigned)
+                wire.Slice(end + WireFormat.ChecksumLength).CopyTo(new Span<byte>(signature, WireFormat.SignatureLength));
+            else
+                Unsafe.InitBlockUnaligned(signature, 0, WireFormat.SignatureLength);
+        }
+    }
+
+    /// <summary>Makes room for a signature: sets the flag, and the checksum with it.</summary>
+    internal void PrepareSignature(byte crcExtra)
+    {
+        _wire[2] |= WireFormat.SignedFlag;
+        _checksum = ComputeChecksum(crcExtra);
+    }
+
+    /// <summary>Puts a signature of 13 bytes into the frame.</summary>
+    internal void SetSignature(ReadOnlySpan<byte> signature)
+    {
+        fixed (byte* to = _signature)
+            signature.CopyTo(new Span<byte>(to, WireFormat.SignatureLength));
+    }
+
+    private void RemoveSignature(byte crcExtra)
+    {
+        _wire[2] &= unchecked((byte)~WireFormat.SignedFlag);
+        for (int index = 0; index < WireFormat.SignatureLength; index++)
+            _signature[index] = 0;
+        _checksum = ComputeChecksum(crcExtra);
+    }
+
+    private static void ReadHeaderV1(byte* from, byte* to)
+    {
+        to[0] = from[0];
+        to[1] = from[1];
+        to[2] = 0;
+        to[3] = 0;
+        to[4] = from[2];
+        to[5] = from[3];
+        to[6] = from[4];
+        to[7] = from[5];
+        to[8] = 0;
+        to[9] = 0;
+    }
+
+    private readonly int WriteHeaderAndPayload(Span<byte> destination)
+    {
+        fixed (byte* wire = _wire)
+        {
+            if (wire[0] == WireFormat.MagicV2)
+            {
+                int length = WireFormat.HeaderLengthV2 + wire[1];
+                new ReadOnlySpan<byte>(wire, length).CopyTo(destination);
+                return length;
+            }
+
+            destination[0] = wire[0];
+            destination[1] = wire[1];
+            destination[2] = wire[4];
+            destination[3] = wire[5];
+            destination[4] = wire[6];
+            destination[5] = wire[7];
+            new ReadOnlySpan<byte>(wire + WireFormat.HeaderLengthV2, wire[1]).CopyTo(destination.Slice(WireFormat.HeaderLengthV1));
+            return WireFormat.HeaderLengthV1 + wire[1];
         }
     }
 
     private readonly ushort ComputeChecksum(byte crcExtra)
     {
-        Span<byte> header = stackalloc byte[WireFormat.HeaderLengthV2];
-        int headerLength = WriteHeader(header);
-        ushort crc = MavlinkCrc.Add(MavlinkCrc.Initial, header.Slice(1, headerLength - 1));
-        fixed (byte* payload = _payload)
-            crc = MavlinkCrc.Add(crc, new ReadOnlySpan<byte>(payload, _payloadLength));
-        return MavlinkCrc.Add(crc, crcExtra);
+        if (_wire[0] == WireFormat.MagicV2)
+        {
+            fixed (byte* wire = _wire)
+                return MavlinkCrc.OfFrame(new ReadOnlySpan<byte>(wire + 1, WireFormat.HeaderLengthV2 - 1 + wire[1]), crcExtra);
+        }
+
+        Span<byte> bytes = stackalloc byte[WireFormat.HeaderLengthV1 + WireFormat.MaxPayloadLength];
+        int length = WriteHeaderAndPayload(bytes);
+        return MavlinkCrc.OfFrame(bytes.Slice(1, length - 1), crcExtra);
     }
 }

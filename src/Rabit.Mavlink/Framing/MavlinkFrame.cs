@@ -5,7 +5,7 @@ namespace Rabit.Mavlink;
 /// <summary>
 /// One MAVLink frame, checksum and signature included, as a plain value without references: it may sit in a queue or in a
 /// publish-subscribe message and is copied with it (about 290 bytes; pass it by <c>in</c> where a copy is not wanted).
-/// What was received is kept bit for bit, so that <see cref="WriteTo"/> gives the same bytes that came in: payload length
+/// What was received is kept bit for bit, so that <see cref="WriteTo(Span{byte})"/> gives the same bytes that came in: payload length
 /// as sent, flags, checksum, signature. <c>default</c> is no frame; its <see cref="Version"/> is <see cref="MavlinkVersion.None"/>.
 /// </summary>
 public unsafe partial struct MavlinkFrame
@@ -19,57 +19,55 @@ public unsafe partial struct MavlinkFrame
     /// <summary>Length of a signature, in bytes: link id, time stamp, truncated hash.</summary>
     public const int SignatureLength = WireFormat.SignatureLength;
 
-    private int _messageId;
     private ushort _checksum;
-    private byte _version;
-    private byte _payloadLength;
-    private byte _incompatibilityFlags;
-    private byte _compatibilityFlags;
-    private byte _sequence;
-    private byte _systemId;
-    private byte _componentId;
 
-    // Zero beyond _payloadLength, always: a decoder gets the whole buffer and reads zero where the sender cut.
-    private fixed byte _payload[WireFormat.MaxPayloadLength];
+    // Header and payload in the form of MAVLink 2, whatever the version; a start byte of zero is no frame. Zero beyond the payload,
+    // always: a decoder gets the whole buffer and reads zero where the sender cut.
+    private fixed byte _wire[WireFormat.HeaderLengthV2 + WireFormat.MaxPayloadLength];
 
     // Zero unless the frame is signed.
     private fixed byte _signature[WireFormat.SignatureLength];
 
     /// <summary>The wire format it came in or will go out in.</summary>
-    public readonly MavlinkVersion Version => (MavlinkVersion)_version;
+    public readonly MavlinkVersion Version => _wire[0] switch
+    {
+        WireFormat.MagicV2 => MavlinkVersion.V2,
+        WireFormat.MagicV1 => MavlinkVersion.V1,
+        _ => MavlinkVersion.None,
+    };
 
     /// <summary>Flags that a receiver must understand or drop the frame; bit 0: signed. Zero in MAVLink 1.</summary>
-    public readonly byte IncompatibilityFlags => _incompatibilityFlags;
+    public readonly byte IncompatibilityFlags => _wire[2];
 
     /// <summary>Flags that a receiver may ignore. Zero in MAVLink 1.</summary>
-    public readonly byte CompatibilityFlags => _compatibilityFlags;
+    public readonly byte CompatibilityFlags => _wire[3];
 
     /// <summary>The sender's frame counter, 0 to 255, then 0 again.</summary>
-    public readonly byte Sequence => _sequence;
+    public readonly byte Sequence => _wire[4];
 
     /// <summary>System id of the sender; 1 to 255 where the sender is sound.</summary>
-    public readonly byte SystemId => _systemId;
+    public readonly byte SystemId => _wire[5];
 
     /// <summary>Component id of the sender; 1 to 255 where the sender is sound.</summary>
-    public readonly byte ComponentId => _componentId;
+    public readonly byte ComponentId => _wire[6];
 
     /// <summary>The message id, 0 to 16 777 215.</summary>
-    public readonly int MessageId => _messageId;
+    public readonly int MessageId => _wire[7] | (_wire[8] << 8) | (_wire[9] << 16);
 
     /// <summary>Length of the payload on the wire, in bytes, 0 to 255.</summary>
-    public readonly int PayloadLength => _payloadLength;
+    public readonly int PayloadLength => _wire[1];
 
     /// <summary>The checksum on the wire. A frame from a reader carries the one received, which for an unknown id nobody could check.</summary>
     public readonly ushort Checksum => _checksum;
 
-    /// <summary>Whether 13 signature bytes belong to the frame. They are carried, not judged.</summary>
-    public readonly bool IsSigned => (_incompatibilityFlags & WireFormat.SignedFlag) != 0;
+    /// <summary>Whether 13 signature bytes belong to the frame. They are carried, not judged: <see cref="MavlinkVerifier"/> judges.</summary>
+    public readonly bool IsSigned => (_wire[2] & WireFormat.SignedFlag) != 0;
 
-    /// <summary>How many bytes <see cref="WriteTo"/> writes; 0 for <c>default</c>.</summary>
+    /// <summary>How many bytes <see cref="WriteTo(Span{byte})"/> writes; 0 for <c>default</c>.</summary>
     public readonly int WireLength => Version switch
     {
-        MavlinkVersion.V1 => WireFormat.HeaderLengthV1 + _payloadLength + WireFormat.ChecksumLength,
-        MavlinkVersion.V2 => WireFormat.HeaderLengthV2 + _payloadLength + WireFormat.ChecksumLength + (IsSigned ? WireFormat.SignatureLength : 0),
+        MavlinkVersion.V1 => WireFormat.HeaderLengthV1 + PayloadLength + WireFormat.ChecksumLength,
+        MavlinkVersion.V2 => WireFormat.HeaderLengthV2 + PayloadLength + WireFormat.ChecksumLength + (IsSigned ? WireFormat.SignatureLength : 0),
         _ => 0,
     };
 
@@ -81,7 +79,7 @@ public unsafe partial struct MavlinkFrame
     {
         if ((uint)index >= WireFormat.MaxPayloadLength)
             ThrowHelper.PayloadIndexOutOfRange(index);
-        return _payload[index];
+        return _wire[WireFormat.HeaderLengthV2 + index];
     }
 
     /// <summary>Copies the payload as it is on the wire.</summary>
@@ -90,8 +88,8 @@ public unsafe partial struct MavlinkFrame
     /// <exception cref="ArgumentException">The span is too short.</exception>
     public readonly int CopyPayloadTo(Span<byte> destination)
     {
-        fixed (byte* payload = _payload)
-            return Copy(new ReadOnlySpan<byte>(payload, _payloadLength), destination);
+        fixed (byte* wire = _wire)
+            return Copy(new ReadOnlySpan<byte>(wire + WireFormat.HeaderLengthV2, wire[1]), destination);
     }
 
     /// <summary>Copies the signature: link id, 48-bit time stamp, 48 bits of the hash.</summary>
@@ -104,6 +102,19 @@ public unsafe partial struct MavlinkFrame
             return Copy(new ReadOnlySpan<byte>(signature, IsSigned ? WireFormat.SignatureLength : 0), destination);
     }
 
+    /// <summary>Which of the sender's links the signature is for; 0 where the frame is not signed.</summary>
+    public readonly byte SignatureLinkId => _signature[0];
+
+    /// <summary>When the frame was signed by the sender's signing clock: tens of microseconds since 2015-01-01 UTC, 48 bits; 0 where the frame is not signed.</summary>
+    public readonly long SignatureTimestamp
+    {
+        get
+        {
+            fixed (byte* signature = _signature)
+                return SignatureFormat.ReadTimestamp(new ReadOnlySpan<byte>(signature, WireFormat.SignatureLength));
+        }
+    }
+
     /// <summary>Reads the message, if it is the one asked for. Allocates nothing.</summary>
     /// <typeparam name="T">The message.</typeparam>
     /// <param name="message">Its fields; what the sender cut or did not know is zero. <c>default</c> where it is another message.</param>
@@ -112,10 +123,10 @@ public unsafe partial struct MavlinkFrame
         where T : struct, IMavlinkMessage
     {
         message = default;
-        if (message.MessageId != _messageId || _version == 0)
+        if (message.MessageId != MessageId || _wire[0] == 0)
             return false;
-        fixed (byte* payload = _payload)
-            message.Decode(new ReadOnlySpan<byte>(payload, WireFormat.MaxPayloadLength));
+        fixed (byte* wire = _wire)
+            message.Decode(new ReadOnlySpan<byte>(wire + WireFormat.HeaderLengthV2, WireFormat.MaxPayloadLength));
         return true;
     }
 
@@ -131,13 +142,13 @@ public unsafe partial struct MavlinkFrame
 
     /// <summary>Version, message id, source and sequence number, for logs and debuggers.</summary>
     /// <returns>For example <c>MAVLink 2 id 30 from 1/1 seq 17, 28 bytes</c>.</returns>
-    public override readonly string ToString() => _version == 0
+    public override readonly string ToString() => Version == MavlinkVersion.None
         ? "no frame"
-        : FormattableString.Invariant($"MAVLink {_version} id {_messageId} from {_systemId}/{_componentId} seq {_sequence}, {_payloadLength} bytes");
+        : FormattableString.Invariant($"MAVLink {(int)Version} id {MessageId} from {SystemId}/{ComponentId} seq {Sequence}, {PayloadLength} bytes");
 
     // 'default' is what a reader gives for an unknown id; its offsets of zero mean nothing.
     private readonly byte TargetAt(in MavlinkMessageInfo message, short offset) =>
-        offset < 0 || message.Name is null || message.Id != _messageId ? (byte)0 : PayloadByte(offset);
+        offset < 0 || message.Name is null || message.Id != MessageId ? (byte)0 : PayloadByte(offset);
 
     private static int Copy(ReadOnlySpan<byte> source, Span<byte> destination)
     {

@@ -25,11 +25,17 @@ public sealed partial class MavlinkFrameReader
         _ => Verdict.Reject,
     };
 
+    private bool Checks(in FrameCandidate candidate, ReadOnlySpan<byte> bytes)
+    {
+        _checksumBytes += candidate.Length;
+        return candidate.ChecksumMatches(bytes);
+    }
+
     private static Verdict WaitUnless(bool isLast) => isLast ? Verdict.Reject : Verdict.Wait;
 
     private Verdict JudgeChecksum(in FrameCandidate candidate, ReadOnlySpan<byte> rest)
     {
-        if (_start == _probed && (_frameProbed || candidate.ChecksumMatches(rest)))
+        if (_start == _probed && (_frameProbed || Checks(candidate, rest)))
             return Verdict.Accept;
         _badChecksums++;
         return Verdict.Reject;
@@ -39,11 +45,23 @@ public sealed partial class MavlinkFrameReader
     // begins inside it, and it has to stand beside another frame: right behind the last one, or right before the next.
     private Verdict JudgeUncheckable(int length, bool isLast)
     {
-        if (!TryProbeTo(_start + length, isLast))
-            return Verdict.Wait;
+        Verdict verdict = JudgeClaim(length, isLast);
+        if (verdict == Verdict.Reject)
+            _rejectedUnknown++;
+        return verdict;
+    }
+
+    private Verdict JudgeClaim(int length, bool isLast)
+    {
         int next = _start + length;
-        if (_frameProbed && _probed < next)
-            return Verdict.Reject;
+        if (_resync == MavlinkResync.NextByte)
+        {
+            if (!TryProbeTo(next, isLast))
+                return Verdict.Wait;
+            if (_frameProbed && _probed < next)
+                return Verdict.Reject;
+        }
+
         if (next > _end)
             return WaitUnless(isLast);
         if (_bufferOffset + _start == _boundary)
@@ -70,9 +88,9 @@ public sealed partial class MavlinkFrameReader
 
             _probed += step;
             ReadOnlySpan<byte> rest = _buffer.AsSpan(_probed, _end - _probed);
-            FrameCandidate candidate = FrameCandidate.At(rest, _dialect);
+            FrameCandidate candidate = FrameCandidate.At(rest, _messages);
             if (candidate.Kind == CandidateKind.Checkable && candidate.Length <= rest.Length)
-                _frameProbed = candidate.ChecksumMatches(rest);
+                _frameProbed = Checks(candidate, rest);
             else if (!isLast && candidate.Kind is CandidateKind.Checkable or CandidateKind.HeaderIncomplete)
                 return false;
             if (!_frameProbed)

@@ -20,7 +20,8 @@ public sealed partial class MavlinkFrameReader
     // back. The rest of the buffer is there so that what is held back is moved to its front seldom.
     private const int BufferLength = 4096;
 
-    private readonly MavlinkDialect _dialect;
+    private readonly MessageTable _messages;
+    private readonly MavlinkResync _resync;
     private readonly byte[] _buffer = new byte[BufferLength];
 
     // The bytes held: [_start, _end). _bufferOffset is the stream offset of _buffer[0].
@@ -31,20 +32,39 @@ public sealed partial class MavlinkFrameReader
     // Stream offset right behind the last frame: what begins here needs no other sign that it is one.
     private long _boundary;
 
+    // How many more bytes are worth having before the first byte held can be judged.
+    private int _wanted = WireFormat.MaxFrameLength;
+
     private long _skippedBytes;
     private long _frames;
     private long _unknownFrames;
     private long _incompatibleFrames;
     private long _badChecksums;
+    private long _rejectedUnknown;
+    private long _checksumBytes;
 
     /// <summary>Makes a reader.</summary>
     /// <param name="dialect">The messages it can check. Ids outside it are delivered unchecked.</param>
+    /// <param name="resync">Where it goes on after bytes that only looked like a frame.</param>
     /// <exception cref="ArgumentNullException">No dialect.</exception>
-    public MavlinkFrameReader(MavlinkDialect dialect) => _dialect = dialect ?? throw new ArgumentNullException(nameof(dialect));
+    public MavlinkFrameReader(MavlinkDialect dialect, MavlinkResync resync = MavlinkResync.NextByte)
+    {
+        _messages = (dialect ?? throw new ArgumentNullException(nameof(dialect))).Table;
+        _resync = resync;
+    }
 
     /// <summary>What it has seen so far.</summary>
-    public MavlinkReaderCounters Counters =>
-        new(_bufferOffset + _end, _skippedBytes, _frames, _unknownFrames, _incompatibleFrames, _badChecksums);
+    public MavlinkReaderCounters Counters => new()
+    {
+        Bytes = _bufferOffset + _end,
+        SkippedBytes = _skippedBytes,
+        Frames = _frames,
+        UnknownFrames = _unknownFrames,
+        IncompatibleFrames = _incompatibleFrames,
+        BadChecksums = _badChecksums,
+        RejectedUnknown = _rejectedUnknown,
+        ChecksumBytes = _checksumBytes,
+    };
 
     /// <summary>How many bytes wait for more before they can be judged; at most 560.</summary>
     public int PendingBytes => _end - _start;
@@ -56,13 +76,33 @@ public sealed partial class MavlinkFrameReader
     /// <returns>Whether there was a frame.</returns>
     public bool TryRead(ref ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
-        while (!TryTake(isLast: false, out frame, out info))
+        while (true)
         {
+            bool isFalse = false;
+            if (_start == _end && TryFindInPlace(ref bytes, out FrameCandidate candidate, out isFalse))
+            {
+                Deliver(candidate, bytes, out frame, out info);
+                PassInPlace(ref bytes, candidate.Length);
+                _boundary = _bufferOffset + _start;
+                return true;
+            }
+
+            if (TryFind(isLast: false, out candidate))
+            {
+                Take(candidate, out frame, out info);
+                return true;
+            }
+
             if (bytes.IsEmpty)
-                return false;
+                break;
             Fill(ref bytes);
+            if (isFalse)
+                _probed = _start + 1;
         }
-        return true;
+
+        frame = default;
+        info = default;
+        return false;
     }
 
     /// <summary>
@@ -75,20 +115,55 @@ public sealed partial class MavlinkFrameReader
     /// <returns>Whether there was a frame.</returns>
     public bool TryFlush(out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
-        if (TryTake(isLast: true, out frame, out info))
+        if (TryFind(isLast: true, out FrameCandidate candidate))
+        {
+            Take(candidate, out frame, out info);
             return true;
+        }
+
         _boundary = _bufferOffset + _start;
+        frame = default;
+        info = default;
         return false;
+    }
+
+    // The common case, while nothing is held back: a whole sound frame in the caller's bytes, which need no copy to be judged.
+    // Everything else is copied and judged by the book; 'isFalse' says that the checksum there is known to be wrong.
+    private bool TryFindInPlace(ref ReadOnlySpan<byte> bytes, out FrameCandidate candidate, out bool isFalse)
+    {
+        isFalse = false;
+        if (!bytes.IsEmpty && bytes[0] is not (WireFormat.MagicV2 or WireFormat.MagicV1))
+        {
+            int skipped = bytes.IndexOfAny(WireFormat.MagicV2, WireFormat.MagicV1);
+            skipped = skipped < 0 ? bytes.Length : skipped;
+            _skippedBytes += skipped;
+            PassInPlace(ref bytes, skipped);
+        }
+
+        candidate = FrameCandidate.At(bytes, _messages);
+        if (candidate.Kind != CandidateKind.Checkable || candidate.Length > bytes.Length || candidate.HasUnknownFlags)
+            return false;
+        isFalse = !Checks(candidate, bytes);
+        return !isFalse;
+    }
+
+    // While nothing is held back, the empty buffer stands for the place in the stream.
+    private void PassInPlace(ref ReadOnlySpan<byte> bytes, int count)
+    {
+        bytes = bytes.Slice(count);
+        _bufferOffset += count;
     }
 
     private void Fill(ref ReadOnlySpan<byte> bytes)
     {
         if (_start == _end || _end == BufferLength)
             MoveToFront();
-        int count = Math.Min(bytes.Length, BufferLength - _end);
+        // No more than is needed: what is not held back can be read in place.
+        int count = Math.Min(Math.Min(bytes.Length, _wanted), BufferLength - _end);
         bytes.Slice(0, count).CopyTo(_buffer.AsSpan(_end));
         bytes = bytes.Slice(count);
         _end += count;
+        _wanted = WireFormat.MaxFrameLength;
     }
 
     private void MoveToFront()
@@ -100,53 +175,65 @@ public sealed partial class MavlinkFrameReader
         _start = 0;
     }
 
-    private bool TryTake(bool isLast, out MavlinkFrame frame, out MavlinkFrameInfo info)
+    // Finds the next frame among the bytes held; it begins at _start then.
+    private bool TryFind(bool isLast, out FrameCandidate candidate)
     {
         while (SkipToMagic())
         {
             ReadOnlySpan<byte> rest = _buffer.AsSpan(_start, _end - _start);
-            FrameCandidate candidate = FrameCandidate.At(rest, _dialect);
+            candidate = FrameCandidate.At(rest, _messages);
             Verdict verdict = Judge(candidate, rest, isLast);
-            if (verdict == Verdict.Wait)
-                break;
-            if (verdict == Verdict.Reject)
-            {
-                _skippedBytes++;
-                Advance(1);
-            }
-            else if (Accept(candidate))
-            {
-                Deliver(candidate, rest, out frame, out info);
+            if (verdict == Verdict.Accept && !candidate.HasUnknownFlags)
                 return true;
+            if (verdict == Verdict.Wait)
+            {
+                if (candidate.Length > rest.Length)
+                    _wanted = candidate.Length - rest.Length;
+                return false;
             }
+
+            if (verdict == Verdict.Accept)
+                Drop(candidate);
+            else
+                Skip(candidate, rest.Length);
         }
-        frame = default;
-        info = default;
+
+        candidate = default;
         return false;
     }
 
     // A frame with an incompatibility flag that is not known may mean anything: it is dropped whole.
-    private bool Accept(in FrameCandidate candidate)
+    private void Drop(in FrameCandidate candidate)
     {
-        if (!candidate.HasUnknownFlags)
-            return true;
         _incompatibleFrames++;
         Advance(candidate.Length);
         _boundary = _bufferOffset + _start;
-        return false;
     }
 
-    private void Deliver(in FrameCandidate candidate, ReadOnlySpan<byte> rest, out MavlinkFrame frame, out MavlinkFrameInfo info)
+    private void Skip(in FrameCandidate candidate, int bytesHeld)
+    {
+        bool isWhole = _resync == MavlinkResync.SkipFrame && candidate.Kind != CandidateKind.NotAFrame;
+        int count = isWhole ? Math.Min(candidate.Length, bytesHeld) : 1;
+        _skippedBytes += count;
+        Advance(count);
+    }
+
+    private void Take(in FrameCandidate candidate, out MavlinkFrame frame, out MavlinkFrameInfo info)
+    {
+        Deliver(candidate, _buffer.AsSpan(_start), out frame, out info);
+        Advance(candidate.Length);
+        _boundary = _bufferOffset + _start;
+    }
+
+    private void Deliver(in FrameCandidate candidate, ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
         bool isChecked = candidate.Kind == CandidateKind.Checkable;
         if (isChecked)
             _frames++;
         else
             _unknownFrames++;
-        MavlinkFrame.FromWire(rest.Slice(0, candidate.Length), out frame);
-        info = new MavlinkFrameInfo(_bufferOffset + _start, isChecked, candidate.Message);
-        Advance(candidate.Length);
-        _boundary = _bufferOffset + _start;
+        MavlinkFrame.FromWire(bytes.Slice(0, candidate.Length), out frame);
+        info = new MavlinkFrameInfo(_bufferOffset + _start, isChecked, _messages.At(candidate.MessageIndex));
     }
 
     private bool SkipToMagic()

@@ -28,7 +28,7 @@ public sealed partial class TlogReader
             return false;
 
         ReadOnlySpan<byte> wire = rest.Slice(TlogFormat.TimeLength);
-        candidate = FrameCandidate.At(wire, _dialect);
+        candidate = FrameCandidate.At(wire, _messages);
         if (candidate.Kind is not (CandidateKind.Checkable or CandidateKind.Uncheckable) || candidate.Length > wire.Length)
             return false;
 

@@ -19,7 +19,7 @@ public sealed partial class TlogReader
     private const int BufferLength = 64 * 1024;
 
     private readonly Stream _stream;
-    private readonly MavlinkDialect _dialect;
+    private readonly MessageTable _messages;
     private readonly byte[] _buffer = new byte[BufferLength];
 
     // The bytes held: [_start, _end). _bufferOffset is the file offset of _buffer[0].
@@ -39,7 +39,7 @@ public sealed partial class TlogReader
     public TlogReader(Stream stream, MavlinkDialect dialect)
     {
         _stream = stream ?? throw new ArgumentNullException(nameof(stream));
-        _dialect = dialect ?? throw new ArgumentNullException(nameof(dialect));
+        _messages = (dialect ?? throw new ArgumentNullException(nameof(dialect))).Table;
         if (!stream.CanRead)
             throw new ArgumentException("The stream cannot be read.", nameof(stream));
     }
@@ -95,7 +95,7 @@ public sealed partial class TlogReader
     private bool Take(in FrameCandidate candidate, long time, ReadOnlySpan<byte> rest, out MavlinkFrame frame, out TlogRecord record)
     {
         record = new TlogRecord(
-            Records + IncompatibleRecords, Position, time, candidate.Kind == CandidateKind.Checkable, candidate.Message);
+            Records + IncompatibleRecords, Position, time, candidate.Kind == CandidateKind.Checkable, _messages.At(candidate.MessageIndex));
         MavlinkFrame.FromWire(rest.Slice(TlogFormat.TimeLength, candidate.Length), out frame);
         _start += TlogFormat.TimeLength + candidate.Length;
         _lastTime = time;

@@ -19,7 +19,7 @@ public class ReaderFuzzTests(ITestOutputHelper output)
     public void TryRead_MutatedBytes_FindsWhatThePlainRuleFinds(int seed)
     {
         output.WriteLine($"seed {seed}");
-        byte[] bytes = Mutated(seed);
+        byte[] bytes = FuzzBytes.Make(seed, BytesPerSeed);
         var whole = new MavlinkFrameReader(MavlinkDialect.All);
         List<FoundFrame> found = FrameCollector.Read(bytes, bytes.Length, whole);
         List<FoundFrame> inChunks = FrameCollector.Read(bytes, 1 + (seed * 7), new MavlinkFrameReader(MavlinkDialect.All));
@@ -34,7 +34,7 @@ public class ReaderFuzzTests(ITestOutputHelper output)
     [Fact]
     public void TryRead_AnyBytes_HoldsBackTwoFramesAtMost()
     {
-        byte[] bytes = Mutated(99);
+        byte[] bytes = FuzzBytes.Make(99, BytesPerSeed);
         var reader = new MavlinkFrameReader(MavlinkDialect.All);
         for (int i = 0; i < bytes.Length; i++)
         {
@@ -66,35 +66,6 @@ public class ReaderFuzzTests(ITestOutputHelper output)
 
         Assert.True(watch.Elapsed < TimeSpan.FromSeconds(30), $"{watch.Elapsed}");
     }
-
-    // A recorded flight with bytes changed, cut out and put in; every tenth piece is noise.
-    private static byte[] Mutated(int seed)
-    {
-        var random = new Random(seed);
-        byte[] flight = TestData.Bytes(seed % 2 == 0 ? "ardupilot-flight.tlog" : "px4-flight.tlog");
-        var bytes = new List<byte>(BytesPerSeed + 300);
-        while (bytes.Count < BytesPerSeed)
-        {
-            var piece = new byte[random.Next(1, 300)];
-            if (random.Next(10) == 0)
-                random.NextBytes(piece);
-            else
-                Array.Copy(flight, random.Next(flight.Length - piece.Length), piece, 0, piece.Length);
-            for (int changes = random.Next(4); changes > 0; changes--)
-                piece[random.Next(piece.Length)] = Likely(random);
-            bytes.AddRange(piece);
-        }
-        return bytes.ToArray();
-    }
-
-    // Bytes that mean something in a header come more often.
-    private static byte Likely(Random random) => random.Next(4) switch
-    {
-        0 => 0xFD,
-        1 => 0xFE,
-        2 => (byte)random.Next(3),
-        _ => (byte)random.Next(256),
-    };
 
     private static bool HasUnknownFlag(byte[] bytes, int offset) => bytes[offset] == 0xFD && (bytes[offset + 2] & ~1) != 0;
 

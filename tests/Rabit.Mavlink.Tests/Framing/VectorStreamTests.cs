@@ -21,6 +21,13 @@ public class VectorStreamTests
     [ExtendedDataFact("c-garbage.bin")]
     public void TryRead_StreamWithGarbage_FindsExactlyTheListedFrames() => FindsTheListedFrames("c-garbage", 3000);
 
+    [Theory]
+    [InlineData("a-truncated-headers-part")]
+    [InlineData("b-byte-loss-part")]
+    [InlineData("c-garbage-part")]
+    public void TryRead_StartOfADamagedStream_FindsExactlyTheListedFrames(string name) =>
+        FindsTheListedFrames(TestData.PathOf(name + ".bin"), TestData.PathOf(name + ".json"), 600);
+
     [Fact]
     public void TryRead_StreamWithUnknownIdsAndFlags_DeliversForwardsAndDropsAsListed()
     {
@@ -39,10 +46,13 @@ public class VectorStreamTests
         }
     }
 
-    private static void FindsTheListedFrames(string name, int expected)
+    private static void FindsTheListedFrames(string name, int expected) =>
+        FindsTheListedFrames(ExtendedData.Find(name + ".bin")!, ExtendedData.Find(name + ".json")!, expected);
+
+    private static void FindsTheListedFrames(string stream, string list, int expected)
     {
-        byte[] bytes = File.ReadAllBytes(ExtendedData.Find(name + ".bin")!);
-        using JsonDocument facts = TestData.Json(ExtendedData.Find(name + ".json")!);
+        byte[] bytes = File.ReadAllBytes(stream);
+        using JsonDocument facts = TestData.Json(list);
         List<string> rows = Rows(facts, _ => true).ConvertAll(row => Line(row, isChecked: true));
         Assert.Equal(expected, rows.Count);
         string? first = null;

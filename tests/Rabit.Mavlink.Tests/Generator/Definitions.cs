@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Rabit.Mavlink.Generator.Emitting;
 using Rabit.Mavlink.Generator.Model;
 using Rabit.Mavlink.Generator.Reading;
 
@@ -15,6 +16,9 @@ internal static class Definitions
 
     public static Dialect All { get; } = Package("all.xml");
 
+    /// <summary>What the package has, as a user's project sees it.</summary>
+    public static ExistingTypes Existing { get; } = new(All, "Rabit.Mavlink.Messages");
+
     public static Dialect Package(string file)
     {
         DialectReadResult result = DialectReader.Read(PackageFiles.Single(candidate => Path.GetFileName(candidate.Path) == file), PackageFiles);
@@ -26,6 +30,14 @@ internal static class Definitions
     {
         List<DialectFile> made = files.Select(file => new DialectFile("folder/" + file.Name, $"<mavlink>\n{file.Content}\n</mavlink>")).ToList();
         return DialectReader.Read(made[0], made);
+    }
+
+    /// <summary>The same with the definitions of the package to include.</summary>
+    public static Dialect ReadWithPackage(params (string Name, string Content)[] files)
+    {
+        List<DialectFile> made = files.Select(file => new DialectFile("folder/" + file.Name, $"<mavlink>\n{file.Content}\n</mavlink>")).ToList();
+        DialectReadResult result = DialectReader.Read(made[0], made.Concat(PackageFiles).ToList());
+        return result.Faults.Count == 0 ? result.Dialect : throw new InvalidDataException(string.Join("\n", result.Faults));
     }
 
     /// <summary>Reads one file that holds only messages.</summary>

@@ -74,9 +74,9 @@ public class NamesTests
     {
         Dialect dialect = Definitions.Read(("root.xml", """
             <enums><enum name="A_B"/><enum name="MAVLINK_PAYLOAD"/></enums>
-            <messages><message id="1" name="A_B"/><message id="2" name="AB"/><message id="3" name="TEXT8"/></messages>
+            <messages><message id="1" name="A_B"/><message id="2" name="AB"/><message id="3" name="TEXT8"><field type="char[8]" name="a"/></message></messages>
             """)).Dialect;
-        var names = new TypeNames(dialect, ["Text8"]);
+        var names = new TypeNames(dialect);
         Assert.Equal("AB", names.OfEnum("A_B"));
         Assert.Equal("MavlinkPayloadEnum", names.OfEnum("MAVLINK_PAYLOAD"));
         Assert.Equal(new[] { "ABMessage", "AbMessage2", "Text8Message" }, dialect.Messages.Select(names.OfMessage));

@@ -13,7 +13,7 @@ internal sealed class TestFile(string path, string text, string? role = null, st
 
     public Dictionary<string, string> Metadata { get; } = new()
     {
-        ["build_metadata.AdditionalFiles.MavlinkDialect"] = role ?? "",
+        ["build_metadata.AdditionalFiles.MavlinkRole"] = role ?? "",
         ["build_metadata.AdditionalFiles.MavlinkNamespace"] = space ?? "",
     };
 

@@ -1,0 +1,217 @@
+using System;
+using Rabit.Mavlink.Messages;
+
+namespace Rabit.Mavlink;
+
+/// <summary>
+/// Asks one component for message rates (MAV_CMD_SET_MESSAGE_INTERVAL, one message after another), measures what really comes, and asks again where that is
+/// off: a ground station may have changed it. No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
+/// </summary>
+/// <remarks>
+/// An acknowledgement does not say which message it is for, and waiting until no late one can come would take a second per message. So an answer counts
+/// for what was asked last, a late one perhaps for the wrong message; the measured rate is the truth.
+/// </remarks>
+public sealed class MavlinkRateClient
+{
+    /// <summary>How long one try waits for an answer.</summary>
+    public static readonly TimeSpan AnswerTimeout = TimeSpan.FromSeconds(0.7);
+
+    /// <summary>Over how long a rate is measured.</summary>
+    public static readonly TimeSpan Window = TimeSpan.FromSeconds(5);
+
+    /// <summary>How long after a request the same message is not asked for again, whatever its rate.</summary>
+    public static readonly TimeSpan RepeatAfter = TimeSpan.FromSeconds(30);
+
+    /// <summary>By which share the measured rate must be off to ask again.</summary>
+    public const double Tolerance = 0.2;
+
+    /// <summary>How often a message is asked for without an answer before the next one is.</summary>
+    public const int MaximumTries = 3;
+
+    /// <summary>How often, at most, a message is asked for again because of its rate.</summary>
+    public const int MaximumRepeats = 3;
+
+    private readonly MavlinkSender _sender;
+    private readonly MavlinkAddress _own;
+    private readonly MavlinkAddress _target;
+    private readonly Entry[] _entries;
+    private int _current = -1;
+    private int _tries;
+    private TimeSpan _due;
+    private TimeSpan? _windowStart;
+
+    /// <summary>Makes a client, which asks from the first call of <see cref="TryTakeFrame"/> on.</summary>
+    /// <param name="sender">Gives the frames their source, sequence numbers and signatures.</param>
+    /// <param name="target">Who is to send.</param>
+    /// <param name="wanted">Message ids and rates, hertz; 0 turns a message off.</param>
+    /// <exception cref="ArgumentNullException">No sender.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A rate is negative or no number.</exception>
+    public MavlinkRateClient(MavlinkSender sender, MavlinkAddress target, ReadOnlySpan<(int MessageId, double Hertz)> wanted)
+    {
+        _sender = sender ?? throw new ArgumentNullException(nameof(sender));
+        _own = new MavlinkAddress(sender.SystemId, sender.ComponentId);
+        _target = target;
+        _entries = new Entry[wanted.Length];
+        for (int i = 0; i < _entries.Length; i++)
+        {
+            if (!(wanted[i].Hertz >= 0 && wanted[i].Hertz <= 1e6))
+                throw new ArgumentOutOfRangeException(nameof(wanted), wanted[i].Hertz, $"The rate of message {wanted[i].MessageId} is 0 to 1 000 000 Hz.");
+            _entries[i].MessageId = wanted[i].MessageId;
+            _entries[i].Hertz = wanted[i].Hertz;
+        }
+
+        Restart();
+    }
+
+    /// <summary>How many messages are wanted.</summary>
+    public int Count => _entries.Length;
+
+    /// <summary>When to call <see cref="TryTakeFrame"/> at the latest.</summary>
+    public TimeSpan NextDue
+    {
+        get
+        {
+            TimeSpan window = _windowStart is { } start ? start + Window : TimeSpan.Zero;
+            return _current >= 0 && _due < window ? _due : window;
+        }
+    }
+
+    /// <summary>One of the wanted messages.</summary>
+    /// <param name="index">0 to <see cref="Count"/> - 1, as given.</param>
+    /// <returns>What became of it.</returns>
+    public MavlinkStreamRate this[int index]
+    {
+        get
+        {
+            ref Entry entry = ref _entries[index];
+            return new MavlinkStreamRate(entry.MessageId, entry.Hertz, entry.Measured, entry.Answer, entry.Requests);
+        }
+    }
+
+    /// <summary>Begins anew: the vehicle has, for example after a reboot, forgotten what it was asked for.</summary>
+    public void Restart()
+    {
+        _current = -1;
+        _windowStart = null;
+        for (int i = 0; i < _entries.Length; i++)
+        {
+            ref Entry entry = ref _entries[i];
+            entry = new Entry { MessageId = entry.MessageId, Hertz = entry.Hertz, Measured = double.NaN, IsWaiting = true };
+        }
+    }
+
+    /// <summary>Takes a frame that came in: every frame, since it counts them.</summary>
+    /// <param name="frame">The frame, checked by the reader.</param>
+    /// <param name="now">The time, by a clock that never goes back.</param>
+    public void Handle(in MavlinkFrame frame, TimeSpan now)
+    {
+        if (!_target.IsSourceOf(frame))
+            return;
+        for (int i = 0; i < _entries.Length; i++)
+        {
+            if (_entries[i].MessageId == frame.MessageId)
+                _entries[i].InWindow++;
+        }
+
+        if (_current >= 0 && frame.TryDecode(out CommandAck answer) && answer.Command == MavCmd.SetMessageInterval && _own.IsMeantBy(answer.TargetSystem, answer.TargetComponent))
+            Take(answer.Result);
+    }
+
+    /// <summary>Gives the next frame to send. Call it until there is none.</summary>
+    /// <param name="now">The time.</param>
+    /// <param name="frame">The frame.</param>
+    /// <returns>Whether there is one.</returns>
+    public bool TryTakeFrame(TimeSpan now, out MavlinkFrame frame)
+    {
+        frame = default;
+        Measure(now);
+        if (_current >= 0 && now < _due)
+            return false;
+        if (_current >= 0 && _tries >= MaximumTries)
+            Finish(MavlinkRateAnswer.Unanswered);
+        if (_current < 0)
+        {
+            _current = NextWaiting();
+            _tries = 0;
+        }
+
+        if (_current < 0)
+            return false;
+        ref Entry entry = ref _entries[_current];
+        frame = _sender.Create(new CommandLong
+        {
+            TargetSystem = _target.SystemId,
+            TargetComponent = _target.ComponentId,
+            Command = MavCmd.SetMessageInterval,
+            Confirmation = (byte)_tries,
+            Param1 = entry.MessageId,
+            Param2 = entry.Hertz > 0 ? (float)Math.Round(1e6 / entry.Hertz) : -1,
+        });
+        entry.Requests++;
+        entry.AskedAt = now;
+        _tries++;
+        _due = now + AnswerTimeout;
+        return true;
+    }
+
+    private void Take(MavResult result)
+    {
+        if (result == MavResult.Accepted)
+            Finish(MavlinkRateAnswer.Accepted);
+        else if (result is not (MavResult.InProgress or MavResult.TemporarilyRejected))
+            Finish(MavlinkRateAnswer.Refused);   // after the other two the time-out asks again
+    }
+
+    private void Finish(MavlinkRateAnswer answer)
+    {
+        _entries[_current].Answer = answer;
+        _entries[_current].IsWaiting = false;
+        _current = -1;
+    }
+
+    private int NextWaiting()
+    {
+        for (int i = 0; i < _entries.Length; i++)
+        {
+            if (_entries[i].IsWaiting)
+                return i;
+        }
+
+        return -1;
+    }
+
+    private void Measure(TimeSpan now)
+    {
+        if (_windowStart is { } start && now < start + Window)
+            return;
+        for (int i = 0; i < _entries.Length; i++)
+        {
+            ref Entry entry = ref _entries[i];
+
+            // A window in which it was asked for has both rates in it.
+            if (_windowStart is { } from && entry.Requests > 0 && entry.AskedAt < from)
+                entry.Measured = entry.InWindow / (now - from).TotalSeconds;
+            entry.InWindow = 0;
+            bool isOff = this[i].IsOffBy(Tolerance) && entry.Answer != MavlinkRateAnswer.Refused && entry.Repeats < MaximumRepeats;
+            if (!isOff || entry.IsWaiting || now < entry.AskedAt + RepeatAfter)
+                continue;
+            entry.Repeats++;
+            entry.IsWaiting = true;
+        }
+
+        _windowStart = now;
+    }
+
+    private struct Entry
+    {
+        public int MessageId;
+        public double Hertz;
+        public double Measured;
+        public MavlinkRateAnswer Answer;
+        public int Requests;
+        public int Repeats;
+        public TimeSpan AskedAt;
+        public long InWindow;
+        public bool IsWaiting;
+    }
+}

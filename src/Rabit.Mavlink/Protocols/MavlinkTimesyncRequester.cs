@@ -1,0 +1,96 @@
+using System;
+using Rabit.Mavlink.Messages;
+
+namespace Rabit.Mavlink;
+
+/// <summary>
+/// Asks the autopilot for its time, five times a second for two seconds and once a second from then on, and knows its own requests
+/// again in the answers (MAVLink guide, "Time Synchronization Protocol v2"). A state machine: time comes in, requests go out.
+/// </summary>
+public sealed class MavlinkTimesyncRequester
+{
+    /// <summary>How often in the beginning.</summary>
+    public static readonly TimeSpan FastPeriod = TimeSpan.FromMilliseconds(200);
+
+    /// <summary>How often later.</summary>
+    public static readonly TimeSpan SlowPeriod = TimeSpan.FromSeconds(1);
+
+    private static readonly TimeSpan FastFor = TimeSpan.FromSeconds(2);
+    private const int NanosecondsPerTick = 100;
+    private const int Remembered = 8;
+
+    private readonly long[] _open = new long[Remembered];
+    private int _next;
+    private TimeSpan _startedAt;
+    private TimeSpan _due;
+
+    /// <summary>Whether it asks.</summary>
+    public bool IsStarted { get; private set; }
+
+    /// <summary>Whether it asks often, because the answers are still few.</summary>
+    /// <param name="now">The time.</param>
+    /// <returns>Whether it does.</returns>
+    public bool IsFast(TimeSpan now) => IsStarted && now - _startedAt < FastFor;
+
+    /// <summary>When to call <see cref="TryNext"/> again; <see cref="TimeSpan.MaxValue"/> while it asks for nothing.</summary>
+    public TimeSpan NextDue => IsStarted ? _due : TimeSpan.MaxValue;
+
+    /// <summary>Begins, or begins anew: what was asked before is forgotten.</summary>
+    /// <param name="now">The time, by a clock that never goes back.</param>
+    public void Start(TimeSpan now)
+    {
+        IsStarted = true;
+        _startedAt = now;
+        _due = now;
+        Array.Clear(_open, 0, _open.Length);
+    }
+
+    /// <summary>Asks for nothing until the next start.</summary>
+    public void Stop() => IsStarted = false;
+
+    /// <summary>Says what to send now, if anything; the target is the caller's to fill in.</summary>
+    /// <param name="now">The time.</param>
+    /// <param name="request">The request; it has our time.</param>
+    /// <returns>Whether to send it.</returns>
+    public bool TryNext(TimeSpan now, out Timesync request)
+    {
+        request = default;
+        if (!IsStarted || now < _due)
+            return false;
+
+        // On a grid, so that late wake-ups do not slow it down; what was missed is not made up for.
+        TimeSpan period = IsFast(now) ? FastPeriod : SlowPeriod;
+        _due += period;
+        if (_due <= now)
+            _due = now + period;
+
+        request.Ts1 = NanosecondsOf(now);
+        _open[_next] = request.Ts1;
+        _next = (_next + 1) % Remembered;
+        return true;
+    }
+
+    /// <summary>Whether a TIMESYNC answers a request of ours that is still open, and when that was made. True once for each.</summary>
+    /// <param name="message">What came in.</param>
+    /// <param name="askedAt">When we asked, by our clock.</param>
+    /// <returns>Whether it is an answer to us.</returns>
+    public bool IsAnswer(in Timesync message, out TimeSpan askedAt)
+    {
+        askedAt = TimeSpan.Zero;
+        if (message.Tc1 == 0)
+            return false;
+        for (int i = 0; i < Remembered; i++)
+        {
+            if (_open[i] == 0 || _open[i] != message.Ts1)
+                continue;
+            _open[i] = 0;
+            askedAt = new TimeSpan((message.Ts1 - 1) / NanosecondsPerTick);
+            return true;
+        }
+
+        return false;
+    }
+
+    // Never zero, which marks a free place.
+    private static long NanosecondsOf(TimeSpan time) => (time.Ticks * NanosecondsPerTick) + 1;
+}

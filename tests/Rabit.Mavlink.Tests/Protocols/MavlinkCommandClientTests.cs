@@ -1,0 +1,146 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Xunit;
+
+namespace Rabit.Mavlink.Tests.Protocols;
+
+/// <summary>Single exchanges, by hand.</summary>
+public class MavlinkCommandClientTests
+{
+    private static readonly TimeSpan Start = TimeSpan.FromSeconds(10);
+    private static readonly MavlinkSender Vehicle = new(1, 1);
+    private readonly MavlinkCommandClient _client = new(ScriptedVehicle.Companion());
+    private TimeSpan _now = Start;
+
+    [Fact]
+    public void NoAnswer_FourTriesWithConfirmation_ThenUnknown()
+    {
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.ComponentArmDisarm, 1));
+        for (byte confirmation = 0; confirmation < 4; confirmation++)
+        {
+            Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Confirmation == confirmation);
+            Assert.False(_client.TryTakeFrame(_now, out _));
+            _now = _client.NextDue;
+        }
+
+        Assert.False(_client.TryTakeFrame(_now, out _));
+        AssertOutcome(MavlinkCommandVerdict.Unknown, null);
+        Assert.Equal(TimeSpan.FromSeconds(4 * 0.7), _now - Start);
+    }
+
+    [Theory]
+    [InlineData(1, 1, MavCmd.NavTakeoff, 1, 191)]
+    [InlineData(2, 1, MavCmd.ComponentArmDisarm, 1, 191)]
+    [InlineData(1, 2, MavCmd.ComponentArmDisarm, 1, 191)]
+    [InlineData(1, 1, MavCmd.ComponentArmDisarm, 255, 190)]
+    [InlineData(1, 1, MavCmd.ComponentArmDisarm, 1, 192)]
+    public void AnswerOfAnother_IsNotTaken(byte system, byte component, MavCmd command, byte targetSystem, byte targetComponent)
+    {
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.ComponentArmDisarm, 1));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        var answer = new CommandAck { Command = command, TargetSystem = targetSystem, TargetComponent = targetComponent };
+        _client.Handle(MavlinkFrame.Create(answer, system, component, 0), _now);
+        Assert.False(_client.TryTakeOutcome(out _));
+        Answer(MavCmd.ComponentArmDisarm, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+    }
+
+    [Theory]
+    [InlineData(MavResult.CommandLongOnly)]
+    [InlineData(MavResult.CommandUnsupportedMavFrame)]
+    [InlineData(MavResult.Unsupported)]
+    public void Place_RefusedAsInt_GoesOutAsLong(MavResult result)
+    {
+        Begin(MavlinkCommand.AtPlace(ScriptedVehicle.Address, MavCmd.DoReposition, MavFrame.GlobalRelativeAlt, 473_000_000, 85_000_000, 30, -1, 1, 0, float.NaN));
+        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandInt place) && place.X == 473_000_000 && place.Frame == MavFrame.GlobalRelativeAlt);
+        Answer(MavCmd.DoReposition, result);
+        Answer(MavCmd.DoReposition, result);   // a copy
+        _now = _client.NextDue;
+        Assert.True(_client.TryTakeFrame(_now, out frame) && frame.TryDecode(out CommandLong command) && command.Param5 == 47.3f && command.Param6 == 8.5f && command.Param7 == 30);
+        Answer(MavCmd.DoReposition, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+    }
+
+    [Fact]
+    public void Place_IntOnlyAndUnsupported_IsRefused()
+    {
+        Begin(MavlinkCommand.AtPlace(ScriptedVehicle.Address, MavCmd.DoOrbit, MavFrame.Global, 1, 2, 3) with { Forms = MavlinkCommandForms.IntOnly });
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        Answer(MavCmd.DoOrbit, MavResult.Unsupported);
+        AssertOutcome(MavlinkCommandVerdict.Refused, MavResult.Unsupported);
+    }
+
+    [Fact]
+    public void InProgress_WaitsLongerAndIsNotSentAgain()
+    {
+        int handle = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.PreflightCalibration));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        for (int i = 1; i <= 5; i++)
+        {
+            _now += TimeSpan.FromSeconds(4);
+            Assert.False(_client.TryTakeFrame(_now, out _) && i > 1);
+            Answer(MavCmd.PreflightCalibration, MavResult.InProgress, (byte)(i * 10));
+            Assert.True(_client.TryGetProgress(handle, out int percent) && percent == i * 10);
+        }
+
+        _now += TimeSpan.FromSeconds(5);
+        Assert.False(_client.TryTakeFrame(_now, out _));
+        AssertOutcome(MavlinkCommandVerdict.Unknown, null);
+    }
+
+    [Fact]
+    public void Cancel_UnderWay_AsksAndReportsWhatTheVehicleSays()
+    {
+        int handle = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.PreflightCalibration));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        Answer(MavCmd.PreflightCalibration, MavResult.InProgress);
+        Assert.True(_client.Cancel(handle, _now));
+        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandCancel cancel) && cancel.Command == MavCmd.PreflightCalibration);
+        Answer(MavCmd.PreflightCalibration, MavResult.Cancelled);
+        AssertOutcome(MavlinkCommandVerdict.Cancelled, MavResult.Cancelled);
+        Assert.False(_client.Cancel(handle, _now));
+    }
+
+    [Fact]
+    public void SameCommandAgain_WaitsForLateAnswers_AnotherDoesNot()
+    {
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        Answer(MavCmd.DoSetMode, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 2));
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.NavTakeoff));
+        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong other) && other.Command == MavCmd.NavTakeoff);
+        Answer(MavCmd.DoSetMode, MavResult.Denied);   // a late copy
+        Assert.Equal(1, _client.StrayAnswers);
+        Assert.False(_client.TryTakeFrame(_now + TimeSpan.FromSeconds(0.5), out _));
+        Assert.False(_client.TryTakeOutcome(out _));
+        _now += TimeSpan.FromSeconds(1);
+        Assert.True(_client.TryTakeFrame(_now, out frame));
+    }
+
+    [Fact]
+    public void MoreThanThereIsRoom_IsNotTaken()
+    {
+        var client = new MavlinkCommandClient(ScriptedVehicle.Companion(), new MavlinkCommandOptions { Capacity = 1 });
+        Assert.True(client.TryStart(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode), Start, out _));
+        Assert.False(client.TryStart(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode), Start, out _));
+        Assert.Throws<ArgumentException>(() => client.TryStart(default, Start, out _));
+    }
+
+    private int Begin(MavlinkCommand command)
+    {
+        Assert.True(_client.TryStart(command, _now, out int handle));
+        return handle;
+    }
+
+    private void Answer(MavCmd command, MavResult result, byte progress = byte.MaxValue) => _client.Handle(
+        Vehicle.Create(new CommandAck { Command = command, Result = result, Progress = progress, TargetSystem = 1, TargetComponent = 191 }), _now);
+
+    private void AssertOutcome(MavlinkCommandVerdict verdict, MavResult? result)
+    {
+        Assert.True(_client.TryTakeOutcome(out MavlinkCommandOutcome outcome));
+        Assert.Equal((verdict, result), (outcome.Verdict, outcome.Result));
+        Assert.False(_client.TryTakeOutcome(out _));
+    }
+}

@@ -1,0 +1,65 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Tests.Shared;
+using Xunit;
+
+namespace Rabit.Mavlink.Tests.Protocols;
+
+/// <summary>Nothing is allocated per frame.</summary>
+public class ProtocolAllocationTests
+{
+    [Fact]
+    public void AllClients_WholeExchanges_AllocateNothing()
+    {
+        MavlinkSender companion = ScriptedVehicle.Companion();
+        var vehicle = new MavlinkSender(1, 1);
+        var commands = new MavlinkCommandClient(companion);
+        var parameters = new MavlinkParameterClient(companion, ScriptedVehicle.Address, MavlinkParameterEncoding.Bytewise);
+        var missions = new MavlinkMissionClient(companion, ScriptedVehicle.Address);
+        var rates = new MavlinkRateClient(companion, ScriptedVehicle.Address, [(Attitude.MavlinkId, 10)]);
+        var time = new MavlinkTimesyncClient(companion, ScriptedVehicle.Address);
+        var tracker = new MavlinkHeartbeatTracker();
+        var name = new Text16("A_PARAMETER");
+        TimeSpan now = TimeSpan.FromSeconds(1);
+        int done = 0;
+        Action work = () =>
+        {
+            now += TimeSpan.FromSeconds(10);
+            commands.TryStart(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode), now, out _);
+            commands.TryTakeFrame(now, out _);
+            commands.Handle(vehicle.Create(new CommandAck { Command = MavCmd.DoSetMode }), now);
+            done += commands.TryTakeOutcome(out _) ? 1 : 0;
+
+            parameters.TryStartList(now);
+            parameters.TryTakeFrame(now, out _);
+            for (int i = 0; i < 50; i++)
+            {
+                name[11] = (byte)('A' + i);
+                parameters.Handle(vehicle.Create(new ParamValue { ParamId = name, ParamCount = 50, ParamIndex = (ushort)i }), now);
+            }
+
+            done += parameters.TryTakeOutcome(out _) ? 1 : 0;
+            missions.TryStartDownload(MavMissionType.Mission, now);
+            missions.TryTakeFrame(now, out _);
+            missions.Handle(vehicle.Create(new MissionCount { Count = 50 }), now);
+            for (int i = 0; i < 50; i++)
+            {
+                missions.TryTakeFrame(now, out _);
+                missions.Handle(vehicle.Create(new MissionItemInt { Seq = (ushort)i }), now);
+            }
+
+            missions.TryTakeFrame(now, out _);
+            done += missions.TryTakeOutcome(out _) ? 1 : 0;
+            rates.TryTakeFrame(now, out _);
+            rates.Handle(vehicle.Create(default(Attitude)), now);
+            time.TryTakeFrame(now, out MavlinkFrame request);
+            time.Handle(request, now);
+            tracker.Handle(vehicle.Create(default(Heartbeat)), now);
+            while (tracker.TryTakeEvent(now, out _, out _))
+                done += 0;
+        };
+        work();
+        Assert.Equal(3, done);
+        Assert.Equal(0, Allocated.By(work));
+    }
+}
