@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using Rabit.Uav.Links;
 
@@ -12,34 +11,136 @@ namespace UavConsole;
 /// <summary>Reads the command line. Everything wrong with it is one line and exit code 2.</summary>
 internal static class CommandLine
 {
-    private const string BundledFlight = "flights/ardupilot-flight.tlog";
+    private const int BadInput = 2;
+    private const int TargetsAtMost = 50;
+
+    private static readonly Option<LinkUrl[]> Links = new("--link", "-l")
+    {
+        Description = "A real vehicle or a recorded flight instead of the simulation: udpin:ADDRESS:PORT, udpout:HOST:PORT, tcp:HOST:PORT, serial:DEVICE:BAUD "
+            + "or tlog:FILE[?speed=10|max]; may be given several times. A vehicle is only observed, unless --mission FILE --fly is given.",
+        HelpName = "URL",
+        CustomParser = ParseLinks,
+        AllowMultipleArgumentsPerToken = false,
+    };
+
+    private static readonly Option<bool> RealTime = new("--realtime") { Description = "The simulation at the pace of a real flight, not as fast as the machine goes." };
+
+    private static readonly Option<long?> Seed = new("--seed")
+    {
+        Description = "Of the simulated world, 0 or more; the same seed is the same flight. 1 without it.",
+        HelpName = "N",
+        CustomParser = ParseSeed,
+    };
+
+    private static readonly Option<int?> Targets = new("--targets")
+    {
+        Description = $"How many targets the simulated world has, 0 to {TargetsAtMost}. 5 without it.",
+        HelpName = "N",
+        CustomParser = ParseTargets,
+    };
+
+    private static readonly Option<string> Mission = new("--mission")
+    {
+        Description = "What to fly (docs/mission-file.md). Without it the simulation flies a bundled one.",
+        HelpName = "FILE",
+    };
+
+    private static readonly Option<bool> Fly = new("--fly") { Description = "Commands the vehicle at the other end of --link: arms it and flies --mission." };
+
+    private static readonly Option<string> Camera = new("--camera") { Description = "A camera for --link: a folder of pictures with their times, also a growing one.", HelpName = "DIR" };
+
+    private static readonly Option<string> TruthOption = new("--truth") { Description = "Where the targets really are, to score those found over --link.", HelpName = "FILE" };
+
+    private static readonly Option<bool> Headless = new("--headless") { Description = "Plain lines instead of a live screen; by itself where the output is no terminal." };
+
+    private static readonly Option<string> Summary = new("--summary") { Description = "Writes the summary as JSON too (docs/uavconsole-summary.md).", HelpName = "FILE" };
+
+    private static readonly Option<string> Report = new("--report")
+    {
+        Description = $"Where the report of the flight goes, one page of HTML. {RunFiles.DefaultReport} for a mission without it, none for other runs.",
+        HelpName = "FILE",
+    };
+
+    private static readonly Option<string> Log = new("--log") { Description = "Writes the log of the run, a line for each entry.", HelpName = "FILE" };
+
+    private static readonly Option<byte?> SystemId = new("--system-id")
+    {
+        Description = "Our MAVLink system id, 1 to 255, and so that of the vehicle that carries us; without it that of the first autopilot heard.",
+        HelpName = "N",
+        CustomParser = ParseSystemId,
+    };
 
     public static RootCommand Create(Func<ConsoleOptions, int> run)
     {
-        var links = new Option<LinkUrl[]>("--link", "-l")
+        var command = new RootCommand("Rabit's managers fly a search: a simulated one, or with a real vehicle; or they watch a flight, live or recorded.")
         {
-            Description = "udpin:ADDRESS:PORT, udpout:HOST:PORT, tcp:HOST:PORT, serial:DEVICE:BAUD or tlog:FILE[?speed=10|max]; may be given several times. "
-                + "Without it a bundled recorded flight is replayed at 10 times its pace.",
-            HelpName = "URL",
-            CustomParser = ParseLinks,
-            AllowMultipleArgumentsPerToken = false,
+            Links, RealTime, Seed, Targets, Mission, Fly, Camera, TruthOption, Headless, Summary, Report, Log, SystemId,
         };
-        var headless = new Option<bool>("--headless") { Description = "Plain lines instead of a live screen; by itself where the output is no terminal." };
-        var summary = new Option<string>("--summary") { Description = "Writes the summary as JSON too (docs/uavconsole-summary.md).", HelpName = "FILE" };
-        var systemId = new Option<byte?>("--system-id")
-        {
-            Description = "Our MAVLink system id, 1 to 255, and so that of the vehicle that carries us; without it that of the first autopilot heard.",
-            HelpName = "N",
-            CustomParser = ParseSystemId,
-        };
-
-        var command = new RootCommand("Rabit's managers on a flight: a recorded one, or a live autopilot. It observes; it commands nothing.") { links, headless, summary, systemId };
-        command.SetAction(result => run(new ConsoleOptions(
-            result.GetValue(links) is { Length: > 0 } given ? given : [BundledLink()],
-            result.GetValue(headless) || !LiveScreen.IsPossible(),
-            result.GetValue(summary),
-            result.GetValue(systemId))));
+        command.SetAction(result => FindFaults(result) is { Length: > 0 } faults ? Refuse(faults) : run(Read(result)));
         return command;
+    }
+
+    /// <summary>Says what is wrong, on one line.</summary>
+    /// <returns>The exit code.</returns>
+    public static int Refuse(IEnumerable<string> faults)
+    {
+        Console.Error.WriteLine("UavConsole: " + string.Join(" ", faults));
+        return BadInput;
+    }
+
+    private static ConsoleOptions Read(ParseResult result) => new()
+    {
+        Links = result.GetValue(Links) ?? [],
+        IsHeadless = result.GetValue(Headless) || !LiveScreen.IsPossible(),
+        IsRealTime = result.GetValue(RealTime),
+        Seed = result.GetValue(Seed) ?? 1,
+        TargetCount = result.GetValue(Targets) ?? 5,
+        MissionFile = result.GetValue(Mission),
+        Flies = result.GetValue(Fly),
+        CameraFolder = result.GetValue(Camera),
+        TruthFile = result.GetValue(TruthOption),
+        SummaryFile = result.GetValue(Summary),
+        ReportFile = result.GetValue(Report),
+        LogFile = result.GetValue(Log),
+        SystemId = result.GetValue(SystemId),
+        CommandLine = string.Join(" ", new[] { "UavConsole" }.Concat(result.Tokens.Select(t => t.Value))),
+    };
+
+    // What makes no sense together. What is wrong with the options one by one has been said before.
+    private static string[] FindFaults(ParseResult result)
+    {
+        LinkUrl[] links = result.GetValue(Links) ?? [];
+        bool isReplay = links.Length > 0 && Array.TrueForAll(links, l => l.Kind == LinkKind.RecordedFile);
+        return (links.Length == 0 ? WithoutLink(result) : WithLink(result, isReplay)).ToArray();
+    }
+
+    private static IEnumerable<string> WithoutLink(ParseResult result)
+    {
+        if (result.GetValue(Fly))
+            yield return "--fly commands a real vehicle: it needs --link URL and --mission FILE; the simulation flies without it.";
+        if (result.GetValue(Camera) is not null)
+            yield return "--camera needs --link URL: the simulation has a camera of its own.";
+        if (result.GetValue(TruthOption) is not null)
+            yield return "--truth needs --link URL: the simulation knows its own truth.";
+    }
+
+    private static IEnumerable<string> WithLink(ParseResult result, bool isReplay)
+    {
+        if (result.GetValue(Seed) is not null)
+            yield return "--seed is for the simulation; it does not go with --link.";
+        if (result.GetValue(Targets) is not null)
+            yield return "--targets is for the simulation; it does not go with --link.";
+        if (result.GetValue(RealTime))
+            yield return "--realtime is for the simulation; with --link a flight has its own pace, a recorded one by ?speed=.";
+        if (result.GetValue(Fly) && result.GetValue(Mission) is null)
+            yield return "--fly needs --mission FILE: what to fly.";
+        if (result.GetValue(TruthOption) is not null && !result.GetValue(Fly))
+            yield return "--truth scores a mission: it needs --mission FILE --fly.";
+        foreach ((string name, bool isGiven) in new[] { ("--fly", result.GetValue(Fly)), ("--mission", result.GetValue(Mission) is not null), ("--camera", result.GetValue(Camera) is not null) })
+        {
+            if (isReplay && isGiven)
+                yield return $"{name} needs a live vehicle: a recorded flight is only looked at.";
+        }
     }
 
     private static LinkUrl[] ParseLinks(ArgumentResult result)
@@ -56,6 +157,24 @@ internal static class CommandLine
         return urls.ToArray();
     }
 
+    private static long? ParseSeed(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (long.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out long seed))
+            return seed;
+        result.AddError($"--seed {text}: it must be a whole number, 0 or more.");
+        return null;
+    }
+
+    private static int? ParseTargets(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count <= TargetsAtMost)
+            return count;
+        result.AddError($"--targets {text}: it must be a number from 0 to {TargetsAtMost}.");
+        return null;
+    }
+
     private static byte? ParseSystemId(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;
@@ -64,6 +183,4 @@ internal static class CommandLine
         result.AddError($"--system-id {text}: it must be a number from 1 to 255.");
         return null;
     }
-
-    private static LinkUrl BundledLink() => LinkUrl.Parse($"tlog:{Path.Combine(AppContext.BaseDirectory, BundledFlight)}?speed=10");
 }

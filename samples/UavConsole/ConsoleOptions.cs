@@ -1,20 +1,59 @@
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Uav.Links;
 
 namespace UavConsole;
 
 /// <summary>What the command line asked for.</summary>
-internal sealed class ConsoleOptions(IReadOnlyList<LinkUrl> links, bool isHeadless, string? summaryFile, byte? systemId)
+internal sealed class ConsoleOptions
 {
-    /// <summary>Links in the order given; the bundled flight when none was.</summary>
-    public IReadOnlyList<LinkUrl> Links { get; } = links;
+    /// <summary>Links in the order given; none: the simulated search is flown.</summary>
+    public IReadOnlyList<LinkUrl> Links { get; init; } = [];
 
     /// <summary>Plain lines instead of a live screen.</summary>
-    public bool IsHeadless { get; } = isHeadless;
+    public bool IsHeadless { get; init; }
+
+    /// <summary>The simulation at the pace of a real flight, instead of as fast as the machine goes.</summary>
+    public bool IsRealTime { get; init; }
+
+    /// <summary>Of the simulated world.</summary>
+    public long Seed { get; init; } = 1;
+
+    /// <summary>How many targets the simulated world has.</summary>
+    public int TargetCount { get; init; } = 5;
+
+    /// <summary>What to fly; null for the bundled mission in the simulation, and for none on a link.</summary>
+    public string? MissionFile { get; init; }
+
+    /// <summary>Whether a real vehicle may be commanded.</summary>
+    public bool Flies { get; init; }
+
+    /// <summary>A folder of pictures with their times; null for none.</summary>
+    public string? CameraFolder { get; init; }
+
+    /// <summary>Where the targets really are; null where nobody knows.</summary>
+    public string? TruthFile { get; init; }
 
     /// <summary>Where the summary goes as JSON; null for nowhere.</summary>
-    public string? SummaryFile { get; } = summaryFile;
+    public string? SummaryFile { get; init; }
+
+    /// <summary>Where the report goes as HTML; null for the default of a mission, and for nowhere without one.</summary>
+    public string? ReportFile { get; init; }
+
+    /// <summary>Where the log of the run goes; null for nowhere.</summary>
+    public string? LogFile { get; init; }
 
     /// <summary>Our MAVLink system id; null for that of the vehicle.</summary>
-    public byte? SystemId { get; } = systemId;
+    public byte? SystemId { get; init; }
+
+    /// <summary>The arguments as given, for the report.</summary>
+    public string CommandLine { get; init; } = "UavConsole";
+
+    public bool IsSimulated => Links.Count == 0;
+
+    /// <summary>Whether nothing but recorded logs is played.</summary>
+    public bool IsReplay => Links.Count > 0 && Links.All(l => l.Kind == LinkKind.RecordedFile);
+
+    /// <summary>Whether a mission is flown, and so judged at the end.</summary>
+    public bool FliesMission => IsSimulated || Flies;
 }

@@ -1,16 +1,8 @@
-using System;
 using System.CommandLine;
 using System.Linq;
 using UavConsole;
 
-const int BadInput = 2;
-
-RootCommand command = CommandLine.Create(FlightRun.Run);
-ParseResult parsed = command.Parse(args);
-if (parsed.Errors.Count > 0)
-{
-    Console.Error.WriteLine("UavConsole: " + string.Join(" ", parsed.Errors.Select(e => e.Message)) + " (--help shows the options)");
-    return BadInput;
-}
-
-return parsed.Invoke();
+ParseResult parsed = CommandLine.Create(FlightRun.Run).Parse(args);
+return parsed.Errors.Count > 0
+    ? CommandLine.Refuse([.. parsed.Errors.Select(e => e.Message), "(--help shows the options)"])
+    : parsed.Invoke();

@@ -88,6 +88,20 @@ internal static class Text
         return At(monitor.Now) + progress + $"{Vehicle(vehicle)}; {Flight(vehicle)}; {Position(vehicle)}; {links}";
     }
 
+    public static string Mission(FlightMonitor monitor)
+    {
+        MissionStatus mission = monitor.Record.Mission;
+        return string.Format(
+            CultureInfo.InvariantCulture,
+            "{0}, lane {1} of {2}, {3:0.0} % covered, {4} targets, {5:0.0} times real time",
+            PhaseStyle.Name(mission.Phase),
+            mission.LanesFlown,
+            (mission.Plan?.Lanes.Length ?? 0) / 2,
+            mission.Coverage * 100,
+            monitor.Record.Tracks.Confirmed.Count(),
+            monitor.Pace);
+    }
+
     private static string OrUnknown(double value, string format)
         => double.IsNaN(value) ? "?" : value.ToString(format, CultureInfo.InvariantCulture);
 }

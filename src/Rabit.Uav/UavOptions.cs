@@ -1,8 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Core;
 using Rabit.Mavlink;
+using Rabit.Uav.HealthMonitoring;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Links;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Rabit.Uav.SensorFusion;
 
 namespace Rabit.Uav;
 
@@ -24,25 +30,57 @@ public sealed class UavOptions
     /// <value>The default is true.</value>
     public bool RequestsMessageRates { get; set; } = true;
 
+    /// <summary>Links that are open already, for example to a simulated vehicle; they come before <see cref="Links"/>, and are closed with the rest.</summary>
+    public IReadOnlyList<IByteLink> OpenLinks { get; set; } = Array.Empty<IByteLink>();
+
+    /// <summary>The mission; null to observe.</summary>
+    /// <value>The default is null.</value>
+    public MissionPlan? Mission { get; set; }
+
+    /// <summary>Whether the vehicle may be commanded. Without it a mission is refused.</summary>
+    /// <value>The default is false: we observe.</value>
+    public bool MayCommand { get; set; }
+
+    /// <summary>The camera; null for none.</summary>
+    /// <value>The default is null.</value>
+    public IReaderSource<CameraFrame>? Camera { get; set; }
+
+    /// <summary>How pictures are searched and located: lens, mount, what a target looks like, how good the sensors are.</summary>
+    public ImageProcessingOptions Imaging { get; set; } = new();
+
+    /// <summary>How reports become tracks.</summary>
+    public SensorFusionOptions Fusion { get; set; } = new();
+
+    /// <summary>The limits of Health Monitoring.</summary>
+    public HealthOptions Health { get; set; } = new();
+
+    /// <summary>Managers of the user that fly along: they are added after ours, and Health Monitoring watches them.</summary>
+    public IReadOnlyList<RabitManager> OtherManagers { get; set; } = Array.Empty<RabitManager>();
+
+    /// <summary>The time to run in; null for the one that goes with the links.</summary>
+    /// <value>The default is null.</value>
+    public RabitTime? Time { get; set; }
+
     /// <summary>Fixes the order among managers in virtual time, where a log is played at another pace than its own.</summary>
     /// <value>The default is 0.</value>
     public long Seed { get; set; }
 
-    internal bool IsReplay => Links.All(l => l.Kind == LinkKind.RecordedFile);
+    internal bool IsReplay => OpenLinks.Count == 0 && Links.All(l => l.Kind == LinkKind.RecordedFile);
 
     /// <summary>How many times faster than real time; 1 for real time itself.</summary>
-    internal double Speed => Links.Max(l => l.Speed);
+    internal double Speed => Links.Count == 0 ? 1 : Links.Max(l => l.Speed);
 
     /// <exception cref="ArgumentException">Options are out of their range or do not go together; the text names all of them.</exception>
     internal void Validate(string parameter)
     {
         var faults = new List<string>();
-        if (Links is null || Links.Count == 0)
+        if (Links is null || OpenLinks is null || Links.Count + OpenLinks.Count == 0)
             throw new ArgumentException("A UAV needs at least one link.", parameter);
         if (Links.Contains(null!))
             throw new ArgumentException("A link is null.", parameter);
-        if (Links.Count > MavlinkRouter.MaximumLinks)
-            faults.Add($"there are {Links.Count} links; at most {MavlinkRouter.MaximumLinks} are possible");
+        int links = Links.Count + OpenLinks.Count;
+        if (links > MavlinkRouter.MaximumLinks)
+            faults.Add($"there are {links} links; at most {MavlinkRouter.MaximumLinks} are possible");
         if (SystemId == 0)
             faults.Add($"{nameof(SystemId)} is 0; it must be 1 to 255");
         if (ComponentId == 0)
@@ -56,6 +94,12 @@ public sealed class UavOptions
         LinkUrl? other = fast is null ? null : Links.FirstOrDefault(l => l.Kind != LinkKind.RecordedFile || !l.Speed.Equals(fast.Speed));
         if (other is not null)
             faults.Add($"{fast} plays at another pace than {other}; a log at another speed than 1 goes with logs of the same speed only");
+        if (fast is not null && (OpenLinks.Count > 0 || Time is not null))
+            faults.Add($"{fast} plays at a pace of its own, which does not go with other links or another time");
+        if (Mission is not null && !MayCommand)
+            faults.Add($"there is a mission, but {nameof(MayCommand)} is false");
+        if (MayCommand && IsReplay)
+            faults.Add("nobody can be commanded in a replay");
         if (faults.Count > 0)
             throw new ArgumentException(string.Join("; ", faults) + ".", parameter);
     }

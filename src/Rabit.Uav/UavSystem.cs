@@ -6,7 +6,11 @@ using Rabit.Core;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
 using Rabit.Uav.HealthMonitoring;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Links;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Rabit.Uav.SensorFusion;
 
 namespace Rabit.Uav;
 
@@ -38,14 +42,24 @@ public sealed class UavSystem : IDisposable
             Links = _links,
             RecordedFiles = _files,
             StopsWhenAllLinksEnd = options.IsReplay,
+            MailRoutes =
+            [
+                new MailRoute<TargetReport>(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
+            ],
         });
         Autopilot = new AutopilotManager(new AutopilotOptions
         {
             SystemId = options.SystemId,
             ComponentId = options.ComponentId,
             RequestsRates = options.RequestsMessageRates && !options.IsReplay,
+            MayCommand = options.MayCommand,
         });
-        Health = new HealthManager(new HealthOptions(), [Communications.Name, Autopilot.Name], LinkCount);
+        ImageProcessing = new ImageProcessingManager(options.Imaging, options.Camera);
+        SensorFusion = new SensorFusionManager(options.Fusion);
+        MissionControl = new MissionControlManager(new MissionControlOptions { Mission = options.Mission });
+        if (options.MayCommand)
+            CarryOnAfterFaults();
+        Health = new HealthManager(options.Health, Managers().Select(m => m.Name), LinkCount);
         Time = CreateTime();
     }
 
@@ -54,6 +68,15 @@ public sealed class UavSystem : IDisposable
 
     /// <summary>Speaks with the autopilot; tells what the flight was like.</summary>
     public AutopilotManager Autopilot { get; }
+
+    /// <summary>Finds targets in pictures; keeps their cut-outs.</summary>
+    public ImageProcessingManager ImageProcessing { get; }
+
+    /// <summary>Makes tracks of reports.</summary>
+    public SensorFusionManager SensorFusion { get; }
+
+    /// <summary>Flies the mission, where there is one.</summary>
+    public MissionControlManager MissionControl { get; }
 
     /// <summary>Watches all of it, and writes our heartbeat while it is true.</summary>
     public HealthManager Health { get; }
@@ -86,7 +109,10 @@ public sealed class UavSystem : IDisposable
         if (options is null)
             throw new ArgumentNullException(nameof(options));
         options.Time = Time;
-        return new RabitReactor(options) { Communications, Autopilot, Health };
+        var reactor = new RabitReactor(options);
+        foreach (RabitManager manager in Managers().Append(Health))
+            reactor.Add(manager);
+        return reactor;
     }
 
     /// <summary>Closes the links. After the run.</summary>
@@ -98,8 +124,20 @@ public sealed class UavSystem : IDisposable
             file.Dispose();
     }
 
+    // An aircraft in the air is better off with managers that go on: Health Monitoring sees the fault, and Mission Control comes home.
+    private void CarryOnAfterFaults()
+    {
+        foreach (RabitManager manager in Managers().Except(_options.OtherManagers))
+            manager.FaultPolicy = FaultPolicy.CarryOn;
+    }
+
+    // In the order of their start. Health Monitoring, which watches them, comes after them all.
+    private IEnumerable<RabitManager> Managers()
+        => new RabitManager[] { Communications, Autopilot, ImageProcessing, SensorFusion, MissionControl }.Concat(_options.OtherManagers);
+
     private void OpenLinks()
     {
+        _links.AddRange(_options.OpenLinks);
         foreach (LinkUrl url in _options.Links)
         {
             if (url.Kind == LinkKind.RecordedFile)
@@ -111,6 +149,8 @@ public sealed class UavSystem : IDisposable
 
     private RabitTime CreateTime()
     {
+        if (_options.Time is { } time)
+            return time;
         if (_options.Speed.Equals(1))
             return new RealTime();
         long startMicroseconds = _files.Min(f => f.StartUtcMicroseconds);

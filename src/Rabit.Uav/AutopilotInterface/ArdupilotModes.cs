@@ -1,3 +1,4 @@
+using System;
 using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
@@ -8,11 +9,29 @@ namespace Rabit.Uav.AutopilotInterface;
 /// </summary>
 internal static class ArdupilotModes
 {
+    // No kind of vehicle has a mode above.
+    private const uint HighestMode = 63;
+
+    /// <summary>Whether it flies as a copter does.</summary>
+    public static bool IsCopter(MavType vehicle) => vehicle is MavType.Quadrotor or MavType.Coaxial or MavType.Helicopter or MavType.Hexarotor
+        or MavType.Octorotor or MavType.Tricopter or MavType.Dodecarotor or MavType.Decarotor or MavType.GenericMultirotor;
+
+    /// <summary>The number of a mode, by its name in any case; null where the vehicle has none of that name.</summary>
+    public static uint? NumberOf(MavType vehicle, string name)
+    {
+        for (uint mode = 0; mode <= HighestMode; mode++)
+        {
+            if (string.Equals(NameOf(vehicle, mode), name, StringComparison.OrdinalIgnoreCase))
+                return mode;
+        }
+
+        return null;
+    }
+
     /// <summary>The name; null for a number or a vehicle that is not known here.</summary>
     public static string? NameOf(MavType vehicle, uint customMode) => vehicle switch
     {
-        MavType.Quadrotor or MavType.Coaxial or MavType.Helicopter or MavType.Hexarotor or MavType.Octorotor or MavType.Tricopter
-            or MavType.Dodecarotor or MavType.Decarotor or MavType.GenericMultirotor => Copter((CopterMode)customMode),
+        _ when IsCopter(vehicle) => Copter((CopterMode)customMode),
         MavType.FixedWing or MavType.VtolTailsitterDuorotor or MavType.VtolTailsitterQuadrotor or MavType.VtolTiltrotor
             or MavType.VtolFixedrotor or MavType.VtolTailsitter or MavType.VtolTiltwing or MavType.VtolReserved5
             => Plane((PlaneMode)customMode),

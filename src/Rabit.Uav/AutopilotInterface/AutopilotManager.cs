@@ -8,9 +8,10 @@ namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
 /// Hears the autopilot: turns its frames into the state of the vehicle, keeps its last texts and acknowledgements, knows when it
-/// is lost, and asks it for the message rates that the others need. ArduPilot, PX4, or any other in general terms.
+/// is lost, and asks it for the message rates that the others need. ArduPilot, PX4, or any other in general terms. Where it may, it carries
+/// out the commands of Mission Control, until the pilot or the autopilot takes the command away.
 /// </summary>
-public sealed class AutopilotManager : RabitManager
+public sealed partial class AutopilotManager : RabitManager
 {
     /// <summary>The name of the manager.</summary>
     public const string ManagerName = "autopilot";
@@ -40,6 +41,7 @@ public sealed class AutopilotManager : RabitManager
         : base(ManagerName)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
+        _executor = new CommandExecutor(_options.MayCommand);
         _tracker = new VehicleTracker(_options.SystemId, _options.HeartbeatTimeout);
         _rates = new MessageRateRequester(_options.RequestedRates);
         _frames = Receive<LinkFrame>(MessageNames.AutopilotFrames, FramesWaiting, QueueFullMode.Reject, wakeOnPush: true);
@@ -48,6 +50,10 @@ public sealed class AutopilotManager : RabitManager
         _ownAddress = Publish(MessageNames.OwnAddress, new OwnAddress { ComponentId = _options.ComponentId });
         _statusTexts = Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
         _acknowledgements = Publish(MessageNames.CommandAcknowledgements, RecentItems<CommandAcknowledgement>.None);
+        _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands, CommandsWaiting, QueueFullMode.Reject, wakeOnPush: true);
+        _answers = Send<VehicleCommandAnswer>(MessageNames.VehicleCommandAnswers);
+        _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
+        _poses = Send<PoseSample>(MessageNames.Poses);
         WakeUpDelay = Rhythm;
     }
 
@@ -62,6 +68,7 @@ public sealed class AutopilotManager : RabitManager
     {
         if (_options.SystemId is { } systemId)
             PostOwnAddress(systemId);
+        _authority.Post();
     }
 
     /// <inheritdoc/>
@@ -75,6 +82,9 @@ public sealed class AutopilotManager : RabitManager
         }
 
         RequestRates();
+        RequestTime();
+        ExecuteCommands();
+        WakeUpDelay = _executor.IsBusy || _clock.Requests.IsFast(Now) ? BusyRhythm : Rhythm;
     }
 
     private VehicleEvents TakeFrames()
@@ -86,7 +96,10 @@ public sealed class AutopilotManager : RabitManager
         {
             VehicleEvents events = _tracker.Fold(frame);
             _recorder.Record(frame, events, _tracker.State);
-            Handle(events);
+            Handle(events, frame.Time);
+            TakeHeartbeat(frame, events);
+            TakePose(frame, events);
+            TakeTime(frame);
             TakeText(frame);
             TakeAcknowledgement(frame);
             all |= events;
@@ -110,17 +123,18 @@ public sealed class AutopilotManager : RabitManager
         _listenedUntil = now;
         if (events != VehicleEvents.None)
             _recorder.Record(events);
-        Handle(events);
+        Handle(events, now);
         return events;
     }
 
     // In this order: a frame after a gap tells of the loss, then of the end of it.
-    private void Handle(VehicleEvents events)
+    private void Handle(VehicleEvents events, TimeSpan time)
     {
         if ((events & VehicleEvents.Lost) != 0)
         {
             Log("the autopilot is lost");
             _rates.Stop();
+            _clock.Requests.Stop();
         }
 
         if ((events & VehicleEvents.Found) != 0)
@@ -133,9 +147,16 @@ public sealed class AutopilotManager : RabitManager
         if ((events & VehicleEvents.FoundAgain) != 0)
             Log("the autopilot is back");
         if ((events & VehicleEvents.Rebooted) != 0)
+        {
             Log("the autopilot has rebooted");
+            HandleReboot(time);
+        }
+
         if ((events & (VehicleEvents.Found | VehicleEvents.FoundAgain | VehicleEvents.Rebooted)) != 0)
+        {
             _rates.Start();
+            StartAskingForTime(time);
+        }
     }
 
     // Any component of the vehicle may have something to say to people.
@@ -147,6 +168,7 @@ public sealed class AutopilotManager : RabitManager
         mavlink.TryDecode(out Statustext text);
         var item = new StatusText(frame.Time, text.Severity, text.Text.ToString());
         _statusTexts.Value = _statusTexts.Value.With(item, RecentItemsKept);
+        _executor.TakeText(item.Severity, item.Text);
     }
 
     private void TakeAcknowledgement(in LinkFrame frame)
@@ -157,7 +179,10 @@ public sealed class AutopilotManager : RabitManager
         mavlink.TryDecode(out CommandAck ack);
         var item = new CommandAcknowledgement(frame.Time, ack.Command, ack.Result, ack.TargetSystem, ack.TargetComponent);
         _acknowledgements.Value = _acknowledgements.Value.With(item, RecentItemsKept);
-        if (ack.Command == MavCmd.SetMessageInterval && IsForUs(ack) && _rates.TakeAnswer(ack.Result, Now) is { } refused)
+        if (!IsForUs(ack))
+            return;
+        _executor.TakeAcknowledgement(ack.Command, ack.Result, Now);
+        if (ack.Command == MavCmd.SetMessageInterval && _rates.TakeAnswer(ack.Result, Now) is { } refused)
             Log($"the autopilot refuses a rate for {NameOf(refused)}: {ack.Result}");
     }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
 
@@ -27,9 +28,13 @@ public sealed class AutopilotOptions
     /// <value>The default is 5 s: four to five missed at 1 Hz (MAVLink guide, "Heartbeat/Connection Protocol").</value>
     public TimeSpan HeartbeatTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
-    /// <summary>Whether the autopilot is asked for <see cref="RequestedRates"/>: not in a replay, where nobody listens.</summary>
+    /// <summary>Whether the autopilot is asked for <see cref="RequestedRates"/> and for its time: not in a replay, where nobody listens.</summary>
     /// <value>The default is true.</value>
     public bool RequestsRates { get; set; } = true;
+
+    /// <summary>Whether vehicle commands are carried out. Where it is false, every one is answered <see cref="VehicleCommandOutcome.NotInCommand"/>.</summary>
+    /// <value>The default is false: we observe.</value>
+    public bool MayCommand { get; set; }
 
     /// <summary>What the autopilot is asked to send, and how often, when it is heard, heard again or has rebooted.</summary>
     /// <value>
@@ -45,6 +50,7 @@ public sealed class AutopilotOptions
         new(GpsRawInt.MavlinkId, 2),
         new(SystemTime.MavlinkId, 1),
         new(ExtendedSysState.MavlinkId, 2),
+        new(Wind.MavlinkId, 1),
     ];
 
     /// <summary>Checks, and takes a copy that later changes do not reach.</summary>

@@ -1,3 +1,5 @@
+using System;
+
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
@@ -6,8 +8,31 @@ namespace Rabit.Uav.AutopilotInterface;
 /// </summary>
 internal static class Px4Modes
 {
+    public const uint Takeoff = 0x0204_0000;
+    public const uint Loiter = 0x0304_0000;
+    public const uint Return = 0x0504_0000;
+    public const uint Land = 0x0604_0000;
+
     private const int PositionControl = 3;
     private const int Auto = 4;
+    private const uint HighestMain = 11;
+    private const uint HighestSub = 18;
+
+    /// <summary>The number of a mode, by its name in any case; null where there is none of that name.</summary>
+    public static uint? NumberOf(string name)
+    {
+        for (uint main = 1; main <= HighestMain; main++)
+        {
+            for (uint sub = 0; sub <= HighestSub; sub++)
+            {
+                uint mode = (main << 16) | (sub << 24);
+                if (string.Equals(NameOf(mode), name, StringComparison.OrdinalIgnoreCase))
+                    return mode;
+            }
+        }
+
+        return null;
+    }
 
     /// <summary>The name; null for a number that is not known here.</summary>
     public static string? NameOf(uint customMode)

@@ -16,6 +16,9 @@ internal sealed partial class VehicleTracker
     private const ulong EarliestUtc = 946_684_800_000_000;
     private const ulong LatestUtc = 4_102_444_800_000_000;
 
+    // No wind at the ground was ever stronger (WMO: 113 m/s, Barrow Island, 1996).
+    private const float StrongestWind = 113;
+
     private VehicleEvents FoldTelemetry(in MavlinkFrame frame, TimeSpan time)
     {
         switch (frame.MessageId)
@@ -41,6 +44,9 @@ internal sealed partial class VehicleTracker
             case ExtendedSysState.MavlinkId:
                 frame.TryDecode(out ExtendedSysState extended);
                 return Fold(extended);
+            case Wind.MavlinkId:
+                frame.TryDecode(out Wind wind);
+                return Fold(wind, time);
             default:
                 return VehicleEvents.None;
         }
@@ -108,7 +114,20 @@ internal sealed partial class VehicleTracker
         return VehicleEvents.Changed;
     }
 
-    private VehicleEvents JudgeBoot(uint timeBootMs) => _bootClock.HasRebooted(timeBootMs) ? VehicleEvents.Rebooted : VehicleEvents.None;
+    private VehicleEvents Fold(in Wind message, TimeSpan time)
+    {
+        if (!(message.Speed is >= 0 and <= StrongestWind))
+            return VehicleEvents.Refused;
+        _state.WindTime = time;
+        _state.WindMetresPerSecond = message.Speed;
+        return VehicleEvents.Changed;
+    }
+
+    private VehicleEvents JudgeBoot(uint timeBootMs)
+    {
+        BootTimeMs = timeBootMs;
+        return _bootClock.HasRebooted(timeBootMs) ? VehicleEvents.Rebooted : VehicleEvents.None;
+    }
 
     private static bool IsFinite(float value) => !float.IsNaN(value) && !float.IsInfinity(value);
 

@@ -25,12 +25,16 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         BatteryAmperes = double.NaN,
         BatteryRemaining = double.NaN,
         Satellites = byte.MaxValue,
+        WindMetresPerSecond = double.NaN,
     };
 
     public ref readonly VehicleState State => ref _state;
 
     /// <summary>When the newest part of the state was true.</summary>
     public TimeSpan NewestTime { get; private set; }
+
+    /// <summary>The time since boot that the last message with one told, milliseconds; 0 where the autopilot does not know it.</summary>
+    public uint BootTimeMs { get; private set; }
 
     /// <summary>Whether the autopilot is known and the frame comes from it.</summary>
     public bool IsFromAutopilot(in MavlinkFrame frame)

@@ -11,8 +11,9 @@ namespace Rabit.Uav.Communications;
 /// <summary>
 /// The post office between aircraft and ground: it owns the links, hands frames that are for us to their local addressee, passes
 /// the others on unchanged by MAVLink's address rules, and sends what the other managers want sent. It reads addresses, never meaning.
+/// It tells ground and others where we are, and carries typed messages between vehicles.
 /// </summary>
-public sealed class CommunicationsManager : RabitManager
+public sealed partial class CommunicationsManager : RabitManager
 {
     /// <summary>The name of the manager.</summary>
     public const string ManagerName = "communications";
@@ -43,6 +44,9 @@ public sealed class CommunicationsManager : RabitManager
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress, wakeOnPost: true);
         _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames);
         _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
+        _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
+        _position = new OwnPosition(_options.Links.Count > 0 ? _options.PositionRateHz : 0);
+        _mail = _options.MailRoutes.Select(route => route.Open(this)).ToArray();
         _droppedIn = new long[_options.Count];
         foreach (IByteLink link in _options.Links)
             AddLink(link);
@@ -69,12 +73,14 @@ public sealed class CommunicationsManager : RabitManager
         foreach (LinkPort port in _ports)
             isWaiting |= !TakeFrames(port);
         SendOwnFrames();
+        SendPosition();
+        SendMail();
 
         if (Now >= _nextStatus)
             PostStatus();
         if (_options.StopsWhenAllLinksEnd && !isWaiting)
             isWaiting = StopAtTheEnd();
-        WakeUpDelay = isWaiting ? TimeSpan.FromMilliseconds(1) : Rhythm;
+        WakeUpDelay = isWaiting ? TimeSpan.FromMilliseconds(1) : _position.Period < Rhythm ? _position.Period : Rhythm;
     }
 
     /// <inheritdoc/>
@@ -100,7 +106,8 @@ public sealed class CommunicationsManager : RabitManager
             () => source.BytesLost,
             () => source.IncompatibleFrames,
             target,
-            file: null));
+            file: null,
+            new MailBudget(_options.MailBytesPerSecond)));
         _router.SetLink(number, MavlinkLinkRules.Live);
     }
 
@@ -119,7 +126,8 @@ public sealed class CommunicationsManager : RabitManager
             () => file.BytesLost,
             () => file.IncompatibleFrames,
             target: null,
-            file));
+            file,
+            new MailBudget(_options.MailBytesPerSecond)));
 
         // What was recorded is never sent to anybody alive.
         _router.SetLink(number, MavlinkLinkRules.ReceiveOnly);
@@ -158,7 +166,7 @@ public sealed class CommunicationsManager : RabitManager
 
         // A log is no network: whoever an answer was for then, it is part of the flight that we look at now.
         bool isForUs = route.DeliverLocally || (isRecorded && isKnown && route.Reason != MavlinkRouteReason.OurOwn);
-        if (isForUs && _autopilot.Push(frame) == PushResult.Rejected)
+        if (isForUs && !IsMail(frame) && _autopilot.Push(frame) == PushResult.Rejected)
             _droppedIn[frame.Link]++;
         SendTo(route.ForwardTo, mavlink);
     }
@@ -173,10 +181,16 @@ public sealed class CommunicationsManager : RabitManager
                 continue;
             }
 
-            MavlinkFrame frame = outgoing.Frame.WithSequence(NextSequence(outgoing.Frame), message.CrcExtra);
-            _own.Count(frame, isChecked: true);
+            MavlinkFrame frame = Numbered(outgoing.Frame, message);
             SendTo(_router.RouteOwn(frame, message), frame);
         }
+    }
+
+    private MavlinkFrame Numbered(in MavlinkFrame frame, in MavlinkMessageInfo message)
+    {
+        MavlinkFrame numbered = frame.WithSequence(NextSequence(frame), message.CrcExtra);
+        _own.Count(numbered, isChecked: true);
+        return numbered;
     }
 
     private byte NextSequence(in MavlinkFrame frame)

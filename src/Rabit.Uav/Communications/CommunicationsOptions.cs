@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Mavlink;
 using Rabit.Uav.Links;
 
@@ -8,6 +9,9 @@ namespace Rabit.Uav.Communications;
 /// <summary>What Communications is made of. Read once, when the manager is made.</summary>
 public sealed class CommunicationsOptions
 {
+    // More than an autopilot itself measures it.
+    private const double HighestPositionRate = 50;
+
     /// <summary>Live links, open. They stay the caller's to dispose, after the run.</summary>
     public IReadOnlyList<IByteLink> Links { get; set; } = Array.Empty<IByteLink>();
 
@@ -30,14 +34,26 @@ public sealed class CommunicationsOptions
     /// <value>The default is false.</value>
     public bool StopsWhenAllLinksEnd { get; set; }
 
+    /// <summary>How often our own position goes out to all live links, from our own address, while it is known; 0 for never.</summary>
+    /// <value>The default is 1 Hz: what others keep clear by (ArduPilot forgets a vehicle after 3 s, AP_Follow).</value>
+    public double PositionRateHz { get; set; } = 1;
+
+    /// <summary>What types of messages are exchanged with other vehicles, each by a codec of its own.</summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyList<MailRoute> MailRoutes { get; set; } = Array.Empty<MailRoute>();
+
+    /// <summary>How many bytes of mail one link carries per second, frames and all; what is above is dropped and counted.</summary>
+    /// <value>The default is 1000: thirteen target reports; a radio with error correction carries 3600 (SiK at 57600 baud).</value>
+    public int MailBytesPerSecond { get; set; } = 1000;
+
     internal int Count => Links.Count + RecordedFiles.Count;
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal CommunicationsOptions Validate(string parameter)
     {
         var faults = new List<string>();
-        if (Links is null || RecordedFiles is null)
-            throw new ArgumentException("Communications: the lists of links and recorded files may be empty, but not null.", parameter);
+        if (Links is null || RecordedFiles is null || MailRoutes is null)
+            throw new ArgumentException("Communications: the lists of links, recorded files and mail routes may be empty, but not null.", parameter);
         if (Count == 0)
             faults.Add("there is no link");
         if (Count > MavlinkRouter.MaximumLinks)
@@ -48,6 +64,12 @@ public sealed class CommunicationsOptions
             faults.Add($"{nameof(FramesWaitingOut)} is {FramesWaitingOut}; it must be at least 1");
         if (SilentAfter <= TimeSpan.Zero)
             faults.Add($"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero");
+        if (!(PositionRateHz >= 0 && PositionRateHz <= HighestPositionRate))
+            faults.Add(FormattableString.Invariant($"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {HighestPositionRate}"));
+        if (MailBytesPerSecond < MavlinkFrame.MaximumWireLength)
+            faults.Add($"{nameof(MailBytesPerSecond)} is {MailBytesPerSecond}; it must be at least one frame, {MavlinkFrame.MaximumWireLength}");
+        foreach (IGrouping<int, MailRoute> twice in MailRoutes.GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
+            faults.Add($"{nameof(MailRoutes)} has payload type {twice.Key} more than once");
         if (faults.Count > 0)
             throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".", parameter);
         return (CommunicationsOptions)MemberwiseClone();

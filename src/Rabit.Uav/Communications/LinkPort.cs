@@ -17,7 +17,8 @@ internal sealed class LinkPort(
     Func<long> bytesLost,
     Func<long> incompatibleFrames,
     LinkFrameTarget? target,
-    RecordedFile? file)
+    RecordedFile? file,
+    MailBudget mailBudget)
 {
     private long _framesOut;
     private long _rejectedOut;
@@ -43,6 +44,9 @@ internal sealed class LinkPort(
         else
             _framesOut++;
     }
+
+    /// <summary>Whether the link may carry a frame of mail now; if so, it is taken from its budget.</summary>
+    public bool HasMailBudget(in MavlinkFrame frame, TimeSpan now) => mailBudget.TryTake(frame.WireLength, now);
 
     public void PostStatus(TimeSpan now, TimeSpan silentAfter, long droppedIn)
     {

@@ -14,4 +14,14 @@ public readonly struct GeodeticPosition(double latitudeRadians, double longitude
 
     /// <summary>Above mean sea level, up positive.</summary>
     public double AltitudeAmslMetres { get; } = altitudeAmslMetres;
+
+    /// <summary>Without its altitude.</summary>
+    public GeographicPoint Point => new(Angle.FromRadians(LatitudeRadians), Angle.FromRadians(LongitudeRadians));
+
+    /// <summary>Its altitude, as a type that is not mixed up with other heights.</summary>
+    public AmslAltitude Altitude => new(AltitudeAmslMetres);
+
+    /// <summary>With its height above the ellipsoid.</summary>
+    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid there, -107 to 86 m on earth.</param>
+    public EllipsoidPosition ToEllipsoid(double geoidUndulationMetres) => new(Point, Altitude.ToEllipsoid(geoidUndulationMetres));
 }

@@ -10,7 +10,8 @@ namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
 /// Watches the managers, the autopilot, the battery and the links, and says how well they are. It writes our MAVLink heartbeat,
-/// once a second and only while it is true: an unknown address, a manager that threw or that does not come back silences it.
+/// once a second and only while it is true: an unknown address, a manager that threw or that does not come back silences it. In flight it
+/// asks Mission Control to go home or to land where the rules say so.
 /// </summary>
 public sealed class HealthManager : RabitManager
 {
@@ -31,6 +32,11 @@ public sealed class HealthManager : RabitManager
     private readonly LinkWatch[] _links;
     private readonly MessageSubscriber<VehicleState> _vehicle;
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
+    private readonly MessageSubscriber<MissionStatus> _mission;
+    private readonly CameraWatch _camera;
+    private readonly WindWatch _wind = new();
+    private readonly AdviceLatch _advice = new();
+    private readonly GroundTexts _texts;
     private readonly QueueSender<OutgoingFrame> _outgoing;
     private readonly MessagePublisher<HealthReport> _report;
     private readonly HeartbeatSchedule _schedule = new(HeartbeatPeriod, Cycle);
@@ -57,6 +63,9 @@ public sealed class HealthManager : RabitManager
             .Select(number => new LinkWatch(number, Subscribe<LinkStatus>(MessageNames.LinkStatus(number)))).ToArray();
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
+        _mission = Subscribe<MissionStatus>(MessageNames.Mission);
+        _camera = new CameraWatch(Subscribe<ImagingStatus>(MessageNames.Imaging));
+        _texts = new GroundTexts(_options.StatusTextPeriod);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
         _report = Publish<HealthReport>(MessageNames.Health);
         WakeUpDelay = Cycle;
@@ -70,6 +79,7 @@ public sealed class HealthManager : RabitManager
         Judge(now, _watchedSince.Value);
         if (_schedule.TakeBeat(now) && _next.SendsHeartbeat)
             SendHeartbeat();
+        SendTexts(now);
         PostReport(now);
         WakeUpDelay = _schedule.UntilNext(now);
     }
@@ -90,6 +100,7 @@ public sealed class HealthManager : RabitManager
         bool areAllAlive = JudgeManagers(now, watchedSince);
         JudgeVehicle(now, isReplayOver: JudgeLinks(now, watchedSince));
         _ownAddress.Fetch();
+        TakeAdvice();
         _next.SendsHeartbeat = areAllAlive && _ownAddress.Value.IsKnown;
         TakeFindings();
     }
@@ -125,7 +136,20 @@ public sealed class HealthManager : RabitManager
     private void JudgeVehicle(TimeSpan now, bool isReplayOver)
     {
         _vehicle.Fetch();
-        HealthRules.Judge(new VehicleFacts(_vehicle.Value, now, isReplayOver), _options, _findings);
+        TimeSpan? windHighFor = _wind.Look(_vehicle.Value, now, _options);
+        HealthRules.Judge(new VehicleFacts(_vehicle.Value, now, isReplayOver, windHighFor), _options, _findings);
+        HealthRules.Judge(_camera.Look(now), _options, _findings);
+    }
+
+    // Without a mission in flight there is nobody to give advice to.
+    private void TakeAdvice()
+    {
+        _mission.Fetch();
+        bool isFlying = _mission.Value.Phase is MissionPhase.Arming or MissionPhase.TakingOff or MissionPhase.InTransit
+            or MissionPhase.Searching or MissionPhase.Looking or MissionPhase.Returning or MissionPhase.Landing;
+        _advice.Take(_findings, isFlying);
+        _next.Advice = _advice.Advice;
+        _next.AdviceText = _advice.Text;
     }
 
     // The text is made anew only when a finding has: a cycle without news allocates nothing.
@@ -174,11 +198,22 @@ public sealed class HealthManager : RabitManager
             _next.HeartbeatsSent++;
     }
 
+    private void SendTexts(TimeSpan now)
+    {
+        OwnAddress own = _ownAddress.Value;
+        if (!own.IsKnown)
+            return;
+        IReadOnlyList<Statustext> pieces = _texts.Take(_next, now);
+        for (int i = 0; i < pieces.Count; i++)
+            _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(pieces[i], own.SystemId, own.ComponentId, sequence: 0) });
+    }
+
     // At once when it is news, else once a second, so that its age tells that we live.
     private void PostReport(TimeSpan now)
     {
         ref HealthReport posted = ref _report.Value;
         bool isNews = posted.Level != _next.Level
+            || posted.Advice != _next.Advice
             || posted.SendsHeartbeat != _next.SendsHeartbeat
             || posted.HeartbeatsSent != _next.HeartbeatsSent
             || !ReferenceEquals(posted.Text, _next.Text);

@@ -23,6 +23,10 @@ public sealed class HealthOptions
     /// <value>The default is 1 s: with a wake-up delay of up to 1 s our heartbeat stops within 2 s.</value>
     public TimeSpan StuckAfter { get; set; } = TimeSpan.FromSeconds(1);
 
+    /// <summary>How much longer than its wake-up delay a manager may go without beginning a unit of work before a vehicle in flight should come home.</summary>
+    /// <value>The default is 5 s: a small computer that was busy for a moment is no reason to give a mission up.</value>
+    public TimeSpan StuckGoHomeAfter { get; set; } = TimeSpan.FromSeconds(5);
+
     /// <summary>How long a fault of a manager, or a dropped frame, is told of.</summary>
     /// <value>The default is 5 s: several times the longest delay of <see cref="Core.FaultPolicy.CarryOn"/>.</value>
     public TimeSpan RememberedFor { get; set; } = TimeSpan.FromSeconds(5);
@@ -30,6 +34,22 @@ public sealed class HealthOptions
     /// <summary>How long an open link may stay without its first frame before it is called silent.</summary>
     /// <value>The default is 5 s, as for a link that falls silent.</value>
     public TimeSpan FirstFrameWithin { get; set; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>How strong the wind may be, metres per second, by the autopilot's estimate.</summary>
+    /// <value>The default is 12 m/s: what small multirotors are usually rated for, and well below what they can fly against.</value>
+    public double WindHigh { get; set; } = 12;
+
+    /// <summary>How long it may be stronger: a gust is no storm.</summary>
+    /// <value>The default is 5 s.</value>
+    public TimeSpan WindHighAfter { get; set; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>How long the camera may be without a picture while it should search.</summary>
+    /// <value>The default is 3 s: six pictures at 2 Hz.</value>
+    public TimeSpan CameraSilentAfter { get; set; } = TimeSpan.FromSeconds(3);
+
+    /// <summary>How often, at the most, a text about our health goes to the ground (STATUSTEXT).</summary>
+    /// <value>The default is 5 s.</value>
+    public TimeSpan StatusTextPeriod { get; set; } = TimeSpan.FromSeconds(5);
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal HealthOptions ValidatedCopy(string parameter)
@@ -50,9 +70,19 @@ public sealed class HealthOptions
             yield return $"{nameof(AutopilotTimeout)} is {AutopilotTimeout}; heartbeats come once a second, so it must be at least that";
         if (StuckAfter < HealthManager.Cycle)
             yield return $"{nameof(StuckAfter)} is {StuckAfter}; the rules are judged every {HealthManager.Cycle}, so it must be at least that";
+        if (StuckGoHomeAfter < StuckAfter)
+            yield return $"{nameof(StuckGoHomeAfter)} is {StuckGoHomeAfter}; it must be at least {nameof(StuckAfter)}";
         if (RememberedFor <= TimeSpan.Zero)
             yield return $"{nameof(RememberedFor)} is {RememberedFor}; it must be above zero";
         if (FirstFrameWithin <= TimeSpan.Zero)
             yield return $"{nameof(FirstFrameWithin)} is {FirstFrameWithin}; it must be above zero";
+        if (!(WindHigh > 0 && !double.IsInfinity(WindHigh)))
+            yield return FormattableString.Invariant($"{nameof(WindHigh)} is {WindHigh}; it must be above 0");
+        if (WindHighAfter < TimeSpan.Zero)
+            yield return $"{nameof(WindHighAfter)} is {WindHighAfter}; it cannot be negative";
+        if (CameraSilentAfter <= TimeSpan.Zero)
+            yield return $"{nameof(CameraSilentAfter)} is {CameraSilentAfter}; it must be above zero";
+        if (StatusTextPeriod <= TimeSpan.Zero)
+            yield return $"{nameof(StatusTextPeriod)} is {StatusTextPeriod}; it must be above zero";
     }
 }

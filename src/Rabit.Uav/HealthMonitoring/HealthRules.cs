@@ -7,52 +7,66 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// All that Health Monitoring finds wrong, in one place: a table for managers, one for the vehicle, one for links.
-/// Thresholds are in <see cref="HealthOptions"/>.
+/// All that Health Monitoring finds wrong, in one place: a table for managers, one for the vehicle, one for the camera, one for links. Each row
+/// says what to do about it in flight. Thresholds are in <see cref="HealthOptions"/>.
 /// </summary>
 internal static class HealthRules
 {
     private static readonly HealthRule<ManagerFacts>[] OfManagers =
     [
-        new(HealthReasons.ManagerFaulted, HealthLevel.Critical,
+        new(HealthReasons.ManagerFaulted, HealthLevel.Critical, HealthAdvice.GoHome,
             static (in ManagerFacts m, HealthOptions _) => m.State == ManagerState.Faulted || m.HasFaultedLately,
             static (in ManagerFacts m) => m.Faults),
-        new(HealthReasons.ManagerStuck, HealthLevel.Critical,
-            static (in ManagerFacts m, HealthOptions o) => IsAtWork(m) && m.QuietFor > m.WakeUpDelay + o.StuckAfter,
+        new(HealthReasons.ManagerStuck, HealthLevel.Critical, HealthAdvice.None,
+            static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckAfter) && !IsQuietFor(m, o.StuckGoHomeAfter),
+            static (in ManagerFacts m) => m.WakeUpDelay.Ticks),
+        new(HealthReasons.ManagerStuck, HealthLevel.Critical, HealthAdvice.GoHome,
+            static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckGoHomeAfter),
             static (in ManagerFacts m) => m.WakeUpDelay.Ticks),
     ];
 
     private static readonly HealthRule<VehicleFacts>[] OfVehicle =
     [
-        new(HealthReasons.NoAutopilot, HealthLevel.Warning,
+        new(HealthReasons.NoAutopilot, HealthLevel.Warning, HealthAdvice.None,
             static (in VehicleFacts v, HealthOptions _) => v.State.SystemId == 0,
             static (in VehicleFacts _) => 0),
-        new(HealthReasons.AutopilotLost, HealthLevel.Critical,
+        new(HealthReasons.AutopilotLost, HealthLevel.Critical, HealthAdvice.GoHome,
             static (in VehicleFacts v, HealthOptions o) => v.State.SystemId != 0 && !v.IsReplayOver
                 && (!v.State.IsConnected || v.HeartbeatAge > o.AutopilotTimeout),
-            static (in VehicleFacts v) => v.State.LastHeartbeatTime.Ticks),
-        new(HealthReasons.AutopilotCritical, HealthLevel.Critical,
+            static (in VehicleFacts v) => v.State.LastHeartbeatTime.Ticks,
+            isAdvisedAfterwards: true),
+        new(HealthReasons.AutopilotCritical, HealthLevel.Critical, HealthAdvice.None,
             static (in VehicleFacts v, HealthOptions _) => v.State.SystemStatus is MavState.Critical or MavState.Emergency or MavState.FlightTermination,
             static (in VehicleFacts v) => (long)v.State.SystemStatus),
-        new(HealthReasons.BatteryCritical, HealthLevel.Critical,
+        new(HealthReasons.BatteryCritical, HealthLevel.Critical, HealthAdvice.Land,
             static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null && v.State.BatteryRemaining <= o.BatteryCritical,
             static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
-        new(HealthReasons.BatteryLow, HealthLevel.Warning,
+        new(HealthReasons.BatteryLow, HealthLevel.Warning, HealthAdvice.GoHome,
             static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null
                 && v.State.BatteryRemaining <= o.BatteryLow && v.State.BatteryRemaining > o.BatteryCritical,
             static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
+        new(HealthReasons.WindHigh, HealthLevel.Warning, HealthAdvice.GoHome,
+            static (in VehicleFacts v, HealthOptions o) => v.WindHighFor >= o.WindHighAfter,
+            static (in VehicleFacts v) => (long)Math.Round(v.State.WindMetresPerSecond)),
+    ];
+
+    private static readonly HealthRule<CameraFacts>[] OfCamera =
+    [
+        new(HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.GoHome,
+            static (in CameraFacts c, HealthOptions o) => c.Status.HasCamera && c.Status.Mode == ImagingMode.Search && c.QuietFor > o.CameraSilentAfter,
+            static (in CameraFacts c) => c.Status.LastFrameTime?.Ticks ?? -1),
     ];
 
     private static readonly HealthRule<LinkFacts>[] OfLinks =
     [
-        new(HealthReasons.LinkDown, HealthLevel.Critical,
+        new(HealthReasons.LinkDown, HealthLevel.Critical, HealthAdvice.None,
             static (in LinkFacts l, HealthOptions _) => l.State == LinkState.Failed || (l.State == LinkState.Ended && !l.IsRecorded),
             static (in LinkFacts l) => (long)l.State),
-        new(HealthReasons.LinkSilent, HealthLevel.Warning,
+        new(HealthReasons.LinkSilent, HealthLevel.Warning, HealthAdvice.None,
             static (in LinkFacts l, HealthOptions o) => l.State == LinkState.Silent
                 || (l.State == LinkState.Waiting && l.WatchedFor > o.FirstFrameWithin),
             static (in LinkFacts l) => (long)l.State),
-        new(HealthReasons.FramesDropped, HealthLevel.Warning,
+        new(HealthReasons.FramesDropped, HealthLevel.Warning, HealthAdvice.None,
             static (in LinkFacts l, HealthOptions _) => l.HasDroppedLately,
             static (in LinkFacts l) => l.FramesDropped),
     ];
@@ -67,6 +81,9 @@ internal static class HealthRules
     public static void Judge(in VehicleFacts vehicle, HealthOptions options, List<HealthFinding> findings)
         => Judge(OfVehicle, vehicle, subject: null, options, findings);
 
+    public static void Judge(in CameraFacts camera, HealthOptions options, List<HealthFinding> findings)
+        => Judge(OfCamera, camera, subject: null, options, findings);
+
     public static void Judge(in LinkFacts link, HealthOptions options, List<HealthFinding> findings)
         => Judge(OfLinks, link, link.Name, options, findings);
 
@@ -76,7 +93,7 @@ internal static class HealthRules
         foreach (HealthRule<T> rule in rules)
         {
             if (rule.Condition(facts, options))
-                findings.Add(new HealthFinding(rule.Reason, rule.Level, subject, rule.Figure(facts)));
+                findings.Add(new HealthFinding(rule.Reason, rule.Level, subject, rule.Figure(facts), rule.Advice, rule.IsAdvisedAfterwards));
         }
     }
 
@@ -91,6 +108,8 @@ internal static class HealthRules
 
         return false;
     }
+
+    private static bool IsQuietFor(in ManagerFacts manager, TimeSpan longer) => IsAtWork(manager) && manager.QuietFor > manager.WakeUpDelay + longer;
 
     // Before its first unit of work a manager is "starting"; that it does not get to it counts as stuck too.
     private static bool IsAtWork(in ManagerFacts manager) => manager.State is ManagerState.Running or ManagerState.Starting;

@@ -13,6 +13,9 @@ internal static class HealthText
     public static string? Of(IReadOnlyList<HealthFinding> findings)
         => findings.Count == 0 ? null : string.Join("; ", findings.OrderByDescending(f => f.Level).ThenBy(f => f.Reason).Select(Describe));
 
+    /// <summary>One finding in words.</summary>
+    public static string Of(in HealthFinding finding) => Describe(finding);
+
     private static string Describe(HealthFinding finding) => finding.Reason switch
     {
         HealthReasons.ManagerFaulted => Invariant($"manager {finding.Subject} faulted ({finding.Figure} faults so far)"),
@@ -27,6 +30,9 @@ internal static class HealthText
         HealthReasons.LinkSilent when finding.Figure == (long)LinkState.Waiting => $"link {finding.Subject}: nothing came in yet",
         HealthReasons.LinkSilent => $"link {finding.Subject} is silent",
         HealthReasons.FramesDropped => Invariant($"link {finding.Subject} dropped frames ({finding.Figure} so far)"),
+        HealthReasons.CameraSilent when finding.Figure < 0 => "the camera has given no picture yet",
+        HealthReasons.CameraSilent => Invariant($"the camera gives no pictures (last at {Seconds(finding.Figure)} s)"),
+        HealthReasons.WindHigh => Invariant($"wind too strong ({finding.Figure} m/s)"),
         _ => finding.Reason.ToString(),
     };
 

@@ -38,4 +38,10 @@ public enum HealthReasons
 
     /// <summary>A manager does not come back from its unit of work.</summary>
     ManagerStuck = 512,
+
+    /// <summary>The camera gives no pictures, though it should search.</summary>
+    CameraSilent = 1024,
+
+    /// <summary>The wind is stronger than it may be, and has been for a while.</summary>
+    WindHigh = 2048,
 }

@@ -12,6 +12,12 @@ public struct HealthReport
     /// <summary>The same for people, with names and figures; null when nothing is wrong.</summary>
     public string? Text { get; set; }
 
+    /// <summary>What Mission Control is asked to do about it.</summary>
+    public HealthAdvice Advice { get; set; }
+
+    /// <summary>What led to the advice, for people, also when it is over; null while there is no advice.</summary>
+    public string? AdviceText { get; set; }
+
     /// <summary>Whether our own heartbeat goes out: only while every manager works.</summary>
     public bool SendsHeartbeat { get; set; }
 

@@ -93,4 +93,10 @@ public struct VehicleState
 
     /// <summary>When <see cref="GpsUtcMicroseconds"/> was true; null before the first.</summary>
     public TimeSpan? UtcTime { get; set; }
+
+    /// <summary>When the autopilot last told its estimate of the wind; null where it never did.</summary>
+    public TimeSpan? WindTime { get; set; }
+
+    /// <summary>Speed of the wind over ground, metres per second, as the autopilot estimates it (ArduPilot); NaN where it tells none.</summary>
+    public double WindMetresPerSecond { get; set; }
 }

@@ -119,7 +119,7 @@ public class AutopilotManagerTests
         var time = new VirtualTime(1);
         time.SetUnitOfWorkDuration(AutopilotManager.ManagerName, TimeSpan.FromSeconds(8));
         var manager = new AutopilotManager(new AutopilotOptions { RequestsRates = false });
-        var reactor = new RabitReactor(time) { manager, new OutgoingSink() };
+        var reactor = new RabitReactor(time) { manager, new OutgoingSink(), new AutopilotPeers() };
         QueueSender<LinkFrame> frames = reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
         reactor.Start();
         for (int second = 0; second < 60; second++)
@@ -141,7 +141,7 @@ public class AutopilotManagerTests
         var time = new VirtualTime(1);
         time.SetUnitOfWorkDuration(AutopilotManager.ManagerName, TimeSpan.FromSeconds(8));
         var manager = new AutopilotManager(new AutopilotOptions { RequestsRates = false });
-        var reactor = new RabitReactor(time) { manager, new OutgoingSink() };
+        var reactor = new RabitReactor(time) { manager, new OutgoingSink(), new AutopilotPeers() };
         QueueSender<LinkFrame> frames = reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
         reactor.Start();
         frames.Push(AutopilotRig.FrameOf(AutopilotRig.Copter(), TimeSpan.Zero));
@@ -251,6 +251,7 @@ public class AutopilotManagerTests
     public void ExecuteUnitOfWork_SteadyState_AllocatesNothing()
     {
         using var rig = new AutopilotRig();
+        rig.Peers.KeepsPoses = false;
         void OneSecond()
         {
             rig.Send(AutopilotRig.Copter(flags: AutopilotRig.Armed));

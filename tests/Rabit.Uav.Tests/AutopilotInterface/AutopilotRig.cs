@@ -19,17 +19,21 @@ internal sealed class AutopilotRig : IDisposable
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly MessageSubscriber<RecentItems<StatusText>> _texts;
     private readonly MessageSubscriber<RecentItems<CommandAcknowledgement>> _acknowledgements;
+    private readonly MessageSubscriber<CommandAuthority> _authority;
+    private readonly QueueSender<VehicleCommand> _commands;
     private long _index;
 
     public AutopilotRig(AutopilotOptions? options = null)
     {
         Manager = new AutopilotManager(options ?? new AutopilotOptions { RequestsRates = false });
-        Reactor = new RabitReactor(new VirtualTime(1)) { Manager, Sink };
+        Reactor = new RabitReactor(new VirtualTime(1)) { Manager, Sink, Peers };
         _frames = Reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
         _vehicle = Reactor.Workspace.Subscribe<VehicleState>(MessageNames.VehicleState);
         _ownAddress = Reactor.Workspace.Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _texts = Reactor.Workspace.Subscribe<RecentItems<StatusText>>(MessageNames.StatusTexts);
         _acknowledgements = Reactor.Workspace.Subscribe<RecentItems<CommandAcknowledgement>>(MessageNames.CommandAcknowledgements);
+        _authority = Reactor.Workspace.Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
+        _commands = Reactor.Workspace.Send<VehicleCommand>(MessageNames.VehicleCommands);
         Reactor.Start();
         Reactor.RunFor(TimeSpan.Zero);
     }
@@ -39,6 +43,10 @@ internal sealed class AutopilotRig : IDisposable
     public AutopilotManager Manager { get; }
 
     public OutgoingSink Sink { get; } = new();
+
+    public AutopilotPeers Peers { get; } = new();
+
+    public CommandAuthority Authority => Fetched(_authority);
 
     public VehicleState Vehicle => Fetched(_vehicle);
 
@@ -99,6 +107,9 @@ internal sealed class AutopilotRig : IDisposable
     }
 
     public void Run(double seconds = 0) => Reactor.RunFor(TimeSpan.FromSeconds(seconds));
+
+    /// <summary>Hands a command in, as Mission Control does.</summary>
+    public void Command(in VehicleCommand command) => _commands.Push(command);
 
     /// <summary>Heartbeats once a second for so many seconds.</summary>
     public void Beat(int seconds, Heartbeat? heartbeat = null)

@@ -19,7 +19,7 @@ public class RateRequestTests
         Assert.Empty(rig.Sink.Frames);
         rig.Send(AutopilotRig.Copter(), system: 3);
         rig.Run();
-        (_, MavlinkFrame first) = Assert.Single(rig.Sink.Frames);
+        (_, MavlinkFrame first) = Assert.Single(rig.Sink.Frames, f => f.Frame.MessageId == CommandLong.MavlinkId);
         CommandLong command = OutgoingSink.Decode<CommandLong>(first);
         Assert.Equal((3, 191), (first.SystemId, first.ComponentId));
         Assert.Equal((3, 1), (command.TargetSystem, command.TargetComponent));
@@ -78,7 +78,7 @@ public class RateRequestTests
         Answer(rig, MavResult.Accepted);
         rig.Sink.Frames.Clear();
         rig.Beat(20);
-        Assert.Empty(rig.Sink.Frames);
+        Assert.Empty(Asked(rig));
         Assert.Equal((1L, 1L), (rig.Manager.RateRequests.Accepted, rig.Manager.RateRequests.Refused));
 
         rig.Run(10);

@@ -15,6 +15,7 @@ internal sealed class CommunicationsRig : IDisposable
     private readonly List<MemoryLinkPair> _pairs = [];
     private readonly MessagePublisher<OwnAddress> _ownAddress;
     private readonly QueueSender<OutgoingFrame> _outgoing;
+    private readonly MessagePublisher<VehicleState> _vehicle;
     private readonly List<MessageSubscriber<LinkStatus>> _statuses;
     private readonly byte[] _buffer = new byte[64 * 1024];
     private ReactorResult? _result;
@@ -24,8 +25,14 @@ internal sealed class CommunicationsRig : IDisposable
     /// <param name="autopilot">The stand-in; one that takes everything if left out.</param>
     /// <param name="seed">Of the virtual time.</param>
     /// <param name="linkCapacity">Bytes that may be on the way on each link.</param>
+    /// <param name="beforeStart">What else is to be in the reactor.</param>
     public CommunicationsRig(
-        int links, Action<CommunicationsOptions>? configure = null, FakeAutopilot? autopilot = null, long seed = 0, int linkCapacity = 64 * 1024)
+        int links,
+        Action<CommunicationsOptions>? configure = null,
+        FakeAutopilot? autopilot = null,
+        long seed = 0,
+        int linkCapacity = 64 * 1024,
+        Action<RabitReactor>? beforeStart = null)
     {
         for (int number = 0; number < links; number++)
             _pairs.Add(new MemoryLinkPair("link" + number, linkCapacity));
@@ -36,9 +43,11 @@ internal sealed class CommunicationsRig : IDisposable
         Autopilot = autopilot ?? new FakeAutopilot(1024);
         Reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(seed), Log = Log.Add, StopsOnSignals = false }) { Manager, Autopilot };
         _ownAddress = Reactor.Workspace.Publish(MessageNames.OwnAddress, new OwnAddress { ComponentId = 191 });
+        _vehicle = Reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
         _outgoing = Reactor.Workspace.Send<OutgoingFrame>(MessageNames.OutgoingFrames);
         _statuses = Enumerable.Range(0, options.Links.Count + options.RecordedFiles.Count)
             .Select(n => Reactor.Workspace.Subscribe<LinkStatus>(MessageNames.LinkStatus(n))).ToList();
+        beforeStart?.Invoke(Reactor);
         Reactor.Start();
         Run();
     }
@@ -61,6 +70,13 @@ internal sealed class CommunicationsRig : IDisposable
         _ownAddress.Post();
         Run();
         return this;
+    }
+
+    /// <summary>Says how the vehicle is, as Autopilot Interface does.</summary>
+    public void Post(in VehicleState vehicle)
+    {
+        _vehicle.Value = vehicle;
+        _vehicle.Post();
     }
 
     /// <summary>Lets bytes come in over a link, and all that follows from it happen.</summary>

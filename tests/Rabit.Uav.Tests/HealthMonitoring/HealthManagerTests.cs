@@ -159,9 +159,13 @@ public class HealthManagerTests
             StuckAfter = TimeSpan.Zero,
             RememberedFor = TimeSpan.Zero,
             FirstFrameWithin = TimeSpan.Zero,
+            WindHigh = 0,
+            WindHighAfter = TimeSpan.FromSeconds(-1),
+            CameraSilentAfter = TimeSpan.Zero,
+            StatusTextPeriod = TimeSpan.Zero,
         };
         string text = Assert.Throws<ArgumentException>(() => new HealthManager(options, [], 0)).Message;
-        foreach (string name in new[] { "BatteryLow", "BatteryCritical", "AutopilotTimeout", "StuckAfter", "RememberedFor", "FirstFrameWithin" })
+        foreach (string name in new[] { "BatteryLow", "BatteryCritical", "AutopilotTimeout", "StuckAfter", "RememberedFor", "FirstFrameWithin", "WindHigh", "WindHighAfter", "CameraSilentAfter", "StatusTextPeriod" })
             Assert.Contains(name, text, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => new HealthManager(new HealthOptions(), ["a", "a"], 0));
         Assert.Throws<ArgumentOutOfRangeException>(() => new HealthManager(new HealthOptions(), [], -1));

@@ -15,6 +15,8 @@ internal sealed class HealthRig : IDisposable
     private readonly MessagePublisher<OwnAddress> _ownAddress;
     private readonly MessagePublisher<LinkStatus> _link;
     private readonly MessageSubscriber<HealthReport> _report;
+    private readonly MessagePublisher<MissionStatus> _mission;
+    private readonly MessagePublisher<ImagingStatus> _imaging;
 
     public HealthRig(params RabitManager[] others)
         : this(new VirtualTime(1), others)
@@ -30,6 +32,8 @@ internal sealed class HealthRig : IDisposable
         _vehicle = Reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
         _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         _link = Reactor.Workspace.Publish<LinkStatus>(MessageNames.LinkStatus(0));
+        _mission = Reactor.Workspace.Publish<MissionStatus>(MessageNames.Mission);
+        _imaging = Reactor.Workspace.Publish<ImagingStatus>(MessageNames.Imaging);
         _report = Reactor.Workspace.Subscribe<HealthReport>(MessageNames.Health);
         Reactor.Start();
     }
@@ -66,7 +70,7 @@ internal sealed class HealthRig : IDisposable
         _ownAddress.Post();
     }
 
-    public void PostVehicle(double remaining = 0.8, bool isConnected = true, MavState state = MavState.Active)
+    public void PostVehicle(double remaining = 0.8, bool isConnected = true, MavState state = MavState.Active, double wind = double.NaN)
     {
         _vehicle.Value = new VehicleState
         {
@@ -76,8 +80,22 @@ internal sealed class HealthRig : IDisposable
             SystemStatus = state,
             BatteryTime = Reactor.Now,
             BatteryRemaining = remaining,
+            WindTime = double.IsNaN(wind) ? null : Reactor.Now,
+            WindMetresPerSecond = wind,
         };
         _vehicle.Post();
+    }
+
+    public void PostMission(MissionPhase phase)
+    {
+        _mission.Value.Phase = phase;
+        _mission.Post();
+    }
+
+    public void PostImaging(ImagingMode mode, TimeSpan? lastFrame, bool hasCamera = true)
+    {
+        _imaging.Value = new ImagingStatus { HasCamera = hasCamera, Mode = mode, LastFrameTime = lastFrame };
+        _imaging.Post();
     }
 
     public void PostLink(LinkState state = LinkState.Receiving, long dropped = 0, double progress = double.NaN, long droppedOut = 0)

@@ -183,6 +183,8 @@ public class HeartbeatTests
             sink, hanging, watcher, new HealthManager(new HealthOptions(), [hanging.Name], linkCount: 0),
         };
         reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
+        reactor.Workspace.Publish<MissionStatus>(MessageNames.Mission);
+        reactor.Workspace.Publish<ImagingStatus>(MessageNames.Imaging);
         MessagePublisher<OwnAddress> address = reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         reactor.Start();
         address.Value = new OwnAddress { SystemId = 1, ComponentId = 191 };

@@ -33,6 +33,21 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--system-id 256", "--system-id 256: it must be a number from 1 to 255.")]
     [InlineData("--link tlog:a?speed=10 --link udpin:127.0.0.1:14550", "tlog:a?speed=10 plays at another pace than udpin:127.0.0.1:14550")]
     [InlineData("--link tlog:a --link tlog:a", "link tlog:a is given 2 times.")]
+    [InlineData("--fly", "--fly commands a real vehicle: it needs --link URL and --mission FILE")]
+    [InlineData("--fly --mission a.json", "--fly commands a real vehicle: it needs --link URL and --mission FILE")]
+    [InlineData("--camera pictures", "--camera needs --link URL")]
+    [InlineData("--truth truth.json", "--truth needs --link URL")]
+    [InlineData("--link udpin:127.0.0.1:14550 --fly", "--fly needs --mission FILE")]
+    [InlineData("--link udpin:127.0.0.1:14550 --seed 3", "--seed is for the simulation")]
+    [InlineData("--link udpin:127.0.0.1:14550 --targets 3", "--targets is for the simulation")]
+    [InlineData("--link udpin:127.0.0.1:14550 --realtime", "--realtime is for the simulation")]
+    [InlineData("--link udpin:127.0.0.1:14550 --truth a.json", "--truth scores a mission: it needs --mission FILE --fly.")]
+    [InlineData("--link tlog:a --mission a.json --fly", "--fly needs a live vehicle: a recorded flight is only looked at. --mission needs a live vehicle")]
+    [InlineData("--link tlog:a --camera pictures", "--camera needs a live vehicle")]
+    [InlineData("--link udpin:127.0.0.1:14550 --mission /nowhere/a.json --fly", "--mission /nowhere/a.json cannot be read: ")]
+    [InlineData("--seed -1", "--seed -1: it must be a whole number, 0 or more.")]
+    [InlineData("--seed x", "--seed x: it must be a whole number, 0 or more.")]
+    [InlineData("--targets 51", "--targets 51: it must be a number from 0 to 50.")]
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected) => AssertRefused(expected, arguments.Split(' '));
 
     [Fact]
@@ -105,6 +120,43 @@ public sealed class BadInputTests : IDisposable
         AssertRefused("it is the log that is played.", "--link", _log.Url + "?speed=max", "--summary", Path.Combine(_log.Folder, ".", "empty.tlog"));
 
         Assert.Equal(before, File.ReadAllBytes(_log.Path));
+    }
+
+    [Fact]
+    public void Truth_CannotBeRead_SaysSo()
+    {
+        string mission = Path.Combine(Path.GetDirectoryName(typeof(BadInputTests).Assembly.Location)!, "missions", "search.json");
+
+        AssertRefused(
+            "--truth /nowhere/t.json cannot be read: ",
+            "--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--mission", mission, "--fly", "--truth", "/nowhere/t.json");
+    }
+
+    [Fact]
+    public void Camera_NoSuchFolder_SaysSo()
+        => AssertRefused("--camera /nowhere/pictures: no such folder", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--camera", "/nowhere/pictures");
+
+    [Theory]
+    [InlineData("--summary")]
+    [InlineData("--report")]
+    [InlineData("--log")]
+    public void Output_IsTheMission_SaysSoAndDoesNotTouchIt(string option)
+    {
+        string mission = Path.Combine(_log.Folder, "field.json");
+        File.Copy(Path.Combine(Path.GetDirectoryName(typeof(BadInputTests).Assembly.Location)!, "missions", "search.json"), mission);
+        byte[] before = File.ReadAllBytes(mission);
+
+        AssertRefused($"--mission and {option} are the same file", "--mission", mission, option, Path.Combine(_log.Folder, ".", "field.json"));
+
+        Assert.Equal(before, File.ReadAllBytes(mission));
+    }
+
+    [Fact]
+    public void Files_TheSameTwice_SaysSo()
+    {
+        _log.Record(0, Frames.Heartbeat());
+
+        AssertRefused("--report and --log are the same file", "--link", _log.Url, "--report", _summary + "x", "--log", _summary + "x");
     }
 
     public void Dispose() => _log.Dispose();

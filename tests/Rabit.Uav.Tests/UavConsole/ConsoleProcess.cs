@@ -16,7 +16,7 @@ internal sealed class ConsoleProcess : IDisposable
     public const int Interrupt = 2;
     public const int Terminate = 15;
 
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(150);
     private static readonly string Folder = Path.GetDirectoryName(typeof(ConsoleProcess).Assembly.Location)!;
     private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
 
@@ -26,7 +26,7 @@ internal sealed class ConsoleProcess : IDisposable
     private readonly List<string> _errors = [];
     private int _openStreams = 2;
 
-    private ConsoleProcess(IEnumerable<string> arguments)
+    private ConsoleProcess(IEnumerable<string> arguments, string? workingFolder = null)
     {
         IEnumerable<string> all = new[] { Path.Combine(Folder, IsMono ? "UavConsole.exe" : "UavConsole.dll") }.Concat(arguments);
         _process = new Process
@@ -34,6 +34,7 @@ internal sealed class ConsoleProcess : IDisposable
             StartInfo = new ProcessStartInfo(IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(a => "\"" + a + "\"")))
             {
                 UseShellExecute = false,
+                WorkingDirectory = workingFolder ?? string.Empty,
                 RedirectStandardInput = true,
                 RedirectStandardOutput = true,
                 RedirectStandardError = true,
@@ -72,6 +73,14 @@ internal sealed class ConsoleProcess : IDisposable
     public static ConsoleProcess Run(out int exitCode, params string[] arguments)
     {
         var process = new ConsoleProcess(arguments);
+        exitCode = process.WaitForEnd();
+        return process;
+    }
+
+    /// <summary>Starts it in a folder, and waits for its end.</summary>
+    public static ConsoleProcess RunIn(string workingFolder, out int exitCode, params string[] arguments)
+    {
+        var process = new ConsoleProcess(arguments, workingFolder);
         exitCode = process.WaitForEnd();
         return process;
     }

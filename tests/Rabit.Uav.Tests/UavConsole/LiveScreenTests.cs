@@ -23,7 +23,7 @@ public sealed class LiveScreenTests : IDisposable
         using UavSystem uav = Open();
         RabitReactor reactor = uav.CreateReactor(new ReactorOptions { StopsOnSignals = false });
 
-        Assert.Contains("managers", Draw(new LiveScreen(new FlightMonitor(reactor, uav), new RunLog())));
+        Assert.Contains("managers", Draw(new LiveScreen(Monitor(reactor, uav), new RunLog())));
     }
 
     [Fact]
@@ -41,7 +41,7 @@ public sealed class LiveScreenTests : IDisposable
         using UavSystem uav = Open();
         var notes = new RunLog();
         RabitReactor reactor = uav.CreateReactor(new ReactorOptions { StopsOnSignals = false, Log = notes.Add });
-        var monitor = new FlightMonitor(reactor, uav);
+        var monitor = Monitor(reactor, uav);
         var screen = new LiveScreen(monitor, notes);
         reactor.Run();
         monitor.Refresh();
@@ -58,6 +58,13 @@ public sealed class LiveScreenTests : IDisposable
     public void Dispose() => _log.Dispose();
 
     private UavSystem Open() => UavSystem.Open(new UavOptions { Links = [LinkUrl.Parse(_log.Url + "?speed=max")] });
+
+    private static FlightMonitor Monitor(RabitReactor reactor, UavSystem uav)
+    {
+        var recorder = new MissionRecorder(reactor.Select(m => m.Name).ToList(), new RecorderOptions());
+        reactor.Add(recorder);
+        return new FlightMonitor(reactor, recorder, uav.LinkCount);
+    }
 
     private static byte[] Text(string text) => Frames.Of(new Statustext { Severity = MavSeverity.Alert, Text = new Text50(text) });
 

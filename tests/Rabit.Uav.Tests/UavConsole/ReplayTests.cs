@@ -45,9 +45,10 @@ public sealed class ReplayTests : IDisposable
     }
 
     [Fact]
-    public void NoArguments_PlaysTheBundledFlightAtTenTimesItsPace()
+    public void BundledFlight_AtTenTimesItsPace_IsInterruptedInOrder()
     {
-        using ConsoleProcess process = ConsoleProcess.Start("--summary", _summary);
+        string bundled = Path.Combine(Path.GetDirectoryName(typeof(ReplayTests).Assembly.Location)!, "flights", "ardupilot-flight.tlog");
+        using ConsoleProcess process = ConsoleProcess.Start("--summary", _summary, "--link", $"tlog:{bundled}?speed=10");
         Assert.EndsWith("ardupilot-flight.tlog?speed=10", process.WaitFor("replaying or listening to"), StringComparison.Ordinal);
         process.WaitFor("autopilot: autopilot Ardupilotmega of a Quadrotor, system 1, component 1");
 
@@ -55,6 +56,24 @@ public sealed class ReplayTests : IDisposable
 
         Assert.Equal(0, process.WaitForEnd());
         Assert.DoesNotContain(process.Output, l => l.Any(c => c == '\u001b'));
+    }
+
+    [Fact]
+    public void Report_OfAReplay_IsWrittenWhereAskedFor()
+    {
+        string report = Path.Combine(_log.Folder, "flight.html");
+        string log = Path.Combine(_log.Folder, "flight.log");
+        using ConsoleProcess process = ConsoleProcess.Run(
+            out int exitCode, "--link", $"tlog:{TestData.PathOf("px4-flight.tlog")}?speed=max", "--headless", "--summary", _summary, "--report", report, "--log", log);
+
+        Assert.True(exitCode == 0, process.ToString());
+        Assert.Contains("report: " + report, process.Output);
+        Assert.Contains("A flight that was observed", File.ReadAllText(report));
+        string[] lines = File.ReadAllLines(log);
+        Assert.Contains(lines, l => l.Contains("reactor: starts communications"));
+        Assert.Contains(lines, l => l.Contains("autopilot: autopilot Px4 of a Quadrotor"));
+        using JsonDocument document = JsonDocument.Parse(File.ReadAllText(_summary));
+        Assert.Equal(JsonValueKind.Null, document.RootElement.GetProperty("mission").ValueKind);
     }
 
     [Fact]
@@ -128,7 +147,7 @@ public sealed class ReplayTests : IDisposable
         using ConsoleProcess process = ConsoleProcess.Run(out int exitCode, "--help");
 
         Assert.Equal(0, exitCode);
-        foreach (string option in new[] { "--link", "--headless", "--summary", "--system-id", "tlog:FILE[?speed=10|max]" })
+        foreach (string option in new[] { "--link", "--headless", "--summary", "--system-id", "tlog:FILE[?speed=10|max]", "--seed", "--targets", "--realtime", "--mission", "--fly", "--camera", "--truth", "--report", "--log" })
             Assert.Contains(process.Output, l => l.Contains(option));
     }
 

@@ -1,0 +1,67 @@
+using System;
+using BenchmarkDotNet.Attributes;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Benchmarks.Uav;
+
+/// <summary>Searching a picture of 640 x 480 for targets, from 40 m above: bare grass, five panels, and a meadow full of coloured spots.</summary>
+public class DetectorBenchmarks
+{
+    private const int Width = 640;
+    private const int Height = 480;
+
+    private readonly Detector _detector = new(new ImageProcessingOptions());
+    private readonly Locator _locator = NadirView.CreateLocator();
+    private readonly byte[] _grass = Paint(panels: 0, spots: 0);
+    private readonly byte[] _panels = Paint(panels: 5, spots: 0);
+    private readonly byte[] _meadow = Paint(panels: 5, spots: 3000);
+
+    [GlobalSetup]
+    public void Check()
+    {
+        if (Grass() != 0 || Panels() != 5)
+            throw new InvalidOperationException($"Found {Grass()} panels on bare grass and {Panels()} of 5.");
+    }
+
+    [Benchmark(Baseline = true)]
+    public int Grass() => Search(_grass);
+
+    [Benchmark]
+    public int Panels() => Search(_panels);
+
+    [Benchmark]
+    public int Meadow() => Search(_meadow);
+
+    private static byte[] Paint(int panels, int spots)
+    {
+        var random = new Random(1);
+        var picture = new byte[Width * Height * 3];
+        for (int at = 0; at < picture.Length; at += 3)
+        {
+            int blade = random.Next(-20, 21);
+            (picture[at], picture[at + 1], picture[at + 2]) = ((byte)(86 + blade), (byte)(112 + blade), (byte)(56 + (blade / 2)));
+        }
+
+        for (int n = 0; n < panels; n++)
+            Square(picture, 80 + (110 * n), 150 + (40 * n), side: 13);
+        for (int n = 0; n < spots; n++)
+            Square(picture, 5 + random.Next(Width - 10), 5 + random.Next(Height - 10), side: 2);
+        return picture;
+    }
+
+    private static void Square(byte[] picture, int left, int top, int side)
+    {
+        for (int n = 0; n < side * side; n++)
+        {
+            int at = (((top + (n / side)) * Width) + left + (n % side)) * 3;
+            (picture[at], picture[at + 1], picture[at + 2]) = (205, 28, 32);
+        }
+    }
+
+    private int Search(byte[] picture)
+    {
+        _detector.TrySearch(picture, Width, Height, TargetColours.All, _locator);
+        return _detector.Found.Length;
+    }
+}

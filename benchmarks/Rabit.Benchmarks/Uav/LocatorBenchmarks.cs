@@ -1,0 +1,25 @@
+using BenchmarkDotNet.Attributes;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+
+namespace Rabit.Benchmarks.Uav;
+
+/// <summary>What one report costs beyond the search: where it stands, and how uncertain that is.</summary>
+public class LocatorBenchmarks
+{
+    private readonly Locator _locator = NadirView.CreateLocator();
+
+    [Benchmark(Baseline = true)]
+    public GeodeticPosition Locate()
+    {
+        _locator.TryLocate(500.25, 100.75, out GeodeticPosition place);
+        return place;
+    }
+
+    [Benchmark]
+    public HorizontalCovariance Covariances()
+    {
+        _locator.TryCovariances(500.25, 100.75, out HorizontalCovariance perLook, out HorizontalCovariance common);
+        return perLook + common;
+    }
+}

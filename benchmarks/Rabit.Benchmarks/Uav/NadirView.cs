@@ -1,0 +1,33 @@
+using System;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Benchmarks.Uav;
+
+/// <summary>A camera that looks down from 40 m.</summary>
+internal static class NadirView
+{
+    private static readonly CameraModel Camera = new()
+    {
+        Width = 640,
+        Height = 480,
+        FocalX = 530,
+        FocalY = 530,
+        CentreX = 321.2,
+        CentreY = 237.4,
+        K1 = -0.06,
+        K2 = 0.015,
+        P1 = 0.0003,
+        P2 = -0.0002,
+    };
+
+    public static Locator CreateLocator()
+    {
+        var locator = new Locator(Camera, new CameraMount(), new ErrorBudget(), 5 * Math.PI / 180);
+        locator.Aim(
+            new Pose { Position = new GeodeticPosition(0.84, 0.15, 485), Attitude = Rotation.FromEuler(new EulerAngles(0.05, -0.08, 1)) },
+            new ImagingOrder { CameraPitchRadians = -Math.PI / 2, GroundAltitudeAmslMetres = 445 });
+        return locator;
+    }
+}

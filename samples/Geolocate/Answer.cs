@@ -1,0 +1,77 @@
+using System;
+using System.IO;
+using System.Text;
+using System.Text.Json;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+
+namespace Geolocate;
+
+/// <summary>Tells a place, or why there is none.</summary>
+internal static class Answer
+{
+    private const double Degree = Math.PI / 180;
+
+    /// <returns>The exit code: 0 for a place, 2 for a refusal.</returns>
+    public static int Write(GroundFix fix, bool isJson, TextWriter output)
+    {
+        output.WriteLine(isJson ? Json(fix) : Text(fix));
+        return fix.Refusal == LocateRefusal.None ? 0 : 2;
+    }
+
+    private static string Text(GroundFix fix)
+    {
+        if (fix.Refusal != LocateRefusal.None)
+            return $"refused: {fix.Refusal}";
+        HorizontalCovariance all = fix.Covariance + fix.CommonCovariance;
+        GeographicPoint point = fix.Position.Point;
+        double latitude = point.Latitude.Degrees;
+        string grid = latitude is >= -80 and <= 84 ? "  " + PositionText.Format(point, PositionStyle.Mgrs) : "";
+        return FormattableString.Invariant(
+            $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  {PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}\naltitude {fix.Position.AltitudeAmslMetres:0.00} m\n95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxisRadians / Degree:0} deg from north\nof which anew in each look {fix.Covariance.HalfMajorAxis95Metres:0.0} m, the same in all {fix.CommonCovariance.HalfMajorAxis95Metres:0.0} m\n") + Drawn(fix);
+    }
+
+    private static string Drawn(GroundFix fix) => fix.Extrapolated > TimeSpan.Zero
+        ? FormattableString.Invariant($"pose drawn on by {fix.Extrapolated.TotalMilliseconds:0} ms") : "pose between samples";
+
+    private static string Json(GroundFix fix)
+    {
+        using var stream = new MemoryStream();
+        using (var writer = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true }))
+        {
+            writer.WriteStartObject();
+            writer.WriteString("status", fix.Refusal == LocateRefusal.None ? "ok" : "refused");
+            writer.WriteNumber("time_s", fix.Time.TotalSeconds);
+            if (fix.Refusal == LocateRefusal.None)
+                WritePlace(writer, fix);
+            else
+                writer.WriteString("reason", fix.Refusal.ToString());
+            writer.WriteEndObject();
+        }
+
+        return Encoding.UTF8.GetString(stream.ToArray());
+    }
+
+    private static void WritePlace(Utf8JsonWriter writer, GroundFix fix)
+    {
+        HorizontalCovariance all = fix.Covariance + fix.CommonCovariance;
+        writer.WriteNumber("lat_deg", fix.Position.LatitudeRadians / Degree);
+        writer.WriteNumber("lon_deg", fix.Position.LongitudeRadians / Degree);
+        writer.WriteNumber("alt_m", fix.Position.AltitudeAmslMetres);
+        WriteCovariance(writer, "cov_per_look_ne_m2", fix.Covariance);
+        WriteCovariance(writer, "cov_common_ne_m2", fix.CommonCovariance);
+        writer.WriteNumber("half_major_95_m", all.HalfMajorAxis95Metres);
+        writer.WriteNumber("half_minor_95_m", all.HalfMinorAxis95Metres);
+        writer.WriteNumber("major_axis_deg", all.MajorAxisRadians / Degree);
+        writer.WriteNumber("extrapolated_s", fix.Extrapolated.TotalSeconds);
+    }
+
+    private static void WriteCovariance(Utf8JsonWriter writer, string name, HorizontalCovariance covariance)
+    {
+        writer.WriteStartArray(name);
+        writer.WriteNumberValue(covariance.NorthNorth);
+        writer.WriteNumberValue(covariance.NorthEast);
+        writer.WriteNumberValue(covariance.EastEast);
+        writer.WriteEndArray();
+    }
+}

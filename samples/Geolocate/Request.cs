@@ -1,0 +1,158 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+
+namespace Geolocate;
+
+/// <summary>A pixel and all that is needed to find its place.</summary>
+internal sealed class Request
+{
+    private const double Degree = Math.PI / 180;
+
+    private readonly PixelLocator _locator;
+    private readonly TimeSpan _time;
+    private readonly ImagingOrder _order;
+    private readonly double _column;
+    private readonly double _row;
+
+    private Request(PixelLocator locator, TimeSpan time, ImagingOrder order, double column, double row)
+        => (_locator, _time, _order, _column, _row) = (locator, time, order, column, row);
+
+    /// <exception cref="FormatException">Something is missing or no number.</exception>
+    public static Request Read(CommandLine line)
+    {
+        using JsonDocument camera = JsonDocument.Parse(File.ReadAllText(line.Camera));
+        using JsonDocument request = JsonDocument.Parse(line.Request is null ? "{}" : line.Request == "-" ? Console.In.ReadToEnd() : File.ReadAllText(line.Request));
+        JsonElement asked = request.RootElement;
+        var options = new ImageProcessingOptions { Camera = CameraOf(Part(camera.RootElement, "camera")), Mount = MountOf(camera.RootElement) };
+        if (line.Terrain is not null)
+        {
+            using var reader = new StreamReader(line.Terrain);
+            options.Terrain = AsciiGrid.Read(reader);
+        }
+
+        var locator = new PixelLocator(options)
+        {
+            RowReadout = TimeSpan.FromTicks((long)(Optional(Part(camera.RootElement, "camera"), "row_readout_us") * 10)),
+        };
+        TimeSpan time = TimeSpan.FromSeconds(line.TimeSeconds ?? 0);
+        if (line.Telemetry is null)
+            AddPose(locator, Part(asked, "pose"));
+        else
+            AddTelemetry(locator, line.Telemetry, time);
+        bool hasGround = asked.TryGetProperty("ground_alt_m", out JsonElement ground);
+        if (!hasGround && options.Terrain is null)
+            throw new FormatException("The request tells neither ground_alt_m, nor is there a --terrain.");
+        bool hasGimbal = asked.TryGetProperty("gimbal", out JsonElement gimbal);
+        var order = new ImagingOrder
+        {
+            GroundAltitudeAmslMetres = hasGround ? ground.GetDouble() : 0,
+            CameraPitchRadians = hasGimbal ? Number(gimbal, "pitch_deg") * Degree : -Math.PI / 2,
+            CameraYawRadians = hasGimbal ? Number(gimbal, "yaw_deg") * Degree : 0,
+        };
+        (double column, double row) = line.Pixel ?? (Numbers(asked, "pixel", 2)[0], Numbers(asked, "pixel", 2)[1]);
+        return new Request(locator, time, order, column, row);
+    }
+
+    public GroundFix Locate() => _locator.Locate(_time, _order, _column, _row);
+
+    private static CameraModel CameraOf(JsonElement camera)
+    {
+        double[] lens = camera.TryGetProperty("dist_k1_k2_p1_p2_k3", out _) ? Numbers(camera, "dist_k1_k2_p1_p2_k3", 5) : new double[5];
+        return new CameraModel
+        {
+            Width = (int)Number(camera, "width"),
+            Height = (int)Number(camera, "height"),
+            FocalX = Number(camera, "fx"),
+            FocalY = Number(camera, "fy"),
+            CentreX = Number(camera, "cx"),
+            CentreY = Number(camera, "cy"),
+            K1 = lens[0],
+            K2 = lens[1],
+            P1 = lens[2],
+            P2 = lens[3],
+            K3 = lens[4],
+        };
+    }
+
+    // In the camera or beside it: both are met.
+    private static CameraMount MountOf(JsonElement file)
+    {
+        if (!file.TryGetProperty("mount", out JsonElement mount) && !Part(file, "camera").TryGetProperty("mount", out mount))
+            return new CameraMount();
+        double[] arm = mount.TryGetProperty("lever_arm_body_m", out _) ? Numbers(mount, "lever_arm_body_m", 3) : new double[3];
+        Rotation? turn = null;
+        if (mount.TryGetProperty("R_body_from_cam", out JsonElement rows))
+            turn = Rotation.FromMatrix([.. rows.EnumerateArray().SelectMany(r => r.EnumerateArray()).Select(n => n.GetDouble())]);
+        return new CameraMount
+        {
+            FixedBodyFromCamera = turn,
+            GimbalArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
+            MisalignmentRollRadians = Optional(mount, "roll_deg") * Degree,
+            MisalignmentPitchRadians = Optional(mount, "pitch_deg") * Degree,
+            MisalignmentYawRadians = Optional(mount, "yaw_deg") * Degree,
+        };
+    }
+
+    private static void AddPose(PixelLocator locator, JsonElement pose) => Add(locator, default, [
+        Number(pose, "lat_deg"), Number(pose, "lon_deg"), Number(pose, "alt_m"), Optional(pose, "vn_mps"), Optional(pose, "ve_mps"), Optional(pose, "vd_mps"),
+        Number(pose, "roll_deg"), Number(pose, "pitch_deg"), Number(pose, "yaw_deg")]);
+
+    // Only what is around the time: the history keeps the newest.
+    private static void AddTelemetry(PixelLocator locator, string file, TimeSpan until)
+    {
+        int number = 0;
+        foreach (string line in File.ReadLines(file))
+        {
+            number++;
+            if (number == 1 && line.StartsWith("time", StringComparison.Ordinal))
+                continue;
+            double[] row;
+            try
+            {
+                row = [.. line.Split(',').Select(n => double.Parse(n, CultureInfo.InvariantCulture))];
+            }
+            catch (FormatException e)
+            {
+                throw new FormatException($"Line {number} of {file} is not numbers with commas.", e);
+            }
+
+            if (row.Length < 10)
+                throw new FormatException($"Line {number} of {file} has {row.Length} numbers, not 10.");
+            TimeSpan time = TimeSpan.FromTicks((long)Math.Round(row[0] * TimeSpan.TicksPerSecond));
+            Add(locator, time, [.. row.Skip(1)]);
+            if (time > until + TimeSpan.FromSeconds(1))
+                break;
+        }
+    }
+
+    private static void Add(PixelLocator locator, TimeSpan time, double[] p)
+    {
+        locator.Add(new PoseSample
+        {
+            Kind = PoseSampleKind.Position,
+            Time = time,
+            Position = new GeodeticPosition(p[0] * Degree, p[1] * Degree, p[2]),
+            VelocityNed = new NedVector(p[3], p[4], p[5]),
+        });
+        locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = time, Attitude = new EulerAngles(p[6] * Degree, p[7] * Degree, p[8] * Degree) });
+    }
+
+    private static JsonElement Part(JsonElement element, string name)
+        => element.TryGetProperty(name, out JsonElement part) ? part : throw new FormatException($"'{name}' is missing.");
+
+    private static double Number(JsonElement element, string name) => Part(element, name).GetDouble();
+
+    private static double Optional(JsonElement element, string name) => element.TryGetProperty(name, out JsonElement value) ? value.GetDouble() : 0;
+
+    private static double[] Numbers(JsonElement element, string name, int count)
+    {
+        double[] numbers = [.. Part(element, name).EnumerateArray().Select(n => n.GetDouble())];
+        return numbers.Length == count ? numbers : throw new FormatException($"'{name}' has {numbers.Length} numbers, not {count}.");
+    }
+}

@@ -1,0 +1,107 @@
+using System;
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
+using System.Linq;
+using Rabit.Uav.Links;
+using Rabit.Uav.Simulation;
+
+namespace SimulatedVehicle;
+
+/// <summary>Reads the command line. Everything wrong with it is one line and exit code 2.</summary>
+internal static class CommandLine
+{
+    private const double StrongestWind = 25;
+    private const int MostTargets = 1000;
+
+    public static RootCommand Create(Func<VehicleOptions, int> run)
+    {
+        var defaults = new SimulationOptions();
+        var link = new Option<LinkUrl>("--link", "-l")
+        {
+            Description = "udpout:HOST:PORT, udpin:ADDRESS:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD: where the vehicle is heard and commanded.",
+            HelpName = "URL",
+            CustomParser = ParseLink,
+            DefaultValueFactory = _ => LinkUrl.Parse("udpout:127.0.0.1:14550"),
+        };
+        var seed = new Option<long>("--seed")
+        {
+            Description = "All that is left to chance follows from it.",
+            HelpName = "N",
+            CustomParser = result => ParseNumber(result, "--seed", long.MinValue, long.MaxValue),
+            DefaultValueFactory = _ => defaults.Seed,
+        };
+        var targets = new Option<int>("--targets")
+        {
+            Description = "How many targets lie in the area.",
+            HelpName = "N",
+            CustomParser = result => (int)ParseNumber(result, "--targets", 0, MostTargets),
+            DefaultValueFactory = _ => defaults.TargetCount,
+        };
+        var wind = new Option<double>("--wind")
+        {
+            Description = "Mean wind in m/s, 0 to 25.",
+            HelpName = "M/S",
+            CustomParser = ParseWind,
+            DefaultValueFactory = _ => defaults.WindMetresPerSecond,
+        };
+        var mission = new Option<string>("--mission") { Description = "Takes home and the area of the targets from a mission file.", HelpName = "FILE" };
+        var truth = new Option<string>("--truth-out")
+        {
+            Description = "Writes where the targets are, and at the end what the vehicle really did, as JSON.",
+            HelpName = "FILE",
+        };
+        var camera = new Option<string>("--camera-out")
+        {
+            Description = "Writes the pictures of the vehicle's camera to a folder, for UavConsole --camera.",
+            HelpName = "DIR",
+        };
+
+        var command = new RootCommand("A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter does, until Ctrl-C.")
+        {
+            link, seed, targets, wind, mission, camera, truth,
+        };
+        command.SetAction(result => run(new VehicleOptions(
+            result.GetValue(link)!,
+            new SimulationOptions
+            {
+                Seed = result.GetValue(seed),
+                TargetCount = result.GetValue(targets),
+                WindMetresPerSecond = result.GetValue(wind),
+            },
+            result.GetValue(mission),
+            result.GetValue(truth),
+            result.GetValue(camera))));
+        return command;
+    }
+
+    private static LinkUrl? ParseLink(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (!LinkUrl.TryParse(text, out LinkUrl? url, out string? error))
+            result.AddError(error!);
+        else if (url!.Kind == LinkKind.RecordedFile)
+            result.AddError($"--link {text}: a recorded flight cannot be flown; it must be a live link.");
+        else
+            return url;
+        return null;
+    }
+
+    private static long ParseNumber(ArgumentResult result, string option, long low, long high)
+    {
+        string text = result.Tokens[0].Value;
+        if (long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long number) && number >= low && number <= high)
+            return number;
+        result.AddError($"{option} {text}: it must be a whole number" + (low == long.MinValue ? "." : $" from {low} to {high}."));
+        return 0;
+    }
+
+    private static double ParseWind(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double speed) && speed <= StrongestWind)
+            return speed;
+        result.AddError($"--wind {text}: it must be a number of m/s from 0 to 25.");
+        return 0;
+    }
+}

@@ -1,0 +1,76 @@
+using System;
+using System.IO;
+using System.Threading.Tasks;
+using Rabit.Core;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Links;
+using Rabit.Uav.Simulation;
+
+namespace SimulatedVehicle;
+
+/// <summary>The main job: opens the link, runs the vehicle in real time, says when something changes, and writes the truth at the end.</summary>
+internal static class VehicleRun
+{
+    private const int BadInput = 2;
+    private static readonly TimeSpan LookEvery = TimeSpan.FromMilliseconds(100);
+
+    // Ctrl-C must end all within a second.
+    private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
+
+    public static int Run(VehicleOptions options)
+    {
+        try
+        {
+            if (options is { MissionFile: { } mission, TruthFile: { } truth } && string.Equals(Path.GetFullPath(mission), Path.GetFullPath(truth), StringComparison.Ordinal))
+                throw new ArgumentException($"--mission and --truth-out are the same file {truth}.", nameof(options));
+            if (options.MissionFile is not null)
+                MissionWorld.Read(options.MissionFile, options.World);
+            var world = new SimulatedWorld(options.World);
+            using TruthFile? truthFile = TruthFile.Open(options.TruthFile);
+            CameraFolder? folder = options.CameraFolder is { } path ? CameraFolder.Create(path, world.CameraModel, world.CameraMount) : null;
+            using IByteLink link = LinkFactory.Open(options.Link);
+            truthFile?.Write(world, options.World);
+            int exitCode = Fly(world, link, folder, options);
+            truthFile?.Write(world, options.World);
+            return exitCode;
+        }
+        catch (Exception e) when (e is LinkException or PictureException or ArgumentException or PlatformNotSupportedException or IOException or UnauthorizedAccessException)
+        {
+            Console.Error.WriteLine("SimulatedVehicle: " + FirstLine(e));
+            return BadInput;
+        }
+    }
+
+    private static int Fly(SimulatedWorld world, IByteLink link, CameraFolder? folder, VehicleOptions options)
+    {
+        // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the truth off.
+        Console.CancelKeyPress += (_, e) => e.Cancel = true;
+        var reactor = new RabitReactor(new ReactorOptions { Log = WriteNews, StopTimeout = StopTimeout }) { world.CreateVehicle(link) };
+        if (folder is not null)
+            reactor.Add(new CameraRecorderManager(world.CreateCamera(), new PictureFolderWriter(folder)));
+        Console.WriteLine($"simulated vehicle, seed {options.World.Seed}, on {options.Link}; Ctrl-C ends it");
+
+        Task<ReactorResult> run = reactor.RunAsync();
+        var line = new StatusLine(Console.Out);
+        while (!run.Wait(LookEvery))
+            line.Show(reactor.Now, world.Truth);
+        line.Show(reactor.Now, world.Truth);
+        return run.GetAwaiter().GetResult().ExitCode;
+    }
+
+    private static void WriteNews(RabitLogEntry entry)
+    {
+        if (entry.Kind is RabitLogKind.Fault or RabitLogKind.Manager)
+            Console.Error.WriteLine(entry);
+    }
+
+    // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.
+    private static string FirstLine(Exception e)
+    {
+        string text = e.Message;
+        int end = text.IndexOf(" (Parameter '", StringComparison.Ordinal);
+        if (end < 0)
+            end = text.IndexOfAny(['\r', '\n']);
+        return end < 0 ? text : text.Substring(0, end);
+    }
+}

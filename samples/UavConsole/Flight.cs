@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Uav;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Links;
+using Rabit.Uav.MissionControl;
+using Rabit.Uav.Simulation;
+
+namespace UavConsole;
+
+/// <summary>What a run flies or looks at: the UAV, and what is known of the world around it.</summary>
+internal sealed class Flight : IDisposable
+{
+    private const string BundledMission = "missions/search.json";
+
+    private Flight(UavSystem uav, string source)
+    {
+        Uav = uav;
+        Source = source;
+    }
+
+    public UavSystem Uav { get; }
+
+    /// <summary>For people.</summary>
+    public string Source { get; }
+
+    /// <summary>What is there to be found; null where nobody knows.</summary>
+    public Truth? Truth { get; private init; }
+
+    /// <summary>Where the vehicle really is; null where only the autopilot knows. After the run.</summary>
+    public Func<GeodeticPosition?> TruePosition { get; private init; } = () => null;
+
+    /// <summary>The folder of pictures; null where there is none.</summary>
+    public FolderCamera? Camera { get; private init; }
+
+    /// <summary>A line that the screen always shows; null for none.</summary>
+    public string? Notice { get; private init; }
+
+    /// <exception cref="ArgumentException">Options or files are wrong; the text says what.</exception>
+    /// <exception cref="LinkException">A link cannot be opened.</exception>
+    public static Flight Open(ConsoleOptions options) => options.IsSimulated ? OpenSimulation(options) : OpenLinks(options);
+
+    public RabitReactor CreateReactor(ReactorOptions options) => Uav.CreateReactor(options);
+
+    public void Dispose() => Uav.Dispose();
+
+    private static Flight OpenSimulation(ConsoleOptions options)
+    {
+        MissionPlan mission = ReadMission(options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission));
+        var worldOptions = new SimulationOptions { Seed = options.Seed, TargetCount = options.TargetCount };
+        worldOptions.TakePlacesFrom(mission);
+        var world = new SimulatedWorld(worldOptions);
+        var links = new MemoryLinkPair("vehicle");
+        var time = new VirtualTime(options.Seed);
+        if (options.IsRealTime)
+            time.Pace = 1;
+        UavSystem uav = UavSystem.Open(new UavOptions
+        {
+            OpenLinks = [links.A],
+            OtherManagers = [world.CreateVehicle(links.B)],
+            Mission = mission,
+            MayCommand = true,
+            Camera = world.CreateCamera(),
+            Imaging = new ImageProcessingOptions { Camera = world.CameraModel, Mount = world.CameraMount },
+            SystemId = options.SystemId,
+            Seed = options.Seed,
+            Time = time,
+        });
+        return new Flight(uav, $"simulated flight: {mission.Name}, seed {Figures.Of(options.Seed)}, {Figures.Of(options.TargetCount)} targets")
+        {
+            Truth = TruthOf(world, worldOptions, mission),
+            TruePosition = () => world.PositionOf(world.Truth.Pose.North, world.Truth.Pose.East),
+        };
+    }
+
+    private static Flight OpenLinks(ConsoleOptions options)
+    {
+        // Also where it is not flown: what is wrong with it is said.
+        MissionPlan? mission = options.MissionFile is { } missionFile ? ReadMission(missionFile) : null;
+        Truth? truth = options.TruthFile is { } truthFile ? TruthFile.Read(truthFile) : null;
+        CameraFolder? folder = options.CameraFolder is { } cameraFolder ? OpenCamera(cameraFolder) : null;
+        FolderCamera? camera = folder is null ? null : new FolderCamera(folder);
+        UavSystem uav = UavSystem.Open(new UavOptions
+        {
+            Links = options.Links,
+            SystemId = options.SystemId,
+            Mission = options.Flies ? mission : null,
+            MayCommand = options.Flies,
+            Camera = camera,
+            Imaging = folder is null ? new ImageProcessingOptions() : ImagingOf(folder),
+        });
+        string links = string.Join(", ", options.Links.Select(l => l.ToString()));
+        return new Flight(uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or listening to " + links)
+        {
+            Truth = truth,
+            Camera = camera,
+            Notice = options.IsReplay || options.Flies ? null : "observing only: nothing is commanded; --mission FILE --fly flies",
+        };
+    }
+
+    // Panels of colours that the mission does not look for are no targets of it.
+    private static Truth TruthOf(SimulatedWorld world, SimulationOptions options, MissionPlan mission)
+        => new(options.Home, [.. world.Targets
+            .Where(t => (t.Colour & mission.Targets) != 0)
+            .Select(t => new TruthTarget(t.Name, t.Colour, world.PositionOf(t.NorthMetres, t.EastMetres)))]);
+
+    private static CameraFolder OpenCamera(string path)
+    {
+        try
+        {
+            return CameraFolder.Open(path);
+        }
+        catch (PictureException e)
+        {
+            throw new ArgumentException("--camera " + e.Message, nameof(path), e);
+        }
+    }
+
+    private static ImageProcessingOptions ImagingOf(CameraFolder camera) => new()
+    {
+        Camera = camera.Camera,
+        Mount = camera.Mount,
+    };
+
+    private static MissionPlan ReadMission(string path)
+    {
+        try
+        {
+            return MissionPlan.Parse(File.ReadAllText(path), Path.GetFileName(path));
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
+        {
+            throw new ArgumentException($"--mission {path} cannot be read: {e.Message}", nameof(path), e);
+        }
+        catch (MissionPlanException e)
+        {
+            throw new ArgumentException($"--mission {path}: {string.Join("; ", e.Faults)}.", nameof(path), e);
+        }
+    }
+}

@@ -1,0 +1,71 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+
+namespace UavConsole;
+
+/// <summary>The files that a run writes: summary, report, log.</summary>
+internal sealed class RunFiles : IDisposable
+{
+    /// <summary>Where the report of a mission goes when nothing else is asked for: beside the user.</summary>
+    public const string DefaultReport = "mission-report.html";
+
+    private RunFiles(OutputFile? summary, OutputFile? report, OutputFile? log)
+    {
+        Summary = summary;
+        Report = report;
+        Log = log;
+    }
+
+    /// <summary>Null where none is wanted.</summary>
+    public OutputFile? Summary { get; }
+
+    /// <summary>Null where none is wanted.</summary>
+    public OutputFile? Report { get; }
+
+    /// <summary>Null where none is wanted.</summary>
+    public OutputFile? Log { get; }
+
+    /// <exception cref="ArgumentException">One cannot be written, or two are the same; a mission or a truth that was read is never written to.</exception>
+    public static RunFiles Open(ConsoleOptions options)
+    {
+        string? report = options.ReportFile ?? (options.FliesMission ? DefaultReport : null);
+        CheckTheyDiffer(
+        [
+            ("--mission", options.MissionFile), ("--truth", options.TruthFile),
+            ("--summary", options.SummaryFile), ("--report", report), ("--log", options.LogFile),
+        ]);
+        OutputFile? summaryFile = null;
+        OutputFile? reportFile = null;
+        try
+        {
+            summaryFile = OutputFile.Open("--summary", options.SummaryFile, options.Links);
+            reportFile = OutputFile.Open("--report", report, options.Links);
+            return new RunFiles(summaryFile, reportFile, OutputFile.Open("--log", options.LogFile, options.Links));
+        }
+        catch (ArgumentException)
+        {
+            summaryFile?.Dispose();
+            reportFile?.Dispose();
+            throw;
+        }
+    }
+
+    public void Dispose()
+    {
+        Summary?.Dispose();
+        Report?.Dispose();
+        Log?.Dispose();
+    }
+
+    private static void CheckTheyDiffer(IReadOnlyList<(string Option, string? Path)> files)
+    {
+        IGrouping<string, (string Option, string? Path)>? same = files
+            .Where(f => !string.IsNullOrEmpty(f.Path) && !f.Path!.StartsWith("/dev/", StringComparison.Ordinal))
+            .GroupBy(f => Path.GetFullPath(f.Path!), StringComparer.Ordinal)
+            .FirstOrDefault(g => g.Count() > 1);
+        if (same is not null)
+            throw new ArgumentException($"{string.Join(" and ", same.Select(f => f.Option))} are the same file {same.First().Path}.", nameof(files));
+    }
+}

@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+
+namespace UavConsole;
+
+/// <summary>How often each piece of the ground was looked at, as a mask: lighter for more looks.</summary>
+internal static class CoverageRaster
+{
+    private const int Columns = 400;
+    private const double FarthestMetres = 5_000;
+
+    // How light, by how often: never, once, 2 to 3, 4 to 7, 8 to 15, more.
+    private static readonly byte[] Light = [0, 34, 56, 78, 100, 122];
+
+    /// <returns>The picture as a data address; null where nothing was looked at.</returns>
+    public static string? Draw(MapFrame frame, IReadOnlyList<CameraLook> looks)
+    {
+        if (looks.Count == 0)
+            return null;
+        double cell = MapFrame.Width / Columns;
+        int rows = Math.Max(1, (int)Math.Ceiling(frame.Height / cell));
+        var counts = new int[Columns * rows];
+        foreach (CameraLook look in looks)
+            Count(frame, look, cell, rows, counts);
+
+        var pixels = new byte[counts.Length * 3];
+        for (int index = 0; index < pixels.Length; index++)
+            pixels[index] = Light[Level(counts[index / 3])];
+        return DataUri.Of(new RgbPicture(Columns, rows, pixels));
+    }
+
+    private static int Level(int count)
+    {
+        int level = 0;
+        for (; count > 0 && level < Light.Length - 1; count >>= 1)
+            level++;
+        return level;
+    }
+
+    // The four corners are a convex figure: in each row of cells all between its left and right edge.
+    private static void Count(MapFrame frame, in CameraLook look, double cell, int rows, int[] counts)
+    {
+        (double X, double Y)[] corners = new[] { look.TopLeft, look.TopRight, look.BottomRight, look.BottomLeft }.Select(frame.ToMap).ToArray();
+        if (Array.Exists(corners, c => !(Math.Abs(c.X) + Math.Abs(c.Y) < FarthestMetres * frame.UnitsPerMetre)))
+            return;
+        int first = Math.Max(0, (int)Math.Floor(corners.Min(c => c.Y) / cell));
+        int last = Math.Min(rows - 1, (int)Math.Floor(corners.Max(c => c.Y) / cell));
+        for (int row = first; row <= last; row++)
+        {
+            (double left, double right) = Span(corners, (row + 0.5) * cell);
+            int end = Math.Min(Columns - 1, (int)Math.Floor((right / cell) - 0.5));
+            for (int column = Math.Max(0, (int)Math.Ceiling((left / cell) - 0.5)); column <= end; column++)
+                counts[(row * Columns) + column]++;
+        }
+    }
+
+    private static (double Left, double Right) Span((double X, double Y)[] corners, double y)
+    {
+        double left = double.PositiveInfinity;
+        double right = double.NegativeInfinity;
+        for (int index = 0; index < corners.Length; index++)
+        {
+            (double X, double Y) a = corners[index];
+            (double X, double Y) b = corners[(index + 1) % corners.Length];
+            if ((a.Y > y) == (b.Y > y))
+                continue;
+            double x = a.X + ((b.X - a.X) * (y - a.Y) / (b.Y - a.Y));
+            left = Math.Min(left, x);
+            right = Math.Max(right, x);
+        }
+
+        return (left, right);
+    }
+}

@@ -1,0 +1,118 @@
+using System;
+using System.Linq;
+using Rabit.Uav.Messages;
+
+namespace UavConsole;
+
+/// <summary>A card for each target: what the camera saw, where the track stands against the truth, and the figures.</summary>
+internal sealed class ReportTargets(PageWriter page, ReportData data)
+{
+    private const double DegreesPerRadian = 180 / Math.PI;
+    private const double PlotRadius = 66;
+
+    public void Write()
+    {
+        MissionScore? score = data.Outcome?.Score;
+        TargetTrack[] shown = data.Record.Tracks.Tracks.Where(t => t.State != TrackState.Tentative).ToArray();
+        if (score is null && shown.Length == 0)
+            return;
+        page.Open("section").Element("h2", "Targets").Open("div", "class", "cards");
+        foreach (TargetScore target in score?.Targets ?? [])
+            WriteTarget(target);
+        foreach (TargetTrack track in shown.Where(t => score?.Targets.Any(s => s.Track == t) != true))
+            WriteTrackAlone(track, isFalse: score?.FalseTracks.Contains(track) == true);
+        page.Close().Close();
+    }
+
+    private void WriteTarget(TargetScore target)
+    {
+        Begin(target.IsFound ? "found" : "missed", target.Target.Name, target.Target.Colour, target.IsFound ? "found" : "missed");
+        if (target.Track is not { } track)
+        {
+            page.Element("p", "No confirmed track of this colour stands within 10 m of it.", "class", "note");
+            page.Open("dl");
+            Fact("really at", $"{Figures.Degrees(target.Target.Position.LatitudeRadians)}, {Figures.Degrees(target.Target.Position.LongitudeRadians)}");
+            page.Close().Close();
+            return;
+        }
+
+        WritePictures(track, target);
+        page.Open("dl");
+        Fact("error", $"{Figures.Of(target.ErrorMetres, "0.00")} m");
+        Fact("95 % ellipse", $"{Ellipse(track)} m, {(target.EllipseHoldsTruth ? "holds the truth" : "misses the truth")}", target.EllipseHoldsTruth ? string.Empty : "bad");
+        TrackFacts(track);
+        page.Close().Close();
+    }
+
+    private void WriteTrackAlone(TargetTrack track, bool isFalse)
+    {
+        string state = isFalse ? "false" : track.State.ToString().ToLowerInvariant();
+        Begin(isFalse ? "false" : "found", $"track {Figures.Of(track.Id)}", track.Colour, state);
+        WritePictures(track, null);
+        page.Open("dl");
+        Fact("95 % ellipse", $"{Ellipse(track)} m");
+        TrackFacts(track);
+        page.Close().Close();
+    }
+
+    private void Begin(string kind, string name, TargetColours colour, string state)
+    {
+        page.Open("article", "class", "card target " + kind).Open("h3");
+        page.Element("i", string.Empty, "class", "swatch", "style", "background:" + Colours.Css(colour));
+        page.Text(name + " ").Element("small", Colours.Name(colour)).Element("b", state, "class", "state").Close();
+    }
+
+    private void TrackFacts(TargetTrack track)
+    {
+        Fact("track", $"{Figures.Of(track.Id)}: {Figures.Of(track.Reports)} reports, {Figures.Of(track.Misses)} misses");
+        Fact("stands at", $"{Figures.Degrees(track.Position.LatitudeRadians)}, {Figures.Degrees(track.Position.LongitudeRadians)}");
+        Fact("seen", $"{Figures.Clock(track.FirstSeen)} to {Figures.Clock(track.LastSeen)}");
+        Fact("size", $"{Figures.Of(track.SizeMetres, "0.0")} m square");
+    }
+
+    private void Fact(string name, string value, string kind = "") => page.Element("dt", name).Element("dd", value, "class", kind);
+
+    private void WritePictures(TargetTrack track, TargetScore? target)
+    {
+        page.Open("div", "class", "pictures");
+        PictureCutOut? picture = data.CutOuts.FirstOrDefault(c => c.LookNumber == track.BestLookNumber && c.ReportIndex == track.BestReportIndex);
+        if (picture is null)
+            page.Element("span", "no picture", "class", "none");
+        else
+            page.Empty("img", "src", DataUri.Of(picture.Picture), "alt", $"What the camera saw of track {Figures.Of(track.Id)}, picture {Figures.Of(picture.LookNumber)}");
+        WritePlot(track, target);
+        page.Close();
+    }
+
+    // The truth, seen from the track: near enough to see what the map is too small for.
+    private void WritePlot(TargetTrack track, TargetScore? target)
+    {
+        double span = Math.Max(track.Covariance.HalfMajorAxis95Metres, target?.ErrorMetres ?? 0) * 1.25;
+        double metres = new[] { 1, 2, 3, 4, 5, 8, 10, 15, 20 }.FirstOrDefault(m => m >= span);
+        if (metres <= 0)
+            metres = Math.Max(1, Math.Ceiling(double.IsInfinity(span) || double.IsNaN(span) ? 1 : span));
+        double scale = PlotRadius / metres;
+        page.Open("svg", "viewBox", "-66 -66 132 132", "class", "plot", "role", "img", "aria-label", "Track and truth, north is up");
+        page.Empty("path", "class", "axes", "d", "M-66 0H66M0 -66V66");
+        for (int ring = 1; ring <= 2; ring++)
+            page.Empty("circle", "class", "ring", "cx", "0", "cy", "0", "r", N(PlotRadius * ring / 2 * 0.999));
+        page.Empty(
+            "ellipse", "class", "ellipse", "cx", "0", "cy", "0",
+            "rx", N(track.Covariance.HalfMajorAxis95Metres * scale), "ry", N(track.Covariance.HalfMinorAxis95Metres * scale),
+            "transform", $"rotate({N((track.Covariance.MajorAxisRadians * DegreesPerRadian) - 90)})");
+        page.Empty("path", "class", "mark", "d", "M0 -5l5 5l-5 5l-5 -5z", "fill", Colours.Css(track.Colour));
+        if (target is not null)
+        {
+            (double x, double y) = (-target.ErrorEastMetres * scale, target.ErrorNorthMetres * scale);
+            page.Open("g", "class", "truth").Empty("path", "d", $"M{N(x - 6)} {N(y)}h12m-6 -6v12").Close();
+        }
+
+        page.Element("text", $"{Figures.Of(metres)} m", "x", "62", "y", "61", "text-anchor", "end");
+        page.Close();
+    }
+
+    private static string Ellipse(TargetTrack track)
+        => $"{Figures.Of(track.Covariance.HalfMajorAxis95Metres, "0.0")} × {Figures.Of(track.Covariance.HalfMinorAxis95Metres, "0.0")}";
+
+    private static string N(double value) => Figures.Of(value, "0.##");
+}

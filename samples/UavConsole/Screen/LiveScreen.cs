@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using System.Threading.Tasks;
+using Rabit.Core;
+using Spectre.Console;
+
+namespace UavConsole;
+
+/// <summary>The view for a terminal: a mission with its map, or a flight that is watched, a few times a second.</summary>
+internal sealed class LiveScreen
+{
+    private const int SmallestWidth = 80;
+    private const int SmallestHeight = 24;
+    private const int NotesKept = 20;
+    private static readonly TimeSpan RefreshEvery = TimeSpan.FromMilliseconds(150);
+
+    private readonly FlightMonitor _monitor;
+    private readonly RunLog _log;
+    private readonly MissionView? _mission;
+    private readonly VehicleView _vehicle;
+    private readonly Queue<string> _notes = new();
+
+    /// <param name="monitor">What to show.</param>
+    /// <param name="log">Its last entries are shown too.</param>
+    /// <param name="showsMission">Whether a mission is flown.</param>
+    /// <param name="notice">A line that always stands there; null for none.</param>
+    public LiveScreen(FlightMonitor monitor, RunLog log, bool showsMission = false, string? notice = null)
+    {
+        (_monitor, _log) = (monitor, log);
+        _vehicle = new VehicleView(monitor, notice);
+        _mission = showsMission ? new MissionView(monitor) : null;
+    }
+
+    /// <summary>Whether the output is a terminal that can be drawn on.</summary>
+    public static bool IsPossible() => !Console.IsOutputRedirected && AnsiConsole.Profile.Capabilities.Ansi && AnsiConsole.Profile.Capabilities.Interactive;
+
+    public void ShowUntilEnd(Task run) => AnsiConsole.Live(DrawFitting()).Overflow(VerticalOverflow.Crop).Start(context =>
+    {
+        bool hasEnded = false;
+        while (!hasEnded)
+        {
+            hasEnded = run.Wait(RefreshEvery);
+            _monitor.Refresh();
+            context.UpdateTarget(DrawFitting());
+        }
+    });
+
+    /// <param name="width">Columns of the terminal.</param>
+    /// <param name="height">Its lines.</param>
+    /// <param name="isUnicode">Whether it knows more than ASCII.</param>
+    internal Rows Draw(int width = SmallestWidth, int height = SmallestHeight, bool isUnicode = true)
+    {
+        foreach (RabitLogEntry entry in _log.TakeAll())
+            _notes.Enqueue(entry.ToString());
+        while (_notes.Count > NotesKept)
+            _notes.Dequeue();
+        return _mission is null
+            ? _vehicle.Draw(_notes)
+            : _mission.Draw(_notes, Math.Max(SmallestWidth, width), Math.Max(SmallestHeight, height), isUnicode);
+    }
+
+    private Rows DrawFitting() => Draw(AnsiConsole.Profile.Width, AnsiConsole.Profile.Height, AnsiConsole.Profile.Capabilities.Unicode);
+}

@@ -1,0 +1,51 @@
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+
+namespace UavConsole;
+
+/// <summary>What the map of the screen shows, in a local frame, metres. Immutable.</summary>
+internal sealed class MapModel
+{
+    /// <summary>Corners, in order.</summary>
+    public IReadOnlyList<NedVector> Area { get; init; } = [];
+
+    /// <summary>Ends of the lanes, two for each.</summary>
+    public IReadOnlyList<NedVector> Lanes { get; init; } = [];
+
+    /// <summary>The way that was flown, oldest first.</summary>
+    public IReadOnlyList<NedVector> Path { get; init; } = [];
+
+    /// <summary>Null where it is not known.</summary>
+    public NedVector? Home { get; init; }
+
+    /// <summary>Null where it is not known.</summary>
+    public NedVector? Vehicle { get; init; }
+
+    /// <summary>Clockwise from north.</summary>
+    public double VehicleYawRadians { get; init; }
+
+    /// <summary>Targets, tentative ones too.</summary>
+    public IReadOnlyList<MapTrack> Tracks { get; init; } = [];
+
+    /// <returns>Empty where nothing is known of any place.</returns>
+    public static MapModel Of(FlightRecord record)
+    {
+        SearchPlan? plan = record.Mission.Plan;
+        FlightSample[] samples = record.Samples.Where(s => s.HasPosition).ToArray();
+        if (plan is null && samples.Length == 0)
+            return new MapModel();
+        var frame = new LocalNedFrame(plan?.Home ?? samples[0].Position);
+        return new MapModel
+        {
+            Area = plan is null ? [] : [.. plan.Area.Select(frame.ToNed)],
+            Lanes = plan is null ? [] : [.. plan.Lanes.Select(frame.ToNed)],
+            Home = plan is null ? null : new NedVector(0, 0, 0),
+            Path = [.. samples.Select(s => frame.ToNed(s.Position))],
+            Vehicle = samples.Length == 0 ? null : frame.ToNed(samples[samples.Length - 1].Position),
+            VehicleYawRadians = samples.Length == 0 ? 0 : samples[samples.Length - 1].YawRadians,
+            Tracks = [.. record.Tracks.Tracks.Select(t => new MapTrack(frame.ToNed(t.Position), t))],
+        };
+    }
+}

@@ -1,0 +1,13 @@
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+
+namespace UavConsole;
+
+/// <summary>A track and where it stands on the map. Immutable.</summary>
+internal sealed class MapTrack(NedVector position, TargetTrack track)
+{
+    /// <summary>In the frame of the map, metres.</summary>
+    public NedVector Position { get; } = position;
+
+    public TargetTrack Track { get; } = track;
+}

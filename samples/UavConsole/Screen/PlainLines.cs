@@ -1,0 +1,50 @@
+using System;
+using System.Linq;
+using System.Threading.Tasks;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+
+namespace UavConsole;
+
+/// <summary>The view for pipes, files and services: a line when something changes, and one every few seconds.</summary>
+internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMission = false)
+{
+    private static readonly TimeSpan LookEvery = TimeSpan.FromMilliseconds(100);
+    private const int LooksPerLine = 50;
+
+    private HealthReport _lastHealth;
+    private StatusText? _lastText;
+
+    public void ShowUntilEnd(Task run)
+    {
+        for (int look = 1; !run.Wait(LookEvery); look++)
+        {
+            monitor.Refresh();
+            bool isTimeForALine = look % LooksPerLine == 0;
+            ShowNews(withFigures: isTimeForALine);
+            if (isTimeForALine)
+                Console.WriteLine(Text.StatusLine(monitor) + (showsMission ? "; " + Text.Mission(monitor) : string.Empty));
+        }
+
+        monitor.Refresh();
+        ShowNews(withFigures: true);
+    }
+
+    /// <param name="withFigures">Also where only a figure in the health report has changed, which some do all the time.</param>
+    private void ShowNews(bool withFigures)
+    {
+        foreach (RabitLogEntry entry in log.TakeAll())
+            Console.WriteLine(entry);
+
+        HealthReport health = monitor.Health;
+        if (health.Level != _lastHealth.Level || health.Reasons != _lastHealth.Reasons || (withFigures && health.Text != _lastHealth.Text))
+        {
+            Console.WriteLine(Text.At(monitor.Now) + "health: " + Text.Health(health));
+            _lastHealth = health;
+        }
+
+        foreach (StatusText text in monitor.Texts.TakeWhile(t => t != _lastText).Reverse())
+            Console.WriteLine(Text.At(text.Time) + Text.Of(text));
+        _lastText = monitor.Texts.FirstOrDefault();
+    }
+}

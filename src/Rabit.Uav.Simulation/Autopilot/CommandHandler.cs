@@ -1,0 +1,174 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>COMMAND_LONG, COMMAND_INT and SET_MODE: does what they say and tells what came of it, in the result codes of ArduCopter.</summary>
+internal sealed class CommandHandler(
+    FlightController controller, TargetReader targets, StreamSchedule streams, Telemetry telemetry, Gimbal gimbal, IFrameSink sink)
+{
+    // "Force": MAVLink common.xml, MAV_CMD_COMPONENT_ARM_DISARM, param 2; ArduPilot takes 2989 for arming as well.
+    private const float ForceMagic = 21196;
+    private const float ForceArmMagic = 2989;
+    private const float LargestNumber = 1 << 24;   // message ids have 24 bits
+
+    public void Handle(in CommandLong message, Sender sender)
+    {
+        var command = new CommandInt
+        {
+            Command = message.Command,
+            Frame = MavFrame.GlobalRelativeAlt,
+            Param1 = message.Param1,
+            Param2 = message.Param2,
+            Param3 = message.Param3,
+            Param4 = message.Param4,
+            Z = message.Param7,
+        };
+
+        // A place in floats is too coarse: what needs one comes as COMMAND_INT.
+        MavResult result = message.Command == MavCmd.DoReposition
+            ? MavResult.Unsupported
+            : Execute(command);
+        Acknowledge(message.Command, result, sender);
+    }
+
+    public void Handle(in CommandInt message, Sender sender)
+        => Acknowledge(message.Command, Execute(message), sender);
+
+    /// <summary>SET_MODE (11), the older way; the acknowledgement names its message id, as ArduPilot's does.</summary>
+    public void Handle(in SetMode message, Sender sender)
+        => Acknowledge((MavCmd)SetMode.MavlinkId, SetModeTo(message.BaseMode, message.CustomMode), sender);
+
+    private void Acknowledge(MavCmd command, MavResult result, Sender sender) => sink.Send(new CommandAck
+    {
+        Command = command,
+        Result = result,
+        TargetSystem = sender.SystemId,
+        TargetComponent = sender.ComponentId,
+    });
+
+    private MavResult Execute(in CommandInt command)
+    {
+        switch (command.Command)
+        {
+            case MavCmd.ComponentArmDisarm: return ArmOrDisarm(command.Param1, command.Param2);
+            case MavCmd.DoSetMode: return SetModeTo((MavModeFlag)WholeNumber(command.Param1), WholeNumber(command.Param2));
+            case MavCmd.NavTakeoff: return Result(controller.TryTakeOff(command.Z));
+            case MavCmd.NavReturnToLaunch: return Result(controller.TrySetMode((uint)CopterMode.Rtl));
+            case MavCmd.NavLand: return Result(controller.TrySetMode((uint)CopterMode.Land));
+            case MavCmd.NavLoiterUnlim: return Result(controller.TrySetMode((uint)CopterMode.Loiter));
+            case MavCmd.DoReposition: return Reposition(command);
+            case MavCmd.DoChangeSpeed: return ChangeSpeed(command.Param1, command.Param2);
+            case MavCmd.ConditionYaw: return Turn(command.Param1, command.Param3, command.Param4);
+            case MavCmd.DoPauseContinue: return PauseOrGoOn(command.Param1);
+            case MavCmd.DoMountControl: return PointCamera(command.Param1, command.Param3);
+            case MavCmd.DoGimbalManagerPitchyaw: return PointCamera(command.Param1, command.Param2);
+            default: return ExecuteRequest(command);
+        }
+    }
+
+    private MavResult ExecuteRequest(in CommandInt command)
+    {
+        int messageId = (int)WholeNumber(command.Param1);
+        switch (command.Command)
+        {
+            case MavCmd.SetMessageInterval:
+                return streams.Set(messageId, command.Param2, controller.Situation.Time);
+            case MavCmd.GetMessageInterval:
+                sink.Send(new MessageInterval { MessageId = (ushort)messageId, IntervalUs = streams.IntervalOf(messageId) });
+                return MavResult.Accepted;
+            case MavCmd.RequestMessage:
+                return RequestMessage(messageId);
+            case MavCmd.GetHomePosition:
+                return RequestMessage(HomePosition.MavlinkId);
+            case MavCmd.RequestAutopilotCapabilities:
+                return RequestMessage(AutopilotVersion.MavlinkId);
+            default:
+                return MavResult.Unsupported;
+        }
+    }
+
+    private MavResult RequestMessage(int messageId)
+    {
+        if (!Telemetry.IsKnown(messageId))
+            return MavResult.Failed;
+        telemetry.Send(messageId);
+        return MavResult.Accepted;
+    }
+
+    private MavResult ArmOrDisarm(float arms, float magic)
+    {
+        if (arms.Equals(1f))
+            return Result(controller.TryArm(isForced: magic.Equals(ForceMagic) || magic.Equals(ForceArmMagic)));
+        return arms.Equals(0f) ? Result(controller.TryDisarm(isForced: magic.Equals(ForceMagic))) : MavResult.Unsupported;
+    }
+
+    private MavResult SetModeTo(MavModeFlag baseMode, uint customMode)
+        => (baseMode & MavModeFlag.CustomModeEnabled) == 0 ? MavResult.Denied : Result(controller.TrySetMode(customMode));
+
+    private MavResult Reposition(in CommandInt command)
+    {
+        bool changesMode = ((int)WholeNumber(command.Param2) & (int)MavDoRepositionFlags.ChangeMode) != 0;
+        if (!controller.IsGuided && !changesMode)
+            return MavResult.Denied;
+        if (!targets.TryReadPlace(command.Frame, command.X, command.Y, command.Z, out NedVector place))
+            return MavResult.Denied;
+        if (!controller.IsGuided && !controller.TrySetMode((uint)CopterMode.Guided))
+            return MavResult.Failed;
+        controller.Guided.GoTo(controller.Situation, place, HeadingTarget.None);
+        return MavResult.Accepted;
+    }
+
+    // Only a mode that flies by itself has a speed; a change of the mode brings the speed of the parameters back.
+    private MavResult ChangeSpeed(float kind, float speed)
+    {
+        if (!(speed > 0))
+            return MavResult.Denied;
+        if (!controller.IsGuided)
+            return MavResult.Failed;
+        switch ((SpeedType)WholeNumber(kind))
+        {
+            case SpeedType.Airspeed or SpeedType.Groundspeed: controller.Guided.SetSpeed(speed); return MavResult.Accepted;
+            case SpeedType.ClimbSpeed: controller.Guided.SetSpeedUp(speed); return MavResult.Accepted;
+            case SpeedType.DescentSpeed: controller.Guided.SetSpeedDown(speed); return MavResult.Accepted;
+            default: return MavResult.Denied;
+        }
+    }
+
+    private MavResult Turn(float degrees, float direction, float isRelative)
+    {
+        if (!controller.IsGuided || !(degrees >= 0 && degrees <= 360) || (!isRelative.Equals(0f) && !isRelative.Equals(1f)))
+            return MavResult.Failed;
+        double angle = degrees * NedMath.RadiansPerDegree;
+        bool turnsBack = direction < 0;
+        controller.Guided.Turn(isRelative.Equals(0f) ? angle : controller.Situation.Yaw + (turnsBack ? -angle : angle));
+        return MavResult.Accepted;
+    }
+
+    private MavResult PauseOrGoOn(float goesOn)
+    {
+        if (!controller.IsGuided || controller.Situation.IsLanded)
+            return MavResult.Failed;
+        if (goesOn.Equals(0f))
+            controller.Guided.Pause(controller.Situation);
+        else if (!goesOn.Equals(1f))
+            return MavResult.Denied;
+        else
+            controller.Guided.GoOn(controller.Situation);
+        return MavResult.Accepted;
+    }
+
+    private MavResult PointCamera(float pitchDegrees, float yawDegrees)
+    {
+        if (float.IsNaN(pitchDegrees) || float.IsNaN(yawDegrees) || Math.Abs(pitchDegrees) > 360 || Math.Abs(yawDegrees) > 360)
+            return MavResult.Denied;
+        gimbal.Point(pitchDegrees * NedMath.RadiansPerDegree, yawDegrees * NedMath.RadiansPerDegree);
+        return MavResult.Accepted;
+    }
+
+    private static MavResult Result(bool isDone) => isDone ? MavResult.Accepted : MavResult.Failed;
+
+    // What is no number, or none that fits, is none that anybody knows.
+    private static uint WholeNumber(float value) => value >= 0 && value < LargestNumber ? (uint)value : uint.MaxValue;
+}

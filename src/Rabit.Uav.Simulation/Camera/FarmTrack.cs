@@ -1,0 +1,36 @@
+using System;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// Two wheel ruts that wind through the ground from north to south, and come back to where they began after one period of it. A plain value.
+/// </summary>
+internal readonly struct FarmTrack
+{
+    private const double HalfGauge = 1.0;
+    private const double HalfRut = 0.45;
+
+    private readonly double _period;
+    private readonly double _middle;
+    private readonly double _swing;
+    private readonly double _phase;
+
+    public FarmTrack(double period, ref SeededSequence random)
+    {
+        _period = period;
+        _middle = period * random.NextUnit();
+        _swing = period * (0.04 + (0.06 * random.NextUnit()));
+        _phase = 2 * Math.PI * random.NextUnit();
+    }
+
+    /// <summary>How bare the ground is there, 0 to 1; metres within one period.</summary>
+    public double BareAt(double north, double east)
+    {
+        double turn = 2 * Math.PI * north / _period;
+        double line = _middle + (_swing * Math.Sin(turn + _phase)) + (0.3 * _swing * Math.Sin((3 * turn) + (2 * _phase)));
+        double off = east - line;
+        off -= _period * Math.Floor((off / _period) + 0.5);
+        double fromRut = Math.Abs(Math.Abs(off) - HalfGauge);
+        return Math.Max(0, Math.Min(1, (2 * HalfRut) - fromRut));
+    }
+}

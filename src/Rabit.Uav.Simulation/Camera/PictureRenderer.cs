@@ -1,0 +1,37 @@
+using System.Collections.Generic;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// Makes pictures of the simulated world. The same seed, stances and number give the same bytes. One thread; allocates nothing for a picture.
+/// </summary>
+internal sealed class PictureRenderer
+{
+    private const ulong PurposeOfGround = 0x67726F756E64;
+
+    private readonly GroundPainter _ground;
+    private readonly SheetPainter _sheets;
+    private readonly SensorFinish _finish;
+
+    /// <exception cref="System.ArgumentException">No ray of light falls on some pixel.</exception>
+    public PictureRenderer(SimulatedCameraOptions options, IEnumerable<SimulatedTarget> sheets, ulong seed)
+    {
+        var lens = new LensRays(options.Camera);
+        _ground = new GroundPainter(lens, new GroundTexture(SeededSequence.Derive(seed, PurposeOfGround)));
+        _sheets = new SheetPainter(lens, sheets);
+        _finish = new SensorFinish(lens.Width, lens.Height, options.NoiseSigma, seed);
+    }
+
+    /// <summary>Makes one picture.</summary>
+    /// <param name="middle">How the camera stands at the middle of the exposure.</param>
+    /// <param name="early">How it stands after a quarter of it.</param>
+    /// <param name="late">How it stands after three quarters of it.</param>
+    /// <param name="number">Number of the picture; another number has other noise.</param>
+    /// <param name="pixels">Takes red, green and blue, row by row.</param>
+    public void Render(in CameraStance middle, in CameraStance early, in CameraStance late, long number, byte[] pixels)
+    {
+        _ground.Paint(middle, pixels);
+        _sheets.Paint(early, late, pixels);
+        _finish.Apply(pixels, number);
+    }
+}

@@ -1,0 +1,55 @@
+using System;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// A flat rectangle on the ground as one stance of the camera sees it: tells of any ray whether it meets the rectangle. Along and across the
+/// rectangle, and downwards, a ray's way is linear in the ray; a ray's place on the ground is one divided by the other, and comparing needs
+/// no division. A plain value.
+/// </summary>
+internal readonly struct SheetView
+{
+    private readonly Arrow _along;    // what x, y and 1 of a ray each add
+    private readonly Arrow _across;
+    private readonly Arrow _down;
+    private readonly double _halfSide;
+    private readonly double _halfWidth;
+
+    public SheetView(SimulatedTarget sheet, in CameraStance stance)
+    {
+        (double sin, double cos) = (Math.Sin(sheet.HeadingRadians), Math.Cos(sheet.HeadingRadians));
+        (double north, double east) = (stance.North - sheet.NorthMetres, stance.East - sheet.EastMetres);
+        _along = Terms(stance, cos, sin, (north * cos) + (east * sin));
+        _across = Terms(stance, -sin, cos, (east * cos) - (north * sin));
+        _down = new Arrow(stance.Axes.Right.Third, stance.Axes.Down.Third, stance.Axes.Forward.Third);
+        _halfSide = sheet.SideMetres / 2;
+        _halfWidth = sheet.WidthMetres / 2;
+    }
+
+    /// <summary>Whether a ray meets the rectangle.</summary>
+    public bool Contains(double x, double y) => SidesMissed(x, y) == 0;
+
+    /// <summary>Beyond which sides of the rectangle a ray meets the ground, one bit each; all bits for a ray that does not meet it.</summary>
+    public int SidesMissed(double x, double y)
+    {
+        double down = Value(_down, x, y);
+        if (down <= 0)
+            return 31;
+        double along = Value(_along, x, y);
+        double across = Value(_across, x, y);
+        double side = _halfSide * down;
+        double width = _halfWidth * down;
+        return (along > side ? 1 : 0) | (along < -side ? 2 : 0) | (across > width ? 4 : 0) | (across < -width ? 8 : 0);
+    }
+
+    // Where a ray meets the ground: camera + height x (its level part) / (its part downwards); here times that part.
+    private static Arrow Terms(in CameraStance stance, double towardsNorth, double towardsEast, double camera) => new(
+        Term(stance.Axes.Right, stance.Height, towardsNorth, towardsEast, camera),
+        Term(stance.Axes.Down, stance.Height, towardsNorth, towardsEast, camera),
+        Term(stance.Axes.Forward, stance.Height, towardsNorth, towardsEast, camera));
+
+    private static double Term(Arrow axis, double height, double towardsNorth, double towardsEast, double camera)
+        => (height * ((axis.First * towardsNorth) + (axis.Second * towardsEast))) + (camera * axis.Third);
+
+    private static double Value(Arrow terms, double x, double y) => (terms.First * x) + (terms.Second * y) + terms.Third;
+}

@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// The camera of the simulated vehicle: pictures of the ground and of what lies on it, as the true pose at the middle of the exposure shows
+/// them, delivered some time after that. It never blocks: real time waits for a delivery, virtual time jumps to it.
+/// </summary>
+/// <remarks>
+/// The first exposure begins one period after the reader was opened. A picture that cannot be delivered, because the camera is frozen, no
+/// buffer is free, nobody took the one before in time, or the truth of its moment is not known, is lost, and its number with it. The
+/// figures may be read from any thread.
+/// </remarks>
+public sealed class SimulatedCamera : IReaderSource<CameraFrame>
+{
+    private const string Owner = "simulated camera";
+
+    // The vehicle may be a step behind the moment that is asked for.
+    private static readonly TimeSpan TruthPause = TimeSpan.FromMilliseconds(5);
+
+    private readonly SimulatedCameraOptions _options;
+    private readonly TruthHistory _truth;
+    private readonly PictureRenderer _renderer;
+    private readonly BufferPool _pool;
+    private ReaderContext? _context;
+    private TimeSpan _opened;
+    private long _number;
+    private long _delivered;
+    private long _frozen;
+    private long _withoutBuffer;
+    private long _overtaken;
+
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    internal SimulatedCamera(SimulatedCameraOptions options, TruthHistory truth, IEnumerable<SimulatedTarget> things, ulong seed)
+    {
+        _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
+        _truth = truth;
+        _renderer = new PictureRenderer(_options, things, seed);
+        _pool = new BufferPool(Owner, _options.Buffers, _options.Camera.Width * _options.Camera.Height * 3);
+    }
+
+    /// <inheritdoc/>
+    public bool Blocks => false;
+
+    /// <summary>Pictures delivered.</summary>
+    public long FramesDelivered => Interlocked.Read(ref _delivered);
+
+    /// <summary>Pictures lost because the camera was frozen.</summary>
+    public long FramesFrozen => Interlocked.Read(ref _frozen);
+
+    /// <summary>Pictures lost because no buffer was free: somebody keeps them too long, or has forgotten to give them back.</summary>
+    public long FramesWithoutBuffer => Interlocked.Read(ref _withoutBuffer);
+
+    /// <summary>Pictures lost because the next one was due before they could be made: nobody asked, or the truth was not known.</summary>
+    public long FramesOvertaken => Interlocked.Read(ref _overtaken);
+
+    /// <summary>Who holds the buffers now, one name for each.</summary>
+    public IReadOnlyList<string> BufferHolders() => _pool.Holders();
+
+    /// <inheritdoc/>
+    public void Open(ReaderContext context)
+    {
+        _context = context ?? throw new ArgumentNullException(nameof(context));
+        _opened = context.Now;
+    }
+
+    /// <inheritdoc/>
+    public ReaderStep Read(out CameraFrame value)
+    {
+        value = default;
+        TimeSpan now = _context!.Now;
+        for (; now >= DueTime(_number); _number++)
+        {
+            TimeSpan start = StartTime(_number);
+            if (IsFrozen(start))
+            {
+                Interlocked.Increment(ref _frozen);
+                continue;
+            }
+
+            if (now >= DueTime(_number + 1))
+            {
+                Interlocked.Increment(ref _overtaken);
+                continue;
+            }
+
+            if (!TryGetStance(start + Part(2), out CameraStance middle))
+                return ReaderStep.WaitUntil(now + TruthPause);
+
+            if (!_pool.TryRent(Owner, out BufferLease lease))
+            {
+                Interlocked.Increment(ref _withoutBuffer);
+                continue;
+            }
+
+            value = Expose(start, middle, lease);
+            _number++;
+            Interlocked.Increment(ref _delivered);
+            return ReaderStep.Value;
+        }
+
+        return ReaderStep.WaitUntil(DueTime(_number));
+    }
+
+    /// <inheritdoc/>
+    public void Unblock()
+    {
+    }
+
+    /// <inheritdoc/>
+    public void Close()
+    {
+    }
+
+    private CameraFrame Expose(TimeSpan start, in CameraStance middle, BufferLease lease)
+    {
+        if (!TryGetStance(start + Part(1), out CameraStance early) || !TryGetStance(start + Part(3), out CameraStance late))
+            (early, late) = (middle, middle);
+        _renderer.Render(middle, early, late, _number, lease.Array);
+        return new CameraFrame
+        {
+            Pixels = lease,
+            Width = _options.Camera.Width,
+            Height = _options.Camera.Height,
+            Number = _number,
+            FrameStart = start,
+            Exposure = _options.Exposure,
+        };
+    }
+
+    private bool IsFrozen(TimeSpan start)
+    {
+        for (int i = 0; i < _options.Freezes.Count; i++)
+        {
+            if (_options.Freezes[i].Contains(start))
+                return true;
+        }
+
+        return false;
+    }
+
+    private bool TryGetStance(TimeSpan time, out CameraStance stance)
+    {
+        bool isKnown = _truth.TryGet(time, out TruePose pose);
+        stance = isKnown ? new CameraStance(pose, _options) : default;
+        return isKnown;
+    }
+
+    private TimeSpan Part(int quarters) => TimeSpan.FromTicks(_options.Exposure.Ticks * quarters / 4);
+
+    private TimeSpan StartTime(long number) => _opened + TimeSpan.FromTicks((long)((number + 1) * TimeSpan.TicksPerSecond / _options.FramesPerSecond));
+
+    private TimeSpan DueTime(long number) => StartTime(number) + _options.Delay;
+}

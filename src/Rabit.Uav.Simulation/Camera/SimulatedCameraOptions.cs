@@ -1,0 +1,141 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// What the simulated camera is really like. What the aircraft believes of it is another matter: give that other numbers, and the
+/// difference is an error that the flight has to live with. Read once, when the camera is made.
+/// </summary>
+public sealed class SimulatedCameraOptions
+{
+    private const int MostPixelsPerSide = 4096;
+
+    /// <summary>Pinhole and lens.</summary>
+    /// <value>The default is 640 x 480, f 530 px, a slight barrel distortion.</value>
+    public CameraModel Camera { get; set; } = new()
+    {
+        Width = 640,
+        Height = 480,
+        FocalX = 530,
+        FocalY = 530,
+        CentreX = 321.2,
+        CentreY = 237.4,
+        K1 = -0.06,
+        K2 = 0.015,
+        P1 = 0.0003,
+        P2 = -0.0002,
+    };
+
+    /// <summary>Where the camera sits before the point whose position the truth tells, metres forward in body axes.</summary>
+    /// <value>The default is 0.1.</value>
+    public double LeverArmForwardMetres { get; set; } = 0.1;
+
+    /// <summary>The same, metres to the right.</summary>
+    /// <value>The default is 0.</value>
+    public double LeverArmRightMetres { get; set; }
+
+    /// <summary>The same, metres down.</summary>
+    /// <value>The default is 0.05.</value>
+    public double LeverArmDownMetres { get; set; } = 0.05;
+
+    /// <summary>How far the foot of the camera's gimbal is turned about the body's forward axis, radians, right side down positive.</summary>
+    /// <value>The default is 0.</value>
+    public double MisalignmentRollRadians { get; set; }
+
+    /// <summary>How far the foot of the camera's gimbal is turned nose up, radians.</summary>
+    /// <value>The default is 0.</value>
+    public double MisalignmentPitchRadians { get; set; }
+
+    /// <summary>How far the foot of the camera's gimbal is turned to the right, radians.</summary>
+    /// <value>The default is 0.</value>
+    public double MisalignmentYawRadians { get; set; }
+
+    /// <summary>Pictures per second.</summary>
+    /// <value>The default is 2.</value>
+    public double FramesPerSecond { get; set; } = 2;
+
+    /// <summary>How long a picture is exposed, all rows at once.</summary>
+    /// <value>The default is 2 ms.</value>
+    public TimeSpan Exposure { get; set; } = TimeSpan.FromMilliseconds(2);
+
+    /// <summary>From the start of the exposure until the picture is delivered; longer than the exposure.</summary>
+    /// <value>The default is 120 ms.</value>
+    public TimeSpan Delay { get; set; } = TimeSpan.FromMilliseconds(120);
+
+    /// <summary>Standard deviation of the noise of each channel of each pixel, levels of 255.</summary>
+    /// <value>The default is 2.5.</value>
+    public double NoiseSigma { get; set; } = 2.5;
+
+    /// <summary>How many pictures may be on their way at once; while all buffers are out, pictures are lost.</summary>
+    /// <value>The default is 6.</value>
+    public int Buffers { get; set; } = 6;
+
+    /// <summary>Times without pictures.</summary>
+    public IReadOnlyList<CameraFreeze> Freezes { get; set; } = Array.Empty<CameraFreeze>();
+
+    /// <summary>The same camera with a quarter of the pixels, 320 x 240: for long runs in which the pictures are not the point.</summary>
+    public static SimulatedCameraOptions CreateLowResolution()
+    {
+        var options = new SimulatedCameraOptions();
+        CameraModel full = options.Camera;
+        options.Camera = new CameraModel
+        {
+            Width = full.Width / 2,
+            Height = full.Height / 2,
+            FocalX = full.FocalX / 2,
+            FocalY = full.FocalY / 2,
+            CentreX = ((full.CentreX + 0.5) / 2) - 0.5,   // the corner of the picture stays where it is, not the centre of its first pixel
+            CentreY = ((full.CentreY + 0.5) / 2) - 0.5,
+            K1 = full.K1,
+            K2 = full.K2,
+            P1 = full.P1,
+            P2 = full.P2,
+            K3 = full.K3,
+        };
+        return options;
+    }
+
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    internal SimulatedCameraOptions ValidatedCopy(string parameter)
+    {
+        if (Camera is null || Freezes is null)
+            throw new ArgumentException($"Simulated camera: {nameof(Camera)} and {nameof(Freezes)} may not be null.", parameter);
+        var faults = new List<string>();
+        CheckPixels(faults, "Width", Camera.Width);
+        CheckPixels(faults, "Height", Camera.Height);
+        if (!(Camera.FocalX > 0) || !(Camera.FocalY > 0) || double.IsInfinity(Camera.FocalX + Camera.FocalY))
+            faults.Add($"the focal lengths are {Camera.FocalX} and {Camera.FocalY} px; they must be above zero");
+        if (!(FramesPerSecond > 0) || FramesPerSecond > 1000)
+            faults.Add($"{nameof(FramesPerSecond)} is {FramesPerSecond}; it must be above 0 and at most 1000");
+        if (Exposure < TimeSpan.Zero)
+            faults.Add($"{nameof(Exposure)} is {Exposure}; it must be zero or longer");
+        if (Delay <= Exposure)
+            faults.Add($"{nameof(Delay)} is {Delay}; it must be longer than {nameof(Exposure)}, which is {Exposure}");
+        if (!(NoiseSigma >= 0) || NoiseSigma > 20)
+            faults.Add($"{nameof(NoiseSigma)} is {NoiseSigma}; it must be 0 to 20");
+        if (Buffers < 1)
+            faults.Add($"{nameof(Buffers)} is {Buffers}; it must be at least 1");
+        if (faults.Count > 0)
+            throw new ArgumentException("Simulated camera: " + string.Join("; ", faults) + ".", parameter);
+        var copy = (SimulatedCameraOptions)MemberwiseClone();
+        copy.Freezes = Freezes.ToArray();
+        return copy;
+    }
+
+    /// <summary>The same with the freezes that a script of faults has.</summary>
+    internal SimulatedCameraOptions With(IEnumerable<ScriptedFault> faults)
+    {
+        var copy = (SimulatedCameraOptions)MemberwiseClone();
+        copy.Freezes = Freezes.Concat(faults.Where(f => f.Kind == ScriptedFaultKind.CameraFreeze).Select(f => new CameraFreeze(f.At, f.Duration))).ToArray();
+        return copy;
+    }
+
+    private static void CheckPixels(List<string> faults, string name, int pixels)
+    {
+        if (pixels is < 8 or > MostPixelsPerSide)
+            faults.Add($"{name} is {pixels}; it must be 8 to {MostPixelsPerSide} pixels");
+    }
+}

@@ -1,0 +1,89 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Links;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// A world to fly in, made from one seed: flat ground, wind, and a multirotor that speaks MAVLink as ArduCopter does. The same seed gives the
+/// same bytes, in virtual time, to whoever asks the same at the same times.
+/// </summary>
+public sealed class SimulatedWorld
+{
+    /// <summary>The name of the vehicle's manager.</summary>
+    public const string VehicleManagerName = "simulated vehicle";
+
+    // At 100 steps a second: 4 s.
+    private const int HistoryLength = 400;
+
+    private readonly TruthRecorder _recorder = new();
+    private bool _hasVehicle;
+
+    /// <summary>Makes the world; nothing moves yet.</summary>
+    /// <param name="options">Checked and read now; later changes have no effect.</param>
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    public SimulatedWorld(SimulationOptions options)
+    {
+        Options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
+        Frame = new WorldFrame(Options.Home);
+        Things = TargetField.Place(
+            unchecked((ulong)Options.Seed), Options.Area.Select(c => (c.North, c.East)).ToArray(), Options.TargetCount, Options.DistractorCount);
+    }
+
+    /// <summary>What is there to be found.</summary>
+    public IEnumerable<SimulatedTarget> Targets => Things.Where(t => !t.IsDistractor);
+
+    /// <summary>The camera's pinhole and lens.</summary>
+    public CameraModel CameraModel => Options.Camera.Camera;
+
+    /// <summary>How the camera sits on the vehicle, as far as the vehicle's owner knows: misalignments are for the one who looks to find.</summary>
+    public CameraMount CameraMount => new()
+    {
+        GimbalArmMetres = new BodyVector(Options.Camera.LeverArmForwardMetres, Options.Camera.LeverArmRightMetres, Options.Camera.LeverArmDownMetres),
+    };
+
+    /// <summary>What the vehicle has really done until now. A new snapshot at each call. Any thread.</summary>
+    public SimulatedTruth Truth => _recorder.Snapshot();
+
+    internal SimulationOptions Options { get; }
+
+    /// <summary>Targets and distractors.</summary>
+    internal IReadOnlyList<SimulatedTarget> Things { get; }
+
+    internal WorldFrame Frame { get; }
+
+    internal TruthHistory History { get; } = new(HistoryLength);
+
+    /// <summary>
+    /// Makes the manager that runs the vehicle. It may be in the reactor of those who fly it, or in a reactor or a process of its own. Once.
+    /// </summary>
+    /// <param name="link">Its telemetry; open, and closed by whoever opened it, after the run. That it ends does not end the vehicle.</param>
+    /// <exception cref="InvalidOperationException">There is a vehicle already.</exception>
+    public RabitManager CreateVehicle(IByteLink link)
+    {
+        if (link is null)
+            throw new ArgumentNullException(nameof(link));
+        if (_hasVehicle)
+            throw new InvalidOperationException("The simulated world has its vehicle already.");
+        _hasVehicle = true;
+        var delayed = new DelayedFrames(new SimulationRandom(Options.Seed, "telemetry latency"), Options.TelemetryLatency);
+        return new SimulatedVehicleManager(VehicleManagerName, CreateVehicle(), delayed, _recorder, link);
+    }
+
+    /// <summary>
+    /// Makes the camera that the vehicle carries, for a reader of the one who flies it, in the same reactor or one with the same clock.
+    /// </summary>
+    public SimulatedCamera CreateCamera()
+        => new(Options.Camera.With(Options.Faults), History, Things, unchecked((ulong)Options.Seed));
+
+    /// <summary>Where something of the world is: on the ground, by the earth's coordinates.</summary>
+    /// <param name="northMetres">North of home.</param>
+    /// <param name="eastMetres">East of home.</param>
+    public GeodeticPosition PositionOf(double northMetres, double eastMetres) => Frame.ToPlace(new NedVector(northMetres, eastMetres, 0));
+
+    /// <summary>The vehicle alone, to be stepped by hand.</summary>
+    internal SimulatedVehicle CreateVehicle() => new(Options, Frame, History, _recorder);
+}

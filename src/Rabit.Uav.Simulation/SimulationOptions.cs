@@ -1,0 +1,164 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.MissionControl;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>What the simulated world is like. Read once, when it is made.</summary>
+public sealed class SimulationOptions
+{
+    private const double MaximumWind = 25;
+
+    /// <summary>All that is left to chance follows from it: targets, texture, gusts, errors of the sensors, times on the link.</summary>
+    /// <value>The default is 1.</value>
+    public long Seed { get; set; } = 1;
+
+    /// <summary>Where the vehicle stands at the start: the origin of the world's frame. The ground is flat and at its altitude.</summary>
+    /// <value>The default is the field near Canberra where ArduPilot's simulated copters start.</value>
+    public GeodeticPosition Home { get; set; } =
+        new(-35.363_262 * NedMath.RadiansPerDegree, 149.165_237 * NedMath.RadiansPerDegree, 584.09);
+
+    /// <summary>Where the vehicle looks at the start, radians clockwise from north.</summary>
+    /// <value>The default is 0.</value>
+    public double HeadingRadians { get; set; }
+
+    /// <summary>How long before the start of the run the autopilot was switched on, by its own clock; null: by the seed, 20 to 80 s.</summary>
+    /// <value>The default is null.</value>
+    public TimeSpan? BootedBefore { get; set; }
+
+    /// <summary>How much too fast the autopilot's clock runs, parts per million; null: by the seed, about 20 either way.</summary>
+    /// <value>The default is null.</value>
+    public double? ClockDriftPpm { get; set; }
+
+    /// <summary>After what time of the run the autopilot knows where it is.</summary>
+    /// <value>The default is 5 s.</value>
+    public TimeSpan PositionAfter { get; set; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>Mean wind, m/s, 0 to 25.</summary>
+    /// <value>The default is 3.</value>
+    public double WindMetresPerSecond { get; set; } = 3;
+
+    /// <summary>Where the wind comes from, radians clockwise from north; null: by the seed.</summary>
+    /// <value>The default is null.</value>
+    public double? WindFromRadians { get; set; }
+
+    /// <summary>What is left in the battery at the start, 0 to 1.</summary>
+    /// <value>The default is 1.</value>
+    public double BatteryRemaining { get; set; } = 1;
+
+    /// <summary>How long a frame of the vehicle is on its way at least; a jitter of some milliseconds comes on top.</summary>
+    /// <value>The default is 20 ms.</value>
+    public TimeSpan TelemetryLatency { get; set; } = TimeSpan.FromMilliseconds(20);
+
+    /// <summary>How many targets lie in <see cref="Area"/>.</summary>
+    /// <value>The default is 5.</value>
+    public int TargetCount { get; set; } = 5;
+
+    /// <summary>How many things lie there that look like targets and are none.</summary>
+    /// <value>The default is 6.</value>
+    public int DistractorCount { get; set; } = 6;
+
+    /// <summary>The camera under the vehicle.</summary>
+    public SimulatedCameraOptions Camera { get; set; } = new();
+
+    /// <summary>The corners of the area in which the targets lie, metres north and east of home; down is not read.</summary>
+    /// <value>The default is a rectangle of 120 by 160 m that begins 30 m north of home.</value>
+    public IReadOnlyList<NedVector> Area { get; set; } =
+        [new NedVector(30, -80, 0), new NedVector(150, -80, 0), new NedVector(150, 80, 0), new NedVector(30, 80, 0)];
+
+    /// <summary>What goes wrong, in any order.</summary>
+    public IReadOnlyList<ScriptedFault> Faults { get; set; } = Array.Empty<ScriptedFault>();
+
+    /// <summary>Takes home and the area in which the targets lie from a mission, so that it can be flown here. Where it names no home, that is its first corner.</summary>
+    /// <param name="mission">The mission.</param>
+    public void TakePlacesFrom(MissionPlan mission)
+    {
+        if (mission is null)
+            throw new ArgumentNullException(nameof(mission));
+        Home = mission.Home is { } home
+            ? new GeodeticPosition(home.LatitudeRadians, home.LongitudeRadians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
+            : new GeodeticPosition(mission.Area[0].LatitudeRadians, mission.Area[0].LongitudeRadians, Home.AltitudeAmslMetres);
+        var frame = new WorldFrame(Home);
+        Area = mission.Area.Select(c => frame.ToWorld(new GeodeticPosition(c.LatitudeRadians, c.LongitudeRadians, Home.AltitudeAmslMetres))).ToArray();
+    }
+
+    /// <summary>Checks, and takes a copy that later changes do not reach.</summary>
+    /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
+    internal SimulationOptions ValidatedCopy(string parameter)
+    {
+        List<string> faults = FindFaults().ToList();
+        if (faults.Count > 0)
+            throw new ArgumentException("The simulated world: " + string.Join("; ", faults) + ".", parameter);
+        var copy = (SimulationOptions)MemberwiseClone();
+        copy.Camera = (Camera ?? throw new ArgumentException("The simulated world: the camera may be left as it is, but not null.", parameter)).ValidatedCopy(parameter);
+        copy.Area = Area.ToArray();
+        copy.Faults = Faults.OrderBy(f => f.At).ToArray();
+        return copy;
+    }
+
+    private IEnumerable<string> FindFaults()
+    {
+        if (!(Math.Abs(Home.LatitudeRadians) < 89 * NedMath.RadiansPerDegree) || !(Math.Abs(Home.LongitudeRadians) <= Math.PI)
+            || !(Math.Abs(Home.AltitudeAmslMetres) < 10_000))
+        {
+            yield return FormattableString.Invariant(
+                $"{nameof(Home)} is {Home.LatitudeRadians}, {Home.LongitudeRadians} radians, {Home.AltitudeAmslMetres} m; it must be a place on earth, not at a pole");
+        }
+
+        if (!(Math.Abs(HeadingRadians) <= 2 * Math.PI))
+            yield return FormattableString.Invariant($"{nameof(HeadingRadians)} is {HeadingRadians}; it must be an angle of at most one turn");
+        if (BootedBefore is { } booted && (booted < TimeSpan.Zero || booted > TimeSpan.FromDays(20)))
+            yield return FormattableString.Invariant($"{nameof(BootedBefore)} is {booted}; it must be 0 to 20 days");
+        if (ClockDriftPpm is { } drift && !(Math.Abs(drift) <= 1000))
+            yield return FormattableString.Invariant($"{nameof(ClockDriftPpm)} is {drift}; it must be -1000 to 1000");
+        if (PositionAfter < TimeSpan.Zero)
+            yield return FormattableString.Invariant($"{nameof(PositionAfter)} is {PositionAfter}; it must not be negative");
+        if (!IsWind(WindMetresPerSecond))
+            yield return FormattableString.Invariant($"{nameof(WindMetresPerSecond)} is {WindMetresPerSecond}; it must be 0 to {MaximumWind}");
+        if (WindFromRadians is { } from && !(Math.Abs(from) <= 2 * Math.PI))
+            yield return FormattableString.Invariant($"{nameof(WindFromRadians)} is {from}; it must be an angle of at most one turn");
+        if (!(BatteryRemaining >= 0 && BatteryRemaining <= 1))
+            yield return FormattableString.Invariant($"{nameof(BatteryRemaining)} is {BatteryRemaining}; it must be 0 to 1");
+        if (TelemetryLatency < TimeSpan.Zero || TelemetryLatency > TimeSpan.FromSeconds(10))
+            yield return FormattableString.Invariant($"{nameof(TelemetryLatency)} is {TelemetryLatency}; it must be 0 to 10 s");
+        if (TargetCount is < 0 or > 1000)
+            yield return FormattableString.Invariant($"{nameof(TargetCount)} is {TargetCount}; it must be 0 to 1000");
+        if (DistractorCount is < 0 or > 1000)
+            yield return $"{nameof(DistractorCount)} is {DistractorCount}; it must be 0 to 1000";
+        if (Area is null || Area.Count < 3)
+            yield return $"{nameof(Area)} must have at least three corners";
+        foreach (string fault in FindFaultsOfFaults())
+            yield return fault;
+    }
+
+    private IEnumerable<string> FindFaultsOfFaults()
+    {
+        if (Faults is null)
+        {
+            yield return $"{nameof(Faults)} is null; it may be empty";
+            yield break;
+        }
+
+        foreach (ScriptedFault fault in Faults)
+        {
+            string what = FormattableString.Invariant($"{nameof(Faults)}: {fault.Kind} at {fault.At}");
+            if (fault.At < TimeSpan.Zero || fault.Duration < TimeSpan.Zero)
+                yield return what + " has a negative time";
+            if (fault.Kind is ScriptedFaultKind.LinkSilent or ScriptedFaultKind.CameraFreeze && fault.Duration == TimeSpan.Zero)
+                yield return what + " lasts no time";
+            bool isSound = fault.Kind switch
+            {
+                ScriptedFaultKind.BatteryTo => fault.Value is >= 0 and <= 1,
+                ScriptedFaultKind.WindTo => IsWind(fault.Value),
+                ScriptedFaultKind.PilotMode => fault.Value >= 0 && CopterModes.IsKnown((uint)fault.Value),
+                _ => true,
+            };
+            if (!isSound)
+                yield return FormattableString.Invariant($"{what} has the value {fault.Value}, which is not possible");
+        }
+    }
+
+    private static bool IsWind(double speed) => speed is >= 0 and <= MaximumWind;
+}

@@ -1,0 +1,71 @@
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// What the autopilot's estimate is wrong by. Position: a constant of about a metre on each axis, a slow walk, a quick noise. Attitude and
+/// heading: a constant of some tenths of a degree (how the autopilot sits in the frame, what the iron around the compass does), a quick noise.
+/// </summary>
+internal sealed class NavigationErrors
+{
+    private const double PositionConstant = 1.0;   // metres, standard deviation on each axis, never more than twice that
+    private const double WalkSigma = 0.7;          // metres
+    private const double WalkSeconds = 1800;
+    private const double PositionNoise = 0.3;      // metres
+    private const double VelocityNoise = 0.1;      // m/s
+    private const double NoiseSeconds = 0.3;
+    private const double AngleConstant = 0.7 * NedMath.RadiansPerDegree;
+    private const double AngleNoise = 0.3 * NedMath.RadiansPerDegree;
+    private const double AngleSeconds = 0.1;
+
+    private readonly NedVector _positionConstant;
+    private readonly EulerAngles _angleConstant;
+    private readonly SlowNoise[] _walk;
+    private readonly SlowNoise[] _position;
+    private readonly SlowNoise[] _velocity;
+    private readonly SlowNoise[] _angle;
+
+    public NavigationErrors(long seed, double step)
+    {
+        var once = new SimulationRandom(seed, "navigation constants");
+        _positionConstant = new NedVector(
+            once.ModestNormal(PositionConstant), once.ModestNormal(PositionConstant), once.ModestNormal(PositionConstant));
+        _angleConstant = new EulerAngles(
+            once.ModestNormal(AngleConstant), once.ModestNormal(AngleConstant), once.ModestNormal(AngleConstant));
+        _walk = ThreeOf(new SimulationRandom(seed, "position walk"), WalkSigma, WalkSeconds, step, startsAtZero: true);
+        _position = ThreeOf(new SimulationRandom(seed, "position noise"), PositionNoise, NoiseSeconds, step);
+        _velocity = ThreeOf(new SimulationRandom(seed, "velocity noise"), VelocityNoise, NoiseSeconds, step);
+        _angle = ThreeOf(new SimulationRandom(seed, "attitude noise"), AngleNoise, AngleSeconds, step);
+    }
+
+    /// <summary>The part of the position's error that changes slowly: what the vehicle is steered by, metres.</summary>
+    public NedVector SteadyPosition => _positionConstant.Plus(Of(_walk));
+
+    /// <summary>The whole error of the position that is told, metres.</summary>
+    public NedVector ToldPosition => SteadyPosition.Plus(Of(_position));
+
+    /// <summary>The error of the velocity that is told, m/s.</summary>
+    public NedVector ToldVelocity => Of(_velocity);
+
+    /// <summary>The error of the attitude that is told.</summary>
+    public EulerAngles ToldAttitude => new(
+        _angleConstant.RollRadians + _angle[0].Value,
+        _angleConstant.PitchRadians + _angle[1].Value,
+        _angleConstant.YawRadians + _angle[2].Value);
+
+    public void Step()
+    {
+        for (int axis = 0; axis < 3; axis++)
+        {
+            _walk[axis].Step();
+            _position[axis].Step();
+            _velocity[axis].Step();
+            _angle[axis].Step();
+        }
+    }
+
+    private static NedVector Of(SlowNoise[] three) => new(three[0].Value, three[1].Value, three[2].Value);
+
+    private static SlowNoise[] ThreeOf(SimulationRandom random, double sigma, double seconds, double step, bool startsAtZero = false)
+        => [new(random, sigma, seconds, step, startsAtZero), new(random, sigma, seconds, step, startsAtZero), new(random, sigma, seconds, step, startsAtZero)];
+}

@@ -1,0 +1,111 @@
+using System;
+using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Uav.Links;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// Runs the simulated vehicle by the clock of the run: as many steps of 10 ms as have passed, then what is due goes out over the link.
+/// A link that has ended is told of once; the vehicle lives on.
+/// </summary>
+internal sealed class SimulatedVehicleManager : RabitManager
+{
+    private const int FramesWaiting = 512;
+    private static readonly TimeSpan StepTime = TimeSpan.FromSeconds(SimulatedVehicle.StepSeconds);
+
+    private readonly SimulatedVehicle _vehicle;
+    private readonly TruthRecorder _recorder;
+    private readonly VehicleFrameSource _source;
+    private readonly VehicleFrameTarget _target;
+    private readonly BlockingReader<MavlinkFrame> _reader;
+    private readonly BlockingWriter<MavlinkFrame> _writer;
+    private readonly DelayedFrames _delayed;
+    private TimeSpan _stepped;
+    private long _sent;
+    private long _heard;
+    private long _lost;
+    private bool _hasTold;
+
+    public SimulatedVehicleManager(string name, SimulatedVehicle vehicle, DelayedFrames delayed, TruthRecorder recorder, IByteLink link)
+        : base(name)
+    {
+        _vehicle = vehicle;
+        _delayed = delayed;
+        _recorder = recorder;
+        _source = new VehicleFrameSource(link);
+        _target = new VehicleFrameTarget(link);
+        _reader = AttachReader("link", _source, FramesWaiting);
+        _writer = AttachWriter("link out", _target, FramesWaiting);
+    }
+
+    protected override void Startup() => _stepped = Now;
+
+    protected override void ExecuteUnitOfWork()
+    {
+        TimeSpan now = Now;
+        DateTimeOffset utc = Clock.GetUtcNow();
+        while (_stepped + StepTime <= now)
+        {
+            _stepped += StepTime;
+            _vehicle.Step(_stepped, utc - (now - _stepped));
+            Take(_stepped);
+        }
+
+        Hear(now);
+        Deliver(now);
+        _recorder.CountFrames(_sent, _heard, _lost + _source.Unknown + _target.Lost);
+        SleepUntil(now);
+    }
+
+    private void Hear(TimeSpan now)
+    {
+        while (_reader.TryPop(out MavlinkFrame frame))
+        {
+            if (_vehicle.IsSilent)
+            {
+                _lost++;
+                continue;
+            }
+
+            _heard++;
+            _vehicle.Handle(frame, now);
+        }
+
+        Take(now);
+    }
+
+    private void Take(TimeSpan now)
+    {
+        while (_vehicle.TryTakeFrame(out MavlinkFrame frame))
+            _delayed.Add(frame, now);
+    }
+
+    private void Deliver(TimeSpan now)
+    {
+        while (_delayed.TryTake(now, out MavlinkFrame frame))
+        {
+            if (_vehicle.IsSilent || HasNobodyBehindIt() || _writer.Push(frame) == PushResult.Rejected)
+                _lost++;
+            else
+                _sent++;
+        }
+    }
+
+    private bool HasNobodyBehindIt()
+    {
+        bool hasEnded = _reader.State is DeviceState.Ended or DeviceState.Faulted || _writer.State is DeviceState.Ended or DeviceState.Faulted;
+        if (hasEnded && !_hasTold)
+            Log("the link has ended; the vehicle flies on without it");
+        _hasTold |= hasEnded;
+        return hasEnded;
+    }
+
+    private void SleepUntil(TimeSpan now)
+    {
+        TimeSpan next = _stepped + StepTime;
+        if (_delayed.NextDue < next)
+            next = _delayed.NextDue;
+        WakeUpDelay = next > now ? next - now : TimeSpan.FromTicks(1);
+    }
+}

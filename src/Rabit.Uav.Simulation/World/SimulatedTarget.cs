@@ -1,0 +1,41 @@
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// A flat rectangle that lies on the ground of the simulated world: a target of a mission, or a distractor, which looks much like one
+/// and is none. Immutable.
+/// </summary>
+public sealed class SimulatedTarget
+{
+    /// <summary>Its number, from 1, targets first.</summary>
+    public int Id { get; init; }
+
+    /// <summary>What it is, one line for a person: "red panel 1", "rusty sheet 7".</summary>
+    public string Name { get; init; } = string.Empty;
+
+    /// <summary>Its colour, one; <see cref="TargetColours.None"/> for a distractor that has none of these colours, but a near one.</summary>
+    public TargetColours Colour { get; init; }
+
+    /// <summary>Where its centre lies, metres north in the frame of the world.</summary>
+    public double NorthMetres { get; init; }
+
+    /// <summary>Where its centre lies, metres east in the frame of the world.</summary>
+    public double EastMetres { get; init; }
+
+    /// <summary>Its length along <see cref="HeadingRadians"/>, metres.</summary>
+    /// <value>The default is 1: all targets are squares of 1 m.</value>
+    public double SideMetres { get; init; } = 1;
+
+    /// <summary>Its length across <see cref="HeadingRadians"/>, metres.</summary>
+    /// <value>The default is 1.</value>
+    public double WidthMetres { get; init; } = 1;
+
+    /// <summary>Where its side points, radians clockwise from north.</summary>
+    public double HeadingRadians { get; init; }
+
+    /// <summary>Whether it is a distractor: a track of it that is confirmed is a false one.</summary>
+    public bool IsDistractor { get; init; }
+
+    internal SurfaceColour Surface { get; init; }
+}

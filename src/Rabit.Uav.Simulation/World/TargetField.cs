@@ -1,0 +1,128 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>Lays targets and distractors out on the ground of a simulated world, by a seed.</summary>
+public static class TargetField
+{
+    /// <summary>How far the centre of anything is at least from the edge of the area, metres.</summary>
+    public const double EdgeDistanceMetres = 4;
+
+    /// <summary>How far the centres of any two things are at least from each other, metres.</summary>
+    public const double MutualDistanceMetres = 12;
+
+    // A thing that found no place so often is given up, and all of it begun again: the first ones may lie badly.
+    private const int TriesPerThing = 500;
+    private const int Attempts = 40;
+
+    private const ulong PurposeOfPlaces = 0x706C616365;
+    private const ulong PurposeOfLooks = 0x6C6F6F6B73;
+
+    /// <summary>
+    /// Lays out targets, squares of 1 m in each of the five colours in turn, and distractors: the same for the same seed, on every runtime.
+    /// </summary>
+    /// <param name="seed">Another seed, another layout.</param>
+    /// <param name="area">Corners of the area in order, metres north and east in the frame of the world; any winding, not crossing itself.</param>
+    /// <param name="targets">How many targets, 0 or more.</param>
+    /// <param name="distractors">How many distractors, 0 or more; those that find no place beside the targets are left out.</param>
+    /// <returns>All things, targets first; the numbers begin at 1.</returns>
+    /// <exception cref="ArgumentException">The area is none, a number is negative, or the targets do not fit into the area.</exception>
+    public static IReadOnlyList<SimulatedTarget> Place(
+        ulong seed, IReadOnlyList<(double North, double East)> area, int targets, int distractors)
+    {
+        var polygon = new GroundPolygon(area, nameof(area));
+        if (targets < 0 || distractors < 0)
+        {
+            throw new ArgumentOutOfRangeException(
+                targets < 0 ? nameof(targets) : nameof(distractors), "The numbers of targets and distractors cannot be negative.");
+        }
+
+        List<(double North, double East)> places = FindPlaces(seed, polygon, targets, distractors);
+        var random = new SeededSequence(SeededSequence.Derive(seed, PurposeOfLooks));
+        int firstPanel = random.Next(TargetKinds.Panels.Length);
+        var things = new SimulatedTarget[places.Count];
+        for (int i = 0; i < things.Length; i++)
+        {
+            bool isDistractor = i >= targets;
+            TargetKind kind = isDistractor
+                ? TargetKinds.Distractors[(i - targets) % TargetKinds.Distractors.Length]
+                : TargetKinds.Panels[(firstPanel + i) % TargetKinds.Panels.Length];
+            things[i] = Make(i + 1, kind, places[i], isDistractor, ref random);
+        }
+
+        return things;
+    }
+
+    private static SimulatedTarget Make(
+        int id, TargetKind kind, (double North, double East) place, bool isDistractor, ref SeededSequence random) => new()
+        {
+            Id = id,
+            Name = kind.Name + " " + id.ToString(CultureInfo.InvariantCulture),
+            Colour = kind.Colour,
+            NorthMetres = place.North,
+            EastMetres = place.East,
+            SideMetres = kind.SideMetres,
+            WidthMetres = kind.WidthMetres,
+            HeadingRadians = 2 * Math.PI * random.NextUnit(),
+            IsDistractor = isDistractor,
+            Surface = kind.Surface.Vary(ref random),
+        };
+
+    private static List<(double North, double East)> FindPlaces(ulong seed, GroundPolygon area, int targets, int distractors)
+    {
+        var random = new SeededSequence(SeededSequence.Derive(seed, PurposeOfPlaces));
+        int count = targets + distractors;
+        var most = new List<(double North, double East)>();
+        for (int attempt = 0; attempt < Attempts; attempt++)
+        {
+            var places = new List<(double North, double East)>(count);
+            while (places.Count < count && TryAdd(places, area, ref random))
+            {
+            }
+
+            if (places.Count == count)
+                return places;
+            if (places.Count > most.Count)
+                most = places;
+        }
+
+        if (most.Count >= targets)
+            return most;
+
+        string text = string.Format(
+            CultureInfo.InvariantCulture,
+            "{0} targets do not fit into the area, {1} m from its edge and {2} m from each other: only {3} found a place.",
+            targets, EdgeDistanceMetres, MutualDistanceMetres, most.Count);
+        throw new ArgumentException(text, nameof(area));
+    }
+
+    private static bool TryAdd(List<(double North, double East)> places, GroundPolygon area, ref SeededSequence random)
+    {
+        for (int attempt = 0; attempt < TriesPerThing; attempt++)
+        {
+            double north = area.South + ((area.North - area.South) * random.NextUnit());
+            double east = area.West + ((area.East - area.West) * random.NextUnit());
+            if (area.Contains(north, east) && area.DistanceToEdge(north, east) >= EdgeDistanceMetres && IsFree(places, north, east))
+            {
+                places.Add((north, east));
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static bool IsFree(List<(double North, double East)> places, double north, double east)
+    {
+        foreach ((double otherNorth, double otherEast) in places)
+        {
+            (double dn, double de) = (north - otherNorth, east - otherEast);
+            if ((dn * dn) + (de * de) < MutualDistanceMetres * MutualDistanceMetres)
+                return false;
+        }
+
+        return true;
+    }
+}

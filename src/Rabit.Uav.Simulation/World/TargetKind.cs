@@ -1,0 +1,17 @@
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>A sort of thing on the ground.</summary>
+internal sealed class TargetKind(string name, TargetColours colour, SurfaceColour surface, double sideMetres, double widthMetres)
+{
+    public string Name { get; } = name;
+
+    public TargetColours Colour { get; } = colour;
+
+    public SurfaceColour Surface { get; } = surface;
+
+    public double SideMetres { get; } = sideMetres;
+
+    public double WidthMetres { get; } = widthMetres;
+}

@@ -1,0 +1,67 @@
+using System;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// The true poses of the last seconds: written by the simulated vehicle step by step, read by the simulated camera for moments that have
+/// passed. It stands for the physical world between two devices, so it is the one thing here that is shared, under a lock.
+/// </summary>
+internal sealed class TruthHistory(int capacity)
+{
+    private readonly object _gate = new();
+    private readonly TruePose[] _ring = new TruePose[capacity];   // under _gate
+    private long _count;                                          // under _gate
+
+    /// <summary>Adds the newest; times go up.</summary>
+    public void Add(in TruePose pose)
+    {
+        lock (_gate)
+        {
+            _ring[_count % _ring.Length] = pose;
+            _count++;
+        }
+    }
+
+    /// <summary>The pose at a time, linearly between two steps; false where it is not known yet or not any more.</summary>
+    public bool TryGet(TimeSpan time, out TruePose pose)
+    {
+        lock (_gate)
+        {
+            for (long index = _count - 1; index > 0 && index > _count - _ring.Length; index--)
+            {
+                ref TruePose before = ref _ring[(index - 1) % _ring.Length];
+                ref TruePose after = ref _ring[index % _ring.Length];
+                if (before.Time <= time && time <= after.Time)
+                {
+                    pose = Between(before, after, time);
+                    return true;
+                }
+            }
+        }
+
+        pose = default;
+        return false;
+    }
+
+    private static TruePose Between(in TruePose a, in TruePose b, TimeSpan time)
+    {
+        double part = b.Time == a.Time ? 0 : (time - a.Time).Ticks / (double)(b.Time - a.Time).Ticks;
+        return new TruePose
+        {
+            Time = time,
+            North = Mix(a.North, b.North, part),
+            East = Mix(a.East, b.East, part),
+            Down = Mix(a.Down, b.Down, part),
+            NorthSpeed = Mix(a.NorthSpeed, b.NorthSpeed, part),
+            EastSpeed = Mix(a.EastSpeed, b.EastSpeed, part),
+            DownSpeed = Mix(a.DownSpeed, b.DownSpeed, part),
+            Roll = Mix(a.Roll, b.Roll, part),
+            Pitch = Mix(a.Pitch, b.Pitch, part),
+            Yaw = Mix(a.Yaw, b.Yaw, part),
+            CameraPitch = Mix(a.CameraPitch, b.CameraPitch, part),
+            CameraYaw = Mix(a.CameraYaw, b.CameraYaw, part),
+        };
+    }
+
+    private static double Mix(double a, double b, double part) => a + ((b - a) * part);
+}

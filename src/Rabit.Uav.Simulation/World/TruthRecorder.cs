@@ -1,0 +1,116 @@
+using System;
+using Rabit.Mavlink.Messages;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>Keeps what the vehicle has really done. Written by the vehicle step by step, read by anybody, under a lock.</summary>
+internal sealed class TruthRecorder
+{
+    private const double CrashSpeed = 2;
+    private static readonly TimeSpan PathEvery = TimeSpan.FromMilliseconds(200);
+
+    private readonly object _gate = new();
+
+    // All below is under _gate.
+    private TruePose[] _path = new TruePose[256];   // what is below the count never changes: snapshots share it
+    private int _pathCount;
+    private TruePose _pose;
+    private TruePose? _landing;
+    private TimeSpan _nextPath;
+    private TimeSpan _airtime;
+    private double _touchdown;
+    private double _battery = 1;
+    private double _flown;
+    private double _height;
+    private double _speed;
+    private double _distance;
+    private bool _isArmed;
+    private bool _isAirborne;
+    private bool _hasFlown;
+    private bool _hasCrashed;
+    private CopterMode _mode;
+    private long _sent;
+    private long _heard;
+    private long _lost;
+
+    public void Record(in TruePose pose, bool isArmed, CopterMode mode, double battery, double touchdownSpeed)
+    {
+        lock (_gate)
+        {
+            Move(pose, touchdownSpeed);
+            _isArmed = isArmed;
+            _mode = mode;
+            _battery = battery;
+            if (_pathCount == 0 || ((isArmed || _isAirborne) && pose.Time >= _nextPath))
+                AddToPath(pose);
+        }
+    }
+
+    public void CountFrames(long sent, long heard, long lost)
+    {
+        lock (_gate)
+            (_sent, _heard, _lost) = (sent, heard, lost);
+    }
+
+    public SimulatedTruth Snapshot()
+    {
+        lock (_gate)
+        {
+            return new SimulatedTruth
+            {
+                Pose = _pose,
+                Path = new ArraySegment<TruePose>(_path, 0, _pathCount),
+                IsArmed = _isArmed,
+                IsAirborne = _isAirborne,
+                HasFlown = _hasFlown,
+                Landing = _landing,
+                TouchdownMetresPerSecond = _touchdown,
+                HasCrashed = _hasCrashed,
+                CustomMode = (uint)_mode,
+                Mode = CopterModes.NameOf(_mode),
+                BatteryRemaining = _battery,
+                Airtime = _airtime,
+                FlownMetres = _flown,
+                MaximumHeightMetres = _height,
+                MaximumSpeedMetresPerSecond = _speed,
+                MaximumDistanceMetres = _distance,
+                FramesSent = _sent,
+                FramesHeard = _heard,
+                FramesLost = _lost,
+            };
+        }
+    }
+
+    private void AddToPath(in TruePose pose)
+    {
+        if (_pathCount == _path.Length)
+            Array.Resize(ref _path, 2 * _path.Length);
+        _path[_pathCount++] = pose;
+        _nextPath = pose.Time + PathEvery;
+    }
+
+    private void Move(in TruePose pose, double touchdownSpeed)
+    {
+        bool isAirborne = pose.Down < 0;
+        if (isAirborne)
+        {
+            _hasFlown = true;
+            _airtime += pose.Time - _pose.Time;
+            _flown += Length(pose.North - _pose.North, pose.East - _pose.East);
+            _height = Math.Max(_height, -pose.Down);
+            _speed = Math.Max(_speed, Length(pose.NorthSpeed, pose.EastSpeed));
+            _distance = Math.Max(_distance, Length(pose.North, pose.East));
+        }
+        else if (_isAirborne)
+        {
+            _landing = pose;
+            _touchdown = touchdownSpeed;
+            _hasCrashed |= touchdownSpeed > CrashSpeed;
+        }
+
+        _isAirborne = isAirborne;
+        _pose = pose;
+    }
+
+    private static double Length(double a, double b) => Math.Sqrt((a * a) + (b * b));
+}

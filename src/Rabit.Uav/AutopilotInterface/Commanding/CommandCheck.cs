@@ -1,0 +1,65 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>Finds commands that no vehicle could carry out. They are refused before anything is sent.</summary>
+internal static class CommandCheck
+{
+    // More than these is a slip of the pen for what flies on batteries.
+    private const double HighestMetres = 5000;
+    private const double FastestMetresPerSecond = 60;
+
+    /// <summary>What is wrong, by the name of the property; null where nothing is.</summary>
+    public static string? FindFault(in VehicleCommand command) => command.Kind switch
+    {
+        VehicleCommandKind.GoTo => FaultOfPlace(command) ?? FaultOfHeight(command) ?? FaultOfSpeed(command) ?? FaultOfYaw(command),
+        VehicleCommandKind.TakeOff => FaultOfHeight(command),
+        VehicleCommandKind.Velocity => FaultOfVelocity(command) ?? FaultOfYaw(command),
+        VehicleCommandKind.SetMode => string.IsNullOrEmpty(command.Mode) ? "Mode is empty" : null,
+        VehicleCommandKind.PointCamera => FaultOfAngle(nameof(command.CameraPitchRadians), command.CameraPitchRadians, Math.PI)
+            ?? FaultOfAngle(nameof(command.CameraYawRadians), command.CameraYawRadians, 2 * Math.PI),
+        VehicleCommandKind.Arm or VehicleCommandKind.Disarm or VehicleCommandKind.Hold or VehicleCommandKind.Return or VehicleCommandKind.Land
+            => null,
+        _ => FormattableString.Invariant($"Kind is {(int)command.Kind}, which is no command"),
+    };
+
+    private static string? FaultOfPlace(in VehicleCommand command)
+    {
+        if (FaultOfAngle(nameof(command.LatitudeRadians), command.LatitudeRadians, Math.PI / 2) is { } latitude)
+            return latitude;
+        if (FaultOfAngle(nameof(command.LongitudeRadians), command.LongitudeRadians, Math.PI) is { } longitude)
+            return longitude;
+        return command.LatitudeRadians.Equals(0) && command.LongitudeRadians.Equals(0)
+            ? "LatitudeRadians and LongitudeRadians are both 0, which is no place but an omission"
+            : null;
+    }
+
+    private static string? FaultOfHeight(in VehicleCommand command) => command.HeightAboveHomeMetres is > 0 and <= HighestMetres
+        ? null
+        : FormattableString.Invariant($"HeightAboveHomeMetres is {command.HeightAboveHomeMetres}; it must be above 0 and at most {HighestMetres}");
+
+    private static string? FaultOfSpeed(in VehicleCommand command)
+        => double.IsNaN(command.SpeedMetresPerSecond) || command.SpeedMetresPerSecond is > 0 and <= FastestMetresPerSecond
+            ? null
+            : FormattableString.Invariant(
+                $"SpeedMetresPerSecond is {command.SpeedMetresPerSecond}; it must be above 0 and at most {FastestMetresPerSecond}, or NaN");
+
+    private static string? FaultOfYaw(in VehicleCommand command)
+        => double.IsNaN(command.YawRadians) ? null : FaultOfAngle(nameof(command.YawRadians), command.YawRadians, 2 * Math.PI);
+
+    private static string? FaultOfVelocity(in VehicleCommand command)
+    {
+        double north = command.VelocityNed.North;
+        double east = command.VelocityNed.East;
+        double down = command.VelocityNed.Down;
+        double speed = Math.Sqrt((north * north) + (east * east) + (down * down));
+        return speed <= FastestMetresPerSecond
+            ? null
+            : FormattableString.Invariant($"VelocityNed is ({north}, {east}, {down}); it must be at most {FastestMetresPerSecond} m/s");
+    }
+
+    private static string? FaultOfAngle(string name, double radians, double most) => Math.Abs(radians) <= most
+        ? null
+        : FormattableString.Invariant($"{name} is {radians}; it must be within {most} of 0");
+}

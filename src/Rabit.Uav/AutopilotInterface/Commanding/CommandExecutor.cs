@@ -1,0 +1,190 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>
+/// Carries out vehicle commands, one at a time: step by step, each acknowledged, a mode also shown by a heartbeat. Exactly one answer for
+/// each. It sends nothing unless we command, and nothing more once the command is taken away. A state machine: time, commands and frames
+/// come in; frames and answers go out by its <see cref="Outbox"/>.
+/// </summary>
+internal sealed partial class CommandExecutor(bool mayCommand)
+{
+    /// <summary>How long a heartbeat may take to show a mode whose command was accepted: three at 1 Hz, two of them lost.</summary>
+    public static readonly TimeSpan ModeTimeout = TimeSpan.FromSeconds(3.5);
+
+    /// <summary>How long a text that says why may come behind a refusal.</summary>
+    public static readonly TimeSpan ReasonWait = TimeSpan.FromSeconds(0.3);
+
+    /// <summary>How long to wait for an autopilot to be heard at all: as long as for its answers.</summary>
+    public static readonly TimeSpan AutopilotWait = new(CommandTransaction.AnswerTimeout.Ticks * CommandTransaction.MaximumTries);
+
+    private readonly AuthorityGuard _guard = new(mayCommand);
+    private readonly CommandTransaction _transaction = new();
+    private readonly OpenAcknowledgements _open = new();
+    private readonly VelocityStream _velocity = new();
+    private readonly List<CommandStep> _steps = [];
+    private VehicleProfile? _profile;
+    private VehicleCommand _command;
+    private CommandPhase _phase;
+    private bool _isOurOwn;
+    private int _step;
+    private bool _isModeSeen;
+    private bool _owesHold;
+    private TimeSpan _begunAt;
+    private TimeSpan _phaseSince;
+    private string? _reason;
+    private double _lastSpeed = double.NaN;
+
+    public CommandOutbox Outbox { get; } = new();
+
+    public ref readonly CommandAuthority Authority => ref _guard.Authority;
+
+    /// <summary>Whether something is due sooner than the manager would wake up by itself.</summary>
+    public bool IsBusy => _phase != CommandPhase.Idle || _velocity.IsRunning;
+
+    private bool StepAsksForMode => _step < _steps.Count && _steps[_step].Mode is not null;
+
+    /// <summary>Takes a command. It replaces the one that is worked at, unless it is unsound itself.</summary>
+    public void Take(in VehicleCommand command, TimeSpan now)
+    {
+        if (!_guard.MayCommand)
+        {
+            Answer(command, VehicleCommandOutcome.NotInCommand, NotInCommandText());
+            return;
+        }
+
+        if (CommandCheck.FindFault(command) is { } fault)
+        {
+            Answer(command, VehicleCommandOutcome.Refused, fault);
+            return;
+        }
+
+        if (_phase != CommandPhase.Idle)
+            Finish(VehicleCommandOutcome.Replaced, $"{command.Kind} came before it was done");
+        Begin(command, isOurOwn: false, now);
+    }
+
+    /// <summary>Takes the state after a heartbeat of the autopilot.</summary>
+    public void TakeHeartbeat(in VehicleState vehicle, TimeSpan time)
+    {
+        if (_guard.TakeMode(vehicle.CustomMode, vehicle.Mode, _profile, time))
+        {
+            GiveUp();
+            return;
+        }
+
+        bool isStepUnderway = _phase is CommandPhase.Sending or CommandPhase.AwaitingMode;
+        if (isStepUnderway && _transaction.Sent > 0 && StepAsksForMode)
+            _isModeSeen = _steps[_step].Mode == vehicle.CustomMode;
+    }
+
+    /// <summary>The autopilot began anew.</summary>
+    /// <param name="wasFlying">Whether it was in the air, or might have been.</param>
+    /// <param name="time">When.</param>
+    public void TakeReboot(bool wasFlying, TimeSpan time)
+    {
+        _lastSpeed = double.NaN;
+        if (_guard.TakeReboot(wasFlying, time))
+            GiveUp();
+    }
+
+    /// <summary>Takes an acknowledgement by the autopilot, for us or for everybody.</summary>
+    public void TakeAcknowledgement(MavCmd command, MavResult result, TimeSpan time)
+    {
+        if (_phase == CommandPhase.Sending && _transaction.Sent > 0 && _steps[_step].Request.Command == command)
+            _transaction.Take(result, time);
+        if (result != MavResult.InProgress)
+            _open.Answered(command);
+    }
+
+    /// <summary>Takes a text of the vehicle: the newest one that came with a refusal, and is no mere information, is its reason.</summary>
+    public void TakeText(MavSeverity severity, string text)
+    {
+        if (_phase != CommandPhase.Idle && severity <= MavSeverity.Warning)
+            _reason = text;
+    }
+
+    /// <summary>Does what is due.</summary>
+    public void Run(in VehicleState vehicle, in OwnAddress own, TimeSpan now)
+    {
+        // Each turn ends a phase; a command has a handful of steps.
+        while (RunPhase(vehicle, own, now))
+        {
+        }
+
+        WatchDeadMan(now);
+        while (RunPhase(vehicle, own, now))
+        {
+        }
+
+        if (_velocity.TryNext(now, own, vehicle, out MavlinkFrame frame))
+            Outbox.Frames.Enqueue(frame);
+    }
+
+    private void WatchDeadMan(TimeSpan now)
+    {
+        if (_velocity.IsDead(now))
+        {
+            _velocity.Stop();
+            _owesHold = true;
+            Outbox.Notes.Enqueue("no velocity came for 1.5 s: the vehicle is told to hold");
+        }
+
+        if (_owesHold && _phase == CommandPhase.Idle)
+            Begin(new VehicleCommand { Kind = VehicleCommandKind.Hold }, isOurOwn: true, now);
+    }
+
+    private void Begin(in VehicleCommand command, bool isOurOwn, TimeSpan now)
+    {
+        _command = command;
+        _isOurOwn = isOurOwn;
+        _begunAt = now;
+        _steps.Clear();
+        _step = 0;
+
+        // The camera is turned while the vehicle flies on; a velocity is followed by the next one.
+        if (command.Kind is not (VehicleCommandKind.Velocity or VehicleCommandKind.PointCamera))
+            _velocity.Stop();
+        if (command.Kind != VehicleCommandKind.PointCamera)
+            _owesHold = false;
+        Enter(CommandPhase.Planning, now);
+    }
+
+    private void Enter(CommandPhase phase, TimeSpan now)
+    {
+        _phase = phase;
+        _phaseSince = now;
+    }
+
+    private void GiveUp()
+    {
+        _velocity.Stop();
+        _owesHold = false;
+        string text = NotInCommandText();
+        Outbox.Notes.Enqueue(text);
+        if (_phase != CommandPhase.Idle)
+            Finish(VehicleCommandOutcome.NotInCommand, text);
+    }
+
+    private void Finish(VehicleCommandOutcome outcome, string? text)
+    {
+        if (!_isOurOwn)
+            Answer(_command, outcome, text);
+        else if (outcome is not (VehicleCommandOutcome.Accepted or VehicleCommandOutcome.Replaced))
+            Outbox.Notes.Enqueue($"holding: {outcome}, {text}");
+        _phase = CommandPhase.Idle;
+        _steps.Clear();
+        _step = 0;
+    }
+
+    private void Answer(in VehicleCommand command, VehicleCommandOutcome outcome, string? text)
+        => Outbox.Answers.Enqueue(new VehicleCommandAnswer { Id = command.Id, Kind = command.Kind, Outcome = outcome, Text = text });
+
+    private string NotInCommandText() => _guard.Authority.State == CommandAuthorityState.Observing
+        ? "observing only"
+        : $"{_guard.Authority.TakenBy} took the command away";
+}

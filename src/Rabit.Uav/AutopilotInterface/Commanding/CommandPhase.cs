@@ -1,0 +1,26 @@
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>How far the command that is worked at is.</summary>
+internal enum CommandPhase
+{
+    /// <summary>There is none.</summary>
+    Idle,
+
+    /// <summary>Until the autopilot is known.</summary>
+    Planning,
+
+    /// <summary>Until what an earlier command may still be answered with has come or is out of date.</summary>
+    Clearing,
+
+    /// <summary>A step is sent, until it is acknowledged.</summary>
+    Sending,
+
+    /// <summary>It was accepted, until a heartbeat shows the mode.</summary>
+    AwaitingMode,
+
+    /// <summary>It was refused, until a text says why.</summary>
+    AwaitingReason,
+
+    /// <summary>Until the velocities can be sent.</summary>
+    StartingVelocity,
+}

@@ -1,0 +1,131 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>ArduPilot's Copter: targets in GUIDED, take-off height above home, a place by DO_REPOSITION.</summary>
+/// <remarks>
+/// A place goes out as DO_REPOSITION in a COMMAND_INT and not as SET_POSITION_TARGET_GLOBAL_INT: that one is acknowledged by nobody and silently
+/// ignored outside GUIDED, so that "accepted" would be a guess. It never carries the flag that changes the mode: were the pilot to take
+/// over while it is on its way, it must be refused and not win. A position target stays in force until the next one, so that nothing is repeated.
+/// Speed and heading follow the place, since Copter starts with its own when it begins to fly to places; each has an acknowledgement of its own.
+/// </remarks>
+internal sealed class CopterProfile : VehicleProfile
+{
+    // SPEED_TYPE_GROUNDSPEED, and "no change" of the throttle (MAV_CMD_DO_CHANGE_SPEED).
+    private const double GroundSpeed = 1;
+    private const double NoThrottle = -1;
+    private const double FullTurnDegrees = 360;
+
+    public static CopterProfile Instance { get; } = new();
+
+    public override uint CommandedMode => (uint)CopterMode.Guided;
+
+    public override uint ReturnMode => (uint)CopterMode.Rtl;
+
+    public override uint LandMode => (uint)CopterMode.Land;
+
+    public override bool FollowsByItself(uint mode, uint next) => mode == ReturnMode && next == LandMode;
+
+    public override uint? ModeOf(MavType vehicle, string name) => ArdupilotModes.NumberOf(vehicle, name);
+
+    public override CommandStep SetMode(uint mode)
+    {
+        CommandStep step = Long(MavCmd.DoSetMode, ByCustomMode, mode);
+        step.Mode = mode;
+        step.IsModeAwaited = true;
+        return step;
+    }
+
+    public override string? Plan(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    {
+        VehicleState vehicle = context.Vehicle;
+        switch (command.Kind)
+        {
+            case VehicleCommandKind.Arm:
+                steps.Add(SetMode(CommandedMode));
+                steps.Add(Arm(true));
+                return null;
+            case VehicleCommandKind.Disarm:
+                steps.Add(Arm(false));
+                return null;
+            case VehicleCommandKind.SetMode:
+                return PlanMode(command.Mode!, vehicle, steps);
+            case VehicleCommandKind.Return:
+                steps.Add(SetMode(ReturnMode));
+                return null;
+            case VehicleCommandKind.Land:
+                steps.Add(SetMode(LandMode));
+                return null;
+            case VehicleCommandKind.PointCamera:
+                steps.Add(PointCamera(command));
+                return null;
+            default:
+                EnsureCommandedMode(vehicle, steps);
+                return PlanFlight(command, context, steps);
+        }
+    }
+
+    private static string? PlanFlight(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    {
+        VehicleState vehicle = context.Vehicle;
+        switch (command.Kind)
+        {
+            case VehicleCommandKind.TakeOff:
+                CommandStep takeOff = Long(MavCmd.NavTakeoff);
+                MavlinkRequest request = takeOff.Request;
+                request.Param7 = (float)command.HeightAboveHomeMetres;
+                steps.Add(new CommandStep { Request = request, IsDoneInTheAir = true });
+                return null;
+            case VehicleCommandKind.GoTo:
+                PlanGoTo(command, context, steps);
+                return null;
+            case VehicleCommandKind.Velocity:
+                steps.Add(new CommandStep { StartsVelocity = true });
+                return null;
+            case VehicleCommandKind.Hold when !context.IsPositionFresh:
+                return "where the vehicle is is not known";
+            case VehicleCommandKind.Hold:
+                GeodeticPosition here = StoppingPoint(vehicle);
+                steps.Add(Reposition(here.LatitudeRadians, here.LongitudeRadians, vehicle.HeightAboveHomeMetres, double.NaN, double.NaN));
+                return null;
+            default:
+                return $"{command.Kind} is not known";
+        }
+    }
+
+    private static void PlanGoTo(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    {
+        double speed = command.SpeedMetresPerSecond;
+        double yaw = command.YawRadians;
+        steps.Add(Reposition(command.LatitudeRadians, command.LongitudeRadians, command.HeightAboveHomeMetres, speed, yaw));
+        if (!double.IsNaN(speed) && !speed.Equals(context.LastSpeedMetresPerSecond))
+            steps.Add(Long(MavCmd.DoChangeSpeed, GroundSpeed, speed, NoThrottle));
+        if (!double.IsNaN(yaw))
+            steps.Add(Long(MavCmd.ConditionYaw, Heading(yaw)));
+    }
+
+    private static CommandStep Reposition(double latitudeRadians, double longitudeRadians, double heightAboveHome, double speed, double yaw) => new()
+    {
+        Request = new MavlinkRequest
+        {
+            Command = MavCmd.DoReposition,
+            Frame = MavFrame.GlobalRelativeAltInt,
+            Param1 = double.IsNaN(speed) ? -1 : (float)speed,
+            Param4 = (float)yaw,
+            LatitudeDegE7 = DegE7(latitudeRadians),
+            LongitudeDegE7 = DegE7(longitudeRadians),
+            Param7 = (float)heightAboveHome,
+        },
+    };
+
+    // Rounded to what a float holds below, so that 360 never comes out.
+    private static double Heading(double yawRadians)
+    {
+        double degrees = Math.Round(yawRadians * DegreesPerRadian, 3) % FullTurnDegrees;
+        return degrees < 0 ? degrees + FullTurnDegrees : degrees;
+    }
+}

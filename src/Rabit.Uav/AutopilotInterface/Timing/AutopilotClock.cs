@@ -1,0 +1,68 @@
+using System;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>
+/// Maps the autopilot's time since boot to our clock: by its answers to TIMESYNC, and where there are none, by when its messages
+/// come in. No I/O, one thread, allocates nothing.
+/// </summary>
+internal sealed class AutopilotClock
+{
+    // The 32-bit milliseconds start again after 49.7 days.
+    private const double WrapSeconds = 4_294_967.296;
+    private const double SecondsPerNanosecond = 1e-9;
+    private static readonly TimeSpan Wrap = TimeSpan.FromMilliseconds(4_294_967_296);
+
+    private readonly MavlinkTimesyncFilter _timesync = new();
+    private readonly ArrivalFilter _arrival = new();
+
+    /// <summary>When and whether to ask.</summary>
+    public MavlinkTimesyncRequester Requests { get; } = new();
+
+    /// <summary>The estimate of TIMESYNC.</summary>
+    public MavlinkTimesyncFilter Timesync => _timesync;
+
+    /// <summary>By what times are mapped.</summary>
+    public ClockBasis BasisAt(TimeSpan now)
+        => _timesync.IsKnown(now) ? ClockBasis.Timesync : _arrival.IsKnown ? ClockBasis.Arrival : ClockBasis.None;
+
+    /// <summary>The autopilot began anew: its clock is another one.</summary>
+    public void Restart(TimeSpan now)
+    {
+        _timesync.Clear();
+        _arrival.Clear();
+        if (Requests.IsStarted)
+            Requests.Start(now);
+    }
+
+    /// <summary>Takes a TIMESYNC of the autopilot; requests and answers to others are none of ours.</summary>
+    public void Take(in Timesync message, TimeSpan arrival)
+    {
+        if (!Requests.IsAnswer(message, out TimeSpan askedAt))
+            return;
+        if (_timesync.Take(askedAt, arrival, message.Tc1 * SecondsPerNanosecond))
+            Requests.Start(arrival);
+    }
+
+    /// <summary>When something was true, by our clock.</summary>
+    /// <param name="timeBootMs">What the autopilot's clock said; 0 where it does not know.</param>
+    /// <param name="arrival">When the message came in; nothing was true later than that.</param>
+    public TimeSpan Map(uint timeBootMs, TimeSpan arrival)
+    {
+        if (timeBootMs == 0)
+            return arrival;
+        TimeSpan theirs = new(timeBootMs * TimeSpan.TicksPerMillisecond);
+        _arrival.Take(theirs, arrival);
+        TimeSpan ours = _timesync.IsKnown(arrival) ? ByTimesync(theirs, arrival) : theirs + _arrival.Offset;
+        return ours < arrival ? ours : arrival;
+    }
+
+    private TimeSpan ByTimesync(TimeSpan theirs, TimeSpan arrival)
+    {
+        double ours = theirs.TotalSeconds - _timesync.OffsetSecondsAt(arrival.TotalSeconds);
+        double turns = Math.Round((arrival.TotalSeconds - ours) / WrapSeconds);
+        return new TimeSpan((long)Math.Round(ours * TimeSpan.TicksPerSecond) + ((long)turns * Wrap.Ticks));
+    }
+}

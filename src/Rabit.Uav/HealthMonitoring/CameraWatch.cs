@@ -1,0 +1,22 @@
+using System;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.HealthMonitoring;
+
+/// <summary>What is remembered of the camera between two looks.</summary>
+internal sealed class CameraWatch(MessageSubscriber<ImagingStatus> status)
+{
+    private TimeSpan? _searchSince;
+
+    public CameraFacts Look(TimeSpan now)
+    {
+        status.Fetch();
+        ref readonly ImagingStatus value = ref status.Value;
+        _searchSince = value.Mode == ImagingMode.Search ? _searchSince ?? now : null;
+        TimeSpan since = _searchSince ?? now;
+        if (value.LastFrameTime is { } last && last > since)
+            since = last;
+        return new CameraFacts(value, now - since);
+    }
+}

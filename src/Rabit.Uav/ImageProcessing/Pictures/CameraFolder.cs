@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>
+/// A folder of a camera: "camera.json" says what the camera is like and how it is mounted, and the pictures lie beside it. Immutable.
+/// </summary>
+/// <remarks>
+/// A picture is called "f000123_1732190000123456_e2000.png": number, start of the exposure in microseconds since 1970 UTC, exposure in
+/// microseconds. Pictures of other names may be listed in camera.json, as "frames" of "file", "frame_start_us" and "exposure_us".
+/// </remarks>
+public sealed class CameraFolder
+{
+    /// <summary>Name of the file that describes the camera.</summary>
+    public const string DescriptionFile = "camera.json";
+
+    internal CameraFolder(string path, CameraModel camera, CameraMount mount, IReadOnlyList<ListedPicture> listed)
+    {
+        (Path, Camera, Mount, Listed) = (path, camera, mount, listed);
+    }
+
+    /// <summary>The folder.</summary>
+    public string Path { get; }
+
+    /// <summary>Pinhole and lens.</summary>
+    public CameraModel Camera { get; }
+
+    /// <summary>How the camera sits on the vehicle: not to be turned, where camera.json was read.</summary>
+    public CameraMount Mount { get; }
+
+    /// <summary>Pictures that camera.json lists, by the start of their exposure.</summary>
+    internal IReadOnlyList<ListedPicture> Listed { get; }
+
+    /// <summary>Reads the description of a folder's camera.</summary>
+    /// <param name="path">The folder.</param>
+    /// <exception cref="PictureException">There is no such folder, no description in it, or a wrong one; the text names all that is wrong.</exception>
+    public static CameraFolder Open(string path)
+    {
+        if (path is null)
+            throw new ArgumentNullException(nameof(path));
+        if (!Directory.Exists(path))
+            throw new PictureException(path, File.Exists(path) ? "that is a file; a folder of a camera is wanted" : "no such folder");
+        string file = System.IO.Path.Combine(path, DescriptionFile);
+        if (!File.Exists(file))
+            throw new PictureException(path, $"there is no {DescriptionFile} in it, which says what the camera is like");
+        try
+        {
+            return CameraDescription.Parse(File.ReadAllBytes(file), file, path);
+        }
+        catch (Exception e) when (PictureFile.IsFileFault(e))
+        {
+            throw new PictureException(file, "it cannot be read: " + e.Message, e);
+        }
+    }
+
+    /// <summary>Makes a folder, if there is none, and writes the description of its camera, replacing one that is there.</summary>
+    /// <param name="path">The folder.</param>
+    /// <param name="camera">Pinhole and lens.</param>
+    /// <param name="mount">How it sits on the vehicle.</param>
+    /// <param name="gimbalPitchRadians">Where its gimbal points, if it has one, and stays: up positive; the default is straight down.</param>
+    /// <param name="gimbalYawRadians">The same, right positive.</param>
+    /// <exception cref="PictureException">The numbers describe no camera, or the folder cannot be written.</exception>
+    public static CameraFolder Create(
+        string path, CameraModel camera, CameraMount mount, double gimbalPitchRadians = -Math.PI / 2, double gimbalYawRadians = 0)
+    {
+        if (path is null)
+            throw new ArgumentNullException(nameof(path));
+        if (camera is null)
+            throw new ArgumentNullException(nameof(camera));
+        if (mount is null)
+            throw new ArgumentNullException(nameof(mount));
+        string file = System.IO.Path.Combine(path, DescriptionFile);
+        List<string> faults = camera.FindFaults().Concat(mount.FindFaults()).ToList();
+        if (RgbPicture.SizeFault(camera.Width, camera.Height) is { } fault)
+            faults.Add(fault);
+        if (faults.Count > 0)
+            throw new PictureException(file, string.Join("; ", faults));
+
+        CameraPlacement placement = mount.At(gimbalPitchRadians, gimbalYawRadians);
+        try
+        {
+            Directory.CreateDirectory(path);
+            File.WriteAllBytes(file, CameraDescription.Write(camera, placement));
+        }
+        catch (Exception e) when (PictureFile.IsFileFault(e))
+        {
+            throw new PictureException(file, "it cannot be written: " + e.Message, e);
+        }
+
+        var fixedMount = new CameraMount { FixedBodyFromCamera = placement.BodyFromCamera, GimbalArmMetres = placement.PositionMetres };
+        return new CameraFolder(path, camera, fixedMount, []);
+    }
+}

@@ -1,0 +1,200 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>
+/// A camera that is a folder of pictures with their times, also one that grows while it is watched: what another program takes, this reads.
+/// It never blocks: real time waits for a picture, virtual time jumps to the end of its exposure.
+/// </summary>
+/// <remarks>
+/// The times are those of the wall clock and are taken over into the clock of the run by what that says of both; so pictures of a recorded
+/// flight go with a recorded log whose start the clock of the run was set to. Pictures come in the order of their times. The figures may
+/// be read from any thread.
+/// </remarks>
+public sealed class FolderCamera : IReaderSource<CameraFrame>
+{
+    private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(100);
+
+    // The wall clock may be set while a picture of the future is waited for.
+    private static readonly TimeSpan LongestWait = TimeSpan.FromSeconds(1);
+
+    private readonly CameraFolder _folder;
+    private readonly PictureListing _listing;
+    private readonly BufferPool _pool;
+    private readonly List<ListedPicture> _pending = [];   // the next is the last
+    private readonly List<string> _nameless = [];
+    private byte[]? _fileBuffer;
+    private ReaderContext? _context;
+    private long _openedUtc;
+    private long _lastUtc = long.MinValue;
+    private long _delivered;
+    private long _refused;
+    private long _beforeRun;
+    private long _late;
+    private long _withoutBuffer;
+    private string? _lastRefusal;
+
+    /// <summary>Makes the camera.</summary>
+    /// <param name="folder">The folder, see <see cref="CameraFolder.Open"/>.</param>
+    /// <param name="buffers">How many pictures may be on their way at once, at least 1; while all buffers are out, pictures are lost.</param>
+    public FolderCamera(CameraFolder folder, int buffers = 6)
+    {
+        _folder = folder ?? throw new ArgumentNullException(nameof(folder));
+        _listing = new PictureListing(folder);
+        _pool = new BufferPool("camera " + folder.Path, buffers, folder.Camera.Width * folder.Camera.Height * 3);
+    }
+
+    /// <inheritdoc/>
+    public bool Blocks => false;
+
+    /// <summary>Pictures delivered.</summary>
+    public long PicturesDelivered => Interlocked.Read(ref _delivered);
+
+    /// <summary>Pictures that could not be read, have another size than the camera's, or a name that does not tell their time.</summary>
+    public long PicturesRefused => Interlocked.Read(ref _refused);
+
+    /// <summary>Pictures that were begun before the reader was opened, and were therefore not read.</summary>
+    public long PicturesBeforeRun => Interlocked.Read(ref _beforeRun);
+
+    /// <summary>Pictures that appeared when a later one had already been delivered, and were not read.</summary>
+    public long PicturesLate => Interlocked.Read(ref _late);
+
+    /// <summary>Pictures lost because no buffer was free.</summary>
+    public long PicturesWithoutBuffer => Interlocked.Read(ref _withoutBuffer);
+
+    /// <summary>Why the last picture that was refused was, or why the folder cannot be read, one line; null if nothing happened.</summary>
+    public string? LastRefusal => Volatile.Read(ref _lastRefusal);
+
+    /// <inheritdoc/>
+    public void Open(ReaderContext context)
+    {
+        _context = context ?? throw new ArgumentNullException(nameof(context));
+        _openedUtc = PictureFolderWriter.ToMicroseconds(context.Clock.GetUtcNow());
+        foreach (ListedPicture picture in _folder.Listed)
+            Add(picture);
+        Sort();
+    }
+
+    /// <inheritdoc/>
+    public ReaderStep Read(out CameraFrame value)
+    {
+        value = default;
+        while (true)
+        {
+            if (_pending.Count == 0)
+                Look();
+            if (_pending.Count == 0)
+                return ReaderStep.WaitUntil(_context!.Now + Poll);
+
+            ListedPicture next = _pending[_pending.Count - 1];
+            TimeSpan start = RunTime(next.Facts.StartUtcMicroseconds);
+            TimeSpan exposure = TimeSpan.FromTicks(next.Facts.ExposureMicroseconds * PictureFolderWriter.TicksPerMicrosecond);
+            TimeSpan wait = start + exposure - _context!.Now;
+            if (wait > TimeSpan.Zero)
+                return ReaderStep.WaitUntil(_context.Now + (wait < LongestWait ? wait : LongestWait));
+
+            _pending.RemoveAt(_pending.Count - 1);
+            _lastUtc = next.Facts.StartUtcMicroseconds;
+            if (TryTake(next, start, exposure, out value))
+                return ReaderStep.Value;
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Unblock()
+    {
+    }
+
+    /// <inheritdoc/>
+    public void Close()
+    {
+    }
+
+    private bool TryTake(ListedPicture picture, TimeSpan start, TimeSpan exposure, out CameraFrame frame)
+    {
+        frame = default;
+        if (!_pool.TryRent("folder camera", out BufferLease lease))
+        {
+            Interlocked.Increment(ref _withoutBuffer);
+            return false;
+        }
+
+        try
+        {
+            PictureFile.LoadInto(
+                Path.Combine(_folder.Path, picture.File), _folder.Camera.Width, _folder.Camera.Height, lease.Array, ref _fileBuffer);
+        }
+        catch (PictureException e)
+        {
+            lease.Dispose();
+            Refuse(e.Message);
+            return false;
+        }
+
+        frame = new CameraFrame
+        {
+            Pixels = lease,
+            Width = _folder.Camera.Width,
+            Height = _folder.Camera.Height,
+            Number = picture.Facts.Number,
+            FrameStart = start,
+            Exposure = exposure,
+        };
+        Interlocked.Increment(ref _delivered);
+        return true;
+    }
+
+    private void Look()
+    {
+        var found = new List<ListedPicture>();
+        try
+        {
+            _listing.FindNew(found, _nameless);
+        }
+        catch (PictureException e)
+        {
+            Volatile.Write(ref _lastRefusal, e.Message);
+        }
+
+        foreach (string name in _nameless)
+            Refuse($"{Path.Combine(_folder.Path, name)}: its name does not tell its number and time, as f000123_1732190000123456_e2000.png does");
+        _nameless.Clear();
+        foreach (ListedPicture picture in found)
+            Add(picture);
+        Sort();
+    }
+
+    private void Add(ListedPicture picture)
+    {
+        if (picture.Facts.StartUtcMicroseconds < _openedUtc)
+            Interlocked.Increment(ref _beforeRun);
+        else if (picture.Facts.StartUtcMicroseconds <= _lastUtc)
+            Interlocked.Increment(ref _late);
+        else
+            _pending.Add(picture);
+    }
+
+    // Latest first; among pictures of the same time the order of the names, so that no file system's order is seen.
+    private void Sort() => _pending.Sort((a, b) =>
+    {
+        int order = b.Facts.StartUtcMicroseconds.CompareTo(a.Facts.StartUtcMicroseconds);
+        return order != 0 ? order : string.CompareOrdinal(b.File, a.File);
+    });
+
+    private void Refuse(string reason)
+    {
+        Interlocked.Increment(ref _refused);
+        Volatile.Write(ref _lastRefusal, reason);
+    }
+
+    private TimeSpan RunTime(long utcMicroseconds)
+    {
+        TimeSpan sinceEpoch = TimeSpan.FromTicks(utcMicroseconds * PictureFolderWriter.TicksPerMicrosecond);
+        return _context!.Now + (sinceEpoch - (_context.Clock.GetUtcNow() - PictureFolderWriter.Epoch));
+    }
+}

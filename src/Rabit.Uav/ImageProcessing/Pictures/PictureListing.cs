@@ -1,0 +1,55 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>Finds the pictures of a folder that were not there before. One thread.</summary>
+internal sealed class PictureListing
+{
+    // A file may come within the same tick of the file system's clock as the last look; so every so often a look is taken in any case.
+    private const int LooksPerListing = 10;
+
+    private readonly string _folder;
+    private readonly HashSet<string> _seen = new(StringComparer.Ordinal);
+    private DateTime _changed;
+    private int _looks;
+
+    public PictureListing(CameraFolder folder)
+    {
+        _folder = folder.Path;
+        foreach (ListedPicture picture in folder.Listed)
+            _seen.Add(picture.File);
+    }
+
+    /// <summary>Adds what is new, in no order.</summary>
+    /// <param name="pictures">Takes pictures whose names tell what has to be known.</param>
+    /// <param name="nameless">Takes names of pictures that do not.</param>
+    /// <exception cref="PictureException">The folder cannot be read, or is gone.</exception>
+    public void FindNew(List<ListedPicture> pictures, List<string> nameless)
+    {
+        try
+        {
+            DateTime changed = Directory.GetLastWriteTimeUtc(_folder);
+            bool isDue = _looks++ % LooksPerListing == 0;
+            if (changed == _changed && !isDue)
+                return;
+            _changed = changed;
+            foreach (string path in Directory.EnumerateFiles(_folder))
+            {
+                string name = Path.GetFileName(path);
+                if (!_seen.Add(name))
+                    continue;
+                if (PictureFileName.TryParse(name, out PictureFileName facts))
+                    pictures.Add(new ListedPicture(name, facts));
+                else if (PictureFileName.IsPicture(name))
+                    nameless.Add(name);
+            }
+        }
+        catch (Exception e) when (PictureFile.IsFileFault(e))
+        {
+            _changed = default;
+            throw new PictureException(_folder, e is DirectoryNotFoundException ? "the folder is gone" : "it cannot be read: " + e.Message, e);
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using System;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>What a blob must be like on the ground, in metres, to be a target, and how like it is. Targets are squares.</summary>
+internal sealed class TargetGates(ImageProcessingOptions options)
+{
+    // A solid rectangle of area A has sigma_long * sigma_short = A / 12, however it lies; what has holes or arms has more.
+    private const double RectangleFactor = 12;
+    private const double LeastFill = 0.7;
+    private const double MostFill = 1.3;
+
+    // How far from the best value a good target may be: one standard deviation.
+    private const double FillSpread = 0.2;
+    private const double AspectSpread = 0.4;
+
+    /// <summary>The score of a blob, 0 to 1; 0 where it is none.</summary>
+    public double Score(in BlobShape shape, in GroundScale scale, TargetColour colour)
+    {
+        double side = shape.SideMetres(scale);
+        if (!(side >= options.MinimumSideMetres && side <= options.MaximumSideMetres) || Math.Sqrt(shape.Area) < options.MinimumSidePixels)
+            return 0;
+        (double longSpread, double shortSpread) = shape.SpreadMetres(scale);
+        double aspect = longSpread / shortSpread;
+        double fill = side * side / (RectangleFactor * longSpread * shortSpread);
+        if (!(aspect <= options.MaximumAspect && fill >= LeastFill && fill <= MostFill))
+            return 0;
+
+        // The middle of the range, as a ratio.
+        double size = Math.Log(side / Math.Sqrt(options.MinimumSideMetres * options.MaximumSideMetres))
+            / Math.Log(Math.Sqrt(options.MaximumSideMetres / options.MinimumSideMetres));
+        double shapeLikeness = Likeness((fill - 1) / FillSpread) * Likeness((aspect - 1) / AspectSpread) * Likeness(size);
+        return Math.Sqrt(shapeLikeness * colour.Closeness(shape.Red, shape.Green, shape.Blue));
+    }
+
+    private static double Likeness(double deviations) => Math.Exp(-0.5 * deviations * deviations);
+}

@@ -1,0 +1,35 @@
+using System;
+using Rabit.Core;
+
+namespace Rabit.Uav.Messages;
+
+/// <summary>
+/// A picture in a pooled buffer: whoever holds it owns the buffer, alone, and hands it on or disposes it. 8 bits each of red, green and
+/// blue, row by row from the top left, without padding. A plain value.
+/// </summary>
+public struct CameraFrame : IDisposable
+{
+    /// <summary>The pixels: <see cref="Width"/> x <see cref="Height"/> x 3 bytes from the start of the buffer.</summary>
+    public BufferLease Pixels { get; set; }
+
+    /// <summary>Columns.</summary>
+    public int Width { get; set; }
+
+    /// <summary>Rows.</summary>
+    public int Height { get; set; }
+
+    /// <summary>Which picture of its camera it is, from 0; a gap is a picture that was lost.</summary>
+    public long Number { get; set; }
+
+    /// <summary>When the exposure began, by the clock of the run.</summary>
+    public TimeSpan FrameStart { get; set; }
+
+    /// <summary>How long the exposure took.</summary>
+    public TimeSpan Exposure { get; set; }
+
+    /// <summary>The middle of the exposure: what the picture shows was true then.</summary>
+    public readonly TimeSpan MidExposure => FrameStart + TimeSpan.FromTicks(Exposure.Ticks / 2);
+
+    /// <summary>Gives the buffer back.</summary>
+    public readonly void Dispose() => Pixels.Dispose();
+}

@@ -1,0 +1,41 @@
+namespace Rabit.Uav.Messages;
+
+/// <summary>What Mission Control is doing.</summary>
+public enum MissionPhase
+{
+    /// <summary>There is no mission to fly: we observe.</summary>
+    NoMission,
+
+    /// <summary>Until the vehicle is heard, healthy and has a position.</summary>
+    WaitingForVehicle,
+
+    /// <summary>Arming.</summary>
+    Arming,
+
+    /// <summary>Climbing to the height of the search.</summary>
+    TakingOff,
+
+    /// <summary>On the way to the area.</summary>
+    InTransit,
+
+    /// <summary>Flying the lanes.</summary>
+    Searching,
+
+    /// <summary>Off the lanes, for a second look at a new target.</summary>
+    Looking,
+
+    /// <summary>On the way home.</summary>
+    Returning,
+
+    /// <summary>Landing.</summary>
+    Landing,
+
+    /// <summary>Landed, motors off.</summary>
+    Done,
+
+    /// <summary>The pilot or the autopilot took over: nothing more is commanded.</summary>
+    HandedOver,
+
+    /// <summary>The mission could not be flown; <see cref="MissionStatus.Text"/> says why. Nothing more is commanded.</summary>
+    Failed,
+}

@@ -1,0 +1,11 @@
+namespace Rabit.Uav.Messages;
+
+/// <summary>Which part of a pose a <see cref="PoseSample"/> tells.</summary>
+public enum PoseSampleKind
+{
+    /// <summary>Position, height and velocity.</summary>
+    Position,
+
+    /// <summary>Attitude and angular velocity.</summary>
+    Attitude,
+}

@@ -1,0 +1,44 @@
+using System;
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.Messages;
+
+/// <summary>Something that looked like a target in one picture, and where it stood. A plain value.</summary>
+public struct TargetReport
+{
+    /// <summary>MAVLink system id of the vehicle that saw it.</summary>
+    public byte SourceSystemId { get; set; }
+
+    /// <summary>The picture it was seen in: <see cref="CameraLook.Number"/>. With the source and <see cref="Index"/> it is the identity of the report.</summary>
+    public long LookNumber { get; set; }
+
+    /// <summary>Which report of that picture it is, from 0.</summary>
+    public int Index { get; set; }
+
+    /// <summary>When it was there: mid-exposure by the clock of the run.</summary>
+    public TimeSpan Time { get; set; }
+
+    /// <summary>Where it stood, on the ground.</summary>
+    public GeodeticPosition Position { get; set; }
+
+    /// <summary>How uncertain that is, without what is the same for every look of a flight (see <see cref="CommonCovariance"/>).</summary>
+    public HorizontalCovariance Covariance { get; set; }
+
+    /// <summary>The part of the uncertainty that does not average out over the looks of one vehicle: satellite position and mount biases.</summary>
+    public HorizontalCovariance CommonCovariance { get; set; }
+
+    /// <summary>Its colour: exactly one.</summary>
+    public TargetColours Colour { get; set; }
+
+    /// <summary>How sure the detector is, 0 to 1.</summary>
+    public double Score { get; set; }
+
+    /// <summary>Side of a square of its area, metres.</summary>
+    public double SizeMetres { get; set; }
+
+    /// <summary>Centre in the picture, column, pixels; the centre of the top left pixel is 0.</summary>
+    public double CentreX { get; set; }
+
+    /// <summary>Centre in the picture, row, pixels; the centre of the top left pixel is 0.</summary>
+    public double CentreY { get; set; }
+}

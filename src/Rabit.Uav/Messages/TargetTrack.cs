@@ -1,0 +1,50 @@
+using System;
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.Messages;
+
+/// <summary>Something on the ground that several reports agree on. Immutable.</summary>
+public sealed class TargetTrack
+{
+    /// <summary>Number of the track, from 1; never used again.</summary>
+    public int Id { get; init; }
+
+    /// <summary>How sure it is.</summary>
+    public TrackState State { get; init; }
+
+    /// <summary>Its colour: the likeliest.</summary>
+    public TargetColours Colour { get; init; }
+
+    /// <summary>Where it is estimated to be at <see cref="Time"/>.</summary>
+    public GeodeticPosition Position { get; init; }
+
+    /// <summary>Velocity over ground, metres per second; down is 0.</summary>
+    public NedVector VelocityNed { get; init; }
+
+    /// <summary>How uncertain the position is, all told: filter and common part.</summary>
+    public HorizontalCovariance Covariance { get; init; }
+
+    /// <summary>The time of the estimate, by the clock of the run.</summary>
+    public TimeSpan Time { get; init; }
+
+    /// <summary>When it was first reported.</summary>
+    public TimeSpan FirstSeen { get; init; }
+
+    /// <summary>When it was last reported.</summary>
+    public TimeSpan LastSeen { get; init; }
+
+    /// <summary>How many reports it is made of.</summary>
+    public int Reports { get; init; }
+
+    /// <summary>How often a camera looked where it should be and did not report it.</summary>
+    public int Misses { get; init; }
+
+    /// <summary>Side of a square of its area, metres: mean of the reports.</summary>
+    public double SizeMetres { get; init; }
+
+    /// <summary>The picture of the report with the best score, of our own camera; -1 when another vehicle saw it.</summary>
+    public long BestLookNumber { get; init; } = -1;
+
+    /// <summary>Which report of that picture.</summary>
+    public int BestReportIndex { get; init; }
+}

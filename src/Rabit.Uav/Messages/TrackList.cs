@@ -1,0 +1,31 @@
+using System;
+using System.Collections.Generic;
+using System.Collections.Immutable;
+using System.Linq;
+
+namespace Rabit.Uav.Messages;
+
+/// <summary>All tracks of Sensor Fusion, by id; tracks that were dropped before they were believed are in no list any more. Immutable.</summary>
+public sealed class TrackList
+{
+    /// <summary>Makes one.</summary>
+    /// <param name="time">The time of the newest report or look that is in it.</param>
+    /// <param name="tracks">The tracks, by id.</param>
+    public TrackList(TimeSpan time, IEnumerable<TargetTrack> tracks)
+    {
+        Time = time;
+        Tracks = (tracks ?? throw new ArgumentNullException(nameof(tracks))).ToImmutableArray();
+    }
+
+    /// <summary>No tracks yet.</summary>
+    public static TrackList None { get; } = new(TimeSpan.Zero, []);
+
+    /// <summary>The time of the newest report or look that is in it.</summary>
+    public TimeSpan Time { get; }
+
+    /// <summary>The tracks, by id.</summary>
+    public ImmutableArray<TargetTrack> Tracks { get; }
+
+    /// <summary>Those that are confirmed.</summary>
+    public IEnumerable<TargetTrack> Confirmed => Tracks.Where(t => t.State == TrackState.Confirmed);
+}

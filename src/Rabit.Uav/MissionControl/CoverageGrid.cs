@@ -1,0 +1,109 @@
+using System;
+using System.Collections.Generic;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>Which part of an area has been looked at, in square cells; a cell counts by its centre.</summary>
+internal sealed class CoverageGrid
+{
+    private const double FinestCellMetres = 1;
+    private const double MostCells = 250_000;
+
+    private readonly double _south;
+    private readonly double _west;
+    private readonly int _rows;
+    private readonly int _columns;
+    private readonly bool[] _isArea;
+    private readonly bool[] _isSeen;
+
+    public CoverageGrid(PlanePolygon area)
+    {
+        double north = double.NegativeInfinity;
+        double east = double.NegativeInfinity;
+        (_south, _west) = (double.PositiveInfinity, double.PositiveInfinity);
+        foreach (PlanePoint c in area.Corners)
+        {
+            (_south, north) = (Math.Min(_south, c.North), Math.Max(north, c.North));
+            (_west, east) = (Math.Min(_west, c.East), Math.Max(east, c.East));
+        }
+
+        CellMetres = Math.Max(FinestCellMetres, Math.Sqrt((north - _south) * (east - _west) / MostCells));
+        _rows = (int)Math.Ceiling((north - _south) / CellMetres);
+        _columns = (int)Math.Ceiling((east - _west) / CellMetres);
+        _isArea = new bool[_rows * _columns];
+        _isSeen = new bool[_rows * _columns];
+        for (int i = 0; i < _isArea.Length; i++)
+        {
+            _isArea[i] = area.Contains(CentreOf(i));
+            Cells += _isArea[i] ? 1 : 0;
+        }
+    }
+
+    /// <summary>Side of a cell.</summary>
+    public double CellMetres { get; }
+
+    /// <summary>How many cells the area has.</summary>
+    public int Cells { get; }
+
+    /// <summary>How many of them have been seen.</summary>
+    public int SeenCells { get; private set; }
+
+    /// <summary>How much of the area has been seen, 0 to 1.</summary>
+    public double Fraction => Cells == 0 ? 1 : (double)SeenCells / Cells;
+
+    /// <summary>Centres of the cells that have not been seen.</summary>
+    public IEnumerable<PlanePoint> Unseen()
+    {
+        for (int i = 0; i < _isArea.Length; i++)
+        {
+            if (_isArea[i] && !_isSeen[i])
+                yield return CentreOf(i);
+        }
+    }
+
+    /// <summary>Marks what a picture showed: a convex quadrangle, its corners in order. Allocates nothing.</summary>
+    public void Mark(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)
+    {
+        double south = Math.Min(Math.Min(a.North, b.North), Math.Min(c.North, d.North));
+        double north = Math.Max(Math.Max(a.North, b.North), Math.Max(c.North, d.North));
+        int first = Math.Max(0, (int)Math.Ceiling(((south - _south) / CellMetres) - 0.5));
+        int last = Math.Min(_rows - 1, (int)Math.Floor(((north - _south) / CellMetres) - 0.5));
+        for (int row = first; row <= last; row++)
+        {
+            double line = _south + ((row + 0.5) * CellMetres);
+            double from = double.PositiveInfinity;
+            double to = double.NegativeInfinity;
+            Widen(a, b, line, ref from, ref to);
+            Widen(b, c, line, ref from, ref to);
+            Widen(c, d, line, ref from, ref to);
+            Widen(d, a, line, ref from, ref to);
+            MarkRow(row, from, to);
+        }
+    }
+
+    private static void Widen(PlanePoint a, PlanePoint b, double line, ref double from, ref double to)
+    {
+        if (Math.Min(a.North, b.North) > line || Math.Max(a.North, b.North) < line || a.North.Equals(b.North))
+            return;
+        double east = a.East + ((b.East - a.East) * (line - a.North) / (b.North - a.North));
+        (from, to) = (Math.Min(from, east), Math.Max(to, east));
+    }
+
+    private void MarkRow(int row, double from, double to)
+    {
+        if (!(from <= to))
+            return;
+        int first = (int)Math.Max(0, Math.Ceiling(((from - _west) / CellMetres) - 0.5));
+        int last = (int)Math.Min(_columns - 1, Math.Floor(((to - _west) / CellMetres) - 0.5));
+        for (int i = (row * _columns) + first; i <= (row * _columns) + last; i++)
+        {
+            if (!_isArea[i] || _isSeen[i])
+                continue;
+            _isSeen[i] = true;
+            SeenCells++;
+        }
+    }
+
+    private PlanePoint CentreOf(int cell)
+        => new(_south + (((cell / _columns) + 0.5) * CellMetres), _west + (((cell % _columns) + 0.5) * CellMetres));
+}

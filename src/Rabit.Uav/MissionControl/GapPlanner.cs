@@ -1,0 +1,65 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>Legs over the ground that the lanes missed: narrow strips laid through what is left, so that each leg flies over the middle of it.</summary>
+internal static class GapPlanner
+{
+    // Less than this is a few cells at the border that rounding left.
+    private const double LeastGapSquareMetres = 6;
+
+    /// <summary>Legs in the order in which they are flown, each from its nearer end.</summary>
+    /// <param name="unseen">Centres of the cells that were not seen.</param>
+    /// <param name="cellMetres">Side of a cell.</param>
+    /// <param name="spacingMetres">How wide a strip one leg looks after.</param>
+    /// <param name="headingRadians">Along the legs.</param>
+    /// <param name="from">Where the vehicle is.</param>
+    public static List<LanePiece> Plan(IEnumerable<PlanePoint> unseen, double cellMetres, double spacingMetres, double headingRadians, PlanePoint from)
+    {
+        PlanePoint along = PlanePoint.Towards(headingRadians);
+        var right = new PlanePoint(-along.East, along.North);
+        (double Offset, double Along)[] cells = unseen
+            .Select(c => (Offset: c.Dot(right), Along: c.Dot(along))).OrderBy(c => c.Offset).ToArray();
+        var legs = new List<LanePiece>();
+        for (int first = 0; first < cells.Length;)
+        {
+            double edge = cells[first].Offset + spacingMetres;
+            int next = first;
+            while (next < cells.Length && cells[next].Offset < edge)
+                next++;
+            legs.AddRange(LegsOf(cells.Skip(first).Take(next - first).ToList(), along, cellMetres, spacingMetres));
+            first = next;
+        }
+
+        return NearestFirst(legs, from);
+    }
+
+    private static IEnumerable<LanePiece> LegsOf(List<(double Offset, double Along)> strip, PlanePoint along, double cell, double spacing)
+    {
+        IEnumerable<(double, double)> intervals = strip.Select(c => (c.Along - (cell / 2), c.Along + (cell / 2)));
+        foreach ((double from, double to) in LanePlanner.Join(intervals, gap: spacing / 2))
+        {
+            List<double> offsets = strip.Where(c => c.Along > from && c.Along < to).Select(c => c.Offset).ToList();
+            if (offsets.Count * cell * cell >= LeastGapSquareMetres)
+                yield return LanePlanner.Piece(along, (offsets.Min() + offsets.Max()) / 2, from, to);
+        }
+    }
+
+    private static List<LanePiece> NearestFirst(List<LanePiece> legs, PlanePoint from)
+    {
+        var ordered = new List<LanePiece>();
+        while (legs.Count > 0)
+        {
+            int nearest = Enumerable.Range(0, legs.Count).OrderBy(i => System.Math.Min(from.DistanceTo(legs[i].Start), from.DistanceTo(legs[i].End))).First();
+            LanePiece leg = legs[nearest];
+            legs.RemoveAt(nearest);
+            if (from.DistanceTo(leg.End) < from.DistanceTo(leg.Start))
+                leg = new LanePiece(leg.End, leg.Start);
+            ordered.Add(leg);
+            from = leg.End;
+        }
+
+        return ordered;
+    }
+}

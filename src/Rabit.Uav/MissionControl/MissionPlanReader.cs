@@ -1,0 +1,174 @@
+using System;
+using System.Collections.Generic;
+using System.Collections.Immutable;
+using System.Globalization;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>Reads a mission file by hand, so that every fault can be told with its path and value, and all of them at once.</summary>
+internal static class MissionPlanReader
+{
+    private const int LongestText = 1_000_000;
+
+    private static readonly JsonDocumentOptions Form = new()
+    {
+        AllowTrailingCommas = true,
+        CommentHandling = JsonCommentHandling.Skip,
+        MaxDepth = 16,
+    };
+
+    /// <exception cref="MissionPlanException">It is no mission, or not one that can be flown.</exception>
+    public static MissionPlan Read(string json, string name)
+    {
+        if (json.Length > LongestText)
+            throw new MissionPlanException(name, [FormattableString.Invariant($"it has {json.Length} characters; a mission has at most {LongestText}")]);
+        try
+        {
+            using JsonDocument document = JsonDocument.Parse(json, Form);
+            return Read(document.RootElement, name);
+        }
+        catch (JsonException e)
+        {
+            throw new MissionPlanException(name, [FormattableString.Invariant(
+                $"it is no JSON: line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}: {e.Message.Split('.')[0]}")]);
+        }
+    }
+
+    private static MissionPlan Read(JsonElement root, string name)
+    {
+        var faults = new List<string>();
+        if (root.ValueKind != JsonValueKind.Object)
+            throw new MissionPlanException(name, ["it must be an object, { ... }"]);
+        var fields = new JsonFields(root, string.Empty, faults);
+        MissionPlan plan = ReadPlan(fields, name);
+        fields.RefuseOthers();
+
+        // A value that could not be read would be blamed twice.
+        if (faults.Count == 0)
+            faults.AddRange(MissionPlanRules.FindFaults(plan));
+        return faults.Count > 0 ? throw new MissionPlanException(name, faults) : plan;
+    }
+
+    private static MissionPlan ReadPlan(JsonFields fields, string name)
+    {
+        JsonFields camera = fields.Object("camera");
+        JsonFields limits = fields.Object("limits");
+        JsonFields look = fields.Object("secondLook");
+        var plan = new MissionPlan
+        {
+            Name = fields.Text("name") ?? name,
+            Area = ReadArea(fields),
+            HeightMetres = fields.Number("heightMetres") ?? fields.Missing("heightMetres"),
+            SpeedMetresPerSecond = fields.Number("speedMetresPerSecond") ?? fields.Missing("speedMetresPerSecond"),
+            LaneSpacingMetres = fields.Number("laneSpacingMetres") ?? fields.Missing("laneSpacingMetres"),
+            LaneHeadingRadians = ToRadians(fields.Number("laneHeadingDegrees")),
+            Targets = ReadTargets(fields),
+            Home = ReadHome(fields),
+            FenceMarginMetres = fields.Number("fenceMarginMetres") ?? 40,
+            SecondLook = new SecondLookPlan
+            {
+                IsEnabled = look.Flag("enabled") ?? true,
+                HeightMetres = look.Number("heightMetres"),
+                RadiusMetres = look.Number("radiusMetres") ?? 10,
+            },
+            CameraPitchRadians = ToRadians(camera.Number("pitchDegrees") ?? -90)!.Value,
+            CameraYawRadians = ToRadians(camera.Number("yawDegrees") ?? 0)!.Value,
+            HasGimbal = camera.Flag("gimbal") ?? false,
+            MinBatteryToStart = limits.Number("minBatteryToStart") ?? 0.5,
+        };
+        camera.RefuseOthers();
+        limits.RefuseOthers();
+        look.RefuseOthers();
+        return plan;
+    }
+
+    private static ImmutableArray<GeodeticPosition> ReadArea(JsonFields fields)
+    {
+        if (fields.Array("area") is not { } corners)
+        {
+            fields.Missing("area");
+            return [];
+        }
+
+        var area = ImmutableArray.CreateBuilder<GeodeticPosition>();
+        int index = 0;
+        foreach (JsonElement corner in corners.EnumerateArray())
+        {
+            if (ReadCorner(corner) is { } place)
+                area.Add(place);
+            else
+                fields.Blame(string.Format(CultureInfo.InvariantCulture, "area[{0}]", index), corner, "must be [latitude, longitude] in degrees");
+            index++;
+        }
+
+        return area.ToImmutable();
+    }
+
+    private static GeodeticPosition? ReadCorner(JsonElement corner)
+    {
+        if (corner.ValueKind != JsonValueKind.Array || corner.GetArrayLength() != 2)
+            return null;
+        return corner[0].ValueKind == JsonValueKind.Number && corner[1].ValueKind == JsonValueKind.Number
+            && corner[0].TryGetDouble(out double latitude) && corner[1].TryGetDouble(out double longitude)
+            && Math.Abs(latitude) <= 90 && Math.Abs(longitude) <= 180
+            ? new GeodeticPosition(ToRadians(latitude)!.Value, ToRadians(longitude)!.Value, 0)
+            : null;
+    }
+
+    private static TargetColours ReadTargets(JsonFields fields)
+    {
+        if (fields.Array("targets") is not { } names)
+            return TargetColours.All;
+        TargetColours targets = TargetColours.None;
+        int index = 0;
+        foreach (JsonElement name in names.EnumerateArray())
+        {
+            if (name.ValueKind == JsonValueKind.String && ColourOf(name.GetString()!) is { } colour)
+                targets |= colour;
+            else
+                fields.Blame(string.Format(CultureInfo.InvariantCulture, "targets[{0}]", index), name, "must be one of " + string.Join(", ", Colours.Select(NameOf)));
+            index++;
+        }
+
+        if (index == 0)
+            fields.Blame("targets", names, "must name at least one colour");
+        return targets;
+    }
+
+    private static readonly TargetColours[] Colours =
+        [TargetColours.Red, TargetColours.Orange, TargetColours.Blue, TargetColours.Yellow, TargetColours.Magenta];
+
+    private static string NameOf(TargetColours colour) => colour.ToString().ToLowerInvariant();
+
+    private static TargetColours? ColourOf(string name)
+    {
+        foreach (TargetColours colour in Colours)
+        {
+            if (string.Equals(NameOf(colour), name, StringComparison.OrdinalIgnoreCase))
+                return colour;
+        }
+
+        return null;
+    }
+
+    private static MissionHome? ReadHome(JsonFields fields)
+    {
+        if (!fields.Has("home"))
+            return null;
+        JsonFields home = fields.Object("home");
+        var read = new MissionHome
+        {
+            LatitudeRadians = ToRadians(home.Number("lat") ?? home.Missing("lat"))!.Value,
+            LongitudeRadians = ToRadians(home.Number("lon") ?? home.Missing("lon"))!.Value,
+            GroundAltitudeAmslMetres = home.Number("groundAltitudeAmslMetres"),
+        };
+        home.RefuseOthers();
+        return read;
+    }
+
+    private static double? ToRadians(double? degrees) => degrees * Math.PI / 180;
+}

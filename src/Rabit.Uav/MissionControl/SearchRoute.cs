@@ -1,0 +1,80 @@
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>The legs of the search that are still to be flown, and the ground that has been seen.</summary>
+internal sealed class SearchRoute
+{
+    private readonly FlightPlan _plan;
+    private readonly double _spacingMetres;
+    private readonly List<LanePiece> _legs;
+
+    public SearchRoute(FlightPlan plan, double spacingMetres)
+    {
+        _plan = plan;
+        _spacingMetres = spacingMetres;
+        _legs = plan.Lanes.ToList();
+        Coverage = new CoverageGrid(plan.Area);
+    }
+
+    public CoverageGrid Coverage { get; }
+
+    /// <summary>How many legs there are, flown ones too.</summary>
+    public int Count => _legs.Count;
+
+    /// <summary>How many have been flown.</summary>
+    public int Flown { get; private set; }
+
+    /// <summary>How often legs over what was missed were added.</summary>
+    public int GapPasses { get; private set; }
+
+    /// <summary>Looks whose corners were not those of a picture of the ground here.</summary>
+    public long LooksRefused { get; private set; }
+
+    /// <summary>The leg to fly now; null when all have been.</summary>
+    public LanePiece? Current => Flown < _legs.Count ? _legs[Flown] : null;
+
+    public void FinishLeg() => Flown++;
+
+    /// <summary>Adds legs over what has not been seen.</summary>
+    /// <returns>How many.</returns>
+    public int AddGapLegs(PlanePoint from)
+    {
+        List<LanePiece> legs = GapPlanner.Plan(Coverage.Unseen(), Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
+        _legs.AddRange(legs);
+        GapPasses++;
+        return legs.Count;
+    }
+
+    /// <summary>Marks the ground that a picture showed.</summary>
+    public void Mark(in CameraLook look)
+    {
+        PlanePoint a = ToPlane(look.TopLeft);
+        PlanePoint b = ToPlane(look.TopRight);
+        PlanePoint c = ToPlane(look.BottomRight);
+        PlanePoint d = ToPlane(look.BottomLeft);
+        if (IsPicture(a, b, c, d))
+            Coverage.Mark(a, b, c, d);
+        else
+            LooksRefused++;
+    }
+
+    // Convex and of a size that a camera has from where one may fly; comparisons with NaN are false.
+    private static bool IsPicture(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)
+    {
+        const double LargestSideMetres = 2000;
+        double first = (b - a).Cross(c - b);
+        bool isConvex = first * (c - b).Cross(d - c) > 0 && first * (d - c).Cross(a - d) > 0 && first * (a - d).Cross(b - a) > 0;
+        return isConvex && (b - a).Length < LargestSideMetres && (c - b).Length < LargestSideMetres
+            && (d - c).Length < LargestSideMetres && (a - d).Length < LargestSideMetres;
+    }
+
+    private PlanePoint ToPlane(GeodeticPosition place)
+    {
+        NedVector ned = _plan.Frame.ToNed(place);
+        return new PlanePoint(ned.North, ned.East);
+    }
+}

@@ -1,0 +1,51 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>To the start of the first lane, with the camera turned where it is to look on the way.</summary>
+internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
+{
+    private bool _isCameraPointed;
+    private TimeSpan _limit;
+
+    public override void Enter(MissionFlight flight, MissionEvent by)
+    {
+        _isCameraPointed = !flight.Mission.HasGimbal;
+        _limit = LegPilot.TimeLimit(flight, flight.Position.DistanceTo(flight.Route!.Current!.Value.Start));
+    }
+
+    public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
+    {
+        if (flight.Desk.Failures >= MostFailures)
+            return GoHome(flight.Desk.LastFailure);
+        if (inPhase > _limit)
+            return GoHome($"not at the area within {MissionText.Seconds(_limit)}");
+        if (!_isCameraPointed)
+        {
+            PointCamera(flight);
+            return MissionStep.Stay;
+        }
+
+        LanePiece lane = flight.Route!.Current!.Value;
+        flight.WantGoTo(lane.Start, flight.Mission.HeightMetres, lane.HeadingRadians);
+        flight.Text = $"to the area: {MissionText.Of(flight.Position.DistanceTo(lane.Start))} m to go";
+        return LegPilot.HasArrived(flight, lane.Start, flight.Mission.HeightMetres)
+            ? new MissionStep(MissionEvent.AtArea, "at the first lane")
+            : MissionStep.Stay;
+    }
+
+    private void PointCamera(MissionFlight flight)
+    {
+        var command = new VehicleCommand
+        {
+            Kind = VehicleCommandKind.PointCamera,
+            CameraPitchRadians = flight.Mission.CameraPitchRadians,
+            CameraYawRadians = flight.Mission.CameraYawRadians,
+        };
+        flight.Text = "turning the camera";
+        if (!flight.Desk.IsWanted(command))
+            flight.Desk.Want(command, "point the camera", TimeSpan.FromSeconds(1));
+        _isCameraPointed = flight.Desk.IsAccepted;
+    }
+}

@@ -1,0 +1,48 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>Landing: where the autopilot came home to, which needs no command, or here and now.</summary>
+internal sealed class LandingState() : MissionState(MissionPhase.Landing)
+{
+    private const double TimeReserveSeconds = 120;
+    private const double SlowestDescent = 0.3;
+
+    // Autopilots stop the motors by themselves a few seconds after touch-down.
+    private static readonly TimeSpan StopsByItselfWithin = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan RetryAfter = TimeSpan.FromSeconds(2);
+
+    private bool _isOurLanding;
+    private TimeSpan _limit;
+    private TimeSpan? _onGround;
+
+    public override void Enter(MissionFlight flight, MissionEvent by)
+    {
+        _isOurLanding = by == MissionEvent.LandNow;
+        _limit = Seconds(TimeReserveSeconds + (Math.Max(0, flight.HeightMetres) / SlowestDescent));
+        _onGround = null;
+    }
+
+    public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
+    {
+        flight.Text = $"landing: height {MissionText.Of(flight.HeightMetres)} m" + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
+        if (!flight.Vehicle.IsArmed)
+            return new MissionStep(MissionEvent.Landed, $"landed {MissionText.Of(flight.Position.Length)} m from home");
+        if (inPhase > _limit)
+            return Impossible($"not landed within {MissionText.Seconds(_limit)}");
+        if (flight.Vehicle.LandedState != MavLandedState.OnGround)
+        {
+            _onGround = null;
+            if (_isOurLanding)
+                flight.Want(VehicleCommandKind.Land, "land", RetryAfter);
+            return MissionStep.Stay;
+        }
+
+        _onGround ??= flight.ActiveTime;
+        if (flight.ActiveTime - _onGround.Value > StopsByItselfWithin)
+            flight.Want(VehicleCommandKind.Disarm, "disarm", RetryAfter);
+        return MissionStep.Stay;
+    }
+}

@@ -1,0 +1,64 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>On the way home, by the autopilot's own means; whether it really comes nearer is watched.</summary>
+internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
+{
+    private const double OverHomeMetres = 6;
+    private const double SinkingMetresPerSecond = 0.2;
+    private const double ProgressMetres = 3;
+
+    // As long as a careful autopilot waits over home before it lands.
+    private const double StandstillSeconds = 40;
+    private const double TimeReserveSeconds = 180;
+    private const double SlowestDescent = 0.3;
+
+    private TimeSpan _limit;
+    private TimeSpan _progressTime;
+    private double _lastDistance;
+    private double _lastHeight;
+    private bool _wasSentAgain;
+
+    public override void Enter(MissionFlight flight, MissionEvent by)
+    {
+        double distance = flight.Position.Length;
+        _limit = LegPilot.TimeLimit(flight, distance) + Seconds(TimeReserveSeconds + (flight.HeightMetres / SlowestDescent));
+        (_progressTime, _lastDistance, _lastHeight) = (flight.ActiveTime, distance, flight.HeightMetres);
+        _wasSentAgain = false;
+    }
+
+    public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
+    {
+        flight.Want(VehicleCommandKind.Return, "return");
+        double distance = flight.Position.Length;
+        flight.Text = $"returning: {MissionText.Of(distance)} m to go" + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
+        if (flight.Vehicle.LandedState is MavLandedState.Landing or MavLandedState.OnGround || !flight.Vehicle.IsArmed)
+            return new MissionStep(MissionEvent.Descending, $"{MissionText.Of(distance)} m from home");
+        if (distance < OverHomeMetres && flight.Vehicle.VelocityNed.Down > SinkingMetresPerSecond)
+            return new MissionStep(MissionEvent.Descending, $"{MissionText.Of(distance)} m from home");
+        if (flight.Desk.Failures >= MostFailures)
+            return new MissionStep(MissionEvent.LandNow, "return " + flight.Desk.LastFailure);
+        if (inPhase > _limit)
+            return new MissionStep(MissionEvent.LandNow, $"not home within {MissionText.Seconds(_limit)}");
+        return WatchProgress(flight, distance);
+    }
+
+    private MissionStep WatchProgress(MissionFlight flight, double distance)
+    {
+        bool comesHome = distance < _lastDistance - ProgressMetres || Math.Abs(flight.HeightMetres - _lastHeight) > ProgressMetres;
+        if (comesHome)
+            (_progressTime, _lastDistance, _lastHeight) = (flight.ActiveTime, distance, flight.HeightMetres);
+        if (flight.ActiveTime - _progressTime < Seconds(StandstillSeconds))
+            return MissionStep.Stay;
+        if (_wasSentAgain)
+            return new MissionStep(MissionEvent.LandNow, "it does not come nearer");
+        flight.Log("it does not come nearer");
+        flight.Desk.SendAgain();
+        _wasSentAgain = true;
+        _progressTime = flight.ActiveTime;
+        return MissionStep.Stay;
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>Climbing to the height of the search.</summary>
+internal sealed class TakingOffState() : MissionState(MissionPhase.TakingOff)
+{
+    // Autopilots end a take-off a little below what was asked for.
+    private const double HeightToleranceMetres = 1;
+    private const double HeightPart = 0.95;
+
+    private const double SlowestClimb = 0.7;
+    private const double TimeReserveSeconds = 30;
+    private const int MostStarts = 3;
+
+    private static readonly TimeSpan LeavesGroundWithin = TimeSpan.FromSeconds(8);
+
+    private int _starts;
+    private bool _hasFlown;
+
+    public override void Enter(MissionFlight flight, MissionEvent by)
+    {
+        _starts++;
+        _hasFlown = false;
+    }
+
+    public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
+    {
+        double height = flight.Mission.HeightMetres;
+        _hasFlown |= flight.IsFlying;
+        var command = new VehicleCommand { Kind = VehicleCommandKind.TakeOff, HeightAboveHomeMetres = height };
+        if (!flight.Desk.IsWanted(command))
+            flight.Desk.Want(command, $"take off to {MissionText.Of(height)} m", TimeSpan.FromSeconds(2));
+        flight.Text = $"taking off: {MissionText.Of(flight.HeightMetres)} of {MissionText.Of(height)} m";
+
+        if (!flight.Vehicle.IsArmed)
+        {
+            if (_hasFlown)
+                return Impossible($"the motors stopped at a height of {MissionText.Of(flight.HeightMetres)} m");
+            return _starts < MostStarts
+                ? new MissionStep(MissionEvent.Disarmed, "the autopilot stopped the motors on the ground")
+                : Impossible($"the autopilot stopped the motors on the ground {MissionText.Of(MostStarts)} times");
+        }
+
+        if (flight.HeightMetres >= height - HeightToleranceMetres || flight.HeightMetres >= HeightPart * height)
+            return new MissionStep(MissionEvent.AtHeight, $"height {MissionText.Of(flight.HeightMetres)} m");
+        if (flight.Desk.Failures >= MostFailures)
+            return GiveUp(flight, "take-off " + flight.Desk.LastFailure);
+        if (inPhase > Seconds(TimeReserveSeconds + (height / SlowestClimb)))
+            return GiveUp(flight, $"only {MissionText.Of(flight.HeightMetres)} of {MissionText.Of(height)} m reached in {MissionText.Seconds(inPhase)}");
+        if (!_hasFlown && flight.Desk.IsAccepted && flight.Now - flight.Desk.SentTime > LeavesGroundWithin)
+            flight.Desk.SendAgain();
+        return MissionStep.Stay;
+    }
+
+    private static MissionStep GiveUp(MissionFlight flight, string reason) => flight.IsFlying ? GoHome(reason) : Impossible(reason);
+}

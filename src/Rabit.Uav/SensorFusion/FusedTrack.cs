@@ -1,0 +1,155 @@
+using System;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.SensorFusion;
+
+/// <summary>A track while it is worked at. Belongs to its tracker.</summary>
+internal sealed class FusedTrack
+{
+    private double _sizeSum;
+    private int _sizes;
+    private double _bestScore = double.NegativeInfinity;
+
+    public FusedTrack(int id, in LocatedReport report, SensorFusionOptions options)
+    {
+        Id = id;
+        Colour = report.Report.Colour;
+        Filter = PlanarFilter.From(report.North, report.East, report.Report.Covariance, options.StartVelocitySigma);
+        Time = report.Report.Time;
+        FirstSeen = report.Report.Time;
+        Common = report.Report.CommonCovariance;
+        Describe(report);
+    }
+
+    public int Id { get; }
+
+    public TargetColours Colour { get; }
+
+    public TrackState State { get; set; }
+
+    public PlanarFilter Filter { get; private set; }
+
+    /// <summary>The time of the filter: that of its newest report.</summary>
+    public TimeSpan Time { get; private set; }
+
+    public TimeSpan FirstSeen { get; private set; }
+
+    public TimeSpan LastSeen => Time;
+
+    public int Reports { get; private set; }
+
+    public int Misses { get; set; }
+
+    /// <summary>How many looks in a row showed its place and not it.</summary>
+    public int MissesInARow { get; set; }
+
+    public LookHistory History;
+
+    /// <summary>The uncertainty that does not average out: the largest that a report came with.</summary>
+    public HorizontalCovariance Common { get; private set; }
+
+    /// <summary>Altitude of the ground it stands on, as the newest report says.</summary>
+    public double Down { get; private set; }
+
+    /// <summary>Who reported it last.</summary>
+    public byte LastSource { get; private set; }
+
+    /// <summary>The last look that reported it, as the tracker counts looks.</summary>
+    public long LastLook { get; set; }
+
+    /// <summary>When a report of it last went out to others; null before the first.</summary>
+    public TimeSpan? SharedTime { get; set; }
+
+    public long BestLookNumber { get; private set; } = -1;
+
+    public int BestReportIndex { get; private set; }
+
+    /// <summary>How uncertain it is, all told.</summary>
+    public HorizontalCovariance Covariance => Filter.PositionCovariance + Common;
+
+    /// <summary>The filter at a time; at its own time if that is later.</summary>
+    public PlanarFilter FilterAt(TimeSpan time, double processNoise)
+    {
+        PlanarFilter filter = Filter;
+        double seconds = (time - Time).TotalSeconds;
+        if (seconds > 0)
+            filter.Predict(seconds, processNoise);
+        return filter;
+    }
+
+    /// <summary>Takes a report in; one that is older than the newest as what it says of then.</summary>
+    public void Take(in LocatedReport report, double processNoise)
+    {
+        double seconds = (report.Report.Time - Time).TotalSeconds;
+        PlanarFilter filter = FilterAt(report.Report.Time, processNoise);
+        filter.Update(report.North, report.East, report.Report.Covariance, Math.Max(0, -seconds));
+        Filter = filter;
+        if (seconds > 0)
+            Time = report.Report.Time;
+        Common = Larger(Common, report.Report.CommonCovariance);
+        Describe(report);
+    }
+
+    /// <summary>
+    /// Takes in another track of the same target. Each report is in one of the two, so what they say is independent; this one goes on.
+    /// </summary>
+    public void Absorb(FusedTrack other, double processNoise)
+    {
+        TimeSpan time = other.Time > Time ? other.Time : Time;
+        PlanarFilter filter = FilterAt(time, processNoise);
+        PlanarFilter otherFilter = other.FilterAt(time, processNoise);
+        filter.Update(otherFilter.North, otherFilter.East, otherFilter.PositionCovariance, 0);
+        Filter = filter;
+        Time = time;
+        Common = Larger(Common, other.Common);
+        FirstSeen = other.FirstSeen < FirstSeen ? other.FirstSeen : FirstSeen;
+        Reports += other.Reports;
+        _sizeSum += other._sizeSum;
+        _sizes += other._sizes;
+        if (other._bestScore > _bestScore)
+            (_bestScore, BestLookNumber, BestReportIndex) = (other._bestScore, other.BestLookNumber, other.BestReportIndex);
+        if (other.State == TrackState.Confirmed)
+            State = TrackState.Confirmed;
+    }
+
+    public TargetTrack ToMessage(in LocalNedFrame frame) => new()
+    {
+        Id = Id,
+        State = State,
+        Colour = Colour,
+        Position = frame.ToGeodetic(new NedVector(Filter.North, Filter.East, Down)),
+        VelocityNed = new NedVector(Filter.NorthRate, Filter.EastRate, 0),
+        Covariance = Covariance,
+        Time = Time,
+        FirstSeen = FirstSeen,
+        LastSeen = LastSeen,
+        Reports = Reports,
+        Misses = Misses,
+        SizeMetres = _sizeSum / _sizes,
+        BestLookNumber = BestLookNumber,
+        BestReportIndex = BestReportIndex,
+    };
+
+    /// <summary>
+    /// By how much two tracks may differ for what does not average out: that of one vehicle is partly the same in both, that of two is not.
+    /// </summary>
+    public static HorizontalCovariance CommonOf(FusedTrack a, FusedTrack b)
+        => a.LastSource == b.LastSource ? Larger(a.Common, b.Common) : a.Common + b.Common;
+
+    private void Describe(in LocatedReport report)
+    {
+        Reports++;
+        Down = report.Down;
+        LastSource = report.Report.SourceSystemId;
+        _sizeSum += report.Report.SizeMetres;
+        _sizes++;
+
+        // Only pictures of our own can be shown.
+        if (report.IsOwn && report.Report.Score > _bestScore)
+            (_bestScore, BestLookNumber, BestReportIndex) = (report.Report.Score, report.Report.LookNumber, report.Report.Index);
+    }
+
+    private static HorizontalCovariance Larger(HorizontalCovariance a, HorizontalCovariance b)
+        => a.NorthNorth + a.EastEast >= b.NorthNorth + b.EastEast ? a : b;
+}

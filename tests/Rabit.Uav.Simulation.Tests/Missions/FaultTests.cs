@@ -1,0 +1,160 @@
+using System;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Simulation.Tests.Missions;
+
+/// <summary>What goes wrong in flight, and how the flight ends: as the table of Health Monitoring says, and never hanging.</summary>
+public sealed class FaultTests(ITestOutputHelper output)
+{
+    private static readonly TimeSpan InTheLanes = TimeSpan.FromSeconds(50);
+    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(10);
+
+    [Fact]
+    public void Search_NothingGoesWrong_IsDone()
+    {
+        using SearchFlight flight = Fly();
+
+        Assert.Null(flight.Mission.Aborted);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void LinkSilent_ForTwoSeconds_IsNothingToGoHomeFor()
+    {
+        using SearchFlight flight = Fly(Fault(ScriptedFaultKind.LinkSilent, 0, seconds: 2));
+
+        Assert.Null(flight.Mission.Aborted);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void LinkSilent_ForLong_GoesHomeOnceItIsBack()
+    {
+        using SearchFlight flight = Fly(Fault(ScriptedFaultKind.LinkSilent, 0, seconds: 15));
+
+        Assert.Contains("autopilot", flight.Mission.Aborted, StringComparison.Ordinal);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void BatteryLow_InALane_GoesHome()
+    {
+        using SearchFlight flight = Fly(Fault(ScriptedFaultKind.BatteryTo, 0.20));
+
+        Assert.Contains("battery", flight.Mission.Aborted, StringComparison.Ordinal);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void BatteryCritical_InALane_LandsThere()
+    {
+        using SearchFlight flight = Fly(Fault(ScriptedFaultKind.BatteryTo, 0.08));
+
+        Assert.Contains("battery", flight.Mission.Aborted, StringComparison.Ordinal);
+        Assert.Equal(MissionPhase.Done, flight.Mission.Phase);
+        Assert.False(flight.World.Truth.IsAirborne);
+        Assert.False(flight.World.Truth.HasCrashed);
+        Assert.True(DistanceFromHome(flight) > 10, "it flew home with an empty battery");
+    }
+
+    [Fact]
+    public void CameraFreeze_InALane_GoesHome()
+    {
+        using SearchFlight flight = Fly(Fault(ScriptedFaultKind.CameraFreeze, 0, seconds: 1000));
+
+        Assert.Contains("camera", flight.Mission.Aborted, StringComparison.Ordinal);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void CameraFreeze_Short_IsNothingToGoHomeFor()
+    {
+        using SearchFlight flight = Fly(Fault(ScriptedFaultKind.CameraFreeze, 0, seconds: 1.5));
+
+        Assert.Null(flight.Mission.Aborted);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void Wind_AboveTheLimit_GoesHome()
+    {
+        using SearchFlight flight = Fly(Fault(ScriptedFaultKind.WindTo, 15));
+
+        Assert.Contains("wind", flight.Mission.Aborted, StringComparison.Ordinal);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void Manager_ThrowsOnce_GoesHome()
+    {
+        var payload = new PayloadManager(throwsAt: InTheLanes) { FaultPolicy = FaultPolicy.CarryOn };
+        using SearchFlight flight = Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), payload));
+
+        Assert.Contains("payload", flight.Mission.Aborted, StringComparison.Ordinal);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void Manager_StatusGrowsOld_GoesHome()
+    {
+        // Its work takes 30 s and it says that it sleeps 40 s in between, so 45 s after its first run it is stuck.
+        var time = new VirtualTime(seed: 5);
+        time.SetUnitOfWorkDuration(PayloadManager.ManagerName, TimeSpan.FromSeconds(30));
+        var payload = new PayloadManager(throwsAt: TimeSpan.MaxValue, sleepsFor: TimeSpan.FromSeconds(40));
+        using SearchFlight flight = Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), time, payload));
+
+        Assert.Contains("payload", flight.Mission.Aborted, StringComparison.Ordinal);
+        AssertLandedAtHome(flight);
+    }
+
+    [Theory]
+    [InlineData(5)]    // LOITER
+    [InlineData(0)]    // STABILIZE
+    public void Pilot_TakesOver_NothingIsCommandedAnyMore(int mode)
+    {
+        using var flight = new SearchFlight(
+            SearchFlight.SmallPlan(), SearchFlight.SmallWorld(Fault(ScriptedFaultKind.PilotMode, mode)));
+        flight.FlyUntil(f => f.IsOver, Patience);
+        output.WriteLine(flight.Log);
+        Assert.Equal(MissionPhase.HandedOver, flight.Mission.Phase);
+        Assert.Equal(CommandAuthorityState.TakenAway, flight.Authority.State);
+        TimeSpan over = flight.Reactor.Now;
+        Assert.True(over - InTheLanes < TimeSpan.FromSeconds(3), $"it took until {over}");
+
+        flight.FlyUntil(f => f.Reactor.Now > over + TimeSpan.FromSeconds(20), Patience);
+
+        Assert.Equal((uint)mode, flight.World.Truth.CustomMode);
+        flight.End();
+    }
+
+    private SearchFlight Fly(params ScriptedFault[] faults) => Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(faults)));
+
+    private SearchFlight Fly(SearchFlight flight)
+    {
+        flight.Fly(Patience);
+        output.WriteLine(flight.Log);
+        Assert.True(flight.IsOver, $"it hangs in {flight.Mission.Phase}: {flight.Mission.Text}");
+        Assert.Empty(flight.Camera.BufferHolders());
+        return flight;
+    }
+
+    private static void AssertLandedAtHome(SearchFlight flight)
+    {
+        Assert.Equal(MissionPhase.Done, flight.Mission.Phase);
+        Assert.False(flight.World.Truth.IsAirborne);
+        Assert.False(flight.World.Truth.IsArmed);
+        Assert.True(DistanceFromHome(flight) < 3, $"landed {DistanceFromHome(flight)} m from home");
+    }
+
+    private static double DistanceFromHome(SearchFlight flight)
+    {
+        TruePose pose = flight.World.Truth.Pose;
+        return Math.Sqrt((pose.North * pose.North) + (pose.East * pose.East));
+    }
+
+    private static ScriptedFault Fault(ScriptedFaultKind kind, double value, double seconds = 0)
+        => new() { Kind = kind, At = InTheLanes, Value = value, Duration = TimeSpan.FromSeconds(seconds) };
+}

@@ -1,0 +1,174 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Rabit.Core;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Links;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+
+namespace Rabit.Uav.Simulation.Tests.Missions;
+
+/// <summary>A simulated search by all six managers in virtual time, and what came of it.</summary>
+internal sealed class SearchFlight : IDisposable
+{
+    /// <summary>A small area, two lanes and a few minutes; see <see cref="SmallPlan"/>.</summary>
+    public const string SmallMission =
+        """
+        {
+          "name": "small",
+          "area": [[47.39730, 8.54470], [47.39780, 8.54470], [47.39780, 8.54560], [47.39730, 8.54560]],
+          "heightMetres": 30, "speedMetresPerSecond": 5, "laneSpacingMetres": 22,
+          "targets": ["red", "orange", "blue", "yellow", "magenta"],
+          "home": { "lat": 47.397100, "lon": 8.544500, "groundAltitudeAmslMetres": 488 }
+        }
+        """;
+
+    private static readonly TimeSpan Step = TimeSpan.FromSeconds(1);
+
+    private readonly UavSystem _uav;
+    private readonly StringBuilder _log = new();
+    private readonly MessageSubscriber<MissionStatus> _mission;
+    private readonly MessageSubscriber<HealthReport> _health;
+    private readonly MessageSubscriber<TrackList> _tracks;
+    private readonly MessageSubscriber<ImagingStatus> _imaging;
+    private readonly MessageSubscriber<CommandAuthority> _authority;
+
+    public SearchFlight(MissionPlan plan, SimulationOptions options, params RabitManager[] others)
+        : this(plan, options, new VirtualTime(options.Seed), others)
+    {
+    }
+
+    public SearchFlight(MissionPlan plan, SimulationOptions options, VirtualTime time, params RabitManager[] others)
+    {
+        options.TakePlacesFrom(plan);
+        World = new SimulatedWorld(options);
+        var link = new MemoryLinkPair("simulation");
+        Camera = World.CreateCamera();
+        _uav = UavSystem.Open(new UavOptions
+        {
+            OpenLinks = [link.A],
+            Mission = plan,
+            MayCommand = true,
+            Camera = Camera,
+            Imaging = new ImageProcessingOptions { Camera = World.CameraModel, Mount = World.CameraMount },
+            OtherManagers = others,
+            Time = time,
+        });
+        Reactor = _uav.CreateReactor(new ReactorOptions { StopsOnSignals = false, Log = Write });
+        Reactor.Add(World.CreateVehicle(link.B));
+        RabitWorkspace workspace = Reactor.Workspace;
+        _mission = workspace.Subscribe<MissionStatus>(MessageNames.Mission);
+        _health = workspace.Subscribe<HealthReport>(MessageNames.Health);
+        _tracks = workspace.Subscribe<TrackList>(MessageNames.Tracks);
+        _imaging = workspace.Subscribe<ImagingStatus>(MessageNames.Imaging);
+        _authority = workspace.Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
+    }
+
+    public SimulatedWorld World { get; }
+
+    public SimulatedCamera Camera { get; }
+
+    public RabitReactor Reactor { get; }
+
+    /// <summary>What managers said and what became of them, with the time of the run.</summary>
+    public string Log => _log.ToString();
+
+    public MissionStatus Mission => Latest(_mission);
+
+    public HealthReport Health => Latest(_health);
+
+    public TrackList Tracks => Latest(_tracks);
+
+    public ImagingStatus Imaging => Latest(_imaging);
+
+    public CommandAuthority Authority => Latest(_authority);
+
+    public ReactorResult? Result { get; private set; }
+
+    public bool IsOver => Mission.Phase is MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed;
+
+    /// <summary>The mission that UavConsole flies without arguments.</summary>
+    public static MissionPlan BundledPlan() => Plan("search");
+
+    /// <summary>As <see cref="SmallMission"/>.</summary>
+    public static MissionPlan SmallPlan() => MissionPlan.Parse(SmallMission, "small");
+
+    /// <summary>For flights in which the pictures are not the point.</summary>
+    public static SimulationOptions SmallWorld(params ScriptedFault[] faults) => new()
+    {
+        Seed = 5,
+        TargetCount = 2,
+        DistractorCount = 1,
+        Camera = SimulatedCameraOptions.CreateLowResolution(),
+        Faults = faults,
+    };
+
+    private static MissionPlan Plan(string name) => MissionPlan.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "data", "missions", name + ".json")), name);
+
+    /// <summary>Flies until the mission is over, and then until motors are off or the patience is at its end.</summary>
+    public void Fly(TimeSpan atMost)
+    {
+        Reactor.Start();
+        while (Reactor.Now < atMost && Reactor.RunFor(Step) && !IsOver)
+        {
+        }
+
+        End();
+    }
+
+    public void FlyUntil(Func<SearchFlight, bool> condition, TimeSpan atMost)
+    {
+        if (!Reactor.IsWired)
+            Reactor.Start();
+        while (!condition(this) && Reactor.Now < atMost && Reactor.RunFor(TimeSpan.FromMilliseconds(100)))
+        {
+        }
+    }
+
+    public void End()
+    {
+        Reactor.Stop("the test is over");
+        Result = Reactor.Finish();
+    }
+
+    /// <summary>Each target with the confirmed track that stands for it.</summary>
+    public IReadOnlyList<TargetScore> Score()
+    {
+        List<TargetTrack> free = Tracks.Confirmed.ToList();
+        var scores = new List<TargetScore>();
+        foreach (SimulatedTarget target in World.Targets)
+        {
+            var frame = new LocalNedFrame(World.PositionOf(target.NorthMetres, target.EastMetres));
+            TargetTrack? best = free.Where(t => t.Colour == target.Colour && Distance(frame, t) < 10).OrderBy(t => Distance(frame, t)).FirstOrDefault();
+            if (best is not null)
+                free.Remove(best);
+            scores.Add(new TargetScore(target, best, best is null ? default : frame.ToNed(best.Position)));
+        }
+
+        FalseTracks = free;
+        return scores;
+    }
+
+    /// <summary>Confirmed tracks without a target, after <see cref="Score"/>.</summary>
+    public IReadOnlyList<TargetTrack> FalseTracks { get; private set; } = [];
+
+    public void Dispose() => _uav.Dispose();
+
+    private static double Distance(LocalNedFrame frame, TargetTrack track)
+    {
+        NedVector d = frame.ToNed(track.Position);
+        return Math.Sqrt((d.North * d.North) + (d.East * d.East));
+    }
+
+    private void Write(RabitLogEntry entry) => _log.Append(entry).Append('\n');
+
+    private static T Latest<T>(MessageSubscriber<T> subscriber)
+    {
+        subscriber.Fetch();
+        return subscriber.Value;
+    }
+}

@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Messages;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Simulation.Tests.Missions;
+
+/// <summary>The simulated search that UavConsole flies without arguments, from arming to landing.</summary>
+public sealed class SearchTests(ITestOutputHelper output)
+{
+    private const double LargestRmse = 3;
+    private const double LargestHalfAxis = 8;
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(7)]
+    public void Search_OneSeed_FindsAllAndComesHome(long seed) => Fly(seed);
+
+    [Fact]
+    public void Search_SameSeed_GivesTheSameLogToTheByte()
+    {
+        string first = LogOf(seed: 3);
+        Assert.Equal(first, LogOf(seed: 3));
+        Assert.NotEqual(first, LogOf(seed: 4));
+    }
+
+    [Fact, Trait("Category", "Long")]
+    public void Search_TwentySeeds_AreAsGoodAsTheySay()
+    {
+        var scores = new List<TargetScore>();
+        for (long seed = 1; seed <= 20; seed++)
+            scores.AddRange(Fly(seed));
+
+        double rmse = Rmse(scores);
+        double inEllipse = scores.Count(s => s.IsInEllipse) / (double)scores.Count;
+        output.WriteLine(FormattableString.Invariant($"all: RMSE {rmse:0.00} m, {inEllipse:P0} in their ellipses, largest half axis {scores.Max(s => s.HalfAxisMetres):0.00} m"));
+        Assert.True(rmse <= LargestRmse, $"RMSE {rmse} m");
+        Assert.InRange(inEllipse, 0.85, 1);
+    }
+
+    private List<TargetScore> Fly(long seed)
+    {
+        using var flight = new SearchFlight(SearchFlight.BundledPlan(), new SimulationOptions { Seed = seed });
+        flight.Fly(TimeSpan.FromMinutes(20));
+        List<TargetScore> scores = flight.Score().ToList();
+        TruePose landing = flight.World.Truth.Landing ?? default;
+        double fromHome = Math.Sqrt((landing.North * landing.North) + (landing.East * landing.East));
+        output.WriteLine(FormattableString.Invariant(
+            $"seed {seed}: {flight.Mission.Phase} at {flight.Reactor.Now}, {flight.Mission.Coverage:P1} seen, landed {fromHome:0.00} m from home, RMSE {Rmse(scores):0.00} m"));
+        foreach (TargetScore score in scores)
+            output.WriteLine("  " + score);
+
+        string where = $"seed {seed}: ";
+        Assert.True(flight.Mission.Phase == MissionPhase.Done && flight.Mission.Aborted is null, where + flight.Mission.Text + "\n" + flight.Log);
+        Assert.All(scores, s => Assert.True(s.Track is not null, where + s));
+        Assert.All(scores, s => Assert.True(s.HalfAxisMetres <= LargestHalfAxis, where + s));
+        Assert.True(flight.FalseTracks.Count == 0, $"{where}{flight.FalseTracks.Count} false tracks");
+        Assert.True(Rmse(scores) <= LargestRmse, $"{where}RMSE {Rmse(scores)} m");
+        Assert.True(flight.Mission.Coverage >= 0.98, $"{where}{flight.Mission.Coverage} seen");
+        Assert.True(flight.World.Truth.Landing is not null && fromHome <= 3, $"{where}landed {fromHome} m from home");
+        Assert.Empty(flight.Camera.BufferHolders());
+        return scores;
+    }
+
+    private static string LogOf(long seed)
+    {
+        using var flight = new SearchFlight(SearchFlight.SmallPlan(), new SimulationOptions { Seed = seed, TargetCount = 3, DistractorCount = 2 });
+        flight.Fly(TimeSpan.FromMinutes(10));
+        flight.Score();
+        return flight.Log + string.Join("\n", flight.Tracks.Tracks.Select(t => FormattableString.Invariant($"{t.Id} {t.Position.LatitudeRadians:R} {t.Position.LongitudeRadians:R} {t.Reports}")));
+    }
+
+    private static double Rmse(IReadOnlyCollection<TargetScore> scores) => Math.Sqrt(scores.Average(s => s.ErrorMetres * s.ErrorMetres));
+}

@@ -1,0 +1,76 @@
+using System;
+using System.IO;
+using System.Net;
+using System.Net.Sockets;
+using System.Text.Json;
+using System.Threading;
+using Rabit.Uav.Simulation.Tests.Missions;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Simulation.Tests.Sample;
+
+/// <summary>UavConsole flies SimulatedVehicle, two processes in real time, with UDP and a folder of pictures between them.</summary>
+[Trait("Category", "Long")]
+public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
+{
+    private static readonly TimeSpan MissionPatience = TimeSpan.FromMinutes(5);
+
+    private readonly string _folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), $"rabit-live-{Guid.NewGuid():N}")).FullName;
+
+    [Fact]
+    public void Mission_OverUdp_IsFlownAndScored()
+    {
+        string mission = Write("mission.json", SearchFlight.SmallMission);
+        string truth = In("truth.json");
+        string summary = In("summary.json");
+        int port = FreePort();
+        using var vehicle = new SampleProcess(
+            "SimulatedVehicle", "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
+            "--camera-out", In("pictures"), "--truth-out", truth);
+        WaitFor(() => File.Exists(In("pictures/camera.json")) && File.Exists(truth) && new FileInfo(truth).Length > 0, vehicle);
+
+        using var console = new SampleProcess(
+            "UavConsole", "--link", $"udpin:127.0.0.1:{port}", "--mission", mission, "--fly", "--camera", In("pictures"), "--truth", truth,
+            "--headless", "--summary", summary, "--report", In("report.html"));
+        int exitCode = console.WaitForEnd(MissionPatience);
+        output.WriteLine(console.Output);
+        vehicle.Interrupt();
+
+        Assert.Equal(0, vehicle.WaitForEnd());
+        Assert.Equal(0, exitCode);
+        using JsonDocument document = JsonDocument.Parse(File.ReadAllText(truth));
+        JsonElement flight = document.RootElement.GetProperty("flight");
+        Assert.False(flight.GetProperty("isAirborne").GetBoolean());
+        Assert.False(flight.GetProperty("hasCrashed").GetBoolean());
+        Assert.True(File.Exists(summary));
+        Assert.True(File.Exists(In("report.html")));
+    }
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    private string In(string name) => Path.Combine(_folder, name);
+
+    private string Write(string name, string text)
+    {
+        File.WriteAllText(In(name), text);
+        return In(name);
+    }
+
+    private static void WaitFor(Func<bool> condition, SampleProcess process)
+    {
+        DateTime end = DateTime.UtcNow + TimeSpan.FromSeconds(30);
+        while (!condition())
+        {
+            Assert.True(DateTime.UtcNow < end && !process.HasEnded, process.Output);
+            Thread.Sleep(100);
+        }
+    }
+
+    private static int FreePort()
+    {
+        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        socket.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        return ((IPEndPoint)socket.LocalEndPoint!).Port;
+    }
+}

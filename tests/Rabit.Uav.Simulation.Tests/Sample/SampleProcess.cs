@@ -1,0 +1,82 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Runtime.InteropServices;
+using Xunit;
+
+namespace Rabit.Uav.Simulation.Tests.Sample;
+
+/// <summary>A sample as a user starts it: a process of its own, on the runtime that the tests run on.</summary>
+internal sealed class SampleProcess : IDisposable
+{
+    private const int InterruptSignal = 2;
+
+    private static readonly TimeSpan DefaultPatience = TimeSpan.FromSeconds(60);
+
+
+    private static readonly string Folder = Path.GetDirectoryName(typeof(SampleProcess).Assembly.Location)!;
+    private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
+
+    private readonly Process _process;
+    private readonly List<string> _lines = [];   // locked by itself
+
+    public SampleProcess(string program, params string[] arguments)
+    {
+        IEnumerable<string> all = new[] { Path.Combine(Folder, program + (IsMono ? ".exe" : ".dll")) }.Concat(arguments);
+        _process = new Process
+        {
+            StartInfo = new ProcessStartInfo(IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(a => "\"" + a + "\"")))
+            {
+                UseShellExecute = false,
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
+            },
+        };
+        _process.OutputDataReceived += (_, e) => Take(e.Data);
+        _process.ErrorDataReceived += (_, e) => Take(e.Data);
+        _process.Start();
+        _process.BeginOutputReadLine();
+        _process.BeginErrorReadLine();
+    }
+
+    public string Output
+    {
+        get
+        {
+            lock (_lines)
+                return string.Join("\n", _lines);
+        }
+    }
+
+    public bool HasEnded => _process.HasExited;
+
+    /// <summary>Ctrl-C.</summary>
+    public void Interrupt() => Assert.Equal(0, Kill(_process.Id, InterruptSignal));
+
+    public int WaitForEnd(TimeSpan? patience = null)
+    {
+        Assert.True(_process.WaitForExit((int)(patience ?? DefaultPatience).TotalMilliseconds), "it does not end: " + Output);
+        _process.WaitForExit();
+        return _process.ExitCode;
+    }
+
+    public void Dispose()
+    {
+        if (!_process.HasExited)
+            _process.Kill();
+        _process.Dispose();
+    }
+
+    private void Take(string? line)
+    {
+        if (line is null)
+            return;
+        lock (_lines)
+            _lines.Add(line);
+    }
+
+    [DllImport("libc", EntryPoint = "kill")]
+    private static extern int Kill(int process, int signal);
+}

@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Simulation.Tests.Vision;
+
+/// <summary>
+/// The pictures of the simulated camera through Image Processing, with true poses: what is left is the error of pictures, detector and
+/// geometry, which were written apart from each other.
+/// </summary>
+public sealed class SimulatedPictureTests(ITestOutputHelper output)
+{
+    // The corners of a look are the truth, but a panel near its edge may be cut.
+    private const double EdgeMetres = 1.3;
+
+    [Theory]
+    [InlineData(1, 40)]
+    [InlineData(2, 40)]
+    [InlineData(3, 25)]
+    [InlineData(4, 60)]
+    public void Survey_TruePoses_EveryTargetInEveryLookIsReportedWhereItIs(int seed, double height)
+    {
+        Survey survey = Fly((ulong)seed, height);
+        double groundSample = height / 530;
+
+        (int expected, int found, double squares, double worst) = (0, 0, 0, 0);
+        var missed = new List<string>();
+        foreach (CameraLook look in survey.Sink.Looks)
+        {
+            foreach (SimulatedTarget target in survey.Things.Where(t => !t.IsDistractor && survey.IsInside(look, t, EdgeMetres)))
+            {
+                expected++;
+                double[] errors = survey.Sink.Reports
+                    .Where(r => r.LookNumber == look.Number && r.Colour == target.Colour)
+                    .Select(r => survey.ErrorOf(r, target)).Where(e => e < 1).ToArray();
+                if (errors.Length != 1)
+                {
+                    missed.Add($"{target.Name} in look {look.Number}: {errors.Length} reports");
+                    continue;
+                }
+
+                found++;
+                squares += errors[0] * errors[0];
+                worst = Math.Max(worst, errors[0]);
+            }
+        }
+
+        string[] wrong = survey.Sink.Reports
+            .Where(r => !survey.Things.Any(t => !t.IsDistractor && t.Colour == r.Colour && survey.ErrorOf(r, t) < 1))
+            .Select(r => survey.Describe(r)).ToArray();
+        double rms = Math.Sqrt(squares / Math.Max(1, found));
+        output.WriteLine($"seed {seed}, {height} m: {survey.Sink.Looks.Count} looks, {found} of {expected} found, {wrong.Length} wrong, rms {rms:F3} m, worst {worst:F3} m");
+        foreach (string line in missed.Concat(wrong).Take(30))
+            output.WriteLine(line);
+
+        Assert.True(expected > 50, $"{expected} sights of targets are too few to tell");
+        Assert.True(found >= 0.98 * expected, $"seed {seed}: {expected - found} of {expected} sights were missed");
+        Assert.True(wrong.Length == 0, $"seed {seed}: {wrong.Length} reports of nothing, first {wrong.FirstOrDefault()}");
+        Assert.True(rms < (0.25 * groundSample) + 0.1, $"seed {seed}: off by {rms} m");
+    }
+
+    [Theory, Trait("Category", "Long")]
+    [MemberData(nameof(ManySeeds))]
+    public void Survey_ManySeeds_EveryTargetInEveryLookIsReportedWhereItIs(int seed, double height)
+        => Survey_TruePoses_EveryTargetInEveryLookIsReportedWhereItIs(seed, height);
+
+    public static TheoryData<int, double> ManySeeds()
+    {
+        var cases = new TheoryData<int, double>();
+        for (int seed = 5; seed <= 24; seed++)
+            cases.Add(seed, 20 + (seed * 3 % 50));
+        return cases;
+    }
+
+    private static Survey Fly(ulong seed, double height)
+    {
+        var camera = new SimulatedCameraOptions();
+        var truth = new TruthHistory(400);
+        var frame = new WorldFrame(new GeodeticPosition(0.8395, 0.1486, 445));
+        IReadOnlyList<SimulatedTarget> things = TargetField.Place(seed, [(-5, -10), (-5, 65), (75, 65), (75, -10)], 10, 10);
+        var source = new SimulatedCamera(camera, truth, things, seed);
+        var manager = new ImageProcessingManager(
+            new ImageProcessingOptions
+            {
+                Camera = camera.Camera,
+                Mount = new CameraMount
+                {
+                    GimbalArmMetres = new BodyVector(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres),
+                },
+            },
+            source);
+        var sink = new ReportSink();
+        var order = new ImagingOrder
+        {
+            Mode = ImagingMode.Search,
+            CameraPitchRadians = -Math.PI / 2,
+            GroundAltitudeAmslMetres = frame.Origin.AltitudeAmslMetres,
+            Colours = TargetColours.All,
+        };
+        var reactor = new RabitReactor(new VirtualTime((long)seed)) { new SurveyFlight(truth, frame, height, order), manager, sink };
+        reactor.Start();
+        reactor.RunFor(TimeSpan.FromSeconds(45));
+        reactor.Stop();
+        Assert.Equal(0, reactor.Finish().ExitCode);
+        Assert.Empty(source.BufferHolders());
+        Assert.InRange(sink.Looks.Count, 85, 90);
+        return new Survey(frame, things, sink);
+    }
+
+    private sealed class Survey(WorldFrame frame, IReadOnlyList<SimulatedTarget> things, ReportSink sink)
+    {
+        public IReadOnlyList<SimulatedTarget> Things { get; } = things;
+
+        public ReportSink Sink { get; } = sink;
+
+        public double ErrorOf(TargetReport report, SimulatedTarget target)
+        {
+            NedVector at = frame.ToWorld(report.Position);
+            return Math.Sqrt(Math.Pow(at.North - target.NorthMetres, 2) + Math.Pow(at.East - target.EastMetres, 2));
+        }
+
+        public string Describe(TargetReport report)
+        {
+            SimulatedTarget nearest = Things.OrderBy(t => ErrorOf(report, t)).First();
+            return $"{report.Colour} in look {report.LookNumber}, {report.SizeMetres:F2} m, score {report.Score:F2}, nearest is {nearest.Name} at {ErrorOf(report, nearest):F1} m";
+        }
+
+        public bool IsInside(CameraLook look, SimulatedTarget target, double margin)
+        {
+            NedVector[] corners = [frame.ToWorld(look.TopLeft), frame.ToWorld(look.TopRight), frame.ToWorld(look.BottomRight), frame.ToWorld(look.BottomLeft)];
+            for (int i = 0; i < 4; i++)
+            {
+                (NedVector a, NedVector b) = (corners[i], corners[(i + 1) % 4]);
+                (double north, double east) = (b.North - a.North, b.East - a.East);
+                double length = Math.Sqrt((north * north) + (east * east));
+
+                // Clockwise seen from above: the inside is to the right.
+                double inside = ((north * (target.EastMetres - a.East)) - (east * (target.NorthMetres - a.North))) / length;
+                if (inside < margin)
+                    return false;
+            }
+
+            return true;
+        }
+    }
+}

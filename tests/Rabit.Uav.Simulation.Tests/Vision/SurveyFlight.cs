@@ -1,0 +1,99 @@
+using System;
+using Rabit.Core;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Simulation.Tests.Vision;
+
+/// <summary>
+/// Stands for vehicle and autopilot: flies lanes over a square, leaning this way and that, writes the truth for the camera, and tells
+/// Image Processing the same truth as poses, 10 positions and 50 attitudes a second, 30 ms late.
+/// </summary>
+internal sealed class SurveyFlight : RabitManager
+{
+    private const double Speed = 6;
+    private const double LaneLength = 70;
+    private const double LaneSpacing = 18;
+    private const int Late = 3;
+
+    private readonly TruthHistory _truth;
+    private readonly WorldFrame _frame;
+    private readonly double _height;
+    private readonly ImagingOrder _wanted;
+    private readonly QueueSender<PoseSample> _poses;
+    private readonly MessagePublisher<ImagingOrder> _order;
+    private readonly MessagePublisher<OwnAddress> _address;
+    private long _step;
+
+    public SurveyFlight(TruthHistory truth, WorldFrame frame, double heightMetres, ImagingOrder order)
+        : base("survey flight")
+    {
+        _truth = truth;
+        _frame = frame;
+        _height = heightMetres;
+        _poses = Send<PoseSample>(MessageNames.Poses);
+        _order = Publish<ImagingOrder>(MessageNames.ImagingOrder);
+        _address = Publish<OwnAddress>(MessageNames.OwnAddress);
+        _wanted = order;
+        WakeUpDelay = TimeSpan.FromMilliseconds(10);
+    }
+
+    protected override void ExecuteUnitOfWork()
+    {
+        if (_step == 0)
+        {
+            _order.Value = _wanted;
+            _order.Post();
+            _address.Value = new OwnAddress { SystemId = 1, ComponentId = 191 };
+            _address.Post();
+        }
+
+        _truth.Add(PoseAt(_step));
+        long told = _step - Late;
+        if (told >= 0 && told % 2 == 0)
+            Tell(PoseAt(told), hasPosition: told % 10 == 0);
+        _step++;
+    }
+
+    private void Tell(in TruePose pose, bool hasPosition)
+    {
+        _poses.Push(new PoseSample
+        {
+            Kind = PoseSampleKind.Attitude,
+            Time = pose.Time,
+            Attitude = new EulerAngles(pose.Roll, pose.Pitch, Math.IEEERemainder(pose.Yaw, 2 * Math.PI)),
+        });
+        if (hasPosition)
+        {
+            _poses.Push(new PoseSample
+            {
+                Kind = PoseSampleKind.Position,
+                Time = pose.Time,
+                Position = _frame.ToPlace(new NedVector(pose.North, pose.East, pose.Down)),
+                VelocityNed = new NedVector(pose.NorthSpeed, pose.EastSpeed, pose.DownSpeed),
+            });
+        }
+    }
+
+    // Up one lane and down the next; the turn is done on the spot within a second, as far as the camera can tell.
+    private TruePose PoseAt(long step)
+    {
+        double t = step * 0.01;
+        double along = Speed * t;
+        int lane = (int)(along / LaneLength);
+        double onLane = along - (lane * LaneLength);
+        bool isNorthward = lane % 2 == 0;
+        return new TruePose
+        {
+            Time = TimeSpan.FromMilliseconds(step * 10),
+            North = isNorthward ? onLane : LaneLength - onLane,
+            East = lane * LaneSpacing,
+            Down = -_height,
+            NorthSpeed = isNorthward ? Speed : -Speed,
+            Roll = 0.12 * Math.Sin(0.9 * t),
+            Pitch = -0.08 + (0.06 * Math.Sin(0.7 * t)),
+            Yaw = (isNorthward ? 0 : Math.PI) + (0.2 * Math.Sin(0.3 * t)),
+            CameraPitch = -Math.PI / 2,
+        };
+    }
+}

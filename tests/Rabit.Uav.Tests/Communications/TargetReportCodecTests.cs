@@ -1,0 +1,159 @@
+using System;
+using Rabit.Uav.Communications;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Tests.Communications;
+
+/// <summary>Target reports as bytes.</summary>
+public sealed class TargetReportCodecTests
+{
+    private static readonly TargetReportCodec Codec = new();
+    private static readonly TimeSpan Now = TimeSpan.FromSeconds(1000);
+
+    [Fact]
+    public void RoundTrip_RandomReports_AreTheSameWithinTheForm()
+    {
+        const int Seed = 21;
+        var random = new Random(Seed);
+        var buffer = new byte[MailRoute.MaximumLength];
+        for (int i = 0; i < 10_000; i++)
+        {
+            double nn = 0.01 + (random.NextDouble() * 100);
+            double ee = 0.01 + (random.NextDouble() * 100);
+            var report = new TargetReport
+            {
+                SourceSystemId = 200,
+                LookNumber = random.Next(),
+                Index = random.Next(256),
+                Time = Now - TimeSpan.FromSeconds(random.NextDouble() * 600),
+                Position = new GeodeticPosition((random.NextDouble() - 0.5) * Math.PI, (random.NextDouble() - 0.5) * 2 * Math.PI, (random.NextDouble() * 9000) - 400),
+                Covariance = new HorizontalCovariance(nn, Math.Sqrt(nn * ee) * ((random.NextDouble() * 1.9) - 0.95), ee),
+                CommonCovariance = i % 3 == 0 ? default : new HorizontalCovariance(ee, 0, nn),
+                Colour = (TargetColours)(1 << random.Next(5)),
+                Score = random.NextDouble(),
+                SizeMetres = random.NextDouble() * 60,
+                CentreX = random.NextDouble() * 640,
+                CentreY = random.NextDouble() * 480,
+            };
+            Assert.True(Codec.TryEncode(report, Now, buffer, out int length), $"seed {Seed}, report {i}");
+            Assert.Equal(TargetReportCodec.Length, length);
+            Assert.True(Codec.TryDecode(buffer.AsSpan(0, length), Now + TimeSpan.FromSeconds(5), 7, out TargetReport back), $"seed {Seed}, report {i}");
+            AssertEqual(report, back);
+            Assert.Equal(Codec.IdentityOf(report), Codec.IdentityOf(back));
+        }
+    }
+
+    [Fact]
+    public void Decode_RandomBytes_NeverThrowsAndWhatItTakesIsSound()
+    {
+        const int Seed = 22;
+        var random = new Random(Seed);
+        for (int i = 0; i < 200_000; i++)
+        {
+            var bytes = new byte[i % 4 == 0 ? random.Next(129) : TargetReportCodec.Length];
+            random.NextBytes(bytes);
+            if (bytes.Length > 1 && i % 2 == 0)
+                (bytes[0], bytes[1]) = (1, (byte)(1 << random.Next(8)));
+            if (Codec.TryDecode(bytes, Now, 7, out TargetReport report))
+                AssertSound(report, $"seed {Seed}, case {i}");
+        }
+    }
+
+    [Fact]
+    public void Decode_MutatedReports_NeverThrowAndWhatIsTakenIsSound()
+    {
+        const int Seed = 23;
+        var random = new Random(Seed);
+        var good = new byte[MailRoute.MaximumLength];
+        Codec.TryEncode(MailTests.Report(look: 3), TimeSpan.Zero, good, out int length);
+        int taken = 0;
+        for (int i = 0; i < 200_000; i++)
+        {
+            byte[] bytes = good.AsSpan(0, length).ToArray();
+            for (int n = random.Next(1, 5); n > 0; n--)
+                bytes[random.Next(length)] = (byte)random.Next(256);
+            if (!Codec.TryDecode(bytes, Now, 7, out TargetReport report))
+                continue;
+            taken++;
+            AssertSound(report, $"seed {Seed}, case {i}");
+        }
+
+        Assert.InRange(taken, 10_000, 190_000);
+    }
+
+    [Theory]
+    [InlineData(0, 2)]      // another version
+    [InlineData(1, 0)]      // no colour
+    [InlineData(1, 3)]      // two colours
+    [InlineData(1, 32)]     // a colour that there is not
+    [InlineData(11, 255)]   // an age of months
+    [InlineData(15, 127)]   // beyond the pole
+    public void Decode_OneWrongByte_IsRefused(int offset, byte value)
+    {
+        var bytes = new byte[MailRoute.MaximumLength];
+        Codec.TryEncode(MailTests.Report(look: 3), TimeSpan.Zero, bytes, out int length);
+        Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), Now, 7, out _));
+        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length - 1), Now, 7, out _));
+        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length + 1), Now, 7, out _));
+        bytes[offset] = value;
+        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length), Now, 7, out _));
+    }
+
+    [Fact]
+    public void Encode_WhatDoesNotFit_IsRefused()
+    {
+        TargetReport good = MailTests.Report(look: 1);
+        Assert.True(Encodes(good));
+        Assert.False(Encodes(good with { Colour = TargetColours.All }));
+        Assert.False(Encodes(good with { Index = 256 }));
+        Assert.False(Encodes(good with { LookNumber = -1 }));
+        Assert.False(Encodes(good with { Score = double.NaN }));
+        Assert.False(Encodes(good with { SizeMetres = 70 }));
+        Assert.False(Encodes(good with { CentreX = double.NaN }));
+        Assert.False(Encodes(good with { Covariance = default }));
+        Assert.False(Encodes(good with { Covariance = new HorizontalCovariance(1, 2, 1) }));
+        Assert.False(Encodes(good with { Covariance = new HorizontalCovariance(double.NaN, 0, 1) }));
+        Assert.False(Encodes(good with { CommonCovariance = new HorizontalCovariance(-1, 0, 1) }));
+        Assert.False(Encodes(good with { Position = default }));
+        Assert.False(Encodes(good with { Position = new GeodeticPosition(double.NaN, 0, 0) }));
+        Assert.False(Encodes(good with { Time = TimeSpan.FromHours(-1) }));
+        Assert.False(Codec.TryEncode(good, TimeSpan.Zero, new byte[TargetReportCodec.Length - 1], out _));
+    }
+
+    private static bool Encodes(in TargetReport report) => Codec.TryEncode(report, TimeSpan.Zero, new byte[128], out _);
+
+    private static void AssertSound(in TargetReport report, string what)
+    {
+        Assert.True(Math.Abs(report.Position.LatitudeRadians) <= (Math.PI / 2) + 1e-9, what);
+        Assert.True(Math.Abs(report.Position.LongitudeRadians) <= Math.PI + 1e-9, what);
+        Assert.True(report.Covariance.HalfMajorAxis95Metres is > 0 and < 1e6, what);
+        Assert.False(double.IsNaN(report.CommonCovariance.HalfMajorAxis95Metres), what);
+        Assert.False(double.IsNaN(report.CentreX) || double.IsInfinity(report.CentreY), what);
+        Assert.InRange(report.Score, 0, 1);
+        Assert.Equal(7, report.SourceSystemId);
+    }
+
+    private static void AssertEqual(in TargetReport expected, in TargetReport actual)
+    {
+        Assert.Equal((7, expected.LookNumber, expected.Index, expected.Colour), (actual.SourceSystemId, actual.LookNumber, actual.Index, actual.Colour));
+        Assert.Equal(expected.Time.TotalSeconds + 5, actual.Time.TotalSeconds, 0.0006);
+        Assert.Equal(expected.Position.LatitudeRadians, actual.Position.LatitudeRadians, 1e-9);
+        Assert.Equal(expected.Position.LongitudeRadians, actual.Position.LongitudeRadians, 1e-9);
+        Assert.Equal(expected.Position.AltitudeAmslMetres, actual.Position.AltitudeAmslMetres, 0.0006);
+        AssertEqual(expected.Covariance, actual.Covariance);
+        AssertEqual(expected.CommonCovariance, actual.CommonCovariance);
+        Assert.Equal(expected.Score, actual.Score, 0.002);
+        Assert.Equal(expected.SizeMetres, actual.SizeMetres, 0.0006);
+        Assert.Equal(expected.CentreX, actual.CentreX, 1e-4);
+        Assert.Equal(expected.CentreY, actual.CentreY, 1e-4);
+    }
+
+    private static void AssertEqual(HorizontalCovariance expected, HorizontalCovariance actual)
+    {
+        Assert.Equal(expected.NorthNorth, actual.NorthNorth, 1e-4);
+        Assert.Equal(expected.NorthEast, actual.NorthEast, 1e-4);
+        Assert.Equal(expected.EastEast, actual.EastEast, 1e-4);
+    }
+}

@@ -1,0 +1,48 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Rabit.Uav.Geometry;
+using Xunit;
+
+namespace Rabit.Uav.Tests.Geometry.Compiler;
+
+/// <summary>What mixes frames, units or heights does not compile; the same line with the right things does.</summary>
+public sealed class MixedUnitsTests
+{
+    [Theory]
+    [InlineData("body and NED", "NedVector v = attitude.ToNed(body);", "NedVector v = attitude.ToNed(ned);")]
+    [InlineData("NED for body", "BodyVector v = attitude.ToBody(ned);", "BodyVector v = ned;")]
+    [InlineData("body in a local frame", "var p = frame.ToGeodetic(ned);", "var p = frame.ToGeodetic(body);")]
+    [InlineData("a bare number for an angle", "Angle a = Angle.FromDegrees(45.0);", "Angle a = 45.0;")]
+    [InlineData("an angle for radians", "double s = Math.Sin(angle.Radians);", "double s = Math.Sin(angle);")]
+    [InlineData("degrees as latitude", "var p = new GeographicPoint(Angle.FromDegrees(47), Angle.FromDegrees(8));", "var p = new GeographicPoint(47, 8);")]
+    [InlineData("AMSL for ellipsoid", "EllipsoidHeight h = amsl.ToEllipsoid(47.5);", "EllipsoidHeight h = amsl;")]
+    [InlineData("ellipsoid for AMSL", "AmslAltitude h = ellipsoid.ToAmsl(47.5);", "AmslAltitude h = (AmslAltitude)ellipsoid;")]
+    [InlineData("above home for AMSL", "AmslAltitude h = aboveHome.ToAmsl(amsl);", "AmslAltitude h = aboveHome;")]
+    [InlineData("above ground for above home", "HeightAboveGround h = amsl.Above(amsl);", "HeightAboveGround h = amsl.AboveHome(amsl);")]
+    [InlineData("AMSL in an ellipsoid position", "var p = new EllipsoidPosition(point, ellipsoid);", "var p = new EllipsoidPosition(point, amsl);")]
+    [InlineData("AMSL position as ellipsoid position", "EcefPosition e = amslPlace.ToEllipsoid(47.5).ToEcef();", "EcefPosition e = ((EllipsoidPosition)amslPlace).ToEcef();")]
+    [InlineData("different heights compared", "bool b = amsl == amsl;", "bool b = amsl == ellipsoid;")]
+    [InlineData("UTM for MGRS", "MgrsPosition m = MgrsPosition.From(point);", "MgrsPosition m = UtmPosition.From(point);")]
+    public void Mixed_DoesNotCompile(string what, string right, string wrong)
+    {
+        Assert.Empty(Errors(right));
+        Assert.True(Errors(wrong).Count > 0, $"{what}: this compiles: {wrong}");
+    }
+
+    private static List<string> Errors(string line)
+    {
+        string program = "using System; using Rabit.Uav.Geometry; static class Program { static void Run(BodyVector body, NedVector ned, Rotation attitude, LocalNedFrame frame, "
+            + "Angle angle, AmslAltitude amsl, EllipsoidHeight ellipsoid, HeightAboveGround aboveGround, HeightAboveHome aboveHome, GeographicPoint point, GeodeticPosition amslPlace) { "
+            + line + " } }";
+        string[] trusted = ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator);
+        IEnumerable<MetadataReference> references = trusted.Where(f => Path.GetFileName(f).StartsWith("System.", StringComparison.Ordinal))
+            .Append(typeof(Angle).Assembly.Location).Select(f => MetadataReference.CreateFromFile(f));
+        var compilation = CSharpCompilation.Create(
+            "Mixed", [CSharpSyntaxTree.ParseText(program)], references, new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
+        return [.. compilation.GetDiagnostics().Where(d => d.Severity == DiagnosticSeverity.Error).Select(d => d.ToString())];
+    }
+}

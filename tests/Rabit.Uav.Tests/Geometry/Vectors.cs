@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Tests.Shared;
+using Rabit.Uav.Geometry;
+
+namespace Rabit.Uav.Tests.Geometry;
+
+/// <summary>Reference values that were made with other libraries (pyproj, scipy, OpenCV), in tests/data/autonomy; angles in degrees.</summary>
+internal static class Vectors
+{
+    public const double Degree = Math.PI / 180;
+
+    // Not the base directory: where tests run without a domain of their own, as under Mono, that is the runner's.
+    private static readonly string Folder = Path.Combine(Path.GetDirectoryName(typeof(Vectors).Assembly.Location)!, "data", "autonomy");
+
+    private static readonly Lazy<JsonDocument> GeolocationFile = new(() => Open("geolocation.json"));
+    private static readonly Lazy<JsonDocument> AttitudeFile = new(() => Open("attitude.json"));
+    private static readonly Lazy<JsonDocument> GeodesyFile = new(() => Open("geodesy.json"));
+
+    public static JsonElement Geolocation => GeolocationFile.Value.RootElement;
+
+    public static JsonElement Geodesy => GeodesyFile.Value.RootElement;
+
+    /// <summary>Whether the whole sets are beside the repository, of which tests/data/autonomy is a part.</summary>
+    public static bool AreWhole => FullFolder is not null;
+
+    /// <summary>Where larger sets are beside the repository; null where they are not.</summary>
+    public static string? FullFolder { get; } = FindFullFolder();
+
+    public static JsonElement Attitude => AttitudeFile.Value.RootElement;
+
+    public static IEnumerable<JsonElement> Each(this JsonElement file, string list) => file.GetProperty(list).EnumerateArray();
+
+    public static double Number(this JsonElement item, string name) => item.GetProperty(name).GetDouble();
+
+    public static double Radians(this JsonElement item, string name) => item.Number(name) * Degree;
+
+    public static string? Text(this JsonElement item, string name) => item.TryGetProperty(name, out JsonElement text) ? text.GetString() : null;
+
+    public static double[] Numbers(this JsonElement item, string name) => item.GetProperty(name).EnumerateArray().Select(n => n.GetDouble()).ToArray();
+
+    public static EulerAngles Euler(this JsonElement item) => new(item.Radians("roll"), item.Radians("pitch"), item.Radians("yaw"));
+
+    public static GeodeticPosition Position(this JsonElement item) => new(item.Radians("lat"), item.Radians("lon"), item.Number("h"));
+
+    public static CameraModel Camera(int index)
+    {
+        JsonElement c = Geolocation.Each("cameras").ElementAt(index);
+        return new CameraModel
+        {
+            Width = c.GetProperty("width").GetInt32(),
+            Height = c.GetProperty("height").GetInt32(),
+            FocalX = c.Number("fx"),
+            FocalY = c.Number("fy"),
+            CentreX = c.Number("cx"),
+            CentreY = c.Number("cy"),
+            K1 = c.Number("k1"),
+            K2 = c.Number("k2"),
+            P1 = c.Number("p1"),
+            P2 = c.Number("p2"),
+            K3 = c.Number("k3"),
+        };
+    }
+
+    public static CameraMount Mount(JsonElement mount)
+    {
+        double[] gimbal = mount.Numbers("r_gimbal");
+        double[] camera = mount.Numbers("r_cam");
+        return new CameraMount
+        {
+            MisalignmentRollRadians = mount.Radians("roll"),
+            MisalignmentPitchRadians = mount.Radians("pitch"),
+            MisalignmentYawRadians = mount.Radians("yaw"),
+            GimbalArmMetres = new BodyVector(gimbal[0], gimbal[1], gimbal[2]),
+            CameraArmMetres = new BodyVector(camera[0], camera[1], camera[2]),
+        };
+    }
+
+    /// <summary>Metres between two places, also across the date line.</summary>
+    public static double Distance(GeodeticPosition a, GeodeticPosition b)
+    {
+        NedVector d = new LocalNedFrame(a).ToNed(b);
+        return Math.Sqrt((d.North * d.North) + (d.East * d.East) + (d.Down * d.Down));
+    }
+
+    private static JsonDocument Open(string file) => JsonDocument.Parse(File.ReadAllText(Path.Combine(FullFolder ?? Folder, file)));
+
+    private static string? FindFullFolder()
+    {
+        string? root = Environment.GetEnvironmentVariable("RABIT_VECTORS") ?? Path.Combine(Repository.Root, "..", "shared", "vectors");
+        string folder = Path.Combine(root, "autonomy");
+        return File.Exists(Path.Combine(folder, "geodesy.json")) ? folder : null;
+    }
+}

@@ -1,0 +1,224 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.HealthMonitoring;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Tests.HealthMonitoring;
+
+/// <summary>What Health Monitoring asks of Mission Control, and tells the ground.</summary>
+public class AdviceTests
+{
+    [Theory]
+    [InlineData(0.26, HealthAdvice.None)]
+    [InlineData(0.25, HealthAdvice.GoHome)]
+    [InlineData(0.11, HealthAdvice.GoHome)]
+    [InlineData(0.10, HealthAdvice.Land)]
+    public void Battery_InFlight_IsGoHomeThenLand(double remaining, HealthAdvice expected)
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Searching);
+        rig.Fly(2);
+        rig.PostVehicle(remaining);
+        rig.Run(0.3);
+        Assert.Equal(expected, rig.Report.Advice);
+        if (expected != HealthAdvice.None)
+            Assert.Contains("battery", rig.Report.AdviceText!, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(MissionPhase.NoMission, false)]
+    [InlineData(MissionPhase.WaitingForVehicle, false)]
+    [InlineData(MissionPhase.Arming, true)]
+    [InlineData(MissionPhase.TakingOff, true)]
+    [InlineData(MissionPhase.InTransit, true)]
+    [InlineData(MissionPhase.Searching, true)]
+    [InlineData(MissionPhase.Looking, true)]
+    [InlineData(MissionPhase.Returning, true)]
+    [InlineData(MissionPhase.Landing, true)]
+    [InlineData(MissionPhase.Done, false)]
+    [InlineData(MissionPhase.HandedOver, false)]
+    [InlineData(MissionPhase.Failed, false)]
+    public void Advice_IsForMissionsInFlightOnly(MissionPhase phase, bool isAdvised)
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(phase);
+        rig.PostVehicle(remaining: 0.2);
+        rig.Run(1);
+        Assert.Equal(isAdvised ? HealthAdvice.GoHome : HealthAdvice.None, rig.Report.Advice);
+        Assert.Equal(HealthReasons.BatteryLow, rig.Report.Reasons & HealthReasons.BatteryLow);
+    }
+
+    [Fact]
+    public void Advice_ReasonIsOver_IsKept()
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Searching);
+        rig.PostVehicle(remaining: 0.05);
+        rig.Run(0.3);
+        Assert.Equal((HealthAdvice.Land, "battery nearly empty (5 %)"), (rig.Report.Advice, rig.Report.AdviceText));
+        rig.Fly(3);
+        rig.PostVehicle(remaining: 0.2);
+        rig.Run(0.3);
+        Assert.Equal((HealthAdvice.Land, "battery nearly empty (5 %)"), (rig.Report.Advice, rig.Report.AdviceText));
+    }
+
+    [Fact]
+    public void AutopilotLost_IsGoHomeOnlyWhenItIsBack()
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Searching);
+        rig.Fly(2);
+        rig.PostVehicle(isConnected: false);
+        rig.Run(3);
+        Assert.Equal((HealthReasons.AutopilotLost, HealthAdvice.None), (rig.Report.Reasons & HealthReasons.AutopilotLost, rig.Report.Advice));
+        rig.Fly(1);
+        Assert.Equal(HealthAdvice.GoHome, rig.Report.Advice);
+        Assert.Contains("autopilot lost", rig.Report.AdviceText!, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void AutopilotLost_OnTheGroundBefore_IsNoAdviceInFlight()
+    {
+        using var rig = new HealthRig();
+        rig.Fly(2);
+        rig.PostVehicle(isConnected: false);
+        rig.Run(3);
+        rig.Fly(1);
+        rig.PostMission(MissionPhase.Searching);
+        rig.Fly(2);
+        Assert.Equal(HealthAdvice.None, rig.Report.Advice);
+    }
+
+    [Fact]
+    public void Manager_ThrewOrIsStuck_IsGoHome()
+    {
+        var findings = new List<HealthFinding>();
+        HealthRules.Judge(
+            new ManagerFacts("autopilot", Rabit.Core.ManagerState.Running, TimeSpan.FromSeconds(0.2), 1, true, TimeSpan.FromSeconds(9)),
+            new HealthOptions(),
+            findings);
+        Assert.Equal([HealthReasons.ManagerFaulted, HealthReasons.ManagerStuck], findings.Select(f => f.Reason));
+        Assert.All(findings, f => Assert.Equal(HealthAdvice.GoHome, f.Advice));
+    }
+
+    [Fact]
+    public void Camera_SilentWhileItShouldSearch_IsGoHomeAfterThreeSeconds()
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Searching);
+        rig.Fly(10);
+        rig.PostImaging(ImagingMode.Search, lastFrame: TimeSpan.FromSeconds(1));   // it was off until now
+        rig.Fly(2);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons);
+        TimeSpan last = rig.Reactor.Now;
+        rig.PostImaging(ImagingMode.Search, last);
+        rig.Fly(2);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons);
+        rig.Fly(2);
+        Assert.Equal((HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.GoHome), (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
+        Assert.Equal("the camera gives no pictures (last at 12.0 s)", rig.Report.AdviceText);
+    }
+
+    [Theory]
+    [InlineData(ImagingMode.Off, true)]
+    [InlineData(ImagingMode.Search, false)]
+    public void Camera_OffOrNone_IsNotMissed(ImagingMode mode, bool hasCamera)
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Searching);
+        rig.PostImaging(mode, lastFrame: null, hasCamera);
+        rig.Fly(20);
+        Assert.Equal((HealthReasons.None, HealthAdvice.None), (rig.Report.Reasons, rig.Report.Advice));
+    }
+
+    [Fact]
+    public void Wind_TooStrongForFiveSeconds_IsGoHome()
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Searching);
+        rig.PostLink();
+        void Blow(double metresPerSecond, int seconds)
+        {
+            for (int i = 0; i < seconds; i++)
+            {
+                rig.PostVehicle(wind: metresPerSecond);
+                rig.Run(1);
+            }
+        }
+
+        Blow(12, 10);
+        Blow(15, 4);
+        Blow(11, 1);
+        Blow(15, 4);
+        Assert.Equal((HealthReasons.None, HealthAdvice.None), (rig.Report.Reasons, rig.Report.Advice));
+        Blow(15, 2);
+        Assert.Equal((HealthReasons.WindHigh, HealthAdvice.GoHome), (rig.Report.Reasons, rig.Report.Advice));
+        Assert.Equal("wind too strong (15 m/s)", rig.Report.AdviceText);
+        Blow(double.NaN, 6);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons);
+    }
+
+    [Fact]
+    public void Texts_LevelChanges_AreToldOnceAndNotTooOften()
+    {
+        using var rig = new HealthRig();
+        rig.PostAddress();
+        rig.Fly(10);
+        Assert.Empty(Texts(rig));
+
+        rig.PostLink(LinkState.Silent);
+        rig.PostVehicle();
+        rig.Run(0.3);
+        Statustext text = Assert.Single(Texts(rig));
+        Assert.Equal((MavSeverity.Warning, "Rabit: link udpin:0.0.0.0:14550 is silent", 0), (text.Severity, text.Text.ToString(), text.Id));
+        for (int i = 0; i < 20; i++)
+        {
+            rig.PostVehicle(state: i % 2 == 0 ? MavState.Critical : MavState.Active);
+            rig.Run(0.5);
+        }
+
+        Assert.InRange(Texts(rig).Count, 2, 3);
+        Assert.Equal(MavSeverity.Critical, Texts(rig)[1].Severity);
+        rig.Fly(10);
+        Statustext last = Texts(rig)[Texts(rig).Count - 1];
+        Assert.Equal((MavSeverity.Info, "Rabit: all well"), (last.Severity, last.Text.ToString()));
+    }
+
+    [Fact]
+    public void Texts_Advice_IsTold()
+    {
+        using var rig = new HealthRig();
+        rig.PostAddress();
+        rig.PostMission(MissionPhase.Searching);
+        rig.Fly(1);
+        rig.PostVehicle(remaining: 0.2);
+        rig.Run(0.3);
+        Assert.Equal("Rabit: go home! battery low (20 %)", Texts(rig).Single().Text.ToString());
+    }
+
+    [Theory]
+    [InlineData(43, 1)]
+    [InlineData(44, 2)]
+    [InlineData(92, 2)]
+    [InlineData(93, 3)]
+    [InlineData(1000, 4)]
+    public void Texts_LongOnes_AreCutIntoPiecesThatEndWithAShorterOne(int length, int pieces)
+    {
+        var texts = new GroundTexts(TimeSpan.FromSeconds(5));
+        var report = new HealthReport { Level = HealthLevel.Warning, Text = new string('\u20ac', length) };
+        IReadOnlyList<Statustext> cut = texts.Take(report, TimeSpan.Zero);
+        Assert.Equal(pieces, cut.Count);
+        Assert.Equal(Enumerable.Range(0, pieces), cut.Select(p => (int)p.ChunkSeq));
+        Assert.Equal(pieces == 1, cut[0].Id == 0);
+        string whole = string.Concat(cut.Select(p => p.Text.ToString()));
+        Assert.Equal("Rabit: " + new string('?', Math.Min(length, 192)), whole);
+        if (pieces > 1)
+            Assert.True(cut[pieces - 1].Text.ToString().Length < 50);
+    }
+
+    private static IReadOnlyList<Statustext> Texts(HealthRig rig) => rig.Sink.MessagesOf<Statustext>();
+}

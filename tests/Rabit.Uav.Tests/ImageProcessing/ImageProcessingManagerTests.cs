@@ -1,0 +1,205 @@
+using System;
+using System.Linq;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+public sealed class ImageProcessingManagerTests
+{
+    [Fact]
+    public void Frame_WithPosesAround_IsReportedAndItsGroundTold()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel);
+        rig.AddPoses(0, 3);
+        rig.Camera!.Add(0, exposedAt: 1.03, deliveredAt: 1.15);
+        rig.Run(2);
+
+        TargetReport report = Assert.Single(rig.Sink.Reports);
+        Assert.Equal((7, 0L, 0, TargetColours.Red), (report.SourceSystemId, report.LookNumber, report.Index, report.Colour));
+        Assert.Equal(TimeSpan.FromSeconds(1.03), report.Time);
+        NedVector ned = new LocalNedFrame(rig.View.Position).ToNed(report.Position);
+        Assert.Equal(ImagingRig.North, ned.North, 0.05);
+        Assert.Equal(ImagingRig.East, ned.East, 0.05);
+        Assert.Equal(rig.View.GroundAltitude, report.Position.AltitudeAmslMetres, 0.01);
+        Assert.InRange(report.SizeMetres, 0.9, 1.1);
+        Assert.True(report.Covariance.NorthNorth > 0 && report.CommonCovariance.NorthNorth > 1);
+
+        CameraLook look = Assert.Single(rig.Sink.Looks);
+        Assert.Equal((7, 0L, 1, report.Time), (look.SourceSystemId, look.Number, look.Reports, look.Time));
+        Assert.Equal(look, Assert.Single(rig.Sink.SearchedGround));
+        AssertCorners(rig.View, look);
+        ImagingStatus status = rig.Status;
+        Assert.Equal((true, ImagingMode.Search, 1L, 1L, 0L, 0L, 1L), (status.HasCamera, status.Mode, status.Frames, status.Looks, status.FramesDropped, status.FramesRefused, status.Reports));
+        rig.AssertAllGivenBack();
+    }
+
+    [Fact]
+    public void Frame_NothingInIt_IsALookAllTheSame()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        rig.AddPoses(0, 3);
+        rig.Camera!.Add(0, 1, 1.1);
+        rig.Run(2);
+        Assert.Empty(rig.Sink.Reports);
+        Assert.Equal(0, Assert.Single(rig.Sink.Looks).Reports);
+        Assert.Empty(rig.Manager.CutOuts);
+    }
+
+    [Fact]
+    public void Frame_PosesComeLate_WaitsForThem()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        rig.AddPoses(0, 0.9);
+        rig.Camera!.Add(0, 1, 1.1);
+        rig.Run(1.3);
+        Assert.Empty(rig.Sink.Looks);
+        rig.AddPoses(1, 1.2);
+        rig.Run(0.05);
+        Assert.Single(rig.Sink.Looks);
+        Assert.Equal(0, rig.Status.FramesRefused);
+        rig.AssertAllGivenBack();
+    }
+
+    [Fact]
+    public void Frame_NoPoses_IsRefusedInTimeAndGivenBack()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel);
+        rig.Camera!.Add(0, 1, 1.1);
+        rig.Run(1.35);
+        Assert.Equal(5, rig.Camera.Pool.Free);
+        rig.Run(0.1);
+        Assert.Equal(6, rig.Camera.Pool.Free);
+
+        // What comes later does not bring it back.
+        rig.AddPoses(0, 3);
+        ImagingStatus status = rig.Status;
+        Assert.Equal((1L, 0L, 1L, ImageProcessingManager.NoPose), (status.Frames, status.Looks, status.FramesRefused, status.LastRefusal));
+        Assert.Empty(rig.Sink.Looks);
+    }
+
+    [Fact]
+    public void Frame_PosesWithAGapOrAllLater_IsRefusedAtOnceWithTheReason()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        rig.AddPoses(2, 2);
+        rig.AddPoses(3.5, 4);
+        rig.Camera!.Add(0, 3, 3.1);
+        rig.Run(3.2);
+        ImagingStatus status = rig.Status;
+        Assert.Equal((1L, ImageProcessingManager.PoseGap), (status.FramesRefused, status.LastRefusal));
+        rig.Camera.Add(1, 1, 1);
+        status = rig.Status;
+        Assert.Equal((2L, ImageProcessingManager.PoseTooOld), (status.FramesRefused, status.LastRefusal));
+        rig.AssertAllGivenBack();
+    }
+
+    [Fact]
+    public void Frames_MoreWaitThanMay_TheOldestLeave()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        for (int i = 0; i < 5; i++)
+            rig.Camera!.Add(i, 1 + (0.02 * i), 1.1 + (0.02 * i));
+        rig.Run(1.25);
+        rig.AddPoses(0, 2);
+        ImagingStatus status = rig.Status;
+        Assert.Equal((5L, 2L, 3L, ImageProcessingManager.NoRoom), (status.Frames, status.Looks, status.FramesRefused, status.LastRefusal));
+        Assert.Equal([3L, 4L], rig.Sink.Looks.Select(l => l.Number));
+        rig.AssertAllGivenBack();
+    }
+
+    [Fact]
+    public void Frames_NumbersWithGaps_AreCountedAsLost()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        rig.AddPoses(0, 9);
+        foreach (int number in new[] { 2, 3, 7, 0, 1 })
+        {
+            rig.Camera!.Add(number, 1, 0);
+            rig.Run(0.1);
+        }
+
+        ImagingStatus status = rig.Status;
+        Assert.Equal(2 + 3, status.FramesDropped);
+        Assert.Equal(status.Frames, status.Looks);
+    }
+
+    [Fact]
+    public void Frames_CameraIsFasterThanTheManager_KeepsTheNewestAndCounts()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        rig.AddPoses(0, 9);
+        for (int i = 0; i < 10; i++)
+            rig.Camera!.Add(i, 1 + (0.01 * i), 2);
+        rig.Run(3);
+        ImagingStatus status = rig.Status;
+        Assert.Equal(10, status.Frames + status.FramesDropped);
+        Assert.Equal(status.Frames, status.Looks + status.FramesRefused);
+        Assert.Equal(9, rig.Sink.Looks.Last().Number);
+        rig.AssertAllGivenBack();
+    }
+
+    [Fact]
+    public void Colours_OfTheOrder_AreTheOnlyOnesReported()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel);
+        rig.AddPoses(0, 9);
+        rig.Order(ImagingMode.Search, TargetColours.Blue);
+        rig.Camera!.Add(0, 1, 1.1);
+        rig.Run(2);
+        Assert.Equal(0, Assert.Single(rig.Sink.Looks).Reports);
+    }
+
+    [Fact]
+    public void Frame_OfAnotherSizeOrWithoutGround_IsRefusedWithTheReason()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        rig.AddPoses(0, 2);
+        rig.Camera!.Size = (320, 240);
+        rig.Camera.Add(0, 1, 1.1);
+        rig.Run(1.5);
+        ImagingStatus status = rig.Status;
+        Assert.Equal((1L, PictureSearch.WrongSize), (status.FramesRefused, status.LastRefusal));
+
+        rig.Camera.Size = (Painting.Width, Painting.Height);
+        rig.View.Attitude = new EulerAngles(1.2, 0, 0);
+        rig.AddPoses(3, 5);
+        rig.Camera.Add(1, 4, 4.1);
+        rig.Run(3);
+        status = rig.Status;
+        Assert.Equal((2L, 0L, PictureSearch.NotGround), (status.FramesRefused, status.Looks, status.LastRefusal));
+        Assert.Empty(rig.Sink.Looks);
+        rig.AssertAllGivenBack();
+    }
+
+    [Fact]
+    public void Frame_WithoutABufferOrWithOneTooSmall_IsRefused()
+    {
+        using ImagingRig rig = ImagingRig.Search(new byte[100]);
+        rig.AddPoses(0, 2);
+        rig.Camera!.Add(0, 1, 1.1);
+        rig.Run(2);
+        Assert.Equal(PictureSearch.NoBuffer, rig.Status.LastRefusal);
+        rig.AssertAllGivenBack();
+    }
+
+    private static void AssertCorners(TestView view, CameraLook look)
+    {
+        var frame = new LocalNedFrame(view.Position);
+        (GeodeticPosition Corner, double Column, double Row)[] corners =
+        [
+            (look.TopLeft, 0, 0), (look.TopRight, Painting.Width - 1, 0),
+            (look.BottomRight, Painting.Width - 1, Painting.Height - 1), (look.BottomLeft, 0, Painting.Height - 1),
+        ];
+        foreach ((GeodeticPosition corner, double column, double row) in corners)
+        {
+            // A little towards the middle, so that it is in the picture for certain.
+            NedVector ned = frame.ToNed(corner);
+            Assert.True(view.TryProject(ned.North * 0.99, ned.East * 0.99, out double seenColumn, out double seenRow));
+            Assert.Equal(column, seenColumn, 6.0);
+            Assert.Equal(row, seenRow, 6.0);
+        }
+    }
+}

@@ -1,0 +1,127 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Core;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+/// <summary>Image Processing in virtual time, with the test in the place of all others.</summary>
+internal sealed class ImagingRig : IDisposable
+{
+    /// <summary>Where the red panel of <see cref="Panel"/> lies, metres from the vehicle.</summary>
+    public const double North = 6;
+    public const double East = -4;
+
+    private static readonly Lazy<byte[]> PanelPicture = new(() => Paint(hasPanel: true));
+    private static readonly Lazy<byte[]> GrassPicture = new(() => Paint(hasPanel: false));
+
+    private readonly QueueSender<PoseSample> _poses;
+    private readonly MessagePublisher<ImagingOrder> _order;
+    private readonly MessagePublisher<OwnAddress> _ownAddress;
+    private readonly MessageSubscriber<ImagingStatus> _status;
+    private bool _isFinished;
+
+    public ImagingRig(ScriptedCamera? camera, ImageProcessingOptions? options = null, bool sinkIsSmall = false)
+    {
+        Camera = camera;
+        options ??= new ImageProcessingOptions();
+        options.Camera ??= View.Camera;
+        options.Mount = View.Mount;
+        Sink = new LookSink(sinkIsSmall ? 1 : 100);
+        Manager = new ImageProcessingManager(options, camera);
+        Reactor = new RabitReactor(new VirtualTime(1)) { Manager, Sink };
+        _poses = Reactor.Workspace.Send<PoseSample>(MessageNames.Poses);
+        _order = Reactor.Workspace.Publish<ImagingOrder>(MessageNames.ImagingOrder);
+        _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
+        _status = Reactor.Workspace.Subscribe<ImagingStatus>(MessageNames.Imaging);
+        _status.OnPost(_ => StatusTimes.Add(Reactor.Now));
+        Reactor.Start();
+        _ownAddress.Value = new OwnAddress { SystemId = 7, ComponentId = 191 };
+        _ownAddress.Post();
+    }
+
+    /// <summary>A picture of grass and a red panel, put there by the test's own projection.</summary>
+    public static byte[] Panel => PanelPicture.Value;
+
+    /// <summary>The same without the panel.</summary>
+    public static byte[] Grass => GrassPicture.Value;
+
+    public TestView View { get; } = new();
+
+    public ScriptedCamera? Camera { get; }
+
+    public ImageProcessingManager Manager { get; }
+
+    public RabitReactor Reactor { get; }
+
+    public LookSink Sink { get; }
+
+    public List<TimeSpan> StatusTimes { get; } = [];
+
+    public ImagingStatus Status
+    {
+        get
+        {
+            // What is due now has been posted at the latest with the next status.
+            Run(1);
+            _status.Fetch();
+            return _status.Value;
+        }
+    }
+
+    /// <summary>A rig whose camera shows a picture, ordered to search.</summary>
+    public static ImagingRig Search(byte[] picture, ImageProcessingOptions? options = null)
+    {
+        var rig = new ImagingRig(new ScriptedCamera(picture), options);
+        rig.Order(ImagingMode.Search);
+        return rig;
+    }
+
+    public void AssertAllGivenBack() => Assert.Equal($"{Camera!.Pool.Count} free", $"{Camera.Pool.Free} free");
+
+    public void Order(ImagingMode mode, TargetColours colours = TargetColours.All)
+    {
+        _order.Value = View.Order with { Mode = mode, Colours = colours };
+        _order.Post();
+        Run(0);
+    }
+
+    /// <summary>Poses of a vehicle that hovers, from one time to another, ten a second.</summary>
+    public void AddPoses(double from, double to)
+    {
+        for (int i = (int)Math.Round(from * 10); i <= (int)Math.Round(to * 10); i++)
+        {
+            _poses.Push(new PoseSample { Kind = PoseSampleKind.Position, Time = TimeSpan.FromSeconds(i / 10.0), Position = View.Position });
+            _poses.Push(new PoseSample { Kind = PoseSampleKind.Attitude, Time = TimeSpan.FromSeconds(i / 10.0), Attitude = View.Attitude });
+        }
+    }
+
+    public void Run(double seconds) => Reactor.RunFor(TimeSpan.FromSeconds(seconds));
+
+    public ReactorResult Finish()
+    {
+        _isFinished = true;
+        Reactor.Stop();
+        return Reactor.Finish();
+    }
+
+    public void Dispose()
+    {
+        if (!_isFinished)
+            Finish();
+    }
+
+    private static byte[] Paint(bool hasPanel)
+    {
+        var painting = new Painting(21);
+        var view = new TestView();
+        Assert.True(view.TryProject(North, East, out double column, out double row));
+        Assert.True(view.TryProject(North + 1, East, out _, out double rowAMetreOn));
+        if (hasPanel)
+            painting.Panel(TargetColours.Red, column, row, row - rowAMetreOn, 0.4);
+        return painting.Finish();
+    }
+}

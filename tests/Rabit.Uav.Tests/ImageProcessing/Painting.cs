@@ -1,0 +1,102 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+/// <summary>A picture that a test paints: grass with noise, and rectangles with soft edges on it.</summary>
+internal sealed class Painting
+{
+    public const int Width = 640;
+    public const int Height = 480;
+
+    // A pixel's light is the mean over so many places in each direction.
+    private const int Samples = 8;
+
+    private readonly Random _random;
+
+    public Painting(int seed, double noise = 3)
+    {
+        _random = new Random(seed);
+        Noise = noise;
+        for (int y = 0; y < Height; y++)
+        {
+            for (int x = 0; x < Width; x++)
+            {
+                // Patches of lighter and darker grass, and blades.
+                double patch = (12 * Math.Sin(x * 0.05)) + (10 * Math.Sin((y * 0.07) + (x * 0.02)));
+                double blade = 8 * LocatorTests.Gauss(_random);
+                Set(x, y, 86 + patch + blade, 112 + patch + blade, 56 + (0.6 * (patch + blade)));
+            }
+        }
+    }
+
+    public byte[] Pixels { get; } = new byte[Width * Height * 3];
+
+    public double Noise { get; }
+
+    public static (double Red, double Green, double Blue) Nominal(TargetColours colour) => colour switch
+    {
+        TargetColours.Red => (205, 28, 32),
+        TargetColours.Orange => (242, 112, 18),
+        TargetColours.Blue => (28, 72, 205),
+        TargetColours.Yellow => (243, 214, 28),
+        TargetColours.Magenta => (212, 36, 150),
+        _ => throw new ArgumentOutOfRangeException(nameof(colour)),
+    };
+
+    public void Panel(TargetColours colour, double x, double y, double side, double angle, double light = 1)
+    {
+        (double red, double green, double blue) = Nominal(colour);
+        Rectangle((red * light, green * light, blue * light), x, y, side, side, angle);
+    }
+
+    /// <summary>Paints a rectangle; the centre of the top left pixel is (0, 0).</summary>
+    public void Rectangle((double Red, double Green, double Blue) colour, double x, double y, double length, double width, double angle)
+    {
+        (double cos, double sin) = (Math.Cos(angle), Math.Sin(angle));
+        int reach = (int)Math.Ceiling((length + width) / 2) + 1;
+        for (int row = Math.Max(0, (int)y - reach); row <= Math.Min(Height - 1, (int)y + reach); row++)
+        {
+            for (int column = Math.Max(0, (int)x - reach); column <= Math.Min(Width - 1, (int)x + reach); column++)
+            {
+                int hits = 0;
+                for (int s = 0; s < Samples * Samples; s++)
+                {
+                    double dx = column - x + (((s % Samples) + 0.5) / Samples) - 0.5;
+                    double dy = row - y + (((s / Samples) + 0.5) / Samples) - 0.5;
+                    if (Math.Abs((dx * cos) + (dy * sin)) <= length / 2 && Math.Abs((dy * cos) - (dx * sin)) <= width / 2)
+                        hits++;
+                }
+
+                Mix(column, row, colour, hits / (double)(Samples * Samples));
+            }
+        }
+    }
+
+    /// <summary>Adds the noise of the sensor, last of all.</summary>
+    public byte[] Finish()
+    {
+        for (int i = 0; i < Pixels.Length; i++)
+            Pixels[i] = ToByte(Pixels[i] + (Noise * LocatorTests.Gauss(_random)));
+        return Pixels;
+    }
+
+    private static byte ToByte(double value) => (byte)Math.Max(0, Math.Min(255, Math.Round(value)));
+
+    private void Mix(int x, int y, (double Red, double Green, double Blue) colour, double part)
+    {
+        int at = ((y * Width) + x) * 3;
+        Set(
+            x,
+            y,
+            Pixels[at] + (part * (colour.Red - Pixels[at])),
+            Pixels[at + 1] + (part * (colour.Green - Pixels[at + 1])),
+            Pixels[at + 2] + (part * (colour.Blue - Pixels[at + 2])));
+    }
+
+    private void Set(int x, int y, double red, double green, double blue)
+    {
+        int at = ((y * Width) + x) * 3;
+        (Pixels[at], Pixels[at + 1], Pixels[at + 2]) = (ToByte(red), ToByte(green), ToByte(blue));
+    }
+}

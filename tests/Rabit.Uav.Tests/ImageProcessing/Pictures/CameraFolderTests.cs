@@ -1,0 +1,157 @@
+using System;
+using System.IO;
+using System.Text;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
+
+public sealed class CameraFolderTests : IDisposable
+{
+    private const string Known = """
+        {"format":"uav-imagery-camera","version":1,"origin":{"lat_deg":39.0086},
+         "camera":{"name":"cam640","width":640,"height":480,"fx":531.4,"fy":530.7,"cx":321.9,"cy":237.6,
+          "dist_k1_k2_p1_p2_k3":[-0.214,0.069,0.0006,-0.0004,-0.008],
+          "mount":{"R_body_from_cam":[[0.0,-1.0,0.0],[1.0,0.0,0.0],[0.0,0.0,1.0]],"lever_arm_body_m":[0.12,-0.02,0.06]}},
+         "frames":[{"file":"frames/b.png","frame_start_us":469185613,"exposure_us":1098},
+                   {"file":"frames/a.png","frame_start_us":468985841,"exposure_us":1095}]}
+        """;
+
+    private readonly SamplePictures.TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Open_KnownDescription_GivesItsNumbers()
+    {
+        CameraFolder folder = Open(Known);
+
+        Assert.Equal((640, 480, 531.4, 530.7), (folder.Camera.Width, folder.Camera.Height, folder.Camera.FocalX, folder.Camera.FocalY));
+        Assert.Equal((321.9, 237.6), (folder.Camera.CentreX, folder.Camera.CentreY));
+        Assert.Equal(
+            (-0.214, 0.069, 0.0006, -0.0004, -0.008),
+            (folder.Camera.K1, folder.Camera.K2, folder.Camera.P1, folder.Camera.P2, folder.Camera.K3));
+        CameraPlacement placement = folder.Mount.At(0, 0);
+        Assert.Equal((0.12, -0.02, 0.06), (placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down));
+        (double forward, double right, double down) = placement.BodyFromCamera.Apply(1, 2, 3);
+        Assert.Equal(-2, forward, 9);
+        Assert.Equal(1, right, 9);
+        Assert.Equal(3, down, 9);
+    }
+
+    [Fact]
+    public void Open_ListedFrames_AreInTheOrderOfTheirTimes()
+    {
+        CameraFolder folder = Open(Known);
+
+        Assert.Equal(["frames/a.png", "frames/b.png"], [folder.Listed[0].File, folder.Listed[1].File]);
+        Assert.Equal((468985841, 1095), (folder.Listed[0].Facts.StartUtcMicroseconds, folder.Listed[0].Facts.ExposureMicroseconds));
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.7)]
+    public void Open_OfCreate_GivesTheSame(double gimbalYaw)
+    {
+        var camera = new CameraModel { Width = 64, Height = 48, FocalX = 53.1, FocalY = 52.9, CentreX = 31.25, CentreY = 23.5, K1 = -0.06, K2 = 0.01, P1 = 1e-4, P2 = -2e-4, K3 = 1e-3 };
+        var mount = new CameraMount { GimbalArmMetres = new BodyVector(0.1, -0.2, 0.05), MisalignmentRollRadians = 0.02, CameraArmMetres = new BodyVector(0.01, 0, 0) };
+        string path = Path.Combine(_folder.Path, "new", "camera");
+
+        CameraFolder written = CameraFolder.Create(path, camera, mount, gimbalPitchRadians: -1.2, gimbalYawRadians: gimbalYaw);
+        CameraFolder read = CameraFolder.Open(path);
+
+        CameraPlacement wanted = mount.At(-1.2, gimbalYaw);
+        foreach (CameraFolder folder in new[] { written, read })
+        {
+            Assert.Equal((64, 48, 53.1, 52.9, 31.25, 23.5), (folder.Camera.Width, folder.Camera.Height, folder.Camera.FocalX, folder.Camera.FocalY, folder.Camera.CentreX, folder.Camera.CentreY));
+            Assert.Equal((-0.06, 0.01, 1e-4, -2e-4, 1e-3), (folder.Camera.K1, folder.Camera.K2, folder.Camera.P1, folder.Camera.P2, folder.Camera.K3));
+            CameraPlacement placement = folder.Mount.At(0, 0);
+            Assert.Equal(0, (wanted.BodyFromCamera.Inverse * placement.BodyFromCamera).AngleRadians, 9);
+            Assert.Equal(wanted.PositionMetres.Forward, placement.PositionMetres.Forward, 12);
+            Assert.Equal(wanted.PositionMetres.Right, placement.PositionMetres.Right, 12);
+            Assert.Equal(wanted.PositionMetres.Down, placement.PositionMetres.Down, 12);
+        }
+    }
+
+    [Fact]
+    public void Create_DefaultMount_LooksDownWithTheTopForward()
+    {
+        CameraFolder folder = CameraFolder.Create(_folder.Path, new CameraModel { Width = 8, Height = 8, FocalX = 9, FocalY = 9 }, new CameraMount());
+
+        Rotation rotation = folder.Mount.At(0, 0).BodyFromCamera;
+        Assert.Equal(0, (rotation.Inverse * Rotation.FromMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)).AngleRadians, 9);
+    }
+
+    [Fact]
+    public void Create_NoCamera_SaysAllThatIsWrong()
+    {
+        PictureException fault = Assert.Throws<PictureException>(() => CameraFolder.Create(
+            _folder.Path, new CameraModel { Width = 0, Height = 8, FocalX = -1, FocalY = 9 }, new CameraMount { MisalignmentRollRadians = double.NaN }));
+
+        Assert.Contains("0 x 8", fault.Message, StringComparison.Ordinal);
+        Assert.Contains("focal length", fault.Message, StringComparison.Ordinal);
+        Assert.Contains("misalignment", fault.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("[]", "camera is missing")]
+    [InlineData("{}", "camera is missing")]
+    [InlineData("{\"camera\":5}", "camera is missing or no object")]
+    [InlineData("{\"camera\":{}}", "camera.fx is missing; camera.fy is missing;")]
+    [InlineData("nonsense", "no JSON")]
+    [InlineData("", "no JSON")]
+    public void Open_WrongDescription_SaysWhy(string json, string reason)
+    {
+        PictureException fault = Assert.Throws<PictureException>(() => Open(json));
+
+        Assert.Contains(CameraFolder.DescriptionFile, fault.Message, StringComparison.Ordinal);
+        Assert.Contains(reason, fault.Message, StringComparison.Ordinal);
+        Assert.DoesNotContain("\n", fault.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("\"width\":640", "\"width\":640.5", "camera.width is no whole number")]
+    [InlineData("\"width\":640", "\"width\":70000", "70000 x 480")]
+    [InlineData("\"fx\":531.4", "\"fx\":\"531.4\"", "camera.fx is no number")]
+    [InlineData("\"fx\":531.4", "\"fx\":0", "focal length")]
+    [InlineData("-0.008]", "-0.008,1]", "list of 5 numbers")]
+    [InlineData("[0.12,-0.02,0.06]", "[0.12,-0.02]", "list of 3 numbers")]
+    [InlineData("[[0.0,-1.0,0.0],", "[[0.0,1.0,0.0],", "R_body_from_cam")]
+    [InlineData("[[0.0,-1.0,0.0],", "[[0.0,-1.0],", "camera.mount.R_body_from_cam is no list")]
+    [InlineData("-0.214", "-4.0", "distortion")]
+    [InlineData("frames/b.png", "../b.png", "frames, entry 1,")]
+    [InlineData("frames/b.png", "/etc/b.png", "frames, entry 1,")]
+    [InlineData("\"frame_start_us\":468985841", "\"start\":468985841", "frames, entry 2,")]
+    public void Open_OneThingWrong_IsNamed(string right, string wrong, string reason)
+    {
+        Assert.Contains(right, Known, StringComparison.Ordinal);
+
+        PictureException fault = Assert.Throws<PictureException>(() => Open(Known.Replace(right, wrong)));
+
+        Assert.Contains(reason, fault.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Open_MarkOfUtf8AtTheBeginning_IsRead()
+    {
+        File.WriteAllText(_folder.File(CameraFolder.DescriptionFile), Known, new UTF8Encoding(encoderShouldEmitUTF8Identifier: true));
+
+        Assert.Equal(640, CameraFolder.Open(_folder.Path).Camera.Width);
+    }
+
+    [Fact]
+    public void Open_NothingThere_SaysSo()
+    {
+        Assert.Contains("no such folder", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.File("none"))).Message, StringComparison.Ordinal);
+        Assert.Contains("camera.json", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.Path)).Message, StringComparison.Ordinal);
+        File.WriteAllText(_folder.File("file"), "x");
+        Assert.Contains("that is a file", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.File("file"))).Message, StringComparison.Ordinal);
+    }
+
+    private CameraFolder Open(string json)
+    {
+        File.WriteAllText(_folder.File(CameraFolder.DescriptionFile), json);
+        return CameraFolder.Open(_folder.Path);
+    }
+}

@@ -1,0 +1,166 @@
+using System;
+using System.IO;
+using System.Linq;
+using Rabit.Uav.ImageProcessing;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
+
+public sealed class FolderCameraTests : IDisposable
+{
+    private static readonly TimeSpan Second = TimeSpan.FromSeconds(1);
+
+    private FolderCameraRig _rig = new();
+
+    public void Dispose() => _rig.Dispose();
+
+    [Fact]
+    public void Read_RecordedFolder_GivesPicturesAtTheirTimesInTheirOrder()
+    {
+        _rig.Write(8, At(2.5));
+        _rig.Write(7, At(1.25));
+        _rig.Write(3, At(-0.001));
+
+        _rig.RunFor(At(5));
+
+        Assert.Equal([7, 8], _rig.Taken.Select(t => t.Frame.Number));
+        Assert.Equal([At(1.25), At(2.5)], _rig.Taken.Select(t => t.Frame.FrameStart));
+        Assert.Equal([At(1.252), At(2.502)], _rig.Taken.Select(t => t.Time));
+        Assert.All(_rig.Taken, t => Assert.Equal(TimeSpan.FromMilliseconds(2), t.Frame.Exposure));
+        Assert.All(_rig.Taken, t => Assert.Equal((byte)t.Frame.Number, t.Pixels[0]));
+        Assert.Equal(SamplePictures.Pixels().Skip(1), _rig.Taken[0].Pixels.Skip(1));
+        Assert.Equal((2, 1, 0), (_rig.Camera.PicturesDelivered, _rig.Camera.PicturesBeforeRun, _rig.Camera.PicturesRefused));
+        Assert.Null(_rig.Camera.LastRefusal);
+    }
+
+    [Fact]
+    public void Read_GrowingFolder_GivesEachPictureSoon()
+    {
+        for (int number = 0; number < 20; number++)
+        {
+            _rig.RunFor(At(0.5));
+            _rig.Write(number, At((0.5 * number) + 0.4));
+        }
+
+        _rig.RunFor(At(2));
+
+        Assert.Equal(Enumerable.Range(0, 20).Select(n => (long)n), _rig.Taken.Select(t => t.Frame.Number));
+        for (int number = 0; number < 20; number++)
+        {
+            Assert.Equal(At((0.5 * number) + 0.4), _rig.Taken[number].Frame.FrameStart);
+            Assert.InRange(_rig.Taken[number].Time - At(0.5 * (number + 1)), TimeSpan.Zero, At(1));
+        }
+    }
+
+    [Fact]
+    public void Read_OtherThingsInTheFolder_AreLeftAloneOrCounted()
+    {
+        File.WriteAllText(_rig.PathOf("f000001_" + Micros(1) + "_e2000.png.part"), "half a picture");
+        File.WriteAllText(_rig.PathOf("notes.txt"), "x");
+        File.WriteAllText(_rig.PathOf("holiday.png"), "x");
+        File.WriteAllText(_rig.PathOf("f000001_" + Micros(1) + ".png"), "x");
+        File.WriteAllText(_rig.PathOf("f000001_" + Micros(1) + "_e-5.png"), "x");
+        File.WriteAllText(_rig.PathOf("f000001_99999999999999999999_e2000.png"), "x");
+
+        _rig.RunFor(At(3));
+
+        Assert.Empty(_rig.Taken);
+        Assert.Equal(4, _rig.Camera.PicturesRefused);
+        Assert.Contains("name", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Read_PicturesThatCannotBeRead_AreCountedAndTheRestGoesOn()
+    {
+        string damaged = _rig.Write(1, At(1));
+        File.WriteAllBytes(_rig.PathOf(damaged), File.ReadAllBytes(_rig.PathOf(damaged)).Take(50).ToArray());
+        File.WriteAllBytes(_rig.PathOf("f000002_" + Micros(2) + "_e2000.jpg"), [0xFF, 0xD8, 0xFF, 0xE0]);
+        PictureFile.Save(_rig.PathOf("f000003_" + Micros(3) + "_e2000.ppm"), SamplePictures.Random(5, 4, seed: 1));
+        PictureFile.Save(_rig.PathOf("f000004_" + Micros(4) + "_e0.ppm"), SamplePictures.Random(4, 5, seed: 1));
+
+        _rig.RunFor(At(1.5));
+        Assert.Contains("cut off", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+        _rig.RunFor(At(1));
+        Assert.Contains("JPEG", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+        _rig.RunFor(At(1));
+        Assert.Contains("5 x 4 pixels", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+        _rig.RunFor(At(1));
+
+        Assert.Equal([4], _rig.Taken.Select(t => t.Frame.Number));
+        Assert.Equal(3, _rig.Camera.PicturesRefused);
+    }
+
+    [Fact]
+    public void Read_PictureThatComesAfterALaterOne_IsCountedAndNotGiven()
+    {
+        _rig.Write(5, At(0.5));
+        _rig.RunFor(At(1));
+        _rig.Write(4, At(0.4));
+        _rig.RunFor(At(3));
+
+        Assert.Equal([5], _rig.Taken.Select(t => t.Frame.Number));
+        Assert.Equal(1, _rig.Camera.PicturesLate);
+    }
+
+    [Fact]
+    public void Read_NoBufferFree_LosesPicturesAndCountsThem()
+    {
+        _rig.Dispose();
+        _rig = new FolderCameraRig(buffers: 2) { KeepsPictures = true };
+        for (int number = 0; number < 5; number++)
+            _rig.Write(number, At(1 + number));
+
+        _rig.RunFor(At(4.5));
+        Assert.Equal(2, _rig.Camera.PicturesWithoutBuffer);
+        _rig.Taken[0].Frame.Dispose();
+        _rig.RunFor(At(2));
+
+        Assert.Equal([0, 1, 4], _rig.Taken.Select(t => t.Frame.Number));
+    }
+
+    [Fact]
+    public void Read_ListedPictures_NeedNoSpeakingNames()
+    {
+        PictureFile.Save(_rig.PathOf("first.png"), SamplePictures.Random(4, 5, seed: 2));
+        string json = File.ReadAllText(_rig.PathOf(CameraFolder.DescriptionFile)).TrimEnd().TrimEnd('}')
+            + ",\"frames\":[{\"file\":\"first.png\",\"frame_start_us\":" + Micros(1.5) + ",\"exposure_us\":1000},"
+            + "{\"file\":\"second.png\",\"frame_start_us\":" + Micros(2.5) + ",\"exposure_us\":1000}]}";
+        File.WriteAllText(_rig.PathOf(CameraFolder.DescriptionFile), json);
+        _rig.Reopen();
+
+        _rig.RunFor(At(4));
+
+        Assert.Equal([At(1.5)], _rig.Taken.Select(t => t.Frame.FrameStart));
+        Assert.Equal(1, _rig.Camera.PicturesRefused);
+        Assert.Contains("second.png: no such file", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Read_FolderGone_SaysSoAndGoesOn()
+    {
+        _rig.RunFor(At(0.05));
+        Directory.Delete(_rig.Folder.Path, recursive: true);
+        _rig.RunFor(At(3));
+        Assert.Contains("gone", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+
+        Directory.CreateDirectory(_rig.Folder.Path);
+        _rig.Write(1, At(4));
+        _rig.RunFor(At(4));
+
+        Assert.Equal([1], _rig.Taken.Select(t => t.Frame.Number));
+    }
+
+    [Fact]
+    public void Write_Picture_LeavesNothingHalf()
+    {
+        string name = _rig.Write(123, At(1.5));
+
+        Assert.Equal("f000123_" + Micros(1.5) + "_e2000.png", name);
+        Assert.Equal([CameraFolder.DescriptionFile, name], Directory.GetFiles(_rig.Folder.Path).Select(p => Path.GetFileName(p)).OrderBy(n => n, StringComparer.Ordinal));
+    }
+
+    private static TimeSpan At(double seconds) => TimeSpan.FromTicks((long)Math.Round(seconds * Second.Ticks));
+
+    private static string Micros(double seconds)
+        => (PictureFolderWriter.ToMicroseconds(FolderCameraRig.StartUtc) + (long)(seconds * 1e6)).ToString(System.Globalization.CultureInfo.InvariantCulture);
+}

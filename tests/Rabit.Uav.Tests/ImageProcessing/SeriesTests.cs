@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using Rabit.Uav.Tests.Geometry;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+/// <summary>Pictures with the poses around them, as an autopilot tells them: other clock, gaps, rolling shutters.</summary>
+public sealed class SeriesTests
+{
+    [Fact]
+    public void Find_RecordedSeries_LocatesItsPicturesAsTheReferenceDoes()
+    {
+        Dictionary<int, JsonElement> series = Vectors.Geolocation.Each("series").ToDictionary(s => s.GetProperty("id").GetInt32());
+        Dictionary<int, PoseHistory> histories = series.ToDictionary(s => s.Key, s => Filled(s.Value));
+        (int located, int refused) = (0, 0);
+        foreach (JsonElement image in Vectors.Geolocation.Each("series_images"))
+        {
+            int id = image.GetProperty("series").GetInt32();
+            JsonElement own = series[id];
+            double start = own.Each("samples").First()[0].GetDouble();
+            double exposed = image.Number("frame_start_camera_clock") - own.Number("clock_offset_s") + (image.Number("exposure_s") / 2);
+            var camera = Vectors.Camera(image.GetProperty("cam").GetInt32());
+            TimeSpan time = Seconds(exposed + (image.Number("v") * own.Number("line_time_s")) - start);
+            PoseAnswer answer = histories[id].Find(time, out Pose pose);
+            if (image.Text("status") == "not_bracketed")
+            {
+                Assert.Equal(PoseAnswer.NotYet, answer);
+                refused++;
+                continue;
+            }
+
+            Assert.Equal(PoseAnswer.Known, answer);
+            JsonElement mount = image.GetProperty("mount");
+            var locator = new Locator(camera, Vectors.Mount(mount), new ErrorBudget(), 5 * Vectors.Degree);
+            locator.Aim(pose, new ImagingOrder
+            {
+                CameraPitchRadians = mount.Radians("el"),
+                CameraYawRadians = mount.Radians("az"),
+                GroundAltitudeAmslMetres = image.Number("ground_h"),
+            });
+            Assert.True(locator.TryLocate(image.Number("u"), image.Number("v"), out GeodeticPosition place));
+            double error = Vectors.Distance(image.GetProperty("target_interpolated").Position(), place);
+            Assert.True(error < 1e-4, $"picture {image.Number("id")} is off by {error} m");
+            Assert.True(Vectors.Distance(image.GetProperty("target_true").Position(), place) < image.Number("interp_error_m") + 0.005);
+            located++;
+        }
+
+        Assert.True(located >= 8 && refused >= 1);
+        if (Vectors.AreWhole)
+            Assert.Equal((144, 16), (located, refused));
+    }
+
+    private static PoseHistory Filled(JsonElement series)
+    {
+        var history = new PoseHistory(TimeSpan.FromSeconds(1));
+        double[][] samples = series.Each("samples").Select(s => s.EnumerateArray().Select(n => n.GetDouble()).ToArray()).ToArray();
+        foreach (double[] s in samples)
+        {
+            TimeSpan time = Seconds(s[0] - samples[0][0]);
+            history.Add(new PoseSample
+            {
+                Kind = PoseSampleKind.Position,
+                Time = time,
+                Position = new GeodeticPosition(s[1] * Vectors.Degree, s[2] * Vectors.Degree, s[3]),
+                VelocityNed = new NedVector(s[4], s[5], s[6]),
+            });
+            history.Add(new PoseSample
+            {
+                Kind = PoseSampleKind.Attitude,
+                Time = time,
+                Attitude = new EulerAngles(s[7] * Vectors.Degree, s[8] * Vectors.Degree, s[9] * Vectors.Degree),
+            });
+        }
+
+        return history;
+    }
+
+    private static TimeSpan Seconds(double seconds) => TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
+}

@@ -1,0 +1,149 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Text.Json;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Tests.Geometry;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+public sealed class TerrainTests(ITestOutputHelper output)
+{
+    private const string Small = "ncols 3\nnrows 2\nxllcenter 8\nyllcenter 47\ncellsize 0.01\nNODATA_value -1\n10 20 30\n40 50 -1\n";
+
+    [Fact]
+    public void Locate_Vectors_MeetTheirTerrainFirst()
+    {
+        TerrainGrid[] grids = [.. Vectors.Geolocation.Each("dems").Select(Grid)];
+        (double worst, int located, int refused) = (0, 0, 0);
+        foreach (JsonElement c in Vectors.Geolocation.Each("dem"))
+        {
+            Locator locator = LocatorTests.Aimed(c, grids[c.GetProperty("dem").GetInt32()]);
+            LocateRefusal refusal = locator.Locate(c.Number("u"), c.Number("v"), out NedVector ground);
+            if (c.Text("status") != "ok")
+            {
+                Assert.Equal(c.Text("reason") == "ray_leaves_dem" ? LocateRefusal.LeavesTerrain : LocateRefusal.NearHorizon, refusal);
+                refused++;
+                continue;
+            }
+
+            Assert.True(refusal == LocateRefusal.None, $"{c.Number("id")}: {refusal}");
+            GeodeticPosition place = new LocalNedFrame(c.Position()).ToGeodetic(ground);
+            double error = Vectors.Distance(c.GetProperty("target").Position(), place);
+            Assert.True(error <= 0.01, $"case {c.Number("id")} is off by {error} m");
+            worst = Math.Max(worst, error);
+            located++;
+        }
+
+        output.WriteLine($"{located} located, {refused} refused, at worst {worst:E1} m off");
+        Assert.True(located >= 10 && refused >= 1);
+    }
+
+    [Fact]
+    public void Covariances_OnASlope_AgreeWithErrorsMadeByHand()
+    {
+        const double Step = 0.01;
+        int compared = 0;
+        TerrainGrid[] grids = [.. Vectors.Geolocation.Each("dems").Select(Grid)];
+        foreach (JsonElement c in Vectors.Geolocation.Each("dem").Where(d => d.Text("status") == "ok").Take(10))
+        {
+            (double u, double v) = (c.Number("u"), c.Number("v"));
+            Locator locator = LocatorTests.Aimed(c, grids[c.GetProperty("dem").GetInt32()], OnlyPixels);
+            Assert.True(locator.TryCovariances(u, v, out HorizontalCovariance stated, out _));
+            Assert.True(locator.TryLocate(u + Step, v, out NedVector right) & locator.TryLocate(u - Step, v, out NedVector left));
+            Assert.True(locator.TryLocate(u, v + Step, out NedVector below) & locator.TryLocate(u, v - Step, out NedVector above));
+            double expected = (Squared(right.North - left.North) + Squared(below.North - above.North)) / Squared(2 * Step);
+
+            // Where a post's cell ends between the steps there is a kink.
+            compared += Math.Abs(stated.NorthNorth - expected) < 0.05 * expected ? 1 : 0;
+        }
+
+        Assert.True(compared >= 7, $"{compared} of 10 agree");
+
+        static double Squared(double value) => value * value;
+    }
+
+    [Fact]
+    public void Read_TextGrid_HasRowsFromTheNorthAndHolesWhereThereIsNoData()
+    {
+        TerrainGrid grid = AsciiGrid.Read(new StringReader(Small));
+        Assert.Equal(50, grid.HighestMetres);
+        Assert.Equal(40, Height(grid, 47, 8));
+        Assert.Equal(10, Height(grid, 47.01, 8), 1e-6);
+        Assert.Equal(30, Height(grid, 47.005, 8.005), 1e-6);
+        Assert.Equal(TerrainAnswer.NoData, grid.TryHeight(Point(47.002, 8.015), out _));
+        Assert.Equal(TerrainAnswer.Outside, grid.TryHeight(Point(46.999, 8.01), out _));
+        Assert.Equal(TerrainAnswer.Outside, grid.TryHeight(Point(double.NaN, 8.01), out _));
+        Assert.Equal(40, Height(AsciiGrid.Read(new StringReader(Small.Replace("xllcenter 8", "XLLCORNER 7.995"))), 47, 8), 1e-6);
+    }
+
+    [Theory]
+    [InlineData("ncols 3", "ncols 4", "ends after 6")]
+    [InlineData("ncols 3", "ncols 2", "more than")]
+    [InlineData("ncols 3", "ncols x", "'x' is not a number")]
+    [InlineData("ncols 3\n", "", "does not tell its ncols")]
+    [InlineData("cellsize 0.01\n", "", "cellsize")]
+    [InlineData("yllcenter 47", "yllcenter 91", "not on the earth")]
+    [InlineData("10 20 30", "10 q 30", "Line 7 of the grid: 'q'")]
+    [InlineData("nrows 2", "nrows 1", "nrows is 1")]
+    public void Read_BadGrid_SaysWhere(string old, string other, string text)
+    {
+        string bad = Small.Replace(old, other);
+        Assert.Contains(text, Assert.Throws<FormatException>(() => AsciiGrid.Read(new StringReader(bad))).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Locate_OverAHole_IsRefusedAndNotGuessed()
+    {
+        TerrainGrid whole = AsciiGrid.Read(new StringReader(Flat(hole: false)));
+        TerrainGrid holed = AsciiGrid.Read(new StringReader(Flat(hole: true)));
+        LocalNedFrame frame = new(new GeodeticPosition(47.005 * Vectors.Degree, 8.005 * Vectors.Degree, 200));
+        var ray = new GroundRay(default, new NedVector(0, 0, 1));
+        Assert.Equal(LocateRefusal.None, TerrainRay.Meet(ray, frame, whole, 0.1, out NedVector point));
+        Assert.Equal(100, point.Down, 1e-4);
+        Assert.Equal(LocateRefusal.NoTerrainData, TerrainRay.Meet(ray, frame, holed, 0.1, out _));
+        LocalNedFrame below = new(new GeodeticPosition(47.005 * Vectors.Degree, 8.005 * Vectors.Degree, 90));
+        Assert.Equal(LocateRefusal.CameraBelowGround, TerrainRay.Meet(ray, below, whole, 0.1, out _));
+    }
+
+    private static ErrorBudget OnlyPixels => new()
+    {
+        AttitudeNoiseRadians = 0,
+        HeadingNoiseRadians = 0,
+        PositionNoiseMetres = 0,
+        AltitudeNoiseMetres = 0,
+        PixelNoise = 1,
+        TimeNoise = TimeSpan.Zero,
+    };
+
+    private static TerrainGrid Grid(JsonElement dem)
+    {
+        int rows = dem.GetProperty("nlat").GetInt32();
+        int columns = dem.GetProperty("nlon").GetInt32();
+        var text = new StringBuilder();
+        text.AppendLine(FormattableString.Invariant($"ncols {columns}\nnrows {rows}\nxllcenter {dem.Number("lon0")}\nyllcenter {dem.Number("lat0")}\ndx {dem.Number("dlon")}\ndy {dem.Number("dlat")}"));
+        foreach (JsonElement row in dem.Each("height").Reverse())
+            text.AppendLine(string.Join(" ", row.EnumerateArray().Select(n => n.GetRawText())));
+        return AsciiGrid.Read(new StringReader(text.ToString()));
+    }
+
+    private static string Flat(bool hole)
+    {
+        var text = new StringBuilder("ncols 11\nnrows 11\nxllcenter 8\nyllcenter 47\ncellsize 0.001\n");
+        for (int i = 0; i < 121; i++)
+            text.Append(hole && i == 60 ? "-9999 " : "100 ");
+        return text.ToString();
+    }
+
+    private static double Height(TerrainGrid grid, double latitude, double longitude)
+    {
+        Assert.Equal(TerrainAnswer.Known, grid.TryHeight(Point(latitude, longitude), out double metres));
+        return metres;
+    }
+
+    private static GeographicPoint Point(double latitude, double longitude) => new(Angle.FromDegrees(latitude), Angle.FromDegrees(longitude));
+}

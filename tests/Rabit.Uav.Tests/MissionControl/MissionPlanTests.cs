@@ -1,0 +1,116 @@
+using System;
+using System.Linq;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+
+namespace Rabit.Uav.Tests.MissionControl;
+
+public class MissionPlanTests
+{
+    [Fact]
+    public void Parse_ExampleOfTheDocs_HasItsValues()
+    {
+        MissionPlan plan = MissionPlan.Parse(TestData.MissionText("north-field.json"), "north-field.json");
+        Assert.Equal("north field", plan.Name);
+        Assert.Equal(4, plan.Area.Length);
+        Assert.Equal(47.3982397, plan.Area[0].LatitudeRadians * 180 / Math.PI, 9);
+        Assert.Equal(8.5445383, plan.Area[0].LongitudeRadians * 180 / Math.PI, 9);
+        Assert.Equal((40, 6, 30, 40), (plan.HeightMetres, plan.SpeedMetresPerSecond, plan.LaneSpacingMetres, plan.FenceMarginMetres));
+        Assert.Null(plan.LaneHeadingRadians);
+        Assert.Equal(TargetColours.All, plan.Targets);
+        Assert.Equal(8.5456, plan.Home!.LongitudeRadians * 180 / Math.PI, 9);
+        Assert.True(plan.SecondLook.IsEnabled);
+        Assert.Equal(-Math.PI / 2, plan.CameraPitchRadians, 12);
+        Assert.Equal(0.5, plan.MinBatteryToStart);
+    }
+
+    [Fact]
+    public void Parse_OnlyWhatIsNeeded_HasDefaults()
+    {
+        MissionPlan plan = MissionRig.Mission();
+        Assert.Equal("test", plan.Name);
+        Assert.Equal((40, TargetColours.All, false), (plan.FenceMarginMetres, plan.Targets, plan.HasGimbal));
+        Assert.Null(plan.Home);
+        Assert.Equal((true, null, 10), (plan.SecondLook.IsEnabled, plan.SecondLook.HeightMetres, plan.SecondLook.RadiusMetres));
+    }
+
+    [Theory]
+    [InlineData("\"fenceMargin\": 40", "fenceMargin is unknown; did you mean fenceMarginMetres?")]
+    [InlineData("\"zzz\": 40", "zzz is unknown; there are camera, limits, secondLook, name, area, heightMetres")]
+    [InlineData("\"camera\": {\"pitch\": 1}", "camera.pitch is unknown")]
+    [InlineData("\"camera\": 5", "camera is 5; it must be an object")]
+    [InlineData("\"laneHeadingDegrees\": \"north\"", "laneHeadingDegrees is \"north\"; it must be a number")]
+    [InlineData("\"laneHeadingDegrees\": 400", "laneHeadingDegrees is 400; it must be -360 to 360")]
+    [InlineData("\"heightMetres\": 40", "heightMetres is there twice")]
+    [InlineData("\"name\": 7", "name is 7; it must be a text")]
+    [InlineData("\"name\": \"\"", "name must be a line of 1 to 80 characters")]
+    [InlineData("\"targets\": [\"red\", \"green\"]", "targets[1] is \"green\"; it must be one of red, orange, blue, yellow, magenta")]
+    [InlineData("\"targets\": []", "targets is []; it must name at least one colour")]
+    [InlineData("\"targets\": \"red\"", "targets is \"red\"; it must be a list")]
+    [InlineData("\"home\": {\"lat\": 47}", "home.lon is missing")]
+    [InlineData("\"home\": {\"lat\": 97, \"lon\": 8}", "home is no place")]
+    [InlineData("\"home\": {\"lat\": 47, \"lon\": 8, \"groundAltitudeAmslMetres\": 99999}", "home.groundAltitudeAmslMetres is 99999; it must be -500 to 9000")]
+    [InlineData("\"fenceMarginMetres\": 20", "fenceMarginMetres is 20; lanes end up to half a spacing outside the area, so it must be at least 25")]
+    [InlineData("\"fenceMarginMetres\": 501", "fenceMarginMetres is 501; it must be 0 to 500")]
+    [InlineData("\"secondLook\": {\"enabled\": 1}", "secondLook.enabled is 1; it must be true or false")]
+    [InlineData("\"secondLook\": {\"heightMetres\": 2}", "secondLook.heightMetres is 2; it must be 5 to 120")]
+    [InlineData("\"camera\": {\"pitchDegrees\": -91}", "camera.pitchDegrees is -91; it must be -90 to -20")]
+    [InlineData("\"limits\": {\"minBatteryToStart\": 50}", "limits.minBatteryToStart is 50; it must be 0 to 1")]
+    public void Parse_OneFault_IsToldWithPathAndValue(string property, string text)
+    {
+        MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(MissionRig.Text(", " + property), "test"));
+        Assert.Contains(text, e.Message, StringComparison.Ordinal);
+        Assert.Single(e.Faults);
+    }
+
+    [Theory]
+    [InlineData("[[0,0],[100,0]]", "area has 2 corners; it must have 3 to 50")]
+    [InlineData("[[0,0],[100,100],[100,0],[0,100]]", "area crosses itself")]
+    [InlineData("[[0,0],[100,0],[50,0]]", "area crosses itself")]
+    [InlineData("[[0,0],[5,0],[5,5],[0,5]]", "area has 25 m2; it must have 100 to 4000000")]
+    [InlineData("[[0,0],[3000,0],[3000,3000],[0,3000]]", "area has 8998")]
+    [InlineData("[[0,0],[9000,0],[9000,100]]", "area[1] is 8999 m from area[0]; corners must be within 5000 m of it")]
+    [InlineData("[[0,0],[100,0],[100,100],[0,0]]", "area[3] and area[0] are the same place; the first corner is not repeated")]
+    public void Parse_AreaThatCannotBeSearched_IsRefused(string area, string text)
+    {
+        MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionRig.Mission(area: area));
+        Assert.Contains(text, e.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("", "it is no JSON")]
+    [InlineData("{\"area\": [", "it is no JSON: line 1")]
+    [InlineData("[]", "it must be an object")]
+    [InlineData("null", "it must be an object")]
+    [InlineData("{}", "area is missing; heightMetres is missing; speedMetresPerSecond is missing; laneSpacingMetres is missing")]
+    [InlineData("{\"area\": [[1,2],[3],[\"a\",4],[91,0]], \"heightMetres\": 40, \"speedMetresPerSecond\": 6, \"laneSpacingMetres\": 30}",
+        "area[1] is [3]; it must be [latitude, longitude] in degrees; area[2] is [\"a\",4]; it must be [latitude, longitude] in degrees; area[3] is [91,0]")]
+    [InlineData("{\"area\": null, \"heightMetres\": 1e999}", "area is missing; heightMetres is 1e999; it must be a number")]
+    public void Parse_NoMission_IsRefusedWithAllFaults(string json, string text)
+    {
+        MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(json, "bad.json"));
+        Assert.StartsWith("Mission 'bad.json': ", e.Message, StringComparison.Ordinal);
+        Assert.Contains(text, e.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Parse_DeepOrHugeText_IsRefused()
+    {
+        Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(string.Concat(Enumerable.Repeat("[", 5000)), "deep"));
+        Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(new string(' ', 1_000_001), "huge"));
+    }
+
+    [Fact]
+    public void Options_MissionThatCannotBeFlown_IsRefusedWithAllFaults()
+    {
+        ArgumentException e = Assert.Throws<ArgumentException>(() => new MissionControlManager(new MissionControlOptions
+        {
+            Mission = new MissionPlan { HeightMetres = 500, SpeedMetresPerSecond = 6, LaneSpacingMetres = 30 },
+            CoverageGoal = 2,
+        }));
+        Assert.Contains("CoverageGoal is 2", e.Message, StringComparison.Ordinal);
+        Assert.Contains("Mission: area has 0 corners", e.Message, StringComparison.Ordinal);
+        Assert.Contains("Mission: heightMetres is 500", e.Message, StringComparison.Ordinal);
+    }
+}

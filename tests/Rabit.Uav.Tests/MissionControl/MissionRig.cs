@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+
+namespace Rabit.Uav.Tests.MissionControl;
+
+/// <summary>Mission Control in virtual time with a vehicle that stands in for all the others.</summary>
+internal sealed class MissionRig : IDisposable
+{
+    public static readonly GeodeticPosition Home = new(47.3977 * Math.PI / 180, 8.5456 * Math.PI / 180, 488);
+
+    private readonly RabitReactor _reactor;
+    private readonly MessageSubscriber<MissionStatus> _status;
+
+    public MissionRig(MissionPlan? mission, Action<MissionControlOptions>? change = null, long seed = 1)
+    {
+        var options = new MissionControlOptions { Mission = mission };
+        change?.Invoke(options);
+        Manager = new MissionControlManager(options);
+        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(seed), Log = Entries.Add, StopsOnSignals = false }) { Manager, Vehicle };
+        _status = _reactor.Workspace.Subscribe<MissionStatus>(MessageNames.Mission);
+        _reactor.Start();
+    }
+
+    public MissionControlManager Manager { get; }
+
+    public StandInVehicle Vehicle { get; } = new(Home);
+
+    public List<RabitLogEntry> Entries { get; } = [];
+
+    /// <summary>What Mission Control said.</summary>
+    public IEnumerable<string> Decisions => Entries.Where(e => e.Source == MissionControlManager.ManagerName && e.Kind == RabitLogKind.Manager).Select(e => e.ToString());
+
+    public string Story => string.Join(Environment.NewLine, Decisions);
+
+    public MissionStatus Status
+    {
+        get
+        {
+            _status.Fetch();
+            return _status.Value;
+        }
+    }
+
+    public int StatusPosts
+    {
+        get
+        {
+            _status.Fetch();
+            return _status.Stamp.Version;
+        }
+    }
+
+    public TimeSpan Now => _reactor.Now;
+
+    /// <summary>A mission over a field north of home.</summary>
+    public static MissionPlan Mission(string more = "", string area = "[[60,-60],[60,60],[150,60],[150,-60]]")
+        => MissionPlan.Parse(Text(more, area), "test");
+
+    /// <summary>As text; the area in metres from home.</summary>
+    public static string Text(string more = "", string area = "[[60,-60],[60,60],[150,60],[150,-60]]")
+    {
+        var frame = new LocalNedFrame(Home);
+        using var corners = System.Text.Json.JsonDocument.Parse(area);
+        IEnumerable<string> places = corners.RootElement.EnumerateArray().Select(c =>
+        {
+            GeodeticPosition p = frame.ToGeodetic(new NedVector(c[0].GetDouble(), c[1].GetDouble(), 0));
+            return string.Format(CultureInfo.InvariantCulture, "[{0:R},{1:R}]", p.LatitudeRadians * 180 / Math.PI, p.LongitudeRadians * 180 / Math.PI);
+        });
+        return "{\"area\":[" + string.Join(",", places) + "],\"heightMetres\":40,\"speedMetresPerSecond\":8,\"laneSpacingMetres\":30" + more + "}";
+    }
+
+    public void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));
+
+    /// <summary>Runs until a phase, at most so long.</summary>
+    public MissionPhase RunUntil(MissionPhase phase, double atMostSeconds = 900)
+    {
+        for (double t = 0; t < atMostSeconds && Status.Phase != phase; t += 0.1)
+            Run(0.1);
+        return Status.Phase;
+    }
+
+    /// <summary>Runs until the mission is over, at most so long.</summary>
+    public MissionPhase RunToEnd(double atMostSeconds = 1500)
+    {
+        for (double t = 0; t < atMostSeconds && Status.Phase is not (MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed); t++)
+            Run(1);
+        return Status.Phase;
+    }
+
+    public void Dispose()
+    {
+        _reactor.Stop();
+        _reactor.Finish();
+    }
+}

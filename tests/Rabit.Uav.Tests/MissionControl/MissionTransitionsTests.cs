@@ -1,0 +1,50 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+
+namespace Rabit.Uav.Tests.MissionControl;
+
+public class MissionTransitionsTests
+{
+    private static readonly MissionPhase[] Ends = [MissionPhase.NoMission, MissionPhase.Done, MissionPhase.HandedOver, MissionPhase.Failed];
+
+    private static readonly MissionPhase[] All = ValuesOf<MissionPhase>();
+
+    private static readonly MissionEvent[] Events = ValuesOf<MissionEvent>();
+
+    [Fact]
+    public void Table_Ends_AreNeverLeft()
+        => Assert.All(Ends, end => Assert.All(Events, what => Assert.Equal(end, MissionTransitions.After(end, what))));
+
+    [Fact]
+    public void Table_OtherPhases_CanAlwaysBeHandedOverAndFail()
+        => Assert.All(All.Except(Ends), phase =>
+        {
+            Assert.Equal(MissionPhase.HandedOver, MissionTransitions.After(phase, MissionEvent.TakenOver));
+            Assert.Equal(MissionPhase.Failed, MissionTransitions.After(phase, MissionEvent.Impossible));
+            Assert.Equal(phase, MissionTransitions.After(phase, MissionEvent.None));
+        });
+
+    [Fact]
+    public void Table_Return_NeverGoesBackToTheSearch()
+    {
+        var reached = new HashSet<MissionPhase> { MissionPhase.Returning };
+        for (int before = 0; before != reached.Count;)
+        {
+            before = reached.Count;
+            foreach (MissionPhase phase in reached.ToList())
+                reached.UnionWith(Events.Select(e => MissionTransitions.After(phase, e)));
+        }
+
+        Assert.Equal(
+            [MissionPhase.Returning, MissionPhase.Landing, MissionPhase.Done, MissionPhase.HandedOver, MissionPhase.Failed],
+            reached.OrderBy(p => p));
+    }
+
+    private static T[] ValuesOf<T>()
+        where T : struct
+        => Enum.GetValues(typeof(T)).Cast<T>().ToArray();
+}

@@ -1,0 +1,315 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Tests.MissionControl;
+
+/// <summary>
+/// In the place of Autopilot Interface, Image Processing, Sensor Fusion and Health Monitoring: a point that flies as it is told, a
+/// camera that sees the ground below it, and whatever a test wants to go wrong. No MAVLink.
+/// </summary>
+internal sealed class StandInVehicle : RabitManager
+{
+    private const double Step = 0.05;
+    private const double Acceleration = 2.5;
+
+    private readonly QueueReceiver<VehicleCommand> _commands;
+    private readonly QueueSender<VehicleCommandAnswer> _answers;
+    private readonly QueueSender<CameraLook> _searched;
+    private readonly MessagePublisher<VehicleState> _vehicle;
+    private readonly MessagePublisher<HealthReport> _health;
+    private readonly MessagePublisher<CommandAuthority> _authority;
+    private readonly MessagePublisher<ImagingStatus> _imaging;
+    private readonly MessagePublisher<TrackList> _tracks;
+    private readonly MessageSubscriber<ImagingOrder> _order;
+    private readonly LocalNedFrame _frame;
+    private VehicleCommand _task;
+    private TimeSpan _nextLook;
+    private TimeSpan _nextPost;
+    private TimeSpan? _stillSince;
+    private TimeSpan _lastHeard;
+    private double _vn;
+    private double _ve;
+    private double _vd;
+    private long _look;
+
+    public StandInVehicle(GeodeticPosition home)
+        : base("stand-in")
+    {
+        _frame = new LocalNedFrame(home);
+        _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands);
+        _answers = Send<VehicleCommandAnswer>(MessageNames.VehicleCommandAnswers);
+        _searched = Send<CameraLook>(MessageNames.SearchedGround);
+        _vehicle = Publish<VehicleState>(MessageNames.VehicleState);
+        _health = Publish<HealthReport>(MessageNames.Health);
+        _authority = Publish<CommandAuthority>(MessageNames.CommandAuthority);
+        _imaging = Publish<ImagingStatus>(MessageNames.Imaging);
+        _tracks = Publish(MessageNames.Tracks, TrackList.None);
+        _order = Subscribe<ImagingOrder>(MessageNames.ImagingOrder);
+        WakeUpDelay = TimeSpan.FromSeconds(Step);
+    }
+
+    public double North { get; set; }
+
+    public double East { get; set; }
+
+    public double Height { get; set; }
+
+    public double Yaw { get; private set; }
+
+    /// <summary>Motors that stop in the air leave it hanging there: falling is not what is tested.</summary>
+    public bool IsArmed { get; set; }
+
+    public bool IsHeard { get; set; } = true;
+
+    public bool HasPosition { get; set; } = true;
+
+    public bool HasCamera { get; set; } = true;
+
+    public bool CanMove { get; set; } = true;
+
+    public bool CanClimb { get; set; } = true;
+
+    public bool CameraSees { get; set; } = true;
+
+    public bool DisarmsItself { get; set; } = true;
+
+    public bool TellsLandedState { get; set; } = true;
+
+    public double Battery { get; set; } = 0.9;
+
+    public GpsFixType Fix { get; set; } = GpsFixType.Type3dFix;
+
+    public HealthReport Health { get; set; } = new() { Level = HealthLevel.Good };
+
+    public CommandAuthority Authority { get; set; } = new() { State = CommandAuthorityState.Free };
+
+    /// <summary>Answers instead of obeying; null obeys.</summary>
+    public Func<VehicleCommand, VehicleCommandOutcome?> Refuses { get; set; } = static _ => null;
+
+    public List<(double North, double East, TargetColours Colour)> Targets { get; } = [];
+
+    public List<TargetTrack> Tracks { get; } = [];
+
+    public List<(TimeSpan Time, VehicleCommand Command)> Commands { get; } = [];
+
+    public List<(double North, double East, double Height)> Path { get; } = [];
+
+    public List<CameraLook> Looks { get; } = [];
+
+    public ImagingOrder Order { get; private set; }
+
+    /// <summary>The pilot takes another mode.</summary>
+    public void TakeOver(string by)
+    {
+        Authority = new CommandAuthority { State = CommandAuthorityState.TakenAway, TakenBy = by };
+        _task = new VehicleCommand { Kind = VehicleCommandKind.Hold };
+    }
+
+    public int Count(VehicleCommandKind kind) => Commands.Count(c => c.Command.Kind == kind);
+
+    protected override void ExecuteUnitOfWork()
+    {
+        while (_commands.TryPop(out VehicleCommand command))
+        {
+            Commands.Add((Now, command));
+            if (IsHeard)
+                Answer(command);
+        }
+
+        Move();
+        Path.Add((North, East, Height));
+        Look();
+        if (Now >= _nextPost)
+            Post();
+    }
+
+    private void Answer(VehicleCommand command)
+    {
+        VehicleCommandOutcome? refusal = Authority.State switch
+        {
+            CommandAuthorityState.TakenAway or CommandAuthorityState.Observing => VehicleCommandOutcome.NotInCommand,
+            _ => Refuses(command),
+        };
+        _answers.Push(new VehicleCommandAnswer
+        {
+            Id = command.Id,
+            Kind = command.Kind,
+            Outcome = refusal ?? VehicleCommandOutcome.Accepted,
+            Text = refusal is null ? null : "because the test says so",
+        });
+        if (refusal is not null)
+            return;
+        Authority = new CommandAuthority { State = CommandAuthorityState.Ours };
+        if (command.Kind == VehicleCommandKind.Arm)
+            IsArmed = true;
+        else if (command.Kind == VehicleCommandKind.Disarm)
+            IsArmed = Height > 0.1 && IsArmed;
+        else if (command.Kind != VehicleCommandKind.PointCamera)
+            _task = command;
+    }
+
+    private void Move()
+    {
+        if (!IsArmed)
+        {
+            (_vn, _ve, _vd) = (0, 0, 0);
+            return;
+        }
+
+        (double n, double e, double height, double speed) = Goal();
+        double sinkOrClimb = CanClimb ? Math.Max(-1.5, Math.Min(2.5, height - Height)) : 0;
+        Height = Math.Max(0, Height + (sinkOrClimb * Step));
+        _vd = -sinkOrClimb;
+        double distance = Math.Sqrt(((n - North) * (n - North)) + ((e - East) * (e - East)));
+        double wanted = CanMove ? Math.Min(speed, Math.Sqrt(2 * Acceleration * distance) * 0.8) : 0;
+        (double wn, double we) = distance < 0.05 ? (0, 0) : (wanted * (n - North) / distance, wanted * (e - East) / distance);
+        _vn += Math.Max(-Acceleration * Step, Math.Min(Acceleration * Step, wn - _vn));
+        _ve += Math.Max(-Acceleration * Step, Math.Min(Acceleration * Step, we - _ve));
+        North += _vn * Step;
+        East += _ve * Step;
+        StopMotorsOnGround();
+    }
+
+    private void StopMotorsOnGround()
+    {
+        bool isDown = Height < 0.05 && _task.Kind is VehicleCommandKind.Land or VehicleCommandKind.Return;
+        _stillSince = isDown ? _stillSince ?? Now : null;
+        if (DisarmsItself && Now - _stillSince > TimeSpan.FromSeconds(2))
+            IsArmed = false;
+    }
+
+    private (double North, double East, double Height, double Speed) Goal()
+    {
+        switch (_task.Kind)
+        {
+            case VehicleCommandKind.TakeOff:
+                return (North, East, _task.HeightAboveHomeMetres, 0);
+            case VehicleCommandKind.GoTo:
+                NedVector to = _frame.ToNed(new GeodeticPosition(_task.LatitudeRadians, _task.LongitudeRadians, _frame.Origin.AltitudeAmslMetres));
+                Yaw = _task.YawRadians;
+                return (to.North, to.East, _task.HeightAboveHomeMetres, _task.SpeedMetresPerSecond);
+            case VehicleCommandKind.Return:
+                bool isHome = Math.Abs(North) < 1 && Math.Abs(East) < 1;
+                return (0, 0, isHome ? 0 : Height, 8);
+            case VehicleCommandKind.Land:
+                return (North, East, 0, 0);
+            default:
+                return (North, East, Height, 0);
+        }
+    }
+
+    // A picture of 0.9 by 0.68 of the height to each side, twice a second.
+    private void Look()
+    {
+        _order.Fetch();
+        Order = _order.Value;
+        if (!CameraSees || _order.Value.Mode != ImagingMode.Search || Now < _nextLook)
+            return;
+        _nextLook = Now + TimeSpan.FromSeconds(0.5);
+        var look = new CameraLook
+        {
+            SourceSystemId = 1,
+            Number = ++_look,
+            Time = Now,
+            TopLeft = Corner(0.45, -0.6),
+            TopRight = Corner(0.45, 0.6),
+            BottomRight = Corner(-0.45, 0.6),
+            BottomLeft = Corner(-0.45, -0.6),
+        };
+        Looks.Add(look);
+        _searched.Push(look);
+        SeeTargets();
+    }
+
+    private GeodeticPosition Corner(double forward, double right)
+    {
+        double n = Height * ((forward * Math.Cos(Yaw)) - (right * Math.Sin(Yaw)));
+        double e = Height * ((forward * Math.Sin(Yaw)) + (right * Math.Cos(Yaw)));
+        return _frame.ToGeodetic(new NedVector(North + n, East + e, 0));
+    }
+
+    private void SeeTargets()
+    {
+        bool isNews = false;
+        for (int i = 0; i < Targets.Count; i++)
+        {
+            (double n, double e, TargetColours colour) = Targets[i];
+            double forward = ((n - North) * Math.Cos(Yaw)) + ((e - East) * Math.Sin(Yaw));
+            double right = ((e - East) * Math.Cos(Yaw)) - ((n - North) * Math.Sin(Yaw));
+            if (Math.Abs(forward) > 0.45 * Height || Math.Abs(right) > 0.6 * Height)
+                continue;
+            isNews = true;
+            int at = Tracks.FindIndex(t => t.Id == i + 1);
+            int reports = at < 0 ? 1 : Tracks[at].Reports + 1;
+            TargetTrack track = MakeTrack(i + 1, n, e, colour, reports);
+            if (at < 0)
+                Tracks.Add(track);
+            else
+                Tracks[at] = track;
+        }
+
+        if (isNews)
+            PostTracks();
+    }
+
+    public TargetTrack MakeTrack(int id, double n, double e, TargetColours colour, int reports, TrackState? state = null) => new()
+    {
+        Id = id,
+        State = state ?? (reports >= 3 ? TrackState.Confirmed : TrackState.Tentative),
+        Colour = colour,
+        Position = _frame.ToGeodetic(new NedVector(n, e, 0)),
+        Covariance = new HorizontalCovariance(1, 0, 1),
+        Time = Now,
+        Reports = reports,
+    };
+
+    private void PostTracks()
+    {
+        _tracks.Value = new TrackList(Now, Tracks.OrderBy(t => t.Id));
+        _tracks.Post();
+    }
+
+    private void Post()
+    {
+        _nextPost = Now + TimeSpan.FromSeconds(0.2);
+        _health.Value = Health;
+        _health.Post();
+        _authority.Value = Authority;
+        _authority.Post();
+        _imaging.Value = new ImagingStatus { HasCamera = HasCamera };
+        _imaging.Post();
+        if (IsHeard)
+            _lastHeard = Now;
+        ref VehicleState state = ref _vehicle.Value;
+        state.IsConnected = Now - _lastHeard < TimeSpan.FromSeconds(3);
+        if (IsHeard)
+            Describe(ref state);
+        _vehicle.Post();
+    }
+
+    private void Describe(ref VehicleState state)
+    {
+        state.SystemId = 1;
+        state.LastHeartbeatTime = Now;
+        state.IsArmed = IsArmed;
+        bool isDown = Height < 0.05;
+        state.LandedState = !TellsLandedState ? MavLandedState.Undefined
+            : isDown ? MavLandedState.OnGround
+            : _task.Kind == VehicleCommandKind.Land ? MavLandedState.Landing : MavLandedState.InAir;
+        if (HasPosition)
+            state.PositionTime = Now;
+        GeodeticPosition at = _frame.ToGeodetic(new NedVector(North, East, -Height));
+        state.Position = at;
+        state.HeightAboveHomeMetres = Height;
+        state.VelocityNed = new NedVector(_vn, _ve, _vd);
+        state.GpsTime = Now;
+        state.GpsFix = Fix;
+        state.BatteryTime = Now;
+        state.BatteryRemaining = Battery;
+    }
+}

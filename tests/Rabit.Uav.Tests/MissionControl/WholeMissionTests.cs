@@ -1,0 +1,224 @@
+using System;
+using System.Linq;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Tests.MissionControl;
+
+public class WholeMissionTests(ITestOutputHelper output)
+{
+    [Fact]
+    public void Mission_NothingGoesWrong_IsFlownToItsEnd()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.Vehicle.Targets.AddRange([(80, -30, TargetColours.Red), (120, 20, TargetColours.Blue), (140, -50, TargetColours.Yellow)]);
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        output.WriteLine(rig.Story);
+
+        MissionStatus status = rig.Status;
+        Assert.Null(status.Aborted);
+        Assert.Equal(3, status.SecondLooks);
+        Assert.InRange(status.Coverage, 0.985, 1);
+        Assert.Equal(status.Plan!.Lanes.Length / 2, status.LanesFlown);
+        Assert.False(rig.Vehicle.IsArmed);
+        Assert.InRange(Math.Sqrt((rig.Vehicle.North * rig.Vehicle.North) + (rig.Vehicle.East * rig.Vehicle.East)), 0, 2);
+        Assert.InRange(rig.Now.TotalSeconds, 100, 420);
+        Assert.Equal(
+            ["WaitingForVehicle -> Arming", "Arming -> TakingOff", "TakingOff -> InTransit", "InTransit -> Searching"],
+            rig.Decisions.Where(d => d.Contains(" -> ", StringComparison.Ordinal)).Take(4).Select(Transition));
+        Assert.Equal(
+            ["Searching -> Returning", "Returning -> Landing", "Landing -> Done"],
+            rig.Decisions.Where(d => d.Contains(" -> ", StringComparison.Ordinal)).Reverse().Take(3).Reverse().Select(Transition));
+    }
+
+    [Fact]
+    public void Mission_SameSeed_SaysTheSameToTheByte()
+    {
+        string Fly()
+        {
+            using var rig = new MissionRig(MissionRig.Mission());
+            rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+            rig.RunToEnd();
+            return rig.Story;
+        }
+
+        string first = Fly();
+        Assert.Contains("-> Done", first, StringComparison.Ordinal);
+        Assert.Equal(first, Fly());
+    }
+
+    [Fact]
+    public void Mission_WholeFlight_StaysInsideTheFence()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(area: "[[60,-80],[60,80],[160,80],[160,40],[90,40],[90,-40],[160,-40],[160,-80]]"));
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        SearchPlan plan = rig.Status.Plan!;
+        var frame = new LocalNedFrame(plan.Home);
+        var fence = new PlanePolygon(plan.Fence.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
+        double worst = rig.Vehicle.Path.Min(p => fence.SignedDistance(new PlanePoint(p.North, p.East)));
+        output.WriteLine($"nearest to the fence: {worst:0.0} m");
+        Assert.InRange(worst, 0, double.PositiveInfinity);
+        Assert.InRange(rig.Status.Coverage, 0.985, 1);
+    }
+
+    [Fact]
+    public void Mission_Lanes_AreFlownStraight()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(", \"laneHeadingDegrees\": 90"));
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Run(5);
+        rig.Vehicle.North += 4;
+        rig.Run(8);
+        LocalNedFrame frame = new(rig.Status.Plan!.Home);
+        double lane = frame.ToNed(rig.Status.Plan.Lanes[0]).North;
+        Assert.Equal(lane, rig.Vehicle.North, 1.0);
+    }
+
+    [Fact]
+    public void Mission_GoTo_IsCommandedOnlyWhenTheTargetChanges()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.RunToEnd();
+        var sent = rig.Vehicle.Commands.Where(c => c.Command.Kind == VehicleCommandKind.GoTo).ToList();
+        output.WriteLine($"{sent.Count} in {rig.Now}");
+        Assert.InRange(sent.Count, 10, 80);
+        for (int i = 1; i < sent.Count; i++)
+        {
+            VehicleCommand a = sent[i - 1].Command;
+            VehicleCommand b = sent[i].Command;
+            Assert.False(a.LatitudeRadians.Equals(b.LatitudeRadians) && a.LongitudeRadians.Equals(b.LongitudeRadians) && a.YawRadians.Equals(b.YawRadians));
+        }
+    }
+
+    [Fact]
+    public void Mission_Imaging_SearchesBetweenTransitAndReturn()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.RunUntil(MissionPhase.InTransit);
+        rig.Run(1);
+        Assert.Equal(ImagingMode.Off, rig.Vehicle.Order.Mode);
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Run(0.5);
+        Assert.Equal(ImagingMode.Search, rig.Vehicle.Order.Mode);
+        Assert.Equal(488, rig.Vehicle.Order.GroundAltitudeAmslMetres, 0.01);
+        Assert.Equal(TargetColours.All, rig.Vehicle.Order.Colours);
+        Assert.Equal(-Math.PI / 2, rig.Vehicle.Order.CameraPitchRadians, 12);
+        rig.RunUntil(MissionPhase.Returning);
+        rig.Run(0.5);
+        Assert.Equal(ImagingMode.Off, rig.Vehicle.Order.Mode);
+    }
+
+    [Fact]
+    public void Mission_Gimbal_IsTurnedBeforeTheTransit()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(", \"camera\": {\"gimbal\": true, \"pitchDegrees\": -60}"));
+        rig.RunUntil(MissionPhase.Searching);
+        Assert.Equal(1, rig.Vehicle.Count(VehicleCommandKind.PointCamera));
+        Assert.Equal(-Math.PI / 3, rig.Vehicle.Commands.Single(c => c.Command.Kind == VehicleCommandKind.PointCamera).Command.CameraPitchRadians, 9);
+    }
+
+    [Fact]
+    public void SecondLook_NewTarget_IsFlownOverOnceFromAcrossTheLanes()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(", \"laneHeadingDegrees\": 90, \"targets\": [\"red\"]"));
+        rig.Vehicle.Targets.AddRange([(80, -30, TargetColours.Red), (120, 20, TargetColours.Blue)]);
+        Assert.Equal(MissionPhase.Looking, rig.RunUntil(MissionPhase.Looking));
+        rig.RunUntil(MissionPhase.Searching);
+        Assert.Equal(80, rig.Vehicle.North, 2.5);
+        Assert.Equal(-30, rig.Vehicle.East, 2.5);
+        Assert.Equal(1, Math.Abs(Math.Cos(rig.Vehicle.Yaw)), 6);
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.Equal(1, rig.Status.SecondLooks);
+        Assert.Single(rig.Decisions, d => d.Contains("-> Looking", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void SecondLook_SwitchedOff_IsNotMade()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(", \"secondLook\": {\"enabled\": false}"));
+        rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.Equal(0, rig.Status.SecondLooks);
+    }
+
+    [Fact]
+    public void SecondLook_TargetOutsideTheFence_IsLeftAlone()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Vehicle.Tracks.Add(rig.Vehicle.MakeTrack(77, 500, 500, TargetColours.Red, 9));
+        rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.Equal(1, rig.Status.SecondLooks);
+        Assert.Contains("track 77 stands at the fence or outside", rig.Story, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void SecondLook_OtherHeight_IsFlownThereAndTheLanesAtTheirs()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(", \"secondLook\": {\"heightMetres\": 25, \"radiusMetres\": 0}"));
+        rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+        rig.RunUntil(MissionPhase.Looking);
+        rig.RunUntil(MissionPhase.Searching);
+        Assert.Equal(25, rig.Vehicle.Height, 2.5);
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.InRange(rig.Status.Coverage, 0.985, 1);
+    }
+
+    [Fact]
+    public void GapPass_CameraMissedALane_FliesOverWhatWasMissedOnly()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Vehicle.CameraSees = false;
+        while (rig.Status.LanesFlown < 1)
+            rig.Run(0.5);
+        rig.Vehicle.CameraSees = true;
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        output.WriteLine(rig.Story);
+        Assert.Contains("more legs over what was missed", rig.Story, StringComparison.Ordinal);
+        Assert.InRange(rig.Status.Coverage, 0.985, 1);
+        Assert.InRange(rig.Status.LanesFlown - (rig.Status.Plan!.Lanes.Length / 2), 1, 2);
+    }
+
+    [Fact]
+    public void GapPass_CameraSeesNothing_EndsAfterTwo()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.Vehicle.CameraSees = false;
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.Equal(0, rig.Status.Coverage);
+        Assert.Equal(2, rig.Decisions.Count(d => d.Contains("more legs", StringComparison.Ordinal)));
+    }
+
+    [Fact]
+    public void Status_WholeFlight_IsPostedOnceASecondAtLeast()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.Run(1);
+        int before = rig.StatusPosts;
+        rig.Run(60);
+        Assert.InRange(rig.StatusPosts - before, 50, 80);
+    }
+
+    [Fact]
+    public void NoMission_VehicleThere_CommandsNothing()
+    {
+        using var rig = new MissionRig(null);
+        rig.Run(60);
+        rig.Manager.Abort("nothing to abort");
+        rig.Run(10);
+        Assert.Equal(MissionPhase.NoMission, rig.Status.Phase);
+        Assert.Empty(rig.Vehicle.Commands);
+    }
+
+    // "   12.345678 mission control: A -> B: why"
+    private static string Transition(string line)
+    {
+        int from = line.IndexOf(": ", StringComparison.Ordinal) + 2;
+        return line.Substring(from, line.IndexOf(": ", from, StringComparison.Ordinal) - from);
+    }
+}

@@ -1,0 +1,139 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+using Rabit.Uav.SensorFusion;
+
+namespace Rabit.Uav.Tests.SensorFusion;
+
+/// <summary>Sensor Fusion in virtual time, with the test in the place of the camera and of other vehicles.</summary>
+internal sealed class FusionRig : IDisposable
+{
+    public static readonly GeodeticPosition Origin = new(0.8, 0.15, 488);
+
+    private readonly RabitReactor _reactor;
+    private readonly QueueSender<TargetReport> _reports;
+    private readonly QueueSender<CameraLook> _looks;
+    private readonly MessageSubscriber<TrackList> _tracks;
+    private readonly MailBox _mail = new();
+    private long _number;
+
+    public FusionRig(Action<SensorFusionOptions>? change = null)
+    {
+        var options = new SensorFusionOptions();
+        change?.Invoke(options);
+        Manager = new SensorFusionManager(options);
+        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), StopsOnSignals = false }) { Manager, _mail };
+        _reports = _reactor.Workspace.Send<TargetReport>(MessageNames.TargetReports);
+        _looks = _reactor.Workspace.Send<CameraLook>(MessageNames.Looks);
+        _tracks = _reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks);
+        _reactor.Start();
+    }
+
+    public SensorFusionManager Manager { get; }
+
+    public SensorFusionCounters Counters => Manager.Counters;
+
+    public List<Envelope<TargetReport>> Mail => _mail.Items;
+
+    public TimeSpan Now => _reactor.Now;
+
+    public TrackList List
+    {
+        get
+        {
+            _tracks.Fetch();
+            return _tracks.Value;
+        }
+    }
+
+    public IReadOnlyList<TargetTrack> Tracks => List.Tracks;
+
+    public TargetTrack Only => Tracks.Single();
+
+    public int Posts
+    {
+        get
+        {
+            _tracks.Fetch();
+            return _tracks.Stamp.Version;
+        }
+    }
+
+    public static TargetReport Report(
+        double north, double east, TargetColours colour = TargetColours.Red, double sigma = 0.5, double common = 0.5) => new()
+        {
+            SourceSystemId = 1,
+            Position = new LocalNedFrame(Origin).ToGeodetic(new NedVector(north, east, 0)),
+            Covariance = new HorizontalCovariance(sigma * sigma, 0, sigma * sigma),
+            CommonCovariance = new HorizontalCovariance(common * common, 0, common * common),
+            Colour = colour,
+            Score = 0.9,
+            SizeMetres = 1,
+        };
+
+    /// <summary>Where a track is, metres from the origin.</summary>
+    public static NedVector PlaceOf(TargetTrack track) => new LocalNedFrame(Origin).ToNed(track.Position);
+
+    /// <summary>Half a second goes by, and a picture of 48 by 36 m around a point is searched.</summary>
+    public void Look(double north, double east, params TargetReport[] reports) => LookThatSays(reports.Length, north, east, reports);
+
+    public void LookThatSays(int count, double north, double east, params TargetReport[] reports)
+    {
+        Run(0.5);
+        _number++;
+        for (int i = 0; i < reports.Length; i++)
+        {
+            TargetReport report = reports[i];
+            (report.LookNumber, report.Index, report.Time) = (_number, i, Now);
+            Push(report);
+        }
+
+        var frame = new LocalNedFrame(Origin);
+        GeodeticPosition At(double n, double e) => frame.ToGeodetic(new NedVector(north + n, east + e, 0));
+        _looks.Push(new CameraLook
+        {
+            SourceSystemId = 1,
+            Number = _number,
+            Time = Now,
+            Reports = count,
+            TopLeft = At(18, -24),
+            TopRight = At(18, 24),
+            BottomRight = At(-18, 24),
+            BottomLeft = At(-18, -24),
+        });
+        Run(0);
+    }
+
+    /// <summary>A look that is wrong in itself.</summary>
+    public void Push(CameraLook look) => _looks.Push(look);
+
+    public void Push(TargetReport report) => _reports.Push(report);
+
+    public void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));
+
+    public void Dispose()
+    {
+        _reactor.Stop();
+        _reactor.Finish();
+    }
+
+    /// <summary>In the place of Communications.</summary>
+    private sealed class MailBox : RabitManager
+    {
+        private readonly QueueReceiver<Envelope<TargetReport>> _mail;
+
+        public MailBox()
+            : base("mail") => _mail = Receive<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
+
+        public List<Envelope<TargetReport>> Items { get; } = [];
+
+        protected override void ExecuteUnitOfWork()
+        {
+            while (_mail.TryPop(out Envelope<TargetReport> envelope))
+                Items.Add(envelope);
+        }
+    }
+}

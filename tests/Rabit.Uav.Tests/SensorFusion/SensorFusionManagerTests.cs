@@ -1,0 +1,445 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Tests.Shared;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.Messages;
+using Rabit.Uav.SensorFusion;
+using Xunit;
+using Xunit.Abstractions;
+using static Rabit.Uav.Tests.SensorFusion.FusionRig;
+
+namespace Rabit.Uav.Tests.SensorFusion;
+
+public class SensorFusionManagerTests(ITestOutputHelper output)
+{
+    [Fact]
+    public void Track_ThreeReportsInFiveLooks_IsConfirmed()
+    {
+        using var rig = new FusionRig();
+        rig.Look(0, 0, Report(3, 4));
+        Assert.Equal(TrackState.Tentative, rig.Only.State);
+        rig.Look(0, 0);
+        rig.Look(0, 0, Report(3.1, 4));
+        rig.Look(0, 0);
+        Assert.Equal(TrackState.Tentative, rig.Only.State);
+        rig.Look(0, 0, Report(3, 4.1));
+        TargetTrack track = rig.Only;
+        Assert.Equal((TrackState.Confirmed, 1, 3, 2), (track.State, track.Id, track.Reports, track.Misses));
+        Assert.Equal(3.03, PlaceOf(track).North, 0.05);
+        Assert.Equal(4.03, PlaceOf(track).East, 0.05);
+        Assert.Equal(488, track.Position.AltitudeAmslMetres, 0.01);
+        Assert.Equal(rig.Now, rig.List.Time);
+    }
+
+    [Fact]
+    public void Track_MissedTooOftenBeforeItIsBelieved_IsDropped()
+    {
+        using var rig = new FusionRig();
+        rig.Look(0, 0, Report(3, 4));
+        rig.Look(0, 0);
+        rig.Look(0, 0);
+        Assert.Single(rig.Tracks);
+        rig.Look(0, 0);
+        Assert.Empty(rig.Tracks);
+        Assert.Equal(1, rig.Counters.TracksDropped);
+        rig.Look(0, 0, Report(3, 4));
+        Assert.Equal(2, rig.Only.Id);
+    }
+
+    [Fact]
+    public void Track_OutsideEveryPicture_StaysConfirmed()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        for (int i = 0; i < 200; i++)
+            rig.Look(60, 0);
+        Assert.Equal((TrackState.Confirmed, 0), (rig.Only.State, rig.Only.Misses));
+    }
+
+    [Fact]
+    public void Track_AtTheBorderOfThePicture_IsNoMiss()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        for (int i = 0; i < 20; i++)
+            rig.Look(17.5, 0);
+        Assert.Equal(0, rig.Only.Misses);
+        rig.Look(13, 0);
+        Assert.Equal(1, rig.Only.Misses);
+    }
+
+    [Fact]
+    public void Track_NotSeenWhereItShouldBe_IsLostAndFoundAgain()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        for (int i = 0; i < 5; i++)
+            rig.Look(0, 0);
+        Assert.Equal(TrackState.Confirmed, rig.Only.State);
+        rig.Look(0, 0);
+        Assert.Equal(TrackState.Lost, rig.Only.State);
+        Assert.Empty(rig.List.Confirmed);
+        for (int i = 0; i < 3; i++)
+            rig.Look(0, 0, Report(0, 0));
+        Assert.Equal((TrackState.Confirmed, 1), (rig.Only.State, rig.Only.Id));
+    }
+
+    [Fact]
+    public void Track_TentativeAndNotSeenForLong_IsDropped()
+    {
+        using var rig = new FusionRig();
+        rig.Look(0, 0, Report(3, 4));
+        rig.Run(110);
+        rig.Look(200, 0);
+        Assert.Single(rig.Tracks);
+        rig.Run(10);
+        rig.Look(200, 0);
+        Assert.Empty(rig.Tracks);
+    }
+
+    [Fact]
+    public void Look_FewerReportsThanItSays_IsNoMiss()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        for (int i = 0; i < 10; i++)
+            rig.LookThatSays(1, 0, 0);
+        Assert.Equal(0, rig.Only.Misses);
+        Assert.Equal(10, rig.Counters.LooksIncomplete);
+    }
+
+    [Fact]
+    public void Report_OtherColour_IsAnotherTrack()
+    {
+        using var rig = new FusionRig();
+        for (int i = 0; i < 3; i++)
+            rig.Look(0, 0, Report(0, 0), Report(0.2, 0, TargetColours.Orange));
+        Assert.Equal([TargetColours.Red, TargetColours.Orange], rig.Tracks.Select(t => t.Colour));
+        Assert.All(rig.Tracks, t => Assert.Equal(3, t.Reports));
+    }
+
+    [Fact]
+    public void Report_OutsideTheGate_StartsATrack()
+    {
+        using var rig = new FusionRig(o => o.SharesReports = false);
+        rig.Look(0, 0, Report(0, 0));
+
+        // S is the track's 0.25, the report's 0.25 and the common 0.25: the gate ends at sqrt(9.21 x 0.75) = 2.63 m.
+        rig.Look(0, 0, Report(2.6, 0));
+        Assert.Single(rig.Tracks);
+        using var other = new FusionRig();
+        other.Look(0, 0, Report(0, 0));
+        other.Look(0, 0, Report(2.66, 0));
+        Assert.Equal(2, other.Tracks.Count);
+    }
+
+    [Fact]
+    public void Report_TwoTargetsSideBySide_AreNotExchangedNorMerged()
+    {
+        using var rig = new FusionRig();
+        for (int i = 0; i < 20; i++)
+            rig.Look(0, 0, i % 2 == 0 ? [Report(0, 0), Report(2, 0)] : [Report(2, 0), Report(0, 0)]);
+        for (int i = 0; i < 5; i++)
+            rig.Look(0, 0, Report(0, 0));
+        Assert.Equal([0.0, 2.0], rig.Tracks.Select(t => Math.Round(PlaceOf(t).North, 1)));
+        Assert.Equal(0, rig.Counters.TracksMerged);
+    }
+
+    [Fact]
+    public void Tracks_TwoOfOneTarget_BecomeOne()
+    {
+        using var rig = new FusionRig();
+        rig.Look(0, 0, Report(0, 0, sigma: 0.3, common: 1));
+        rig.Look(0, 0, Report(3.4, 0, sigma: 0.3, common: 1));
+        Assert.Equal(2, rig.Tracks.Count);
+        for (int i = 0; i < 8; i++)
+            rig.Look(0, 0, Report(1.7, 0, sigma: 0.3, common: 1));
+        Assert.Equal(1, rig.Only.Id);
+        Assert.Equal(1, rig.Counters.TracksMerged);
+        Assert.Equal(10, rig.Only.Reports);
+        Assert.Equal(1.7, PlaceOf(rig.Only).North, 0.1);
+    }
+
+    [Fact]
+    public void Report_OfAnotherVehicle_IsTakenAfterAWhileAndNotSentOn()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        int mail = rig.Mail.Count;
+        for (int i = 0; i < 4; i++)
+        {
+            TargetReport report = Report(0.5, 0.5);
+            (report.SourceSystemId, report.LookNumber, report.Time, report.Score) = (2, i, rig.Now, 1);
+            rig.Push(report);
+            rig.Run(0.3);
+            Assert.Equal(3 + i, rig.Only.Reports);
+            rig.Run(0.7);
+            Assert.Equal(4 + i, rig.Only.Reports);
+        }
+
+        Assert.Equal(mail, rig.Mail.Count);
+        Assert.InRange(rig.Only.BestLookNumber, 1, 3);
+    }
+
+    [Fact]
+    public void Report_OfAnotherVehicleOnly_IsConfirmedWithoutPicture()
+    {
+        using var rig = new FusionRig();
+        for (int i = 0; i < 3; i++)
+        {
+            TargetReport report = Report(0.5, 0.5);
+            (report.SourceSystemId, report.LookNumber, report.Time) = (2, i, rig.Now);
+            rig.Push(report);
+            rig.Run(1);
+        }
+
+        Assert.Equal((TrackState.Confirmed, -1L), (rig.Only.State, rig.Only.BestLookNumber));
+    }
+
+    [Fact]
+    public void Report_Twice_CountsOnce()
+    {
+        using var rig = new FusionRig();
+        TargetReport report = Report(0, 0);
+        (report.SourceSystemId, report.LookNumber, report.Time) = (2, 7, rig.Now);
+        for (int i = 0; i < 5; i++)
+        {
+            rig.Push(report);
+            rig.Run(1);
+        }
+
+        Assert.Equal(1, rig.Only.Reports);
+        Assert.Equal(4, rig.Counters.ReportsTwice);
+    }
+
+    [Fact]
+    public void Report_Late_IsUsedWithinTheWindowAndDroppedAfter()
+    {
+        using var rig = new FusionRig();
+        rig.Run(60);
+        Confirm(rig);
+        void PushOlder(int number, double seconds)
+        {
+            TargetReport report = Report(0, 0);
+            (report.SourceSystemId, report.LookNumber, report.Time) = (2, number, rig.Only.Time - TimeSpan.FromSeconds(seconds));
+            rig.Push(report);
+            rig.Run(1);
+        }
+
+        PushOlder(1, 9);
+        Assert.Equal((4, 0L), (rig.Only.Reports, rig.Counters.ReportsLate));
+        PushOlder(2, 11);
+        Assert.Equal((4, 1L), (rig.Only.Reports, rig.Counters.ReportsLate));
+    }
+
+    [Fact]
+    public void Reports_Hostile_AreRefusedAndHarmNothing()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        string before = Describe(rig.Only);
+        TargetReport[] hostile = HostileReports(rig.Now).ToArray();
+        for (int i = 0; i < hostile.Length; i++)
+        {
+            hostile[i].LookNumber = hostile[i].LookNumber < 0 ? -1 : 100 + i;
+            rig.Push(hostile[i]);
+        }
+
+        rig.Run(2);
+        Assert.Equal(hostile.Length, rig.Counters.ReportsRefused);
+        Assert.Equal(before, Describe(rig.Only));
+    }
+
+    [Fact]
+    public void Looks_Hostile_AreRefusedOrShowNothing()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        var nan = new GeodeticPosition(double.NaN, 0, 0);
+        rig.Push(new CameraLook { SourceSystemId = 1, Number = 1000, TopLeft = nan });
+        rig.Push(new CameraLook { SourceSystemId = 1, Number = 1001, Time = TimeSpan.FromHours(99) });
+        rig.Push(new CameraLook { SourceSystemId = 1, Number = 1002, TopLeft = Origin, TopRight = Origin, BottomLeft = Origin, BottomRight = Origin });
+        rig.Run(2);
+        Assert.Equal((2L, 0), (rig.Counters.LooksRefused, rig.Only.Misses));
+    }
+
+    [Fact]
+    public void Report_FarAwayBeforeAnythingIsBelieved_MovesTheFrame()
+    {
+        using var rig = new FusionRig();
+        TargetReport wrong = Report(0, 0);
+        wrong.Position = new GeodeticPosition(0, 0, 0);
+        (wrong.SourceSystemId, wrong.LookNumber, wrong.Time) = (2, 1, rig.Now);
+        rig.Push(wrong);
+        rig.Run(1);
+        Confirm(rig);
+        Assert.Equal(TrackState.Confirmed, rig.Only.State);
+        wrong.LookNumber = 2;
+        rig.Push(wrong);
+        rig.Run(1);
+        Assert.Single(rig.Tracks);
+        Assert.Equal(1, rig.Counters.ReportsRefused);
+    }
+
+    [Fact]
+    public void Tracks_NoRoom_IsCounted()
+    {
+        using var rig = new FusionRig(o => o.MaximumTracks = 3);
+        rig.Look(0, 0, Enumerable.Range(0, 5).Select(i => Report(0, (10 * i) - 20)).ToArray());
+        Assert.Equal(3, rig.Tracks.Count);
+        Assert.Equal(2, rig.Counters.ReportsWithoutRoom);
+    }
+
+    [Fact]
+    public void Mail_ConfirmedTrack_IsSharedOnceASecond()
+    {
+        using var rig = new FusionRig();
+        for (int i = 0; i < 22; i++)
+            rig.Look(0, 0, Report(0, 0));
+        Assert.InRange(rig.Mail.Count, 9, 11);
+        Assert.All(rig.Mail, m => Assert.Equal((0, 0, 1), (m.TargetSystemId, m.SourceSystemId, m.Content.SourceSystemId)));
+    }
+
+    [Fact]
+    public void Posts_NothingChanged_NothingIsPosted()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        int posts = rig.Posts;
+        for (int i = 0; i < 20; i++)
+            rig.Look(100, 0);
+        Assert.Equal(posts, rig.Posts);
+    }
+
+    [Fact]
+    public void Covariance_CommonPart_DoesNotAverageOut()
+    {
+        using var rig = new FusionRig();
+        for (int i = 0; i < 100; i++)
+            rig.Look(0, 0, Report(0, 0, sigma: 0.5, common: 1.5));
+        Assert.InRange(rig.Only.Covariance.NorthNorth, 1.5 * 1.5, (1.5 * 1.5) + 0.02);
+    }
+
+    [Theory]
+    [InlineData(21)]
+    [InlineData(22)]
+    public void Tracks_ClutterAndMisses_OnlyTheTargetsAreBelieved(int seed)
+    {
+        output.WriteLine($"seed {seed}");
+        var random = new SeededNumbers(seed);
+        (double North, double East)[] targets = [(0, 0), (8, -12), (-10, 15)];
+        using var rig = new FusionRig();
+        for (int look = 0; look < 120; look++)
+        {
+            List<TargetReport> reports = targets.Where(_ => random.Uniform() < 0.9)
+                .Select(t => Report(t.North + (0.5 * random.Gauss()), t.East + (0.5 * random.Gauss()))).ToList();
+            if (random.Uniform() < 0.3)
+                reports.Add(Report(random.Uniform(-18, 18), random.Uniform(-24, 24)));
+            rig.Look(0, 0, [.. reports]);
+        }
+
+        List<TargetTrack> sure = rig.List.Confirmed.ToList();
+        Assert.Equal(3, sure.Count);
+        Assert.All(targets, t => Assert.Single(sure, s => Math.Abs(PlaceOf(s).North - t.North) < 0.7 && Math.Abs(PlaceOf(s).East - t.East) < 0.7));
+    }
+
+    [Fact]
+    public void Tracks_LooksOfTwoHeadings_AreOneTrackAndHonest()
+    {
+        const int Seed = 31;
+        output.WriteLine($"seed {Seed}");
+        var random = new SeededNumbers(Seed);
+        int held = 0;
+        const int Runs = 60;
+        for (int run = 0; run < Runs; run++)
+        {
+            // A mount that points half a metre off to the side, and satellites that are a metre off.
+            (double mount, double gpsNorth, double gpsEast) = (0.5 * random.Gauss(), random.Gauss(), random.Gauss());
+            using var rig = new FusionRig();
+            for (int pass = 0; pass < 2; pass++)
+            {
+                double sign = pass == 0 ? 1 : -1;
+                for (int i = 0; i < 8; i++)
+                    rig.Look(0, 0, Report(gpsNorth + (sign * mount) + (0.5 * random.Gauss()), gpsEast + (0.5 * random.Gauss()), sigma: 0.5, common: 1.12));
+                rig.Run(30);
+            }
+
+            NedVector place = PlaceOf(rig.Tracks[0]);
+            held += rig.Tracks[0].Covariance.Holds95(place.North, place.East) ? 1 : 0;
+            Assert.Single(rig.Tracks);
+        }
+
+        output.WriteLine($"{held} of {Runs} held");
+        Assert.InRange(held, 0.85 * Runs, Runs);
+    }
+
+    [Fact]
+    public void ExecuteUnitOfWork_NothingComes_AllocatesNothing()
+    {
+        using var rig = new FusionRig();
+        Confirm(rig);
+        rig.Run(5);
+        Assert.Equal(0, Allocated.By(() => rig.Run(60)));
+    }
+
+    [Fact]
+    public void Constructor_BadOptions_NamesAllFaults()
+    {
+        ArgumentException e = Assert.Throws<ArgumentException>(() => new SensorFusionManager(new SensorFusionOptions
+        {
+            ProcessNoise = double.NaN,
+            ConfirmHits = 6,
+            MaximumTracks = 0,
+        }));
+        Assert.Contains("ProcessNoise is NaN", e.Message, StringComparison.Ordinal);
+        Assert.Contains("ConfirmHits is 6", e.Message, StringComparison.Ordinal);
+        Assert.Contains("MaximumTracks is 0", e.Message, StringComparison.Ordinal);
+    }
+
+    private static void Confirm(FusionRig rig)
+    {
+        for (int i = 0; i < 3; i++)
+            rig.Look(0, 0, Report(0, 0));
+        Assert.Equal(TrackState.Confirmed, rig.Only.State);
+    }
+
+    private static string Describe(TargetTrack t)
+        => FormattableString.Invariant($"{t.Id} {t.State} {t.Position.LatitudeRadians:R} {t.Position.LongitudeRadians:R} {t.Covariance.NorthNorth:R} {t.Reports} {t.Misses}");
+
+    private static IEnumerable<TargetReport> HostileReports(TimeSpan now)
+    {
+        TargetReport Sound()
+        {
+            TargetReport report = Report(0, 0);
+            (report.SourceSystemId, report.Time) = (2, now);
+            return report;
+        }
+
+        TargetReport With(Func<TargetReport, TargetReport> change) => change(Sound());
+        yield return With(r => { r.Position = new GeodeticPosition(double.NaN, 0, 0); return r; });
+        yield return With(r => { r.Position = new GeodeticPosition(0.8, double.PositiveInfinity, 0); return r; });
+        yield return With(r => { r.Position = new GeodeticPosition(9, 0, 0); return r; });
+        yield return With(r => { r.Position = new GeodeticPosition(0.8, 0.15, 1e9); return r; });
+        yield return With(r => { r.Covariance = new HorizontalCovariance(double.NaN, 0, 1); return r; });
+        yield return With(r => { r.Covariance = new HorizontalCovariance(1, 2, 1); return r; });
+        yield return With(r => { r.Covariance = new HorizontalCovariance(1, 1, 1); return r; });
+        yield return With(r => { r.Covariance = new HorizontalCovariance(-1, 0, -1); return r; });
+        yield return With(r => { r.Covariance = new HorizontalCovariance(0, 0, 0); return r; });
+        yield return With(r => { r.Covariance = new HorizontalCovariance(1e12, 0, 1); return r; });
+        yield return With(r => { r.CommonCovariance = new HorizontalCovariance(double.NaN, 0, 1); return r; });
+        yield return With(r => { r.CommonCovariance = new HorizontalCovariance(1, 5, 1); return r; });
+        yield return With(r => { r.Colour = TargetColours.None; return r; });
+        yield return With(r => { r.Colour = TargetColours.Red | TargetColours.Blue; return r; });
+        yield return With(r => { r.Colour = (TargetColours)64; return r; });
+        yield return With(r => { r.Score = double.NaN; return r; });
+        yield return With(r => { r.SizeMetres = double.NaN; return r; });
+        yield return With(r => { r.SizeMetres = 1e6; return r; });
+        yield return With(r => { r.Index = -1; return r; });
+        yield return With(r => { r.LookNumber = -5; return r; });
+        yield return With(r => { r.SourceSystemId = 0; return r; });
+        yield return With(r => { r.Time = now + TimeSpan.FromHours(1); return r; });
+        yield return With(r => { r.Time = TimeSpan.FromHours(-1); return r; });
+        yield return With(r => { r.Position = new GeodeticPosition(-0.8, 0.15, 0); return r; });
+    }
+}

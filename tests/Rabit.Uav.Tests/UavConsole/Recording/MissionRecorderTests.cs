@@ -1,0 +1,139 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Uav.Geometry;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using UavConsole;
+using Xunit;
+
+namespace Rabit.Uav.Tests.UavConsole;
+
+/// <summary>The recorder in virtual time, with the test in the place of the managers.</summary>
+public sealed class MissionRecorderTests : IDisposable
+{
+    private readonly RabitReactor _reactor = new(new VirtualTime(1));
+    private readonly MessagePublisher<VehicleState> _vehicle;
+    private readonly MessagePublisher<HealthReport> _health;
+    private readonly MessagePublisher<MissionStatus> _mission;
+    private readonly MissionRecorder _recorder = new([MissionRecorder.ManagerName], new RecorderOptions { StopsWhenMissionEnds = true, LongestMission = TimeSpan.FromMinutes(1) });
+
+    public MissionRecorderTests()
+    {
+        _reactor.Add(_recorder);
+        _vehicle = _reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
+        _health = _reactor.Workspace.Publish<HealthReport>(MessageNames.Health);
+        _mission = _reactor.Workspace.Publish<MissionStatus>(MessageNames.Mission);
+        _reactor.Start();
+    }
+
+    [Fact]
+    public void Record_AFlight_HasItsPathItsLengthAndItsChanges()
+    {
+        Post(MissionPhase.WaitingForVehicle, isArmed: false, speed: 0);
+        Run(2);
+        Post(MissionPhase.Searching, isArmed: true, speed: 5);
+        Run(10);
+        Post(MissionPhase.Done, isArmed: false, speed: 0);
+        Run(1);
+        FlightRecord record = _recorder.Record;
+
+        Assert.InRange(record.Samples.Count, 64, 66);
+        Assert.Equal(50, record.FlownMetres, 3);
+        Assert.Equal(10, record.ArmedTime.TotalSeconds, 3);
+        Assert.Equal(40, record.GreatestHeightMetres);
+        Assert.Equal([MissionPhase.WaitingForVehicle, MissionPhase.Searching, MissionPhase.Done], record.Phases.Select(p => p.Phase));
+        Assert.Equal([HealthLevel.Good], record.HealthChanges.Select(h => h.Report.Level));
+        Assert.InRange(record.Managers.Single().Samples.Count, 6, 8);
+    }
+
+    [Fact]
+    public void Mission_Done_EndsTheRunAWhileLater()
+    {
+        Post(MissionPhase.Done, isArmed: false, speed: 0);
+
+        Assert.True(_reactor.RunFor(TimeSpan.FromSeconds(2)));
+        Assert.False(_reactor.RunFor(TimeSpan.FromSeconds(2)));
+        Assert.Equal("recorder: the mission is over", _reactor.Finish().StopReason);
+    }
+
+    [Fact]
+    public void Mission_HandedOver_EndsTheRunOnceThePilotHasDisarmed()
+    {
+        Post(MissionPhase.HandedOver, isArmed: true, speed: 3);
+        Assert.True(_reactor.RunFor(TimeSpan.FromSeconds(30)));
+
+        Post(MissionPhase.HandedOver, isArmed: false, speed: 0);
+        Assert.False(_reactor.RunFor(TimeSpan.FromSeconds(5)));
+        _reactor.Finish();
+    }
+
+    [Fact]
+    public void Mission_NeverOver_IsGivenUp()
+    {
+        Post(MissionPhase.Searching, isArmed: true, speed: 3);
+
+        Assert.False(_reactor.RunFor(TimeSpan.FromSeconds(61)));
+        Assert.Equal("recorder: the mission is not over after 1 minutes", _reactor.Finish().StopReason);
+    }
+
+    [Fact]
+    public void Pictures_TheAlbumHasForgotten_AreStillThere()
+    {
+        List<CutOut> album = [PictureOf(7), PictureOf(8)];
+        var pictures = new TrackPictures(() => album);
+        pictures.Take(TracksOf((1, 7)));
+        album = [PictureOf(9)];
+        pictures.Take(TracksOf((1, 7), (2, 9), (3, 8), (4, -1)));
+
+        Assert.Equal([7, 9], pictures.ToArray().Select(c => c.LookNumber).OrderBy(n => n));
+
+        album = [PictureOf(10)];
+        pictures.Take(TracksOf((1, 10)));
+        Assert.Equal([9, 10], pictures.ToArray().Select(c => c.LookNumber).OrderBy(n => n));
+    }
+
+    [Fact]
+    public void ThinnedList_LongerThanItsCapacity_KeepsEvenlySpacedItems()
+    {
+        var list = new ThinnedList<int>(100);
+        for (int i = 0; i < 1_000_000; i++)
+            list.Add(i);
+        int[] kept = list.ToArray();
+
+        Assert.InRange(kept.Length, 50, 100);
+        Assert.Equal(0, kept[0]);
+        Assert.Single(kept.Zip(kept.Skip(1), (a, b) => b - a).Distinct());
+        Assert.InRange(kept[kept.Length - 1], 950_000, 999_999);
+    }
+
+    public void Dispose() => _reactor.Stop();
+
+    private void Post(MissionPhase phase, bool isArmed, double speed)
+    {
+        _mission.Value = new MissionStatus { Phase = phase, Since = _reactor.Now };
+        _mission.Post();
+        _health.Value = new HealthReport { Level = HealthLevel.Good };
+        _health.Post();
+        _vehicle.Value = new VehicleState
+        {
+            SystemId = 1,
+            IsArmed = isArmed,
+            PositionTime = _reactor.Now,
+            Position = MadeUpFlight.Home,
+            HeightAboveHomeMetres = 40,
+            VelocityNed = new NedVector(speed, 0, 0),
+            BatteryTime = _reactor.Now,
+            BatteryRemaining = 0.9,
+        };
+        _vehicle.Post();
+    }
+
+    private static CutOut PictureOf(long look) => new(look, 0, 1, 1, new byte[3]);
+
+    private static TrackList TracksOf(params (int Id, long Look)[] tracks)
+        => new(TimeSpan.Zero, tracks.Select(t => new TargetTrack { Id = t.Id, BestLookNumber = t.Look }));
+
+    private void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));
+}
