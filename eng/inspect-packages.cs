@@ -18,15 +18,18 @@ var allowed = new Dictionary<string, string[]>(StringComparer.Ordinal)
     ["Rabit.Mavlink/net10.0"] = [],
     ["Rabit.Mavlink/.NETStandard2.0"] = ["System.Memory", "Microsoft.Bcl.TimeProvider"],
     ["Rabit.Uav/net10.0"] = ["Rabit.Core", "Rabit.Mavlink"],
-    ["Rabit.Uav/.NETStandard2.0"] = ["Rabit.Core", "Rabit.Mavlink"],
+    ["Rabit.Uav.Simulation/net10.0"] = ["Rabit.Uav"],
+    ["Rabit.Uav.Simulation/.NETStandard2.0"] = ["Rabit.Uav"],
+    ["Rabit.Uav/.NETStandard2.0"] = ["Rabit.Core", "Rabit.Mavlink", "System.Collections.Immutable", "System.Text.Json"],
 };
-string[] packages = ["Rabit.Core", "Rabit.Mavlink", "Rabit.Uav"];
+string[] packages = ["Rabit.Core", "Rabit.Mavlink", "Rabit.Uav", "Rabit.Uav.Simulation"];
 string[] frameworks = ["net10.0", "netstandard2.0"];
 var faults = new List<string>();
 
 foreach (string id in packages)
 {
-    string[] files = [.. Directory.GetFiles(args[0], id + ".*.nupkg")];
+    // The version begins with a digit; Rabit.Uav.Simulation is no version of Rabit.Uav.
+    string[] files = [.. Directory.GetFiles(args[0], id + ".*.nupkg").Where(f => char.IsDigit(Path.GetFileName(f)[id.Length + 1]))];
     if (files.Length != 1)
     {
         faults.Add($"{id}: {files.Length} packages in {args[0]}, not one");
@@ -82,7 +85,8 @@ void Inspect(string id, string file)
     if (id == "Rabit.Mavlink")
     {
         Check(package.GetEntry("analyzers/dotnet/cs/Rabit.Mavlink.Generator.Roslyn.dll") is not null, "generator");
-        Check(package.GetEntry("build/Rabit.Mavlink.props") is not null && package.GetEntry("buildTransitive/Rabit.Mavlink.props") is not null, "props of the generator");
+        foreach (string needed in new[] { "build/Rabit.Mavlink.props", "build/Rabit.Mavlink.targets", "buildTransitive/Rabit.Mavlink.props", "buildTransitive/Rabit.Mavlink.targets", "definitions/all.xml", "definitions/common.xml" })
+            Check(package.GetEntry(needed) is not null, needed);
     }
 
     void Check(bool holds, string what)

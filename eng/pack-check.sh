@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-ids=(Rabit.Core Rabit.Mavlink Rabit.Uav)
+ids=(Rabit.Core Rabit.Mavlink Rabit.Uav Rabit.Uav.Simulation)
 version=$(dotnet msbuild src/Rabit.Core -getProperty:Version)
 packages=$PWD/artifacts/packages
 work=$PWD/artifacts/pack-check
@@ -50,6 +50,15 @@ done
 
 mono "$work/bin/PackCheck/debug_net472/PackCheck.exe" > "$work/mono.txt"
 diff -u "$work/net.txt" "$work/mono.txt"
+
+echo "--- wrong definitions are compiler errors"
+dotnet build eng/pack-check/faults -v quiet > "$work/faults.log" 2>&1 && { echo "Wrong definitions compile." >&2; exit 1; }
+sed -n 's|^.*/eng/pack-check/faults/\([^/]*: error .*\) \[.*\]$|\1|p' "$work/faults.log" | LC_ALL=C sort -u -V > "$work/faults.txt"
+diff -u eng/pack-check/faults/expected.txt "$work/faults.txt"
+if grep 'error CS\|error MSB\|error NU' "$work/faults.log"; then
+    echo "Wrong definitions give errors of another kind." >&2
+    exit 1
+fi
 
 echo "--- compile the programs of their readmes"
 mkdir -p "$work/readme"

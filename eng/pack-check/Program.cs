@@ -1,5 +1,4 @@
 using System;
-using PackCheck.Messages;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
@@ -14,7 +13,7 @@ namespace PackCheck
         {
             RunManagers();
             PassOn(new Heartbeat { Type = MavType.Quadrotor, Autopilot = MavAutopilot.Px4, CustomMode = 7, MavlinkVersion = 3 }, MavlinkDialect.All);
-            PassOn(new BenchReport { TimeBootMs = 1000, Thrust = 2.5f }, WorkshopDialect.Instance);
+            OwnDialect.Check();
             Console.WriteLine("Rabit.Uav: {0}", LinkUrl.Parse("UDPIN:0.0.0.0:14550"));
             return 0;
         }
@@ -28,7 +27,7 @@ namespace PackCheck
         }
 
         /// <summary>Message to frame to bytes to frame to message.</summary>
-        private static void PassOn<T>(T sent, MavlinkDialect dialect)
+        internal static MavlinkFrame PassOn<T>(T sent, MavlinkDialect dialect)
             where T : struct, IMavlinkMessage
         {
             MavlinkFrame frame = MavlinkFrame.Create(sent, systemId: 1, componentId: 191, sequence: 0);
@@ -42,6 +41,7 @@ namespace PackCheck
             if (!reader.TryRead(ref bytes, out frame, out info) || !info.IsChecked || !frame.TryDecode(out received) || !received.Equals(sent))
                 throw new InvalidOperationException(typeof(T).Name + " did not come back as it was sent.");
             Console.WriteLine("Rabit.Mavlink: {0}, {1} bytes", typeof(T).Name, wire.Length);
+            return frame;
         }
     }
 
