@@ -3,6 +3,7 @@ using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Links;
+using Rabit.Uav.Simulation;
 
 namespace PackCheck
 {
@@ -15,6 +16,7 @@ namespace PackCheck
             PassOn(new Heartbeat { Type = MavType.Quadrotor, Autopilot = MavAutopilot.Px4, CustomMode = 7, MavlinkVersion = 3 }, MavlinkDialect.All);
             OwnDialect.Check();
             Console.WriteLine("Rabit.Uav: {0}", LinkUrl.Parse("UDPIN:0.0.0.0:14550"));
+            Fly();
             return 0;
         }
 
@@ -24,6 +26,18 @@ namespace PackCheck
             var reactor = new RabitReactor(new VirtualTime()) { counter, new Watcher() };
             ReactorResult result = reactor.Run();
             Console.WriteLine("Rabit.Core: {0}, exit code {1}", result.StopReason, result.ExitCode);
+        }
+
+        /// <summary>A second of the simulated vehicle, in virtual time; nobody flies it.</summary>
+        private static void Fly()
+        {
+            var world = new SimulatedWorld(new SimulationOptions { Seed = 3 });
+            var ends = new MemoryLinkPair("air");
+            var reactor = new RabitReactor(new VirtualTime()) { world.CreateVehicle(ends.A) };
+            reactor.Start();
+            reactor.RunFor(TimeSpan.FromSeconds(1));
+            reactor.Stop();
+            Console.WriteLine("Rabit.Uav.Simulation: exit code {0}, {1} m flown", reactor.Finish().ExitCode, world.Truth.FlownMetres);
         }
 
         /// <summary>Message to frame to bytes to frame to message.</summary>

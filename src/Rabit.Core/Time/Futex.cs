@@ -14,6 +14,7 @@ internal static unsafe class Futex
     private const int WaitUntilPrivate = 9 | 128;         // FUTEX_WAIT_BITSET | FUTEX_PRIVATE_FLAG: an absolute time of CLOCK_MONOTONIC
     private const int AnyBit = -1;                        // FUTEX_BITSET_MATCH_ANY
     private const int ClockMonotonic = 1;
+    private const int Interrupted = 4;                    // EINTR
     private const int TimedOut = 110;                     // ETIMEDOUT
     private const int NanosecondsPerTick = 100;
     private const long NanosecondsPerSecond = 1_000_000_000;
@@ -33,7 +34,10 @@ internal static unsafe class Futex
     /// <summary>Wakes at most one waiter of the word.</summary>
     public static void Wake(int* word) => syscall(Call, word, WakePrivate, 1, null, null, 0);
 
-    /// <summary>Waits while the word is 0, until it is woken or the time is over; may come back early.</summary>
+    /// <summary>
+    /// Waits while the word is 0, until it is woken or the time is over. A Unix signal to the thread, as Mono's collector sends, does
+    /// not end it: the deadline is absolute, so the wait just goes on.
+    /// </summary>
     /// <param name="word">The word.</param>
     /// <param name="atMost">Positive.</param>
     public static void WaitWhileZero(int* word, TimeSpan atMost)
@@ -43,7 +47,10 @@ internal static unsafe class Futex
         long nanoseconds = (long)deadline.Nanoseconds + (atMost.Ticks % TimeSpan.TicksPerSecond * NanosecondsPerTick);
         deadline.Seconds = new IntPtr((long)deadline.Seconds + (atMost.Ticks / TimeSpan.TicksPerSecond) + (nanoseconds / NanosecondsPerSecond));
         deadline.Nanoseconds = new IntPtr(nanoseconds % NanosecondsPerSecond);
-        syscall(Call, word, WaitUntilPrivate, 0, &deadline, null, AnyBit);
+        while ((long)syscall(Call, word, WaitUntilPrivate, 0, &deadline, null, AnyBit) == -1 && Marshal.GetLastWin32Error() == Interrupted)
+        {
+            // The kernel compares the word again, so a wake that came with the signal is not missed.
+        }
     }
 
     private static bool TryNow(out TimeSpec now)
