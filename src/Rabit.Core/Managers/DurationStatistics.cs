@@ -51,7 +51,7 @@ public readonly struct DurationStatistics
             Count + 1,
             Count == 0 || duration < Minimum ? duration : Minimum,
             duration > Maximum ? duration : Maximum,
-            Total + duration)
+            Times.Later(Total, duration))
         {
             Percentile50 = Percentile50,
             Percentile99 = Percentile99,

@@ -50,7 +50,7 @@ internal sealed class ManagerStatistics
 
         if (end >= _nextPercentiles)
         {
-            _nextPercentiles = end + PercentilesEvery;
+            _nextPercentiles = Times.Later(end, PercentilesEvery);
             FillPercentiles(ref status);
         }
     }
