@@ -8,7 +8,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Diagnostics;
 
-/// <summary>Contract 4.4: what a listener in the process, dotnet-trace or PerfView sees of a run.</summary>
+/// <summary>Contract 4.4: what a listener in the process, dotnet-trace or PerfView sees of a run. Mono 6.8 hands no events to listeners.</summary>
 public sealed class EventSourceTests
 {
     [Fact, Trait("Clause", "4.4")]
@@ -26,8 +26,6 @@ public sealed class EventSourceTests
         run.Reactor.RunFor(TimeSpan.FromMilliseconds(15));
         run.Finish();
 
-        if (Type.GetType("Mono.Runtime") is not null && listener.Events.Count == 0)
-            return; // Mono 6.8 hands no events to listeners: ReactorResult.ToTable is there for it.
         Assert.Equal(2, listener.Events.Count(e => e.StartsWith("Fault ", StringComparison.Ordinal) && e.Contains("boom")));
         Assert.Contains(listener.Events, e => e.StartsWith("Lifecycle ", StringComparison.Ordinal));
         Assert.Equal(2, listener.Events.Count(e => e.StartsWith("UnitOfWork ", StringComparison.Ordinal)));
