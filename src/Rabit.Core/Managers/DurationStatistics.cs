@@ -5,62 +5,45 @@ using Rabit.Core.Managers;
 namespace Rabit.Core;
 
 /// <summary>How long something took, over all its times: number, shortest, longest, sum, and, where they are kept, percentiles. A plain value.</summary>
-public readonly struct DurationStatistics
+public struct DurationStatistics
 {
-    private DurationStatistics(long count, TimeSpan minimum, TimeSpan maximum, TimeSpan total)
-    {
-        Count = count;
-        Minimum = minimum;
-        Maximum = maximum;
-        Total = total;
-    }
-
     /// <summary>How many durations were measured.</summary>
-    public long Count { get; }
+    public long Count { get; private set; }
 
     /// <summary>The shortest; zero when none was measured.</summary>
-    public TimeSpan Minimum { get; }
+    public TimeSpan Minimum { get; private set; }
 
     /// <summary>The longest; zero when none was measured.</summary>
-    public TimeSpan Maximum { get; }
+    public TimeSpan Maximum { get; private set; }
 
     /// <summary>The sum.</summary>
-    public TimeSpan Total { get; }
+    public TimeSpan Total { get; private set; }
 
     /// <summary>The mean; zero when none was measured.</summary>
-    public TimeSpan Mean => Count == 0 ? TimeSpan.Zero : new TimeSpan(Total.Ticks / Count);
+    public readonly TimeSpan Mean => Count == 0 ? TimeSpan.Zero : new TimeSpan(Total.Ticks / Count);
 
     /// <summary>
     /// What half of them did not exceed, at most 6.25 % too long. In a <see cref="ManagerStatus"/> up to a second old; zero where no percentiles are kept.
     /// </summary>
-    public TimeSpan Percentile50 { get; private init; }
+    public TimeSpan Percentile50 { get; private set; }
 
     /// <summary>What 99 % of them did not exceed; as <see cref="Percentile50"/>.</summary>
-    public TimeSpan Percentile99 { get; private init; }
+    public TimeSpan Percentile99 { get; private set; }
 
     /// <summary>What 99.9 % of them did not exceed; as <see cref="Percentile50"/>.</summary>
-    public TimeSpan Percentile999 { get; private init; }
+    public TimeSpan Percentile999 { get; private set; }
 
     /// <summary>The same with one duration more. The percentiles stay as they are.</summary>
     /// <param name="duration">A negative one counts as zero.</param>
-    public DurationStatistics With(TimeSpan duration)
+    public readonly DurationStatistics With(TimeSpan duration)
     {
-        if (duration < TimeSpan.Zero)
-            duration = TimeSpan.Zero;
-        return new DurationStatistics(
-            Count + 1,
-            Count == 0 || duration < Minimum ? duration : Minimum,
-            duration > Maximum ? duration : Maximum,
-            Times.Later(Total, duration))
-        {
-            Percentile50 = Percentile50,
-            Percentile99 = Percentile99,
-            Percentile999 = Percentile999,
-        };
+        DurationStatistics next = this;
+        next.Add(duration);
+        return next;
     }
 
     /// <inheritdoc/>
-    public override string ToString()
+    public readonly override string ToString()
     {
         string text = string.Format(
             CultureInfo.InvariantCulture,
@@ -77,15 +60,24 @@ public readonly struct DurationStatistics
             Percentile999.TotalMilliseconds);
     }
 
-    /// <summary>The same with the percentiles of a histogram, none above the longest.</summary>
-    internal DurationStatistics WithPercentilesOf(DurationHistogram histogram)
+    internal void Add(TimeSpan duration)
+    {
+        if (duration < TimeSpan.Zero)
+            duration = TimeSpan.Zero;
+        if (Count == 0 || duration < Minimum)
+            Minimum = duration;
+        if (duration > Maximum)
+            Maximum = duration;
+        Total = Times.Later(Total, duration);
+        Count++;
+    }
+
+    /// <summary>Takes the percentiles of a histogram, none above the longest.</summary>
+    internal void TakePercentiles(DurationHistogram histogram)
     {
         histogram.Percentiles(out TimeSpan half, out TimeSpan p99, out TimeSpan p999);
-        return new DurationStatistics(Count, Minimum, Maximum, Total)
-        {
-            Percentile50 = half < Maximum ? half : Maximum,
-            Percentile99 = p99 < Maximum ? p99 : Maximum,
-            Percentile999 = p999 < Maximum ? p999 : Maximum,
-        };
+        Percentile50 = Times.Earlier(half, Maximum);
+        Percentile99 = Times.Earlier(p99, Maximum);
+        Percentile999 = Times.Earlier(p999, Maximum);
     }
 }

@@ -203,15 +203,13 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
             _statistics.Reset(ref status);
         Runs++;
         status.Runs++;
-        WakeUpCounts counts = status.WakeUps;
-        counts.Count(wakes.Causes, wakes.Count);
-        status.WakeUps = counts;
+        status._wakeUps.Count(wakes.Causes, wakes.Count);
         status.LastRunAt = begin;
         if (run.KeepsStatistics)
         {
             TimeSpan? deadline = _isOnGrid && (wakes.Causes & WakeUpCauses.Timer) != 0 ? _due : null;
             _statistics.CountRun(ref status, begin, _lastEnd, wokenAt, deadline);
-            if (RabitEventSource.Instance.IsEnabled(EventLevel.Verbose, EventKeywords.None))
+            if (RabitEventSource.Instance.IsEnabled() && RabitEventSource.Instance.IsEnabled(EventLevel.Verbose, EventKeywords.None))
                 RabitEventSource.Instance.UnitOfWork(Name, Microseconds(_lastEnd - begin), wokenAt is { } at ? Microseconds(begin - at) : -1);
         }
 

@@ -33,21 +33,11 @@ internal sealed class ManagerStatistics
 
     public void CountRun(ref ManagerStatus status, TimeSpan begin, TimeSpan end, TimeSpan? wokenAt, TimeSpan? deadline)
     {
-        TimeSpan took = end - begin;
-        _unitOfWork.Add(took);
-        status.UnitOfWorkTime = status.UnitOfWorkTime.With(took);
+        Add(end - begin, _unitOfWork, ref status._unitOfWorkTime);
         if (wokenAt is { } at)
-        {
-            _wakeLatency.Add(begin - at);
-            status.WakeLatency = status.WakeLatency.With(begin - at);
-        }
-
+            Add(begin - at, _wakeLatency, ref status._wakeLatency);
         if (deadline is { } due)
-        {
-            _periodError.Add(begin - due);
-            status.PeriodError = status.PeriodError.With(begin - due);
-        }
-
+            Add(begin - due, _periodError, ref status._periodError);
         if (end >= _nextPercentiles)
         {
             _nextPercentiles = Times.Later(end, PercentilesEvery);
@@ -57,8 +47,14 @@ internal sealed class ManagerStatistics
 
     public void FillPercentiles(ref ManagerStatus status)
     {
-        status.UnitOfWorkTime = status.UnitOfWorkTime.WithPercentilesOf(_unitOfWork);
-        status.WakeLatency = status.WakeLatency.WithPercentilesOf(_wakeLatency);
-        status.PeriodError = status.PeriodError.WithPercentilesOf(_periodError);
+        status._unitOfWorkTime.TakePercentiles(_unitOfWork);
+        status._wakeLatency.TakePercentiles(_wakeLatency);
+        status._periodError.TakePercentiles(_periodError);
+    }
+
+    private static void Add(TimeSpan duration, DurationHistogram histogram, ref DurationStatistics statistics)
+    {
+        histogram.Add(duration);
+        statistics.Add(duration);
     }
 }

@@ -8,6 +8,12 @@ namespace Rabit.Core;
 /// </summary>
 public struct ManagerStatus
 {
+    // Counted up in place with every run, instead of copied there and back.
+    internal WakeUpCounts _wakeUps;
+    internal DurationStatistics _unitOfWorkTime;
+    internal DurationStatistics _wakeLatency;
+    internal DurationStatistics _periodError;
+
     /// <summary>Where the manager is in its life.</summary>
     public ManagerState State { get; internal set; }
 
@@ -15,16 +21,16 @@ public struct ManagerStatus
     public long Runs { get; internal set; }
 
     /// <summary>Why they were run.</summary>
-    public WakeUpCounts WakeUps { get; internal set; }
+    public readonly WakeUpCounts WakeUps => _wakeUps;
 
     /// <summary>How long they took, by the clock of the run: in virtual time their modelled duration.</summary>
-    public DurationStatistics UnitOfWorkTime { get; internal set; }
+    public readonly DurationStatistics UnitOfWorkTime => _unitOfWorkTime;
 
     /// <summary>From the wake-up (or the moment the timer was due) to the unit of work, where the manager slept.</summary>
-    public DurationStatistics WakeLatency { get; internal set; }
+    public readonly DurationStatistics WakeLatency => _wakeLatency;
 
     /// <summary>How late after its deadline each unit of work that <see cref="RabitManager.Period"/> caused began.</summary>
-    public DurationStatistics PeriodError { get; internal set; }
+    public readonly DurationStatistics PeriodError => _periodError;
 
     /// <summary>Exceptions that left the manager's code.</summary>
     public long Faults { get; internal set; }
