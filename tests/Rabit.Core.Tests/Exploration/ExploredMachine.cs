@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Rabit.Core.Tests.Exploration;
 
@@ -14,13 +15,16 @@ internal sealed class ExploredMachine
     private readonly StateShape _shape;
     private readonly ExploredMemory _memory;
     private readonly Recorder _recorder = new();
-    private readonly List<ThreadTree.Place> _places = [];
+    private readonly CodeTree[] _code;
+    private readonly CodeFold _places;
     private readonly TimeSpan _lastMoment;
 
-    public ExploredMachine(ExploredModel model, MemoryModel memory)
+    public ExploredMachine(ExploredModel model, MemoryModel memory, int watchedSteps)
     {
         _model = model;
         _threads = model.Threads;
+        _code = _threads.Select(thread => new CodeTree(thread, _recorder)).ToArray();
+        _places = new CodeFold(watchedSteps);
         _shape = new StateShape(_threads.Count, model.Size.Locations, model.Size.Writes, model.Size.Signals, model.Notes);
         _memory = new ExploredMemory(_shape, memory);
         _lastMoment = new TimeSpan(model.Ticks.Step.Ticks * model.Ticks.Times);
@@ -34,16 +38,19 @@ internal sealed class ExploredMachine
 
     public bool HasEnded(ExploredState state, int thread) => OperationOf(state, thread).Kind == SyncKind.End;
 
-    public SyncOperation OperationOf(ExploredState state, int thread) => _places[state.Place(thread)].Operation;
+    public SyncOperation OperationOf(ExploredState state, int thread) => _places[state.Place(thread)].Place.Operation;
 
+    /// <summary>The state before the first step.</summary>
     public void Begin(ExploredState state)
     {
+        _places.BeginAnew();
+        Array.Clear(state.Numbers, 0, state.Numbers.Length);
         for (int location = 0; location < _shape.Locations; location++)
             state.Numbers[_shape.Counts + location] = 1;
         state.TicksLeft = _model.Ticks.Times;
         state.EarlyReturnsLeft = _model.EarlyReturns;
         for (int thread = 0; thread < Threads; thread++)
-            Arrive(state, thread, new ThreadTree(_threads[thread], _recorder, _places).Root);
+            Arrive(state, thread, _places.PlaceOf(_code[thread].Root));
     }
 
     public bool TryLetTimePass(ExploredState state)
@@ -62,15 +69,16 @@ internal sealed class ExploredMachine
     /// <param name="result">What the thread is told.</param>
     public StepKind Take(ExploredState state, int thread, int choice, out int result)
     {
-        ThreadTree.Place place = _places[state.Place(thread)];
-        StepKind kind = place.Operation.Kind is SyncKind.Wait or SyncKind.FutexWait
-            ? Wait(state, thread, place.Operation, choice, out result)
-            : Access(state, thread, place.Operation, choice, out result) ? StepKind.Taken : StepKind.NoSuchChoice;
+        FoldedPlace place = _places[state.Place(thread)];
+        SyncOperation operation = place.Place.Operation;
+        StepKind kind = operation.Kind is SyncKind.Wait or SyncKind.FutexWait
+            ? Wait(state, thread, operation, choice, out result)
+            : Access(state, thread, operation, choice, out result) ? StepKind.Taken : StepKind.NoSuchChoice;
         if (kind is StepKind.NoSuchChoice or StepKind.NotNow)
             return kind;
 
         if (state.WaitStage(thread) != Asleep)
-            Arrive(state, thread, place.After(result));
+            Arrive(state, thread, _places.After(place, result));
         _memory.Forget(state.Numbers, t => HasEnded(state, t));
         return kind;
     }
@@ -164,18 +172,19 @@ internal sealed class ExploredMachine
         }
     }
 
-    private void Arrive(ExploredState state, int thread, ThreadTree.Place place)
+    private void Arrive(ExploredState state, int thread, FoldedPlace place)
     {
-        while (place.Operation.Kind == SyncKind.Note)
+        while (place.Place.Operation.Kind == SyncKind.Note)
         {
-            place.Operation.Note!(state);
-            place = place.After(0);
+            place.Place.Operation.Note!(state);
+            place = _places.After(place, 0);
         }
 
         state.Place(thread) = place.Number;
-        if (place.Operation.Kind == SyncKind.Wait)
-            FallAsleep(state, thread, place.Operation.AtMost);
-        else if (place.Operation.Kind == SyncKind.End)
+        SyncOperation next = place.Place.Operation;
+        if (next.Kind == SyncKind.Wait)
+            FallAsleep(state, thread, next.AtMost);
+        else if (next.Kind == SyncKind.End)
             _memory.ForgetThread(state.Numbers, thread);
     }
 

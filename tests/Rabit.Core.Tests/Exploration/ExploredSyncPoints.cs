@@ -52,7 +52,9 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
         => Perform(new SyncOperation(SyncKind.FutexWait, Mine.LocationOf(ref *word)) { AtMost = atMost });
 
     /// <summary>A remark of the model.</summary>
-    public static void Note(Action<ExploredState> note) => Perform(new SyncOperation(SyncKind.Note) { Note = note });
+    /// <param name="about">Compared: two notes that do the same have the same.</param>
+    /// <param name="note">What it does.</param>
+    public static void Note(object about, Action<ExploredState> note) => Perform(new SyncOperation(SyncKind.Note) { About = about, Note = note });
 
     private static Recorder Mine => Recorder.Current ?? throw new InvalidOperationException("Nothing is explored on this thread.");
 

@@ -21,22 +21,41 @@ internal sealed class Explorer
     private readonly List<ExploredState> _path = [];
     private readonly List<Step> _steps = [];
     private long _stepCount;
+    public static int Restarts;
     private string? _fault;
 
-    private Explorer(ExploredModel model, MemoryModel memory)
+    private Explorer(ExploredModel model, MemoryModel memory, int watchedSteps)
     {
         _model = model;
-        _machine = new ExploredMachine(model, memory);
+        _machine = new ExploredMachine(model, memory, watchedSteps);
     }
 
     /// <summary>Explores to the end, or to the first fault.</summary>
-    public static ExplorationResult Explore(ExploredModel model, MemoryModel memory = MemoryModel.Weak)
+    /// <param name="model">Made anew for each exploration.</param>
+    /// <param name="memory">What the memory may show.</param>
+    /// <param name="watchedSteps">See <see cref="CodeFold"/>; 0: nothing is folded.</param>
+    public static ExplorationResult Explore(ExploredModel model, MemoryModel memory = MemoryModel.Weak, int watchedSteps = 6)
+        => new Explorer(model, memory, watchedSteps).Explore();
+
+    private ExplorationResult Explore()
     {
-        var explorer = new Explorer(model, memory);
-        explorer._machine.Begin(explorer.StateAt(0));
-        double interleavings = explorer.InterleavingsFrom(0);
-        return new ExplorationResult(
-            explorer._fault, explorer._steps.ConvertAll(explorer.Describe), interleavings, explorer._known.Count, explorer._stepCount);
+        while (true)
+        {
+            try
+            {
+                _known.Clear();
+                _steps.Clear();
+                _stepCount = 0;
+                _machine.Begin(StateAt(0));
+                double interleavings = InterleavingsFrom(0);
+                return new ExplorationResult(_fault, _steps.ConvertAll(Describe), interleavings, _known.Count, _stepCount);
+            }
+            catch (CodeFold.ClaimBroken)
+            {
+                // Two places in the code are not alike: they are told apart from now on.
+                Restarts++;
+            }
+        }
     }
 
     private double InterleavingsFrom(int depth)

@@ -143,7 +143,7 @@ public sealed class MemoryLitmusTests
             _ => P.Read(ref location[0]),
         };
 
-    private static void Tell(int note, int value) => ExploredSyncPoints.Note(state => state.Note(note) = value);
+    private static void Tell(int note, int value) => ExploredSyncPoints.Note((note, value), state => state.Note(note) = value);
 
     // What the locations hold in the end: whoever tells last tells after all writes.
     private void TellTheEnd()

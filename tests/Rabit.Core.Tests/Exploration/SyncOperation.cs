@@ -11,6 +11,9 @@ internal readonly record struct SyncOperation(SyncKind Kind, int Location = 0, i
     /// <summary>What a note does to the model's own numbers; null for the others.</summary>
     public Action<ExploredState>? Note { get; init; }
 
+    /// <summary>What tells a note from others; compared.</summary>
+    public object? About { get; init; }
+
     /// <summary>Whether the two are the same operation, their notes apart.</summary>
     public bool IsLike(in SyncOperation other) => this with { Note = null } == other with { Note = null };
 }
