@@ -190,9 +190,9 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         var ending = new ManagerEnding(_engine, _log, _options.StopTimeout);
         List<ManagerResult> results = Enumerable.Reverse(_activities).Select(ending.End).ToList();
         results.Reverse();
-        Workspace.CloseQueues();
+        IReadOnlyList<QueueResult> queues = CloseQueues();
         _engine.Dispose();
-        return new ReactorResult(reason, _failure, duration, results);
+        return new ReactorResult(reason, _failure, duration, results, queues);
     }
 
     /// <summary>Asks for a stop and comes back at once. Any thread; the first reason counts.</summary>
@@ -247,8 +247,24 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         }
     }
 
+    private IReadOnlyList<QueueResult> CloseQueues()
+    {
+        if (Workspace.TimeKeeper is { } timeKeeper)
+            _engine.TryEnd(timeKeeper, _options.StopTimeout);
+        IReadOnlyList<QueueResult> queues = Workspace.CloseQueues();
+        foreach (QueueResult queue in queues.Where(q => q.Counters.Resident > 0))
+            _log.Write(RabitLogKind.Note, queue.Name, queue.ToString());
+        return queues;
+    }
+
     private void OpenBarrier()
     {
+        if (Workspace.TimeKeeper is { } timeKeeper)
+        {
+            _engine.Begin(timeKeeper);
+            timeKeeper.WakeUp.Wake(WakeUpCauses.Start);
+        }
+
         List<DeviceActivity> devices = _managers.SelectMany(m => m.Writers.Concat(m.Readers)).ToList();
         foreach (DeviceActivity device in devices)
             _engine.Begin(device);

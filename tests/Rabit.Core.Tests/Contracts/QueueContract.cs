@@ -125,19 +125,17 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "3.1"), Trait("Clause", "4.2")]
-    public void WaitWhenFull_ManagerOrOutsideSends_IsAWiringFault()
+    public void WaitWhenFull_ManagerSends_IsAWiringFaultThatNamesIt()
     {
         using TestRun run = NewRun();
         run.Add("source").Send<int>("queue");
         run.Add("sink").Receive<int>("queue", 1, QueueFullMode.Wait);
         run.Reactor.Workspace.Send<int>("queue");
 
-        IReadOnlyList<string> faults = Assert.Throws<RabitWiringException>(run.Start).Faults;
+        string fault = Assert.Single(Assert.Throws<RabitWiringException>(run.Start).Faults);
 
-        Assert.Equal(2, faults.Count);
-        Assert.All(faults, fault => Assert.Contains("'queue'", fault, StringComparison.Ordinal));
-        Assert.Contains(faults, fault => fault.Contains("'source'", StringComparison.Ordinal));
-        Assert.Contains(faults, fault => fault.Contains("'outside'", StringComparison.Ordinal));
+        Assert.Contains("'queue'", fault, StringComparison.Ordinal);
+        Assert.Contains("'source'", fault, StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "3.2")]
