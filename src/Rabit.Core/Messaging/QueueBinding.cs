@@ -64,9 +64,12 @@ internal sealed class QueueBinding<T>(EndOwner owner, EndRole role, string name)
 
         // Without a lock where it is proved and pays; the rest needs more than one place at once, or somebody who waits. Values that must be
         // disposed are taken out by two: the receiver, and whoever closes the queue.
-        bool isRing = receiver.FullMode == QueueFullMode.Reject && !Discarded<T>.Matters && !receiver.Owner.IsOutside
+        bool needsNoLock = receiver.FullMode == QueueFullMode.Reject && !Discarded<T>.Matters && !receiver.Owner.IsOutside
             && !ends.Any(e => ((QueueBinding<T>)e).IsChannel);
-        if (isRing)
+        EndOwner[] senders = ends.Where(e => e.Role == EndRole.Send).Select(e => e.Owner).Distinct().ToArray();
+        if (needsNoLock && senders.Length == 1 && !senders[0].IsOutside)
+            return new PairQueue<T>(Name, receiver.Capacity, wakeUp, isOwnQueue: senders[0] == receiver.Owner);
+        if (needsNoLock)
             return new RingQueue<T>(Name, receiver.Capacity, wakeUp);
         return new LockedQueue<T>(Name, receiver.Capacity, receiver.FullMode, wakeUp, receiver.WaitAtMost, clock, log);
     }

@@ -46,9 +46,7 @@ internal sealed class RingQueue<T> : MessageQueue<T>
     public RingQueue(string name, int capacity, WakeUpEvent? receiverWakeUp, int start = 0)
         : base(name, capacity, QueueFullMode.Reject, receiverWakeUp)
     {
-        int size = 1;
-        while (size < capacity)
-            size <<= 1;
+        int size = RingState.SizeFor(capacity);
         _slots = new Slot[size];
         for (int i = 0; i < size; i++)
             SlotAt(unchecked(start + i)).Sequence = unchecked(start + i);
@@ -57,14 +55,7 @@ internal sealed class RingQueue<T> : MessageQueue<T>
 
     public override int Count => Counters.Resident;
 
-    public override QueueCounters Counters
-    {
-        get
-        {
-            _state.Read(Capacity, out long popped, out int resident, out int highWater);
-            return new QueueCounters(popped + resident, popped, dropped: 0, _state.Rejected, resident, highWater, Capacity);
-        }
-    }
+    public override QueueCounters Counters => _state.Books(Capacity);
 
     public override PushResult Push(in T value)
     {

@@ -6,16 +6,16 @@ using System.Threading;
 namespace Rabit.Core.Messaging;
 
 /// <summary>
-/// Head, tail and books of a <see cref="RingQueue{T}"/>, which says how they are used. What senders write, what the receiver writes and what
+/// Head, tail and books of a <see cref="RingQueue{T}"/> or <see cref="PairQueue{T}"/>, which say how they are used. What senders write, what the receiver writes and what
 /// is around it lie on different cache lines (128 bytes: two lines that are fetched together).
 /// </summary>
-[StructLayout(LayoutKind.Explicit, Size = 4 * Apart)]
+[StructLayout(LayoutKind.Explicit, Size = 5 * Apart)]
 internal struct RingState
 {
     private const int Apart = 128;
     private const int Closed = int.MinValue;
 
-    // Where the next value goes. Moved by senders, by compare-and-swap.
+    // Where the next value goes. Moved by senders, by compare-and-swap; by a lone sender, with an exchange or a release.
     [FieldOffset(Apart)]
     private int _tail;
 
@@ -33,7 +33,7 @@ internal struct RingState
     private int _lastHighWater;
 
     // Written by senders, by interlocked operations.
-    [FieldOffset(Apart + 16)]
+    [FieldOffset(3 * Apart)]
     private long _rejected;
 
     // Where the oldest value is. Written by the receiver.
@@ -44,8 +44,12 @@ internal struct RingState
     [FieldOffset((2 * Apart) + 4)]
     private int _halfTurns;
 
+    // Where the tail was when the receiver last looked. The receiver's.
+    [FieldOffset((2 * Apart) + 8)]
+    private int _seenTail;
+
     // Written once.
-    [FieldOffset(3 * Apart)]
+    [FieldOffset(4 * Apart)]
     private readonly int _start;
 
     public RingState(int start)
@@ -54,13 +58,21 @@ internal struct RingState
         _tail = start;
         _seenHead = start;
         _head = start;
+        _seenTail = start;
         _lastHighWater = -1;
     }
 
     /// <summary>The receiver's only.</summary>
     public readonly int Head => _head;
 
-    public long Rejected => Interlocked.Read(ref _rejected);
+    /// <summary>How many slots hold so many values: a power of two.</summary>
+    public static int SizeFor(int capacity)
+    {
+        int size = 1;
+        while (size < capacity)
+            size <<= 1;
+        return size;
+    }
 
     /// <summary>Reserves places, as many as there are of those that are wanted; counts the others as rejected.</summary>
     /// <param name="wanted">At least one.</param>
@@ -86,6 +98,34 @@ internal struct RingState
         return ReserveWithCare(wanted, capacity, out position);
     }
 
+    /// <summary>As <see cref="Reserve"/>, for a lone sender: the places are its own until it moves the tail.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Find(int wanted, int capacity, out int position)
+    {
+        position = _tail;
+        return unchecked(position - _seenHead + wanted) <= Volatile.Read(ref _sureUpTo) ? wanted : FindWithCare(wanted, capacity);
+    }
+
+    /// <summary>A lone sender has written values.</summary>
+    /// <param name="next">The position after them.</param>
+    /// <param name="fenced">Whether what the sender reads after this must not be read before it.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void MoveTail(int next, bool fenced)
+    {
+        if (fenced)
+            Interlocked.Exchange(ref _tail, next);
+        else
+            Volatile.Write(ref _tail, next);
+    }
+
+    /// <summary>How many values of a lone sender the receiver finds; it looks at the tail only when it has taken all that it knows of.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Available()
+    {
+        int known = unchecked(_seenTail - _head);
+        return known != 0 ? known : unchecked((_seenTail = Volatile.Read(ref _tail)) - _head);
+    }
+
     /// <summary>The receiver has taken values out and cleared their slots.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void MoveHead(int count)
@@ -106,22 +146,21 @@ internal struct RingState
     }
 
     /// <summary>The books as they were at one instant during the call.</summary>
-    public void Read(int capacity, out long popped, out int resident, out int highWater)
+    public QueueCounters Books(int capacity)
     {
         // Half turns before the head: they may be one behind it, which the head's top bit tells.
-        int halfTurns = Volatile.Read(ref _halfTurns);
+        int half = unchecked((int)((uint)_start >> 31) + Volatile.Read(ref _halfTurns));
         int head = Volatile.Read(ref _head);
         int tail = Volatile.Read(ref _tail);
-        int startHalf = (int)((uint)_start >> 31);
-        int half = unchecked(startHalf + halfTurns);
         if ((half & 1) != (int)((uint)head >> 31))
             half++;
-        popped = ((long)(half >> 1) << 32) + (uint)head - (uint)_start;
+        long popped = ((long)(half >> 1) << 32) + (uint)head - (uint)_start;
 
-        // Pops and pushes between the two looks; at the instant of the first there was no more than fits in.
-        resident = Math.Min(unchecked(tail - head), capacity);
+        // There may have been pops and pushes between the two looks; at the instant of the first there was no more than fits in.
+        int resident = Math.Min(unchecked(tail - head), capacity);
         int last = Volatile.Read(ref _lastHighWater);
-        highWater = Math.Max(resident, last >= 0 ? last : Volatile.Read(ref _sureUpTo));
+        int highWater = Math.Max(resident, last >= 0 ? last : Volatile.Read(ref _sureUpTo));
+        return new QueueCounters(popped + resident, popped, dropped: 0, Interlocked.Read(ref _rejected), resident, highWater, capacity);
     }
 
     // Looks at the head itself, raises the high-water mark, and says whether the queue is full or closed.
@@ -152,6 +191,19 @@ internal struct RingState
             RaiseHighWater(resident + count, sureUpTo);
             return count;
         }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private int FindWithCare(int wanted, int capacity)
+    {
+        int sureUpTo = Volatile.Read(ref _sureUpTo);
+        _seenHead = Volatile.Read(ref _head);
+        int resident = unchecked(_tail - _seenHead);
+        int count = Volatile.Read(ref _lastHighWater) >= 0 ? 0 : Math.Min(wanted, capacity - resident);
+        if (count < wanted)
+            Interlocked.Add(ref _rejected, wanted - count);
+        RaiseHighWater(resident + count, sureUpTo);
+        return count;
     }
 
     private void RaiseHighWater(int resident, int sureUpTo)
