@@ -62,7 +62,7 @@ internal sealed class PairQueue<T> : MessageQueue<T>
 
     public override bool TryPop([MaybeNullWhen(false)] out T value)
     {
-        if (_state.Available() == 0)
+        if (_state.Available(1) == 0)
         {
             value = default;
             return false;
@@ -80,7 +80,7 @@ internal sealed class PairQueue<T> : MessageQueue<T>
 
     public override int PopInto(Span<T> target)
     {
-        int popped = Math.Min(_state.Available(), target.Length);
+        int popped = Math.Min(_state.Available(target.Length), target.Length);
         for (int i = 0; i < popped; i++)
         {
             ref T slot = ref SlotAt(unchecked(_state.Head + i));

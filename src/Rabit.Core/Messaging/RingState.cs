@@ -118,12 +118,12 @@ internal struct RingState
             Volatile.Write(ref _tail, next);
     }
 
-    /// <summary>How many values of a lone sender the receiver finds; it looks at the tail only when it has taken all that it knows of.</summary>
+    /// <summary>How many values of a lone sender the receiver finds; it looks at the tail only when it knows of too few.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Available()
+    public int Available(int wanted)
     {
         int known = unchecked(_seenTail - _head);
-        return known != 0 ? known : unchecked((_seenTail = Volatile.Read(ref _tail)) - _head);
+        return known >= wanted ? known : unchecked((_seenTail = Volatile.Read(ref _tail)) - _head);
     }
 
     /// <summary>The receiver has taken values out and cleared their slots.</summary>
