@@ -14,6 +14,7 @@ namespace Rabit.Core.Tests.Exploration;
 internal sealed class Explorer
 {
     private const int Time = -1;
+    private const int MostSteps = 1000;
 
     private readonly ExploredModel _model;
     private readonly ExploredMachine _machine;
@@ -34,7 +35,7 @@ internal sealed class Explorer
     /// <param name="model">Made anew for each exploration.</param>
     /// <param name="memory">What the memory may show.</param>
     /// <param name="watchedSteps">See <see cref="CodeFold"/>; 0: nothing is folded.</param>
-    public static ExplorationResult Explore(ExploredModel model, MemoryModel memory = MemoryModel.Weak, int watchedSteps = 6)
+    public static ExplorationResult Explore(ExploredModel model, MemoryModel memory = MemoryModel.Weak, int watchedSteps = 5)
         => new Explorer(model, memory, watchedSteps).Explore();
 
     private ExplorationResult Explore()
@@ -65,6 +66,8 @@ internal sealed class Explorer
         if (_known.TryGetValue(key, out double interleavings))
             return interleavings;
 
+        if (depth == MostSteps)
+            throw new InvalidOperationException($"No end after {MostSteps} steps; the first: {string.Join("; ", _steps.GetRange(0, 40).ConvertAll(Describe))}");
         bool isQuiet = true;
         for (int thread = 0; thread < _machine.Threads && _fault is null; thread++)
             interleavings += InterleavingsOf(thread, depth, ref isQuiet);
@@ -133,7 +136,7 @@ internal sealed class Explorer
         SyncOperation operation = step.Operation;
         string what = operation.Kind switch
         {
-            SyncKind.Write or SyncKind.VolatileWrite => $"#{operation.Location} = {operation.Value}",
+            SyncKind.Write or SyncKind.VolatileWrite or SyncKind.InterlockedWrite => $"#{operation.Location} = {operation.Value}",
             SyncKind.Exchange => $"#{operation.Location} = {operation.Value}, was {step.Result}",
             SyncKind.CompareExchange => $"#{operation.Location} = {operation.Value} if {operation.Comparand}, was {step.Result}",
             SyncKind.Fence or SyncKind.ReadClock => $"{step.Result}",

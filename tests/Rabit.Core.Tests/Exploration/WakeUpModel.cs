@@ -35,7 +35,7 @@ internal sealed class WakeUpModel : ExploredModel
         _written = new int[scenario.Wakers];
         _threads.Add(new Sleeper(this));
         if (scenario.Starts || scenario.Stops)
-            _threads.Add(new OnePieceThread("reactor", StartAndStop));
+            _threads.Add(new Reactor(this));
         for (int waker = 0; waker < scenario.Wakers; waker++)
             _threads.Add(new Waker(this, waker));
     }
@@ -64,21 +64,18 @@ internal sealed class WakeUpModel : ExploredModel
             state.Require(state.Note(Note.Seen + Note.Of(waker)) == state.Note(Note.Returned + Note.Of(waker)), "a post was lost: the last turn saw an older one");
     }
 
-    private void StartAndStop()
+    private void Start()
     {
-        if (_scenario.Starts)
-        {
-            ExploredSyncPoints.Note("start", s => s.Note(Note.StartCalled) = 1);
-            _wakeUp.Wake(WakeUpCauses.Start);
-            ExploredSyncPoints.Note("started", s => s.Note(Note.Started) = 1);
-        }
+        ExploredSyncPoints.Note("start", s => s.Note(Note.StartCalled) = 1);
+        _wakeUp.Wake(WakeUpCauses.Start);
+        ExploredSyncPoints.Note("started", s => s.Note(Note.Started) = 1);
+    }
 
-        if (_scenario.Stops)
-        {
-            ExploredSyncPoints.Note("stop", s => s.Note(Note.StopCalled) = 1);
-            _wakeUp.RequestStop();
-            ExploredSyncPoints.Note("stopped", s => s.Note(Note.StopReturned) = 1);
-        }
+    private void Stop()
+    {
+        ExploredSyncPoints.Note("stop", s => s.Note(Note.StopCalled) = 1);
+        _wakeUp.RequestStop();
+        ExploredSyncPoints.Note("stopped", s => s.Note(Note.StopReturned) = 1);
     }
 
     private void WriteAndWake(int waker, int number)
@@ -163,6 +160,23 @@ internal sealed class WakeUpModel : ExploredModel
         public const int Size = 5;
 
         public static int Of(int waker) => waker * Size;
+    }
+
+    private sealed class Reactor(WakeUpModel model) : ExploredThread("reactor")
+    {
+        public override object Begin => model._scenario.Starts ? "start" : "stop";
+
+        public override object? Run(object from)
+        {
+            if (from.Equals("stop"))
+            {
+                model.Stop();
+                return null;
+            }
+
+            model.Start();
+            return model._scenario.Stops ? "stop" : null;
+        }
     }
 
     private sealed class Waker(WakeUpModel model, int number) : ExploredThread($"waker {number}")
