@@ -18,19 +18,19 @@ internal sealed class ExploredMachine
     private readonly CodeTree[] _code;
     private readonly CodeFold _places;
     private readonly RetriedUpdates _updates;
-    private readonly bool _reduces;
+    private readonly bool _mergesRetries;
     private readonly TimeSpan _lastMoment;
 
-    public ExploredMachine(ExploredModel model, MemoryModel memory, int watchedSteps)
+    public ExploredMachine(ExploredModel model, ExplorerOptions options)
     {
         _model = model;
         _threads = model.Threads;
         _code = _threads.Select(thread => new CodeTree(thread, _recorder)).ToArray();
-        _places = new CodeFold(watchedSteps);
+        _places = new CodeFold(options.WatchedSteps);
         _updates = new RetriedUpdates();
-        _reduces = watchedSteps > 0;
+        _mergesRetries = options.MergesRetries;
         _shape = new StateShape(_threads.Count, model.Size.Locations, model.Size.Writes, model.Size.Signals, model.Notes);
-        _memory = new ExploredMemory(_shape, memory);
+        _memory = new ExploredMemory(_shape, options.Memory);
         _lastMoment = new TimeSpan(model.Ticks.Step.Ticks * model.Ticks.Times);
     }
 
@@ -76,7 +76,7 @@ internal sealed class ExploredMachine
     {
         FoldedPlace place = _places[state.Place(thread)];
         SyncOperation operation = place.Place.Operation;
-        if (_reduces && TryUpdate(state, thread, ref place, choice, out result))
+        if (_mergesRetries && TryUpdate(state, thread, ref place, choice, out result))
         {
             if (choice > 0)
                 return StepKind.NoSuchChoice;
