@@ -66,7 +66,7 @@ internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUn
             int taken = Take();
             if ((taken & Stop) != 0)
                 return;
-            if ((taken & (int)WakeUpCauses.Start) != 0)
+            if (fault == SeededFault.WakeDroppedDuringStartup && (taken & (int)WakeUpCauses.Start) != 0)
                 Sync.VolatileWrite(ref _isOpen, 1);
             next = takeTurn(new WakeUps((WakeUpCauses)(taken & Any & ~Stop), taken / OneWake, stop: false), null);
         }

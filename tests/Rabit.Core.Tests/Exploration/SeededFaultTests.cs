@@ -48,7 +48,7 @@ public sealed class SeededFaultTests(ITestOutputHelper output)
             MemoryModel.StoreBuffers);
 
         output.WriteLine(result.ToString());
-        Assert.Equal("a post was lost: the last turn saw an older one", result.Fault);
+        Assert.Equal("a turn does not see what was written before its wake", result.Fault);
     }
 
     private static ExplorationResult Explore(SeededFault fault, MemoryModel memory)

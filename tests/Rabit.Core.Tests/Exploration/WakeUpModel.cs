@@ -56,9 +56,10 @@ internal sealed class WakeUpModel : ExploredModel
         for (int thread = 1; thread < _threads.Count; thread++)
             state.Require(hasEnded(thread), $"{_threads[thread].Name} hangs");
         state.Require(state.Note(Note.StopReturned) == 0 || hasEnded(0), "a stop was lost: the sleeper goes on sleeping");
-        if (hasEnded(0) || (_scenario.Starts && state.Note(Note.Started) == 0))
-            return;
 
+        // A sleeper that backs off keeps its wakes for the timer; that they are all in its turn is checked there.
+        if (hasEnded(0) || _scenario.BacksOff || (_scenario.Stops && !_scenario.Starts))
+            return;
         state.Require(!_scenario.ChecksCounts || state.Note(Note.Taken) == Returned(state), "a wake was lost: the sleeper goes on sleeping");
         for (int waker = 0; waker < _scenario.Wakers; waker++)
         {
