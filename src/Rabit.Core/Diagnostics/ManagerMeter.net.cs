@@ -46,10 +46,10 @@ internal sealed class ManagerMeter : IDisposable
     private void Percentiles(string name, string description, Func<ManagerStatus, DurationStatistics> value)
         => _meter.CreateObservableGauge(name, () => ObservePercentiles(value), "s", description);
 
-    private IEnumerable<Measurement<long>> Observe(Func<ManagerStatus, long> value)
+    private Measurement<long>[] Observe(Func<ManagerStatus, long> value)
         => _read().Select((status, i) => new Measurement<long>(value(status), Manager(i))).ToArray();
 
-    private IEnumerable<Measurement<long>> ObserveCauses() => _read().SelectMany(CausesOf).ToArray();
+    private Measurement<long>[] ObserveCauses() => _read().SelectMany(CausesOf).ToArray();
 
     private IEnumerable<Measurement<long>> CausesOf(ManagerStatus status, int i)
     {
@@ -64,7 +64,7 @@ internal sealed class ManagerMeter : IDisposable
         Measurement<long> Of(WakeUpCauses cause, long count) => new(count, Manager(i), new("cause", cause.ToString()));
     }
 
-    private IEnumerable<Measurement<double>> ObservePercentiles(Func<ManagerStatus, DurationStatistics> value)
+    private Measurement<double>[] ObservePercentiles(Func<ManagerStatus, DurationStatistics> value)
         => _read().SelectMany((status, i) => PercentilesOf(value(status), i)).ToArray();
 
     private IEnumerable<Measurement<double>> PercentilesOf(DurationStatistics times, int i)

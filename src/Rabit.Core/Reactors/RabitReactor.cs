@@ -257,7 +257,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
             runs.Add(run);
         }
 
-        _supervision = new ReactorSupervision(_options, Workspace, _clock, _activities);
+        _supervision = ReactorSupervision.Create(_options, Workspace, _clock, _activities);
         foreach (ManagerRun run in runs)
             run.WatchdogWakeUp = _supervision.WatchdogWakeUp;
     }

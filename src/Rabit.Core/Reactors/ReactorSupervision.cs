@@ -18,7 +18,7 @@ internal sealed class ReactorSupervision : IDisposable
     private readonly WatchdogActivity? _watchdog;
     private readonly ManagerMeter _meter;
 
-    public ReactorSupervision(ReactorOptions options, RabitWorkspace workspace, RunClock clock, IReadOnlyList<ManagerActivity> managers)
+    private ReactorSupervision(ReactorOptions options, RabitWorkspace workspace, RunClock clock, IReadOnlyList<ManagerActivity> managers)
     {
         _managers = managers;
         _statuses = managers.Select(m => workspace.StatusEndOf(m.Name)).ToArray();
@@ -36,6 +36,10 @@ internal sealed class ReactorSupervision : IDisposable
         if (shortest < TimeSpan.MaxValue)
             _watchdog = new WatchdogActivity(managers, _statuses, clock, IntervalFor(shortest), hasThreads: true);
     }
+
+    public static ReactorSupervision Create(
+        ReactorOptions options, RabitWorkspace workspace, RunClock clock, IReadOnlyList<ManagerActivity> managers)
+        => new(options, workspace, clock, managers);
 
     /// <summary>Wakes the watchdog of virtual time, if there is one.</summary>
     public WakeUpEvent? WatchdogWakeUp { get; }
