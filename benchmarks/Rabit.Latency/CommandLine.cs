@@ -10,7 +10,7 @@ internal sealed class CommandLine
     private const string Usage = """
         Rabit.Latency [MODE ...] [options]: measures Rabit beside peers and limits, in the same run.
 
-        Modes: {0}; all (the default) is all but soak.
+        Modes: MODES; all (the default) is all but soak.
           --quick          a few seconds: shows that every mode works, and judges no figure
           --rounds N       interleaved rounds, 7 unless told
           --minutes N      how long the soak lasts, 1 unless told
@@ -53,7 +53,7 @@ internal sealed class CommandLine
             else if (IsOneOf(known, word))
                 modes.Add(word);
             else
-                throw new FormatException($"'{word}' is not known.\n\n" + string.Format(CultureInfo.InvariantCulture, Usage, string.Join(", ", known)));
+                throw new FormatException($"'{word}' is not known.\n\n" + Usage.Replace("MODES", string.Join(", ", known)));
         }
 
         if (modes.Count == 0)

@@ -7,6 +7,7 @@ using Rabit.Latency.Idle;
 using Rabit.Latency.Periods;
 using Rabit.Latency.PingPong;
 using Rabit.Latency.Reporting;
+using Rabit.Latency.Runs;
 using Rabit.Latency.Soak;
 using Rabit.Latency.Supervision;
 using Rabit.Latency.Throughput;
@@ -30,6 +31,7 @@ internal static class Runner
         ("idle", IdleMode.Run),
         ("throughput", ThroughputMode.Run),
         ("contention", ContentionMode.Run),
+        ("runs", options => [RunsMode.Run(options)]),
         ("stop", options => [StopMode.Run(options)]),
         ("fault", options => [FaultMode.Run(options)]),
     ];
@@ -68,7 +70,7 @@ internal static class Runner
     }
 
     // A quick run measures too little to judge by; it shows that everything works.
-    private static bool Judge(IReadOnlyList<Table> tables, RunOptions options, TextWriter output)
+    private static bool Judge(List<Table> tables, RunOptions options, TextWriter output)
     {
         Requirement[] all = [.. tables.SelectMany(t => t.Requirements)];
         output.WriteLine();

@@ -8,6 +8,7 @@ internal static unsafe class Libc
 {
     public const int ClockMonotonic = 1;
     public const int ClockOfProcess = 2;   // CLOCK_PROCESS_CPUTIME_ID: all threads, user and kernel, in nanoseconds
+    public const int ClockOfThread = 3;    // CLOCK_THREAD_CPUTIME_ID
     public const int AbsoluteTime = 1;     // TIMER_ABSTIME
 
     private const int FutexWaitPrivate = 128;

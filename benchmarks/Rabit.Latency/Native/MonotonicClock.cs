@@ -8,6 +8,9 @@ internal static unsafe class MonotonicClock
     /// <summary>CPU time of this process so far, all threads, in nanoseconds.</summary>
     public static long CpuTime => Read(Libc.ClockOfProcess);
 
+    /// <summary>CPU time of the calling thread so far: what others do on the machine is not in it.</summary>
+    public static long ThreadTime => Read(Libc.ClockOfThread);
+
     public static void SleepUntil(long nanoseconds)
     {
         TimeSpec until = TimeSpec.FromNanoseconds(nanoseconds);
