@@ -11,6 +11,7 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
     private const long Tolerance = 2000;
 
     private readonly long[] _times = new long[samples];
+    private long _last;   // the number of the deadline that a thread by hand waited for
 
     public int Count { get; private set; }
 
@@ -25,9 +26,9 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
     /// <summary>When a thread by hand is to run next: the first deadline that has not passed. Those in between are missed.</summary>
     public long NextDeadline(long now)
     {
-        long last = (_times[Count - 1] - _times[0]) / periodNanoseconds;
         long next = ((now - _times[0]) / periodNanoseconds) + 1;
-        Missed += next - last - 1;
+        Missed += next - _last - 1;
+        _last = next;
         return _times[0] + (next * periodNanoseconds);
     }
 

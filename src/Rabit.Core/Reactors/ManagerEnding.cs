@@ -24,6 +24,7 @@ internal sealed class ManagerEnding(ReactorEngine engine, RabitLog log, TimeSpan
         }
 
         ManagerResult result = ResultOf(activity, notStopped);
+        result.RealTime = activity.Manager.RealTimeReport;
         log.Write(RabitLogKind.Lifecycle, activity.Name, result.ToString());
         return result;
     }

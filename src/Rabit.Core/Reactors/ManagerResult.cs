@@ -36,6 +36,9 @@ public sealed class ManagerResult
     /// <summary>What did not stop in time, the manager or a reader or writer of it, and what it is doing: <c>name: doing</c>.</summary>
     public IReadOnlyList<string> NotStopped { get; }
 
+    /// <summary>What became of the manager's request for real time; empty when it made none.</summary>
+    public RealTimeReport RealTime { get; internal set; } = RealTimeReport.Empty;
+
     /// <summary>One line.</summary>
     public override string ToString()
     {
