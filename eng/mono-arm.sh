@@ -37,7 +37,7 @@ apt_for_arm() {
         -o Debug::NoLocking=1 -o APT::Sandbox::User=root "$command" "$@"
 }
 
-if [ ! -x "$root/usr/bin/mono-sgen" ]; then
+if [ ! -L "$root/usr/lib/mono" ]; then   # the last step below
     apt_for_arm update
     apt_for_arm install --download-only mono-runtime-sgen
     mkdir -p "$root"

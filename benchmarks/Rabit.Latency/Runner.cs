@@ -28,6 +28,7 @@ internal static class Runner
         ("wake", options => [WakeMode.Run(options)]),
         ("pingpong", options => [PingPongMode.Run(options)]),
         ("period", PeriodMode.Run),
+        ("realtime", options => [RealTimeMode.Run(options)]),
         ("idle", IdleMode.Run),
         ("throughput", ThroughputMode.Run),
         ("contention", ContentionMode.Run),

@@ -12,14 +12,17 @@ internal sealed class RabitPeriod : PeriodTarget
     private readonly Ticker _ticker;
     private readonly MessageSubscriber<ManagerStatus> _status;
 
-    public RabitPeriod(WaitEngine engine, int cpu)
+    public RabitPeriod(WaitEngine engine, int cpu, RealTimeRequest? request = null)
     {
         _reactor = RabitRun.Create(engine);
-        _ticker = new Ticker(cpu);
+        _ticker = new Ticker(cpu, request);
         _reactor.Add(_ticker);
         _status = _reactor.Workspace.SubscribeToStatus(_ticker.Name);
         _reactor.Start();
     }
+
+    /// <summary>What became of the request.</summary>
+    public RealTimeReport RealTime => _ticker.RealTimeReport;
 
     public override void Run(TimeSpan period, DeadlineRecord record)
     {
@@ -47,9 +50,11 @@ internal sealed class RabitPeriod : PeriodTarget
         private TimeSpan _asked;           // written before the record
         private DeadlineRecord? _record;   // set from outside before the wake; unset by the manager
 
-        public Ticker(int cpu)
+        public Ticker(int cpu, RealTimeRequest? request)
             : base("ticker")
         {
+            if (request is not null)
+                RequestRealTime(request);
             _cpu = cpu;
             WakeUpDelay = TimeSpan.FromHours(1);
         }

@@ -49,7 +49,7 @@ internal static class MarkdownReport
 
     private static void AppendRow(StringBuilder text, Table table, Subject row)
     {
-        text.Append("| ").Append(row.Name).Append(row == table.Limit ? " (limit)" : string.Empty);
+        text.Append("| ").Append(row.Name).Append(row == table.Limit ? $" ({table.LimitName})" : string.Empty);
         for (int i = 0; i < table.Columns.Count; i++)
         {
             text.Append(" | ").Append(TextReport.Figure(row.Columns[i].Median, table.Columns[i].Format));

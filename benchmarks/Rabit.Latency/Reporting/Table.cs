@@ -5,7 +5,7 @@ using Rabit.Latency.Measuring;
 namespace Rabit.Latency.Reporting;
 
 /// <summary>What one mode measured: a row for each subject, and what was required.</summary>
-internal sealed class Table(string mode, string title, IReadOnlyList<Column> columns, IReadOnlyList<Subject> rows, Subject? limit = null)
+internal sealed class Table(string mode, string title, IReadOnlyList<Column> columns, IReadOnlyList<Subject> rows, Subject? limit = null, string limitName = "limit")
 {
     private readonly List<Requirement> _requirements = [];
 
@@ -21,6 +21,9 @@ internal sealed class Table(string mode, string title, IReadOnlyList<Column> col
 
     /// <summary>The row that bounds the others; null where there is none.</summary>
     public Subject? Limit => limit;
+
+    /// <summary>What that row is: a limit, or only what the others are set beside.</summary>
+    public string LimitName => limitName;
 
     /// <summary>Requires that a figure is at most so many times another one, round by round.</summary>
     public void RequireRatio(Subject subject, Subject other, int column, double atMost)

@@ -10,9 +10,9 @@ namespace Rabit.Latency.Reporting;
 /// <summary>Writes tables for people.</summary>
 internal static class TextReport
 {
-    private const int NameWidth = 34;
+    private const int NameWidth = 42;
     private const int FigureWidth = 12;
-    private const int RatioWidth = 8;
+    private const int RatioWidth = 9;
 
     public static void Write(TextWriter output, Table table)
     {
@@ -23,7 +23,7 @@ internal static class TextReport
         {
             output.Write(column.Name.PadLeft(FigureWidth));
             if (table.Limit is not null && column.HasRatio)
-                output.Write("x limit".PadLeft(RatioWidth));
+                output.Write(("x " + table.LimitName).PadLeft(RatioWidth));
         }
 
         output.WriteLine();
@@ -40,7 +40,7 @@ internal static class TextReport
 
     private static void WriteRow(TextWriter output, Table table, Subject row)
     {
-        string name = "  " + row.Name + (row == table.Limit ? " (limit)" : string.Empty);
+        string name = "  " + row.Name + (row == table.Limit ? $" ({table.LimitName})" : string.Empty);
         output.Write(name.PadRight(NameWidth));
         for (int i = 0; i < table.Columns.Count; i++)
         {

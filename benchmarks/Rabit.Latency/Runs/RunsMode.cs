@@ -29,7 +29,7 @@ internal static class RunsMode
             $"a unit of work that only asks for the next one, {runs} a round; the difference bounds what statistics cost",
             [new Column("CPU ns")],
             new List<Subject> { byHand, rabit },
-            byHand);
+            byHand, "base");
         table.RequireDifference(rabit, byHand, 0, 100);
         return table;
     }
