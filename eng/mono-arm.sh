@@ -56,7 +56,7 @@ cp "$(dirname "$runner")"/xunit.* "$(dirname "$assembly")"
 rm -f "$results"
 
 # Files that are in the Arm root are taken from there, all others from the host.
-"$qemu" -L "$root" -E LD_LIBRARY_PATH="$root/usr/lib" "$root/usr/bin/mono-sgen" "$(dirname "$assembly")/xunit.console.exe" "$assembly" \
+"$qemu" -L "$root" -E LD_LIBRARY_PATH="$root/usr/lib" -E MONO_CFG_DIR="$root/etc" "$root/usr/bin/mono-sgen" "$(dirname "$assembly")/xunit.console.exe" "$assembly" \
     -noappdomain -nologo -notrait Category=Long -parallel none -xml "$results" "$@" || true
 
 attribute() {

@@ -20,9 +20,10 @@ internal static class MarkdownReport
         if (from < 0 || to < from)
             throw new InvalidOperationException($"{file} has no place for the figures: '{begin}' and '{end}', each on a line of its own.");
 
-        var written = new StringBuilder(begin).Append('\n').Append(machine).Append('\n');
+        var written = new StringBuilder(begin).Append("\n\nMeasured on ").Append(machine).Append('.').Append('\n');
         foreach (Table table in tables)
             Append(written, table);
+        written.Append('\n');
         File.WriteAllText(file, text.Substring(0, from) + written + text.Substring(to));
     }
 
