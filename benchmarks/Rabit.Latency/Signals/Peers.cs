@@ -11,8 +11,10 @@ internal static class Peers
 
     public static IReadOnlyList<(string Name, Func<Signal> Create)> All { get; } =
     [
-        (Limit, () => new FutexSignal()),
-        (Event, () => new EventSignal()),
+        (Limit, () => new FutexSignal(hasTimer: false)),
+        (Event, () => new EventSignal(milliseconds: -1)),
+        ("futex pair, each wait with a timer", () => new FutexSignal(hasTimer: true)),
+        ("AutoResetEvent, WaitOne(an hour)", () => new EventSignal(milliseconds: 3_600_000)),
         ("SemaphoreSlim", () => new SemaphoreSignal()),
         ("Channel, bounded", () => new ChannelSignal()),
         ("BlockingCollection", () => new BlockingCollectionSignal()),
