@@ -38,7 +38,7 @@ apt_for_arm() {
 }
 
 if [ ! -L "$root/usr/lib/mono" ]; then   # the last step below
-    apt_for_arm update
+    apt_for_arm update || echo "Some lists of packages could not be had; those that are there are used."
     apt_for_arm install --download-only mono-runtime-sgen
     mkdir -p "$root"
     for package in "$home"/apt/cache/archives/*.deb; do
