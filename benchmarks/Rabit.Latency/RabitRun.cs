@@ -9,10 +9,11 @@ internal static class RabitRun
 {
     public static string NameOf(WaitEngine engine) => engine == WaitEngine.Futex ? "Rabit, futex engine" : "Rabit, event engine";
 
-    public static RabitReactor Create(WaitEngine engine) => new(new ReactorOptions
+    public static RabitReactor Create(WaitEngine engine, bool keepsStatistics = true) => new(new ReactorOptions
     {
         Time = new RealTime { WaitEngine = engine },
         StopsOnSignals = false,
+        KeepsStatistics = keepsStatistics,
         Log = entry =>
         {
             // A futex engine that is an event after all would be measured under the wrong name.

@@ -14,18 +14,26 @@ internal static class FaultMode
     public static Table Run(RunOptions options)
     {
         double seconds = options.Pick(0.3, 5.0);
-        Subject carryOn = new("Rabit, carry on", () => Measure(FaultPolicy.CarryOn, seconds));
-        List<Subject> subjects = [new("caught in a loop by hand", () => ByHand(Math.Min(seconds, 0.5))), carryOn];
+        Subject[] policies =
+        [
+            Row("Rabit, carry on", FaultPolicy.CarryOn, seconds),
+            Row("Rabit, restart", FaultPolicy.Restart, seconds),
+            Row("Rabit, stop the manager", FaultPolicy.StopManager, seconds),
+            Row("Rabit, stop the system", FaultPolicy.StopSystem, seconds),
+        ];
+        List<Subject> subjects = [new("caught in a loop by hand", () => ByHand(Math.Min(seconds, 0.5))), .. policies];
         Rounds.Run(subjects, options.Pick(1, Math.Min(3, options.Rounds)), warmUps: 1);
         var table = new Table(
             "fault",
             "a unit of work that always throws, from its first fault",
             [new Column("% of a core", "0.00"), new Column("throws/s", "0.0")],
             subjects);
-        if (!options.IsQuick)
-            table.RequireAtMost(carryOn, 0, 1);
+        foreach (Subject policy in policies)
+            table.RequireAtMost(policy, 0, 1);
         return table;
     }
+
+    private static Subject Row(string name, FaultPolicy policy, double seconds) => new(name, () => Measure(policy, seconds));
 
     private static double[] Measure(FaultPolicy policy, double seconds)
     {

@@ -188,5 +188,5 @@ public sealed class RealTimeSetupTests
 
     private static RunClock NewClock() => new(TimeProvider.System);
 
-    private ManagerRun NewRun() => new(NewClock(), NewLog(), _ => { });
+    private ManagerRun NewRun() => new(NewClock(), NewLog(), HangPolicy.Off, keepsStatistics: true, _ => { });
 }
