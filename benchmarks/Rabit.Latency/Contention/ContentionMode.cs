@@ -71,7 +71,9 @@ internal static class ContentionMode
     {
         var channel = Channel.CreateBounded<Pose>(new BoundedChannelOptions(1)
         {
-            FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true, SingleWriter = true,
+            FullMode = BoundedChannelFullMode.DropOldest,
+            SingleReader = true,
+            SingleWriter = true,
         });
         Pose posted = default;
         return Duel.ByHand(
