@@ -16,6 +16,7 @@ internal sealed class VirtualEngine : ReactorEngine
     private readonly EngineContext _context;
     private readonly VirtualTime _time;
     private readonly Pacer _pacer;
+    private readonly RealTimeSetup _realTime;
     private readonly List<VirtualSlot> _slots = [];
     private readonly List<VirtualSlot> _candidates = [];
 
@@ -33,6 +34,7 @@ internal sealed class VirtualEngine : ReactorEngine
         _context = context;
         _random = new SplitMix64(unchecked((ulong)time.Seed));
         _pacer = new Pacer(time);
+        _realTime = new RealTimeSetup(context.Log, control: null, "virtual time has no threads");
     }
 
     public override void Begin(Activity activity)
@@ -42,6 +44,7 @@ internal sealed class VirtualEngine : ReactorEngine
         activity.WakeUp.Connect(slot, _context.Clock);
         lock (_gate)
             _slots.Add(slot);
+        _realTime.Apply(activity);
         activity.Begin();
         Sleep(slot, NextTurn.AtStart());
     }
