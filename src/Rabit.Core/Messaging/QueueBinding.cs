@@ -41,6 +41,8 @@ internal sealed class QueueBinding<T>(EndOwner owner, EndRole role, string name)
         return new MessageQueue<T>(Name, receiver.Capacity, receiver.FullMode, receiver.Wakes ? receiver.Owner.WakeUp : null, log);
     }
 
+    public override void Watch(object hub, EventLog events) => events.Watch((IMessageQueue)hub);
+
     public override void Bind(object hub, EndDeclaration? firstOfOwner)
     {
         Queue = (MessageQueue<T>)hub;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Threading;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
 
 namespace Rabit.Core.Reactors;
@@ -16,6 +17,7 @@ internal sealed class VirtualEngine : ReactorEngine
     private readonly EngineContext _context;
     private readonly VirtualTime _time;
     private readonly Pacer _pacer;
+    private readonly EventLog? _events;
     private readonly List<VirtualSlot> _slots = [];
     private readonly List<VirtualSlot> _candidates = [];
 
@@ -31,24 +33,32 @@ internal sealed class VirtualEngine : ReactorEngine
     {
         _time = time;
         _context = context;
+        _events = context.Log.Events;
         _random = new SplitMix64(unchecked((ulong)time.Seed));
         _pacer = new Pacer(time);
     }
 
     public override void Begin(Activity activity)
     {
-        var slot = new VirtualSlot(activity, this);
-        if (_time.UnitOfWorkDurations.TryGetValue(activity.Name, out TimeSpan duration))
-            activity.ModelledDuration = duration;
+        var slot = new VirtualSlot(activity, this)
+        {
+            Duration = activity is ManagerActivity ? _time.UnitOfWorkDuration(activity.Name) : null,
+        };
+        if (_slots.Count == 0)
+            _events?.Write("time", FormattableString.Invariant($"is virtual, seed {_time.Seed}"));
         activity.WakeUp.Connect(slot, _context.Clock);
         lock (_gate)
             _slots.Add(slot);
+        _events?.Enter(activity, "begins");
         activity.Begin();
+        _events?.Leave();
         Sleep(slot, NextTurn.AtStart());
     }
 
     public override void RunUntil(TimeSpan end)
     {
+        _time.CloseManagers();
+        _events?.LookOutside();
         while (!IsStopRequested())
         {
             TimeSpan now = _context.Clock.Now;
@@ -82,7 +92,9 @@ internal sealed class VirtualEngine : ReactorEngine
         if (slot is null || slot.HasEnded)
             return true;
         activity.WakeUp.Take();
+        _events?.Enter(activity, "ends");
         activity.End();
+        _events?.Leave();
         slot.HasEnded = true;
         return true;
     }
@@ -106,7 +118,14 @@ internal sealed class VirtualEngine : ReactorEngine
     {
     }
 
-    internal void MarkWoken(VirtualSlot slot, TimeSpan? at)
+    /// <summary>A wake that found the activity asleep. Any thread.</summary>
+    internal void OnWake(VirtualSlot slot)
+    {
+        _events?.Wakes(slot.Activity);
+        MarkWoken(slot, slot.Activity.WakeUp.WokenAt);
+    }
+
+    private void MarkWoken(VirtualSlot slot, TimeSpan? at)
     {
         lock (_gate)
         {
@@ -169,13 +188,16 @@ internal sealed class VirtualEngine : ReactorEngine
             return;
         }
 
+        if (slot.Duration is { } duration)
+            slot.Activity.ModelledDuration = duration.Next();
+        _events?.EnterTurn(slot.Activity, wakes);
         long mark = _pacer.Mark();
         slot.RunsAtInstant++;
         NextTurn next = slot.Activity.TakeTurn(wakes, wokenAt);
         TimeSpan took = _pacer.Since(mark);
         lock (_gate)
             slot.RealTurnTime = slot.RealTurnTime.With(took);
-
+        _events?.Leave();
         Sleep(slot, next);
     }
 

@@ -8,6 +8,9 @@ internal sealed class VirtualSlot(Activity activity, VirtualEngine engine) : IWa
 {
     public Activity Activity { get; } = activity;
 
+    /// <summary>How long its turns take: of managers only.</summary>
+    public ModelledDuration? Duration { get; init; }
+
     /// <summary>Set by a waker on any thread, under the engine's lock; cleared by the engine when the turn is given.</summary>
     public bool IsWoken { get; set; }
 
@@ -32,7 +35,7 @@ internal sealed class VirtualSlot(Activity activity, VirtualEngine engine) : IWa
     /// <summary>What the turns took in real time: written by the engine, read by any thread, under the engine's lock.</summary>
     public DurationStatistics RealTurnTime { get; set; }
 
-    void IWakeSignal.Set() => engine.MarkWoken(this, Activity.WakeUp.WokenAt);
+    void IWakeSignal.Set() => engine.OnWake(this);
 
     private static TimeSpan Max(TimeSpan a, TimeSpan b) => a > b ? a : b;
 }
