@@ -42,7 +42,7 @@ internal sealed class VirtualEngine : ReactorEngine
     {
         var slot = new VirtualSlot(activity, this)
         {
-            Duration = activity is ManagerActivity ? _time.UnitOfWorkDuration(activity.Name) : null,
+            Durations = activity is ManagerActivity ? _time.DurationsFor(activity.Name) : null,
         };
         if (_slots.Count == 0)
             _events?.Write("time", FormattableString.Invariant($"is virtual, seed {_time.Seed}"));
@@ -86,16 +86,15 @@ internal sealed class VirtualEngine : ReactorEngine
         }
     }
 
-    public override bool TryEnd(Activity activity, TimeSpan atMost)
+    public override void AskToEnd(Activity activity)
+    {
+    }
+
+    public override bool TryEnd(Activity activity, TimeSpan atMost, TimeSpan deadline)
     {
         VirtualSlot? slot = _slots.Find(s => s.Activity == activity);
-        if (slot is null || slot.HasEnded)
-            return true;
-        activity.WakeUp.Take();
-        _events?.Enter(activity, "ends");
-        activity.End();
-        _events?.Leave();
-        slot.HasEnded = true;
+        if (slot is not null && !slot.HasEnded)
+            End(slot);
         return true;
     }
 
@@ -177,6 +176,13 @@ internal sealed class VirtualEngine : ReactorEngine
             slot.IsWoken = false;
         }
 
+        if (wakes.Stop)
+        {
+            // A device whose manager was stopped alone.
+            End(slot);
+            return;
+        }
+
         if (timer)
         {
             wakes = wakes.With(WakeUpCauses.Timer);
@@ -188,8 +194,8 @@ internal sealed class VirtualEngine : ReactorEngine
             return;
         }
 
-        if (slot.Duration is { } duration)
-            slot.Activity.ModelledDuration = duration.Next();
+        if (slot.Durations is { } durations)
+            slot.Activity.ModelledDuration = durations.TakeNext(now);
         _events?.EnterTurn(slot.Activity, wakes);
         long mark = _pacer.Mark();
         slot.RunsAtInstant++;
@@ -199,6 +205,15 @@ internal sealed class VirtualEngine : ReactorEngine
             slot.RealTurnTime = slot.RealTurnTime.With(took);
         _events?.Leave();
         Sleep(slot, next);
+    }
+
+    private void End(VirtualSlot slot)
+    {
+        slot.Activity.WakeUp.Take();
+        _events?.Enter(slot.Activity, "ends");
+        slot.Activity.End();
+        _events?.Leave();
+        slot.HasEnded = true;
     }
 
     private void Sleep(VirtualSlot slot, NextTurn next)

@@ -17,7 +17,7 @@ namespace Rabit.Core;
 public sealed class VirtualTime : RabitTime
 {
     private readonly VirtualClock _clock;
-    private readonly Dictionary<string, ModelledDuration> _unitOfWorkDurations = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, UnitOfWorkDurations> _durations = new(StringComparer.Ordinal);
     private double _pace = double.PositiveInfinity;
     private int _maximumRunsPerInstant = 10_000;
     private bool _isUsed;
@@ -88,7 +88,8 @@ public sealed class VirtualTime : RabitTime
     /// </summary>
     /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
     /// <param name="duration">Zero or longer.</param>
-    /// <remarks>Before the start, or between two calls of <see cref="RabitReactor.RunFor"/>: it then holds from the next unit of work.</remarks>
+    /// <remarks>Before the start, or between two calls of <see cref="RabitReactor.RunFor"/>: it then holds from the next unit of work.
+    /// The watchdog watches only managers whose units of work were modelled before the start to take longer than their limit.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The duration is negative.</exception>
     /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
     public void SetUnitOfWorkDuration(string managerName, TimeSpan duration) => SetUnitOfWorkDuration(managerName, duration, duration);
@@ -104,25 +105,35 @@ public sealed class VirtualTime : RabitTime
     /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
     public void SetUnitOfWorkDuration(string managerName, TimeSpan shortest, TimeSpan longest)
     {
-        Require.Name(managerName, nameof(managerName), "A manager");
         if (shortest < TimeSpan.Zero)
             throw new ArgumentOutOfRangeException(nameof(shortest), shortest, $"Manager '{managerName}': a unit of work cannot take less than no time.");
         if (longest < shortest)
             throw new ArgumentOutOfRangeException(nameof(longest), longest, $"Manager '{managerName}': the longest unit of work cannot be shorter than the shortest, {shortest}.");
-        if (_hasManagers && !_unitOfWorkDurations.ContainsKey(managerName))
-            throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
-        UnitOfWorkDuration(managerName).Set(shortest, longest);
+        DurationsFor(managerName).SetUsual(shortest, longest);
     }
 
-    internal IReadOnlyCollection<string> ManagersWithDuration => _unitOfWorkDurations.Keys;
-
-    /// <summary>The model of one manager's units of work; asked for each manager when it begins.</summary>
-    internal ModelledDuration UnitOfWorkDuration(string managerName)
+    /// <summary>
+    /// Models one unit of work that takes longer than the others: the first one that begins at a time or later. The watchdog finds it
+    /// (<see cref="HangPolicy"/>) when it takes longer than its limit.
+    /// </summary>
+    /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
+    /// <param name="at">When, by the clock of the run.</param>
+    /// <param name="duration">How long it takes; <see cref="TimeSpan.MaxValue"/> for one that never comes back.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A time is negative.</exception>
+    /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
+    public void AddLongUnitOfWork(string managerName, TimeSpan at, TimeSpan duration)
     {
-        if (!_unitOfWorkDurations.TryGetValue(managerName, out ModelledDuration? duration))
-            _unitOfWorkDurations.Add(managerName, duration = new ModelledDuration(Seed, managerName));
-        return duration;
+        if (at < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(at), at, $"Manager '{managerName}': a run begins at no time.");
+        if (duration < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(duration), duration, $"Manager '{managerName}': a unit of work cannot take less than no time.");
+        DurationsFor(managerName).Add(at, duration);
     }
+
+    /// <summary>Whose units of work take time.</summary>
+    internal IEnumerable<string> ModelledManagers => _durations.Keys;
+
+    internal TimeSpan LongestUnitOfWork(string managerName) => _durations.TryGetValue(managerName, out UnitOfWorkDurations? found) ? found.Longest : TimeSpan.Zero;
 
     /// <summary>All managers have begun: from now on a name that none of them has is an error at once.</summary>
     internal void CloseManagers() => _hasManagers = true;
@@ -136,5 +147,17 @@ public sealed class VirtualTime : RabitTime
             throw new InvalidOperationException("This virtual time has a reactor already; its clock cannot serve two.");
         _isUsed = true;
         return new VirtualEngine(this, context);
+    }
+
+    /// <summary>The model of one manager's units of work; asked for each manager when it begins.</summary>
+    internal UnitOfWorkDurations DurationsFor(string managerName)
+    {
+        string name = Require.Name(managerName, nameof(managerName), "A manager");
+        if (_durations.TryGetValue(name, out UnitOfWorkDurations? durations))
+            return durations;
+        if (_hasManagers)
+            throw new ArgumentException($"No manager '{name}' has started.", nameof(managerName));
+        _durations.Add(name, durations = new UnitOfWorkDurations(Seed, name));
+        return durations;
     }
 }

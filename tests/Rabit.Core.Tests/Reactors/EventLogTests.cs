@@ -25,6 +25,7 @@ public sealed class EventLogTests
         if (string.Equals(Environment.GetEnvironmentVariable(UpdateVariable), "1", StringComparison.Ordinal))
             File.WriteAllText(file, log);
 
+        Assert.Equal(File.ReadAllText(file).Split('\n'), log.Split('\n'));
         Assert.Equal(File.ReadAllBytes(file), new UTF8Encoding(false).GetBytes(log));
     }
 
