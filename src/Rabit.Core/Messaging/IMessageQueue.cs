@@ -1,3 +1,5 @@
+using System;
+
 namespace Rabit.Core.Messaging;
 
 /// <summary>What the workspace needs of a queue, whatever its type.</summary>
@@ -7,6 +9,6 @@ internal interface IMessageQueue
 
     QueueCounters Counters { get; }
 
-    /// <summary>The run is over: nobody takes out what is left in it, nor what may still come.</summary>
+    /// <summary>The run is over: nothing more is taken in, and who waits is told. What must be given back is.</summary>
     void Close();
 }
