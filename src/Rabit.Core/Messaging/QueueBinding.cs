@@ -74,6 +74,8 @@ internal sealed class QueueBinding<T>(EndOwner owner, EndRole role, string name)
         return new LockedQueue<T>(Name, receiver.Capacity, receiver.FullMode, wakeUp, receiver.WaitAtMost, clock, log);
     }
 
+    public override void Watch(object hub, EventLog events) => events.Watch((IMessageQueue)hub);
+
     public override void Bind(object hub, EndDeclaration? firstOfOwner)
     {
         Queue = (MessageQueue<T>)hub;

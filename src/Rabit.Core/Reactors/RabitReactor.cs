@@ -55,7 +55,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         Require.NotNull(options, nameof(options)).Validate(nameof(options));
         _options = options = options.Copy();
         _clock = new RunClock(options.Time.Clock);
-        _log = new RabitLog(options.Log, options.LogRuns, _clock);
+        _log = new RabitLog(options.Log, options.LogRuns, _clock, options.Time.CreateEventLog(_clock, Fail));
         _engine = options.Time.CreateEngine(new EngineContext(_clock, _log, Fail));
     }
 
@@ -195,6 +195,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         IReadOnlyList<QueueResult> queues = CloseQueues();
         _engine.Dispose();
         Supervision.Dispose();
+        _log.Events?.Close();
         return new ReactorResult(reason, _failure, duration, results, queues);
     }
 

@@ -183,6 +183,8 @@ public sealed class RabitWorkspace
     private static object Bind(IReadOnlyList<EndDeclaration> ends, RunClock clock, RabitLog log)
     {
         object hub = ends[0].CreateHub(ends, clock, log);
+        if (log.Events is { } events)
+            ends[0].Watch(hub, events);
         var firsts = new Dictionary<EndOwner, EndDeclaration>();
         foreach (EndDeclaration end in ends)
         {
