@@ -23,6 +23,7 @@ public sealed class RabitWorkspace
     private readonly List<EndDeclaration> _outsideDeclarations = [];
     private readonly Dictionary<string, object> _messages = new(StringComparer.Ordinal);
     private readonly List<IMessageQueue> _queues = [];
+    private readonly HashSet<Type> _trusted = [];
     private Wiring? _wiring;
 
     internal RabitWorkspace()
@@ -47,6 +48,23 @@ public sealed class RabitWorkspace
                 WiringFormat.Dot => WiringDrawing.Dot(_wiring),
                 _ => WiringText.Describe(_wiring),
             };
+        }
+    }
+
+    /// <summary>
+    /// Vouches for a type that is not one's own, and cannot carry <see cref="TrustedImmutableAttribute"/>: messages of this workspace may
+    /// hold it as they hold a string. Before the start only; any thread.
+    /// </summary>
+    /// <param name="type">The type; <c>typeof(Matrix&lt;&gt;)</c> for all of a generic one, whose arguments are still checked.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public void TrustImmutable(Type type)
+    {
+        Require.NotNull(type, nameof(type));
+        lock (_gate)
+        {
+            if (_wiring is not null)
+                throw new InvalidOperationException($"The reactor has started: trust in {TypeNames.Of(type)} comes too late.");
+            _trusted.Add(type);
         }
     }
 
@@ -118,7 +136,7 @@ public sealed class RabitWorkspace
         lock (_gate)
         {
             var wiring = new Wiring(managers, _outsideDeclarations);
-            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time);
+            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time, _trusted);
             if (faults.Count > 0)
                 throw new RabitWiringException(faults);
 
