@@ -38,9 +38,11 @@ internal static class MessageTypeCheck
             return $"{path} is a {nameof(BufferLease)}: a buffer has one owner at a time, and travels by queue.";
         if (type.IsPointer)
             return $"{path} is a pointer, which copies would share.";
-        if (type.IsDefined(typeof(TrustedImmutableAttribute), inherit: false) || trusted.Contains(type))
+        if (trusted.Contains(type))
             return null;
-        if (IsImmutableCollection(type) || (type.IsGenericType && trusted.Contains(type.GetGenericTypeDefinition())))
+
+        // Trust in a generic type says nothing of what it is made of.
+        if (IsImmutableCollection(type) || IsVouchedFor(type, trusted))
             return FindFaultInArguments(type, path, visited, trusted);
         if (type.IsArray)
             return $"{path} is an array ({TypeNames.Of(type)}), which copies would share; use an immutable collection.";
@@ -83,6 +85,10 @@ internal static class MessageTypeCheck
 
         return null;
     }
+
+    private static bool IsVouchedFor(Type type, IReadOnlyCollection<Type> trusted)
+        => type.IsDefined(typeof(TrustedImmutableAttribute), inherit: false)
+            || (type.IsGenericType && trusted.Contains(type.GetGenericTypeDefinition()));
 
     private static bool IsImmutableCollection(Type type)
         => type.Namespace is "System.Collections.Immutable" or "System.Collections.Frozen" && !type.IsInterface && !IsBuilder(type);
