@@ -191,6 +191,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         List<ManagerResult> results = Enumerable.Reverse(_activities).Select(ending.End).ToList();
         results.Reverse();
         Workspace.CloseQueues();
+        foreach (string leak in Workspace.FindLeaks())
+            Fail(new InvalidOperationException(leak));
         _engine.Dispose();
         return new ReactorResult(reason, _failure, duration, results);
     }

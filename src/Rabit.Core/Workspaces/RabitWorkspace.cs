@@ -24,6 +24,7 @@ public sealed class RabitWorkspace
     private readonly Dictionary<string, object> _messages = new(StringComparer.Ordinal);
     private readonly List<IMessageQueue> _queues = [];
     private readonly HashSet<Type> _trusted = [];
+    private readonly List<BufferPool> _pools = [];
     private Wiring? _wiring;
 
     internal RabitWorkspace()
@@ -66,6 +67,19 @@ public sealed class RabitWorkspace
                 throw new InvalidOperationException($"The reactor has started: trust in {TypeNames.Of(type)} comes too late.");
             _trusted.Add(type);
         }
+    }
+
+    /// <summary>
+    /// Has the run look at the end, when all managers have shut down and the queues have given back what was left in them, whether every
+    /// buffer of a pool was given back. One that was not is in the log and in <see cref="ReactorResult.Failure"/>, with who has it. At any
+    /// time before the end, on any thread. The pool is to be used by this run alone.
+    /// </summary>
+    /// <param name="pool">The pool.</param>
+    public void Watch(BufferPool pool)
+    {
+        Require.NotNull(pool, nameof(pool));
+        lock (_gate)
+            _pools.Add(pool);
     }
 
     /// <summary>Makes an end that posts, for code outside managers. Before the start only.</summary>
@@ -156,6 +170,13 @@ public sealed class RabitWorkspace
             foreach (IMessageQueue queue in _queues)
                 queue.Close();
         }
+    }
+
+    /// <summary>The run is over: who did not give back buffers of the pools that it watches, a line for each pool.</summary>
+    internal IReadOnlyList<string> FindLeaks()
+    {
+        lock (_gate)
+            return _pools.Distinct().Select(p => p.FindLeak()).OfType<string>().ToList();
     }
 
     private static object Bind(IReadOnlyList<EndDeclaration> ends, RunClock clock, RabitLog log)
