@@ -1,42 +1,72 @@
+using System;
 using BenchmarkDotNet.Attributes;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>A post and the fetch that sees it, on one thread. Less <see cref="PostBenchmarks"/> it is the fetch alone.</summary>
+/// <summary>A post and the fetch that sees it, on one thread, without reading a clock.</summary>
 public class FetchChangedBenchmarks : MessageBenchmarks
 {
     private VehiclePose _posted;
     private VehiclePose _fetched;
     private long _seen;
+    private int _news;
 
-    [Benchmark(Baseline = true)]
-    public bool Lock()
+    [Benchmark(Baseline = true, OperationsPerInvoke = Operations)]
+    public void Lock() => InManager(() =>
     {
-        _posted.TimeSeconds++;
-        Locked.Post(_posted);
-        return Locked.Fetch(ref _fetched, ref _seen);
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            _posted.TimeSeconds++;
+            Locked.Post(_posted);
+            if (Locked.Fetch(ref _fetched, ref _seen))
+                _news++;
+        }
+    });
 
-    [Benchmark]
-    public bool LockWithTime()
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void Channel() => InManager(() =>
     {
-        _posted.TimeSeconds++;
-        Locked.PostWithTime(_posted);
-        return Locked.Fetch(ref _fetched, ref _seen);
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            _posted.TimeSeconds++;
+            if (LatestValue.Writer.TryWrite(_posted) && LatestValue.Reader.TryRead(out _fetched))
+                _news++;
+        }
+    });
 
-    [Benchmark]
-    public bool Channel()
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void Rabit() => InManager(() =>
     {
-        _posted.TimeSeconds++;
-        return LatestValue.Writer.TryWrite(_posted) && LatestValue.Reader.TryRead(out _fetched);
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            Manager.Pose.Value.TimeSeconds++;
+            Manager.Pose.Post(TimeSpan.Zero);
+            if (Pose.Fetch())
+                _news++;
+        }
+    });
 
-    [Benchmark]
-    public bool Rabit()
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void RabitImmutableClass() => InManager(() =>
     {
-        Publisher.Value.TimeSeconds++;
-        Publisher.Post();
-        return Subscriber.Fetch();
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            Manager.Plan.Value = MessageManager.Plans[i & 1];
+            Manager.Plan.Post(TimeSpan.Zero);
+            if (Plan.Fetch())
+                _news++;
+        }
+    });
+
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void RabitSelfCopyingClass() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            Manager.Scan.Value.Metres[0]++;
+            Manager.Scan.Post(TimeSpan.Zero);
+            if (Scan.Fetch())
+                _news++;
+        }
+    });
 }

@@ -1,19 +1,53 @@
+using System.Threading;
 using BenchmarkDotNet.Attributes;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>Asking for news when there is none: what most fetches of a control loop do.</summary>
+/// <summary>Asking for news when there is none: what most fetches of a control loop do. The limit is a volatile read.</summary>
 public class FetchUnchangedBenchmarks : MessageBenchmarks
 {
     private VehiclePose _copy;
     private long _seen;
+    private int _version;
+    private int _news;
 
-    [Benchmark(Baseline = true)]
-    public bool Lock() => Locked.Fetch(ref _copy, ref _seen);
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void VolatileRead() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            if (Volatile.Read(ref _version) != 0)
+                _news++;
+        }
+    });
 
-    [Benchmark]
-    public bool Channel() => LatestValue.Reader.TryRead(out _copy);
+    [Benchmark(Baseline = true, OperationsPerInvoke = Operations)]
+    public void Lock() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            if (Locked.Fetch(ref _copy, ref _seen))
+                _news++;
+        }
+    });
 
-    [Benchmark]
-    public bool Rabit() => Subscriber.Fetch();
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void Channel() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            if (LatestValue.Reader.TryRead(out _copy))
+                _news++;
+        }
+    });
+
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void Rabit() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            if (Manager.Quiet.Fetch())
+                _news++;
+        }
+    });
 }

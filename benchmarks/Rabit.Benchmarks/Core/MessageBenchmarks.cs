@@ -1,34 +1,57 @@
+using System;
 using System.Threading.Channels;
 using BenchmarkDotNet.Attributes;
 using Rabit.Core;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>A message of 72 bytes with ends outside managers: real time, real clock, every check on the way.</summary>
+/// <summary>A message of 72 bytes posted and fetched in a unit of work: real time, real clock, every check on the way.</summary>
 public abstract class MessageBenchmarks
 {
-    private readonly RabitReactor _reactor = new() { new IdleManager() };
+    protected const int Operations = 200_000;
+
+    private readonly MessageManager _manager = new();
+    private readonly AwakeManager _awake = new();
+    private readonly RabitReactor _reactor = new();
+
+    private protected MessageManager Manager => _manager;
 
     private protected LockedMessage<VehiclePose> Locked { get; } = new();
 
     private protected Channel<VehiclePose> LatestValue { get; } = Channels.LatestValue<VehiclePose>();
 
-    private protected MessagePublisher<VehiclePose> Publisher { get; private set; } = null!;
+    /// <summary>Ends for code outside managers: they may be used on the thread of the benchmark, and on that of the manager.</summary>
+    private protected MessagePublisher<VehiclePose> OutsidePose { get; private set; } = null!;
 
-    private protected MessageSubscriber<VehiclePose> Subscriber { get; private set; } = null!;
+    private protected MessageSubscriber<VehiclePose> Pose { get; private set; } = null!;
+
+    private protected MessageSubscriber<FlightPlan> Plan { get; private set; } = null!;
+
+    private protected MessageSubscriber<RangeScan> Scan { get; private set; } = null!;
 
     [GlobalSetup]
     public void Start()
     {
-        Publisher = _reactor.Workspace.Publish<VehiclePose>("pose");
-        Subscriber = _reactor.Workspace.Subscribe<VehiclePose>("pose");
+        OutsidePose = _reactor.Workspace.Publish<VehiclePose>("outside pose");
+        _ = _reactor.Workspace.Publish<VehiclePose>("quiet pose");
+        Pose = _reactor.Workspace.Subscribe<VehiclePose>("pose");
+        Plan = _reactor.Workspace.Subscribe<FlightPlan>("plan");
+        Scan = _reactor.Workspace.Subscribe<RangeScan>("scan");
+        _reactor.Add(_manager);
+        _reactor.Add(_awake);
         _reactor.Start();
     }
 
     [GlobalCleanup]
     public void Stop()
     {
+        _awake.LetGo();
         _reactor.Stop();
         _reactor.Finish();
+        _manager.Dispose();
+        _awake.Dispose();
     }
+
+    /// <summary>Does something in a unit of work; so does what is compared with it, so that all pay the same for getting there.</summary>
+    protected void InManager(Action work) => _manager.Do(work);
 }

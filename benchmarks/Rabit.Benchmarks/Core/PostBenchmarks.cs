@@ -1,44 +1,80 @@
+using System;
 using BenchmarkDotNet.Attributes;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>Changing one member and posting the whole. Rabit's post reads the clock for the stamp; so does <see cref="LockWithTime"/>.</summary>
+/// <summary>Changing one member and posting the whole. Rabit's post reads the clock for the stamp, unless it is given a time; so does <see cref="LockWithTime"/>.</summary>
 public class PostBenchmarks : MessageBenchmarks
 {
     private VehiclePose _posted;
 
-    [Benchmark(Baseline = true)]
-    public void Lock()
+    [Benchmark(Baseline = true, OperationsPerInvoke = Operations)]
+    public void Lock() => InManager(() =>
     {
-        _posted.TimeSeconds++;
-        Locked.Post(_posted);
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            _posted.TimeSeconds++;
+            Locked.Post(_posted);
+        }
+    });
 
-    [Benchmark]
-    public void LockWithTime()
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void LockWithTime() => InManager(() =>
     {
-        _posted.TimeSeconds++;
-        Locked.PostWithTime(_posted);
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            _posted.TimeSeconds++;
+            Locked.PostWithTime(_posted);
+        }
+    });
 
-    [Benchmark]
-    public bool Channel()
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void Channel() => InManager(() =>
     {
-        _posted.TimeSeconds++;
-        return LatestValue.Writer.TryWrite(_posted);
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            _posted.TimeSeconds++;
+            LatestValue.Writer.TryWrite(_posted);
+        }
+    });
 
-    [Benchmark]
-    public void Rabit()
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void Rabit() => InManager(() =>
     {
-        Publisher.Value.TimeSeconds++;
-        Publisher.Post();
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            Manager.Pose.Value.TimeSeconds++;
+            Manager.Pose.Post();
+        }
+    });
 
-    [Benchmark]
-    public void RabitWithGivenTime()
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void RabitWakesOneThatIsAwake() => InManager(() =>
     {
-        Publisher.Value.TimeSeconds++;
-        Publisher.Post(System.TimeSpan.Zero);
-    }
+        for (int i = 0; i < Operations; i++)
+        {
+            Manager.WakingPose.Value.TimeSeconds++;
+            Manager.WakingPose.Post();
+        }
+    });
+
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void RabitGivenTime() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            Manager.Pose.Value.TimeSeconds++;
+            Manager.Pose.Post(TimeSpan.Zero);
+        }
+    });
+
+    [Benchmark(OperationsPerInvoke = Operations)]
+    public void RabitOutsideManagersGivenTime() => InManager(() =>
+    {
+        for (int i = 0; i < Operations; i++)
+        {
+            OutsidePose.Value.TimeSeconds++;
+            OutsidePose.Post(TimeSpan.Zero);
+        }
+    });
 }

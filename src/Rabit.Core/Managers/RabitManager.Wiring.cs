@@ -16,7 +16,7 @@ public abstract partial class RabitManager
         => new(Declare(new MessageBinding<T>(_owner, EndRole.Publish, MessageName(name))));
 
     /// <summary>Records that this manager posts a message, and what its value is before the first post.</summary>
-    /// <typeparam name="T">A struct with value semantics, or an immutable class.</typeparam>
+    /// <typeparam name="T">A struct with value semantics, an immutable class, or a class that copies itself (<see cref="ISelfCopying{TSelf}"/>).</typeparam>
     /// <param name="name">The name under which subscribers find it.</param>
     /// <param name="initial">What every local copy holds before the first post; never news.</param>
     /// <param name="allowOtherPublishers">Whether others may publish it too; all of them must say so.</param>

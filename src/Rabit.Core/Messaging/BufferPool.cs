@@ -8,7 +8,10 @@ namespace Rabit.Core;
 /// A fixed number of large buffers, made once and used again, for data that is too large to copy: pictures, scans, recordings. Whoever
 /// rents one owns it alone, hands it on through a queue, or gives it back (contract 2.5).
 /// </summary>
-/// <remarks>Any thread. A buffer that is never given back is missing from then on: <see cref="Holders"/> says who has it.</remarks>
+/// <remarks>
+/// Any thread. A buffer that is never given back is missing from then on: <see cref="Holders"/> says who has it, and a run that watches
+/// the pool (<see cref="RabitWorkspace.Watch"/>) ends with an error that says so.
+/// </remarks>
 public sealed class BufferPool
 {
     private readonly object _gate = new();
@@ -100,12 +103,18 @@ public sealed class BufferPool
         lock (_gate)
         {
             string state = FormattableString.Invariant($"Pool '{Name}': {_free.Count} of {_all.Length} buffers are free, {_refused} times none was");
-            IEnumerable<string> holders = _all
-                .Where(b => b.Owner is not null)
-                .GroupBy(b => b.Owner!, StringComparer.Ordinal)
-                .OrderBy(g => g.Key, StringComparer.Ordinal)
-                .Select(g => FormattableString.Invariant($"'{g.Key}' has {g.Count()}"));
-            return string.Join("; ", new[] { state }.Concat(holders)) + ".";
+            return string.Join("; ", new[] { state }.Concat(HolderTexts())) + ".";
+        }
+    }
+
+    /// <summary>Who has buffers at a time when nobody should; null when nobody has.</summary>
+    internal string? FindLeak()
+    {
+        lock (_gate)
+        {
+            return _free.Count == _all.Length
+                ? null
+                : $"Pool '{Name}' did not get all of its buffers back: {string.Join("; ", HolderTexts())}.";
         }
     }
 
@@ -128,4 +137,11 @@ public sealed class BufferPool
             _free.Push(buffer);
         }
     }
+
+    // Under _gate.
+    private IEnumerable<string> HolderTexts() => _all
+        .Where(b => b.Owner is not null)
+        .GroupBy(b => b.Owner!, StringComparer.Ordinal)
+        .OrderBy(g => g.Key, StringComparer.Ordinal)
+        .Select(g => FormattableString.Invariant($"'{g.Key}' has {g.Count()}"));
 }

@@ -13,6 +13,12 @@ namespace Rabit.Core.Messaging;
 /// </summary>
 internal sealed class MessageBinding<T>(EndOwner owner, EndRole role, string name) : EndDeclaration(owner, role, name, typeof(T))
 {
+    // Whether T is a class that copies itself. The same for all messages of a type, and known without reflection on members.
+    private static readonly bool IsSelfCopying = !typeof(T).IsValueType && typeof(ISelfCopying<T>).IsAssignableFrom(typeof(T));
+
+    // Who must run on the thread that uses this end: null outside managers.
+    private readonly EndOwner? _mustRun = owner.IsManager ? owner : null;
+
     private List<Action<MessageStamp>>? _handlers;
     private LocalCopy<T>? _copy;
 
@@ -23,12 +29,14 @@ internal sealed class MessageBinding<T>(EndOwner owner, EndRole role, string nam
 
     public override bool IsWired => Shared is not null;
 
+    public override bool CopiesItself => IsSelfCopying;
+
     /// <summary>The local copy, after the check that the owner may use it: the hot path of every end.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public LocalCopy<T> Copy()
     {
         LocalCopy<T>? copy = _copy;
-        if (copy is null || (RunningManager.Current != Owner && Owner.IsManager))
+        if (copy is null || (_mustRun is not null && RunningManager.Current != _mustRun))
             ThrowMisuse();
         return copy!;
     }
@@ -41,16 +49,44 @@ internal sealed class MessageBinding<T>(EndOwner owner, EndRole role, string nam
             Shared.AddTarget(new PostTarget(Owner, wakeUp: null, handler));
     }
 
+    public override string? FindFaultOfInitial()
+    {
+        if (!IsSelfCopying || Initial is null)
+            return null;
+        string method = $"{TypeNames.Of(typeof(T))}.{nameof(ISelfCopying<>.Clone)}";
+        try
+        {
+            T clone = ((ISelfCopying<T>)Initial).Clone();
+            if (clone is null)
+                return $"{method} gives null.";
+            return ReferenceEquals(clone, Initial) ? $"{method} gives the same instance, which copies would share." : null;
+        }
+        catch (Exception e)
+        {
+            // The user's method; reported with all other faults of the wiring.
+            return $"{method} threw {e.GetType().Name}: {e.Message}";
+        }
+    }
+
     public override object CreateHub(IReadOnlyList<EndDeclaration> ends, RunClock clock, RabitLog log)
     {
         T initial = default!;
+        int publishers = 0;
+        bool areManagers = true;
         foreach (EndDeclaration end in ends)
         {
             if (end.StatesInitial)
                 initial = ((MessageBinding<T>)end).Initial;
+            if (end.Role != EndRole.Publish)
+                continue;
+            publishers++;
+            areManagers &= end.Owner.IsManager;
         }
 
-        return new SharedMessage<T>(Name, initial, clock, log);
+        var place = new MessagePlace(Name, clock, log);
+        if (IsSelfCopying && initial is not null)
+            return new SharedObject<T>(place, initial);
+        return new SharedValue<T>(place, initial, isAlone: publishers == 1 && areManagers);
     }
 
     public override void Watch(object hub, EventLog events)

@@ -8,7 +8,7 @@ namespace Rabit.Core;
 /// The end of a publish-subscribe message that posts: fill in the local copy, then post it. Made by
 /// <see cref="RabitManager.Publish{T}(string)"/>, or by <see cref="RabitWorkspace.Publish{T}(string)"/> for code outside managers.
 /// </summary>
-/// <typeparam name="T">A struct with value semantics, or an immutable class.</typeparam>
+/// <typeparam name="T">A struct with value semantics, an immutable class, or a class that copies itself (<see cref="ISelfCopying{TSelf}"/>).</typeparam>
 /// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
 public sealed class MessagePublisher<T>
 {
@@ -20,8 +20,8 @@ public sealed class MessagePublisher<T>
     public string Name => _binding.Name;
 
     /// <summary>
-    /// The local copy, by reference: set the members of a struct, or assign an immutable class as a whole. Nobody else sees it
-    /// before it is posted.
+    /// The local copy, by reference: set the members of a struct or of a class that copies itself, or assign an immutable class as a
+    /// whole. Nobody else sees it before it is posted.
     /// </summary>
     /// <exception cref="InvalidOperationException">The end's manager is not the one that runs on this thread, or nothing is wired yet.</exception>
     public ref T Value

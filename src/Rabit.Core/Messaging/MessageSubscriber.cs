@@ -8,7 +8,7 @@ namespace Rabit.Core;
 /// The end of a publish-subscribe message that fetches: ask whether there is news, then read the local copy. Made by
 /// <see cref="RabitManager.Subscribe{T}(string, bool, bool)"/>, or by <see cref="RabitWorkspace.Subscribe{T}(string)"/> for code outside managers.
 /// </summary>
-/// <typeparam name="T">A struct with value semantics, or an immutable class.</typeparam>
+/// <typeparam name="T">A struct with value semantics, an immutable class, or a class that copies itself (<see cref="ISelfCopying{TSelf}"/>).</typeparam>
 /// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
 public sealed class MessageSubscriber<T>
 {
@@ -19,7 +19,10 @@ public sealed class MessageSubscriber<T>
     /// <summary>The name of the message.</summary>
     public string Name => _binding.Name;
 
-    /// <summary>The local copy, by reference: it changes at a fetch and at no other time.</summary>
+    /// <summary>
+    /// The local copy, by reference: it changes at a fetch and at no other time. Of a class that copies itself it may be another instance
+    /// after each fetch: use it through this property, do not keep it.
+    /// </summary>
     /// <exception cref="InvalidOperationException">The end's manager is not the one that runs on this thread, or nothing is wired yet.</exception>
     public ref readonly T Value
     {
@@ -51,8 +54,19 @@ public sealed class MessageSubscriber<T>
         get
         {
             LocalCopy<T> copy = _binding.Copy();
-            return copy.Stamp.Version == 0 ? TimeSpan.MaxValue : _binding.Shared!.Clock.Now - copy.Stamp.Time;
+            return copy.SeenVersion == 0 ? TimeSpan.MaxValue : _binding.Shared!.Clock.Now - copy.Time;
         }
+    }
+
+    /// <summary>Whether the fetched value is there and not too old to act on. It does not fetch.</summary>
+    /// <param name="maxAge">How old it may be, by its stamp. A value that is true at this very moment has the age zero.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The age is negative.</exception>
+    /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
+    public bool IsFresh(TimeSpan maxAge)
+    {
+        if (maxAge < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(maxAge), maxAge, $"The maximum age of message '{Name}' cannot be negative.");
+        return Age <= maxAge && Stamp.Version != 0;
     }
 
     /// <summary>Copies the global to the local copy if it is newer.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
+using System.Linq;
 using System.Reflection;
 using Rabit.Core.Workspaces;
 
@@ -18,9 +19,18 @@ internal static class MessageTypeCheck
     };
 
     /// <summary>Why the type cannot be a message, with the path of the field that is to blame; null when it can.</summary>
-    public static string? FindFault(Type type) => FindFault(type, TypeNames.Of(type), []);
+    /// <param name="type">The type of the message.</param>
+    /// <param name="copiesItself">Whether it is a class that copies itself: what it holds is its own matter then.</param>
+    /// <param name="trusted">Types that the user vouches for.</param>
+    public static string? FindFault(Type type, bool copiesItself = false, IReadOnlyCollection<Type>? trusted = null)
+    {
+        string name = TypeNames.Of(type);
+        if (!copiesItself)
+            return FindFault(type, name, [], trusted ?? []);
+        return type.IsSealed ? null : $"{name} copies itself but is not sealed: of a derived one a post would lose what it adds.";
+    }
 
-    private static string? FindFault(Type type, string path, HashSet<Type> visited)
+    private static string? FindFault(Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
     {
         if (type.IsPrimitive || type.IsEnum || TrustedTypes.Contains(type.FullName ?? string.Empty) || !visited.Add(type))
             return null;
@@ -28,8 +38,12 @@ internal static class MessageTypeCheck
             return $"{path} is a {nameof(BufferLease)}: a buffer has one owner at a time, and travels by queue.";
         if (type.IsPointer)
             return $"{path} is a pointer, which copies would share.";
-        if (IsImmutableCollection(type))
-            return FindFaultInArguments(type, path, visited);
+        if (trusted.Contains(type))
+            return null;
+
+        // Trust in a generic type says nothing of what it is made of.
+        if (IsImmutableCollection(type) || IsVouchedFor(type, trusted))
+            return FindFaultInArguments(type, path, visited, trusted);
         if (type.IsArray)
             return $"{path} is an array ({TypeNames.Of(type)}), which copies would share; use an immutable collection.";
         if (typeof(Delegate).IsAssignableFrom(type))
@@ -38,12 +52,12 @@ internal static class MessageTypeCheck
             return $"{path} is of type {TypeNames.Of(type)}, which may hold something mutable.";
         if (!type.IsValueType && !type.IsSealed)
             return $"{path} is of class {TypeNames.Of(type)}, which is not sealed: a derived one may hold something mutable.";
-        return FindFaultInFields(type, path, visited);
+        return FindFaultInFields(type, path, visited, trusted);
     }
 
     [UnconditionalSuppressMessage("Trimming", "IL2070", Justification = "A field that trimming removed holds nothing that could be shared.")]
     [UnconditionalSuppressMessage("Trimming", "IL2075", Justification = "A field that trimming removed holds nothing that could be shared.")]
-    private static string? FindFaultInFields(Type type, string path, HashSet<Type> visited)
+    private static string? FindFaultInFields(Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
     {
         const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
         for (Type? declaring = type; declaring is not null && declaring != typeof(object); declaring = declaring.BaseType)
@@ -53,7 +67,7 @@ internal static class MessageTypeCheck
                 string fieldPath = $"{path}.{NameOf(field)}";
                 if (!type.IsValueType && !field.IsInitOnly)
                     return $"{fieldPath} can be changed, and {TypeNames.Of(type)} is a class, which copies would share; make it readonly or use a struct.";
-                if (FindFault(field.FieldType, fieldPath, visited) is { } why)
+                if (FindFault(field.FieldType, fieldPath, visited, trusted) is { } why)
                     return why;
             }
         }
@@ -61,16 +75,20 @@ internal static class MessageTypeCheck
         return null;
     }
 
-    private static string? FindFaultInArguments(Type type, string path, HashSet<Type> visited)
+    private static string? FindFaultInArguments(Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
     {
         foreach (Type argument in type.GetGenericArguments())
         {
-            if (FindFault(argument, $"{path}<{TypeNames.Of(argument)}>", visited) is { } why)
+            if (FindFault(argument, $"{path}<{TypeNames.Of(argument)}>", visited, trusted) is { } why)
                 return why;
         }
 
         return null;
     }
+
+    private static bool IsVouchedFor(Type type, IReadOnlyCollection<Type> trusted)
+        => type.IsDefined(typeof(TrustedImmutableAttribute), inherit: false)
+            || (type.IsGenericType && trusted.Contains(type.GetGenericTypeDefinition()));
 
     private static bool IsImmutableCollection(Type type)
         => type.Namespace is "System.Collections.Immutable" or "System.Collections.Frozen" && !type.IsInterface && !IsBuilder(type);

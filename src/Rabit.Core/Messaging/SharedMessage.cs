@@ -1,46 +1,31 @@
 using System;
 using System.Threading;
-using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
 
 namespace Rabit.Core.Messaging;
 
-/// <summary>The hidden global copy that joins the local copies of a message.</summary>
+/// <summary>The hidden global copy that joins the local copies of a message: its versions, and who is told of a post.</summary>
 /// <remarks>
-/// The copy goes under a lock, since a value of any size must never be torn, on any processor, and neither poster nor
-/// fetcher may be starved. Only the version is read without it: a fetch of an unchanged message is one volatile read.
-/// It is 32 bits wide, because wider reads are not atomic on 32-bit boards.
+/// The version is all that a fetch without news looks at: one volatile read. It is 32 bits wide, because wider reads are
+/// not atomic on 32-bit boards. How the value is kept whole is for the derived classes.
 /// </remarks>
-internal sealed class SharedMessage<T>
+internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
 {
-    private readonly object _gate = new();
-    private readonly T _initial;
-    private readonly RabitLog _log;
-    private T _value;                   // under _gate
-    private TimeSpan _time;             // under _gate
-    private int _version;               // written under _gate, read by all; 0: nothing posted yet
-    private PostTarget[] _targets = []; // replaced whole under _gate, read by posters
+    private readonly object _targetsGate = new();
+    private int _version = firstVersion;    // written by one poster at a time, which the derived class sees to; read by all; 0: nothing posted yet
+    private PostTarget[] _targets = []; // replaced whole under _targetsGate, read by posters
 
-    public SharedMessage(string name, T initial, RunClock clock, RabitLog log)
-    {
-        Name = name;
-        Clock = clock;
-        _initial = initial;
-        _value = initial;
-        _log = log;
-    }
+    public string Name { get; } = place.Name;
 
-    public string Name { get; }
-
-    public RunClock Clock { get; }
+    public RunClock Clock { get; } = place.Clock;
 
     public int Version => Volatile.Read(ref _version);
 
-    public LocalCopy<T> CreateCopy() => new() { Value = _initial };
+    public abstract LocalCopy<T> CreateCopy();
 
     public void AddTarget(PostTarget target)
     {
-        lock (_gate)
+        lock (_targetsGate)
         {
             var targets = new PostTarget[_targets.Length + 1];
             Array.Copy(_targets, targets, _targets.Length);
@@ -51,18 +36,12 @@ internal sealed class SharedMessage<T>
 
     public void Post(LocalCopy<T> copy, EndOwner poster, TimeSpan time)
     {
-        int version;
-        lock (_gate)
-        {
-            _value = copy.Value;
-            _time = time;
-            version = After(_version);
-            Volatile.Write(ref _version, version);
-        }
-
-        copy.CoveredPosts += PostsBetween(copy.SeenVersion, version) - 1;
+        int version = Store(copy, time);
+        int covered = PostsBetween(copy.SeenVersion, version) - 1;
+        if (covered != 0)
+            copy.CoveredPosts += covered;
         copy.SeenVersion = version;
-        copy.Stamp = new MessageStamp(version, time);
+        copy.Time = time;
 
         foreach (PostTarget target in Volatile.Read(ref _targets))
         {
@@ -76,14 +55,7 @@ internal sealed class SharedMessage<T>
     /// <returns>How many posts the owner had not seen, the fetched one included.</returns>
     public int Fetch(LocalCopy<T> copy)
     {
-        int version;
-        lock (_gate)
-        {
-            copy.Value = _value;
-            copy.Stamp = new MessageStamp(_version, _time);
-            version = _version;
-        }
-
+        int version = Load(copy);
         int news = PostsBetween(copy.SeenVersion, version);
         copy.SeenVersion = version;
         if (news == 0)
@@ -92,6 +64,21 @@ internal sealed class SharedMessage<T>
         copy.CoveredPosts = 0;
         return news;
     }
+
+    /// <summary>Copies a local copy's value to the global one, as the next version.</summary>
+    /// <returns>That version.</returns>
+    protected abstract int Store(LocalCopy<T> copy, TimeSpan time);
+
+    /// <summary>Copies value and time of the latest version, whole, to a local copy.</summary>
+    /// <returns>That version.</returns>
+    protected abstract int Load(LocalCopy<T> copy);
+
+    /// <summary>The version of the post after this one. For the poster whose turn it is.</summary>
+    /// <remarks>Zero is kept for "nothing posted yet", so the counter jumps over it when it wraps around.</remarks>
+    protected int NextVersion() => unchecked(_version + 1) is var next && next == 0 ? 1 : next;
+
+    /// <summary>Makes a post news: all that was written before is seen by whoever reads this version. For the poster whose turn it is.</summary>
+    protected void Announce(int version) => Volatile.Write(ref _version, version);
 
     private void Notify(PostTarget target, MessageStamp stamp)
     {
@@ -105,12 +92,9 @@ internal sealed class SharedMessage<T>
         catch (Exception e)
         {
             // A handler is somebody else's code on the poster's thread: it may not harm the poster.
-            _log.Write(RabitLogKind.Fault, target.Owner.Name, $"the post handler of message '{Name}' threw {e.GetType().Name}: {e.Message}", e);
+            place.Log.Write(RabitLogKind.Fault, target.Owner.Name, $"the post handler of message '{Name}' threw {e.GetType().Name}: {e.Message}", e);
         }
     }
-
-    // Zero is kept for "nothing posted yet", so the counter jumps over it when it wraps around.
-    private static int After(int version) => unchecked(version + 1) == 0 ? 1 : unchecked(version + 1);
 
     private static int PostsBetween(int seen, int version)
     {

@@ -193,6 +193,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         List<ManagerResult> results = ending.EndAll(_activities, Supervision);
         Supervision.End(_engine, _log, _clock.Now);
         IReadOnlyList<QueueResult> queues = CloseQueues();
+        foreach (string leak in Workspace.FindLeaks())
+            Fail(new InvalidOperationException(leak));
         _engine.Dispose();
         Supervision.Dispose();
         _log.Events?.Close();

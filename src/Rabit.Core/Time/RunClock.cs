@@ -5,19 +5,32 @@ namespace Rabit.Core;
 /// <summary>The clock of one reactor: time since the reactor was made, monotonic, in <see cref="TimeSpan"/> ticks of 100 ns.</summary>
 internal sealed class RunClock
 {
+    private const long NanosecondsPerSecond = 1_000_000_000;
+    private const long NanosecondsPerTick = NanosecondsPerSecond / TimeSpan.TicksPerSecond;
+
     private readonly long _origin;
 
-    // A multiplication instead of a division: exact to a tick for 104 days of nanosecond stamps (2^53 ns), monotonic for ever.
+    // Every stamp of a post is taken here. Nanoseconds, what .NET on Linux counts, are divided by a constant, which compilers turn into
+    // a multiplication; anything else is multiplied: exact to a tick up to 2^53 counts, monotonic for ever.
+    private readonly bool _countsNanoseconds;
     private readonly double _ticksPerCount;
 
     public RunClock(TimeProvider provider)
     {
         Provider = provider;
+        _countsNanoseconds = provider.TimestampFrequency == NanosecondsPerSecond;
         _ticksPerCount = (double)TimeSpan.TicksPerSecond / provider.TimestampFrequency;
         _origin = provider.GetTimestamp();
     }
 
     public TimeProvider Provider { get; }
 
-    public TimeSpan Now => new((long)((Provider.GetTimestamp() - _origin) * _ticksPerCount));
+    public TimeSpan Now
+    {
+        get
+        {
+            long counts = Provider.GetTimestamp() - _origin;
+            return new TimeSpan(_countsNanoseconds ? counts / NanosecondsPerTick : (long)(counts * _ticksPerCount));
+        }
+    }
 }

@@ -32,9 +32,15 @@ internal abstract class EndDeclaration(EndOwner owner, EndRole role, string name
     /// <summary>A message that the library itself posts; nobody needs to read it.</summary>
     public bool IsBuiltIn { get; init; }
 
+    /// <summary>A message of a class that copies itself.</summary>
+    public virtual bool CopiesItself => false;
+
     public bool IsMessage => Role is EndRole.Publish or EndRole.Subscribe;
 
     public abstract bool IsWired { get; }
+
+    /// <summary>What is wrong with the value before the first post; null where nothing is, or none is stated.</summary>
+    public virtual string? FindFaultOfInitial() => null;
 
     /// <summary>Makes what joins all ends of this name.</summary>
     public abstract object CreateHub(IReadOnlyList<EndDeclaration> ends, RunClock clock, RabitLog log);

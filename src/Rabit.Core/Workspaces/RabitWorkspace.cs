@@ -23,6 +23,8 @@ public sealed class RabitWorkspace
     private readonly List<EndDeclaration> _outsideDeclarations = [];
     private readonly Dictionary<string, object> _messages = new(StringComparer.Ordinal);
     private readonly List<IMessageQueue> _queues = [];
+    private readonly HashSet<Type> _trusted = [];
+    private readonly List<BufferPool> _pools = [];
     private Wiring? _wiring;
 
     internal RabitWorkspace()
@@ -48,6 +50,36 @@ public sealed class RabitWorkspace
                 _ => WiringText.Describe(_wiring),
             };
         }
+    }
+
+    /// <summary>
+    /// Vouches for a type that is not one's own, and cannot carry <see cref="TrustedImmutableAttribute"/>: messages of this workspace may
+    /// hold it as they hold a string. Before the start only; any thread.
+    /// </summary>
+    /// <param name="type">The type; <c>typeof(Matrix&lt;&gt;)</c> for all of a generic one, whose arguments are still checked.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public void TrustImmutable(Type type)
+    {
+        Require.NotNull(type, nameof(type));
+        lock (_gate)
+        {
+            if (_wiring is not null)
+                throw new InvalidOperationException($"The reactor has started: trust in {TypeNames.Of(type)} comes too late.");
+            _trusted.Add(type);
+        }
+    }
+
+    /// <summary>
+    /// Has the run look at the end, when all managers have shut down and the queues have given back what was left in them, whether every
+    /// buffer of a pool was given back. One that was not is in the log and in <see cref="ReactorResult.Failure"/>, with who has it. At any
+    /// time before the end, on any thread. The pool is to be used by this run alone.
+    /// </summary>
+    /// <param name="pool">The pool.</param>
+    public void Watch(BufferPool pool)
+    {
+        Require.NotNull(pool, nameof(pool));
+        lock (_gate)
+            _pools.Add(pool);
     }
 
     /// <summary>Makes an end that posts, for code outside managers. Before the start only.</summary>
@@ -134,7 +166,7 @@ public sealed class RabitWorkspace
         lock (_gate)
         {
             var wiring = new Wiring(managers, _outsideDeclarations);
-            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time);
+            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time, _trusted);
             if (faults.Count > 0)
                 throw new RabitWiringException(faults);
 
@@ -169,6 +201,13 @@ public sealed class RabitWorkspace
                 queue.Close();
             return results;
         }
+    }
+
+    /// <summary>The run is over: who did not give back buffers of the pools that it watches, a line for each pool.</summary>
+    internal IReadOnlyList<string> FindLeaks()
+    {
+        lock (_gate)
+            return _pools.Distinct().Select(p => p.FindLeak()).OfType<string>().ToList();
     }
 
     private IMessageQueue BindQueue(IReadOnlyList<EndDeclaration> ends, RunClock clock, RabitLog log)

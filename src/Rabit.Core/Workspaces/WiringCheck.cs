@@ -12,7 +12,7 @@ internal static class WiringCheck
     // All places of a queue are there from the start. More than this is a slip, or a wish for a queue without an end.
     private const int LargestQueue = 1 << 24;
 
-    public static IReadOnlyList<string> FindFaults(Wiring wiring, RabitTime time)
+    public static IReadOnlyList<string> FindFaults(Wiring wiring, RabitTime time, IReadOnlyCollection<Type> trusted)
     {
         var faults = new List<string>();
         if (wiring.Managers.Count == 0)
@@ -23,7 +23,7 @@ internal static class WiringCheck
             .Select(g => $"{g.Count()} managers are named '{g.Key}'."));
 
         foreach (IReadOnlyList<EndDeclaration> ends in wiring.Messages.Values)
-            CheckMessage(ends, faults);
+            CheckMessage(ends, trusted, faults);
         foreach (IReadOnlyList<EndDeclaration> ends in wiring.Queues.Values)
             CheckQueue(ends, faults);
 
@@ -45,7 +45,7 @@ internal static class WiringCheck
         return faults;
     }
 
-    private static void CheckMessage(IReadOnlyList<EndDeclaration> ends, List<string> faults)
+    private static void CheckMessage(IReadOnlyList<EndDeclaration> ends, IReadOnlyCollection<Type> trusted, List<string> faults)
     {
         string name = ends[0].Name;
         if (!HaveOneType(ends, $"Message '{name}'", faults))
@@ -64,10 +64,12 @@ internal static class WiringCheck
         if (publishers.Count(p => p.StatesInitial) > 1 && !publishers.All(p => p.IsShared))
             faults.Add($"Message '{name}': more than one end states the first value.");
 
-        if (MessageTypeCheck.FindFault(ends[0].ValueType) is { } why)
+        if (MessageTypeCheck.FindFault(ends[0].ValueType, ends[0].CopiesItself, trusted) is { } why)
             faults.Add($"Message '{name}': {why}");
         else if (!ends[0].ValueType.IsValueType && !ends.Any(e => e.StatesInitial) && publishers.Count > 0)
             faults.Add($"Message '{name}': {TypeNames.Of(ends[0].ValueType)} is a class, so its publisher ({Owners(publishers)}) must state a first value.");
+        else
+            faults.AddRange(ends.Select(e => e.FindFaultOfInitial()).OfType<string>().Select(f => $"Message '{name}': {f}"));
     }
 
     private static void CheckQueue(IReadOnlyList<EndDeclaration> ends, List<string> faults)

@@ -118,6 +118,57 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(0, outside.Counters.Resident);
     }
 
+    [Fact, Trait("Clause", "2.5")]
+    public void Finish_BufferOfAWatchedPoolNotGivenBack_IsAnErrorThatNamesPoolAndOwner()
+    {
+        var pool = new BufferPool("pictures", 3, 8);
+        var sound = new BufferPool("sounds", 1, 8);
+        using TestRun run = NewRun();
+        ScriptedManager keeper = run.Add("keeper");
+        run.Reactor.Workspace.Watch(pool);
+        run.Reactor.Workspace.Watch(sound);
+        run.Reactor.Workspace.Watch(pool);
+
+        run.StartAndSettle();
+        run.On(keeper, () =>
+        {
+            Assert.True(pool.TryRent("keeper", out _));
+            Assert.True(pool.TryRent("keeper", out _));
+            Assert.True(sound.TryRent("keeper", out BufferLease heard));
+            heard.Dispose();
+        });
+        ReactorResult result = run.Finish();
+
+        const string Told = "Pool 'pictures' did not get all of its buffers back: 'keeper' has 2.";
+        Assert.Equal(1, result.ExitCode);
+        Assert.Equal(Told, result.Failure!.Message);
+        Assert.Equal("the test is over", result.StopReason);
+        Assert.Equal(Told, Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault).Text);
+    }
+
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
+    public void Finish_BuffersOfAWatchedPoolInAQueueAndInShutdown_AreNoLeak()
+    {
+        var pool = new BufferPool("pictures", 2, 8);
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        QueueSender<Picture> sender = source.Send<Picture>("queue");
+        run.Add("sink").Receive<Picture>("queue", 8, wakeOnPush: false);
+        BufferLease kept = default;
+        source.OnShutdown = () => kept.Dispose();
+
+        run.StartAndSettle();
+        run.On(source, () =>
+        {
+            sender.Push(Take(pool, 0));
+            Assert.True(pool.TryRent("source", out kept));
+            run.Reactor.Workspace.Watch(pool);
+        });
+
+        Assert.Equal(0, run.Finish().ExitCode);
+        Assert.Equal(2, pool.Free);
+    }
+
     [Fact, Trait("Clause", "2.5"), Trait("Clause", "1.8")]
     public void Reader_QueueFull_GivesBackWhatItDiscards()
     {

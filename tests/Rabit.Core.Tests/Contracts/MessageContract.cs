@@ -257,6 +257,31 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
         }
     }
 
+    [Fact, Trait("Clause", "2.3")]
+    public void IsFresh_AgainstAMaximumAge_GoesByTheStampOfWhatWasFetched()
+    {
+        using Pair pair = Connect();
+        pair.Run.On(pair.Fetcher, () => Assert.False(pair.Subscriber.IsFresh(TimeSpan.MaxValue)));
+        pair.Run.On(pair.Poster, () => pair.Publisher.Post(pair.Poster.Time - TimeSpan.FromSeconds(5)));
+        pair.Run.On(pair.Fetcher, () =>
+        {
+            Assert.False(pair.Subscriber.IsFresh(TimeSpan.MaxValue));
+            Assert.True(pair.Subscriber.Fetch());
+            Assert.True(pair.Subscriber.IsFresh(TimeSpan.FromMinutes(10)));
+            Assert.False(pair.Subscriber.IsFresh(TimeSpan.FromSeconds(4)));
+            Assert.False(pair.Subscriber.IsFresh(TimeSpan.Zero));
+            string told = Assert.Throws<ArgumentOutOfRangeException>(() => pair.Subscriber.IsFresh(TimeSpan.FromTicks(-1))).Message;
+            Assert.Contains("'sample'", told, StringComparison.Ordinal);
+        });
+        pair.Run.On(pair.Poster, () => pair.Publisher.Post(pair.Poster.Time + TimeSpan.FromHours(1)));
+        pair.Run.On(pair.Fetcher, () =>
+        {
+            Assert.False(pair.Subscriber.IsFresh(TimeSpan.Zero));
+            Assert.True(pair.Subscriber.Fetch());
+            Assert.True(pair.Subscriber.IsFresh(TimeSpan.Zero));
+        });
+    }
+
     [Fact, Trait("Clause", "2.5")]
     public void ImmutableClass_Posted_IsHandedOverByReference()
     {
@@ -425,6 +450,7 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
             () => pair.Subscriber.ForceFetch(),
             () => _ = pair.Subscriber.Value,
             () => _ = pair.Subscriber.Age,
+            () => pair.Subscriber.IsFresh(TimeSpan.Zero),
             () => _ = pair.Subscriber.Stamp,
             () => _ = pair.Subscriber.WasPosted,
         ];

@@ -39,6 +39,30 @@ public sealed class AllocationTests
         Assert.NotEqual(0, handled);
     }
 
+    [Fact, Trait("Clause", "2.5")]
+    public void ImmutableAndSelfCopyingClass_SteadyState_AllocateNothing()
+    {
+        using var run = new TestRun(TimeKind.Real);
+        ScriptedManager manager = run.Add("m");
+        TestNote[] notes = [new(1), new(2)];
+        MessagePublisher<TestNote> notePublisher = manager.Publish("note", notes[0]);
+        MessagePublisher<TestScan> scanPublisher = manager.Publish("scan", new TestScan());
+        MessageSubscriber<TestNote> noteSubscriber = run.Reactor.Workspace.Subscribe<TestNote>("note");
+        MessageSubscriber<TestScan> scanSubscriber = run.Reactor.Workspace.Subscribe<TestScan>("scan");
+        bool hadNews = true;
+
+        run.StartAndSettle();
+        run.On(manager, () => AssertAllocatesNothing(i =>
+        {
+            notePublisher.Value = notes[i & 1];
+            notePublisher.Post();
+            scanPublisher.Value.Fill(i);
+            scanPublisher.Post(TimeSpan.FromTicks(i));
+            hadNews &= noteSubscriber.Fetch() & scanSubscriber.Fetch() & scanSubscriber.IsFresh(TimeSpan.MaxValue);
+        }));
+        Assert.True(hadNews);
+    }
+
     [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.3")]
     public void UnitOfWork_ThatPostsFetchesPushesAndPops_AllocatesNothing()
     {

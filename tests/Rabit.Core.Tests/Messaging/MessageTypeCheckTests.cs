@@ -4,6 +4,7 @@ using System.Collections.Immutable;
 using System.Globalization;
 using System.Threading.Tasks;
 using Rabit.Core.Messaging;
+using Rabit.Core.Tests.Contracts;
 using Xunit;
 
 namespace Rabit.Core.Tests.Messaging;
@@ -19,7 +20,7 @@ public sealed class MessageTypeCheckTests
         typeof(Plain), typeof(Nested), typeof(Generic<Plain>), typeof(SealedRecord), typeof(RecordStruct), typeof(Fixed),
         typeof(ReadOnlyClass), typeof(Node), typeof(Derived), typeof(HoldsImmutables), typeof(StaticsOnly),
         typeof(ImmutableArray<int>), typeof(ImmutableList<string>), typeof(ImmutableDictionary<string, Plain>), typeof(Tree),
-        typeof(ManagerStatus), typeof(MessageStamp), typeof(QueueCounters),
+        typeof(ManagerStatus), typeof(MessageStamp), typeof(QueueCounters), typeof(Vouched), typeof(HoldsVouched), typeof(IVouched),
     };
 
     public static TheoryData<Type, string> Refused => new()
@@ -58,6 +59,8 @@ public sealed class MessageTypeCheckTests
 
         // A culture can be changed unless it was made read only.
         { typeof(CultureInfo), "CultureInfo" },
+        { typeof(FromVouched), "can be changed" },
+        { typeof(VouchedList<int[]>), "VouchedList<Int32[]><Int32[]> is an array" },
     };
 
     [Theory, Trait("Clause", "2.5")]
@@ -69,6 +72,42 @@ public sealed class MessageTypeCheckTests
     [MemberData(nameof(Refused))]
     public void FindFault_TypeWhoseCopiesShareSomething_NamesTheField(Type type, string expected)
         => Assert.Contains(expected, MessageTypeCheck.FindFault(type), StringComparison.Ordinal);
+
+    [Fact, Trait("Clause", "2.5")]
+    public void FindFault_TypeThatTheWorkspaceTrusts_FindsNone()
+    {
+        Type[] trusted = [typeof(MutableClass), typeof(Stranger<>), typeof(IDisposable)];
+
+        foreach (Type type in new[] { typeof(MutableClass), typeof(HoldsMutable), typeof(Stranger<string>), typeof(IDisposable), typeof(Generic<Stranger<int>>) })
+        {
+            Assert.NotNull(MessageTypeCheck.FindFault(type));
+            Assert.Null(MessageTypeCheck.FindFault(type, trusted: trusted));
+        }
+
+        Assert.Contains("<Int32[]> is an array", MessageTypeCheck.FindFault(typeof(Stranger<int[]>), trusted: trusted), StringComparison.Ordinal);
+        Assert.Contains("is an array", MessageTypeCheck.FindFault(typeof(HoldsArray), trusted: trusted), StringComparison.Ordinal);
+    }
+
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "4.2")]
+    public void TrustImmutable_BeforeTheStart_LetsTheTypeBeAMessageOfThisWorkspaceOnly()
+    {
+        foreach (bool trusts in new[] { true, false })
+        {
+            using var run = new TestRun(TimeKind.Virtual);
+            run.Add("m").Publish("part", new HoldsMutable { Part = new MutableClass() });
+            if (trusts)
+                run.Reactor.Workspace.TrustImmutable(typeof(MutableClass));
+            if (!trusts)
+            {
+                Assert.Contains("HoldsMutable.Part.Count", Assert.Throws<RabitWiringException>(run.Start).Message, StringComparison.Ordinal);
+                continue;
+            }
+
+            run.Start();
+            string told = Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.TrustImmutable(typeof(Plain))).Message;
+            Assert.Contains("Plain", told, StringComparison.Ordinal);
+        }
+    }
 
     [Fact, Trait("Clause", "2.5"), Trait("Clause", "4.2")]
     public void Start_MessageOfARefusedType_NamesMessageAndField()
@@ -195,6 +234,39 @@ public sealed class MessageTypeCheckTests
     internal struct HoldsMutable
     {
         public MutableClass Part;
+    }
+
+    [TrustedImmutable]
+    internal class Vouched
+    {
+        public int[] Numbers = [1, 2];
+    }
+
+    internal sealed class FromVouched : SoundSibling;
+
+    internal class SoundSibling : Vouched
+    {
+        public int[] More = [];
+    }
+
+    [TrustedImmutable]
+    internal interface IVouched;
+
+    internal struct HoldsVouched
+    {
+        public Vouched Part;
+        public IVouched Other;
+    }
+
+    [TrustedImmutable]
+    internal sealed class VouchedList<T>
+    {
+        public T[] Items = [];
+    }
+
+    internal sealed class Stranger<T>
+    {
+        public T? Value;
     }
 
     internal struct HoldsDelegate

@@ -1,6 +1,4 @@
 using System;
-using System.Reflection;
-using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
 using Rabit.Core.Messaging;
 using Rabit.Core.Tests.Time;
@@ -23,7 +21,7 @@ public sealed class SharedMessageTests
     [InlineData(-1)]
     public void Post_NearAnyVersion_IsNewsAndCountsWhatWasMissed(int start)
     {
-        SharedMessage<int> shared = New(start);
+        SharedValue<int> shared = New(start);
         LocalCopy<int> poster = shared.CreateCopy();
         LocalCopy<int> fetcher = shared.CreateCopy();
         poster.SeenVersion = start;
@@ -48,7 +46,7 @@ public sealed class SharedMessageTests
     [Fact, Trait("Clause", "2.3")]
     public void Fetch_OfACopyThatNeverFetched_AfterTheSignHasTurned_IsNews()
     {
-        SharedMessage<int> shared = New(int.MinValue + 5);
+        SharedValue<int> shared = New(int.MinValue + 5);
 
         Assert.NotEqual(0, shared.Fetch(shared.CreateCopy()));
     }
@@ -104,15 +102,9 @@ public sealed class SharedMessageTests
         Assert.Equal(0, reactor.Finish().ExitCode);
     }
 
-    private static SharedMessage<int> New(int version)
-    {
-        var clock = new RunClock(new ManualClock());
-        var shared = new SharedMessage<int>("height", 0, clock, new RabitLog(null, logRuns: false, clock));
-
-        // Four thousand million posts would take minutes.
-        typeof(SharedMessage<int>).GetField("_version", BindingFlags.Instance | BindingFlags.NonPublic)!.SetValue(shared, version);
-        return shared;
-    }
+    // Four thousand million posts would take minutes.
+    private static SharedValue<int> New(int version, bool isAlone = true, int tries = OptimisticRead.Tries)
+        => new(MessagePlaces.New("height"), initial: 0, isAlone, version, tries);
 
     private sealed class Idle() : RabitManager("idle")
     {
