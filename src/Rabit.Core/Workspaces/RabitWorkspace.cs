@@ -146,6 +146,15 @@ public sealed class RabitWorkspace
         }
     }
 
+    /// <summary>The library's own end of a status, once all is wired.</summary>
+    internal StatusEnd StatusEndOf(string managerName)
+    {
+        var binding = new MessageBinding<ManagerStatus>(NewOwner(), EndRole.Publish, RabitManager.StatusMessageName(managerName));
+        lock (_gate)
+            BindLate(binding);
+        return new StatusEnd(binding);
+    }
+
     /// <summary>What keeps the time of pushes that wait; null where the wiring has none.</summary>
     internal QueueTimeKeeper? TimeKeeper { get; private set; }
 
