@@ -71,6 +71,7 @@ public abstract partial class RabitManager
     /// <param name="source">What is read; used by one reader.</param>
     /// <param name="capacity">How many values that were read may wait for the manager.</param>
     /// <param name="whenFull">What happens when that many wait; <see cref="QueueFullMode.Wait"/> makes the reader wait and loses nothing.</param>
+    /// <param name="waitAtMost">With <see cref="QueueFullMode.Wait"/> only: how long the reader may wait for room; then what it read is rejected, and it reads on.</param>
     /// <param name="reconnect">Whether the source is opened again after a fault; null for never.</param>
     /// <param name="waitAtMost">With <see cref="QueueFullMode.Wait"/> only: how long the reader may wait for room; then what it read is rejected, and it reads on.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
@@ -79,8 +80,8 @@ public abstract partial class RabitManager
         IReaderSource<T> source,
         int capacity = 100,
         QueueFullMode whenFull = QueueFullMode.Wait,
-        ReconnectPolicy? reconnect = null,
-        TimeSpan? waitAtMost = null)
+        TimeSpan? waitAtMost = null,
+        ReconnectPolicy? reconnect = null)
     {
         EndOwner reader = DeviceOwner(name, "reader");
         QueueBinding<T> receiver = DeclareReceiver<T>(_owner, reader.Name, capacity, whenFull, wakeOnPush: true, waitAtMost);

@@ -265,7 +265,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     private IReadOnlyList<QueueResult> CloseQueues()
     {
         if (Workspace.TimeKeeper is { } timeKeeper)
-            _engine.TryEnd(timeKeeper, _options.StopTimeout, Times.Later(_clock.Now, _options.StopTimeout));
+            _engine.TryEnd(timeKeeper, _options.StopTimeout, TimeSpan.MaxValue);
         IReadOnlyList<QueueResult> queues = Workspace.CloseQueues();
         foreach (QueueResult queue in queues.Where(q => q.Counters.Resident > 0))
             _log.Write(RabitLogKind.Note, queue.Name, queue.ToString());

@@ -146,6 +146,9 @@ public sealed class RabitWorkspace
         }
     }
 
+    /// <summary>What keeps the time of pushes that wait; null where the wiring has none.</summary>
+    internal QueueTimeKeeper? TimeKeeper { get; private set; }
+
     /// <summary>The library's own end of a status, once all is wired.</summary>
     internal StatusEnd StatusEndOf(string managerName)
     {
@@ -154,9 +157,6 @@ public sealed class RabitWorkspace
             BindLate(binding);
         return new StatusEnd(binding);
     }
-
-    /// <summary>What keeps the time of pushes that wait; null where the wiring has none.</summary>
-    internal QueueTimeKeeper? TimeKeeper { get; private set; }
 
     /// <summary>The run is over: who waits for a queue is told, and what is left and must be given back is given back.</summary>
     /// <returns>The books of all queues as they were.</returns>

@@ -94,9 +94,9 @@ internal sealed class ScriptedManager : RabitManager
         IReaderSource<T> source,
         int capacity = 100,
         QueueFullMode whenFull = QueueFullMode.Wait,
-        ReconnectPolicy? reconnect = null,
-        TimeSpan? waitAtMost = null)
-        => base.AttachReader(name, source, capacity, whenFull, reconnect, waitAtMost);
+        TimeSpan? waitAtMost = null,
+        ReconnectPolicy? reconnect = null)
+        => base.AttachReader(name, source, capacity, whenFull, waitAtMost, reconnect);
 
     public new BlockingWriter<T> AttachWriter<T>(
         string name,
