@@ -73,7 +73,6 @@ public abstract partial class RabitManager
     /// <param name="whenFull">What happens when that many wait; <see cref="QueueFullMode.Wait"/> makes the reader wait and loses nothing.</param>
     /// <param name="waitAtMost">With <see cref="QueueFullMode.Wait"/> only: how long the reader may wait for room; then what it read is rejected, and it reads on.</param>
     /// <param name="reconnect">Whether the source is opened again after a fault; null for never.</param>
-    /// <param name="waitAtMost">With <see cref="QueueFullMode.Wait"/> only: how long the reader may wait for room; then what it read is rejected, and it reads on.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected BlockingReader<T> AttachReader<T>(
         string name,
