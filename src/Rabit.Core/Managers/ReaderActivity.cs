@@ -78,7 +78,7 @@ internal sealed class ReaderActivity<T>(
         if (!queue.TryPushOrWait(_value, WakeUp))
         {
             TimeSpan now = Clock.Now;
-            _giveUpAt ??= queue.WaitAtMost is { } limit && limit < TimeSpan.MaxValue - now ? now + limit : TimeSpan.MaxValue;
+            _giveUpAt ??= Times.Later(now, queue.WaitAtMost ?? TimeSpan.MaxValue);
             if (now < _giveUpAt)
                 return false;
             queue.GiveUp();

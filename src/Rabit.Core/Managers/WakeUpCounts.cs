@@ -21,7 +21,10 @@ public struct WakeUpCounts
     /// <summary>Units of work that a reader or writer of the manager caused.</summary>
     public long Device { get; private set; }
 
-    /// <summary>Wake-ups that found another one waiting and merged with it: they did not stack.</summary>
+    /// <summary>
+    /// Wake-ups that found another one waiting and merged with it: they did not stack. A push or pop that finds one of its kind waiting makes no
+    /// wake-up, and does not count here; the books of the queue have it.
+    /// </summary>
     public long Merged { get; private set; }
 
     internal void Count(WakeUpCauses causes, int wakes)

@@ -140,9 +140,7 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
 
     private PendingPush<T> Enlist(T value)
     {
-        TimeSpan now = clock.Now;
-        TimeSpan due = WaitAtMost is { } limit && limit < TimeSpan.MaxValue - now ? now + limit : TimeSpan.MaxValue;
-        var pending = new PendingPush<T>(value, due);
+        var pending = new PendingPush<T>(value, Times.Later(clock.Now, WaitAtMost ?? TimeSpan.MaxValue));
         (_pending ??= []).Add(pending);
         _someoneWaits = true;
         return pending;

@@ -15,6 +15,8 @@ internal static class QueueSpeed
 {
     private const int Capacity = 1024;
 
+    private const int Together = 20_000;
+
     public static void Run(int rounds)
     {
         OneThreadTable<int>("int", rounds);
@@ -28,11 +30,13 @@ internal static class QueueSpeed
 
     private static void OneThreadTable<T>(string what, int rounds)
         where T : struct
-        => Measure($"push and pop, one thread, {what}: ns", rounds * 10, messages: 20_000, perSecond: false,
+        => Measure($"push and pop, one thread, {what}: ns", rounds * 10, Together, perSecond: false,
         [
             new OneThread<T, ChannelPeer<T>>("Channel", new ChannelPeer<T>(Capacity, 1)),
             new RabitOneThread<T>("Rabit, reject", Capacity, QueueFullMode.Reject),
+            new RabitTwoManagers<T>("Rabit, two managers", Together),
             new RabitOneThread<T>("Rabit, drop oldest", Capacity, QueueFullMode.DropOldest),
+            new RabitOneThread<T>("Rabit, drop newest", Capacity, QueueFullMode.DropNewest),
             new OneThread<T, ConcurrentQueuePeer<T>>("ConcurrentQueue", new ConcurrentQueuePeer<T>()),
             new OneThread<T, BlockingCollectionPeer<T>>("BlockingCollection", new BlockingCollectionPeer<T>(Capacity)),
             new OneThread<T, LockPeer<T>>("lock by hand", new LockPeer<T>(Capacity)),
@@ -52,7 +56,7 @@ internal static class QueueSpeed
         };
         if (senders == 1)
             contenders.Add(new FlatOut<T, SpscPeer<T>>("SPSC ring", senders, new SpscPeer<T>(Capacity)));
-        Measure($"{senders} sender(s), 1 receiver, {what}: M/s", rounds, messages: 400_000, perSecond: true, contenders);
+        Measure($"{senders} sender(s), 1 receiver, {what}: M/s", rounds, messages: 200_000, perSecond: true, contenders);
     }
 
     private static void Measure(string title, int rounds, int messages, bool perSecond, IReadOnlyList<IContender> contenders)
