@@ -10,7 +10,7 @@ internal static class FlatnessCheck
     // Threads and handles of the runtime's own (tiered compilation, the pool) come and go.
     private const int Few = 2;
     private const long HeapBytes = 256 * 1024;
-    private const long ResidentBytes = 4 * 1024 * 1024;
+    private const long ResidentBytes = 8 * 1024 * 1024;   // the compiler's, which goes on for a while
 
     /// <returns>What grew, in words; empty when nothing did.</returns>
     public static IReadOnlyList<string> Grown(IReadOnlyList<ProcessState> states)

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using Rabit.Core;
 
 namespace Rabit.Latency.Soak;
@@ -9,21 +11,29 @@ internal sealed class SoakWorkspace
 {
     private const int Managers = 8;
 
+    // A thread that is not given the CPU on a busy machine is no fault; a start that was lost is.
+    private static readonly TimeSpan LongestStart = TimeSpan.FromSeconds(20);
+
     private readonly RabitReactor _reactor;
+    private readonly List<Hammer> _hammers = [];
 
     public SoakWorkspace(WaitEngine engine)
     {
         _reactor = RabitRun.Create(engine);
         for (int i = 0; i < Managers; i++)
-            _reactor.Add(new Hammer(i, (i + 1) % Managers));
+            _hammers.Add(new Hammer(i, (i + 1) % Managers));
+        _hammers.ForEach(_reactor.Add);
     }
 
     /// <returns>How many units of work were run.</returns>
     public long Run(TimeSpan duration)
     {
         _reactor.Start();
-        if (!_reactor.RunFor(duration))
-            throw new InvalidOperationException("A workspace of the soak stopped by itself.");
+        while (_reactor.RunFor(duration) && !_hammers.TrueForAll(h => h.HasRun) && _reactor.Now < LongestStart)
+        {
+            // Once more: somebody has not run yet.
+        }
+
         _reactor.Stop();
         ReactorResult result = _reactor.Finish();
         if (result.ExitCode != 0 || result.Managers.Any(m => m.Outcome != ManagerOutcome.Ended || m.Runs == 0))
@@ -39,6 +49,7 @@ internal sealed class SoakWorkspace
         private readonly MessageSubscriber<long> _neighbour;
         private readonly QueueReceiver<long> _receiver;
         private readonly QueueSender<long> _sender;
+        private bool _hasRun;   // written by the manager, read from outside
 
         public Hammer(int number, int next)
             : base($"hammer {number}")
@@ -50,8 +61,11 @@ internal sealed class SoakWorkspace
             Period = TimeSpan.FromMilliseconds(1 + number);
         }
 
+        public bool HasRun => Volatile.Read(ref _hasRun);
+
         protected override void ExecuteUnitOfWork()
         {
+            Volatile.Write(ref _hasRun, true);
             long sum = _neighbour.Fetch() ? _neighbour.Value : 0;
             while (_receiver.TryPop(out long value))
                 sum += value;
