@@ -19,6 +19,7 @@ internal sealed class ReaderActivity<T>(
 
     private T _value = default!;
     private bool _holdsValue;   // read, and waiting for room in the queue
+    private TimeSpan? _giveUpAt;
 
     public override bool Blocks => source.Blocks;
 
@@ -31,7 +32,7 @@ internal sealed class ReaderActivity<T>(
         for (int values = 0; values < ValuesPerTurn && !WakeUp.StopRequested; values++)
         {
             if (_holdsValue && !TryHandOver())
-                return NextTurn.At(TimeSpan.MaxValue);
+                return WaitForRoom();
 
             ReaderStep step = source.Read(out _value);
             if (step.Kind == ReaderStepKind.Wait)
@@ -46,7 +47,7 @@ internal sealed class ReaderActivity<T>(
             OnProgress();
         }
 
-        return _holdsValue && !TryHandOver() ? NextTurn.At(TimeSpan.MaxValue) : NextTurn.At(TimeSpan.Zero);
+        return _holdsValue && !TryHandOver() ? WaitForRoom() : NextTurn.At(TimeSpan.Zero);
     }
 
     protected override void CloseDevice() => source.Close();
@@ -63,19 +64,33 @@ internal sealed class ReaderActivity<T>(
     {
         MessageQueue<T> queue = sender.Queue!;
         if (queue.FullMode == QueueFullMode.Wait)
+            return TryHandOver((LockedQueue<T>)queue);
+
+        // The books of the queue tell what was rejected or dropped.
+        if (queue.Push(_value) == PushResult.Rejected)
+            Discard();
+        _holdsValue = false;
+        return true;
+    }
+
+    private bool TryHandOver(LockedQueue<T> queue)
+    {
+        if (!queue.TryPushOrWait(_value, WakeUp))
         {
-            _holdsValue = !queue.TryPushOrWait(_value, WakeUp);
-        }
-        else
-        {
-            // The books of the queue tell what was rejected or dropped.
-            if (queue.Push(_value) == PushResult.Rejected)
-                Discard();
-            _holdsValue = false;
+            TimeSpan now = Clock.Now;
+            _giveUpAt ??= queue.WaitAtMost is { } limit && limit < TimeSpan.MaxValue - now ? now + limit : TimeSpan.MaxValue;
+            if (now < _giveUpAt)
+                return false;
+            queue.GiveUp();
+            Discard();
         }
 
-        return !_holdsValue;
+        _giveUpAt = null;
+        _holdsValue = false;
+        return true;
     }
+
+    private NextTurn WaitForRoom() => NextTurn.At(_giveUpAt ?? TimeSpan.MaxValue);
 
     // What the queue did not take is still ours.
     private void Discard()

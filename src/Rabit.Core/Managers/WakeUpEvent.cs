@@ -67,7 +67,7 @@ internal class WakeUpEvent<TSync>
         while ((seen & wanted) == 0)
         {
             // Before the mark: a waker tells its time after it has found the mark.
-            default(TSync).Exchange(ref _wokenAtTicks, NotTold);
+            default(TSync).InterlockedWrite(ref _wokenAtTicks, NotTold);
             int found = default(TSync).CompareExchange(ref _state, seen | Asleep, seen);
             if (found == seen)
                 return true;
@@ -104,7 +104,7 @@ internal class WakeUpEvent<TSync>
         bool first = (seen & AllCauses) == 0 || (cause & Urgent) != 0;
         if ((seen & Asleep) != 0 && first)
         {
-            default(TSync).Exchange(ref _wokenAtTicks, _clock!.Now.Ticks);
+            default(TSync).InterlockedWrite(ref _wokenAtTicks, _clock!.Now.Ticks);
             _signal!.Set();
         }
     }

@@ -11,15 +11,17 @@ internal sealed class ActivityThread : IDisposable
     private readonly Activity _activity;
     private readonly RunClock _clock;
     private readonly IWaitSignal _signal;
+    private readonly RealTimeSetup _realTime;
     private readonly object _changed;   // the engine's; guards the two marks below
     private bool _hasBegun;
     private bool _hasEnded;
 
-    public ActivityThread(Activity activity, RunClock clock, IWaitSignal signal, object changed)
+    public ActivityThread(Activity activity, RunClock clock, IWaitSignal signal, RealTimeSetup realTime, object changed)
     {
         _activity = activity;
         _clock = clock;
         _signal = signal;
+        _realTime = realTime;
         _changed = changed;
         _activity.WakeUp.Connect(_signal, clock);
     }
@@ -42,6 +44,7 @@ internal sealed class ActivityThread : IDisposable
 
     private void Run()
     {
+        _realTime.Apply(_activity);
         _activity.Begin();
         Announce(ref _hasBegun);
 

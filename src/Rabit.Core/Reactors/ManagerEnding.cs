@@ -82,6 +82,7 @@ internal sealed class ManagerEnding(ReactorEngine engine, RunClock clock, RabitL
             Hangs = hangs,
             NotStopped = notStopped,
             Status = status,
+            RealTime = activity.Manager.RealTimeReport,
         };
     }
 

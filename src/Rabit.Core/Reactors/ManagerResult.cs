@@ -43,6 +43,9 @@ public sealed class ManagerResult
     /// <summary>The last status it posted, or the watchdog for it.</summary>
     public ManagerStatus Status { get; internal init; }
 
+    /// <summary>What became of the manager's request for real time; empty when it made none.</summary>
+    public RealTimeReport RealTime { get; internal init; } = RealTimeReport.Empty;
+
     /// <summary>One line.</summary>
     public override string ToString()
     {

@@ -55,7 +55,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         Require.NotNull(options, nameof(options)).Validate(nameof(options));
         _options = options = options.Copy();
         _clock = new RunClock(options.Time.Clock);
-        _log = new RabitLog(options.Log, options.LogRuns, _clock);
+        _log = new RabitLog(options.Log, options.LogRuns, _clock, options.Time.CreateEventLog(_clock, Fail));
         _engine = options.Time.CreateEngine(new EngineContext(_clock, _log, Fail));
     }
 
@@ -192,10 +192,11 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         var ending = new ManagerEnding(_engine, _clock, _log, _options);
         List<ManagerResult> results = ending.EndAll(_activities, Supervision);
         Supervision.End(_engine, _log, _clock.Now);
-        Workspace.CloseQueues();
+        IReadOnlyList<QueueResult> queues = CloseQueues();
         _engine.Dispose();
         Supervision.Dispose();
-        return new ReactorResult(reason, _failure, duration, results);
+        _log.Events?.Close();
+        return new ReactorResult(reason, _failure, duration, results, queues);
     }
 
     /// <summary>Asks for a stop and comes back at once. Any thread; the first reason counts.</summary>
@@ -262,8 +263,24 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
             run.WatchdogWakeUp = _supervision.WatchdogWakeUp;
     }
 
+    private IReadOnlyList<QueueResult> CloseQueues()
+    {
+        if (Workspace.TimeKeeper is { } timeKeeper)
+            _engine.TryEnd(timeKeeper, _options.StopTimeout, TimeSpan.MaxValue);
+        IReadOnlyList<QueueResult> queues = Workspace.CloseQueues();
+        foreach (QueueResult queue in queues.Where(q => q.Counters.Resident > 0))
+            _log.Write(RabitLogKind.Note, queue.Name, queue.ToString());
+        return queues;
+    }
+
     private void OpenBarrier()
     {
+        if (Workspace.TimeKeeper is { } timeKeeper)
+        {
+            _engine.Begin(timeKeeper);
+            timeKeeper.WakeUp.Wake(WakeUpCauses.Start);
+        }
+
         List<DeviceActivity> devices = _activities
             .Where(a => !a.HasStoppedAlone)
             .SelectMany(a => a.Manager.Writers.Concat(a.Manager.Readers))

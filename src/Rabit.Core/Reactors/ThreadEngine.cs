@@ -11,6 +11,7 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
     private static readonly TimeSpan LastLook = TimeSpan.FromMilliseconds(20);
 
     private readonly Dictionary<Activity, ActivityThread> _threads = [];
+    private readonly RealTimeSetup _realTime = RealTimeSetup.ForThreads(context.Log);
 
     // Guards _stopRequested; pulsed at everything that a waiting reactor waits for.
     private readonly object _changed = new();
@@ -18,7 +19,7 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
 
     public override void Begin(Activity activity)
     {
-        var thread = new ActivityThread(activity, context.Clock, WaitEngines.Create(waitEngine), _changed);
+        var thread = new ActivityThread(activity, context.Clock, WaitEngines.Create(waitEngine), _realTime, _changed);
         _threads.Add(activity, thread);
         thread.Start();
         WaitFor(() => thread.HasBegun || _stopRequested, TimeSpan.MaxValue);

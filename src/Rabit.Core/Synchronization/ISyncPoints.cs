@@ -45,7 +45,8 @@ internal unsafe interface ISyncPoints
     /// <summary>An interlocked read.</summary>
     long InterlockedRead(ref long location);
 
-    long Exchange(ref long location, long value);
+    /// <summary>An interlocked write.</summary>
+    void InterlockedWrite(ref long location, long value);
 
     /// <summary>A full fence.</summary>
     void Fence();

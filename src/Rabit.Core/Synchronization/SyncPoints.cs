@@ -35,7 +35,7 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public long InterlockedRead(ref long location) => Interlocked.Read(ref location);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public long Exchange(ref long location, long value) => Interlocked.Exchange(ref location, value);
+    public void InterlockedWrite(ref long location, long value) => Interlocked.Exchange(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Fence() => Interlocked.MemoryBarrier();

@@ -84,8 +84,8 @@ internal sealed class ScriptedManager : RabitManager
         => base.SubscribeToStatus(managerName, wakeOnPost);
 
     public new QueueReceiver<T> Receive<T>(
-        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, bool wakeOnPush = true)
-        => base.Receive<T>(name, capacity, whenFull, wakeOnPush);
+        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, bool wakeOnPush = true, TimeSpan? waitAtMost = null)
+        => base.Receive<T>(name, capacity, whenFull, wakeOnPush, waitAtMost);
 
     public new QueueSender<T> Send<T>(string name, bool wakeOnPop = false) => base.Send<T>(name, wakeOnPop);
 
@@ -94,8 +94,9 @@ internal sealed class ScriptedManager : RabitManager
         IReaderSource<T> source,
         int capacity = 100,
         QueueFullMode whenFull = QueueFullMode.Wait,
+        TimeSpan? waitAtMost = null,
         ReconnectPolicy? reconnect = null)
-        => base.AttachReader(name, source, capacity, whenFull, reconnect);
+        => base.AttachReader(name, source, capacity, whenFull, waitAtMost, reconnect);
 
     public new BlockingWriter<T> AttachWriter<T>(
         string name,

@@ -17,7 +17,7 @@ namespace Rabit.Core.Tests.Exploration;
 internal sealed class CodeFold(int watchedSteps)
 {
     private readonly List<FoldedPlace> _places = [];
-    private readonly Dictionary<(object From, SyncOperation Operation), List<FoldedPlace>> _alike = [];
+    private readonly Dictionary<(CodeTree? Tree, object From, SyncOperation Operation), List<FoldedPlace>> _alike = [];
     private readonly Dictionary<CodePlace, FoldedPlace> _exact = [];
     private readonly HashSet<(CodePlace, CodePlace)> _unlike = [];
 
@@ -36,7 +36,7 @@ internal sealed class CodeFold(int watchedSteps)
         if (_exact.TryGetValue(place, out FoldedPlace? known))
             return known;
 
-        var key = (place.From, place.Operation with { Note = null });
+        var key = (place.Tree, place.From, place.Operation with { Note = null });
         if (!_alike.TryGetValue(key, out List<FoldedPlace>? alike))
             _alike.Add(key, alike = []);
         FoldedPlace? found = watchedSteps == 0 || place.Before is null
@@ -89,7 +89,7 @@ internal sealed class CodeFold(int watchedSteps)
     {
         if (ReferenceEquals(folded.Place, place))
             return true;
-        if (!folded.Place.Operation.IsLike(place.Operation) || !folded.Place.From.Equals(place.From) || place.Operation.Kind == SyncKind.End)
+        if (folded.Place.Tree != place.Tree || !folded.Place.Operation.IsLike(place.Operation) || !folded.Place.From.Equals(place.From) || place.Operation.Kind == SyncKind.End)
             return false;
         return steps == 0 || folded.Next.TrueForAll(next => GoOnAlike(next.Place, place.After(next.Told), steps - 1));
     }

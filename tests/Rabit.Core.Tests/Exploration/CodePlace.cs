@@ -7,6 +7,9 @@ internal sealed class CodePlace(CodeTree? tree, SyncOperation operation, object 
 {
     private readonly Dictionary<int, CodePlace> _next = [];
 
+    /// <summary>Whose code it is; null at the end of a thread.</summary>
+    public CodeTree? Tree { get; } = tree;
+
     public SyncOperation Operation { get; } = operation;
 
     /// <summary>What the piece of code began with.</summary>
@@ -21,7 +24,7 @@ internal sealed class CodePlace(CodeTree? tree, SyncOperation operation, object 
     public CodePlace After(int told)
     {
         if (!_next.TryGetValue(told, out CodePlace? place))
-            _next.Add(told, place = tree!.After(this, told));
+            _next.Add(told, place = Tree!.After(this, told));
         return place;
     }
 }

@@ -17,16 +17,20 @@ internal sealed class ExploredMachine
     private readonly Recorder _recorder = new();
     private readonly CodeTree[] _code;
     private readonly CodeFold _places;
+    private readonly RetriedUpdates _updates;
+    private readonly bool _mergesRetries;
     private readonly TimeSpan _lastMoment;
 
-    public ExploredMachine(ExploredModel model, MemoryModel memory, int watchedSteps)
+    public ExploredMachine(ExploredModel model, ExplorerOptions options)
     {
         _model = model;
         _threads = model.Threads;
         _code = _threads.Select(thread => new CodeTree(thread, _recorder)).ToArray();
-        _places = new CodeFold(watchedSteps);
+        _places = new CodeFold(options.WatchedSteps);
+        _updates = new RetriedUpdates();
+        _mergesRetries = options.MergesRetries;
         _shape = new StateShape(_threads.Count, model.Size.Locations, model.Size.Writes, model.Size.Signals, model.Notes);
-        _memory = new ExploredMemory(_shape, memory);
+        _memory = new ExploredMemory(_shape, options.Memory);
         _lastMoment = new TimeSpan(model.Ticks.Step.Ticks * model.Ticks.Times);
     }
 
@@ -44,6 +48,7 @@ internal sealed class ExploredMachine
     public void Begin(ExploredState state)
     {
         _places.BeginAnew();
+        _updates.BeginAnew();
         Array.Clear(state.Numbers, 0, state.Numbers.Length);
         for (int location = 0; location < _shape.Locations; location++)
             state.Numbers[_shape.Counts + location] = 1;
@@ -71,6 +76,15 @@ internal sealed class ExploredMachine
     {
         FoldedPlace place = _places[state.Place(thread)];
         SyncOperation operation = place.Place.Operation;
+        if (_mergesRetries && TryUpdate(state, thread, ref place, choice, out result))
+        {
+            if (choice > 0)
+                return StepKind.NoSuchChoice;
+            Arrive(state, thread, place);
+            _memory.Forget(state.Numbers, t => HasEnded(state, t));
+            return StepKind.Taken;
+        }
+
         StepKind kind = operation.Kind is SyncKind.Wait or SyncKind.FutexWait
             ? Wait(state, thread, operation, choice, out result)
             : Access(state, thread, operation, choice, out result) ? StepKind.Taken : StepKind.NoSuchChoice;
@@ -81,6 +95,25 @@ internal sealed class ExploredMachine
             Arrive(state, thread, _places.After(place, result));
         _memory.Forget(state.Numbers, t => HasEnded(state, t));
         return kind;
+    }
+
+    private bool TryUpdate(ExploredState state, int thread, ref FoldedPlace place, int choice, out int result)
+    {
+        result = 0;
+        SyncOperation read = place.Place.Operation;
+        if (read.Kind is not (SyncKind.Read or SyncKind.VolatileRead))
+            return false;
+        int first = _recorder.InitialValue(read.Location);
+        result = first ^ _memory.Newest(state.Numbers, read.Location);
+        if (!_updates.IsOne(place, result))
+            return false;
+        if (choice > 0)
+            return true;
+        FoldedPlace swap = _places.After(place, result);
+        _memory.Interlocked(state.Numbers, thread, read.Location, swap.Place.Operation.Value ^ first, null, isRead: false);
+        _updates.Meet(read.Location, swap.Place.Operation.Value);
+        place = _places.After(swap, result);
+        return true;
     }
 
     private bool Access(ExploredState state, int thread, in SyncOperation operation, int choice, out int result)
@@ -112,6 +145,9 @@ internal sealed class ExploredMachine
             case SyncKind.Exchange or SyncKind.InterlockedRead:
                 result = first ^ _memory.Interlocked(s, thread, location, operation.Value ^ first, null, operation.Kind == SyncKind.InterlockedRead);
                 break;
+            case SyncKind.InterlockedWrite:
+                _memory.Interlocked(s, thread, location, operation.Value ^ first, null, isRead: false);
+                break;
             case SyncKind.CompareExchange:
                 result = first ^ _memory.Interlocked(s, thread, location, operation.Value ^ first, operation.Comparand ^ first, isRead: false);
                 break;
@@ -133,7 +169,7 @@ internal sealed class ExploredMachine
         return true;
     }
 
-    private static bool UsesMemory(SyncKind kind) => kind <= SyncKind.InterlockedRead;
+    private static bool UsesMemory(SyncKind kind) => kind <= SyncKind.InterlockedWrite;
 
     // Choices: 0 what the wait is for, 1 its time is over, 2 no reason. A futex wait that has not begun: what the kernel finds in the word.
     private StepKind Wait(ExploredState state, int thread, in SyncOperation operation, int choice, out int result)
@@ -174,10 +210,16 @@ internal sealed class ExploredMachine
 
     private void Arrive(ExploredState state, int thread, FoldedPlace place)
     {
-        while (place.Place.Operation.Kind == SyncKind.Note)
+        while (true)
         {
-            place.Place.Operation.Note!(state);
-            place = _places.After(place, 0);
+            SyncOperation operation = place.Place.Operation;
+            if (operation.Kind == SyncKind.Note)
+                operation.Note!(state);
+
+            // A clock that stands still for good may be read at once: nobody can tell.
+            else if (operation.Kind != SyncKind.ReadClock || state.TicksLeft > 0)
+                break;
+            place = _places.After(place, operation.Kind == SyncKind.Note ? 0 : (int)state.Now.Ticks);
         }
 
         state.Place(thread) = place.Number;

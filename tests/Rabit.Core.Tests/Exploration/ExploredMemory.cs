@@ -27,8 +27,13 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
     private const int AtFence = 1;
     private const int HandedOn = 2;
 
+    // How a write was made.
+    private const int ByInterlocked = 1;
+
     private readonly int _locations = shape.Locations;
     private readonly int _fences = shape.Views + (3 * shape.Threads * shape.Locations);
+
+    public int Newest(int[] s, int location) => s[Write(location, s[shape.Counts + location] - 1)];
 
     /// <summary>Reads a write, by choice: 0 is the newest.</summary>
     /// <returns>False where there is no such choice.</returns>
@@ -47,6 +52,8 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
         Raise(s, own + location, index);
         if (isVolatile)
             Join(s, own, write + 2);
+        if (model == MemoryModel.StoreBuffers && s[write + 1] != WriterMark(thread))
+            Join(s, _fences, write + 2);
         return true;
     }
 
@@ -59,12 +66,12 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
             // Not between an interlocked operation and what it read.
             do
                 index--;
-            while (s[Write(location, index) + 1] != 0);
+            while (s[Write(location, index) + 1] == ByInterlocked);
             if (model == MemoryModel.SequentiallyConsistent || index <= s[View(thread, Own) + location])
                 return false;
         }
 
-        Insert(s, location, index, value, isInterlocked: false);
+        Insert(s, location, index, value, WriterMark(thread));
         Raise(s, View(thread, Own) + location, index);
         Raise(s, View(thread, AtFence) + location, index);
         int handedOn = Write(location, index) + 2;
@@ -84,7 +91,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
         Join(s, own, Write(location, index) + 2);
         if (!isRead && (comparand is null || comparand == seen))
         {
-            Insert(s, location, index + 1, value, isInterlocked: true);
+            Insert(s, location, index + 1, value, ByInterlocked);
             Raise(s, own + location, index + 1);
             Join(s, Write(location, index + 1) + 2, own);
         }
@@ -111,6 +118,12 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
     /// <summary>Forgets the writes that nobody may be shown any more.</summary>
     public void Forget(int[] s, Func<int, bool> hasEnded)
     {
+        for (int thread = 0; thread < shape.Threads && model != MemoryModel.Weak; thread++)
+        {
+            if (!hasEnded(thread))
+                ShowToAll(s, thread);
+        }
+
         for (int location = 0; location < _locations; location++)
         {
             int oldest = s[shape.Counts + location] - 1;
@@ -127,6 +140,9 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
 
     public void ForgetThread(int[] s, int thread) => Array.Clear(s, View(thread, Own), 3 * _locations);
 
+    // Whose buffer a write is in, where there are any.
+    private int WriterMark(int thread) => model == MemoryModel.StoreBuffers ? 2 + thread : 0;
+
     private int View(int thread, int kind) => shape.Views + (((3 * thread) + kind) * _locations);
 
     private int Write(int location, int index) => shape.Memory + (((location * shape.Writes) + index) * shape.WriteSize);
@@ -135,6 +151,15 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
     {
         Join(s, View(thread, Own), View(thread, AtFence));
         Join(s, View(thread, Own), _fences);
+    }
+
+    // What has left the store buffers all processors see.
+    private void ShowToAll(int[] s, int thread)
+    {
+        for (int location = 0; location < _locations && model == MemoryModel.SequentiallyConsistent; location++)
+            s[_fences + location] = s[shape.Counts + location] - 1;
+        Join(s, View(thread, Own), _fences);
+        Join(s, View(thread, AtFence), View(thread, Own));
     }
 
     private void HandOnToFences(int[] s, int thread)
@@ -157,7 +182,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
             s[entry] = index;
     }
 
-    private void Insert(int[] s, int location, int index, int value, bool isInterlocked)
+    private void Insert(int[] s, int location, int index, int value, int mark)
     {
         int count = s[shape.Counts + location]++;
         if (count == shape.Writes)
@@ -171,7 +196,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
 
         Array.Clear(s, write, shape.WriteSize);
         s[write] = value;
-        s[write + 1] = isInterlocked ? 1 : 0;
+        s[write + 1] = mark;
         s[write + 2 + location] = index;
     }
 
@@ -180,7 +205,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
         int count = s[shape.Counts + location] -= by;
         Array.Copy(s, Write(location, by), s, Write(location, 0), count * shape.WriteSize);
         Array.Clear(s, Write(location, count), by * shape.WriteSize);
-        s[Write(location, 0) + 1] = 0;   // nothing can slip before the first
+        s[Write(location, 0) + 1] = 0;   // the oldest in sight: nothing can slip before it, and all see it
         ForEachView(s, location, by, static (entry, by) => Math.Max(0, entry - by));
     }
 

@@ -36,8 +36,8 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
 
     public long InterlockedRead(ref long location) => Perform(new SyncOperation(SyncKind.InterlockedRead, Mine.LocationOf(ref location)));
 
-    public long Exchange(ref long location, long value)
-        => Perform(new SyncOperation(SyncKind.Exchange, Mine.LocationOf(ref location), checked((int)value)));
+    public void InterlockedWrite(ref long location, long value)
+        => Perform(new SyncOperation(SyncKind.InterlockedWrite, Mine.LocationOf(ref location), checked((int)value)));
 
     public void Fence() => Perform(new SyncOperation(SyncKind.Fence));
 

@@ -11,6 +11,9 @@ internal sealed class FoldedPlace(CodePlace place, int number)
 
     public List<(int Told, FoldedPlace Place)> Next { get; } = [];
 
+    /// <summary>How many of the values of the location this place is known to be a retried update for; see <see cref="RetriedUpdates"/>.</summary>
+    public int RetriesKnown { get; set; }
+
     /// <summary>The others, and for how many steps each is watched.</summary>
     public List<FoldClaim> Claims { get; } = [];
 }

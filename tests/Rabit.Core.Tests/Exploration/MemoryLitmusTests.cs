@@ -113,6 +113,24 @@ public sealed class MemoryLitmusTests
         Assert.Equal(["0 1", "1 0", "1 1"], outcomes.OrderBy(o => o, StringComparer.Ordinal));
     }
 
+    /// <summary>What a store buffer does, and what it does not: reads stay in order.</summary>
+    [Theory]
+    [InlineData("plain", true, true)]
+    [InlineData("volatile", true, false)]
+    [InlineData("interlocked", false, false)]
+    public void StoreBuffers_DelayWritesPastReads_AndPlainOnesPastEachOther(string kind, bool delays, bool reorders)
+    {
+        HashSet<string> buffering = Outcomes(
+            2,
+            MemoryModel.StoreBuffers,
+            () => { Write(_x, 1, kind); Tell(0, P.Read(ref _y[0])); },
+            () => { Write(_y, 1, kind); Tell(1, P.Read(ref _x[0])); });
+        HashSet<string> passing = new MemoryLitmusTests().PassThroughStoreBuffers(kind);
+
+        Assert.Equal(delays, buffering.Contains("0 0"));
+        Assert.Equal(reorders, passing.Contains("1 0"));
+    }
+
     /// <summary>Steps of two threads that do not meet interleave in as many ways as the binomial coefficient says.</summary>
     [Fact]
     public void Interleavings_OfThreadsThatDoNotMeet_AreAsManyAsTheBinomialCoefficient()
@@ -124,6 +142,13 @@ public sealed class MemoryLitmusTests
 
         Assert.Equal(35, Explorer.Explore(model).Interleavings);
     }
+
+    private HashSet<string> PassThroughStoreBuffers(string kind)
+        => Outcomes(
+            2,
+            MemoryModel.StoreBuffers,
+            () => { Write(_x, 1, kind); Write(_y, 1, kind); },
+            () => { Tell(0, P.Read(ref _y[0])); Tell(1, P.Read(ref _x[0])); });
 
     private static void Write(int[] location, int value, string kind)
     {

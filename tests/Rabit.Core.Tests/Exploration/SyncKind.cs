@@ -10,6 +10,7 @@ internal enum SyncKind
     Exchange,
     CompareExchange,
     InterlockedRead,
+    InterlockedWrite,
     Fence,
     Set,
     Wait,

@@ -17,6 +17,9 @@ internal sealed record WakeUpScenario(int Wakers, int WakesEach)
     /// <summary>How often a wait returns without a reason.</summary>
     public int EarlyReturns { get; init; }
 
+    /// <summary>Whether turns are checked for all wakes and causes, or only for what they see.</summary>
+    public bool ChecksCounts { get; init; } = true;
+
     /// <summary>Whether every turn fails, so that the next comes with the timer and not before, and wakes are kept.</summary>
     public bool BacksOff { get; init; }
 }
