@@ -86,12 +86,16 @@ internal static class Vectors
         return Math.Sqrt((d.North * d.North) + (d.East * d.East) + (d.Down * d.Down));
     }
 
+    /// <summary>A folder of the larger sets; null where it is not there.</summary>
+    public static string? FolderOf(string name)
+    {
+        string root = Environment.GetEnvironmentVariable("RABIT_VECTORS") ?? Path.Combine(Repository.Root, "..", "shared", "vectors");
+        string folder = Path.Combine(root, name);
+        return Directory.Exists(folder) ? folder : null;
+    }
+
     private static JsonDocument Open(string file) => JsonDocument.Parse(File.ReadAllText(Path.Combine(FullFolder ?? Folder, file)));
 
     private static string? FindFullFolder()
-    {
-        string? root = Environment.GetEnvironmentVariable("RABIT_VECTORS") ?? Path.Combine(Repository.Root, "..", "shared", "vectors");
-        string folder = Path.Combine(root, "autonomy");
-        return File.Exists(Path.Combine(folder, "geodesy.json")) ? folder : null;
-    }
+        => FolderOf("autonomy") is { } folder && File.Exists(Path.Combine(folder, "geodesy.json")) ? folder : null;
 }
