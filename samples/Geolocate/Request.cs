@@ -137,10 +137,10 @@ internal sealed class Request
         {
             Kind = PoseSampleKind.Position,
             Time = time,
-            Position = new GeodeticPosition(p[0] * Degree, p[1] * Degree, p[2]),
+            Position = GeodeticPosition.FromDegrees(p[0], p[1], p[2]),
             VelocityNed = new NedVector(p[3], p[4], p[5]),
         });
-        locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = time, Attitude = new EulerAngles(p[6] * Degree, p[7] * Degree, p[8] * Degree) });
+        locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = time, Attitude = EulerAngles.FromDegrees(p[6], p[7], p[8]) });
     }
 
     private static JsonElement Part(JsonElement element, string name)

@@ -74,15 +74,15 @@ internal static class RecordedSequence
         {
             Kind = PoseSampleKind.Position,
             Time = time,
-            Position = new GeodeticPosition(row[2] * Vectors.Degree, row[3] * Vectors.Degree, row[4]),
+            Position = GeodeticPosition.FromDegrees(row[2], row[3], row[4]),
             VelocityNed = new NedVector(row[5], row[6], row[7]),
         });
         history.Add(new PoseSample
         {
             Kind = PoseSampleKind.Attitude,
             Time = time,
-            Attitude = new EulerAngles(row[8] * Vectors.Degree, row[9] * Vectors.Degree, row[10] * Vectors.Degree),
-            Rates = new BodyRates(row[11] * Vectors.Degree, row[12] * Vectors.Degree, row[13] * Vectors.Degree),
+            Attitude = EulerAngles.FromDegrees(row[8], row[9], row[10]),
+            Rates = BodyRates.FromDegreesPerSecond(row[11], row[12], row[13]),
         });
     }
 }

@@ -81,7 +81,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
         Dictionary<int, JsonElement> targets = truth.RootElement.Each("targets").Where(t => !t.GetProperty("moving").GetBoolean()).ToDictionary(t => t.GetProperty("id").GetInt32());
         double squares = 0;
         var mean = new Dictionary<int, (double North, double East, int Count)>();
-        var world = new LocalNedFrame(WorldOrigin(file));
+        var world = LocalNedFrame.IgnoringGeoid(WorldOrigin(file));
         int looks = 0;
         foreach ((int id, double column, double row, Pose pose) in RecordedSequence.Looks(file, truth, targets.Keys))
         {
@@ -141,6 +141,6 @@ public sealed class SequenceTests(ITestOutputHelper output)
     private static GeodeticPosition WorldOrigin(JsonDocument file)
     {
         JsonElement origin = file.RootElement.GetProperty("origin");
-        return new GeodeticPosition(origin.Radians("lat_deg"), origin.Radians("lon_deg"), origin.Number("alt_hae_m"));
+        return GeodeticPosition.FromRadians(origin.Radians("lat_deg"), origin.Radians("lon_deg"), origin.Number("alt_hae_m"));
     }
 }
