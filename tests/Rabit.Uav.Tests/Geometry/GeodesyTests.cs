@@ -185,7 +185,9 @@ public sealed class GeodesyTests(ITestOutputHelper output)
     public void Utm_NearThePoles_IsRefused()
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => UtmPosition.From(new GeographicPoint(Angle.FromDegrees(84.1), Angle.Zero)));
-        Assert.Throws<ArgumentOutOfRangeException>(() => MgrsPosition.From(new GeographicPoint(Angle.FromDegrees(-80.1), Angle.Zero)));
+        Assert.Contains("(UPS)", Assert.Throws<ArgumentOutOfRangeException>(() => MgrsPosition.From(new GeographicPoint(Angle.FromDegrees(-80.1), Angle.Zero))).Message);
+        Assert.Throws<ArgumentOutOfRangeException>(() => MgrsPosition.From(new GeographicPoint(Angle.FromDegrees(double.NaN), Angle.Zero)));
+        Assert.False(MgrsPosition.TryParse("ZAH0000000000", out _));
         Assert.Throws<ArgumentOutOfRangeException>(() => UtmPosition.From(new GeographicPoint(Angle.FromDegrees(double.NaN), Angle.Zero)));
         Assert.Throws<InvalidOperationException>(() => new UtmPosition(61, true, 5e5, 5e6).ToGeographic());
     }
