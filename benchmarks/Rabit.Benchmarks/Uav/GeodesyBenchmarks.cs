@@ -11,6 +11,7 @@ public class GeodesyBenchmarks
     private readonly GeographicPoint _opposite = new(Angle.FromDegrees(-47.3), Angle.FromDegrees(-171.7));
     private readonly EllipsoidPosition _place = new(new GeographicPoint(Angle.FromDegrees(47.4), Angle.FromDegrees(8.5)), new EllipsoidHeight(500));
     private readonly Rotation _attitude = Rotation.FromEuler(EulerAngles.FromRadians(0.1, 0.2, 0.3));
+    private EulerAngles _angles;
     private EcefPosition _ecef;
     private UtmPosition _utm;
     private LocalNedFrame _frame;
@@ -18,6 +19,7 @@ public class GeodesyBenchmarks
     [GlobalSetup]
     public void SetUp()
     {
+        _angles = _attitude.ToEuler();
         _ecef = _place.ToEcef();
         _utm = UtmPosition.From(_here);
         _frame = LocalNedFrame.IgnoringGeoid(_place.ToAmsl(0));
@@ -57,5 +59,5 @@ public class GeodesyBenchmarks
     public EulerAngles ToEuler() => _attitude.ToEuler();
 
     [Benchmark]
-    public Rotation FromEuler() => Rotation.FromEuler(EulerAngles.FromRadians(0.1, 0.2, 0.3));
+    public Rotation FromEuler() => Rotation.FromEuler(_angles);
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Uav.Geometry;
@@ -192,12 +191,16 @@ public sealed class GeodesyTests(ITestOutputHelper output)
         Assert.Throws<InvalidOperationException>(() => new UtmPosition(61, true, 5e5, 5e6).ToGeographic());
     }
 
-    [Fact]
-    public void Vectors_WholeSets_AreSaidToBeThereOrNot()
+    [WholeVectorsFact]
+    public void Vectors_WholeSets_AreTheOnesThatAreTested()
     {
-        int count = Vectors.Geodesy.Each("ecef").Count();
-        output.WriteLine(string.Format(CultureInfo.InvariantCulture, "{0} sets, {1} positions", Vectors.AreWhole ? "whole" : "a part of the", count));
-        Assert.Equal(Vectors.AreWhole ? 616 : 70, count);
+        Assert.Equal((616, 600, 444, 300, 143), (Count("ecef"), Count("enu"), Count("geodesic_inverse"), Count("geodesic_direct"), Count("utm_mgrs")));
+        Assert.Equal((716, 100, 240), (Vectors.Attitude.Each("cases").Count(), Vectors.Attitude.Each("multiply").Count(), Vectors.Attitude.Each("slerp").Count()));
+        Assert.Equal(
+            (1082, 147, 160, 160),
+            (Vectors.Geolocation.Each("flat").Count(), Vectors.Geolocation.Each("dem").Count(), Vectors.Geolocation.Each("series_images").Count(), Vectors.Geolocation.Each("covariance").Count()));
+
+        static int Count(string list) => Vectors.Geodesy.Each(list).Count();
     }
 
     internal static GeographicPoint Point(JsonElement c, string latitude, string longitude)

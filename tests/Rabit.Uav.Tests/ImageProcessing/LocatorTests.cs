@@ -94,6 +94,21 @@ public sealed class LocatorTests
         Assert.True(seen > 100, $"{seen} were seen");
     }
 
+    // The middle of the picture of a camera that looks straight down, nose north (docs/managers/image-processing.md).
+    [Theory]
+    [InlineData(10, 0, 0, 0, 0, -1)]
+    [InlineData(0, 10, 0, 0, 1, 0)]
+    [InlineData(0, 0, 100, 0, 0, 1)]
+    [InlineData(0, 0, 0, 100, -1, 0)]
+    public void TryLocate_StraightDownNoseNorth_MovesAsTheQuickSignCheckSays(double roll, double pitch, double columns, double rows, int north, int east)
+    {
+        var view = new TestView { Attitude = EulerAngles.FromDegrees(roll, pitch, 0) };
+        Assert.True(view.Aim(new ErrorBudget()).TryLocate(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedVector ground));
+        Assert.Equal((north, east), (Sign(ground.North), Sign(ground.East)));
+
+        static int Sign(double metres) => Math.Abs(metres) < 2 ? 0 : Math.Sign(metres);
+    }
+
     [Fact]
     public void Scale_StraightDown_IsHeightOverFocalLength()
     {
