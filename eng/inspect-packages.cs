@@ -14,7 +14,7 @@ using System.Xml.Linq;
 var allowed = new Dictionary<string, string[]>(StringComparer.Ordinal)
 {
     ["Rabit.Core/net10.0"] = [],
-    ["Rabit.Core/.NETStandard2.0"] = ["System.Memory", "Microsoft.Bcl.TimeProvider"],
+    ["Rabit.Core/.NETStandard2.0"] = ["System.Memory", "System.Threading.Channels", "Microsoft.Bcl.TimeProvider"],
     ["Rabit.Mavlink/net10.0"] = [],
     ["Rabit.Mavlink/.NETStandard2.0"] = ["System.Memory", "Microsoft.Bcl.TimeProvider"],
     ["Rabit.Uav/net10.0"] = ["Rabit.Core", "Rabit.Mavlink"],

@@ -1,13 +1,22 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 using BenchmarkDotNet.Configs;
 using BenchmarkDotNet.Diagnosers;
 using BenchmarkDotNet.Jobs;
 using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
+using Rabit.Benchmarks.Core.Queues;
 
 // Without arguments all of them; `-- --filter *Queue*` chooses, `-- --list flat` lists, `-- --job Dry` only tries whether they run.
+// `-- queues [rounds]` is a table by a stopwatch, all contenders in turn: for what runs on two threads at once, on a machine that is not idle.
+if (args is ["queues", ..])
+{
+    QueueSpeed.Run(args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) : 21);
+    return 0;
+}
+
 bool chooses = args.Any(a => a is "--filter" or "-f" or "--list" or "--help" or "--info" or "--version");
 string[] arguments = chooses ? args : [.. args, "--filter", "*"];
 

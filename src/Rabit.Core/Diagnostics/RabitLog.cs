@@ -2,14 +2,21 @@ using System;
 
 namespace Rabit.Core.Diagnostics;
 
-/// <summary>Hands entries to the user's log, on the thread that has something to say. A log that throws harms nobody.</summary>
-internal sealed class RabitLog(Action<RabitLogEntry>? sink, bool logRuns, RunClock clock)
+/// <summary>Hands entries to the user's log and to the events, on the thread that has something to say. A log that throws harms nobody.</summary>
+internal sealed class RabitLog(Action<RabitLogEntry>? sink, bool logRuns, RunClock clock, EventLog? events = null)
 {
     /// <summary>Whether the begin of every unit of work is logged.</summary>
     public bool LogsRuns { get; } = logRuns && sink is not null;
 
+    /// <summary>The event log of a run in virtual time, where one was asked for. It takes every entry but runs, of which it knows more.</summary>
+    public EventLog? Events { get; } = events;
+
     public void Write(RabitLogKind kind, string source, string text, Exception? exception = null)
     {
+        if (RabitEventSource.Instance.IsEnabled())
+            RabitEventSource.Instance.Entry(kind, source, text);
+        if (kind != RabitLogKind.Run)
+            Events?.Write(source, text);
         if (sink is null)
             return;
         try

@@ -7,5 +7,8 @@ internal sealed class EndOwner(string name, bool isManager, WakeUpEvent? wakeUp)
 
     public bool IsManager { get; } = isManager;
 
+    /// <summary>Code outside managers: it cannot be woken, and is on no thread of ours.</summary>
+    public bool IsOutside => !IsManager && WakeUp is null;
+
     public WakeUpEvent? WakeUp { get; } = wakeUp;
 }

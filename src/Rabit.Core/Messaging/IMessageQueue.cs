@@ -1,8 +1,14 @@
+using System;
+
 namespace Rabit.Core.Messaging;
 
 /// <summary>What the workspace needs of a queue, whatever its type.</summary>
 internal interface IMessageQueue
 {
-    /// <summary>The run is over: nobody takes out what is left in it, nor what may still come.</summary>
+    string Name { get; }
+
+    QueueCounters Counters { get; }
+
+    /// <summary>The run is over: nothing more is taken in, and who waits is told. What must be given back is.</summary>
     void Close();
 }

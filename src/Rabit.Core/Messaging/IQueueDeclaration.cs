@@ -1,3 +1,5 @@
+using System;
+
 namespace Rabit.Core.Messaging;
 
 /// <summary>What the wiring check needs of a queue's end, whatever its type.</summary>
@@ -6,4 +8,6 @@ internal interface IQueueDeclaration
     int Capacity { get; }
 
     QueueFullMode FullMode { get; }
+
+    TimeSpan? WaitAtMost { get; }
 }

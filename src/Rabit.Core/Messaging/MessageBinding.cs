@@ -53,6 +53,13 @@ internal sealed class MessageBinding<T>(EndOwner owner, EndRole role, string nam
         return new SharedMessage<T>(Name, initial, clock, log);
     }
 
+    public override void Watch(object hub, EventLog events)
+    {
+        // A manager posts its status after every run, which the log tells of already.
+        if (!IsBuiltIn)
+            ((SharedMessage<T>)hub).AddTarget(new PostTarget(events.Owner, wakeUp: null, stamp => events.Posted(Name, stamp)));
+    }
+
     public override void Bind(object hub, EndDeclaration? firstOfOwner)
     {
         Shared = (SharedMessage<T>)hub;

@@ -9,6 +9,12 @@ public enum PushResult
     /// <summary>The value is in the queue, and the oldest one was dropped for it.</summary>
     QueuedDroppedOldest,
 
-    /// <summary>The queue was full: the value is not in it.</summary>
+    /// <summary>The value is in the queue, in the place of the newest one, which was dropped for it.</summary>
+    QueuedDroppedNewest,
+
+    /// <summary>The queue was full, or the run is over: the value is not in it.</summary>
     Rejected,
+
+    /// <summary>The queue was full for as long as a push may wait: the value is not in it.</summary>
+    TimedOut,
 }

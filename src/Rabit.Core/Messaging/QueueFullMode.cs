@@ -9,6 +9,12 @@ public enum QueueFullMode
     /// <summary>The oldest entry makes room, and is counted as dropped.</summary>
     DropOldest,
 
-    /// <summary>The sender waits for room. For readers only: a manager never waits for another.</summary>
+    /// <summary>The newest entry makes room, and is counted as dropped: the pushed value takes its place, behind the older ones.</summary>
+    DropNewest,
+
+    /// <summary>
+    /// The sender waits for room, for a limited time if the receiver says so. For readers and for async code outside managers: a manager
+    /// never waits for another, so a manager that sends to such a queue is a wiring fault.
+    /// </summary>
     Wait,
 }

@@ -1,10 +1,12 @@
 using System;
 using System.Diagnostics.CodeAnalysis;
+using System.Threading.Channels;
 using Rabit.Core.Messaging;
 
 namespace Rabit.Core;
 
-/// <summary>The end of a message queue that pops; there is one. Made by <see cref="RabitManager.Receive{T}"/>.</summary>
+/// <summary>The end of a message queue that pops; there is one. Made by <see cref="RabitManager.Receive{T}"/>, or by
+/// <see cref="RabitWorkspace.Receive{T}"/> for code outside managers, where one thread at a time may use it.</summary>
 /// <typeparam name="T">Any type; a value is handed over, so a sender must not keep and change what it pushed.</typeparam>
 /// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
 public sealed class QueueReceiver<T>
@@ -29,4 +31,20 @@ public sealed class QueueReceiver<T>
     /// <returns>False when the queue is empty.</returns>
     /// <exception cref="InvalidOperationException">See <see cref="Count"/>.</exception>
     public bool TryPop([MaybeNullWhen(false)] out T value) => _binding.Use().TryPop(out value);
+
+    /// <summary>Takes values out, the oldest first, as many as there are and fit; wakes the senders that asked for it once. Never waits, allocates nothing.</summary>
+    /// <param name="target">Where they go, from its beginning.</param>
+    /// <returns>How many were taken out.</returns>
+    /// <exception cref="InvalidOperationException">See <see cref="Count"/>.</exception>
+    public int PopInto(Span<T> target) => _binding.Use().PopInto(target);
+
+    /// <summary>
+    /// The end as a channel, for async code outside managers. It completes when the run is over and everything was read. Before the start only.
+    /// </summary>
+    /// <exception cref="InvalidOperationException">The end belongs to a manager, or the reactor has started.</exception>
+    public ChannelReader<T> AsChannelReader()
+    {
+        _binding.BecomeChannel();
+        return new QueueChannelReader<T>(_binding);
+    }
 }

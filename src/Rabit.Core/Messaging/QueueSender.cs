@@ -1,4 +1,7 @@
 using System;
+using System.Threading;
+using System.Threading.Channels;
+using System.Threading.Tasks;
 using Rabit.Core.Messaging;
 
 namespace Rabit.Core;
@@ -25,6 +28,58 @@ public sealed class QueueSender<T>
     /// <summary>Puts a value in, by the queue's rule for a full one, and wakes the receiver. Never waits, allocates nothing.</summary>
     /// <param name="value">The value.</param>
     /// <returns>What really happened.</returns>
-    /// <exception cref="InvalidOperationException">See <see cref="Counters"/>.</exception>
-    public PushResult Push(in T value) => _binding.Use().Push(value);
+    /// <exception cref="InvalidOperationException">See <see cref="Counters"/>; or the queue is one that makes its senders wait.</exception>
+    public PushResult Push(in T value)
+    {
+        MessageQueue<T> queue = _binding.Use();
+        if (queue.FullMode == QueueFullMode.Wait)
+            ThrowMustWait();
+        return queue.Push(value);
+    }
+
+    /// <summary>
+    /// Puts values in, one after the other, and wakes the receiver once. With <see cref="QueueFullMode.Reject"/> those that do not fit are
+    /// rejected; with the rules that drop all are put in, and what they cost is in the books. Never waits, allocates nothing.
+    /// </summary>
+    /// <param name="values">The values, the first one first.</param>
+    /// <returns>How many of them, from the first, were put in.</returns>
+    /// <exception cref="InvalidOperationException">See <see cref="Push"/>.</exception>
+    public int PushFrom(ReadOnlySpan<T> values)
+    {
+        MessageQueue<T> queue = _binding.Use();
+        if (queue.FullMode == QueueFullMode.Wait)
+            ThrowMustWait();
+        return queue.PushFrom(values);
+    }
+
+    /// <summary>
+    /// As <see cref="Push"/>, and where the queue makes its senders wait it waits for room, as long as the queue allows. For code outside
+    /// managers, one push after the other: those that wait are put in in their order. A push that waits allocates.
+    /// </summary>
+    /// <param name="value">The value; it stays the sender's if it was not put in.</param>
+    /// <param name="cancellationToken">Ends the wait; the task is cancelled then, and the value not put in.</param>
+    /// <returns>What really happened. <see cref="PushResult.Rejected"/> from a queue that makes its senders wait means that the run is over.</returns>
+    /// <exception cref="InvalidOperationException">The end belongs to a manager, which never waits, or nothing is wired yet.</exception>
+    public ValueTask<PushResult> PushAsync(T value, CancellationToken cancellationToken = default)
+    {
+        _binding.DemandOutside();
+        return _binding.Use().FullMode == QueueFullMode.Wait
+            ? _binding.UseWaiting().PushAsync(value, cancellationToken)
+            : new ValueTask<PushResult>(Push(value));
+    }
+
+    /// <summary>
+    /// The end as a channel, for async code outside managers. A write waits for room unless the queue drops; it fails with a
+    /// <see cref="TimeoutException"/> after the queue's time limit, and with a <see cref="ChannelClosedException"/> when the run is over.
+    /// Before the start only.
+    /// </summary>
+    /// <exception cref="InvalidOperationException">The end belongs to a manager, or the reactor has started.</exception>
+    public ChannelWriter<T> AsChannelWriter()
+    {
+        _binding.BecomeChannel();
+        return new QueueChannelWriter<T>(_binding);
+    }
+
+    private void ThrowMustWait()
+        => throw new InvalidOperationException($"Queue '{Name}' makes its senders wait: push into it with PushAsync, or through its channel.");
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using Rabit.Core.Managers;
+using Rabit.Core.Synchronization;
 
 namespace Rabit.Core.Reactors;
 
@@ -10,15 +11,17 @@ internal sealed class ActivityThread : IDisposable
     private readonly Activity _activity;
     private readonly RunClock _clock;
     private readonly IWaitSignal _signal;
+    private readonly RealTimeSetup _realTime;
     private readonly object _changed;   // the engine's; guards the two marks below
     private bool _hasBegun;
     private bool _hasEnded;
 
-    public ActivityThread(Activity activity, RunClock clock, IWaitSignal signal, object changed)
+    public ActivityThread(Activity activity, RunClock clock, IWaitSignal signal, RealTimeSetup realTime, object changed)
     {
         _activity = activity;
         _clock = clock;
         _signal = signal;
+        _realTime = realTime;
         _changed = changed;
         _activity.WakeUp.Connect(_signal, clock);
     }
@@ -41,44 +44,14 @@ internal sealed class ActivityThread : IDisposable
 
     private void Run()
     {
+        _realTime.Apply(_activity);
         _activity.Begin();
         Announce(ref _hasBegun);
 
-        NextTurn next = NextTurn.AtStart();
-        while (true)
-        {
-            WakeUps wakes = SleepUntil(next, out TimeSpan? wokenAt);
-            if (wakes.Stop)
-                break;
-            next = _activity.TakeTurn(wakes, wokenAt);
-            if (next.IsNever)
-                next = NextTurn.OnlyAt(TimeSpan.MaxValue);
-        }
+        new TurnLoop<SyncPoints>(_activity.WakeUp, _signal, _clock).Run(NextTurn.AtStart(), _activity.TakeTurn);
 
         _activity.End();
         Announce(ref _hasEnded);
-    }
-
-    private WakeUps SleepUntil(NextTurn next, out TimeSpan? wokenAt)
-    {
-        wokenAt = null;
-        WakeUpEvent wakeUp = _activity.WakeUp;
-        while (wakeUp.TryFallAsleep(next.Wanted))
-        {
-            TimeSpan left = next.Due - _clock.Now;
-            if (left <= TimeSpan.Zero)
-            {
-                wokenAt = next.Due;
-                return wakeUp.Take().With(WakeUpCauses.Timer);
-            }
-
-            wokenAt = null;
-            _signal.Wait(left);
-            if (wakeUp.Has(next.Wanted))
-                wokenAt = wakeUp.WokenAt;
-        }
-
-        return wakeUp.Take();
     }
 
     private void Announce(ref bool mark)

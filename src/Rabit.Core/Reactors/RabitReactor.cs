@@ -24,6 +24,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     private readonly ReactorEngine _engine;
     private readonly List<RabitManager> _managers = [];
     private readonly List<ManagerActivity> _activities = [];   // filled by Start, then read only
+    private ReactorSupervision? _supervision;                  // written by Start before _isWired, then read only
 
     // Guards the five fields below: a stop comes from any thread.
     private readonly object _gate = new();
@@ -54,7 +55,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         Require.NotNull(options, nameof(options)).Validate(nameof(options));
         _options = options = options.Copy();
         _clock = new RunClock(options.Time.Clock);
-        _log = new RabitLog(options.Log, options.LogRuns, _clock);
+        _log = new RabitLog(options.Log, options.LogRuns, _clock, options.Time.CreateEventLog(_clock, Fail));
         _engine = options.Time.CreateEngine(new EngineContext(_clock, _log, Fail));
     }
 
@@ -150,6 +151,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         Prepare();
         lock (_gate)
             _isWired = true;
+        Supervision.Begin(_engine);
         _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
         foreach (ManagerActivity activity in _activities)
         {
@@ -187,12 +189,14 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         string reason = _stopReason ?? string.Empty;
         _log.Write(RabitLogKind.Lifecycle, Source, "stops: " + reason);
 
-        var ending = new ManagerEnding(_engine, _log, _options.StopTimeout);
-        List<ManagerResult> results = Enumerable.Reverse(_activities).Select(ending.End).ToList();
-        results.Reverse();
-        Workspace.CloseQueues();
+        var ending = new ManagerEnding(_engine, _clock, _log, _options);
+        List<ManagerResult> results = ending.EndAll(_activities, Supervision);
+        Supervision.End(_engine, _log, _clock.Now);
+        IReadOnlyList<QueueResult> queues = CloseQueues();
         _engine.Dispose();
-        return new ReactorResult(reason, _failure, duration, results);
+        Supervision.Dispose();
+        _log.Events?.Close();
+        return new ReactorResult(reason, _failure, duration, results, queues);
     }
 
     /// <summary>Asks for a stop and comes back at once. Any thread; the first reason counts.</summary>
@@ -215,6 +219,10 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         return _engine.RealTurnTime(activity);
     }
 
+    /// <summary>What all managers do and their figures up to now, as a table of text, one line each. Any thread.</summary>
+    /// <returns>Empty before the managers are wired.</returns>
+    public string StatusTable() => IsWired ? Supervision.StatusTable() : string.Empty;
+
     /// <summary>The managers, in the order of their start.</summary>
     public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
 
@@ -229,6 +237,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         }
     }
 
+    private ReactorSupervision Supervision => _supervision!;
+
     private void Prepare()
     {
         if (_managers.Find(m => m.IsAttached) is { } taken)
@@ -237,19 +247,44 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         foreach (string note in Workspace.Notes)
             _log.Write(RabitLogKind.Note, Source, note);
 
+        var runs = new List<ManagerRun>();
         foreach (RabitManager manager in _managers)
         {
-            var run = new ManagerRun(_clock, _log, reason => RequestStop(reason, failure: null));
+            var run = new ManagerRun(_clock, _log, _options.HangPolicy, _options.KeepsStatistics, reason => RequestStop(reason, failure: null));
             manager.Attach(run);
             foreach (DeviceActivity device in manager.Readers.Concat(manager.Writers))
                 device.Connect(_clock, _log);
             _activities.Add(new ManagerActivity(manager, run));
+            runs.Add(run);
         }
+
+        _supervision = ReactorSupervision.Create(_options, Workspace, _clock, _activities);
+        foreach (ManagerRun run in runs)
+            run.WatchdogWakeUp = _supervision.WatchdogWakeUp;
+    }
+
+    private IReadOnlyList<QueueResult> CloseQueues()
+    {
+        if (Workspace.TimeKeeper is { } timeKeeper)
+            _engine.TryEnd(timeKeeper, _options.StopTimeout, TimeSpan.MaxValue);
+        IReadOnlyList<QueueResult> queues = Workspace.CloseQueues();
+        foreach (QueueResult queue in queues.Where(q => q.Counters.Resident > 0))
+            _log.Write(RabitLogKind.Note, queue.Name, queue.ToString());
+        return queues;
     }
 
     private void OpenBarrier()
     {
-        List<DeviceActivity> devices = _managers.SelectMany(m => m.Writers.Concat(m.Readers)).ToList();
+        if (Workspace.TimeKeeper is { } timeKeeper)
+        {
+            _engine.Begin(timeKeeper);
+            timeKeeper.WakeUp.Wake(WakeUpCauses.Start);
+        }
+
+        List<DeviceActivity> devices = _activities
+            .Where(a => !a.HasStoppedAlone)
+            .SelectMany(a => a.Manager.Writers.Concat(a.Manager.Readers))
+            .ToList();
         foreach (DeviceActivity device in devices)
             _engine.Begin(device);
         foreach (Activity activity in _activities.Concat<Activity>(devices))

@@ -1,18 +1,20 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Core.Reactors;
 
 namespace Rabit.Core;
 
 /// <summary>How a run ended. Immutable.</summary>
 public sealed class ReactorResult
 {
-    internal ReactorResult(string stopReason, Exception? failure, TimeSpan duration, IReadOnlyList<ManagerResult> managers)
+    internal ReactorResult(string stopReason, Exception? failure, TimeSpan duration, IReadOnlyList<ManagerResult> managers, IReadOnlyList<QueueResult> queues)
     {
         StopReason = stopReason;
         Failure = failure;
         Duration = duration;
         Managers = managers;
+        Queues = queues;
     }
 
     /// <summary>Why it ended, in words.</summary>
@@ -27,10 +29,18 @@ public sealed class ReactorResult
     /// <summary>How each manager ended, in the order of the start.</summary>
     public IReadOnlyList<ManagerResult> Managers { get; }
 
+    /// <summary>The books of each queue when all managers had ended; what is resident in one is what nobody took out.</summary>
+    public IReadOnlyList<QueueResult> Queues { get; }
+
     /// <summary>0; or 1 if a manager faulted or did not stop, or the run itself failed.</summary>
     public int ExitCode => Failure is null && Managers.All(m => m.Outcome is ManagerOutcome.Ended or ManagerOutcome.NotStarted) ? 0 : 1;
 
-    /// <summary>A line for the run and one for each manager.</summary>
+    /// <summary>The figures of all managers as a table of text, one line each: for runtimes and places without a meter.</summary>
+    public string ToTable() => ManagerTable.Format(Managers.Select(m => (m.Name, m.Outcome.ToString(), m.Status)));
+
+    /// <summary>A line for the run, one for each manager, and one for each queue that was not empty.</summary>
     public override string ToString()
-        => $"stopped: {StopReason}" + string.Concat(Managers.Select(m => "\n  " + m));
+        => $"stopped: {StopReason}"
+        + string.Concat(Managers.Select(m => "\n  " + m))
+        + string.Concat(Queues.Where(q => q.Counters.Resident > 0).Select(q => "\n  " + q));
 }

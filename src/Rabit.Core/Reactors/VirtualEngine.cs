@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Threading;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
 
 namespace Rabit.Core.Reactors;
@@ -16,6 +17,8 @@ internal sealed class VirtualEngine : ReactorEngine
     private readonly EngineContext _context;
     private readonly VirtualTime _time;
     private readonly Pacer _pacer;
+    private readonly RealTimeSetup _realTime;
+    private readonly EventLog? _events;
     private readonly List<VirtualSlot> _slots = [];
     private readonly List<VirtualSlot> _candidates = [];
 
@@ -31,24 +34,34 @@ internal sealed class VirtualEngine : ReactorEngine
     {
         _time = time;
         _context = context;
+        _events = context.Log.Events;
         _random = new SplitMix64(unchecked((ulong)time.Seed));
         _pacer = new Pacer(time);
+        _realTime = new RealTimeSetup(context.Log, control: null, "virtual time has no threads");
     }
 
     public override void Begin(Activity activity)
     {
-        var slot = new VirtualSlot(activity, this);
-        if (_time.UnitOfWorkDurations.TryGetValue(activity.Name, out TimeSpan duration))
-            activity.ModelledDuration = duration;
+        var slot = new VirtualSlot(activity, this)
+        {
+            Durations = activity is ManagerActivity ? _time.DurationsFor(activity.Name) : null,
+        };
+        if (_slots.Count == 0)
+            _events?.Write("time", FormattableString.Invariant($"is virtual, seed {_time.Seed}"));
         activity.WakeUp.Connect(slot, _context.Clock);
         lock (_gate)
             _slots.Add(slot);
+        _realTime.Apply(activity);
+        _events?.Enter(activity, "begins");
         activity.Begin();
+        _events?.Leave();
         Sleep(slot, NextTurn.AtStart());
     }
 
     public override void RunUntil(TimeSpan end)
     {
+        _time.CloseManagers();
+        _events?.LookOutside();
         while (!IsStopRequested())
         {
             TimeSpan now = _context.Clock.Now;
@@ -76,14 +89,15 @@ internal sealed class VirtualEngine : ReactorEngine
         }
     }
 
-    public override bool TryEnd(Activity activity, TimeSpan atMost)
+    public override void AskToEnd(Activity activity)
+    {
+    }
+
+    public override bool TryEnd(Activity activity, TimeSpan atMost, TimeSpan deadline)
     {
         VirtualSlot? slot = _slots.Find(s => s.Activity == activity);
-        if (slot is null || slot.HasEnded)
-            return true;
-        activity.WakeUp.Take();
-        activity.End();
-        slot.HasEnded = true;
+        if (slot is not null && !slot.HasEnded)
+            End(slot);
         return true;
     }
 
@@ -106,7 +120,14 @@ internal sealed class VirtualEngine : ReactorEngine
     {
     }
 
-    internal void MarkWoken(VirtualSlot slot, TimeSpan? at)
+    /// <summary>A wake that found the activity asleep. Any thread.</summary>
+    internal void OnWake(VirtualSlot slot)
+    {
+        _events?.Wakes(slot.Activity);
+        MarkWoken(slot, slot.Activity.WakeUp.WokenAt);
+    }
+
+    private void MarkWoken(VirtualSlot slot, TimeSpan? at)
     {
         lock (_gate)
         {
@@ -158,6 +179,13 @@ internal sealed class VirtualEngine : ReactorEngine
             slot.IsWoken = false;
         }
 
+        if (wakes.Stop)
+        {
+            // A device whose manager was stopped alone.
+            End(slot);
+            return;
+        }
+
         if (timer)
         {
             wakes = wakes.With(WakeUpCauses.Timer);
@@ -169,14 +197,26 @@ internal sealed class VirtualEngine : ReactorEngine
             return;
         }
 
+        if (slot.Durations is { } durations)
+            slot.Activity.ModelledDuration = durations.TakeNext(now);
+        _events?.EnterTurn(slot.Activity, wakes);
         long mark = _pacer.Mark();
         slot.RunsAtInstant++;
         NextTurn next = slot.Activity.TakeTurn(wakes, wokenAt);
         TimeSpan took = _pacer.Since(mark);
         lock (_gate)
             slot.RealTurnTime = slot.RealTurnTime.With(took);
-
+        _events?.Leave();
         Sleep(slot, next);
+    }
+
+    private void End(VirtualSlot slot)
+    {
+        slot.Activity.WakeUp.Take();
+        _events?.Enter(slot.Activity, "ends");
+        slot.Activity.End();
+        _events?.Leave();
+        slot.HasEnded = true;
     }
 
     private void Sleep(VirtualSlot slot, NextTurn next)

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Reactors;
 
 namespace Rabit.Core;
@@ -19,6 +20,9 @@ public abstract class RabitTime
 
     /// <summary>Whether a source or target that blocks its thread may be used.</summary>
     internal abstract bool AllowsBlocking { get; }
+
+    /// <summary>The event log of the run, where this kind of time has one and it was asked for.</summary>
+    internal virtual EventLog? CreateEventLog(RunClock clock, Action<Exception> fail) => null;
 
     internal abstract ReactorEngine CreateEngine(EngineContext context);
 }

@@ -9,13 +9,15 @@ internal struct SplitMix64(ulong seed)
     private ulong _state = seed;
 
     /// <summary>A number from 0 to below the limit. The bias for the small limits used here is below 2^-32.</summary>
-    public int Next(int limit)
+    public int Next(int limit) => (int)(((Next() >> 32) * (ulong)limit) >> 32);
+
+    /// <summary>64 bits.</summary>
+    public ulong Next()
     {
         _state += 0x9E3779B97F4A7C15;
         ulong mixed = _state;
         mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9;
         mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
-        mixed ^= mixed >> 31;
-        return (int)(((mixed >> 32) * (ulong)limit) >> 32);
+        return mixed ^ (mixed >> 31);
     }
 }

@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Reactors;
 
 namespace Rabit.Core;
@@ -9,16 +11,17 @@ namespace Rabit.Core;
 /// Who goes first among equals is fixed by the seed: one seed, one run, to the byte; another seed, another legal order.
 /// </summary>
 /// <remarks>
-/// Configure before the start; after that read only. A wake, post, push or stop from a thread that is not the run's own is
+/// Configure before the start; after that read only, but for modelled durations. A wake, post, push or stop from a thread that is not the run's own is
 /// taken between turns and lies outside that promise. One instance serves one reactor.
 /// </remarks>
 public sealed class VirtualTime : RabitTime
 {
     private readonly VirtualClock _clock;
-    private readonly Dictionary<string, TimeSpan> _unitOfWorkDurations = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, UnitOfWorkDurations> _durations = new(StringComparer.Ordinal);
     private double _pace = double.PositiveInfinity;
     private int _maximumRunsPerInstant = 10_000;
     private bool _isUsed;
+    private bool _hasManagers;
 
     /// <summary>Virtual time that starts on 1 January 2000, UTC.</summary>
     /// <param name="seed">Fixes the order among managers that could run at the same instant.</param>
@@ -60,6 +63,18 @@ public sealed class VirtualTime : RabitTime
             : throw new ArgumentOutOfRangeException(nameof(value), value, "At least one run must be allowed at an instant.");
     }
 
+    /// <summary>
+    /// Where the run writes its event log: one line for each turn (who, why, after how many merged wakes, its modelled duration),
+    /// wake from sleep, post (with its version), change of a queue during a turn, manager's own line, fault, start and stop. The
+    /// same seed gives the same text to the byte, on .NET and on Mono. Null, the default, for none, which costs nothing.
+    /// </summary>
+    /// <remarks>
+    /// Set before the reactor is made. Lines end in a line feed; times are seconds, exact to the tick. Flushed when the run ends,
+    /// not disposed. A writer that throws fails the run. What comes from code outside managers is told as by "outside"; the texts
+    /// of exceptions that the runtime itself throws may differ between runtimes.
+    /// </remarks>
+    public TextWriter? EventLog { get; set; }
+
     /// <inheritdoc/>
     public override TimeProvider Clock => _clock;
 
@@ -73,14 +88,58 @@ public sealed class VirtualTime : RabitTime
     /// </summary>
     /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
     /// <param name="duration">Zero or longer.</param>
-    public void SetUnitOfWorkDuration(string managerName, TimeSpan duration)
+    /// <remarks>Before the start, or between two calls of <see cref="RabitReactor.RunFor"/>: it then holds from the next unit of work.
+    /// The watchdog watches only managers whose units of work were modelled before the start to take longer than their limit.</remarks>
+    /// <exception cref="ArgumentOutOfRangeException">The duration is negative.</exception>
+    /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
+    public void SetUnitOfWorkDuration(string managerName, TimeSpan duration) => SetUnitOfWorkDuration(managerName, duration, duration);
+
+    /// <summary>
+    /// As <see cref="SetUnitOfWorkDuration(string, TimeSpan)"/>, with a duration drawn anew for each unit of work, all between the
+    /// two alike. The draws come from the seed, apart from those of the order and of other managers.
+    /// </summary>
+    /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
+    /// <param name="shortest">Zero or longer.</param>
+    /// <param name="longest">Not below the shortest.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A duration is negative, or the longest below the shortest.</exception>
+    /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
+    public void SetUnitOfWorkDuration(string managerName, TimeSpan shortest, TimeSpan longest)
     {
-        if (duration < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(duration), duration, $"Manager '{managerName}': a unit of work cannot take less than no time.");
-        _unitOfWorkDurations[Require.Name(managerName, nameof(managerName), "A manager")] = duration;
+        if (shortest < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(shortest), shortest, $"Manager '{managerName}': a unit of work cannot take less than no time.");
+        if (longest < shortest)
+            throw new ArgumentOutOfRangeException(nameof(longest), longest, $"Manager '{managerName}': the longest unit of work cannot be shorter than the shortest, {shortest}.");
+        DurationsFor(managerName).SetUsual(shortest, longest);
     }
 
-    internal IReadOnlyDictionary<string, TimeSpan> UnitOfWorkDurations => _unitOfWorkDurations;
+    /// <summary>
+    /// Models one unit of work that takes longer than the others: the first one that begins at a time or later. The watchdog finds it
+    /// (<see cref="HangPolicy"/>) when it takes longer than its limit.
+    /// </summary>
+    /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
+    /// <param name="at">When, by the clock of the run.</param>
+    /// <param name="duration">How long it takes; <see cref="TimeSpan.MaxValue"/> for one that never comes back.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A time is negative.</exception>
+    /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
+    public void AddLongUnitOfWork(string managerName, TimeSpan at, TimeSpan duration)
+    {
+        if (at < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(at), at, $"Manager '{managerName}': a run begins at no time.");
+        if (duration < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(duration), duration, $"Manager '{managerName}': a unit of work cannot take less than no time.");
+        DurationsFor(managerName).Add(at, duration);
+    }
+
+    /// <summary>Whose units of work take time.</summary>
+    internal IEnumerable<string> ModelledManagers => _durations.Keys;
+
+    internal TimeSpan LongestUnitOfWork(string managerName) => _durations.TryGetValue(managerName, out UnitOfWorkDurations? found) ? found.Longest : TimeSpan.Zero;
+
+    /// <summary>All managers have begun: from now on a name that none of them has is an error at once.</summary>
+    internal void CloseManagers() => _hasManagers = true;
+
+    internal override EventLog? CreateEventLog(RunClock clock, Action<Exception> fail)
+        => EventLog is null ? null : new EventLog(EventLog, clock, fail);
 
     internal override ReactorEngine CreateEngine(EngineContext context)
     {
@@ -88,5 +147,17 @@ public sealed class VirtualTime : RabitTime
             throw new InvalidOperationException("This virtual time has a reactor already; its clock cannot serve two.");
         _isUsed = true;
         return new VirtualEngine(this, context);
+    }
+
+    /// <summary>The model of one manager's units of work; asked for each manager when it begins.</summary>
+    internal UnitOfWorkDurations DurationsFor(string managerName)
+    {
+        string name = Require.Name(managerName, nameof(managerName), "A manager");
+        if (_durations.TryGetValue(name, out UnitOfWorkDurations? durations))
+            return durations;
+        if (_hasManagers)
+            throw new ArgumentException($"No manager '{name}' has started.", nameof(managerName));
+        _durations.Add(name, durations = new UnitOfWorkDurations(Seed, name));
+        return durations;
     }
 }

@@ -43,6 +43,11 @@ internal abstract class EndDeclaration(EndOwner owner, EndRole role, string name
     /// <param name="firstOfOwner">The end of the same owner and name that was bound first, if this is not it.</param>
     public abstract void Bind(object hub, EndDeclaration? firstOfOwner);
 
+    /// <summary>Lets the event log know of what goes through this message or queue.</summary>
+    /// <param name="hub">What <see cref="CreateHub"/> made, before anything is bound to it.</param>
+    /// <param name="events">The event log.</param>
+    public abstract void Watch(object hub, EventLog events);
+
     [DoesNotReturn]
     protected void ThrowMisuse()
     {

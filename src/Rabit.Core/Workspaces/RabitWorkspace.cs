@@ -78,6 +78,22 @@ public sealed class RabitWorkspace
     public QueueSender<T> Send<T>(string name)
         => new(Declare(new QueueBinding<T>(_outside, EndRole.Send, Require.Name(name, nameof(name), "A queue"))));
 
+    /// <summary>Makes the end that pops, for code outside managers: async code drains it through <see cref="QueueReceiver{T}.AsChannelReader"/>. Before the start only.</summary>
+    /// <typeparam name="T">The type that the senders push.</typeparam>
+    /// <param name="name">The name of the queue.</param>
+    /// <param name="capacity">How many values fit in; at least one.</param>
+    /// <param name="whenFull">What happens to a push into a full queue.</param>
+    /// <param name="waitAtMost">As for a manager's.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public QueueReceiver<T> Receive<T>(
+        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, TimeSpan? waitAtMost = null)
+        => new(Declare(new QueueBinding<T>(_outside, EndRole.Receive, Require.Name(name, nameof(name), "A queue"))
+        {
+            Capacity = capacity,
+            FullMode = whenFull,
+            WaitAtMost = waitAtMost,
+        }));
+
     /// <summary>Makes an end that fetches, for code outside managers. At any time, on any thread.</summary>
     /// <typeparam name="T">The type that the publisher posts.</typeparam>
     /// <param name="name">The name of the message.</param>
@@ -125,24 +141,50 @@ public sealed class RabitWorkspace
             foreach (IReadOnlyList<EndDeclaration> ends in wiring.Messages.Values)
                 _messages.Add(ends[0].Name, Bind(ends, clock, log));
             foreach (IReadOnlyList<EndDeclaration> ends in wiring.Queues.Values)
-                _queues.Add((IMessageQueue)Bind(ends, clock, log));
+                _queues.Add(BindQueue(ends, clock, log));
             _wiring = wiring;
         }
     }
 
-    /// <summary>The run is over: what is left in the queues, and must be given back, is given back.</summary>
-    internal void CloseQueues()
+    /// <summary>What keeps the time of pushes that wait; null where the wiring has none.</summary>
+    internal QueueTimeKeeper? TimeKeeper { get; private set; }
+
+    /// <summary>The library's own end of a status, once all is wired.</summary>
+    internal StatusEnd StatusEndOf(string managerName)
+    {
+        var binding = new MessageBinding<ManagerStatus>(NewOwner(), EndRole.Publish, RabitManager.StatusMessageName(managerName));
+        lock (_gate)
+            BindLate(binding);
+        return new StatusEnd(binding);
+    }
+
+    /// <summary>The run is over: who waits for a queue is told, and what is left and must be given back is given back.</summary>
+    /// <returns>The books of all queues as they were.</returns>
+    internal IReadOnlyList<QueueResult> CloseQueues()
     {
         lock (_gate)
         {
+            List<QueueResult> results = _queues.ConvertAll(queue => new QueueResult(queue.Name, queue.Counters));
             foreach (IMessageQueue queue in _queues)
                 queue.Close();
+            return results;
         }
+    }
+
+    private IMessageQueue BindQueue(IReadOnlyList<EndDeclaration> ends, RunClock clock, RabitLog log)
+    {
+        object queue = Bind(ends, clock, log);
+        bool mayTimeOut = ends.Any(e => ((IQueueDeclaration)e).WaitAtMost is not null) && ends.Any(e => e.Role == EndRole.Send && e.Owner.IsOutside);
+        if (mayTimeOut && queue is ITimeLimitedQueue limited)
+            (TimeKeeper ??= new QueueTimeKeeper(clock)).Watch(limited);
+        return (IMessageQueue)queue;
     }
 
     private static object Bind(IReadOnlyList<EndDeclaration> ends, RunClock clock, RabitLog log)
     {
         object hub = ends[0].CreateHub(ends, clock, log);
+        if (log.Events is { } events)
+            ends[0].Watch(hub, events);
         var firsts = new Dictionary<EndOwner, EndDeclaration>();
         foreach (EndDeclaration end in ends)
         {

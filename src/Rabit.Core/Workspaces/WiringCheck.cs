@@ -29,7 +29,7 @@ internal static class WiringCheck
 
         if (time is VirtualTime modelled)
         {
-            faults.AddRange(modelled.UnitOfWorkDurations.Keys
+            faults.AddRange(modelled.ModelledManagers
                 .Where(name => !wiring.Managers.Any(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
                 .Select(name => $"Virtual time models the units of work of manager '{name}', which is not in the reactor."));
         }
@@ -92,11 +92,15 @@ internal static class WiringCheck
                 faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it can have {LargestQueue}.");
             if (queue.FullMode is < QueueFullMode.Reject or > QueueFullMode.Wait)
                 faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has an unknown rule for a full queue: {(int)queue.FullMode}.");
+            if (queue.WaitAtMost <= TimeSpan.Zero)
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' lets a push wait for {queue.WaitAtMost}; it needs a time above zero.");
+            if (queue.WaitAtMost is not null && queue.FullMode != QueueFullMode.Wait)
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' says how long a push may wait, but by its rule ({queue.FullMode}) none does.");
             if (queue.FullMode != QueueFullMode.Wait)
                 continue;
             faults.AddRange(senders
-                .Where(s => s.Owner.IsManager || s.Owner.WakeUp is null)
-                .Select(s => $"Queue '{name}' makes its senders wait when it is full; only readers may wait, and '{s.Owner.Name}' is none."));
+                .Where(s => s.Owner.IsManager)
+                .Select(s => $"Queue '{name}' makes its senders wait when it is full; a manager never waits, and '{s.Owner.Name}' is one."));
         }
     }
 

@@ -76,6 +76,130 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         });
     }
 
+    [Fact, Trait("Clause", "3.1")]
+    public void Push_FullQueueDropsNewest_KeepsTheOldestAndTheLast()
+    {
+        using Pair pair = Connect(capacity: 3, QueueFullMode.DropNewest);
+        pair.Run.On(pair.Source, () =>
+        {
+            Assert.Equal(
+                [PushResult.Queued, PushResult.Queued, PushResult.Queued, PushResult.QueuedDroppedNewest, PushResult.QueuedDroppedNewest],
+                Push(pair.Sender, 1, 2, 3, 4, 5));
+            AssertBooks(pair.Sender.Counters, pushed: 5, popped: 0, dropped: 2, rejected: 0, resident: 3);
+        });
+        pair.Run.On(pair.Sink, () =>
+        {
+            Assert.Equal([1, 2, 5], PopAll(pair.Receiver));
+            AssertBooks(pair.Receiver.Counters, pushed: 5, popped: 3, dropped: 2, rejected: 0, resident: 0);
+        });
+    }
+
+    [Theory, Trait("Clause", "3.1")]
+    [InlineData(QueueFullMode.Reject, 4, new[] { 0, 1, 2, 3 })]
+    [InlineData(QueueFullMode.DropOldest, 6, new[] { 2, 3, 4, 5 })]
+    [InlineData(QueueFullMode.DropNewest, 6, new[] { 0, 1, 2, 5 })]
+    public void PushFrom_MoreThanFits_DoesAsSinglePushesDo(QueueFullMode whenFull, int putIn, int[] left)
+    {
+        using Pair pair = Connect(capacity: 4, whenFull, wakeOnPush: true);
+        pair.Run.OnAndSettle(pair.Source, () =>
+        {
+            Assert.Equal(0, pair.Sender.PushFrom([]));
+            Assert.Equal(putIn, pair.Sender.PushFrom([0, 1, 2, 3, 4, 5]));
+            AssertBooks(pair.Sender.Counters, pushed: putIn, popped: 0, dropped: putIn - 4, rejected: 6 - putIn, resident: 4);
+        });
+        pair.Run.Until(() => pair.Sink.Units == 2, "the push wakes the sink");
+        pair.Run.On(pair.Sink, () =>
+        {
+            int[] target = new int[3];
+            Assert.Equal(3, pair.Receiver.PopInto(target));
+            Assert.Equal(left.Take(3), target);
+            Assert.Equal(1, pair.Receiver.PopInto(target));
+            Assert.Equal(left[3], target[0]);
+            Assert.Equal(0, pair.Receiver.PopInto(target));
+            Assert.Equal(0, pair.Receiver.PopInto(Span<int>.Empty));
+        });
+        Assert.Equal(WakeUpCauses.Push, pair.Sink.Causes[1]);
+    }
+
+    [Theory, Trait("Clause", "3.1")]
+    [InlineData(QueueFullMode.Reject)]
+    [InlineData(QueueFullMode.DropOldest)]
+    public void Counters_HighWater_IsTheMostThatWasInAtOnce(QueueFullMode whenFull)
+    {
+        using Pair pair = Connect(capacity: 8, whenFull);
+        int[] marks = [0, 0, 0, 0];
+        pair.Run.On(pair.Source, () => marks[0] = pair.Sender.Counters.HighWater);
+        pair.Run.On(pair.Source, () => Push(pair.Sender, 1, 2, 3));
+        pair.Run.On(pair.Sink, () => PopAll(pair.Receiver));
+        pair.Run.On(pair.Source, () => marks[1] = pair.Sender.Counters.HighWater);
+        pair.Run.On(pair.Source, () => Push(pair.Sender, 1, 2, 3, 4, 5));
+        pair.Run.On(pair.Sink, () => marks[2] = pair.Receiver.Counters.HighWater);
+        pair.Run.On(pair.Source, () => Push(pair.Sender, Enumerable.Range(0, 20).ToArray()));
+        pair.Run.On(pair.Sink, () => marks[3] = pair.Receiver.Counters.HighWater);
+
+        Assert.Equal([0, 3, 5, 8], marks);
+    }
+
+    [Theory, Trait("Clause", "3.5")]
+    [InlineData(QueueFullMode.Reject)]
+    [InlineData(QueueFullMode.DropNewest)]
+    public void Finish_ValuesLeftInAQueue_AreReported(QueueFullMode whenFull)
+    {
+        using Pair pair = Connect(capacity: 8, whenFull);
+        QueueSender<int> other = pair.Sender;
+        pair.Run.On(pair.Source, () => Push(other, 1, 2, 3));
+        pair.Run.On(pair.Sink, () => Assert.True(pair.Receiver.TryPop(out _)));
+        ReactorResult result = pair.Run.Finish();
+
+        QueueResult queue = Assert.Single(result.Queues);
+        Assert.Equal("queue", queue.Name);
+        AssertBooks(queue.Counters, pushed: 3, popped: 1, dropped: 0, rejected: 0, resident: 2);
+        Assert.Contains("queue queue: 2 values were left", result.ToString(), StringComparison.Ordinal);
+        Assert.Contains(pair.Run.Log, e => e.Kind == RabitLogKind.Note && e.Source == "queue" && e.Text.Contains("2 values", StringComparison.Ordinal));
+    }
+
+    [Fact, Trait("Clause", "3.5")]
+    public void Finish_EmptyQueue_IsNotAWordInTheLog()
+    {
+        using Pair pair = Connect(capacity: 8, QueueFullMode.Reject);
+        ReactorResult result = pair.Run.Finish();
+
+        Assert.Equal(0, Assert.Single(result.Queues).Counters.Resident);
+        Assert.DoesNotContain("queue", result.ToString(), StringComparison.Ordinal);
+        Assert.DoesNotContain(pair.Run.Log, e => e.Source == "queue");
+    }
+
+    [Fact, Trait("Clause", "3.5"), Trait("Clause", "3.1")]
+    public void Push_AfterTheRun_IsRejectedAndCounted()
+    {
+        using TestRun run = NewRun();
+        run.Add("sink").Receive<int>("queue", 8, wakeOnPush: false);
+        QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
+        run.StartAndSettle();
+        outside.Push(1);
+        run.Finish();
+
+        Assert.Equal(PushResult.Rejected, outside.Push(2));
+        Assert.Equal(0, outside.PushFrom([3, 4]));
+        AssertBooks(outside.Counters, pushed: 1, popped: 0, dropped: 0, rejected: 3, resident: 1);
+        Assert.Equal(1, outside.Counters.HighWater);
+    }
+
+    [Fact, Trait("Clause", "3.1"), Trait("Clause", "4.2")]
+    public void WaitAtMost_WithoutSense_IsAWiringFault()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager sink = run.Add("sink");
+        sink.Receive<int>("never", whenFull: QueueFullMode.Reject, waitAtMost: TimeSpan.FromSeconds(1));
+        sink.Receive<int>("at once", whenFull: QueueFullMode.Wait, waitAtMost: TimeSpan.Zero);
+
+        IReadOnlyList<string> faults = Assert.Throws<RabitWiringException>(run.Start).Faults;
+
+        Assert.Equal(2, faults.Count);
+        Assert.Contains(faults, fault => fault.Contains("'never'", StringComparison.Ordinal));
+        Assert.Contains(faults, fault => fault.Contains("'at once'", StringComparison.Ordinal));
+    }
+
     [Theory, Trait("Clause", "3.1")]
     [InlineData(1, QueueFullMode.Reject)]
     [InlineData(1, QueueFullMode.DropOldest)]
@@ -125,19 +249,17 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "3.1"), Trait("Clause", "4.2")]
-    public void WaitWhenFull_ManagerOrOutsideSends_IsAWiringFault()
+    public void WaitWhenFull_ManagerSends_IsAWiringFaultThatNamesIt()
     {
         using TestRun run = NewRun();
         run.Add("source").Send<int>("queue");
         run.Add("sink").Receive<int>("queue", 1, QueueFullMode.Wait);
         run.Reactor.Workspace.Send<int>("queue");
 
-        IReadOnlyList<string> faults = Assert.Throws<RabitWiringException>(run.Start).Faults;
+        string fault = Assert.Single(Assert.Throws<RabitWiringException>(run.Start).Faults);
 
-        Assert.Equal(2, faults.Count);
-        Assert.All(faults, fault => Assert.Contains("'queue'", fault, StringComparison.Ordinal));
-        Assert.Contains(faults, fault => fault.Contains("'source'", StringComparison.Ordinal));
-        Assert.Contains(faults, fault => fault.Contains("'outside'", StringComparison.Ordinal));
+        Assert.Contains("'queue'", fault, StringComparison.Ordinal);
+        Assert.Contains("'source'", fault, StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "3.2")]

@@ -76,6 +76,38 @@ public sealed class AllocationTests
         AssertAllocatesNothing(i => sender.Push(new Sample { Number = i }));
     }
 
+    [Theory, Trait("Clause", "3.3")]
+    [InlineData(QueueFullMode.Reject, true)]
+    [InlineData(QueueFullMode.Reject, false)]
+    [InlineData(QueueFullMode.DropOldest, false)]
+    [InlineData(QueueFullMode.DropNewest, false)]
+    public void PushAndPop_TenMillionTimes_AllocateNothing(QueueFullMode whenFull, bool hasOneSender)
+    {
+        using var run = new TestRun(TimeKind.Real);
+        ScriptedManager manager = run.Add("m");
+        QueueReceiver<Sample> receiver = manager.Receive<Sample>("queue", 7, whenFull);
+        QueueSender<Sample> sender = manager.Send<Sample>("queue", wakeOnPop: true);
+        if (!hasOneSender)
+            run.Reactor.Workspace.Send<Sample>("queue");
+        var batch = new Sample[9];
+
+        run.StartAndSettle();
+        run.On(manager, () => AssertAllocatesNothing(
+            i =>
+            {
+                for (int n = 0; n < 500; n++)
+                {
+                    sender.Push(new Sample { Number = i });
+                    receiver.TryPop(out _);
+                }
+
+                sender.PushFrom(batch);
+                receiver.PopInto(batch);
+                _ = receiver.Counters;
+            },
+            steps: 20_000));
+    }
+
     [Fact, Trait("Clause", "2.5")]
     public void VirtualTurns_SteadyState_AllocateNothing()
     {
@@ -92,7 +124,7 @@ public sealed class AllocationTests
         }
     }
 
-    private static void AssertAllocatesNothing(Action<int> step)
+    private static void AssertAllocatesNothing(Action<int> step, int steps = 1000)
     {
         for (int i = 0; i < 200; i++)
             step(i);
@@ -102,7 +134,7 @@ public sealed class AllocationTests
         for (int attempt = 0; attempt < 5 && least > 0; attempt++)
         {
             long before = AllocatedBytes();
-            for (int i = 0; i < 1000; i++)
+            for (int i = 0; i < steps; i++)
                 step(i);
             least = Math.Min(least, AllocatedBytes() - before);
         }

@@ -24,10 +24,11 @@ internal sealed class Mission : IDisposable
 
     /// <summary>Runs it, and tells what its log amounts to.</summary>
     /// <returns>SHA-256 of the log, and of what each manager computed.</returns>
-    public string Run(TimeSpan duration)
+    public string Run(TimeSpan duration, int steps = 1)
     {
         _reactor.Start();
-        _reactor.RunFor(duration);
+        for (int step = 0; step < steps; step++)
+            _reactor.RunFor(TimeSpan.FromTicks((duration.Ticks * (step + 1) / steps) - (duration.Ticks * step / steps)));
         _reactor.Stop("landed");
         ReactorResult result = _reactor.Finish();
         _text.Append(result).Append('\n');

@@ -71,94 +71,6 @@ public sealed class VirtualTimeTests
     }
 
     [Fact, Trait("Clause", "5.2")]
-    public void ModelledDuration_OfAUnit_KeepsTheManagerBusyAndItsWakes()
-    {
-        var time = new VirtualTime();
-        time.SetUnitOfWorkDuration("worker", TimeSpan.FromMilliseconds(30));
-        using TestRun run = NewRun(time);
-        ScriptedManager worker = run.Add("worker");
-        ScriptedManager waker = run.Add("waker");
-        worker.WakeUpDelay = TimeSpan.FromMilliseconds(100);
-        waker.WakeUpDelay = TimeSpan.FromMilliseconds(10);
-        var begins = new List<double>();
-        worker.OnUnit = () => begins.Add(worker.Time.TotalMilliseconds);
-        waker.OnUnit = () =>
-        {
-            if (waker.Time == TimeSpan.FromMilliseconds(10) || waker.Time == TimeSpan.FromMilliseconds(20))
-                worker.WakeUp();
-        };
-
-        run.Start();
-        run.Reactor.RunFor(TimeSpan.FromMilliseconds(300));
-        run.Finish();
-
-        // Busy to 30, then at once for the two wakes, busy to 60; the timer counts from 60 and from 190.
-        Assert.Equal([0.0, 30.0, 160.0, 290.0], begins);
-        ManagerStatus status = run.StatusOf(worker);
-        Assert.Equal(TimeSpan.FromMilliseconds(30), status.UnitOfWorkTime.Minimum);
-        Assert.Equal(TimeSpan.FromMilliseconds(30), status.UnitOfWorkTime.Maximum);
-        Assert.Equal(1, status.WakeUps.Merged);
-    }
-
-    [Fact, Trait("Clause", "5.2"), Trait("Clause", "4.4")]
-    public void ModelledDuration_WakeWhileBusy_IsNoWakeFromSleep()
-    {
-        var time = new VirtualTime();
-        time.SetUnitOfWorkDuration("worker", TimeSpan.FromMilliseconds(30));
-        using TestRun run = NewRun(time);
-        ScriptedManager worker = run.Add("worker");
-        ScriptedManager waker = run.Add("waker");
-        waker.WakeUpDelay = TimeSpan.FromMilliseconds(10);
-        waker.OnUnit = () =>
-        {
-            if (waker.Units == 2)
-                worker.WakeUp();
-        };
-
-        run.Start();
-        run.Reactor.RunFor(TimeSpan.FromMilliseconds(100));
-
-        ManagerStatus status = run.StatusOf(worker);
-        Assert.Equal(2, status.Runs);
-        Assert.Equal((1, TimeSpan.Zero), (status.WakeLatency.Count, status.WakeLatency.Maximum));
-    }
-
-    [Fact, Trait("Clause", "5.2"), Trait("Clause", "4.4")]
-    public void ModelledDuration_StartupAndShutdown_TakeNone()
-    {
-        var time = new VirtualTime();
-        time.SetUnitOfWorkDuration("worker", TimeSpan.FromMilliseconds(30));
-        using TestRun run = NewRun(time);
-        run.Add("worker");
-        MessageSubscriber<ManagerStatus> status = run.Reactor.Workspace.SubscribeToStatus("worker");
-
-        run.Start();
-        status.Fetch();
-        Assert.Equal(TimeSpan.Zero, status.Stamp.Time);
-        run.Reactor.RunFor(TimeSpan.FromSeconds(10));
-        run.Finish();
-        status.Fetch();
-
-        Assert.Equal(ManagerState.Stopped, status.Value.State);
-        Assert.Equal(TimeSpan.FromSeconds(10), status.Stamp.Time);
-    }
-
-    [Fact, Trait("Clause", "5.2"), Trait("Clause", "4.2")]
-    public void ModelledDuration_OfNoManager_IsReportedTogetherWithTheOtherFaults()
-    {
-        var time = new VirtualTime();
-        time.SetUnitOfWorkDuration("ghost", TimeSpan.FromMilliseconds(1));
-        using TestRun run = NewRun(time);
-        run.Add("m").Subscribe<int>("height");
-
-        IReadOnlyList<string> faults = Assert.Throws<RabitWiringException>(run.Start).Faults;
-
-        Assert.Equal(2, faults.Count);
-        Assert.Contains(faults, f => f.Contains("'ghost'", StringComparison.Ordinal));
-        Assert.Contains(faults, f => f.Contains("'height'", StringComparison.Ordinal));
-    }
-
-    [Fact, Trait("Clause", "5.2")]
     public void Settings_OutOfRange_AreRefused()
     {
         var time = new VirtualTime();
@@ -166,6 +78,8 @@ public sealed class VirtualTimeTests
         Assert.Throws<ArgumentOutOfRangeException>(() => time.Pace = double.NaN);
         Assert.Throws<ArgumentOutOfRangeException>(() => time.MaximumRunsPerInstant = 0);
         var error = Assert.Throws<ArgumentOutOfRangeException>(() => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(-1)));
+        Assert.Contains("'slow'", error.Message, StringComparison.Ordinal);
+        error = Assert.Throws<ArgumentOutOfRangeException>(() => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(2), TimeSpan.FromTicks(1)));
         Assert.Contains("'slow'", error.Message, StringComparison.Ordinal);
     }
 

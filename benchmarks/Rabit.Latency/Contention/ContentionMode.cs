@@ -1,0 +1,107 @@
+using System.Collections.Generic;
+using System.Threading.Channels;
+using Rabit.Latency.Measuring;
+using Rabit.Latency.Reporting;
+
+namespace Rabit.Latency.Contention;
+
+/// <summary>A flat-out poster against a flat-out fetcher: neither may be starved.</summary>
+internal static class ContentionMode
+{
+    private const int Posts = 0;
+    private const int News = 1;
+
+    private static readonly Column[] Columns = [new("M posts/s", "0.00"), new("M news/s", "0.00")];
+
+    public static IReadOnlyList<Table> Run(RunOptions options)
+    {
+        double seconds = options.Pick(0.05, 0.3);
+        return [Structs(options, seconds), Objects(options, seconds)];
+    }
+
+    private static Table Structs(RunOptions options, double seconds)
+    {
+        var duel = new RabitDuel<Pose>(default, message => message.Value.TimeSeconds++);
+        Subject rabit = new Subject("Rabit", () => duel.Run(seconds)).Owning(duel);
+        Subject copy = new("a copy of 72 bytes by each alone", () => Copies(seconds));
+        List<Subject> subjects =
+        [
+            copy,
+            new("lock and version by hand", () => Locked(seconds)),
+            new("Channel of one, drop oldest", () => Channels(seconds)),
+            rabit,
+        ];
+        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
+        rabit.Dispose();
+        var table = new Table("contention", "a poster and a fetcher flat out, a CPU each: a struct of 72 bytes", Columns, subjects, copy);
+        table.RequireAtLeast(rabit, Posts, 8);
+        table.RequireAtLeast(rabit, News, 1.5);
+        return table;
+    }
+
+    private static Table Objects(RunOptions options, double seconds)
+    {
+        PoseObject[] values = [new(0), new(1)];
+        int posts = 0;
+        var duel = new RabitDuel<PoseObject>(values[0], message => message.Value = values[++posts & 1]);
+        Subject rabit = new Subject("Rabit", () => duel.Run(seconds)).Owning(duel);
+        Subject byReference = new("a volatile reference by hand", () => References(seconds));
+        List<Subject> subjects = [byReference, rabit];
+        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
+        rabit.Dispose();
+        var table = new Table("contention", "the same, an immutable class (two instances that take turns)", Columns, subjects, byReference);
+        table.RequireAtLeast(rabit, Posts, 10);
+        table.RequireAtLeast(rabit, News, 5);
+        return table;
+    }
+
+    private static double[] Locked(double seconds)
+    {
+        var message = new LockedPose();
+        return Duel.ByHand(seconds, message.Post, message.Fetch);
+    }
+
+    private static double[] References(double seconds)
+    {
+        var message = new SharedReference();
+        return Duel.ByHand(seconds, message.Post, message.Fetch);
+    }
+
+    private static double[] Channels(double seconds)
+    {
+        var channel = Channel.CreateBounded<Pose>(new BoundedChannelOptions(1)
+        {
+            FullMode = BoundedChannelFullMode.DropOldest,
+            SingleReader = true,
+            SingleWriter = true,
+        });
+        Pose posted = default;
+        return Duel.ByHand(
+            seconds,
+            () =>
+            {
+                posted.TimeSeconds++;
+                channel.Writer.TryWrite(posted);
+            },
+            () => channel.Reader.TryRead(out _));
+    }
+
+    // No one else's cache line is touched.
+    private static double[] Copies(double seconds)
+    {
+        Pose[] posted = new Pose[16];
+        Pose[] fetched = new Pose[16];
+        return Duel.ByHand(
+            seconds,
+            () =>
+            {
+                posted[0].TimeSeconds++;
+                posted[8] = posted[0];
+            },
+            () =>
+            {
+                fetched[8] = fetched[0];
+                return true;
+            });
+    }
+}

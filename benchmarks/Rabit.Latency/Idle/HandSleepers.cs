@@ -1,0 +1,40 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+
+namespace Rabit.Latency.Idle;
+
+/// <summary>Threads by hand.</summary>
+internal sealed class HandSleepers : Sleepers
+{
+    private readonly List<Thread> _threads = [];
+    private readonly List<Action> _wakes = [];
+    private volatile bool _stopped;
+
+    /// <param name="make">Makes what one thread sleeps on, and what wakes it.</param>
+    public HandSleepers(Func<(Action Sleep, Action Wake)> make)
+    {
+        for (int i = 0; i < Number; i++)
+        {
+            (Action sleep, Action wake) = make();
+            _wakes.Add(wake);
+            _threads.Add(new Thread(() =>
+            {
+                while (!_stopped)
+                    sleep();
+            })
+            {
+                IsBackground = true,
+            });
+        }
+
+        _threads.ForEach(t => t.Start());
+    }
+
+    public override void Dispose()
+    {
+        _stopped = true;
+        _wakes.ForEach(w => w());
+        _threads.ForEach(t => t.Join());
+    }
+}

@@ -1,0 +1,4 @@
+using System;
+using Rabit.Latency;
+
+return Runner.Run(args, Console.Out, Console.Error);

@@ -1,0 +1,62 @@
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Threading.Channels;
+using Rabit.Latency.Measuring;
+using Rabit.Latency.Reporting;
+
+namespace Rabit.Latency.Throughput;
+
+/// <summary>How many messages per second a queue carries between threads that do nothing else.</summary>
+internal static class ThroughputMode
+{
+    private const int Capacity = 1024;
+
+    public static IReadOnlyList<Table> Run(RunOptions options) =>
+    [
+        Run<int>(options, 1, "int", 80, 5),
+        Run<Block64>(options, 1, "64 bytes", 40, 5),
+        Run<int>(options, 2, "int", 30, 2.5),
+        Run<Block64>(options, 2, "64 bytes", 20, 2.5),
+    ];
+
+    private static Table Run<T>(RunOptions options, int senders, string what, double least, double timesChannel)
+        where T : struct
+    {
+        int fast = options.Pick(100_000, 4_000_000);
+        int slow = options.Pick(20_000, 1_000_000);
+        var flow = new RabitFlow<T>(senders, Capacity);
+        Subject rabit = Row("Rabit, reject", () => flow.Run(fast)).Owning(flow);
+        Subject channel = Row("Channel, bounded", () => HandFlow.Run<HandQueues.ChannelEnds<T>, T>(new(NewChannel<T>(senders)), senders, slow));
+        var subjects = new List<Subject>
+        {
+            rabit,
+            channel,
+            Row("ConcurrentQueue, unbounded", () => HandFlow.Run<HandQueues.Concurrent<T>, T>(new(new ConcurrentQueue<T>()), senders, fast)),
+            Row("BlockingCollection", () => HandFlow.Run<HandQueues.Blocking<T>, T>(new(new BlockingCollection<T>(Capacity)), senders, slow)),
+            Row("ring under a lock by hand", () => HandFlow.Run<HandQueues.Locked<T>, T>(new(new LockedRing<T>(Capacity)), senders, fast)),
+        };
+        Subject? limit = null;
+        if (senders == 1)
+        {
+            limit = Row("SPSC ring by hand", () => HandFlow.Run<HandQueues.Single<T>, T>(new(new SpscRing<T>(Capacity)), senders, fast));
+            subjects.Insert(0, limit);
+        }
+
+        Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
+        rabit.Dispose();
+        var table = new Table(
+            "throughput",
+            $"{senders} sender(s), 1 receiver, {what}, {Capacity} entries, flat out" + (senders == 1 ? ", a CPU each" : string.Empty),
+            [new Column("M/s")],
+            subjects,
+            limit);
+        table.RequireAtLeast(rabit, 0, least);
+        table.RequireRatioAtLeast(rabit, channel, 0, timesChannel);
+        return table;
+    }
+
+    private static Channel<T> NewChannel<T>(int senders)
+        => Channel.CreateBounded<T>(new BoundedChannelOptions(Capacity) { SingleReader = true, SingleWriter = senders == 1 });
+
+    private static Subject Row(string name, System.Func<double> run) => new(name, () => [run()]);
+}

@@ -1,0 +1,23 @@
+using System;
+
+namespace Rabit.Core;
+
+/// <summary>How one queue ended. Immutable.</summary>
+public sealed class QueueResult
+{
+    internal QueueResult(string name, QueueCounters counters)
+    {
+        Name = name;
+        Counters = counters;
+    }
+
+    /// <summary>The queue.</summary>
+    public string Name { get; }
+
+    /// <summary>Its books when all managers, readers and writers had ended.</summary>
+    public QueueCounters Counters { get; }
+
+    /// <summary>One line.</summary>
+    public override string ToString()
+        => FormattableString.Invariant($"queue {Name}: {Counters.Resident} values were left, {Counters.Dropped} dropped, {Counters.Rejected} rejected of {Counters.Pushed + Counters.Rejected}");
+}

@@ -1,0 +1,12 @@
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>How an exploration goes about it.</summary>
+/// <param name="Memory">What the memory may show.</param>
+internal sealed record ExplorerOptions(MemoryModel Memory)
+{
+    /// <summary>For how many steps a claim that two places in the code go on alike is watched (<see cref="CodeFold"/>); 0: none is made.</summary>
+    public int WatchedSteps { get; init; } = 5;
+
+    /// <summary>Whether a compare-and-swap that is tried until it succeeds is one step (<see cref="RetriedUpdates"/>).</summary>
+    public bool MergesRetries { get; init; } = true;
+}

@@ -1,0 +1,40 @@
+using System;
+using Rabit.Core.Diagnostics;
+using Rabit.Core.Managers;
+using Rabit.Core.Messaging;
+
+namespace Rabit.Core.Tests.Messaging;
+
+/// <summary>The kinds of queue that the wiring chooses from, by name.</summary>
+internal static class QueueKinds
+{
+    public const string Pair = "pair";
+    public const string Ring = "ring";
+    public const string Rejects = "locked, rejects";
+    public const string DropsOldest = "locked, drops oldest";
+    public const string DropsNewest = "locked, drops newest";
+    public const string Waits = "locked, waits";
+
+    public static QueueFullMode RuleOf(string kind) => kind switch
+    {
+        DropsOldest => QueueFullMode.DropOldest,
+        DropsNewest => QueueFullMode.DropNewest,
+        Waits => QueueFullMode.Wait,
+        _ => QueueFullMode.Reject,
+    };
+
+    /// <param name="kind">One of the names.</param>
+    /// <param name="capacity">How many values fit in.</param>
+    /// <param name="receiver">Whom a push wakes.</param>
+    /// <param name="start">The first position, where the queue has positions.</param>
+    public static MessageQueue<T> Create<T>(string kind, int capacity, WakeUpEvent? receiver = null, int start = 0)
+    {
+        var clock = new RunClock(TimeProvider.System);
+        return kind switch
+        {
+            Pair => new PairQueue<T>("q", capacity, receiver, isOwnQueue: false, start),
+            Ring => new RingQueue<T>("q", capacity, receiver, start),
+            _ => new LockedQueue<T>("q", capacity, RuleOf(kind), receiver, waitAtMost: null, clock, new RabitLog(null, logRuns: false, clock)),
+        };
+    }
+}
