@@ -22,7 +22,7 @@ internal static class Answer
     private static string Text(GroundFix fix)
     {
         if (fix.Refusal != LocateRefusal.None)
-            return $"refused: {fix.Refusal}";
+            return $"refused: {fix.Refusal}: {Reason(fix.Refusal)}";
         HorizontalCovariance all = fix.Covariance + fix.CommonCovariance;
         GeographicPoint point = fix.Position.Point;
         double latitude = point.Latitude.Degrees;
@@ -30,6 +30,20 @@ internal static class Answer
         return FormattableString.Invariant(
             $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  {PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}\naltitude {fix.Position.AltitudeAmslMetres:0.00} m\n95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxisRadians / Degree:0} deg from north\nof which anew in each look {fix.Covariance.HalfMajorAxis95Metres:0.0} m, the same in all {fix.CommonCovariance.HalfMajorAxis95Metres:0.0} m\n") + Drawn(fix);
     }
+
+    private static string Reason(LocateRefusal refusal) => refusal switch
+    {
+        LocateRefusal.OutsidePicture => "the pixel is not in the picture",
+        LocateRefusal.LensCannotBeUndone => "the formula of the lens cannot be undone there",
+        LocateRefusal.NearHorizon => "the line of sight points above the horizon, or too little below it",
+        LocateRefusal.CameraBelowGround => "the camera is below the ground",
+        LocateRefusal.LeavesTerrain => "the line of sight leaves the grid of heights above the ground",
+        LocateRefusal.NoTerrainData => "the line of sight may meet the ground where the grid has no height",
+        LocateRefusal.NoPose => "no pose reaches the time of the picture",
+        LocateRefusal.PoseTooOld => "the picture is older than all poses",
+        LocateRefusal.PoseGap => "the poses around the time of the picture are too far apart",
+        _ => "there is no place",
+    };
 
     private static string Drawn(GroundFix fix) => fix.Extrapolated > TimeSpan.Zero
         ? FormattableString.Invariant($"pose drawn on by {fix.Extrapolated.TotalMilliseconds:0} ms") : "pose between samples";
@@ -45,7 +59,11 @@ internal static class Answer
             if (fix.Refusal == LocateRefusal.None)
                 WritePlace(writer, fix);
             else
+            {
                 writer.WriteString("reason", fix.Refusal.ToString());
+                writer.WriteString("text", Reason(fix.Refusal));
+            }
+
             writer.WriteEndObject();
         }
 

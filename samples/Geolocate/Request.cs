@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
@@ -24,10 +23,10 @@ internal sealed class Request
         => (_locator, _time, _order, _column, _row) = (locator, time, order, column, row);
 
     /// <exception cref="FormatException">Something is missing or no number.</exception>
-    public static Request Read(CommandLine line)
+    public static Request Read(CommandLine line, TextReader input)
     {
         using JsonDocument camera = JsonDocument.Parse(File.ReadAllText(line.Camera));
-        using JsonDocument request = JsonDocument.Parse(line.Request is null ? "{}" : line.Request == "-" ? Console.In.ReadToEnd() : File.ReadAllText(line.Request));
+        using JsonDocument request = JsonDocument.Parse(line.Request is null ? "{}" : line.Request == "-" ? input.ReadToEnd() : File.ReadAllText(line.Request));
         JsonElement asked = request.RootElement;
         var options = new ImageProcessingOptions { Camera = CameraOf(Part(camera.RootElement, "camera")), Mount = MountOf(camera.RootElement) };
         if (line.Terrain is not null)
@@ -36,15 +35,12 @@ internal sealed class Request
             options.Terrain = AsciiGrid.Read(reader);
         }
 
-        var locator = new PixelLocator(options)
-        {
-            RowReadout = TimeSpan.FromTicks((long)(Optional(Part(camera.RootElement, "camera"), "row_readout_us") * 10)),
-        };
+        var locator = new PixelLocator(options);
         TimeSpan time = TimeSpan.FromSeconds(line.TimeSeconds ?? 0);
         if (line.Telemetry is null)
             AddPose(locator, Part(asked, "pose"));
         else
-            AddTelemetry(locator, line.Telemetry, time);
+            time = Telemetry.Read(line.Telemetry, time, locator);
         bool hasGround = asked.TryGetProperty("ground_alt_m", out JsonElement ground);
         if (!hasGround && options.Terrain is null)
             throw new FormatException("The request tells neither ground_alt_m, nor is there a --terrain.");
@@ -77,6 +73,7 @@ internal sealed class Request
             P1 = lens[2],
             P2 = lens[3],
             K3 = lens[4],
+            RowReadout = TimeSpan.FromTicks((long)Math.Round(Optional(camera, "row_readout_us") * 10)),
         };
     }
 
@@ -85,7 +82,8 @@ internal sealed class Request
     {
         if (!file.TryGetProperty("mount", out JsonElement mount) && !Part(file, "camera").TryGetProperty("mount", out mount))
             return new CameraMount();
-        double[] arm = mount.TryGetProperty("lever_arm_body_m", out _) ? Numbers(mount, "lever_arm_body_m", 3) : new double[3];
+        double[] arm = Arm(mount, "lever_arm_body_m");
+        double[] cameraArm = Arm(mount, "lever_arm_gimbal_m");
         Rotation? turn = null;
         if (mount.TryGetProperty("R_body_from_cam", out JsonElement rows))
             turn = Rotation.FromMatrix([.. rows.EnumerateArray().SelectMany(r => r.EnumerateArray()).Select(n => n.GetDouble())]);
@@ -93,55 +91,18 @@ internal sealed class Request
         {
             FixedBodyFromCamera = turn,
             GimbalArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
+            CameraArmMetres = new BodyVector(cameraArm[0], cameraArm[1], cameraArm[2]),
             MisalignmentRollRadians = Optional(mount, "roll_deg") * Degree,
             MisalignmentPitchRadians = Optional(mount, "pitch_deg") * Degree,
             MisalignmentYawRadians = Optional(mount, "yaw_deg") * Degree,
         };
     }
 
-    private static void AddPose(PixelLocator locator, JsonElement pose) => Add(locator, default, [
+    private static void AddPose(PixelLocator locator, JsonElement pose) => Telemetry.Add(locator, default, [
         Number(pose, "lat_deg"), Number(pose, "lon_deg"), Number(pose, "alt_m"), Optional(pose, "vn_mps"), Optional(pose, "ve_mps"), Optional(pose, "vd_mps"),
         Number(pose, "roll_deg"), Number(pose, "pitch_deg"), Number(pose, "yaw_deg")]);
 
-    // Only what is around the time: the history keeps the newest.
-    private static void AddTelemetry(PixelLocator locator, string file, TimeSpan until)
-    {
-        int number = 0;
-        foreach (string line in File.ReadLines(file))
-        {
-            number++;
-            if (number == 1 && line.StartsWith("time", StringComparison.Ordinal))
-                continue;
-            double[] row;
-            try
-            {
-                row = [.. line.Split(',').Select(n => double.Parse(n, CultureInfo.InvariantCulture))];
-            }
-            catch (FormatException e)
-            {
-                throw new FormatException($"Line {number} of {file} is not numbers with commas.", e);
-            }
-
-            if (row.Length < 10)
-                throw new FormatException($"Line {number} of {file} has {row.Length} numbers, not 10.");
-            TimeSpan time = TimeSpan.FromTicks((long)Math.Round(row[0] * TimeSpan.TicksPerSecond));
-            Add(locator, time, [.. row.Skip(1)]);
-            if (time > until + TimeSpan.FromSeconds(1))
-                break;
-        }
-    }
-
-    private static void Add(PixelLocator locator, TimeSpan time, double[] p)
-    {
-        locator.Add(new PoseSample
-        {
-            Kind = PoseSampleKind.Position,
-            Time = time,
-            Position = new GeodeticPosition(p[0] * Degree, p[1] * Degree, p[2]),
-            VelocityNed = new NedVector(p[3], p[4], p[5]),
-        });
-        locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = time, Attitude = new EulerAngles(p[6] * Degree, p[7] * Degree, p[8] * Degree) });
-    }
+    private static double[] Arm(JsonElement mount, string name) => mount.TryGetProperty(name, out _) ? Numbers(mount, name, 3) : new double[3];
 
     private static JsonElement Part(JsonElement element, string name)
         => element.TryGetProperty(name, out JsonElement part) ? part : throw new FormatException($"'{name}' is missing.");

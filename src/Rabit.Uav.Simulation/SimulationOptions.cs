@@ -17,8 +17,7 @@ public sealed class SimulationOptions
 
     /// <summary>Where the vehicle stands at the start: the origin of the world's frame. The ground is flat and at its altitude.</summary>
     /// <value>The default is the field near Canberra where ArduPilot's simulated copters start.</value>
-    public GeodeticPosition Home { get; set; } =
-        new(-35.363_262 * NedMath.RadiansPerDegree, 149.165_237 * NedMath.RadiansPerDegree, 584.09);
+    public GeodeticPosition Home { get; set; } = GeodeticPosition.FromDegrees(-35.363_262, 149.165_237, 584.09);
 
     /// <summary>Where the vehicle looks at the start, radians clockwise from north.</summary>
     /// <value>The default is 0.</value>
@@ -78,10 +77,10 @@ public sealed class SimulationOptions
         if (mission is null)
             throw new ArgumentNullException(nameof(mission));
         Home = mission.Home is { } home
-            ? new GeodeticPosition(home.LatitudeRadians, home.LongitudeRadians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
-            : new GeodeticPosition(mission.Area[0].LatitudeRadians, mission.Area[0].LongitudeRadians, Home.AltitudeAmslMetres);
+            ? GeodeticPosition.FromRadians(home.LatitudeRadians, home.LongitudeRadians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
+            : GeodeticPosition.FromRadians(mission.Area[0].LatitudeRadians, mission.Area[0].LongitudeRadians, Home.AltitudeAmslMetres);
         var frame = new WorldFrame(Home);
-        Area = mission.Area.Select(c => frame.ToWorld(new GeodeticPosition(c.LatitudeRadians, c.LongitudeRadians, Home.AltitudeAmslMetres))).ToArray();
+        Area = mission.Area.Select(c => frame.ToWorld(GeodeticPosition.FromRadians(c.LatitudeRadians, c.LongitudeRadians, Home.AltitudeAmslMetres))).ToArray();
     }
 
     /// <summary>Checks, and takes a copy that later changes do not reach.</summary>

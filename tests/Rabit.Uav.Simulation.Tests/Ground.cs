@@ -113,7 +113,7 @@ internal sealed class Ground : IDisposable
     /// <summary>A place above home, metres, as a target in latitude and longitude.</summary>
     public void GoTo(double north, double east, double height)
     {
-        GeodeticPosition place = new LocalNedFrame(Options.Home).ToGeodetic(new NedVector(north, east, -height));
+        GeodeticPosition place = LocalNedFrame.IgnoringGeoid(Options.Home).ToGeodetic(new NedVector(north, east, -height));
         Send(new SetPositionTargetGlobalInt
         {
             TargetSystem = 1,

@@ -10,7 +10,8 @@ public class GeodesyBenchmarks
     private readonly GeographicPoint _there = new(Angle.FromDegrees(47.5), Angle.FromDegrees(8.7));
     private readonly GeographicPoint _opposite = new(Angle.FromDegrees(-47.3), Angle.FromDegrees(-171.7));
     private readonly EllipsoidPosition _place = new(new GeographicPoint(Angle.FromDegrees(47.4), Angle.FromDegrees(8.5)), new EllipsoidHeight(500));
-    private readonly Rotation _attitude = Rotation.FromEuler(new EulerAngles(0.1, 0.2, 0.3));
+    private readonly Rotation _attitude = Rotation.FromEuler(EulerAngles.FromRadians(0.1, 0.2, 0.3));
+    private EulerAngles _angles;
     private EcefPosition _ecef;
     private UtmPosition _utm;
     private LocalNedFrame _frame;
@@ -18,9 +19,10 @@ public class GeodesyBenchmarks
     [GlobalSetup]
     public void SetUp()
     {
+        _angles = _attitude.ToEuler();
         _ecef = _place.ToEcef();
         _utm = UtmPosition.From(_here);
-        _frame = new LocalNedFrame(_place.ToAmsl(0));
+        _frame = LocalNedFrame.IgnoringGeoid(_place.ToAmsl(0));
     }
 
     [Benchmark(Baseline = true)]
@@ -30,7 +32,7 @@ public class GeodesyBenchmarks
     public EllipsoidPosition FromEcef() => EllipsoidPosition.FromEcef(_ecef);
 
     [Benchmark]
-    public NedVector ToNed() => _frame.ToNed(new GeodeticPosition(_there.Latitude.Radians, _there.Longitude.Radians, 500));
+    public NedVector ToNed() => _frame.ToNed(GeodeticPosition.FromRadians(_there.Latitude.Radians, _there.Longitude.Radians, 500));
 
     [Benchmark]
     public GeodeticPosition FromNed() => _frame.ToGeodetic(new NedVector(1000, 2000, 10));
@@ -57,5 +59,5 @@ public class GeodesyBenchmarks
     public EulerAngles ToEuler() => _attitude.ToEuler();
 
     [Benchmark]
-    public Rotation FromEuler() => Rotation.FromEuler(new EulerAngles(0.1, 0.2, 0.3));
+    public Rotation FromEuler() => Rotation.FromEuler(_angles);
 }

@@ -26,7 +26,7 @@ internal static class NadirView
     {
         var locator = new Locator(Camera, new CameraMount(), new ErrorBudget(), 5 * Math.PI / 180);
         locator.Aim(
-            new Pose { Position = new GeodeticPosition(0.84, 0.15, 485), Attitude = Rotation.FromEuler(new EulerAngles(0.05, -0.08, 1)) },
+            new Pose { Position = GeodeticPosition.FromRadians(0.84, 0.15, 485), Attitude = Rotation.FromEuler(EulerAngles.FromRadians(0.05, -0.08, 1)) },
             new ImagingOrder { CameraPitchRadians = -Math.PI / 2, GroundAltitudeAmslMetres = 445 });
         return locator;
     }

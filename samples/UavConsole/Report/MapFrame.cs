@@ -39,7 +39,7 @@ internal sealed class MapFrame
         List<GeodeticPosition> places = Places(data);
         if (places.Count == 0)
             return null;
-        var frame = new LocalNedFrame(data.Record.Mission.Plan?.Home ?? places[0]);
+        var frame = LocalNedFrame.IgnoringGeoid(data.Record.Mission.Plan?.Home ?? places[0]);
         NedVector[] points = places.Select(frame.ToNed).ToArray();
         double west = points.Min(p => p.East) - MarginMetres;
         double east = points.Max(p => p.East) + MarginMetres;

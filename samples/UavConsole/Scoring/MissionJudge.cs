@@ -71,7 +71,7 @@ internal static class MissionJudge
     {
         if (plan is null || (trueEnd is null && record.Vehicle.PositionTime is null))
             return double.NaN;
-        NedVector end = new LocalNedFrame(plan.Home).ToNed(trueEnd ?? record.Vehicle.Position);
+        NedVector end = LocalNedFrame.IgnoringGeoid(plan.Home).ToNed(trueEnd ?? record.Vehicle.Position);
         return Math.Sqrt((end.North * end.North) + (end.East * end.East));
     }
 
@@ -79,7 +79,7 @@ internal static class MissionJudge
     {
         if (plan.Fence.Length < 3)
             return 0;
-        var frame = new LocalNedFrame(plan.Home);
+        var frame = LocalNedFrame.IgnoringGeoid(plan.Home);
         var fence = new Polygon(plan.Fence.Select(frame.ToNed).ToArray());
         return record.Samples
             .Where(s => s.HasPosition)

@@ -45,10 +45,10 @@ internal static class TargetScoring
             return new TargetScore(target, null, 0, 0);
 
         // Both on the ellipsoid: a difference in height is no error.
-        var frame = new LocalNedFrame(OnEllipsoid(target.Position));
+        var frame = LocalNedFrame.IgnoringGeoid(OnEllipsoid(target.Position));
         NedVector error = frame.ToNed(OnEllipsoid(track.Position));
         return new TargetScore(target, track, error.North, error.East);
     }
 
-    private static GeodeticPosition OnEllipsoid(GeodeticPosition position) => new(position.LatitudeRadians, position.LongitudeRadians, 0);
+    private static GeodeticPosition OnEllipsoid(GeodeticPosition position) => GeodeticPosition.FromRadians(position.LatitudeRadians, position.LongitudeRadians, 0);
 }

@@ -116,7 +116,7 @@ internal static class TruthFile
     }
 
     private static GeodeticPosition PositionOf(JsonElement element, string where, List<string> faults)
-        => new(AngleOf(element, "lat_deg", 90, where, faults) / DegreesPerRadian, AngleOf(element, "lon_deg", 180, where, faults) / DegreesPerRadian, 0);
+        => GeodeticPosition.FromRadians(AngleOf(element, "lat_deg", 90, where, faults) / DegreesPerRadian, AngleOf(element, "lon_deg", 180, where, faults) / DegreesPerRadian, 0);
 
     private static double AngleOf(JsonElement element, string name, double limit, string where, List<string> faults)
     {

@@ -36,7 +36,7 @@ internal sealed class MapModel
         FlightSample[] samples = record.Samples.Where(s => s.HasPosition).ToArray();
         if (plan is null && samples.Length == 0)
             return new MapModel();
-        var frame = new LocalNedFrame(plan?.Home ?? samples[0].Position);
+        var frame = LocalNedFrame.IgnoringGeoid(plan?.Home ?? samples[0].Position);
         return new MapModel
         {
             Area = plan is null ? [] : [.. plan.Area.Select(frame.ToNed)],

@@ -3,24 +3,25 @@ using System;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Estimates how far the autopilot's clock is ahead of ours, and how fast it drifts: a weighted line through the answers of the last
-/// two minutes. No I/O, one thread, allocates nothing.
+/// Estimates how far the autopilot's clock is ahead of ours, and how fast it drifts: a weighted line through the last 256 answers, four
+/// minutes at one a second, and through when its other messages come in. No I/O, one thread, allocates nothing.
 /// </summary>
 /// <remarks>
 /// An answer whose way took longer than the shortest one by e is wrong by up to e/2 either way: where the two ways are alike, evenly
 /// spread, with variance e^2/12. Such answers weigh little, so that queues on the way do not bend the line; those that took much
 /// longer are left out. How short the way can be at best is not known either: of n answers whose ways vary by J the quickest took about
 /// J sqrt(2/n) longer, which is added to every e. The drift is held near 0 by what crystals do, which matters while the answers are few.
-/// Measured over seeds: a link of 20 ms each way that varies by 5 ms either way, 20 ppm drift: 0.31 ms rms, 1.5 ms at worst
-/// (2 ms: 0.14 and 0.9 ms), from 20 s on.
+/// Messages that come one way (<see cref="Hear"/>) tell nothing of the offset, but much of the drift, since there are so many of them.
+/// What it does not know it says: <see cref="OffsetErrorSecondsAt"/>, <see cref="DriftError"/>. The MAVLink documentation (docs/mavlink/protocols.md)
+/// has what was measured.
 /// </remarks>
 public sealed class MavlinkTimesyncFilter
 {
     /// <summary>How many answers it takes before the clock counts as known.</summary>
     public const int AnswersNeeded = 5;
 
-    // Two minutes at 1 Hz; over that a crystal's drift is a straight line.
-    private const int Capacity = 128;
+    // Four minutes at 1 Hz; over that a crystal's drift is a straight line.
+    private const int Capacity = 256;
 
     // Without an answer for that long the line is not drawn on any further.
     private static readonly TimeSpan ValidFor = TimeSpan.FromSeconds(60);
@@ -34,6 +35,10 @@ public sealed class MavlinkTimesyncFilter
     // No delay can make an answer, or the line, more wrong than half a round trip; what is by more than this is another clock than before.
     private const double JumpSeconds = 5e-3;
 
+    // Which messages were quick depends on the drift, and the drift on them.
+    private const int Passes = 3;
+
+    private readonly TimesyncArrivals _arrivals = new();
     private readonly double[] _time = new double[Capacity];
     private readonly double[] _offset = new double[Capacity];
     private readonly double[] _roundTrip = new double[Capacity];
@@ -43,6 +48,9 @@ public sealed class MavlinkTimesyncFilter
     private double _newest;
     private double _offsetAtNewest;
     private double _drift;
+    private double _offsetVariance;
+    private double _driftVariance;
+    private double _covariance;
 
     /// <summary>Answers that were left out, because their way took too long.</summary>
     public long Rejected { get; private set; }
@@ -56,12 +64,16 @@ public sealed class MavlinkTimesyncFilter
     /// <summary>Drift of the autopilot's clock against ours, seconds per second.</summary>
     public double Drift => _drift;
 
+    /// <summary>One standard deviation of <see cref="Drift"/>, seconds per second; NaN while there is no answer.</summary>
+    public double DriftError => _count == 0 ? double.NaN : Math.Sqrt(_driftVariance);
+
     /// <summary>Forgets everything.</summary>
     public void Clear()
     {
         _count = 0;
         _next = 0;
         _drift = 0;
+        _arrivals.Clear();
         ShortestRoundTripSeconds = double.NaN;
     }
 
@@ -98,6 +110,23 @@ public sealed class MavlinkTimesyncFilter
         return hasJumped;
     }
 
+    /// <summary>
+    /// Takes any other message that carries the autopilot's time: how its delay changes tells the drift, from the next answer on. Counts only
+    /// once there is an answer, and not if it is more than a second late: then it is none of this clock.
+    /// </summary>
+    /// <param name="arrival">When it came in, by our clock.</param>
+    /// <param name="theirSeconds">What the autopilot's clock says in it, the same clock as in the answers.</param>
+    public void Hear(TimeSpan arrival, double theirSeconds)
+    {
+        if (_count == 0)
+            return;
+        double ours = arrival.TotalSeconds;
+        double offset = theirSeconds - ours;
+        double late = OffsetSecondsAt(ours) - offset;
+        if (late >= -LongestRoundTripSeconds && late <= LongestRoundTripSeconds)
+            _arrivals.Take(ours - _origin, offset);
+    }
+
     /// <summary>Whether enough answers came, and lately.</summary>
     /// <param name="now">The time, by our clock.</param>
     /// <returns>Whether the offset is good.</returns>
@@ -107,6 +136,16 @@ public sealed class MavlinkTimesyncFilter
     /// <param name="ourSeconds">A time by our clock, seconds.</param>
     /// <returns>Seconds.</returns>
     public double OffsetSecondsAt(double ourSeconds) => _offsetAtNewest + (_drift * (ourSeconds - _origin - _newest));
+
+    /// <summary>One standard deviation of <see cref="OffsetSecondsAt"/>. Only once there is an answer.</summary>
+    /// <remarks>Without what no request and answer can tell: half of what one way is always longer than the other.</remarks>
+    /// <param name="ourSeconds">A time by our clock, seconds.</param>
+    /// <returns>Seconds; it grows with the time since the answers.</returns>
+    public double OffsetErrorSecondsAt(double ourSeconds)
+    {
+        double x = ourSeconds - _origin - _newest;
+        return Math.Sqrt(Math.Max(0, _offsetVariance + (2 * x * _covariance) + (x * x * _driftVariance)));
+    }
 
     private void Add(double middle, double offset, double roundTrip)
     {
@@ -121,7 +160,6 @@ public sealed class MavlinkTimesyncFilter
             _count++;
     }
 
-    // Weighted least squares about the newest answer, with an observation of no drift that is as sure as crystals are good.
     private void Fit()
     {
         double shortest = double.PositiveInfinity;
@@ -134,9 +172,14 @@ public sealed class MavlinkTimesyncFilter
 
         ShortestRoundTripSeconds = shortest;
         double best = shortest - ((mean - shortest) * Math.Sqrt(2.0 / _count));
+        for (int pass = 0; pass < Passes; pass++)
+            FitLine(best);
+    }
 
-        int newest = (_next + Capacity - 1) % Capacity;
-        double reference = _offset[newest];
+    // Weighted least squares about the newest answer, with an observation of no drift that is as sure as crystals are good.
+    private void FitLine(double best)
+    {
+        double reference = _offset[(_next + Capacity - 1) % Capacity];
         double w = 0;
         double wx = 0;
         double wxx = 1 / (TypicalDrift * TypicalDrift);
@@ -155,8 +198,15 @@ public sealed class MavlinkTimesyncFilter
             wxy += weight * x * y;
         }
 
+        _arrivals.AddTo(_newest, reference, _drift, ref wxx, ref wxy);
         double determinant = (w * wxx) - (wx * wx);
         _offsetAtNewest = reference + (((wxx * wy) - (wx * wxy)) / determinant);
         _drift = ((w * wxy) - (wx * wy)) / determinant;
+
+        // How much the ways vary is itself known from few answers only.
+        double caution = _count / Math.Max(1.0, _count - 3);
+        _offsetVariance = caution * wxx / determinant;
+        _driftVariance = caution * w / determinant;
+        _covariance = -caution * wx / determinant;
     }
 }

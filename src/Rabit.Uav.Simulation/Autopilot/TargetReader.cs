@@ -65,7 +65,7 @@ internal sealed class TargetReader(FlightController controller, Telemetry teleme
         if (!isAboveSea && !isAboveHome)
             return false;
         double aboveSea = isAboveSea ? altitude : frame.Origin.AltitudeAmslMetres - home.Down + altitude;
-        NedVector there = frame.ToWorld(new GeodeticPosition(latitudeDegE7 * RadiansPerDegE7, longitudeDegE7 * RadiansPerDegE7, aboveSea));
+        NedVector there = frame.ToWorld(GeodeticPosition.FromRadians(latitudeDegE7 * RadiansPerDegE7, longitudeDegE7 * RadiansPerDegE7, aboveSea));
 
         // Heights are counted from home, wherever the earth has curved to.
         place = isAboveSea ? there : new NedVector(there.North, there.East, home.Down - altitude);

@@ -108,6 +108,8 @@ public sealed class SimulatedCameraOptions
         CheckPixels(faults, "Height", Camera.Height);
         if (!(Camera.FocalX > 0) || !(Camera.FocalY > 0) || double.IsInfinity(Camera.FocalX + Camera.FocalY))
             faults.Add($"the focal lengths are {Camera.FocalX} and {Camera.FocalY} px; they must be above zero");
+        if (Camera.RowReadout != TimeSpan.Zero)
+            faults.Add($"{nameof(Camera.RowReadout)} is {Camera.RowReadout}; it exposes all rows at once, so that it must be zero");
         if (!(FramesPerSecond > 0) || FramesPerSecond > 1000)
             faults.Add($"{nameof(FramesPerSecond)} is {FramesPerSecond}; it must be above 0 and at most 1000");
         if (Exposure < TimeSpan.Zero)

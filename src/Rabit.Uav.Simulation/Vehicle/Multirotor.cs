@@ -46,7 +46,7 @@ internal sealed class Multirotor
     public double Yaw { get; set; }
 
     /// <summary>Body rates, radians per second.</summary>
-    public BodyRates Rates => new(
+    public BodyRates Rates => BodyRates.FromRadiansPerSecond(
         _rollRate - (_yawRate * Math.Sin(Pitch)),
         (_pitchRate * Math.Cos(Roll)) + (_yawRate * Math.Sin(Roll) * Math.Cos(Pitch)),
         (-_pitchRate * Math.Sin(Roll)) + (_yawRate * Math.Cos(Roll) * Math.Cos(Pitch)));

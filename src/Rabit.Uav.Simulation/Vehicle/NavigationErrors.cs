@@ -30,7 +30,7 @@ internal sealed class NavigationErrors
         var once = new SimulationRandom(seed, "navigation constants");
         _positionConstant = new NedVector(
             once.ModestNormal(PositionConstant), once.ModestNormal(PositionConstant), once.ModestNormal(PositionConstant));
-        _angleConstant = new EulerAngles(
+        _angleConstant = EulerAngles.FromRadians(
             once.ModestNormal(AngleConstant), once.ModestNormal(AngleConstant), once.ModestNormal(AngleConstant));
         _walk = ThreeOf(new SimulationRandom(seed, "position walk"), WalkSigma, WalkSeconds, step, startsAtZero: true);
         _position = ThreeOf(new SimulationRandom(seed, "position noise"), PositionNoise, NoiseSeconds, step);
@@ -48,7 +48,7 @@ internal sealed class NavigationErrors
     public NedVector ToldVelocity => Of(_velocity);
 
     /// <summary>The error of the attitude that is told.</summary>
-    public EulerAngles ToldAttitude => new(
+    public EulerAngles ToldAttitude => EulerAngles.FromRadians(
         _angleConstant.RollRadians + _angle[0].Value,
         _angleConstant.PitchRadians + _angle[1].Value,
         _angleConstant.YawRadians + _angle[2].Value);

@@ -212,7 +212,7 @@ internal sealed class SimulatedVehicle : IFrameSink
             HasPosition = Controller.HasPosition,
             Position = Body.Position.Plus(_errors.ToldPosition),
             Velocity = Body.Velocity.Plus(_errors.ToldVelocity),
-            Attitude = new EulerAngles(
+            Attitude = EulerAngles.FromRadians(
                 NedMath.Wrapped(Body.Roll + errors.RollRadians),
                 Body.Pitch + errors.PitchRadians,
                 NedMath.Wrapped(Body.Yaw + errors.YawRadians)),

@@ -59,11 +59,11 @@ internal sealed class WorldFrame
             latitude += missing.North / (meridian + altitude);
             longitude += missing.East / ((normal + altitude) * Math.Cos(latitude));
             altitude -= missing.Down;
-            NedVector reached = ToWorld(new GeodeticPosition(latitude, longitude, altitude));
+            NedVector reached = ToWorld(GeodeticPosition.FromRadians(latitude, longitude, altitude));
             missing = point.Minus(reached);
         }
 
-        return new GeodeticPosition(latitude, Math.IEEERemainder(longitude, 2 * Math.PI), altitude);
+        return GeodeticPosition.FromRadians(latitude, Math.IEEERemainder(longitude, 2 * Math.PI), altitude);
     }
 
     private static double NormalRadius(double sin) => SemiMajorAxis / Math.Sqrt(1 - (EccentricitySquared * sin * sin));

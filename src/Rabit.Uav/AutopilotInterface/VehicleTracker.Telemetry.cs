@@ -64,7 +64,7 @@ internal sealed partial class VehicleTracker
             return events | VehicleEvents.Refused;
 
         _state.PositionTime = time;
-        _state.Position = new GeodeticPosition(message.Lat * RadiansPerDegE7, message.Lon * RadiansPerDegE7, message.Alt / 1000.0);
+        _state.Position = GeodeticPosition.FromRadians(message.Lat * RadiansPerDegE7, message.Lon * RadiansPerDegE7, message.Alt / 1000.0);
         _state.HeightAboveHomeMetres = message.RelativeAlt / 1000.0;
         _state.VelocityNed = new NedVector(message.Vx / 100.0, message.Vy / 100.0, message.Vz / 100.0);
         return events | VehicleEvents.Changed;
@@ -79,8 +79,8 @@ internal sealed partial class VehicleTracker
             return events | VehicleEvents.Refused;
 
         _state.AttitudeTime = time;
-        _state.Attitude = new EulerAngles(Wrapped(message.Roll), message.Pitch, Wrapped(message.Yaw));
-        _state.Rates = new BodyRates(message.Rollspeed, message.Pitchspeed, message.Yawspeed);
+        _state.Attitude = EulerAngles.FromRadians(Wrapped(message.Roll), message.Pitch, Wrapped(message.Yaw));
+        _state.Rates = BodyRates.FromRadiansPerSecond(message.Rollspeed, message.Pitchspeed, message.Yawspeed);
         return events | VehicleEvents.Changed;
     }
 

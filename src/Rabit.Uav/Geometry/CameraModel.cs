@@ -42,9 +42,16 @@ public sealed class CameraModel
     /// <summary>Radial distortion, sixth order.</summary>
     public double K3 { get; init; }
 
+    /// <summary>How long after the row above it a row is exposed: the line time of a rolling shutter.</summary>
+    /// <value>The default is zero: all rows at once.</value>
+    public TimeSpan RowReadout { get; init; }
+
     // Newton's method doubles the digits in each step: a lens that it cannot undo in so many is folded there.
     private const int MaximumSteps = 30;
     private const double ConvergedSquared = 1e-26;
+
+    // No picture takes longer to read; it also is less than the poses around it may be apart.
+    private static readonly TimeSpan LongestReadout = TimeSpan.FromMilliseconds(500);
 
     /// <summary>
     /// The direction in which a pixel looks, with the lens undone: (x, y, 1) in the axes of the camera. False where the lens formula
@@ -96,8 +103,13 @@ public sealed class CameraModel
     }
 
     /// <summary>What is wrong with it, one line each.</summary>
+    /// <summary>How long after the top row's the middle of the exposure of a row is.</summary>
+    internal TimeSpan ReadoutOf(double row) => TimeSpan.FromTicks((long)Math.Round(row * RowReadout.Ticks));
+
     internal IEnumerable<string> FindFaults()
     {
+        if (RowReadout < TimeSpan.Zero || ReadoutOf(Height) > LongestReadout)
+            yield return FormattableString.Invariant($"the camera's rows are {RowReadout.TotalMilliseconds} ms apart; that must not be negative, and all {Height} rows not take longer than {LongestReadout.TotalSeconds} s");
         if (Width < 1 || Height < 1)
             yield return FormattableString.Invariant($"the camera's picture is {Width} x {Height}");
         if (!(FocalX > 0 && FocalY > 0) || double.IsInfinity(FocalX + FocalY))

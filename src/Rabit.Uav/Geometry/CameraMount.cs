@@ -45,8 +45,8 @@ public sealed class CameraMount
     {
         Rotation gimbal = FixedBodyFromCamera is { } fixedCamera
             ? fixedCamera * GimbalFromCamera.Inverse
-            : Rotation.FromEuler(new EulerAngles(0, gimbalPitchRadians, gimbalYawRadians));
-        Rotation bodyFromGimbal = Rotation.FromEuler(new EulerAngles(
+            : Rotation.FromEuler(EulerAngles.FromRadians(0, gimbalPitchRadians, gimbalYawRadians));
+        Rotation bodyFromGimbal = Rotation.FromEuler(EulerAngles.FromRadians(
             MisalignmentRollRadians + misalignmentError.RollRadians,
             MisalignmentPitchRadians + misalignmentError.PitchRadians,
             MisalignmentYawRadians + misalignmentError.YawRadians)) * gimbal;

@@ -30,5 +30,5 @@ public readonly struct EllipsoidPosition(GeographicPoint point, EllipsoidHeight 
     /// <summary>With its altitude above mean sea level, as autopilots tell it.</summary>
     /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid there.</param>
     public GeodeticPosition ToAmsl(double geoidUndulationMetres)
-        => new(Point.Latitude.Radians, Point.Longitude.Radians, Height.ToAmsl(geoidUndulationMetres).Metres);
+        => new(Point, Height.ToAmsl(geoidUndulationMetres));
 }

@@ -6,7 +6,7 @@ namespace Rabit.Uav.Geometry;
 /// <summary>
 /// A square of the Military Grid Reference System, from 100 km to 1 m wide, 80 degrees south to 84 north: as 32TMT6500050000. A plain value.
 /// </summary>
-/// <remarks>Rules: NGA.STND.0037, "Universal Grids and Grid Reference Systems", 2014. The squares about the poles (UPS) are not known to it.</remarks>
+/// <remarks>Rules: NGA.STND.0037, "Universal Grids and Grid Reference Systems", 2014. The squares about the poles (UPS, letters A, B, Y, Z) are not known to it: they are refused, by an exception or by what is read being false.</remarks>
 public readonly struct MgrsPosition
 {
     private const string Columns = "ABCDEFGHJKLMNPQRSTUVWXYZ";
@@ -57,6 +57,8 @@ public readonly struct MgrsPosition
     {
         if (digits is < 0 or > 5)
             throw new ArgumentOutOfRangeException(nameof(digits), digits, "A coordinate of MGRS has 0 to 5 digits.");
+        if (point.Latitude.Degrees is < -80 or > 84)
+            throw new ArgumentOutOfRangeException(nameof(point), $"MGRS is known here from 80 degrees south to 84 north; at {point.Latitude} its squares are those of the polar grid (UPS).");
         UtmPosition utm = UtmPosition.From(point);
         int width = PowerOfTen(5 - digits);
         int easting = (int)Math.Floor(utm.EastingMetres / width) * width;

@@ -138,7 +138,7 @@ public readonly struct Rotation
         (double sinRoll, double cosRoll) = (Math.Sin(roll), Math.Cos(roll));
         double sinYaw = (2 * ((X * Z) + (W * Y)) * sinRoll) - (2 * ((X * Y) - (W * Z)) * cosRoll);
         double cosYaw = ((1 - (2 * ((X * X) + (Z * Z)))) * cosRoll) - (2 * ((Y * Z) - (W * X)) * sinRoll);
-        return new EulerAngles(roll, Math.Atan2(sinPitch, cosPitch), Math.Atan2(sinYaw, cosYaw));
+        return EulerAngles.FromRadians(roll, Math.Atan2(sinPitch, cosPitch), Math.Atan2(sinYaw, cosYaw));
     }
 
     /// <summary>As an attitude, a vector of the body in north-east-down.</summary>

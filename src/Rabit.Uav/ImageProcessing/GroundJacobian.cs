@@ -77,14 +77,14 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
             Error(SightingInput.North) + (velocity.North * later),
             Error(SightingInput.East) + (velocity.East * later),
             Error(SightingInput.Down) + (velocity.Down * later));
-        Rotation turned = Rotation.FromEuler(new EulerAngles(
+        Rotation turned = Rotation.FromEuler(EulerAngles.FromRadians(
             attitude.RollRadians + Error(SightingInput.Roll),
             attitude.PitchRadians + Error(SightingInput.Pitch),
             attitude.YawRadians + Error(SightingInput.Yaw))).After(sighting.Pose.Rates, later);
         CameraPlacement placement = mount.At(
             sighting.GimbalPitchRadians + Error(SightingInput.GimbalPitch),
             sighting.GimbalYawRadians + Error(SightingInput.GimbalYaw),
-            new EulerAngles(Error(SightingInput.MountRoll), Error(SightingInput.MountPitch), Error(SightingInput.MountYaw)));
+            EulerAngles.FromRadians(Error(SightingInput.MountRoll), Error(SightingInput.MountPitch), Error(SightingInput.MountYaw)));
         double down = sighting.GroundDownMetres - Error(SightingInput.GroundHeight);
         return Sighting.Ray(turned, placement, vehicle, x, y).TryMeetPlane(
             new NedVector(sighting.GroundPoint.North, sighting.GroundPoint.East, down), sighting.GroundDownByNorth, sighting.GroundDownByEast, out point);

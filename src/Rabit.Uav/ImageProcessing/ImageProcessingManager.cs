@@ -61,10 +61,11 @@ public sealed class ImageProcessingManager : RabitManager
         : base(ManagerName)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(camera is not null, nameof(options));
+        _poses = new PoseHistory(_options.LongestPoseGap);
         if (camera is not null)
         {
             _camera = AttachReader("camera", camera, FramesQueued, QueueFullMode.DropOldest);
-            _search = new PictureSearch(_options, _options.Camera!);
+            _search = new PictureSearch(_options, _options.Camera!, _poses);
         }
 
         _poseQueue = Receive<PoseSample>(MessageNames.Poses, PosesQueued, QueueFullMode.DropOldest, wakeOnPush: false);
@@ -74,7 +75,6 @@ public sealed class ImageProcessingManager : RabitManager
         _looks = Send<CameraLook>(MessageNames.Looks);
         _searchedGround = Send<CameraLook>(MessageNames.SearchedGround);
         _status = Publish<ImagingStatus>(MessageNames.Imaging);
-        _poses = new PoseHistory(_options.LongestPoseGap);
         _waiting = new WaitingFrames(_options.FramesWaiting);
         _album = new CutOutAlbum(_options.CutOutsKept, _options.CutOutSide);
         WakeUpDelay = IdleCycle;
@@ -130,19 +130,35 @@ public sealed class ImageProcessingManager : RabitManager
     {
         for (int i = 0; i < _waiting.Count;)
         {
-            PoseAnswer answer = _poses.Find(_waiting[i].MidExposure, out Pose pose);
+            PoseAnswer answer = FindPoses(_waiting[i], out Pose pose);
             if (answer == PoseAnswer.Known)
                 Search(i, pose);
             else if (answer != PoseAnswer.NotYet)
                 Refuse(i, answer == PoseAnswer.Gap ? PoseGap : PoseTooOld);
             else if (now - _waiting.Since(i) < _options.PoseTimeout)
                 i++;
-            else if (_poses.Extrapolate(_waiting[i].MidExposure, _options.LongestExtrapolation, out pose) == PoseAnswer.Extrapolated)
+            else if (_poses.Extrapolate(MiddleOf(_waiting[i]), _options.LongestExtrapolation, out pose) == PoseAnswer.Extrapolated)
                 Search(i, pose);
             else
                 Refuse(i, NoPose);
         }
     }
+
+    // Of the middle row, once the poses around the first and the last one are known too.
+    private PoseAnswer FindPoses(in CameraFrame frame, out Pose pose)
+    {
+        PoseAnswer answer = _poses.Find(MiddleOf(frame), out pose);
+        TimeSpan readout = LastRow();
+        if (answer != PoseAnswer.Known || readout == TimeSpan.Zero)
+            return answer;
+        PoseAnswer first = _poses.Find(frame.MidExposure, out _);
+        return first == PoseAnswer.Known ? _poses.Find(frame.MidExposure + readout, out _) : first;
+    }
+
+    private TimeSpan MiddleOf(in CameraFrame frame) => frame.MidExposure + TimeSpan.FromTicks(LastRow().Ticks / 2);
+
+    // A frame is here only with a camera.
+    private TimeSpan LastRow() => _options.Camera!.ReadoutOf(_options.Camera.Height - 1);
 
     private void Search(int index, in Pose pose)
     {

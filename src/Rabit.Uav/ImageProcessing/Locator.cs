@@ -37,7 +37,7 @@ internal sealed class Locator
     /// <summary>Turns to a picture.</summary>
     public void Aim(in Pose pose, in ImagingOrder order)
     {
-        _frame = new LocalNedFrame(pose.Position);
+        _frame = LocalNedFrame.IgnoringGeoid(pose.Position);
         _sighting.Pose = pose;
         _sighting.GimbalPitchRadians = order.CameraPitchRadians;
         _sighting.GimbalYawRadians = order.CameraYawRadians;

@@ -18,13 +18,20 @@ internal sealed class PictureSearch
     private readonly CameraModel _camera;
     private readonly Detector _detector;
     private readonly Locator _locator;
+    private readonly PoseHistory _poses;
+    private readonly TimeSpan _longestExtrapolation;
     private readonly TargetReport[] _reports;
     private int _reportCount;
     private CameraLook _look;
 
-    public PictureSearch(ImageProcessingOptions options, CameraModel camera)
+    /// <param name="options">Checked.</param>
+    /// <param name="camera">Of the options.</param>
+    /// <param name="poses">Where the poses of single rows come from, with a rolling shutter.</param>
+    public PictureSearch(ImageProcessingOptions options, CameraModel camera, PoseHistory poses)
     {
         _camera = camera;
+        _poses = poses;
+        _longestExtrapolation = options.LongestExtrapolation;
         _detector = new Detector(options);
         _locator = new Locator(camera, options.Mount, options.Errors, options.MinimumDepressionRadians, options.Terrain);
         _reports = new TargetReport[options.MaximumReportsPerPicture];
@@ -40,6 +47,10 @@ internal sealed class PictureSearch
     public int Cut => _detector.Cut;
 
     /// <summary>Searches a picture.</summary>
+    /// <param name="frame">The picture.</param>
+    /// <param name="pose">At the middle of the exposure of the middle row.</param>
+    /// <param name="order">What to look for, and where the camera points.</param>
+    /// <param name="systemId">Who looks.</param>
     /// <returns>Why it could not be searched; null if it was.</returns>
     public string? Search(in CameraFrame frame, in Pose pose, in ImagingOrder order, byte systemId)
     {
@@ -48,33 +59,53 @@ internal sealed class PictureSearch
             return WrongSize;
         if (frame.Pixels.IsEmpty || frame.Pixels.Array.Length < frame.Width * frame.Height * 3)
             return NoBuffer;
-        _locator.Aim(pose, order);
-        if (!TryFindCorners())
+        if (!TryFindCorners(frame, pose, order))
             return NotGround;
+        _locator.Aim(pose, order);
         if (!_detector.TrySearch(frame.Pixels.Array, frame.Width, frame.Height, order.Colours, _locator))
             return TooManySpots;
         foreach (ref readonly Detection found in _detector.Found)
-            Report(found, frame, systemId);
+            Report(found, frame, pose, order, systemId);
         _look.SourceSystemId = systemId;
         _look.Number = frame.Number;
-        _look.Time = frame.MidExposure;
+        _look.Time = pose.Time;
         _look.Reports = _reportCount;
         return null;
     }
 
-    private bool TryFindCorners()
+    private bool TryFindCorners(in CameraFrame frame, in Pose pose, in ImagingOrder order)
     {
         double right = _camera.Width - 1;
         double bottom = _camera.Height - 1;
-        if (!_locator.TryLocate(0, 0, out GeodeticPosition topLeft) || !_locator.TryLocate(right, 0, out GeodeticPosition topRight)
-            || !_locator.TryLocate(right, bottom, out GeodeticPosition bottomRight) || !_locator.TryLocate(0, bottom, out GeodeticPosition bottomLeft))
+        Aim(frame, 0, pose, order);
+        if (!_locator.TryLocate(0, 0, out GeodeticPosition topLeft) || !_locator.TryLocate(right, 0, out GeodeticPosition topRight))
+            return false;
+        Aim(frame, bottom, pose, order);
+        if (!_locator.TryLocate(right, bottom, out GeodeticPosition bottomRight) || !_locator.TryLocate(0, bottom, out GeodeticPosition bottomLeft))
             return false;
         (_look.TopLeft, _look.TopRight, _look.BottomRight, _look.BottomLeft) = (topLeft, topRight, bottomRight, bottomLeft);
         return true;
     }
 
-    private void Report(in Detection found, in CameraFrame frame, byte systemId)
+    // At the pose of a row. The caller made sure that there are poses around all rows; where they are drawn on, the last rows may lie
+    // a little beyond, and go on from the middle one.
+    private TimeSpan Aim(in CameraFrame frame, double row, in Pose middle, in ImagingOrder order)
     {
+        Pose pose = middle;
+        TimeSpan time = frame.MidExposure + _camera.ReadoutOf(row);
+        if (_camera.RowReadout > TimeSpan.Zero && _poses.Extrapolate(time, _longestExtrapolation, out pose) is not (PoseAnswer.Known or PoseAnswer.Extrapolated))
+        {
+            pose = middle.After((time - middle.Time).TotalSeconds);
+            pose.ExtrapolatedSeconds = Math.Max(0, middle.ExtrapolatedSeconds + (time - middle.Time).TotalSeconds);
+        }
+
+        _locator.Aim(pose, order);
+        return time;
+    }
+
+    private void Report(in Detection found, in CameraFrame frame, in Pose middle, in ImagingOrder order, byte systemId)
+    {
+        TimeSpan time = Aim(frame, found.CentreY, middle, order);
         if (!_locator.TryLocate(found.CentreX, found.CentreY, out GeodeticPosition place)
             || !_locator.TryCovariances(found.CentreX, found.CentreY, out HorizontalCovariance perLook, out HorizontalCovariance common))
             return;
@@ -83,7 +114,7 @@ internal sealed class PictureSearch
             SourceSystemId = systemId,
             LookNumber = frame.Number,
             Index = _reportCount,
-            Time = frame.MidExposure,
+            Time = time,
             Position = place,
             Covariance = perLook,
             CommonCovariance = common,

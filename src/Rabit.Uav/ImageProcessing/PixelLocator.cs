@@ -26,10 +26,6 @@ public sealed class PixelLocator
         _poses = new PoseHistory(_options.LongestPoseGap);
     }
 
-    /// <summary>How long a row of the picture is exposed after the one above it.</summary>
-    /// <value>The default is zero: all rows at once.</value>
-    public TimeSpan RowReadout { get; set; }
-
     /// <summary>Samples that were not used: not a number, of a moment that was there already, or too old.</summary>
     public long RefusedSamples => _poses.Refused;
 
@@ -47,7 +43,7 @@ public sealed class PixelLocator
         var fix = new GroundFix { Time = middleOfExposure };
         if (!(column >= -0.5 && column <= _camera.Width - 0.5 && row >= -0.5 && row <= _camera.Height - 0.5))
             return Refuse(fix, LocateRefusal.OutsidePicture);
-        fix.Time += TimeSpan.FromTicks((long)Math.Round(row * RowReadout.Ticks));
+        fix.Time += _camera.ReadoutOf(row);
         PoseAnswer answer = _poses.Extrapolate(fix.Time, _options.LongestExtrapolation, out Pose pose);
         if (answer is not (PoseAnswer.Known or PoseAnswer.Extrapolated))
             return Refuse(fix, answer switch { PoseAnswer.TooOld => LocateRefusal.PoseTooOld, PoseAnswer.Gap => LocateRefusal.PoseGap, _ => LocateRefusal.NoPose });

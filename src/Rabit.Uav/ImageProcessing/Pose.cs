@@ -24,7 +24,7 @@ internal struct Pose
     /// <summary>What it was, or will be, at the same velocity and rates.</summary>
     public readonly Pose After(double seconds)
     {
-        var frame = new LocalNedFrame(Position);
+        var frame = LocalNedFrame.IgnoringGeoid(Position);
         Pose pose = this;
         pose.Time = Time + TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
         pose.Position = frame.ToGeodetic(new NedVector(VelocityNed.North * seconds, VelocityNed.East * seconds, VelocityNed.Down * seconds));

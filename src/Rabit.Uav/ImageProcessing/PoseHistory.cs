@@ -98,7 +98,7 @@ internal sealed class PoseHistory(TimeSpan longestGap)
         if (pair.Seconds <= 0)
             return (pair.Before.Position, hasVelocity ? startVelocity : default);
 
-        var frame = new LocalNedFrame(pair.Before.Position);
+        var frame = LocalNedFrame.IgnoringGeoid(pair.Before.Position);
         NedVector end = frame.ToNed(pair.After.Position);
         double seconds = pair.Seconds;
         if (!hasVelocity)
@@ -128,7 +128,7 @@ internal sealed class PoseHistory(TimeSpan longestGap)
         double roll = a.RollRadiansPerSecond + (part * (b.RollRadiansPerSecond - a.RollRadiansPerSecond));
         double pitch = a.PitchRadiansPerSecond + (part * (b.PitchRadiansPerSecond - a.PitchRadiansPerSecond));
         double yaw = a.YawRadiansPerSecond + (part * (b.YawRadiansPerSecond - a.YawRadiansPerSecond));
-        return IsFinite(roll + pitch + yaw) ? new BodyRates(roll, pitch, yaw) : default;
+        return IsFinite(roll + pitch + yaw) ? BodyRates.FromRadiansPerSecond(roll, pitch, yaw) : default;
     }
 
     private static bool IsValid(GeodeticPosition p)

@@ -21,13 +21,16 @@ public struct CameraFrame : IDisposable
     /// <summary>Which picture of its camera it is, from 0; a gap is a picture that was lost.</summary>
     public long Number { get; set; }
 
-    /// <summary>When the exposure began, by the clock of the run.</summary>
+    /// <summary>When the exposure began, that of the top row, by the clock of the run.</summary>
     public TimeSpan FrameStart { get; set; }
 
     /// <summary>How long the exposure took.</summary>
     public TimeSpan Exposure { get; set; }
 
-    /// <summary>The middle of the exposure: what the picture shows was true then.</summary>
+    /// <summary>
+    /// The middle of the exposure: what the picture shows was true then. With a rolling shutter (<c>CameraModel.RowReadout</c>) that
+    /// holds of the top row, and each row comes so much later than the one above it.
+    /// </summary>
     public readonly TimeSpan MidExposure => FrameStart + TimeSpan.FromTicks(Exposure.Ticks / 2);
 
     /// <summary>Gives the buffer back.</summary>

@@ -15,7 +15,7 @@ public struct CameraLook
     /// <summary>Number of the picture.</summary>
     public long Number { get; set; }
 
-    /// <summary>When: mid-exposure by the clock of the run.</summary>
+    /// <summary>When: mid-exposure by the clock of the run; of the middle row, where rows are exposed one after the other.</summary>
     public TimeSpan Time { get; set; }
 
     /// <summary>How many reports went out for it.</summary>

@@ -15,7 +15,7 @@ public struct TargetReport
     /// <summary>Which report of that picture it is, from 0.</summary>
     public int Index { get; set; }
 
-    /// <summary>When it was there: mid-exposure by the clock of the run.</summary>
+    /// <summary>When it was there: mid-exposure by the clock of the run; of its own row, where rows are exposed one after the other.</summary>
     public TimeSpan Time { get; set; }
 
     /// <summary>Where it stood, on the ground.</summary>

@@ -48,7 +48,7 @@ internal sealed class FlightPlan
     /// <param name="fault">Why it cannot be flown from there; empty where it can.</param>
     public static FlightPlan? Make(MissionPlan mission, GeodeticPosition home, out string fault)
     {
-        var frame = new LocalNedFrame(home);
+        var frame = LocalNedFrame.IgnoringGeoid(home);
         fault = FindFault(mission, frame) ?? string.Empty;
         if (fault.Length > 0)
             return null;
@@ -65,7 +65,7 @@ internal sealed class FlightPlan
             return $"the area reaches {MissionText.Of(far)} m from the vehicle; at most {MissionText.Of(FarthestAreaMetres)} m are flown";
         if (mission.Home is not { } home)
             return null;
-        NedVector off = frame.ToNed(new GeodeticPosition(home.LatitudeRadians, home.LongitudeRadians, frame.Origin.AltitudeAmslMetres));
+        NedVector off = frame.ToNed(GeodeticPosition.FromRadians(home.LatitudeRadians, home.LongitudeRadians, frame.Origin.AltitudeAmslMetres));
         double distance = new PlanePoint(off.North, off.East).Length;
         if (!(distance <= FarthestHomeMetres))
             return $"the vehicle stands {MissionText.Of(distance)} m from the mission's home; at most {MissionText.Of(FarthestHomeMetres)} m are allowed";

@@ -88,7 +88,7 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
     {
         GeodeticPosition at = Vehicle.Position;
         Plan = FlightPlan.Make(
-            Mission, new GeodeticPosition(at.LatitudeRadians, at.LongitudeRadians, at.AltitudeAmslMetres - HeightMetres), out string fault);
+            Mission, GeodeticPosition.FromRadians(at.LatitudeRadians, at.LongitudeRadians, at.AltitudeAmslMetres - HeightMetres), out string fault);
         if (Plan is not null)
             Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
         return fault;

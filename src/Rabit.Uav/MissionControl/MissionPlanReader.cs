@@ -115,7 +115,7 @@ internal static class MissionPlanReader
         return corner[0].ValueKind == JsonValueKind.Number && corner[1].ValueKind == JsonValueKind.Number
             && corner[0].TryGetDouble(out double latitude) && corner[1].TryGetDouble(out double longitude)
             && Math.Abs(latitude) <= 90 && Math.Abs(longitude) <= 180
-            ? new GeodeticPosition(ToRadians(latitude)!.Value, ToRadians(longitude)!.Value, 0)
+            ? GeodeticPosition.FromRadians(ToRadians(latitude)!.Value, ToRadians(longitude)!.Value, 0)
             : null;
     }
 

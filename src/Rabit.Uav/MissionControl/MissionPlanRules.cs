@@ -86,7 +86,7 @@ internal static class MissionPlanRules
             }
         }
 
-        var frame = new LocalNedFrame(plan.Area[0]);
+        var frame = LocalNedFrame.IgnoringGeoid(plan.Area[0]);
         var area = new PlanePolygon(plan.Area.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
         foreach (string fault in ShapeFaults(area))
             yield return fault;

@@ -167,7 +167,7 @@ public sealed class SensorFusionManager : RabitManager
             _isChanged = true;
         }
 
-        _frame = new LocalNedFrame(first);
+        _frame = LocalNedFrame.IgnoringGeoid(first);
     }
 
     private static bool IsFarAway(NedVector place) => !(Math.Abs(place.North) < FarAwayMetres && Math.Abs(place.East) < FarAwayMetres);

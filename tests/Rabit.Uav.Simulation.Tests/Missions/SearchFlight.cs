@@ -143,7 +143,7 @@ internal sealed class SearchFlight : IDisposable
         var scores = new List<TargetScore>();
         foreach (SimulatedTarget target in World.Targets)
         {
-            var frame = new LocalNedFrame(World.PositionOf(target.NorthMetres, target.EastMetres));
+            var frame = LocalNedFrame.IgnoringGeoid(World.PositionOf(target.NorthMetres, target.EastMetres));
             TargetTrack? best = free.Where(t => t.Colour == target.Colour && Distance(frame, t) < 10).OrderBy(t => Distance(frame, t)).FirstOrDefault();
             if (best is not null)
                 free.Remove(best);

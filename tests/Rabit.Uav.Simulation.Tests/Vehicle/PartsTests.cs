@@ -121,9 +121,9 @@ public class PartsTests
         var random = new SimulationRandom(7, "places");
         foreach (double latitude in (double[])[-75, -35.36, 0, 12, 47, 80])
         {
-            var home = new GeodeticPosition(latitude * Degree, 179.99 * Degree, 500);
+            var home = GeodeticPosition.FromDegrees(latitude, 179.99, 500);
             var mine = new WorldFrame(home);
-            var product = new LocalNedFrame(home);
+            var product = LocalNedFrame.IgnoringGeoid(home);
             for (int point = 0; point < 200; point++)
             {
                 var ned = new NedVector(random.Uniform(-2000, 2000), random.Uniform(-2000, 2000), random.Uniform(-500, 100));
@@ -138,8 +138,8 @@ public class PartsTests
     [Fact]
     public void WorldFrame_OneMinuteOfLatitude_IsAboutANauticalMile()
     {
-        var frame = new WorldFrame(new GeodeticPosition(45 * Degree, 0, 0));
-        Assert.Equal(1852.2, frame.ToWorld(new GeodeticPosition((45 + (1 / 60.0)) * Degree, 0, 0)).North, 0);
+        var frame = new WorldFrame(GeodeticPosition.FromRadians(45 * Degree, 0, 0));
+        Assert.Equal(1852.2, frame.ToWorld(GeodeticPosition.FromRadians((45 + (1 / 60.0)) * Degree, 0, 0)).North, 0);
     }
 
     private static void AssertNear(NedVector expected, NedVector actual)

@@ -82,7 +82,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     {
         var camera = new SimulatedCameraOptions();
         var truth = new TruthHistory(400);
-        var frame = new WorldFrame(new GeodeticPosition(0.8395, 0.1486, 445));
+        var frame = new WorldFrame(GeodeticPosition.FromRadians(0.8395, 0.1486, 445));
         IReadOnlyList<SimulatedTarget> things = TargetField.Place(seed, [(-5, -10), (-5, 65), (75, 65), (75, -10)], 10, 10);
         var source = new SimulatedCamera(camera, truth, things, seed);
         var manager = new ImageProcessingManager(

@@ -61,7 +61,7 @@ internal sealed class SurveyFlight : RabitManager
         {
             Kind = PoseSampleKind.Attitude,
             Time = pose.Time,
-            Attitude = new EulerAngles(pose.Roll, pose.Pitch, Math.IEEERemainder(pose.Yaw, 2 * Math.PI)),
+            Attitude = EulerAngles.FromRadians(pose.Roll, pose.Pitch, Math.IEEERemainder(pose.Yaw, 2 * Math.PI)),
         });
         if (hasPosition)
         {

@@ -190,7 +190,7 @@ public sealed class MailTests
     {
         LookNumber = look,
         Index = index,
-        Position = new GeodeticPosition(0.7, 0.1, 101.25),
+        Position = GeodeticPosition.FromRadians(0.7, 0.1, 101.25),
         Covariance = new HorizontalCovariance(1.5, 0.25, 2),
         CommonCovariance = new HorizontalCovariance(1, 0, 1),
         Colour = TargetColours.Orange,

@@ -69,11 +69,11 @@ public sealed class OwnPositionTests
             {
                 SystemId = 1,
                 PositionTime = rig.Reactor.Now,
-                Position = new GeodeticPosition(-35.363261 * Math.PI / 180, 149.16523 * Math.PI / 180, 584.1),
+                Position = GeodeticPosition.FromDegrees(-35.363261, 149.16523, 584.1),
                 HeightAboveHomeMetres = 30,
                 VelocityNed = new NedVector(1.5, -2.5, 0.05),
                 AttitudeTime = rig.Reactor.Now,
-                Attitude = new EulerAngles(0, 0, -1 * Math.PI / 180),
+                Attitude = EulerAngles.FromRadians(0, 0, -1 * Math.PI / 180),
             });
             rig.Run(TimeSpan.FromSeconds(0.1));
         }

@@ -28,7 +28,7 @@ public sealed class TargetReportCodecTests
                 LookNumber = random.Next(),
                 Index = random.Next(256),
                 Time = Now - TimeSpan.FromSeconds(random.NextDouble() * 600),
-                Position = new GeodeticPosition((random.NextDouble() - 0.5) * Math.PI, (random.NextDouble() - 0.5) * 2 * Math.PI, (random.NextDouble() * 9000) - 400),
+                Position = GeodeticPosition.FromRadians((random.NextDouble() - 0.5) * Math.PI, (random.NextDouble() - 0.5) * 2 * Math.PI, (random.NextDouble() * 9000) - 400),
                 Covariance = new HorizontalCovariance(nn, Math.Sqrt(nn * ee) * ((random.NextDouble() * 1.9) - 0.95), ee),
                 CommonCovariance = i % 3 == 0 ? default : new HorizontalCovariance(ee, 0, nn),
                 Colour = (TargetColours)(1 << random.Next(5)),
@@ -117,7 +117,7 @@ public sealed class TargetReportCodecTests
         Assert.False(Encodes(good with { Covariance = new HorizontalCovariance(double.NaN, 0, 1) }));
         Assert.False(Encodes(good with { CommonCovariance = new HorizontalCovariance(-1, 0, 1) }));
         Assert.False(Encodes(good with { Position = default }));
-        Assert.False(Encodes(good with { Position = new GeodeticPosition(double.NaN, 0, 0) }));
+        Assert.False(Encodes(good with { Position = GeodeticPosition.FromRadians(double.NaN, 0, 0) }));
         Assert.False(Encodes(good with { Time = TimeSpan.FromHours(-1) }));
         Assert.False(Codec.TryEncode(good, TimeSpan.Zero, new byte[TargetReportCodec.Length - 1], out _));
     }

@@ -88,7 +88,7 @@ public sealed class RotationTests
         foreach (JsonElement c in Vectors.Attitude.Each("integrate"))
         {
             double[] w = c.Numbers("omega_body");
-            AssertSame(c.Numbers("q1"), Quaternion(c.Numbers("q0")).After(new BodyRates(w[0], w[1], w[2]), c.Number("dt")), Tolerance);
+            AssertSame(c.Numbers("q1"), Quaternion(c.Numbers("q0")).After(BodyRates.FromRadiansPerSecond(w[0], w[1], w[2]), c.Number("dt")), Tolerance);
         }
     }
 
@@ -106,7 +106,7 @@ public sealed class RotationTests
     private static Rotation Quaternion(double[] q) => Rotation.FromQuaternion(q[0], q[1], q[2], q[3]);
 
     private static Rotation Euler(double[] rpy)
-        => Rotation.FromEuler(new EulerAngles(rpy[0] * Vectors.Degree, rpy[1] * Vectors.Degree, rpy[2] * Vectors.Degree));
+        => Rotation.FromEuler(EulerAngles.FromDegrees(rpy[0], rpy[1], rpy[2]));
 
     private static double Wrapped(double radians) => Math.IEEERemainder(radians, 2 * Math.PI);
 

@@ -42,9 +42,9 @@ internal static class Vectors
 
     public static double[] Numbers(this JsonElement item, string name) => item.GetProperty(name).EnumerateArray().Select(n => n.GetDouble()).ToArray();
 
-    public static EulerAngles Euler(this JsonElement item) => new(item.Radians("roll"), item.Radians("pitch"), item.Radians("yaw"));
+    public static EulerAngles Euler(this JsonElement item) => EulerAngles.FromRadians(item.Radians("roll"), item.Radians("pitch"), item.Radians("yaw"));
 
-    public static GeodeticPosition Position(this JsonElement item) => new(item.Radians("lat"), item.Radians("lon"), item.Number("h"));
+    public static GeodeticPosition Position(this JsonElement item) => GeodeticPosition.FromRadians(item.Radians("lat"), item.Radians("lon"), item.Number("h"));
 
     public static CameraModel Camera(int index)
     {
@@ -82,16 +82,20 @@ internal static class Vectors
     /// <summary>Metres between two places, also across the date line.</summary>
     public static double Distance(GeodeticPosition a, GeodeticPosition b)
     {
-        NedVector d = new LocalNedFrame(a).ToNed(b);
+        NedVector d = LocalNedFrame.IgnoringGeoid(a).ToNed(b);
         return Math.Sqrt((d.North * d.North) + (d.East * d.East) + (d.Down * d.Down));
+    }
+
+    /// <summary>A folder of the larger sets; null where it is not there.</summary>
+    public static string? FolderOf(string name)
+    {
+        string root = Environment.GetEnvironmentVariable("RABIT_VECTORS") ?? Path.Combine(Repository.Root, "..", "shared", "vectors");
+        string folder = Path.Combine(root, name);
+        return Directory.Exists(folder) ? folder : null;
     }
 
     private static JsonDocument Open(string file) => JsonDocument.Parse(File.ReadAllText(Path.Combine(FullFolder ?? Folder, file)));
 
     private static string? FindFullFolder()
-    {
-        string? root = Environment.GetEnvironmentVariable("RABIT_VECTORS") ?? Path.Combine(Repository.Root, "..", "shared", "vectors");
-        string folder = Path.Combine(root, "autonomy");
-        return File.Exists(Path.Combine(folder, "geodesy.json")) ? folder : null;
-    }
+        => FolderOf("autonomy") is { } folder && File.Exists(Path.Combine(folder, "geodesy.json")) ? folder : null;
 }

@@ -290,7 +290,7 @@ public sealed class DetectorTests
     private static Locator Over(double pixelsPerMetre)
     {
         var view = new TestView();
-        view.Position = new GeodeticPosition(0.8, 0.1, view.GroundAltitude + (view.Camera.FocalX / pixelsPerMetre));
+        view.Position = GeodeticPosition.FromRadians(0.8, 0.1, view.GroundAltitude + (view.Camera.FocalX / pixelsPerMetre));
         return view.Aim(new ErrorBudget());
     }
 

@@ -20,7 +20,7 @@ public sealed class ImageProcessingManagerTests
         TargetReport report = Assert.Single(rig.Sink.Reports);
         Assert.Equal((7, 0L, 0, TargetColours.Red), (report.SourceSystemId, report.LookNumber, report.Index, report.Colour));
         Assert.Equal(TimeSpan.FromSeconds(1.03), report.Time);
-        NedVector ned = new LocalNedFrame(rig.View.Position).ToNed(report.Position);
+        NedVector ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
         Assert.Equal(ImagingRig.North, ned.North, 0.05);
         Assert.Equal(ImagingRig.East, ned.East, 0.05);
         Assert.Equal(rig.View.GroundAltitude, report.Position.AltitudeAmslMetres, 0.01);
@@ -164,7 +164,7 @@ public sealed class ImageProcessingManagerTests
         Assert.Equal((1L, PictureSearch.WrongSize), (status.FramesRefused, status.LastRefusal));
 
         rig.Camera.Size = (Painting.Width, Painting.Height);
-        rig.View.Attitude = new EulerAngles(1.2, 0, 0);
+        rig.View.Attitude = EulerAngles.FromRadians(1.2, 0, 0);
         rig.AddPoses(3, 5);
         rig.Camera.Add(1, 4, 4.1);
         rig.Run(3);
@@ -187,7 +187,7 @@ public sealed class ImageProcessingManagerTests
 
     private static void AssertCorners(TestView view, CameraLook look)
     {
-        var frame = new LocalNedFrame(view.Position);
+        var frame = LocalNedFrame.IgnoringGeoid(view.Position);
         (GeodeticPosition Corner, double Column, double Row)[] corners =
         [
             (look.TopLeft, 0, 0), (look.TopRight, Painting.Width - 1, 0),

@@ -99,6 +99,14 @@ internal sealed class ImagingRig : IDisposable
         }
     }
 
+    /// <summary>One position and one attitude.</summary>
+    public void AddPose(double seconds, GeodeticPosition position, NedVector velocity, EulerAngles attitude, BodyRates rates)
+    {
+        TimeSpan time = TimeSpan.FromSeconds(seconds);
+        _poses.Push(new PoseSample { Kind = PoseSampleKind.Position, Time = time, Position = position, VelocityNed = velocity });
+        _poses.Push(new PoseSample { Kind = PoseSampleKind.Attitude, Time = time, Attitude = attitude, Rates = rates });
+    }
+
     public void Run(double seconds) => Reactor.RunFor(TimeSpan.FromSeconds(seconds));
 
     public ReactorResult Finish()

@@ -58,7 +58,7 @@ public sealed class LocatorTests
             double[] w = c.Numbers("omega_body_deg_s");
             Pose pose = PoseOf(look);
             pose.VelocityNed = new NedVector(v[0], v[1], v[2]);
-            pose.Rates = new BodyRates(w[0] * Vectors.Degree, w[1] * Vectors.Degree, w[2] * Vectors.Degree);
+            pose.Rates = BodyRates.FromDegreesPerSecond(w[0], w[1], w[2]);
             Assert.True(jacobian.TryCompute(SightingOf(look, pose), look.Number("u"), look.Number("v")));
 
             HorizontalCovariance covariance = jacobian.Covariance(sigmas);
@@ -94,6 +94,21 @@ public sealed class LocatorTests
         Assert.True(seen > 100, $"{seen} were seen");
     }
 
+    // The middle of the picture of a camera that looks straight down, nose north (docs/managers/image-processing.md).
+    [Theory]
+    [InlineData(10, 0, 0, 0, 0, -1)]
+    [InlineData(0, 10, 0, 0, 1, 0)]
+    [InlineData(0, 0, 100, 0, 0, 1)]
+    [InlineData(0, 0, 0, 100, -1, 0)]
+    public void TryLocate_StraightDownNoseNorth_MovesAsTheQuickSignCheckSays(double roll, double pitch, double columns, double rows, int north, int east)
+    {
+        var view = new TestView { Attitude = EulerAngles.FromDegrees(roll, pitch, 0) };
+        Assert.True(view.Aim(new ErrorBudget()).TryLocate(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedVector ground));
+        Assert.Equal((north, east), (Sign(ground.North), Sign(ground.East)));
+
+        static int Sign(double metres) => Math.Abs(metres) < 2 ? 0 : Math.Sign(metres);
+    }
+
     [Fact]
     public void Scale_StraightDown_IsHeightOverFocalLength()
     {
@@ -127,7 +142,7 @@ public sealed class LocatorTests
             MountBiasRadians = 0,
             AltitudeBiasMetres = 0,
         };
-        var view = new TestView { Attitude = new EulerAngles(0.1, -0.15, 0.7), Velocity = new NedVector(6, -3, 0.5), Rates = new BodyRates(0.2, -0.1, 0.1) };
+        var view = new TestView { Attitude = EulerAngles.FromRadians(0.1, -0.15, 0.7), Velocity = new NedVector(6, -3, 0.5), Rates = BodyRates.FromRadiansPerSecond(0.2, -0.1, 0.1) };
         Locator locator = view.Aim(budget);
         const double Column = 480;
         const double Row = 120;

@@ -28,14 +28,14 @@ public sealed class PoseHistoryTests
     public void Extrapolate_BeyondTheNewest_GoesOnAtTheSameRatesAndSaysHowFar()
     {
         _history.Add(new PoseSample { Kind = PoseSampleKind.Position, Time = Seconds(1), Position = Place(), VelocityNed = new NedVector(10, 0, -2) });
-        _history.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = Seconds(1.02), Rates = new BodyRates(0, 0, 0.5) });
+        _history.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = Seconds(1.02), Rates = BodyRates.FromRadiansPerSecond(0, 0, 0.5) });
         Assert.Equal(PoseAnswer.NotYet, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(199), out _));
         Assert.Equal(PoseAnswer.TooOld, _history.Extrapolate(Seconds(0.9), TimeSpan.FromSeconds(1), out _));
 
         Assert.Equal(PoseAnswer.Extrapolated, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(200), out Pose pose));
         Assert.Equal(0.2, pose.ExtrapolatedSeconds, 1e-9);
         Assert.Equal(100.4, pose.Position.AltitudeAmslMetres, 1e-3);
-        Assert.Equal(2, new LocalNedFrame(Place()).ToNed(pose.Position).North, 1e-6);
+        Assert.Equal(2, LocalNedFrame.IgnoringGeoid(Place()).ToNed(pose.Position).North, 1e-6);
         Assert.Equal(0.09, pose.Attitude.ToEuler().YawRadians, 1e-9);
         Assert.Equal(Seconds(1.2), pose.Time);
     }
@@ -77,7 +77,7 @@ public sealed class PoseHistoryTests
         foreach (double t in new[] { 1.0, 1.4, 1.1, 1.3, 1.2 })
         {
             AddPosition(t, Place(altitude: 100 * t), new NedVector(0, 0, -100));
-            AddAttitude(t, new EulerAngles(0, 0, t));
+            AddAttitude(t, EulerAngles.FromRadians(0, 0, t));
         }
 
         Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(1.25), out Pose pose));
@@ -92,10 +92,10 @@ public sealed class PoseHistoryTests
         AddBoth(1);
         AddPosition(1, Place(altitude: 7), default);
         AddPosition(1.1, Place(altitude: double.NaN), default);
-        AddPosition(1.1, new GeodeticPosition(double.NaN, 0, 0), default);
-        AddPosition(1.1, new GeodeticPosition(2, 0, 0), default);
-        AddAttitude(1.1, new EulerAngles(0, double.NaN, 0));
-        AddAttitude(1.1, new EulerAngles(0, 0, double.PositiveInfinity));
+        AddPosition(1.1, GeodeticPosition.FromRadians(double.NaN, 0, 0), default);
+        AddPosition(1.1, GeodeticPosition.FromRadians(2, 0, 0), default);
+        AddAttitude(1.1, EulerAngles.FromRadians(0, double.NaN, 0));
+        AddAttitude(1.1, EulerAngles.FromRadians(0, 0, double.PositiveInfinity));
         _history.Add(new PoseSample { Kind = (PoseSampleKind)9, Time = Seconds(1.1) });
 
         Assert.Equal(7, _history.Refused);
@@ -179,13 +179,13 @@ public sealed class PoseHistoryTests
         static void Put(PoseHistory history, int i)
         {
             history.Add(new PoseSample { Kind = PoseSampleKind.Position, Time = Seconds(i * 0.05), Position = Place(100 + (i * i % 17)) });
-            history.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = Seconds(i * 0.05), Attitude = new EulerAngles(0, 0, i * i % 5) });
+            history.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = Seconds(i * 0.05), Attitude = EulerAngles.FromRadians(0, 0, i * i % 5) });
         }
     }
 
     private static TimeSpan Seconds(double seconds) => TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
 
-    private static GeodeticPosition Place(double altitude = 100) => new(0.8, 0.1, altitude);
+    private static GeodeticPosition Place(double altitude = 100) => GeodeticPosition.FromRadians(0.8, 0.1, altitude);
 
     private void AddBoth(double time)
     {

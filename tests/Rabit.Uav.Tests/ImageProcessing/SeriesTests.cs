@@ -67,14 +67,14 @@ public sealed class SeriesTests
             {
                 Kind = PoseSampleKind.Position,
                 Time = time,
-                Position = new GeodeticPosition(s[1] * Vectors.Degree, s[2] * Vectors.Degree, s[3]),
+                Position = GeodeticPosition.FromDegrees(s[1], s[2], s[3]),
                 VelocityNed = new NedVector(s[4], s[5], s[6]),
             });
             history.Add(new PoseSample
             {
                 Kind = PoseSampleKind.Attitude,
                 Time = time,
-                Attitude = new EulerAngles(s[7] * Vectors.Degree, s[8] * Vectors.Degree, s[9] * Vectors.Degree),
+                Attitude = EulerAngles.FromDegrees(s[7], s[8], s[9]),
             });
         }
 

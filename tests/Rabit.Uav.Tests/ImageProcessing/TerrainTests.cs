@@ -32,7 +32,7 @@ public sealed class TerrainTests(ITestOutputHelper output)
             }
 
             Assert.True(refusal == LocateRefusal.None, $"{c.Number("id")}: {refusal}");
-            GeodeticPosition place = new LocalNedFrame(c.Position()).ToGeodetic(ground);
+            GeodeticPosition place = LocalNedFrame.IgnoringGeoid(c.Position()).ToGeodetic(ground);
             double error = Vectors.Distance(c.GetProperty("target").Position(), place);
             Assert.True(error <= 0.01, $"case {c.Number("id")} is off by {error} m");
             worst = Math.Max(worst, error);
@@ -101,12 +101,12 @@ public sealed class TerrainTests(ITestOutputHelper output)
     {
         TerrainGrid whole = AsciiGrid.Read(new StringReader(Flat(hole: false)));
         TerrainGrid holed = AsciiGrid.Read(new StringReader(Flat(hole: true)));
-        LocalNedFrame frame = new(new GeodeticPosition(47.005 * Vectors.Degree, 8.005 * Vectors.Degree, 200));
+        LocalNedFrame frame = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.005, 8.005, 200));
         var ray = new GroundRay(default, new NedVector(0, 0, 1));
         Assert.Equal(LocateRefusal.None, TerrainRay.Meet(ray, frame, whole, 0.1, out NedVector point));
         Assert.Equal(100, point.Down, 1e-4);
         Assert.Equal(LocateRefusal.NoTerrainData, TerrainRay.Meet(ray, frame, holed, 0.1, out _));
-        LocalNedFrame below = new(new GeodeticPosition(47.005 * Vectors.Degree, 8.005 * Vectors.Degree, 90));
+        LocalNedFrame below = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.005, 8.005, 90));
         Assert.Equal(LocateRefusal.CameraBelowGround, TerrainRay.Meet(ray, below, whole, 0.1, out _));
     }
 

@@ -27,7 +27,7 @@ internal sealed class TestView
 
     public CameraMount Mount { get; } = new() { GimbalArmMetres = new BodyVector(0.1, 0, 0.05) };
 
-    public GeodeticPosition Position { get; set; } = new(0.8, 0.15, 540);
+    public GeodeticPosition Position { get; set; } = GeodeticPosition.FromRadians(0.8, 0.15, 540);
 
     public double GroundAltitude { get; set; } = 500;
 
@@ -54,10 +54,10 @@ internal sealed class TestView
 
     public void SetAtRandom(Random random)
     {
-        Attitude = new EulerAngles(Spread(0.5), Spread(0.5), Spread(Math.PI));
+        Attitude = EulerAngles.FromRadians(Spread(0.5), Spread(0.5), Spread(Math.PI));
         CameraPitch = (-Math.PI / 2) + Spread(0.5);
         CameraYaw = Spread(1);
-        Position = new GeodeticPosition(Spread(1.5), Spread(Math.PI), GroundAltitude + 20 + (random.NextDouble() * 60));
+        Position = GeodeticPosition.FromRadians(Spread(1.5), Spread(Math.PI), GroundAltitude + 20 + (random.NextDouble() * 60));
 
         double Spread(double most) => ((2 * random.NextDouble()) - 1) * most;
     }
@@ -99,7 +99,7 @@ internal sealed class TestView
     public TestView WithErrors(Random random, ErrorBudget budget)
     {
         double late = budget.TimeNoise.TotalSeconds * Draw();
-        Rotation turned = Rotation.FromEuler(new EulerAngles(
+        Rotation turned = Rotation.FromEuler(EulerAngles.FromRadians(
             Attitude.RollRadians + (budget.AttitudeNoiseRadians * Draw()),
             Attitude.PitchRadians + (budget.AttitudeNoiseRadians * Draw()),
             Attitude.YawRadians + (budget.HeadingNoiseRadians * Draw()))).After(Rates, late);
@@ -109,7 +109,7 @@ internal sealed class TestView
         return new TestView
         {
             Attitude = turned.ToEuler(),
-            Position = new GeodeticPosition(Position.LatitudeRadians, Position.LongitudeRadians, Position.AltitudeAmslMetres + up),
+            Position = GeodeticPosition.FromRadians(Position.LatitudeRadians, Position.LongitudeRadians, Position.AltitudeAmslMetres + up),
             _offset = _offset,
         };
 

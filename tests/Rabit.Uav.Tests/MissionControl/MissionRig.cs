@@ -12,7 +12,7 @@ namespace Rabit.Uav.Tests.MissionControl;
 /// <summary>Mission Control in virtual time with a vehicle that stands in for all the others.</summary>
 internal sealed class MissionRig : IDisposable
 {
-    public static readonly GeodeticPosition Home = new(47.3977 * Math.PI / 180, 8.5456 * Math.PI / 180, 488);
+    public static readonly GeodeticPosition Home = GeodeticPosition.FromDegrees(47.3977, 8.5456, 488);
 
     private readonly RabitReactor _reactor;
     private readonly MessageSubscriber<MissionStatus> _status;
@@ -65,7 +65,7 @@ internal sealed class MissionRig : IDisposable
     /// <summary>As text; the area in metres from home.</summary>
     public static string Text(string more = "", string area = "[[60,-60],[60,60],[150,60],[150,-60]]")
     {
-        var frame = new LocalNedFrame(Home);
+        var frame = LocalNedFrame.IgnoringGeoid(Home);
         using var corners = System.Text.Json.JsonDocument.Parse(area);
         IEnumerable<string> places = corners.RootElement.EnumerateArray().Select(c =>
         {

@@ -40,7 +40,7 @@ internal sealed class StandInVehicle : RabitManager
     public StandInVehicle(GeodeticPosition home)
         : base("stand-in")
     {
-        _frame = new LocalNedFrame(home);
+        _frame = LocalNedFrame.IgnoringGeoid(home);
         _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands);
         _answers = Send<VehicleCommandAnswer>(MessageNames.VehicleCommandAnswers);
         _searched = Send<CameraLook>(MessageNames.SearchedGround);
@@ -190,7 +190,7 @@ internal sealed class StandInVehicle : RabitManager
             case VehicleCommandKind.TakeOff:
                 return (North, East, _task.HeightAboveHomeMetres, 0);
             case VehicleCommandKind.GoTo:
-                NedVector to = _frame.ToNed(new GeodeticPosition(_task.LatitudeRadians, _task.LongitudeRadians, _frame.Origin.AltitudeAmslMetres));
+                NedVector to = _frame.ToNed(GeodeticPosition.FromRadians(_task.LatitudeRadians, _task.LongitudeRadians, _frame.Origin.AltitudeAmslMetres));
                 Yaw = _task.YawRadians;
                 return (to.North, to.East, _task.HeightAboveHomeMetres, _task.SpeedMetresPerSecond);
             case VehicleCommandKind.Return:

@@ -56,7 +56,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         using var rig = new MissionRig(MissionRig.Mission(area: "[[60,-80],[60,80],[160,80],[160,40],[90,40],[90,-40],[160,-40],[160,-80]]"));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         SearchPlan plan = rig.Status.Plan!;
-        var frame = new LocalNedFrame(plan.Home);
+        var frame = LocalNedFrame.IgnoringGeoid(plan.Home);
         var fence = new PlanePolygon(plan.Fence.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
         double worst = rig.Vehicle.Path.Min(p => fence.SignedDistance(new PlanePoint(p.North, p.East)));
         output.WriteLine($"nearest to the fence: {worst:0.0} m");
@@ -72,7 +72,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         rig.Run(5);
         rig.Vehicle.North += 4;
         rig.Run(8);
-        LocalNedFrame frame = new(rig.Status.Plan!.Home);
+        LocalNedFrame frame = LocalNedFrame.IgnoringGeoid(rig.Status.Plan!.Home);
         double lane = frame.ToNed(rig.Status.Plan.Lanes[0]).North;
         Assert.Equal(lane, rig.Vehicle.North, 1.0);
     }

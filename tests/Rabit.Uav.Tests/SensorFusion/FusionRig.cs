@@ -11,7 +11,7 @@ namespace Rabit.Uav.Tests.SensorFusion;
 /// <summary>Sensor Fusion in virtual time, with the test in the place of the camera and of other vehicles.</summary>
 internal sealed class FusionRig : IDisposable
 {
-    public static readonly GeodeticPosition Origin = new(0.8, 0.15, 488);
+    public static readonly GeodeticPosition Origin = GeodeticPosition.FromRadians(0.8, 0.15, 488);
 
     private readonly RabitReactor _reactor;
     private readonly QueueSender<TargetReport> _reports;
@@ -66,7 +66,7 @@ internal sealed class FusionRig : IDisposable
         double north, double east, TargetColours colour = TargetColours.Red, double sigma = 0.5, double common = 0.5) => new()
         {
             SourceSystemId = 1,
-            Position = new LocalNedFrame(Origin).ToGeodetic(new NedVector(north, east, 0)),
+            Position = LocalNedFrame.IgnoringGeoid(Origin).ToGeodetic(new NedVector(north, east, 0)),
             Covariance = new HorizontalCovariance(sigma * sigma, 0, sigma * sigma),
             CommonCovariance = new HorizontalCovariance(common * common, 0, common * common),
             Colour = colour,
@@ -75,7 +75,7 @@ internal sealed class FusionRig : IDisposable
         };
 
     /// <summary>Where a track is, metres from the origin.</summary>
-    public static NedVector PlaceOf(TargetTrack track) => new LocalNedFrame(Origin).ToNed(track.Position);
+    public static NedVector PlaceOf(TargetTrack track) => LocalNedFrame.IgnoringGeoid(Origin).ToNed(track.Position);
 
     /// <summary>Half a second goes by, and a picture of 48 by 36 m around a point is searched.</summary>
     public void Look(double north, double east, params TargetReport[] reports) => LookThatSays(reports.Length, north, east, reports);
@@ -91,7 +91,7 @@ internal sealed class FusionRig : IDisposable
             Push(report);
         }
 
-        var frame = new LocalNedFrame(Origin);
+        var frame = LocalNedFrame.IgnoringGeoid(Origin);
         GeodeticPosition At(double n, double e) => frame.ToGeodetic(new NedVector(north + n, east + e, 0));
         _looks.Push(new CameraLook
         {

@@ -256,7 +256,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     {
         using var rig = new FusionRig();
         Confirm(rig);
-        var nan = new GeodeticPosition(double.NaN, 0, 0);
+        var nan = GeodeticPosition.FromRadians(double.NaN, 0, 0);
         rig.Push(new CameraLook { SourceSystemId = 1, Number = 1000, TopLeft = nan });
         rig.Push(new CameraLook { SourceSystemId = 1, Number = 1001, Time = TimeSpan.FromHours(99) });
         rig.Push(new CameraLook { SourceSystemId = 1, Number = 1002, TopLeft = Origin, TopRight = Origin, BottomLeft = Origin, BottomRight = Origin });
@@ -269,7 +269,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     {
         using var rig = new FusionRig();
         TargetReport wrong = Report(0, 0);
-        wrong.Position = new GeodeticPosition(0, 0, 0);
+        wrong.Position = GeodeticPosition.FromRadians(0, 0, 0);
         (wrong.SourceSystemId, wrong.LookNumber, wrong.Time) = (2, 1, rig.Now);
         rig.Push(wrong);
         rig.Run(1);
@@ -417,10 +417,10 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         }
 
         TargetReport With(Func<TargetReport, TargetReport> change) => change(Sound());
-        yield return With(r => { r.Position = new GeodeticPosition(double.NaN, 0, 0); return r; });
-        yield return With(r => { r.Position = new GeodeticPosition(0.8, double.PositiveInfinity, 0); return r; });
-        yield return With(r => { r.Position = new GeodeticPosition(9, 0, 0); return r; });
-        yield return With(r => { r.Position = new GeodeticPosition(0.8, 0.15, 1e9); return r; });
+        yield return With(r => { r.Position = GeodeticPosition.FromRadians(double.NaN, 0, 0); return r; });
+        yield return With(r => { r.Position = GeodeticPosition.FromRadians(0.8, double.PositiveInfinity, 0); return r; });
+        yield return With(r => { r.Position = GeodeticPosition.FromRadians(9, 0, 0); return r; });
+        yield return With(r => { r.Position = GeodeticPosition.FromRadians(0.8, 0.15, 1e9); return r; });
         yield return With(r => { r.Covariance = new HorizontalCovariance(double.NaN, 0, 1); return r; });
         yield return With(r => { r.Covariance = new HorizontalCovariance(1, 2, 1); return r; });
         yield return With(r => { r.Covariance = new HorizontalCovariance(1, 1, 1); return r; });
@@ -440,6 +440,6 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         yield return With(r => { r.SourceSystemId = 0; return r; });
         yield return With(r => { r.Time = now + TimeSpan.FromHours(1); return r; });
         yield return With(r => { r.Time = TimeSpan.FromHours(-1); return r; });
-        yield return With(r => { r.Position = new GeodeticPosition(-0.8, 0.15, 0); return r; });
+        yield return With(r => { r.Position = GeodeticPosition.FromRadians(-0.8, 0.15, 0); return r; });
     }
 }

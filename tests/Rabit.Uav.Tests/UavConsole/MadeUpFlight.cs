@@ -29,9 +29,9 @@ internal sealed class MadeUpFlight
 
     private MadeUpFlight() => Fly();
 
-    public static GeodeticPosition Home { get; } = new(47.39697 * RadiansPerDegree, 8.54426 * RadiansPerDegree, 488);
+    public static GeodeticPosition Home { get; } = GeodeticPosition.FromDegrees(47.39697, 8.54426, 488);
 
-    public static LocalNedFrame Frame { get; } = new(Home);
+    public static LocalNedFrame Frame { get; } = LocalNedFrame.IgnoringGeoid(Home);
 
     public static Truth Truth { get; } = new(Home,
     [

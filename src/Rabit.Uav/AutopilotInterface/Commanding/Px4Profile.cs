@@ -81,7 +81,7 @@ internal sealed class Px4Profile : VehicleProfile
                 return null;
             case VehicleCommandKind.GoTo:
                 EnsureCommandedMode(vehicle, steps);
-                var place = new GeodeticPosition(command.LatitudeRadians, command.LongitudeRadians, homeAmsl + command.HeightAboveHomeMetres);
+                var place = GeodeticPosition.FromRadians(command.LatitudeRadians, command.LongitudeRadians, homeAmsl + command.HeightAboveHomeMetres);
                 steps.Add(Reposition(place, command.SpeedMetresPerSecond, command.YawRadians));
                 return null;
             case VehicleCommandKind.Hold:

@@ -91,7 +91,7 @@ internal abstract class VehicleProfile
         NedVector v = vehicle.VelocityNed;
         double speed = Math.Sqrt((v.North * v.North) + (v.East * v.East));
         double seconds = speed / (2 * BrakingMetresPerSecond2);
-        return new LocalNedFrame(vehicle.Position).ToGeodetic(new NedVector(v.North * seconds, v.East * seconds, 0));
+        return LocalNedFrame.IgnoringGeoid(vehicle.Position).ToGeodetic(new NedVector(v.North * seconds, v.East * seconds, 0));
     }
 
     /// <summary>The steps of a command for a mode by name.</summary>

@@ -13,7 +13,6 @@ internal sealed class AutopilotClock
     // The 32-bit milliseconds start again after 49.7 days.
     private const double WrapSeconds = 4_294_967.296;
     private const double SecondsPerNanosecond = 1e-9;
-    private static readonly TimeSpan Wrap = TimeSpan.FromMilliseconds(4_294_967_296);
 
     private readonly MavlinkTimesyncFilter _timesync = new();
     private readonly ArrivalFilter _arrival = new();
@@ -55,14 +54,18 @@ internal sealed class AutopilotClock
             return arrival;
         TimeSpan theirs = new(timeBootMs * TimeSpan.TicksPerMillisecond);
         _arrival.Take(theirs, arrival);
+        _timesync.Hear(arrival, UnwrappedSeconds(theirs, arrival));
         TimeSpan ours = _timesync.IsKnown(arrival) ? ByTimesync(theirs, arrival) : theirs + _arrival.Offset;
         return ours < arrival ? ours : arrival;
     }
 
     private TimeSpan ByTimesync(TimeSpan theirs, TimeSpan arrival)
+        => new((long)Math.Round((UnwrappedSeconds(theirs, arrival) - _timesync.OffsetSecondsAt(arrival.TotalSeconds)) * TimeSpan.TicksPerSecond));
+
+    // The answers' clock has 64 bits.
+    private double UnwrappedSeconds(TimeSpan theirs, TimeSpan arrival)
     {
-        double ours = theirs.TotalSeconds - _timesync.OffsetSecondsAt(arrival.TotalSeconds);
-        double turns = Math.Round((arrival.TotalSeconds - ours) / WrapSeconds);
-        return new TimeSpan((long)Math.Round(ours * TimeSpan.TicksPerSecond) + ((long)turns * Wrap.Ticks));
+        double now = arrival.TotalSeconds + _timesync.OffsetSecondsAt(arrival.TotalSeconds);
+        return theirs.TotalSeconds + (Math.Round((now - theirs.TotalSeconds) / WrapSeconds) * WrapSeconds);
     }
 }

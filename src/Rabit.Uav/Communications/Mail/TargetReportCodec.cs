@@ -87,7 +87,7 @@ public sealed class TargetReportCodec : IMailCodec<TargetReport>
             LookNumber = BinaryPrimitives.ReadUInt32LittleEndian(payload.Slice(4)),
             Index = payload[2],
             Time = now - TimeSpan.FromMilliseconds(ageMs),
-            Position = new GeodeticPosition(latitude / DegE7PerRadian, longitude / DegE7PerRadian, altitude / 1000.0),
+            Position = GeodeticPosition.FromRadians(latitude / DegE7PerRadian, longitude / DegE7PerRadian, altitude / 1000.0),
             Covariance = ReadCovariance(payload.Slice(24)),
             CommonCovariance = ReadCovariance(payload.Slice(36)),
             Colour = (TargetColours)payload[1],

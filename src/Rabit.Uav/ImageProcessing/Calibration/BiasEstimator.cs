@@ -62,7 +62,7 @@ public sealed class BiasEstimator
     {
         if (_looks.Count == 0)
             return null;
-        var frame = new LocalNedFrame(_looks[0].Position);
+        var frame = LocalNedFrame.IgnoringGeoid(_looks[0].Position);
         double groundDown = _looks[0].Position.AltitudeAmslMetres - _groundAmslMetres;
         int[] numbers = [.. _looks.Select(l => l.Point).Distinct().OrderBy(p => p)];
         Dictionary<int, int> indexes = numbers.Select((p, i) => (p, i)).ToDictionary(p => p.p, p => p.i);

@@ -29,11 +29,11 @@ internal sealed class BiasModel(CameraModel camera, CameraMount mount)
             vehicle.North + (v.North * earlier) - values[(int)BiasParameter.North],
             vehicle.East + (v.East * earlier) - values[(int)BiasParameter.East],
             vehicle.Down + (v.Down * earlier) - values[(int)BiasParameter.Down]);
-        Rotation attitude = Rotation.FromEuler(new EulerAngles(
+        Rotation attitude = Rotation.FromEuler(EulerAngles.FromRadians(
             look.Attitude.RollRadians - values[(int)BiasParameter.AttitudeRoll],
             look.Attitude.PitchRadians - values[(int)BiasParameter.AttitudePitch],
             look.Attitude.YawRadians - values[(int)BiasParameter.AttitudeYaw])).After(look.Rates, earlier);
-        CameraPlacement placement = mount.At(look.GimbalPitchRadians, look.GimbalYawRadians, new EulerAngles(
+        CameraPlacement placement = mount.At(look.GimbalPitchRadians, look.GimbalYawRadians, EulerAngles.FromRadians(
             values[(int)BiasParameter.MountRoll], values[(int)BiasParameter.MountPitch], values[(int)BiasParameter.MountYaw]));
         NedVector arm = attitude.ToNed(placement.PositionMetres);
         (double x, double y, double z) = (attitude * placement.BodyFromCamera).Inverse.Apply(

@@ -11,6 +11,7 @@ namespace Rabit.Uav.ImageProcessing;
 internal static class CameraDescription
 {
     private const string Format = "uav-imagery-camera";
+    private const double TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000.0;
 
     /// <exception cref="PictureException">It is no JSON, or describes no camera; the text names all that is wrong.</exception>
     public static CameraFolder Parse(byte[] json, string file, string folder)
@@ -63,6 +64,8 @@ internal static class CameraDescription
             json.WriteNumber("cx", camera.CentreX);
             json.WriteNumber("cy", camera.CentreY);
             WriteNumbers(json, "dist_k1_k2_p1_p2_k3", [camera.K1, camera.K2, camera.P1, camera.P2, camera.K3]);
+            if (camera.RowReadout > TimeSpan.Zero)
+                json.WriteNumber("row_readout_us", camera.RowReadout.TotalMilliseconds * 1000);
             json.WriteStartObject("mount");
             json.WriteStartArray("R_body_from_cam");
             (double x1, double x2, double x3) = placement.BodyFromCamera.Apply(1, 0, 0);
@@ -98,6 +101,7 @@ internal static class CameraDescription
             P1 = distortion[2],
             P2 = distortion[3],
             K3 = distortion[4],
+            RowReadout = TimeSpan.FromTicks((long)Math.Round(fields.OptionalNumber(camera, "row_readout_us", "camera.") * TicksPerMicrosecond)),
         };
     }
 

@@ -39,6 +39,10 @@ internal sealed class JsonFields
         return 0;
     }
 
+    /// <summary>0 where it is not there.</summary>
+    public double OptionalNumber(JsonElement parent, string name, string path)
+        => Has(parent, name, out _) ? Number(parent, name, path) : 0;
+
     public int WholeNumber(JsonElement parent, string name, string path)
     {
         if (!Has(parent, name, out JsonElement element))

@@ -26,6 +26,18 @@ public sealed class MixedUnitsTests
     [InlineData("AMSL in an ellipsoid position", "var p = new EllipsoidPosition(point, ellipsoid);", "var p = new EllipsoidPosition(point, amsl);")]
     [InlineData("AMSL position as ellipsoid position", "EcefPosition e = amslPlace.ToEllipsoid(47.5).ToEcef();", "EcefPosition e = ((EllipsoidPosition)amslPlace).ToEcef();")]
     [InlineData("different heights compared", "bool b = amsl == amsl;", "bool b = amsl == ellipsoid;")]
+    [InlineData("degrees as a position", "var p = GeodeticPosition.FromDegrees(47, 8, 400);", "var p = new GeodeticPosition(47, 8, 400);")]
+    [InlineData("radians as a position", "var p = GeodeticPosition.FromRadians(0.8, 0.1, 400);", "var p = new GeodeticPosition(0.8, 0.1, 400.0);")]
+    [InlineData("an angle where degrees are named", "var p = GeodeticPosition.FromDegrees(angle.Degrees, angle.Degrees, 400);", "var p = GeodeticPosition.FromDegrees(angle, angle, 400);")]
+    [InlineData("ellipsoid in an AMSL position", "var p = new GeodeticPosition(point, amsl);", "var p = new GeodeticPosition(point, ellipsoid);")]
+    [InlineData("above home in an AMSL position", "var p = new GeodeticPosition(point, aboveHome.ToAmsl(amsl));", "var p = new GeodeticPosition(point, aboveHome);")]
+    [InlineData("bare numbers for an attitude", "var e = EulerAngles.FromDegrees(10, 0, 90);", "var e = new EulerAngles(10, 0, 90);")]
+    [InlineData("radians for an attitude", "var e = new EulerAngles(angle, angle, Angle.FromRadians(1.5));", "var e = new EulerAngles(angle, angle, 1.5);")]
+    [InlineData("bare numbers for rates", "var r = BodyRates.FromDegreesPerSecond(10, 0, 0);", "var r = new BodyRates(10, 0, 0);")]
+    [InlineData("AMSL in a local frame without a geoid", "var f = new LocalNedFrame(amslPlace, 47.5);", "var f = new LocalNedFrame(amslPlace);")]
+    [InlineData("an ellipsoid height where the geoid is ignored", "var f = LocalNedFrame.IgnoringGeoid(amslPlace);", "var f = LocalNedFrame.IgnoringGeoid(amslPlace.ToEllipsoid(0));")]
+    [InlineData("ellipsoid place for AMSL from a frame", "EllipsoidPosition p = frame.ToEllipsoid(ned);", "EllipsoidPosition p = frame.ToGeodetic(ned);")]
+    [InlineData("rates for a body vector", "NedVector v = attitude.ToNed(body);", "NedVector v = attitude.ToNed(BodyRates.FromDegreesPerSecond(1, 2, 3));")]
     [InlineData("UTM for MGRS", "MgrsPosition m = MgrsPosition.From(point);", "MgrsPosition m = UtmPosition.From(point);")]
     public void Mixed_DoesNotCompile(string what, string right, string wrong)
     {

@@ -114,9 +114,9 @@ public sealed class BiasEstimatorTests(ITestOutputHelper output)
     {
         BiasEstimator estimator = new(CalibrationFlight.Camera, new CameraMount(), CalibrationFlight.Ground, CalibrationFlight.Options);
         Assert.Null(estimator.Estimate());
-        Assert.False(estimator.Add(new BiasLook { Column = 320, Row = 240, Position = new GeodeticPosition(0.8, 0.1, 500) }));
-        Assert.False(estimator.Add(new BiasLook { Column = double.NaN, Row = 240, Position = new GeodeticPosition(0.8, 0.1, 500), GimbalPitchRadians = -1.5 }));
-        Assert.True(estimator.Add(new BiasLook { Column = 320, Row = 240, Position = new GeodeticPosition(0.8, 0.1, 500), GimbalPitchRadians = -1.5 }));
+        Assert.False(estimator.Add(new BiasLook { Column = 320, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500) }));
+        Assert.False(estimator.Add(new BiasLook { Column = double.NaN, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500), GimbalPitchRadians = -1.5 }));
+        Assert.True(estimator.Add(new BiasLook { Column = 320, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500), GimbalPitchRadians = -1.5 }));
         Assert.Equal(2, estimator.Estimate()!.Fit.Refused);
     }
 

@@ -11,8 +11,8 @@ internal sealed class CalibrationFlight
 {
     public const double SpeedMetresPerSecond = 12;
 
-    private static readonly GeodeticPosition Home = new(47 * Vectors.Degree, 8 * Vectors.Degree, 400);
-    private static readonly LocalNedFrame World = new(Home);
+    private static readonly GeodeticPosition Home = GeodeticPosition.FromDegrees(47, 8, 400);
+    private static readonly LocalNedFrame World = LocalNedFrame.IgnoringGeoid(Home);
 
     private readonly SeededNumbers _numbers;
     private readonly List<BiasLook> _looks = [];
@@ -69,7 +69,7 @@ internal sealed class CalibrationFlight
             Look(
                 new NedVector((Math.Cos(heading) * along) - (Math.Sin(heading) * offset), (Math.Sin(heading) * along) + (Math.Cos(heading) * offset), -height),
                 new NedVector(SpeedMetresPerSecond * Math.Cos(heading), SpeedMetresPerSecond * Math.Sin(heading), 0),
-                new EulerAngles(0.02 * _numbers.Gauss(), 0.03 + (0.02 * _numbers.Gauss()), heading),
+                EulerAngles.FromRadians(0.02 * _numbers.Gauss(), 0.03 + (0.02 * _numbers.Gauss()), heading),
                 default,
                 onlyMiddle);
         }
@@ -86,8 +86,8 @@ internal sealed class CalibrationFlight
             Look(
                 new NedVector(radius * Math.Cos(angle), radius * Math.Sin(angle), -height),
                 new NedVector(-SpeedMetresPerSecond * Math.Sin(angle), SpeedMetresPerSecond * Math.Cos(angle), 0),
-                new EulerAngles(-bank, 0, angle + (Math.PI / 2)),
-                new BodyRates(0, -rate * Math.Sin(bank), rate * Math.Cos(bank)),
+                EulerAngles.FromRadians(-bank, 0, angle + (Math.PI / 2)),
+                BodyRates.FromRadiansPerSecond(0, -rate * Math.Sin(bank), rate * Math.Cos(bank)),
                 onlyMiddle: true);
         }
     }
@@ -126,7 +126,7 @@ internal sealed class CalibrationFlight
                 Row = row + (0.5 * _numbers.Gauss()),
                 Position = World.ToGeodetic(told),
                 VelocityNed = velocity,
-                Attitude = new EulerAngles(
+                Attitude = EulerAngles.FromRadians(
                     turned.RollRadians + (noise * _numbers.Gauss()), turned.PitchRadians + (noise * _numbers.Gauss()), turned.YawRadians + (noise * _numbers.Gauss())),
                 Rates = rates,
                 GimbalPitchRadians = -Math.PI / 2,

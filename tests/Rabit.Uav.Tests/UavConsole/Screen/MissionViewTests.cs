@@ -96,7 +96,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         Position = MadeUpFlight.Frame.ToGeodetic(new NedVector(65, 90, -40)),
         HeightAboveHomeMetres = 40.2,
         VelocityNed = new NedVector(0, -6, 0),
-        Attitude = new EulerAngles(0, 0, -Math.PI / 2),
+        Attitude = EulerAngles.FromRadians(0, 0, -Math.PI / 2),
         BatteryTime = TimeSpan.Zero,
         BatteryRemaining = 0.87,
         BatteryVolts = 15.9,
