@@ -17,7 +17,7 @@ internal static class Text
     public static string Of(StatusText text) => $"{text.Severity.ToString().ToLowerInvariant()}: {Printable(text.Text)}";
 
     // What came from outside must neither break the line nor steer the terminal.
-    public static string Printable(string text) => new(text.Select(c => char.IsControl(c) ? '.' : c).ToArray());
+    public static string Printable(string text) => new(text.Select(c => Steers(c) ? '.' : c).ToArray());
 
     public static string Health(in HealthReport health) => health.Text is null ? health.Level.ToString() : $"{health.Level}: {health.Text}";
 
@@ -101,6 +101,9 @@ internal static class Text
             monitor.Record.Tracks.Confirmed.Count(),
             monitor.Pace);
     }
+
+    // Format characters turn the direction of a line around, or hide.
+    private static bool Steers(char c) => char.IsControl(c) || char.GetUnicodeCategory(c) == UnicodeCategory.Format;
 
     private static string OrUnknown(double value, string format)
         => double.IsNaN(value) ? "?" : value.ToString(format, CultureInfo.InvariantCulture);

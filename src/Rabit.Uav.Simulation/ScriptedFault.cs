@@ -17,6 +17,9 @@ public struct ScriptedFault
     /// <summary>What it is about; see <see cref="ScriptedFaultKind"/>.</summary>
     public double Value { get; set; }
 
+    /// <summary>The manager that it is about; see <see cref="ScriptedFaultKind.ManagerHangs"/>.</summary>
+    public string? Manager { get; set; }
+
     /// <summary>Whether it is on at a time: from its beginning to before its end.</summary>
     /// <param name="time">By the clock of the run.</param>
     public readonly bool IsOn(TimeSpan time) => time >= At && time - At < Duration;

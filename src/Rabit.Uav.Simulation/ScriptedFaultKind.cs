@@ -20,4 +20,10 @@ public enum ScriptedFaultKind
 
     /// <summary>The pilot takes the flight mode with the number of the value, by the switch on the remote control.</summary>
     PilotMode,
+
+    /// <summary>
+    /// A unit of work of a manager on board takes the duration: the first one that begins at the time or later. For
+    /// <see cref="SimulatedWorld.AddHangsTo"/>.
+    /// </summary>
+    ManagerHangs,
 }

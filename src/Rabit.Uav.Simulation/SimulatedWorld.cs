@@ -81,6 +81,18 @@ public sealed class SimulatedWorld
     public SimulatedCamera CreateCamera()
         => new(Options.Camera.With(Options.Faults), History, Things, unchecked((ulong)Options.Seed));
 
+    /// <summary>
+    /// Tells the time of a run which of the managers on board hang, when and for how long (<see cref="ScriptedFaultKind.ManagerHangs"/>). Before the start.
+    /// </summary>
+    /// <param name="time">That of the reactor in which those managers are: a manager that it does not have is an error at the start.</param>
+    public void AddHangsTo(VirtualTime time)
+    {
+        if (time is null)
+            throw new ArgumentNullException(nameof(time));
+        foreach (ScriptedFault fault in Options.Faults.Where(f => f.Kind == ScriptedFaultKind.ManagerHangs))
+            time.AddLongUnitOfWork(fault.Manager!, fault.At, fault.Duration);
+    }
+
     /// <summary>Where something of the world is: on the ground, by the earth's coordinates.</summary>
     /// <param name="northMetres">North of home.</param>
     /// <param name="eastMetres">East of home.</param>

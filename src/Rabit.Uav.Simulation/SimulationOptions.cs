@@ -146,8 +146,10 @@ public sealed class SimulationOptions
             string what = FormattableString.Invariant($"{nameof(Faults)}: {fault.Kind} at {fault.At}");
             if (fault.At < TimeSpan.Zero || fault.Duration < TimeSpan.Zero)
                 yield return what + " has a negative time";
-            if (fault.Kind is ScriptedFaultKind.LinkSilent or ScriptedFaultKind.CameraFreeze && fault.Duration == TimeSpan.Zero)
+            if (fault.Kind is ScriptedFaultKind.LinkSilent or ScriptedFaultKind.CameraFreeze or ScriptedFaultKind.ManagerHangs && fault.Duration == TimeSpan.Zero)
                 yield return what + " lasts no time";
+            if (fault.Kind == ScriptedFaultKind.ManagerHangs && string.IsNullOrWhiteSpace(fault.Manager))
+                yield return what + " names no manager";
             bool isSound = fault.Kind switch
             {
                 ScriptedFaultKind.BatteryTo => fault.Value is >= 0 and <= 1,

@@ -147,7 +147,7 @@ internal sealed class ReportTimeLines(PageWriter page, ReportData data)
         double rate = Rate(from, to);
         double x1 = X(from.Time.TotalSeconds);
         double width = Math.Max(0.5, X(to.Time.TotalSeconds) - x1);
-        bool isFaulty = to.Faults > from.Faults || to.State == ManagerState.Faulted;
+        bool isFaulty = to.Faults > from.Faults || to.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging;
         if (rate <= 0 && !isFaulty)
             return;
         page.Empty(

@@ -116,7 +116,7 @@ internal sealed class MissionView(FlightMonitor monitor)
             Figures.Of(status.Runs),
             Figures.Of(monitor.UnitOfWorkTimeOf(index).Mean.TotalMilliseconds, "0.00"),
             Figures.Of(status.Faults));
-        string colour = status.Faults > 0 || status.State == ManagerState.Faulted ? "red" : "default";
+        string colour = status.Faults > 0 || status.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging ? "red" : "default";
         return $"[{colour}]{Markup.Escape(Fit(line, width))}[/]";
     }
 

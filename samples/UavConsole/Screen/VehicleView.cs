@@ -48,7 +48,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
         DurationStatistics work = monitor.UnitOfWorkTimeOf(index);
         table.AddRow(
             monitor.ManagerNames[index],
-            status.State == ManagerState.Faulted ? "[red]Faulted[/]" : status.State.ToString(),
+            status.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging ? $"[red]{status.State}[/]" : status.State.ToString(),
             Number(status.Runs),
             Causes(status.WakeUps),
             MeanAndMaximum(work),

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
@@ -67,10 +68,19 @@ internal sealed class MissionText(TextWriter output, RunSummary summary, Mission
     {
         Line("decisions:");
         foreach (PhaseChange change in summary.Record.Phases)
-            Line($"{Text.At(change.Time)}{PhaseStyle.Name(change.Phase)}{(change.Text is { } text ? ": " + text : string.Empty)}");
+            Line(Text.At(change.Time) + Describe(change));
         IEnumerable<HealthChange> asked = summary.Record.HealthChanges.Where(c => c.Report.Advice != HealthAdvice.None);
         foreach (HealthChange change in asked)
             Line($"{Text.At(change.Time)}health asks for {change.Report.Advice}: {Text.Health(change.Report)}");
+    }
+
+    // A text that names its phase itself is not given the name twice.
+    private static string Describe(PhaseChange change)
+    {
+        string name = PhaseStyle.Name(change.Phase);
+        if (change.Text is not { } text)
+            return name;
+        return text.StartsWith(name + ": ", StringComparison.Ordinal) ? text : $"{name}: {text}";
     }
 
     private void WriteManagers()

@@ -15,6 +15,8 @@ namespace UavConsole;
 /// <summary>Writes the summary for people. Times are log times: seconds since the first frame that Autopilot Interface was given.</summary>
 internal sealed class SummaryText(TextWriter output, RunSummary summary)
 {
+    private const int AcknowledgementsListed = 20;
+
     public void Write()
     {
         Line($"--- summary: {summary.Result.StopReason} ---");
@@ -55,8 +57,32 @@ internal sealed class SummaryText(TextWriter output, RunSummary summary)
         foreach (FlightStatusText text in flight.StatusTexts)
             Line($"{At(text.UtcMicroseconds)}{text.Severity.ToString().ToLowerInvariant()}: {Text.Printable(text.Text)}");
         Line("command acknowledgements:" + (flight.Acknowledgements.Count == 0 ? " none" : string.Empty));
-        foreach (FlightAcknowledgement ack in flight.Acknowledgements)
-            Line($"{At(ack.UtcMicroseconds)}{ack.Command} ({(int)ack.Command}): {ack.Result}");
+        if (flight.Acknowledgements.Count <= AcknowledgementsListed)
+        {
+            foreach (FlightAcknowledgement ack in flight.Acknowledgements)
+                Line($"{At(ack.UtcMicroseconds)}{ack.Command} ({(int)ack.Command}): {ack.Result}");
+        }
+        else
+        {
+            WriteAcknowledgementCounts(flight);
+        }
+    }
+
+    // A mission of our own is hundreds of go-to steps: nobody reads them one by one, and --summary has them all.
+    private void WriteAcknowledgementCounts(FlightSummary flight)
+    {
+        foreach (var kind in flight.Acknowledgements.GroupBy(a => (a.Command, a.Result)))
+        {
+            Line(string.Format(
+                CultureInfo.InvariantCulture,
+                "{0}{1} ({2}): {3}, {4} times, the last at {5}",
+                At(kind.First().UtcMicroseconds),
+                kind.Key.Command,
+                (int)kind.Key.Command,
+                kind.Key.Result,
+                kind.Count(),
+                At(kind.Last().UtcMicroseconds).Trim()));
+        }
     }
 
     // What a folder holds and nobody has seen: otherwise a person wonders why the camera gave no picture.

@@ -17,4 +17,7 @@ public enum RabitLogKind
 
     /// <summary>A manager's own words, by <see cref="RabitManager.Log"/>.</summary>
     Manager,
+
+    /// <summary>A manager was found to hang, or has come back.</summary>
+    Hang,
 }

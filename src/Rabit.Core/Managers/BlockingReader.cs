@@ -12,7 +12,8 @@ namespace Rabit.Core;
 /// <typeparam name="T">What one read gives.</typeparam>
 /// <remarks>
 /// It opens its source when all managers have started, and is stopped before its manager shuts down. A source that throws ends
-/// the reader; the fault is in the log, and the manager is woken (<see cref="WakeUpCauses.Device"/>).
+/// the reader, or is opened again (<see cref="ReconnectPolicy"/>); the fault is in the log, and the manager is woken
+/// (<see cref="WakeUpCauses.Device"/>) whenever the state changes.
 /// </remarks>
 public sealed class BlockingReader<T>
 {
@@ -32,8 +33,17 @@ public sealed class BlockingReader<T>
     /// <summary>Where it is in its life. Any thread.</summary>
     public DeviceState State => _health.State;
 
-    /// <summary>What ended it, if something did. Any thread.</summary>
+    /// <summary>Since when it is there, by <see cref="RabitManager.Now"/>. Any thread.</summary>
+    public TimeSpan StateSince => _health.Since;
+
+    /// <summary>The last exception of its device; null when there was none. Any thread.</summary>
     public Exception? Fault => _health.Fault;
+
+    /// <summary>How many exceptions its device threw. Any thread.</summary>
+    public long Faults => _health.Faults;
+
+    /// <summary>How many times its device was opened again after a fault. Any thread.</summary>
+    public long Reconnects => _health.Reconnects;
 
     /// <summary>Values that were read and are lost, because the run was stopped while the queue was full. Any thread.</summary>
     public long Discarded => _health.Discarded;

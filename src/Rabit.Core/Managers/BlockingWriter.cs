@@ -9,8 +9,9 @@ namespace Rabit.Core;
 /// </summary>
 /// <typeparam name="T">What one write takes.</typeparam>
 /// <remarks>
-/// It is stopped after its manager's shutdown, when it has written what was left. A target that throws ends the writer; the
-/// fault is in the log, and the manager is woken (<see cref="WakeUpCauses.Device"/>). What is pushed after that stays in the queue.
+/// It is stopped after its manager's shutdown, when it has written what was left. A target that throws ends the writer, or is
+/// opened again (<see cref="ReconnectPolicy"/>); the fault is in the log, and the manager is woken (<see cref="WakeUpCauses.Device"/>) whenever
+/// the state changes. What is pushed after that stays in the queue.
 /// </remarks>
 public sealed class BlockingWriter<T>
 {
@@ -30,10 +31,19 @@ public sealed class BlockingWriter<T>
     /// <summary>Where it is in its life. Any thread.</summary>
     public DeviceState State => _health.State;
 
-    /// <summary>What ended it, if something did. Any thread.</summary>
+    /// <summary>Since when it is there, by <see cref="RabitManager.Now"/>. Any thread.</summary>
+    public TimeSpan StateSince => _health.Since;
+
+    /// <summary>The last exception of its device; null when there was none. Any thread.</summary>
     public Exception? Fault => _health.Fault;
 
-    /// <summary>Values that were not written, because the writer ended first. Any thread.</summary>
+    /// <summary>How many exceptions its device threw. Any thread.</summary>
+    public long Faults => _health.Faults;
+
+    /// <summary>How many times its device was opened again after a fault. Any thread.</summary>
+    public long Reconnects => _health.Reconnects;
+
+    /// <summary>Values that were not written, because the target threw at them or the writer ended first. Any thread.</summary>
     public long Discarded => _health.Discarded;
 
     /// <summary>The books of the queue. The manager's thread only.</summary>

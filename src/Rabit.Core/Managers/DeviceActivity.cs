@@ -4,15 +4,18 @@ using Rabit.Core.Diagnostics;
 
 namespace Rabit.Core.Managers;
 
-/// <summary>What readers and writers have in common: they open a device at their first turn, and report what it throws.</summary>
-internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner manager, DeviceHealth health) : Activity(name, wakeUp)
+/// <summary>What readers and writers have in common: they open a device at their first turn, report what it throws, and open it again.</summary>
+internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner manager, DeviceHealth health, ReconnectPolicy reconnect)
+    : Activity(name, wakeUp)
 {
     private bool _isOpen;
-    private bool _hasBegun;   // written by the device's thread, read by the reactor's
+    private bool _wasOpened;
+    private int _failures;    // in a row: without a value that was read or written
+    private bool _hasBegun;   // written by the device's thread, read by the reactor's and the manager's
 
     public abstract bool Blocks { get; }
 
-    public override string Doing => "using its device";
+    public override string Doing => Health.State == DeviceState.Reconnecting ? "opening its device again" : "using its device";
 
     /// <summary>Whether it has a thread or turns: not where the run was stopped before the barrier opened.</summary>
     public bool HasBegun => Volatile.Read(ref _hasBegun);
@@ -37,8 +40,16 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
     public override void Begin() => Volatile.Write(ref _hasBegun, true);
 
     /// <summary>Instead of all turns, on the reactor's thread: it never began, and counts what is lost by that.</summary>
-    public virtual void Abandon()
+    public void Abandon() => ReportLost();
+
+    /// <summary>Asks it to end with its manager, which does not wait for it. The manager's thread.</summary>
+    public void StopAlone()
     {
+        if (!HasBegun)
+            return;
+        WakeUp.RequestStop();
+        if (!DrainsAtEnd)
+            Unblock();
     }
 
     public override NextTurn TakeTurn(WakeUps wakes, TimeSpan? wokenAt)
@@ -48,38 +59,35 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
         try
         {
             if (!_isOpen)
-            {
-                Health.State = DeviceState.Running;
-                _isOpen = true;
-                Open();
-            }
-
+                OpenAgain();
             return Work();
         }
         catch (Exception e)
         {
             // A device is the outside world: whatever it throws is a fault of this reader or writer and of nobody else.
-            Finish(DeviceState.Faulted, e);
-            return NextTurn.Never;
+            return AfterFault(e);
         }
     }
 
     public override void End()
     {
-        if (!_isOpen && HasWorkLeft)
+        if (!_wasOpened && HasWorkLeft)
             TakeTurn(default, wokenAt: null);
         try
         {
-            if (_isOpen)
-                Close();
+            if (_isOpen && !HasFinished)
+                Drain();
         }
         catch (Exception e)
         {
-            Report("could not close its device", e);
+            Health.AddFault(e);
+            Report("failed", e);
         }
 
+        ReportLost();
+        Close();
         if (!HasFinished)
-            Health.State = DeviceState.Stopped;
+            Health.Enter(DeviceState.Stopped, Clock.Now);
     }
 
     public override void Unblock()
@@ -97,25 +105,93 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndOwner
 
     protected abstract void UnblockDevice();
 
-    protected abstract void Open();
+    protected abstract void OpenDevice();
 
     protected abstract NextTurn Work();
 
-    protected abstract void Close();
-
-    protected void Finish(DeviceState state, Exception? fault)
+    /// <summary>Does what is left to do at the end.</summary>
+    protected virtual void Drain()
     {
-        Health.Fault = fault;
-        Health.State = state;
-        if (fault is null)
-            Log!.Write(RabitLogKind.Lifecycle, Name, "ended");
-        else
-            Report("failed", fault);
+    }
+
+    protected abstract void CloseDevice();
+
+    /// <summary>Gives up the value in hand after a fault, if it may have been used in part.</summary>
+    protected virtual void GiveUpValue()
+    {
+    }
+
+    /// <summary>Gives up what is left at the end.</summary>
+    /// <returns>How many values.</returns>
+    protected abstract long GiveUpRest();
+
+    /// <summary>A value was read or written: the next fault is the first of a new row.</summary>
+    protected void OnProgress() => _failures = 0;
+
+    protected void Finish()
+    {
+        Health.Enter(DeviceState.Ended, Clock.Now);
+        Log!.Write(RabitLogKind.Lifecycle, Name, "ended");
         manager.WakeUp!.Wake(WakeUpCauses.Device);
     }
 
-    protected void ReportDiscarded(long count)
+    private void OpenAgain()
     {
+        bool isReconnect = _wasOpened;
+        _isOpen = _wasOpened = true;
+        if (!isReconnect)
+            Health.Enter(DeviceState.Running, Clock.Now);
+        OpenDevice();
+        if (!isReconnect)
+            return;
+        Health.AddReconnect();
+        Health.Enter(DeviceState.Running, Clock.Now);
+        Log!.Write(RabitLogKind.Lifecycle, Name, FormattableString.Invariant($"its device is open again, reconnect {Health.Reconnects}"));
+        manager.WakeUp!.Wake(WakeUpCauses.Device);
+    }
+
+    private NextTurn AfterFault(Exception fault)
+    {
+        Health.AddFault(fault);
+        if (_failures >= reconnect.MostAttempts)
+        {
+            Health.Enter(DeviceState.Faulted, Clock.Now);
+            Report("failed", fault);
+            manager.WakeUp!.Wake(WakeUpCauses.Device);
+            return NextTurn.Never;
+        }
+
+        GiveUpValue();
+        Close();
+        TimeSpan delay = BackOff.Delay(reconnect.FirstDelay, reconnect.LongestDelay, _failures);
+        if (Health.State != DeviceState.Reconnecting)
+            Health.Enter(DeviceState.Reconnecting, Clock.Now);
+
+        // A device that is away for hours fails again and again: the log tells of the first time.
+        if (_failures++ == 0)
+            Report("failed, and will be opened again", fault);
+        manager.WakeUp!.Wake(WakeUpCauses.Device);
+        return NextTurn.OnlyAt(Times.Later(Clock.Now, delay));
+    }
+
+    private void Close()
+    {
+        if (!_isOpen)
+            return;
+        _isOpen = false;
+        try
+        {
+            CloseDevice();
+        }
+        catch (Exception e)
+        {
+            Report("could not close its device", e);
+        }
+    }
+
+    private void ReportLost()
+    {
+        long count = GiveUpRest();
         Health.AddDiscarded(count);
         if (count > 0)
             Log!.Write(RabitLogKind.Note, Name, FormattableString.Invariant($"{count} values were lost at the end"));

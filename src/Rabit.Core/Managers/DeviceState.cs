@@ -17,4 +17,7 @@ public enum DeviceState
 
     /// <summary>Stopped with its manager.</summary>
     Stopped,
+
+    /// <summary>The source or target threw; it is closed, and will be opened again.</summary>
+    Reconnecting,
 }

@@ -1,19 +1,24 @@
 using System;
+using Rabit.Core.Managers;
 
 namespace Rabit.Core;
 
-/// <summary>What happens after an exception left a manager's code. It is in the log, the status and the result under every policy. Immutable.</summary>
+/// <summary>
+/// What happens after an exception left a manager's code. It is in the log, the status and the result under every policy. Immutable.
+/// </summary>
+/// <remarks>An exception in Shutdown is told and changes nothing: the manager is ending, or about to be restarted, already.</remarks>
 public sealed class FaultPolicy
 {
-    private FaultPolicy(bool stopsSystem, TimeSpan firstDelay, TimeSpan longestDelay)
-    {
-        StopsSystem = stopsSystem;
-        FirstDelay = firstDelay;
-        LongestDelay = longestDelay;
-    }
+    private FaultPolicy(FaultAction action) => Action = action;
 
     /// <summary>The default: all managers are stopped in order, and the run ends with exit code 1.</summary>
-    public static FaultPolicy StopSystem { get; } = new(stopsSystem: true, TimeSpan.Zero, TimeSpan.Zero);
+    public static FaultPolicy StopSystem { get; } = new(FaultAction.StopSystem);
+
+    /// <summary>
+    /// This manager is shut down, with its readers and writers, and the others go on; the run will end with exit code 1. Its messages keep their last
+    /// values. Its queues stay: they fill up, and what is pushed then meets their rule for a full queue.
+    /// </summary>
+    public static FaultPolicy StopManager { get; } = new(FaultAction.StopManager);
 
     /// <summary>
     /// The manager carries on after a delay of 10 ms that doubles with every further fault, up to 1 s, and starts anew
@@ -21,14 +26,30 @@ public sealed class FaultPolicy
     /// </summary>
     public static FaultPolicy CarryOn { get; } = CarryOnAfter(TimeSpan.FromMilliseconds(10), TimeSpan.FromSeconds(1));
 
-    /// <summary>Whether a fault stops the whole system.</summary>
-    public bool StopsSystem { get; }
+    /// <summary>
+    /// The manager is shut down and, after 100 ms, started up again: the same object on the same thread, with its queues and messages. The
+    /// delay doubles with every restart within a minute, up to 10 s; a sixth one within a minute stops the system instead.
+    /// </summary>
+    public static FaultPolicy Restart { get; } = RestartAfter(
+        TimeSpan.FromMilliseconds(100), TimeSpan.FromSeconds(10), mostRestarts: 5, TimeSpan.FromMinutes(1));
 
-    /// <summary>The delay after the first of several faults.</summary>
-    public TimeSpan FirstDelay { get; }
+    /// <summary>What follows a fault.</summary>
+    public FaultAction Action { get; }
 
-    /// <summary>The longest delay.</summary>
-    public TimeSpan LongestDelay { get; }
+    /// <summary>The delay after the first of several faults; zero where nothing follows a delay.</summary>
+    public TimeSpan FirstDelay { get; private init; }
+
+    /// <summary>The longest delay; zero where nothing follows a delay.</summary>
+    public TimeSpan LongestDelay { get; private init; }
+
+    /// <summary>How many restarts there may be within <see cref="Window"/>; zero for other policies.</summary>
+    public int MostRestarts { get; private init; }
+
+    /// <summary>For how long a restart is counted; zero for other policies.</summary>
+    public TimeSpan Window { get; private init; }
+
+    /// <summary>What follows a fault instead of one restart too many.</summary>
+    public FaultAction Finally { get; private init; }
 
     /// <summary>As <see cref="CarryOn"/>, with other delays.</summary>
     /// <param name="firstDelay">After the first fault; longer than zero, or a manager that always throws would take a whole core.</param>
@@ -36,17 +57,33 @@ public sealed class FaultPolicy
     /// <exception cref="ArgumentOutOfRangeException">A delay is out of its range.</exception>
     public static FaultPolicy CarryOnAfter(TimeSpan firstDelay, TimeSpan longestDelay)
     {
-        Require.Positive(firstDelay, nameof(firstDelay), "The delay after a fault");
-        if (longestDelay < firstDelay)
-            throw new ArgumentOutOfRangeException(nameof(longestDelay), longestDelay, "The longest delay cannot be below the first.");
-        return new FaultPolicy(stopsSystem: false, firstDelay, longestDelay);
+        BackOff.Check(firstDelay, longestDelay, "after a fault");
+        return new FaultPolicy(FaultAction.CarryOn) { FirstDelay = firstDelay, LongestDelay = longestDelay };
     }
 
-    internal TimeSpan DelayAfter(TimeSpan lastDelay)
+    /// <summary>As <see cref="Restart"/>, with other figures.</summary>
+    /// <param name="firstDelay">Between shutdown and start-up; longer than zero, or a manager that always throws would take a whole core.</param>
+    /// <param name="longestDelay">Where the doubling with each restart within the window ends; not below the first.</param>
+    /// <param name="mostRestarts">How many restarts there may be within the window, 1 to 1000.</param>
+    /// <param name="window">For how long a restart is counted.</param>
+    /// <param name="finally">What follows a fault after that many: <see cref="FaultAction.StopSystem"/> or <see cref="FaultAction.StopManager"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">An argument is out of its range.</exception>
+    public static FaultPolicy RestartAfter(
+        TimeSpan firstDelay, TimeSpan longestDelay, int mostRestarts, TimeSpan window, FaultAction @finally = FaultAction.StopSystem)
     {
-        if (lastDelay == TimeSpan.Zero)
-            return FirstDelay;
-        long doubled = Math.Min(lastDelay.Ticks, long.MaxValue / 2) * 2;
-        return new TimeSpan(Math.Min(doubled, LongestDelay.Ticks));
+        BackOff.Check(firstDelay, longestDelay, "before a restart");
+        if (mostRestarts is < 1 or > 1000)
+            throw new ArgumentOutOfRangeException(nameof(mostRestarts), mostRestarts, "A manager may be restarted 1 to 1000 times within its window.");
+        Require.Positive(window, nameof(window), "The window in which restarts are counted");
+        if (@finally is not (FaultAction.StopSystem or FaultAction.StopManager))
+            throw new ArgumentOutOfRangeException(nameof(@finally), @finally, "Restarts end with a stop, of the system or of the manager.");
+        return new FaultPolicy(FaultAction.Restart)
+        {
+            FirstDelay = firstDelay,
+            LongestDelay = longestDelay,
+            MostRestarts = mostRestarts,
+            Window = window,
+            Finally = @finally,
+        };
     }
 }

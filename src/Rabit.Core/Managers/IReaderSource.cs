@@ -13,11 +13,14 @@ public interface IReaderSource<T>
     /// </summary>
     bool Blocks { get; }
 
-    /// <summary>Called once on the reader's thread before the first read. What it throws is the reader's fault.</summary>
+    /// <summary>
+    /// Called once on the reader's thread before the first read, and again after each close that a <see cref="ReconnectPolicy"/> asks for.
+    /// What it throws is the reader's fault.
+    /// </summary>
     /// <param name="context">The clock, and the way to end a wait.</param>
     void Open(ReaderContext context);
 
-    /// <summary>Reads one value. Called on the reader's thread only. What it throws ends the reader as faulted.</summary>
+    /// <summary>Reads one value. Called on the reader's thread only. What it throws ends the reader as faulted, or makes it close and open again.</summary>
     /// <param name="value">The value, where the step says so.</param>
     /// <returns>What it came to.</returns>
     ReaderStep Read(out T value);
@@ -25,6 +28,6 @@ public interface IReaderSource<T>
     /// <summary>Called from another thread when the reader stops: a read that blocks must come back soon, and no later one may block.</summary>
     void Unblock();
 
-    /// <summary>Called once on the reader's thread after the last read, whatever ended it, if <see cref="Open"/> was called.</summary>
+    /// <summary>Called once on the reader's thread for each call of <see cref="Open"/>, after the last read, whatever ended it.</summary>
     void Close();
 }

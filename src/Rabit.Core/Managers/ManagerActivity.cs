@@ -1,89 +1,166 @@
 using System;
-using System.Collections.Generic;
+using System.Diagnostics.Tracing;
 using System.Threading;
+using Rabit.Core.Diagnostics;
 
 namespace Rabit.Core.Managers;
 
 /// <summary>
-/// Runs one manager: marks it as the running one, keeps its status, and turns what it throws into faults. All on the manager's
-/// thread, but for <see cref="Doing"/>, <see cref="HasBegun"/> and <see cref="Faults"/>, which the reactor reads.
+/// Runs one manager: marks it as the running one, keeps its status, turns what it throws into faults and does what its fault policy says. All on
+/// the manager's thread, but for <see cref="Doing"/>, <see cref="HasBegun"/>, <see cref="HasStoppedAlone"/> and the lists, which the reactor reads,
+/// and <see cref="Hangs"/>, by which the watchdog looks at it.
 /// </summary>
 internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Activity(manager.Name, manager.WakeUpEvent)
 {
-    private readonly object _gate = new();                 // guards _faults
-    private readonly List<ManagerFault> _faults = [];      // the first few: a manager that always throws must not fill the memory
-    private long _faultCount;                              // under _gate
-    private int _stage = -1;                               // written by the manager's thread, read by all; -1: idle
-    private bool _hasBegun;                                // same
-    private TimeSpan _faultDelay;
-    private TimeSpan _lastEnd;                             // when the last stage ended: read from the clock once, used for all
-    private TimeSpan _due;                                 // when the timer is to wake, set with each run
-    private PeriodGrid _grid;                              // the deadlines of a manager with a fixed period
-    private bool _isHalted;
+    private readonly FaultFollowUp _followUp = new(manager, run);
+    private readonly ManagerStatistics _statistics = new();
+    private bool _hasBegun;           // written by the manager's thread, read by the reactor's
+    private bool _hasStoppedAlone;    // same
+    private bool _isUp;               // a start-up that has no shutdown yet
+    private ManagerState _state;      // as last posted
+    private WakeUps _kept;            // wakes that came before a restart, for the first run after it
+    private bool _isFirstRun;         // after a restart
+    private TimeSpan _lastEnd;        // when the last stage ended: read from the clock once, used for all
+    private TimeSpan _due;            // when the timer is to wake, set with each run
+    private bool _isOnGrid;           // whether that is a deadline of a fixed period
+    private PeriodGrid _grid;         // the deadlines of a manager with a fixed period
 
-    private const int FaultsKept = 10;
-
-    public override string Doing => Volatile.Read(ref _stage) switch
-    {
-        (int)ManagerStage.Startup => "Startup",
-        (int)ManagerStage.UnitOfWork => "ExecuteUnitOfWork",
-        (int)ManagerStage.Shutdown => "Shutdown",
-        _ => "sleeping",
-    };
+    public override string Doing => Hangs.Doing;
 
     public bool HasBegun => Volatile.Read(ref _hasBegun);
 
+    /// <summary>Whether a fault ended it, and only it. Its devices need not begin then.</summary>
+    public bool HasStoppedAlone => Volatile.Read(ref _hasStoppedAlone);
+
     public RabitManager Manager => manager;
 
-    public (IReadOnlyList<ManagerFault> First, long Count) Faults
-    {
-        get
-        {
-            lock (_gate)
-                return (_faults.ToArray(), _faultCount);
-        }
-    }
+    public FirstFew<ManagerFault> Faults => _followUp.Faults;
 
+    public HangWatch Hangs { get; } = new(manager, run);
+
+    /// <summary>Read by the reactor when the manager has ended.</summary>
     public long Runs { get; private set; }
+
+    /// <summary>As <see cref="Runs"/>.</summary>
+    public long Restarts { get; private set; }
 
     public override void Begin()
     {
         Volatile.Write(ref _hasBegun, true);
-        Execute(ManagerStage.Startup, WakeUpCauses.None, ManagerState.Starting);
+        if (!StartUp())
+            AfterFault();
     }
 
     public override NextTurn TakeTurn(WakeUps wakes, TimeSpan? wokenAt)
     {
-        if (_isHalted)
+        ComeBack();
+        if (_followUp.IsHalted)
             return NextTurn.Never;
 
         TimeSpan begin = run.Clock.Now;
-        if (run.Log.LogsRuns)
-            run.Log.Write(RabitLogKind.Run, Name, $"runs, woken by {wakes.Causes}");
-
-        bool isSound = Execute(ManagerStage.UnitOfWork, wakes.Causes, ManagerState.Running, begin, wakes.Count, wokenAt);
-        TimeSpan end = _lastEnd;
-        if (isSound)
+        if (_followUp.IsRestarting)
         {
-            _faultDelay = TimeSpan.Zero;
-            return NextTurn.At(_due, notBefore: end);
+            // The barrier opens for one whose start-up threw, too; its time comes later.
+            _kept = _kept.With(wakes);
+            return begin < _followUp.ResumeAt ? NextTurn.OnlyAt(_followUp.ResumeAt) : Restart();
         }
 
-        return _isHalted ? NextTurn.Never : NextTurn.OnlyAt(Later(end, _faultDelay));
+        if (_isFirstRun)
+        {
+            _isFirstRun = false;
+            wakes = _kept.With(wakes).FirstAfterRestart();
+            _kept = default;
+        }
+
+        if (run.Log.LogsRuns)
+            run.Log.Write(RabitLogKind.Run, Name, $"runs, woken by {wakes.Causes}");
+        if (!Execute(ManagerStage.UnitOfWork, ManagerState.Running, begin, wakes, wokenAt))
+            return AfterFault();
+        _followUp.OnSoundRun();
+        return NextTurn.At(_due, notBefore: _lastEnd);
     }
 
-    public override void End() => Execute(ManagerStage.Shutdown, WakeUpCauses.None, ManagerState.Stopped);
+    public override void End()
+    {
+        Hangs.TryEndModelled(TimeSpan.MaxValue);
+        if (_isUp)
+            ShutDown(ManagerState.Stopped);
+        else
+            PostState(ManagerState.Stopped);
+    }
 
-    private bool Execute(
-        ManagerStage stage, WakeUpCauses causes, ManagerState state, TimeSpan begin = default, int wakes = 0, TimeSpan? wokenAt = null)
+    /// <summary>Ends a unit of work whose modelled duration is over; in virtual time, where the watchdog calls it too.</summary>
+    public void ComeBack()
+    {
+        if (Hangs.TryEndModelled(run.Clock.Now))
+            PostState(_state);
+    }
+
+    private bool StartUp()
+    {
+        _isUp = true;
+        return Execute(ManagerStage.Startup, ManagerState.Starting, run.Clock.Now);
+    }
+
+    private void ShutDown(ManagerState state)
+    {
+        _isUp = false;
+        Execute(ManagerStage.Shutdown, state, run.Clock.Now);
+    }
+
+    private NextTurn Restart()
+    {
+        Restarts++;
+        _followUp.Resume();
+        _grid = default;
+        run.Log.Write(RabitLogKind.Lifecycle, Name, FormattableString.Invariant($"starts up again, restart {Restarts}"));
+        if (!StartUp())
+            return AfterFault();
+
+        // In a turn of its own: a stop that came meanwhile causes no extra run.
+        _isFirstRun = true;
+        return NextTurn.At(_lastEnd);
+    }
+
+    private NextTurn AfterFault()
+    {
+        _isOnGrid = false;
+        switch (_followUp.Action)
+        {
+            case FaultAction.StopManager:
+                StopAlone();
+                return NextTurn.Never;
+            case FaultAction.Restart:
+                ShutDown(ManagerState.Restarting);
+                return NextTurn.OnlyAt(_followUp.ResumeAt);
+            case FaultAction.CarryOn:
+                return NextTurn.OnlyAt(_followUp.ResumeAt);
+            default:
+                return NextTurn.Never;
+        }
+    }
+
+    // As the reactor does it, but for the waiting: a manager never waits for its devices.
+    private void StopAlone()
+    {
+        Volatile.Write(ref _hasStoppedAlone, true);
+        foreach (DeviceActivity reader in manager.Readers)
+            reader.StopAlone();
+        ShutDown(ManagerState.Faulted);
+        foreach (DeviceActivity writer in manager.Writers)
+            writer.StopAlone();
+        run.Log.Write(RabitLogKind.Lifecycle, Name, "is stopped alone; the others go on");
+    }
+
+    private bool Execute(ManagerStage stage, ManagerState state, TimeSpan begin, WakeUps wakes = default, TimeSpan? wokenAt = null)
     {
         EndOwner? outer = RunningManager.Current;
         RunningManager.Current = manager.Owner;
-        Volatile.Write(ref _stage, (int)stage);
+        Hangs.Enter(stage, begin);
         Exception? thrown = null;
         try
         {
-            Call(stage, causes);
+            Call(stage, wakes.Causes);
         }
         catch (Exception e)
         {
@@ -91,14 +168,15 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
             thrown = e;
         }
 
-        _lastEnd = EndOf(stage, begin);
-        if (thrown is not null)
-            OnFault(stage, thrown);
+        Leave(stage, begin);
         ref ManagerStatus status = ref manager.StatusPublisher.Value;
+        if (thrown is not null)
+            _followUp.OnFault(new ManagerFault(Name, stage, run.Clock.Now, thrown), _lastEnd, ref status);
         if (stage == ManagerStage.UnitOfWork)
-            CountRun(ref status, causes, begin, wakes, wokenAt);
+            CountRun(ref status, begin, wakes, wokenAt);
+        else if (stage == ManagerStage.Shutdown)
+            _statistics.FillPercentiles(ref status);
         PostStatus(ref status, stage == ManagerStage.Shutdown || thrown is null ? state : ManagerState.Faulted);
-        Volatile.Write(ref _stage, -1);
         RunningManager.Current = outer;
         return thrown is null;
     }
@@ -119,19 +197,22 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         }
     }
 
-    private void CountRun(ref ManagerStatus status, WakeUpCauses causes, TimeSpan begin, int wakes, TimeSpan? wokenAt)
+    private void CountRun(ref ManagerStatus status, TimeSpan begin, WakeUps wakes, TimeSpan? wokenAt)
     {
         if (run.TakeReset())
-            status = new ManagerStatus { Faults = status.Faults, LastFault = status.LastFault };
+            _statistics.Reset(ref status);
         Runs++;
         status.Runs++;
-        WakeUpCounts counts = status.WakeUps;
-        counts.Count(causes, wakes);
-        status.WakeUps = counts;
+        status._wakeUps.Count(wakes.Causes, wakes.Count);
         status.LastRunAt = begin;
-        status.UnitOfWorkTime = status.UnitOfWorkTime.With(_lastEnd - begin);
-        if (wokenAt is { } at)
-            status.WakeLatency = status.WakeLatency.With(begin - at);
+        if (run.KeepsStatistics)
+        {
+            TimeSpan? deadline = _isOnGrid && (wakes.Causes & WakeUpCauses.Timer) != 0 ? _due : null;
+            _statistics.CountRun(ref status, begin, _lastEnd, wokenAt, deadline);
+            if (RabitEventSource.Instance.IsEnabled() && RabitEventSource.Instance.IsEnabled(EventLevel.Verbose, EventKeywords.None))
+                RabitEventSource.Instance.UnitOfWork(Name, Microseconds(_lastEnd - begin), wokenAt is { } at ? Microseconds(begin - at) : -1);
+        }
+
         status.Slips += SetTimer(begin);
     }
 
@@ -140,52 +221,49 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
     {
         if (manager.Period is not { } period)
         {
+            _isOnGrid = false;
             _grid = default;
-            _due = Later(_lastEnd, manager.WakeUpDelay);
+            _due = Times.Later(_lastEnd, manager.WakeUpDelay);
             return 0;
         }
 
+        _isOnGrid = true;
         _due = _grid.Next(period, begin, _lastEnd, out long slips);
         return slips;
     }
 
+    private void PostState(ManagerState state)
+    {
+        EndOwner? outer = RunningManager.Current;
+        RunningManager.Current = manager.Owner;
+        _lastEnd = run.Clock.Now;
+        PostStatus(ref manager.StatusPublisher.Value, state);
+        RunningManager.Current = outer;
+    }
+
     private void PostStatus(ref ManagerStatus status, ManagerState state)
     {
-        status.State = state;
+        status.State = _state = state;
         status.WakeUpDelay = manager.Period ?? manager.WakeUpDelay;
+        status.Restarts = Restarts;
+        Hangs.Describe(ref status);
         manager.StatusPublisher.Post(_lastEnd);
     }
 
-    private void OnFault(ManagerStage stage, Exception thrown)
+    private static int Microseconds(TimeSpan time) => (int)Math.Min(int.MaxValue, time.Ticks / 10);
+
+    // In virtual time the clock stands still during a unit of work; its modelled duration is added.
+    private void Leave(ManagerStage stage, TimeSpan begin)
     {
-        var fault = new ManagerFault(Name, stage, run.Clock.Now, thrown);
-        lock (_gate)
+        if (stage == ManagerStage.UnitOfWork && ModelledDuration > TimeSpan.Zero)
         {
-            _faultCount++;
-            if (_faults.Count < FaultsKept)
-                _faults.Add(fault);
-        }
-
-        ref ManagerStatus status = ref manager.StatusPublisher.Value;
-        status.Faults++;
-        status.LastFault = fault.ToString();
-        run.Log.Write(RabitLogKind.Fault, Name, fault.ToString(), thrown);
-
-        FaultPolicy policy = manager.FaultPolicy;
-        if (policy.StopsSystem)
-        {
-            _isHalted = true;
-            run.RequestStop(fault.ToString());
+            _lastEnd = Times.Later(begin, ModelledDuration);
+            Hangs.LeaveLater(begin, _lastEnd);
         }
         else
         {
-            _faultDelay = policy.DelayAfter(_faultDelay);
+            _lastEnd = run.Clock.Now;
+            Hangs.Leave(_lastEnd);
         }
     }
-
-    // In virtual time the clock stands still during a unit of work; its modelled duration is added.
-    private TimeSpan EndOf(ManagerStage stage, TimeSpan begin)
-        => stage == ManagerStage.UnitOfWork && ModelledDuration > TimeSpan.Zero ? begin + ModelledDuration : run.Clock.Now;
-
-    private static TimeSpan Later(TimeSpan time, TimeSpan delay) => time > TimeSpan.MaxValue - delay ? TimeSpan.MaxValue : time + delay;
 }

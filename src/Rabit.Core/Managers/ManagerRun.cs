@@ -5,13 +5,20 @@ using Rabit.Core.Diagnostics;
 namespace Rabit.Core.Managers;
 
 /// <summary>What a manager is given of the run that it is part of.</summary>
-internal sealed class ManagerRun(RunClock clock, RabitLog log, Action<string> requestStop)
+internal sealed class ManagerRun(RunClock clock, RabitLog log, HangPolicy hangPolicy, bool keepsStatistics, Action<string> requestStop)
 {
     private int _resetRequested;   // set by any thread, taken by the manager's
 
     public RunClock Clock { get; } = clock;
 
     public RabitLog Log { get; } = log;
+
+    public HangPolicy HangPolicy { get; } = hangPolicy;
+
+    public bool KeepsStatistics { get; } = keepsStatistics;
+
+    /// <summary>Wakes the watchdog of a run in virtual time, where it sleeps until a modelled duration begins. Set before the start.</summary>
+    public WakeUpEvent? WatchdogWakeUp { get; set; }
 
     public void RequestStop(string reason) => requestStop(reason);
 

@@ -17,4 +17,10 @@ public enum ManagerState
 
     /// <summary>Shut down.</summary>
     Stopped,
+
+    /// <summary>Shut down after a fault, and waits for its next start-up; see the fault policy.</summary>
+    Restarting,
+
+    /// <summary>Does not come back from its code; posted by the watchdog in its place.</summary>
+    Hanging,
 }

@@ -4,11 +4,16 @@ namespace Rabit.Core;
 
 /// <summary>
 /// What a manager tells of itself: a message of its own (<see cref="RabitManager.SubscribeToStatus"/>), posted when its
-/// state changes and after every unit of work. A plain value.
+/// state changes and after every unit of work, and, when it hangs, by the watchdog in its place. A plain value.
 /// </summary>
-/// <remarks>A status that is older than the wake-up delay for long means a unit of work that does not come back.</remarks>
 public struct ManagerStatus
 {
+    // Counted up in place with every run, instead of copied there and back.
+    internal WakeUpCounts _wakeUps;
+    internal DurationStatistics _unitOfWorkTime;
+    internal DurationStatistics _wakeLatency;
+    internal DurationStatistics _periodError;
+
     /// <summary>Where the manager is in its life.</summary>
     public ManagerState State { get; internal set; }
 
@@ -16,19 +21,34 @@ public struct ManagerStatus
     public long Runs { get; internal set; }
 
     /// <summary>Why they were run.</summary>
-    public WakeUpCounts WakeUps { get; internal set; }
+    public readonly WakeUpCounts WakeUps => _wakeUps;
 
     /// <summary>How long they took, by the clock of the run: in virtual time their modelled duration.</summary>
-    public DurationStatistics UnitOfWorkTime { get; internal set; }
+    public readonly DurationStatistics UnitOfWorkTime => _unitOfWorkTime;
 
     /// <summary>From the wake-up (or the moment the timer was due) to the unit of work, where the manager slept.</summary>
-    public DurationStatistics WakeLatency { get; internal set; }
+    public readonly DurationStatistics WakeLatency => _wakeLatency;
+
+    /// <summary>How late after its deadline each unit of work that <see cref="RabitManager.Period"/> caused began.</summary>
+    public readonly DurationStatistics PeriodError => _periodError;
 
     /// <summary>Exceptions that left the manager's code.</summary>
     public long Faults { get; internal set; }
 
     /// <summary>The last one: stage, type and text. Null when there was none.</summary>
     public string? LastFault { get; internal set; }
+
+    /// <summary>How often it was started up again after a fault.</summary>
+    public long Restarts { get; internal set; }
+
+    /// <summary>How often the watchdog found it hanging.</summary>
+    public long Hangs { get; internal set; }
+
+    /// <summary>The last time: stage, for how long, and what it was doing. Null when there was none.</summary>
+    public string? LastHang { get; internal set; }
+
+    /// <summary>When it entered the code that it does not come back from, by <see cref="RabitManager.Now"/>; zero unless it is <see cref="ManagerState.Hanging"/>.</summary>
+    public TimeSpan HangingSince { get; internal set; }
 
     /// <summary>Deadlines of <see cref="RabitManager.Period"/> that passed before their unit of work could begin.</summary>
     public long Slips { get; internal set; }

@@ -19,14 +19,14 @@ internal struct PeriodGrid
         if (period != _period)
         {
             _period = period;
-            _deadline = Later(begin, period);
+            _deadline = Times.Later(begin, period);
         }
         else if (_deadline <= begin)
         {
             // The last run was for the newest deadline before it; older ones had none.
             long missed = (begin - _deadline).Ticks / period.Ticks;
             slips += missed;
-            _deadline = Later(_deadline, new TimeSpan(period.Ticks * (missed + 1)));
+            _deadline = Times.Later(_deadline, new TimeSpan(period.Ticks * (missed + 1)));
         }
 
         if (_deadline <= end)
@@ -39,6 +39,4 @@ internal struct PeriodGrid
 
         return _deadline;
     }
-
-    private static TimeSpan Later(TimeSpan time, TimeSpan delay) => time > TimeSpan.MaxValue - delay ? TimeSpan.MaxValue : time + delay;
 }

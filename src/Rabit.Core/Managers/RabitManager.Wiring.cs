@@ -70,15 +70,21 @@ public abstract partial class RabitManager
     /// <param name="source">What is read; used by one reader.</param>
     /// <param name="capacity">How many values that were read may wait for the manager.</param>
     /// <param name="whenFull">What happens when that many wait; <see cref="QueueFullMode.Wait"/> makes the reader wait and loses nothing.</param>
+    /// <param name="reconnect">Whether the source is opened again after a fault; null for never.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected BlockingReader<T> AttachReader<T>(
-        string name, IReaderSource<T> source, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Wait)
+        string name,
+        IReaderSource<T> source,
+        int capacity = 100,
+        QueueFullMode whenFull = QueueFullMode.Wait,
+        ReconnectPolicy? reconnect = null)
     {
         EndOwner reader = DeviceOwner(name, "reader");
         QueueBinding<T> receiver = DeclareReceiver<T>(_owner, reader.Name, capacity, whenFull, wakeOnPush: true);
         QueueBinding<T> sender = Declare(new QueueBinding<T>(reader, EndRole.Send, reader.Name));
         var health = new DeviceHealth();
-        Readers.Add(new ReaderActivity<T>(reader.Name, reader.WakeUp!, _owner, health, Require.NotNull(source, nameof(source)), sender));
+        Readers.Add(new ReaderActivity<T>(
+            reader.Name, reader.WakeUp!, _owner, health, reconnect ?? ReconnectPolicy.Never, Require.NotNull(source, nameof(source)), sender));
         return new BlockingReader<T>(name, new QueueReceiver<T>(receiver), health);
     }
 
@@ -88,15 +94,21 @@ public abstract partial class RabitManager
     /// <param name="target">What is written to; used by one writer.</param>
     /// <param name="capacity">How many values may wait to be written.</param>
     /// <param name="whenFull">What happens when that many wait: reject, or drop the oldest. The manager never waits.</param>
+    /// <param name="reconnect">Whether the target is opened again after a fault; null for never.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected BlockingWriter<T> AttachWriter<T>(
-        string name, IWriterTarget<T> target, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject)
+        string name,
+        IWriterTarget<T> target,
+        int capacity = 100,
+        QueueFullMode whenFull = QueueFullMode.Reject,
+        ReconnectPolicy? reconnect = null)
     {
         EndOwner writer = DeviceOwner(name, "writer");
         QueueBinding<T> receiver = DeclareReceiver<T>(writer, writer.Name, capacity, whenFull, wakeOnPush: true);
         QueueBinding<T> sender = Declare(new QueueBinding<T>(_owner, EndRole.Send, writer.Name));
         var health = new DeviceHealth();
-        Writers.Add(new WriterActivity<T>(writer.Name, writer.WakeUp!, _owner, health, Require.NotNull(target, nameof(target)), receiver));
+        Writers.Add(new WriterActivity<T>(
+            writer.Name, writer.WakeUp!, _owner, health, reconnect ?? ReconnectPolicy.Never, Require.NotNull(target, nameof(target)), receiver));
         return new BlockingWriter<T>(name, new QueueSender<T>(sender), health);
     }
 

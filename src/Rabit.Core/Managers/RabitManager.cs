@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using Rabit.Core.Managers;
 using Rabit.Core.Messaging;
 using Rabit.Core.Workspaces;
@@ -22,6 +23,8 @@ public abstract partial class RabitManager
     private TimeSpan _wakeUpDelay = TimeSpan.FromSeconds(1);
     private TimeSpan? _period;
     private FaultPolicy _faultPolicy = FaultPolicy.StopSystem;
+    private TimeSpan? _stopTimeout;
+    private string? _doing;   // written by the manager's thread, read by whoever reports that it hangs
     private ManagerRun? _run;
 
     /// <summary>Names the manager. Derived constructors record what it posts, fetches, sends and receives; nothing runs yet.</summary>
@@ -74,11 +77,34 @@ public abstract partial class RabitManager
         }
     }
 
-    /// <summary>What happens after an exception left the manager's code; by default the system stops. Set before the start.</summary>
+    /// <summary>What follows an exception that left the manager's code; by default the system stops. Set before the start.</summary>
     public FaultPolicy FaultPolicy
     {
         get => _faultPolicy;
         set => _faultPolicy = Require.NotNull(value, nameof(value));
+    }
+
+    /// <summary>How long this manager may be in its code, and what follows when it does not come back. Set before the start.</summary>
+    /// <value>Null, the default, for that of the reactor (<see cref="ReactorOptions.HangPolicy"/>).</value>
+    public HangPolicy? HangPolicy { get; set; }
+
+    /// <summary>How long this manager, and each of its readers and writers, may take to stop. Set before the start.</summary>
+    /// <value>Null, the default, for that of the reactor (<see cref="ReactorOptions.StopTimeout"/>).</value>
+    /// <exception cref="ArgumentOutOfRangeException">Zero or negative.</exception>
+    public TimeSpan? StopTimeout
+    {
+        get => _stopTimeout;
+        set => _stopTimeout = value is { } timeout ? Require.Positive(timeout, nameof(value), $"The time in which manager '{Name}' must stop") : null;
+    }
+
+    /// <summary>
+    /// What the manager is doing, in a few words, for the report that it hangs: set it before something that may take long. It costs a
+    /// field; a constant text costs no more. Forgotten when the manager next enters its code. Set on the manager's thread, read on any.
+    /// </summary>
+    protected internal string? Doing
+    {
+        get => Volatile.Read(ref _doing);
+        protected set => Volatile.Write(ref _doing, value);
     }
 
     /// <summary>Why the running unit of work runs. By default everything is done on every wake, and nobody needs to ask.</summary>
@@ -141,6 +167,8 @@ public abstract partial class RabitManager
     internal bool IsAttached => _run is not null;
 
     internal void Attach(ManagerRun run) => _run = run;
+
+    internal void ForgetDoing() => Volatile.Write(ref _doing, null);
 
     internal void RunStartup() => Startup();
 

@@ -5,8 +5,14 @@ namespace Rabit.Core.Managers;
 
 /// <summary>Reads a source into its manager's queue.</summary>
 internal sealed class ReaderActivity<T>(
-    string name, WakeUpEvent wakeUp, EndOwner manager, DeviceHealth health, IReaderSource<T> source, QueueBinding<T> sender)
-    : DeviceActivity(name, wakeUp, manager, health)
+    string name,
+    WakeUpEvent wakeUp,
+    EndOwner manager,
+    DeviceHealth health,
+    ReconnectPolicy reconnect,
+    IReaderSource<T> source,
+    QueueBinding<T> sender)
+    : DeviceActivity(name, wakeUp, manager, health, reconnect)
 {
     // A source that always has more gives the others a turn, and a stop a chance, after so many values.
     private const int ValuesPerTurn = 64;
@@ -18,7 +24,7 @@ internal sealed class ReaderActivity<T>(
 
     protected override void UnblockDevice() => source.Unblock();
 
-    protected override void Open() => source.Open(new ReaderContext(Clock, WakeUp));
+    protected override void OpenDevice() => source.Open(new ReaderContext(Clock, WakeUp));
 
     protected override NextTurn Work()
     {
@@ -32,22 +38,25 @@ internal sealed class ReaderActivity<T>(
                 return NextTurn.At(step.Due);
             if (step.Kind == ReaderStepKind.Ended)
             {
-                Finish(DeviceState.Ended, fault: null);
+                Finish();
                 return NextTurn.Never;
             }
 
             _holdsValue = true;
+            OnProgress();
         }
 
         return _holdsValue && !TryHandOver() ? NextTurn.At(TimeSpan.MaxValue) : NextTurn.At(TimeSpan.Zero);
     }
 
-    protected override void Close()
+    protected override void CloseDevice() => source.Close();
+
+    protected override long GiveUpRest()
     {
-        ReportDiscarded(_holdsValue ? 1 : 0);
-        if (_holdsValue)
-            Discard();
-        source.Close();
+        if (!_holdsValue)
+            return 0;
+        Discard();
+        return 1;
     }
 
     private bool TryHandOver()

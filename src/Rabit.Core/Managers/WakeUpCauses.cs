@@ -27,6 +27,6 @@ public enum WakeUpCauses
     /// <summary>Somebody called <see cref="RabitManager.WakeUp"/>.</summary>
     Request = 32,
 
-    /// <summary>A reader or writer of the manager ended or failed.</summary>
+    /// <summary>A reader or writer of the manager ended, failed, or opened its device again.</summary>
     Device = 64,
 }

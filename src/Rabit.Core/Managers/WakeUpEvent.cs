@@ -1,5 +1,5 @@
 using System;
-using System.Threading;
+using Rabit.Core.Synchronization;
 
 namespace Rabit.Core.Managers;
 
@@ -21,8 +21,10 @@ namespace Rabit.Core.Managers;
 /// the look are one compare-and-swap: either the waker finds the mark and signals, or the sleeper finds the cause and
 /// does not wait. A signal that comes late (the sleeper had already timed out) is kept by the signal and ends the next
 /// wait early; whoever waits must look again, and does.
+/// The tests explore every interleaving of this very code (docs/concepts/proof.md).
 /// </remarks>
-internal sealed class WakeUpEvent
+internal class WakeUpEvent<TSync>
+    where TSync : struct, ISyncPoints
 {
     public const int Stop = 128;
 
@@ -44,7 +46,7 @@ internal sealed class WakeUpEvent
     public bool StopRequested => Has(Stop);
 
     /// <summary>When the wake that ended the last sleep came; null while the waker, who has set the cause already, has not told.</summary>
-    public TimeSpan? WokenAt => Interlocked.Read(ref _wokenAtTicks) is var ticks && ticks == NotTold ? null : new TimeSpan(ticks);
+    public TimeSpan? WokenAt => default(TSync).InterlockedRead(ref _wokenAtTicks) is var ticks && ticks == NotTold ? null : new TimeSpan(ticks);
 
     /// <summary>Tells what to signal. Wakes that came before are kept.</summary>
     public void Connect(IWakeSignal signal, RunClock clock)
@@ -61,12 +63,12 @@ internal sealed class WakeUpEvent
     /// <returns>False when there is something to take now.</returns>
     public bool TryFallAsleep(int wanted)
     {
-        int seen = Volatile.Read(ref _state);
+        int seen = default(TSync).VolatileRead(ref _state);
         while ((seen & wanted) == 0)
         {
             // Before the mark: a waker tells its time after it has found the mark.
-            Interlocked.Exchange(ref _wokenAtTicks, NotTold);
-            int found = Interlocked.CompareExchange(ref _state, seen | Asleep, seen);
+            default(TSync).Exchange(ref _wokenAtTicks, NotTold);
+            int found = default(TSync).CompareExchange(ref _state, seen | Asleep, seen);
             if (found == seen)
                 return true;
             seen = found;
@@ -76,24 +78,24 @@ internal sealed class WakeUpEvent
     }
 
     /// <summary>Whether one of the wanted causes is there.</summary>
-    public bool Has(int wanted) => (Volatile.Read(ref _state) & wanted) != 0;
+    public bool Has(int wanted) => (default(TSync).VolatileRead(ref _state) & wanted) != 0;
 
     /// <summary>Takes all causes, and wakes the sleeper in the books.</summary>
     public WakeUps Take()
     {
-        int taken = Interlocked.Exchange(ref _state, 0);
+        int taken = default(TSync).Exchange(ref _state, 0);
         return new WakeUps((WakeUpCauses)(taken & AllCauses & ~Stop), (int)((uint)taken / OneWake), (taken & Stop) != 0);
     }
 
     private void Wake(int cause)
     {
-        int seen = Volatile.Read(ref _state);
+        int seen = default(TSync).VolatileRead(ref _state);
         while (true)
         {
             int next = seen | cause;
             if (cause != Stop && (uint)seen < CountIsFull)
                 next += OneWake;
-            int found = Interlocked.CompareExchange(ref _state, next, seen);
+            int found = default(TSync).CompareExchange(ref _state, next, seen);
             if (found == seen)
                 break;
             seen = found;
@@ -102,8 +104,11 @@ internal sealed class WakeUpEvent
         bool first = (seen & AllCauses) == 0 || (cause & Urgent) != 0;
         if ((seen & Asleep) != 0 && first)
         {
-            Interlocked.Exchange(ref _wokenAtTicks, _clock!.Now.Ticks);
+            default(TSync).Exchange(ref _wokenAtTicks, _clock!.Now.Ticks);
             _signal!.Set();
         }
     }
 }
+
+/// <inheritdoc/>
+internal sealed class WakeUpEvent : WakeUpEvent<SyncPoints>;

@@ -9,5 +9,10 @@ internal readonly struct WakeUps(WakeUpCauses causes, int count, bool stop)
 
     public bool Stop { get; } = stop;
 
+    public WakeUps With(WakeUps later) => new(Causes | later.Causes, Count + later.Count, Stop || later.Stop);
+
+    /// <summary>The timer that ended the wait for the restart was none of the manager's.</summary>
+    public WakeUps FirstAfterRestart() => new((Causes & ~WakeUpCauses.Timer) | WakeUpCauses.Start, Count, Stop);
+
     public WakeUps With(WakeUpCauses more) => new(Causes | more, Count, Stop);
 }

@@ -6,8 +6,14 @@ namespace Rabit.Core.Managers;
 
 /// <summary>Writes what its manager pushes to a target.</summary>
 internal sealed class WriterActivity<T>(
-    string name, WakeUpEvent wakeUp, EndOwner manager, DeviceHealth health, IWriterTarget<T> target, QueueBinding<T> receiver)
-    : DeviceActivity(name, wakeUp, manager, health)
+    string name,
+    WakeUpEvent wakeUp,
+    EndOwner manager,
+    DeviceHealth health,
+    ReconnectPolicy reconnect,
+    IWriterTarget<T> target,
+    QueueBinding<T> receiver)
+    : DeviceActivity(name, wakeUp, manager, health, reconnect)
 {
     private bool _unblocked;   // set by the reactor's thread, read by the writer's
     private bool _holdsValue;  // popped, and not yet written as far as the target said
@@ -18,8 +24,6 @@ internal sealed class WriterActivity<T>(
 
     protected override bool HasWorkLeft => receiver.Queue!.Count > 0;
 
-    public override void Abandon() => ReportDiscarded(receiver.Queue!.Count);
-
     /// <summary>The writer had its time to write what was left; now it is to give up.</summary>
     protected override void UnblockDevice()
     {
@@ -27,31 +31,34 @@ internal sealed class WriterActivity<T>(
         target.Unblock();
     }
 
-    protected override void Open() => target.Open();
+    protected override void OpenDevice() => target.Open();
 
     protected override NextTurn Work()
+    {
+        Drain();
+        return NextTurn.At(TimeSpan.MaxValue);
+    }
+
+    protected override void Drain()
     {
         while (!Volatile.Read(ref _unblocked) && receiver.Queue!.TryPop(out T? value))
         {
             _holdsValue = true;
             target.Write(value);
             _holdsValue = false;
+            OnProgress();
         }
-
-        return NextTurn.At(TimeSpan.MaxValue);
     }
 
-    protected override void Close()
+    protected override void CloseDevice() => target.Close();
+
+    protected override void GiveUpValue()
     {
-        try
-        {
-            if (!HasFinished)
-                Work();
-        }
-        finally
-        {
-            ReportDiscarded(receiver.Queue!.Count + (_holdsValue ? 1 : 0));
-            target.Close();
-        }
+        if (_holdsValue)
+            Health.AddDiscarded(1);
+        _holdsValue = false;
     }
+
+    // What stays in the queue is disposed with it, if it must be.
+    protected override long GiveUpRest() => receiver.Queue!.Count + (_holdsValue ? 1 : 0);
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using Rabit.Core.Managers;
+using Rabit.Core.Synchronization;
 
 namespace Rabit.Core.Reactors;
 
@@ -44,41 +45,10 @@ internal sealed class ActivityThread : IDisposable
         _activity.Begin();
         Announce(ref _hasBegun);
 
-        NextTurn next = NextTurn.AtStart();
-        while (true)
-        {
-            WakeUps wakes = SleepUntil(next, out TimeSpan? wokenAt);
-            if (wakes.Stop)
-                break;
-            next = _activity.TakeTurn(wakes, wokenAt);
-            if (next.IsNever)
-                next = NextTurn.OnlyAt(TimeSpan.MaxValue);
-        }
+        new TurnLoop<SyncPoints>(_activity.WakeUp, _signal, _clock).Run(NextTurn.AtStart(), _activity.TakeTurn);
 
         _activity.End();
         Announce(ref _hasEnded);
-    }
-
-    private WakeUps SleepUntil(NextTurn next, out TimeSpan? wokenAt)
-    {
-        wokenAt = null;
-        WakeUpEvent wakeUp = _activity.WakeUp;
-        while (wakeUp.TryFallAsleep(next.Wanted))
-        {
-            TimeSpan left = next.Due - _clock.Now;
-            if (left <= TimeSpan.Zero)
-            {
-                wokenAt = next.Due;
-                return wakeUp.Take().With(WakeUpCauses.Timer);
-            }
-
-            wokenAt = null;
-            _signal.Wait(left);
-            if (wakeUp.Has(next.Wanted))
-                wokenAt = wakeUp.WokenAt;
-        }
-
-        return wakeUp.Take();
     }
 
     private void Announce(ref bool mark)

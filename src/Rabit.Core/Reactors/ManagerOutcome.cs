@@ -12,6 +12,9 @@ public enum ManagerOutcome
     /// <summary>It shut down, and threw at least once.</summary>
     Faulted,
 
+    /// <summary>It threw, and its fault policy stopped it alone, before the run was stopped.</summary>
+    StoppedAlone,
+
     /// <summary>It did not stop in time; its thread may still run.</summary>
     DidNotStop,
 }

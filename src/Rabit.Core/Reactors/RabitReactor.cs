@@ -24,6 +24,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     private readonly ReactorEngine _engine;
     private readonly List<RabitManager> _managers = [];
     private readonly List<ManagerActivity> _activities = [];   // filled by Start, then read only
+    private ReactorSupervision? _supervision;                  // written by Start before _isWired, then read only
 
     // Guards the five fields below: a stop comes from any thread.
     private readonly object _gate = new();
@@ -150,6 +151,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         Prepare();
         lock (_gate)
             _isWired = true;
+        Supervision.Begin(_engine);
         _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
         foreach (ManagerActivity activity in _activities)
         {
@@ -187,11 +189,12 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         string reason = _stopReason ?? string.Empty;
         _log.Write(RabitLogKind.Lifecycle, Source, "stops: " + reason);
 
-        var ending = new ManagerEnding(_engine, _log, _options.StopTimeout);
-        List<ManagerResult> results = Enumerable.Reverse(_activities).Select(ending.End).ToList();
-        results.Reverse();
+        var ending = new ManagerEnding(_engine, _clock, _log, _options);
+        List<ManagerResult> results = ending.EndAll(_activities, Supervision);
+        Supervision.End(_engine, _log, _clock.Now);
         Workspace.CloseQueues();
         _engine.Dispose();
+        Supervision.Dispose();
         return new ReactorResult(reason, _failure, duration, results);
     }
 
@@ -215,6 +218,10 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         return _engine.RealTurnTime(activity);
     }
 
+    /// <summary>What all managers do and their figures up to now, as a table of text, one line each. Any thread.</summary>
+    /// <returns>Empty before the managers are wired.</returns>
+    public string StatusTable() => IsWired ? Supervision.StatusTable() : string.Empty;
+
     /// <summary>The managers, in the order of their start.</summary>
     public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
 
@@ -229,6 +236,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         }
     }
 
+    private ReactorSupervision Supervision => _supervision!;
+
     private void Prepare()
     {
         if (_managers.Find(m => m.IsAttached) is { } taken)
@@ -237,19 +246,28 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         foreach (string note in Workspace.Notes)
             _log.Write(RabitLogKind.Note, Source, note);
 
+        var runs = new List<ManagerRun>();
         foreach (RabitManager manager in _managers)
         {
-            var run = new ManagerRun(_clock, _log, reason => RequestStop(reason, failure: null));
+            var run = new ManagerRun(_clock, _log, _options.HangPolicy, _options.KeepsStatistics, reason => RequestStop(reason, failure: null));
             manager.Attach(run);
             foreach (DeviceActivity device in manager.Readers.Concat(manager.Writers))
                 device.Connect(_clock, _log);
             _activities.Add(new ManagerActivity(manager, run));
+            runs.Add(run);
         }
+
+        _supervision = new ReactorSupervision(_options, Workspace, _clock, _activities);
+        foreach (ManagerRun run in runs)
+            run.WatchdogWakeUp = _supervision.WatchdogWakeUp;
     }
 
     private void OpenBarrier()
     {
-        List<DeviceActivity> devices = _managers.SelectMany(m => m.Writers.Concat(m.Readers)).ToList();
+        List<DeviceActivity> devices = _activities
+            .Where(a => !a.HasStoppedAlone)
+            .SelectMany(a => a.Manager.Writers.Concat(a.Manager.Readers))
+            .ToList();
         foreach (DeviceActivity device in devices)
             _engine.Begin(device);
         foreach (Activity activity in _activities.Concat<Activity>(devices))

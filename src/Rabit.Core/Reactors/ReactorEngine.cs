@@ -12,9 +12,15 @@ internal abstract class ReactorEngine : IDisposable
     /// <summary>Comes back when a stop was requested, or at the given time.</summary>
     public abstract void RunUntil(TimeSpan end);
 
+    /// <summary>Asks an activity to stop and does not wait.</summary>
+    public abstract void AskToEnd(Activity activity);
+
     /// <summary>Asks an activity to stop and lets it end.</summary>
+    /// <param name="activity">Perhaps one that never began.</param>
+    /// <param name="atMost">How long to wait; twice as long for one that has work left at its end.</param>
+    /// <param name="deadline">When to stop waiting, by the clock of the run.</param>
     /// <returns>False when it did not within the time limit; it then keeps its thread, which does not keep the process.</returns>
-    public abstract bool TryEnd(Activity activity, TimeSpan atMost);
+    public abstract bool TryEnd(Activity activity, TimeSpan atMost, TimeSpan deadline);
 
     /// <summary>From any thread: <see cref="Begin"/> and <see cref="RunUntil"/> come back soon.</summary>
     public abstract void RequestStop();

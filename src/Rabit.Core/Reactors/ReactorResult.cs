@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Core.Reactors;
 
 namespace Rabit.Core;
 
@@ -29,6 +30,9 @@ public sealed class ReactorResult
 
     /// <summary>0; or 1 if a manager faulted or did not stop, or the run itself failed.</summary>
     public int ExitCode => Failure is null && Managers.All(m => m.Outcome is ManagerOutcome.Ended or ManagerOutcome.NotStarted) ? 0 : 1;
+
+    /// <summary>The figures of all managers as a table of text, one line each: for runtimes and places without a meter.</summary>
+    public string ToTable() => ManagerTable.Format(Managers.Select(m => (m.Name, m.Outcome.ToString(), m.Status)));
 
     /// <summary>A line for the run and one for each manager.</summary>
     public override string ToString()

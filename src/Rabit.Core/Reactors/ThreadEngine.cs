@@ -8,6 +8,8 @@ namespace Rabit.Core.Reactors;
 /// <summary>Real time: one thread per activity.</summary>
 internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine) : ReactorEngine
 {
+    private static readonly TimeSpan LastLook = TimeSpan.FromMilliseconds(20);
+
     private readonly Dictionary<Activity, ActivityThread> _threads = [];
 
     // Guards _stopRequested; pulsed at everything that a waiting reactor waits for.
@@ -24,16 +26,23 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
 
     public override void RunUntil(TimeSpan end) => WaitFor(() => _stopRequested, end);
 
-    public override bool TryEnd(Activity activity, TimeSpan atMost)
+    public override void AskToEnd(Activity activity)
     {
-        if (!_threads.TryGetValue(activity, out ActivityThread? thread))
+        if (_threads.TryGetValue(activity, out ActivityThread? thread) && !thread.HasEnded)
+            activity.WakeUp.RequestStop();
+    }
+
+    public override bool TryEnd(Activity activity, TimeSpan atMost, TimeSpan deadline)
+    {
+        // One that has ended already has closed its device: there is nothing to unblock.
+        if (!_threads.TryGetValue(activity, out ActivityThread? thread) || thread.HasEnded)
             return true;
 
         activity.WakeUp.RequestStop();
-        if (activity.DrainsAtEnd && TryWaitForEnd(thread, atMost))
+        if (activity.DrainsAtEnd && TryWaitForEnd(thread, atMost, deadline))
             return true;
         activity.Unblock();
-        return TryWaitForEnd(thread, atMost);
+        return TryWaitForEnd(thread, atMost, deadline);
     }
 
     public override void RequestStop()
@@ -53,9 +62,12 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
             thread.Dispose();
     }
 
-    private bool TryWaitForEnd(ActivityThread thread, TimeSpan atMost)
+    private bool TryWaitForEnd(ActivityThread thread, TimeSpan atMost, TimeSpan deadline)
     {
-        WaitFor(() => thread.HasEnded, context.Clock.Now + atMost);
+        // Past the deadline it gets a last look: it was asked a while ago, and may be about to end.
+        TimeSpan now = context.Clock.Now;
+        TimeSpan until = Times.Earlier(now + atMost, deadline);
+        WaitFor(() => thread.HasEnded, until > now + LastLook ? until : now + LastLook);
         return thread.HasEnded;
     }
 

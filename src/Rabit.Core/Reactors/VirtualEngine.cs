@@ -38,8 +38,7 @@ internal sealed class VirtualEngine : ReactorEngine
     public override void Begin(Activity activity)
     {
         var slot = new VirtualSlot(activity, this);
-        if (_time.UnitOfWorkDurations.TryGetValue(activity.Name, out TimeSpan duration))
-            activity.ModelledDuration = duration;
+        slot.Durations = _time.DurationsOf(activity.Name);
         activity.WakeUp.Connect(slot, _context.Clock);
         lock (_gate)
             _slots.Add(slot);
@@ -76,14 +75,15 @@ internal sealed class VirtualEngine : ReactorEngine
         }
     }
 
-    public override bool TryEnd(Activity activity, TimeSpan atMost)
+    public override void AskToEnd(Activity activity)
+    {
+    }
+
+    public override bool TryEnd(Activity activity, TimeSpan atMost, TimeSpan deadline)
     {
         VirtualSlot? slot = _slots.Find(s => s.Activity == activity);
-        if (slot is null || slot.HasEnded)
-            return true;
-        activity.WakeUp.Take();
-        activity.End();
-        slot.HasEnded = true;
+        if (slot is not null && !slot.HasEnded)
+            End(slot);
         return true;
     }
 
@@ -158,6 +158,13 @@ internal sealed class VirtualEngine : ReactorEngine
             slot.IsWoken = false;
         }
 
+        if (wakes.Stop)
+        {
+            // A device whose manager was stopped alone.
+            End(slot);
+            return;
+        }
+
         if (timer)
         {
             wakes = wakes.With(WakeUpCauses.Timer);
@@ -171,12 +178,21 @@ internal sealed class VirtualEngine : ReactorEngine
 
         long mark = _pacer.Mark();
         slot.RunsAtInstant++;
+        if (slot.Durations is { } durations)
+            slot.Activity.ModelledDuration = durations.TakeNext(now);
         NextTurn next = slot.Activity.TakeTurn(wakes, wokenAt);
         TimeSpan took = _pacer.Since(mark);
         lock (_gate)
             slot.RealTurnTime = slot.RealTurnTime.With(took);
 
         Sleep(slot, next);
+    }
+
+    private static void End(VirtualSlot slot)
+    {
+        slot.Activity.WakeUp.Take();
+        slot.Activity.End();
+        slot.HasEnded = true;
     }
 
     private void Sleep(VirtualSlot slot, NextTurn next)

@@ -26,8 +26,16 @@ internal sealed class VirtualSlot(Activity activity, VirtualEngine engine) : IWa
     /// <summary>Turns taken at the present instant.</summary>
     public int RunsAtInstant { get; set; }
 
-    /// <summary>When the next turn may be taken, as far as is known now.</summary>
-    public TimeSpan NextTurnAt(TimeSpan now) => Max(NotBefore, IsWoken ? now : Due);
+    /// <summary>How long its units of work are modelled to take; null for no time.</summary>
+    public UnitOfWorkDurations? Durations { get; set; }
+
+    /// <summary>When the next turn may be taken, as far as is known now. A stop waits for nothing.</summary>
+    public TimeSpan NextTurnAt(TimeSpan now)
+    {
+        if (!IsWoken)
+            return Max(NotBefore, Due);
+        return Activity.WakeUp.StopRequested ? now : Max(NotBefore, now);
+    }
 
     /// <summary>What the turns took in real time: written by the engine, read by any thread, under the engine's lock.</summary>
     public DurationStatistics RealTurnTime { get; set; }

@@ -1,10 +1,12 @@
 using System;
 using System.Threading;
+using Rabit.Core.Synchronization;
 
 namespace Rabit.Core;
 
 /// <summary>The portable wait engine: an <see cref="AutoResetEvent"/>. One thread waits, any thread sets.</summary>
-internal sealed class EventWaitSignal : IWaitSignal
+internal sealed class EventWaitSignal<TSync> : IWaitSignal
+    where TSync : struct, ISyncPoints
 {
     private static readonly TimeSpan LongestWait = TimeSpan.FromHours(1);
 
@@ -14,7 +16,7 @@ internal sealed class EventWaitSignal : IWaitSignal
     {
         try
         {
-            _event.Set();
+            default(TSync).Set(_event);
         }
         catch (ObjectDisposedException)
         {
@@ -29,7 +31,7 @@ internal sealed class EventWaitSignal : IWaitSignal
 
         // The event counts in milliseconds: round up, so that a timer is late by less than one and never early.
         long milliseconds = (atMost.Ticks + TimeSpan.TicksPerMillisecond - 1) / TimeSpan.TicksPerMillisecond;
-        _event.WaitOne((int)Math.Max(0, milliseconds));
+        default(TSync).Wait(_event, (int)Math.Max(0, milliseconds));
     }
 
     public void Dispose() => _event.Dispose();

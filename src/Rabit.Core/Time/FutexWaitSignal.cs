@@ -1,5 +1,5 @@
 using System;
-using System.Threading;
+using Rabit.Core.Synchronization;
 
 namespace Rabit.Core;
 
@@ -12,7 +12,8 @@ namespace Rabit.Core;
 /// its lock, before it lets the sleeper sleep, so either the sleeper sees the 1 or the waker's call finds the sleeper.
 /// A waker that was held up may come when its sleeper has ended; the word lives as long as anyone has this object.
 /// </remarks>
-internal sealed unsafe class FutexWaitSignal : IWaitSignal
+internal sealed unsafe class FutexWaitSignal<TSync> : IWaitSignal
+    where TSync : struct, ISyncPoints
 {
     private static readonly TimeSpan LongestWait = TimeSpan.FromHours(1);
 
@@ -20,18 +21,18 @@ internal sealed unsafe class FutexWaitSignal : IWaitSignal
 
     public void Set()
     {
-        if (Interlocked.Exchange(ref *_word.Address, 1) == 0)
-            Futex.Wake(_word.Address);
+        if (default(TSync).Exchange(ref *_word.Address, 1) == 0)
+            default(TSync).FutexWake(_word.Address);
         GC.KeepAlive(_word);
     }
 
     public void Wait(TimeSpan atMost)
     {
         int* word = _word.Address;
-        if (Interlocked.Exchange(ref *word, 0) == 0 && atMost > TimeSpan.Zero)
+        if (default(TSync).Exchange(ref *word, 0) == 0 && atMost > TimeSpan.Zero)
         {
-            Futex.WaitWhileZero(word, atMost < LongestWait ? atMost : LongestWait);
-            Interlocked.Exchange(ref *word, 0);
+            default(TSync).FutexWaitWhileZero(word, atMost < LongestWait ? atMost : LongestWait);
+            default(TSync).Exchange(ref *word, 0);
         }
 
         GC.KeepAlive(_word);

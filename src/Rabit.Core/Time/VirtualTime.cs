@@ -15,7 +15,7 @@ namespace Rabit.Core;
 public sealed class VirtualTime : RabitTime
 {
     private readonly VirtualClock _clock;
-    private readonly Dictionary<string, TimeSpan> _unitOfWorkDurations = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, UnitOfWorkDurations> _durations = new(StringComparer.Ordinal);
     private double _pace = double.PositiveInfinity;
     private int _maximumRunsPerInstant = 10_000;
     private bool _isUsed;
@@ -77,10 +77,32 @@ public sealed class VirtualTime : RabitTime
     {
         if (duration < TimeSpan.Zero)
             throw new ArgumentOutOfRangeException(nameof(duration), duration, $"Manager '{managerName}': a unit of work cannot take less than no time.");
-        _unitOfWorkDurations[Require.Name(managerName, nameof(managerName), "A manager")] = duration;
+        DurationsFor(managerName).Usual = duration;
     }
 
-    internal IReadOnlyDictionary<string, TimeSpan> UnitOfWorkDurations => _unitOfWorkDurations;
+    /// <summary>
+    /// Models one unit of work that takes longer than the others: the first one that begins at a time or later. The watchdog finds it
+    /// (<see cref="HangPolicy"/>) when it takes longer than its limit.
+    /// </summary>
+    /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
+    /// <param name="at">When, by the clock of the run.</param>
+    /// <param name="duration">How long it takes; <see cref="TimeSpan.MaxValue"/> for one that never comes back.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A time is negative.</exception>
+    public void AddLongUnitOfWork(string managerName, TimeSpan at, TimeSpan duration)
+    {
+        if (at < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(at), at, $"Manager '{managerName}': a run begins at no time.");
+        if (duration < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(duration), duration, $"Manager '{managerName}': a unit of work cannot take less than no time.");
+        DurationsFor(managerName).Add(at, duration);
+    }
+
+    /// <summary>Whose units of work take time.</summary>
+    internal IEnumerable<string> ModelledManagers => _durations.Keys;
+
+    internal UnitOfWorkDurations? DurationsOf(string managerName) => _durations.TryGetValue(managerName, out UnitOfWorkDurations? found) ? found : null;
+
+    internal TimeSpan LongestUnitOfWork(string managerName) => DurationsOf(managerName)?.Longest ?? TimeSpan.Zero;
 
     internal override ReactorEngine CreateEngine(EngineContext context)
     {
@@ -88,5 +110,13 @@ public sealed class VirtualTime : RabitTime
             throw new InvalidOperationException("This virtual time has a reactor already; its clock cannot serve two.");
         _isUsed = true;
         return new VirtualEngine(this, context);
+    }
+
+    private UnitOfWorkDurations DurationsFor(string managerName)
+    {
+        string name = Require.Name(managerName, nameof(managerName), "A manager");
+        if (!_durations.TryGetValue(name, out UnitOfWorkDurations? durations))
+            _durations.Add(name, durations = new UnitOfWorkDurations());
+        return durations;
     }
 }

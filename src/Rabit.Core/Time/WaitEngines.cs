@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core.Synchronization;
 
 namespace Rabit.Core;
 
@@ -32,5 +33,6 @@ internal static class WaitEngines
         return WaitEngine.Event;
     }
 
-    public static IWaitSignal Create(WaitEngine engine) => engine == WaitEngine.Futex ? new FutexWaitSignal() : new EventWaitSignal();
+    public static IWaitSignal Create(WaitEngine engine)
+        => engine == WaitEngine.Futex ? new FutexWaitSignal<SyncPoints>() : new EventWaitSignal<SyncPoints>();
 }

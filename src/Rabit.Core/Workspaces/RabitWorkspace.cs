@@ -130,6 +130,15 @@ public sealed class RabitWorkspace
         }
     }
 
+    /// <summary>The library's own end of a status, once all is wired.</summary>
+    internal StatusEnd StatusEndOf(string managerName)
+    {
+        var binding = new MessageBinding<ManagerStatus>(NewOwner(), EndRole.Publish, RabitManager.StatusMessageName(managerName));
+        lock (_gate)
+            BindLate(binding);
+        return new StatusEnd(binding);
+    }
+
     /// <summary>The run is over: what is left in the queues, and must be given back, is given back.</summary>
     internal void CloseQueues()
     {

@@ -29,7 +29,7 @@ internal static class WiringCheck
 
         if (time is VirtualTime modelled)
         {
-            faults.AddRange(modelled.UnitOfWorkDurations.Keys
+            faults.AddRange(modelled.ModelledManagers
                 .Where(name => !wiring.Managers.Any(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
                 .Select(name => $"Virtual time models the units of work of manager '{name}', which is not in the reactor."));
         }

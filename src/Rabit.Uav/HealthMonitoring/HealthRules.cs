@@ -15,8 +15,11 @@ internal static class HealthRules
     private static readonly HealthRule<ManagerFacts>[] OfManagers =
     [
         new(HealthReasons.ManagerFaulted, HealthLevel.Critical, HealthAdvice.GoHome,
-            static (in ManagerFacts m, HealthOptions _) => m.State == ManagerState.Faulted || m.HasFaultedLately,
+            static (in ManagerFacts m, HealthOptions _) => m.State is ManagerState.Faulted or ManagerState.Restarting || m.HasFaultedLately,
             static (in ManagerFacts m) => m.Faults),
+        new(HealthReasons.ManagerHangs, HealthLevel.Critical, HealthAdvice.GoHome,
+            static (in ManagerFacts m, HealthOptions _) => m.State == ManagerState.Hanging,
+            static (in ManagerFacts m) => m.HangingSince.Ticks),
         new(HealthReasons.ManagerStuck, HealthLevel.Critical, HealthAdvice.None,
             static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckAfter) && !IsQuietFor(m, o.StuckGoHomeAfter),
             static (in ManagerFacts m) => m.WakeUpDelay.Ticks),

@@ -20,6 +20,7 @@ internal static class HealthText
     {
         HealthReasons.ManagerFaulted => Invariant($"manager {finding.Subject} faulted ({finding.Figure} faults so far)"),
         HealthReasons.ManagerStuck => Invariant($"manager {finding.Subject} is stuck (it should work every {Seconds(finding.Figure)} s)"),
+        HealthReasons.ManagerHangs => Invariant($"manager {finding.Subject} hangs (since {Seconds(finding.Figure)} s)"),
         HealthReasons.NoAutopilot => "no autopilot heard yet",
         HealthReasons.AutopilotLost => Invariant($"autopilot lost (last heartbeat at {Seconds(finding.Figure)} s)"),
         HealthReasons.AutopilotCritical => $"autopilot says {(MavState)finding.Figure}",

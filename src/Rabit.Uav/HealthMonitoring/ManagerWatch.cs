@@ -17,6 +17,6 @@ internal sealed class ManagerWatch(string name, MessageSubscriber<ManagerStatus>
         ref readonly ManagerStatus value = ref status.Value;
         TimeSpan lastSign = value.Runs > 0 && value.LastRunAt > watchedSince ? value.LastRunAt : watchedSince;
         bool faultedLately = _faults.Take(value.Faults, now, options.RememberedFor);
-        return new ManagerFacts(Name, value.State, value.WakeUpDelay, value.Faults, faultedLately, now - lastSign);
+        return new ManagerFacts(Name, value.State, value.WakeUpDelay, value.Faults, faultedLately, now - lastSign, value.HangingSince);
     }
 }

@@ -36,7 +36,7 @@ public enum HealthReasons
     /// <summary>A manager threw.</summary>
     ManagerFaulted = 256,
 
-    /// <summary>A manager does not come back from its unit of work.</summary>
+    /// <summary>A manager has not begun a unit of work for longer than it should.</summary>
     ManagerStuck = 512,
 
     /// <summary>The camera gives no pictures, though it should search.</summary>
@@ -44,4 +44,7 @@ public enum HealthReasons
 
     /// <summary>The wind is stronger than it may be, and has been for a while.</summary>
     WindHigh = 2048,
+
+    /// <summary>The watchdog found a manager hanging.</summary>
+    ManagerHangs = 4096,
 }

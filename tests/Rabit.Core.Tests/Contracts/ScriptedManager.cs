@@ -50,6 +50,12 @@ internal sealed class ScriptedManager : RabitManager
         set => base.Period = value;
     }
 
+    public new string? Doing
+    {
+        get => base.Doing;
+        set => base.Doing = value;
+    }
+
     public TimeSpan Time => Now;
 
     public TimeProvider RunClock => Clock;
@@ -84,12 +90,20 @@ internal sealed class ScriptedManager : RabitManager
     public new QueueSender<T> Send<T>(string name, bool wakeOnPop = false) => base.Send<T>(name, wakeOnPop);
 
     public new BlockingReader<T> AttachReader<T>(
-        string name, IReaderSource<T> source, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Wait)
-        => base.AttachReader(name, source, capacity, whenFull);
+        string name,
+        IReaderSource<T> source,
+        int capacity = 100,
+        QueueFullMode whenFull = QueueFullMode.Wait,
+        ReconnectPolicy? reconnect = null)
+        => base.AttachReader(name, source, capacity, whenFull, reconnect);
 
     public new BlockingWriter<T> AttachWriter<T>(
-        string name, IWriterTarget<T> target, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject)
-        => base.AttachWriter(name, target, capacity, whenFull);
+        string name,
+        IWriterTarget<T> target,
+        int capacity = 100,
+        QueueFullMode whenFull = QueueFullMode.Reject,
+        ReconnectPolicy? reconnect = null)
+        => base.AttachWriter(name, target, capacity, whenFull, reconnect);
 
     public void Say(string text) => Log(text);
 

@@ -163,6 +163,72 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(manager.Units, result.Managers[0].Runs);
     }
 
+    [Fact, Trait("Clause", "4.4")]
+    public void Percentiles_OfAllFigures_AreInTheLastStatus()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        manager.Period = TimeSpan.FromMilliseconds(2);
+
+        run.Start();
+        run.Until(() => manager.Units >= 20, "it runs for a while");
+        ReactorResult result = run.Finish();
+
+        ManagerStatus status = result.Managers[0].Status;
+        Assert.Equal(run.StatusOf(manager).Runs, status.Runs);
+        Assert.Equal(manager.Units - 1, status.PeriodError.Count);
+        foreach (DurationStatistics figure in new[] { status.UnitOfWorkTime, status.WakeLatency, status.PeriodError })
+        {
+            Assert.InRange(figure.Percentile50, figure.Minimum, figure.Percentile99);
+            Assert.InRange(figure.Percentile99, figure.Percentile50, figure.Percentile999);
+            Assert.InRange(figure.Percentile999, figure.Percentile99, figure.Maximum);
+        }
+
+        if (Kind.HasThreads)
+            Assert.NotEqual(TimeSpan.Zero, status.UnitOfWorkTime.Percentile50);
+        else
+            Assert.Equal((TimeSpan.Zero, TimeSpan.Zero), (status.UnitOfWorkTime.Maximum, status.PeriodError.Maximum));
+    }
+
+    [Fact, Trait("Clause", "4.4")]
+    public void KeepsStatistics_Off_CountsRunsAndMeasuresNothing()
+    {
+        using TestRun run = NewRun(options => options.KeepsStatistics = false);
+        ScriptedManager manager = run.Add("m");
+
+        run.StartAndSettle();
+        run.OnAndSettle(manager, () => { });
+        ManagerStatus status = run.Finish().Managers[0].Status;
+
+        Assert.Equal((2, 1), (status.Runs, status.WakeUps.Request));
+        Assert.Equal((0, 0), (status.UnitOfWorkTime.Count, status.WakeLatency.Count));
+    }
+
+    [Fact, Trait("Clause", "4.4")]
+    public void Table_OfALiveRunAndOfAResult_HasALineForEachManager()
+    {
+        using TestRun run = NewRun();
+        Assert.Empty(run.Reactor.StatusTable());
+        ScriptedManager manager = run.Add("m");
+        run.Add("the other one");
+
+        run.StartAndSettle();
+        run.OnAndSettle(manager, () => { });
+        string live = run.Reactor.StatusTable();
+        string last = run.Finish().ToTable();
+
+        foreach (string table in new[] { live, last })
+        {
+            string[] lines = table.Split('\n');
+            Assert.StartsWith("manager ", lines[0], StringComparison.Ordinal);
+            Assert.StartsWith("m ", lines[1], StringComparison.Ordinal);
+            Assert.StartsWith("the other one ", lines[2], StringComparison.Ordinal);
+            Assert.Equal(lines[1].IndexOf(" 2 ", StringComparison.Ordinal), lines[2].IndexOf(" 1 ", StringComparison.Ordinal));
+        }
+
+        Assert.Contains("Ended", last, StringComparison.Ordinal);
+    }
+
     [Fact, Trait("Clause", "4.4"), Trait("Clause", "4.2")]
     public void Subscription_ToNoSuchManager_IsAWiringFault()
     {

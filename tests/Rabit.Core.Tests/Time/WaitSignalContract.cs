@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.Threading;
+using Rabit.Core.Synchronization;
 using Xunit;
 
 namespace Rabit.Core.Tests.Time;
@@ -110,7 +111,7 @@ public abstract class WaitSignalContract
 
 public sealed class EventWaitSignalTests : WaitSignalContract
 {
-    private protected override IWaitSignal Create() => new EventWaitSignal();
+    private protected override IWaitSignal Create() => new EventWaitSignal<SyncPoints>();
 }
 
 public sealed class FutexWaitSignalTests : WaitSignalContract

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Rabit.Core;
 using Rabit.Uav.Messages;
 using Xunit;
@@ -103,10 +104,33 @@ public sealed class FaultTests(ITestOutputHelper output)
         // Its work takes 30 s and it says that it sleeps 40 s in between, so 45 s after its first run it is stuck.
         var time = new VirtualTime(seed: 5);
         time.SetUnitOfWorkDuration(PayloadManager.ManagerName, TimeSpan.FromSeconds(30));
-        var payload = new PayloadManager(throwsAt: TimeSpan.MaxValue, sleepsFor: TimeSpan.FromSeconds(40));
+        var payload = new PayloadManager(throwsAt: TimeSpan.MaxValue, sleepsFor: TimeSpan.FromSeconds(40)) { HangPolicy = HangPolicy.Off };
         using SearchFlight flight = Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), time, [payload]));
 
         Assert.Contains("payload", flight.Mission.Aborted, StringComparison.Ordinal);
+        AssertLandedAtHome(flight);
+    }
+
+    [Fact]
+    public void Manager_HangsForLong_IsFoundByTheWatchdogAndGoesHome()
+    {
+        using SearchFlight flight = Fly(Hang("sensor fusion", seconds: 20));
+
+        Assert.Contains("manager sensor fusion hangs (since 50.", flight.Mission.Aborted, StringComparison.Ordinal);
+        AssertLandedAtHome(flight);
+        ManagerResult fusion = flight.Result!.Managers.Single(m => m.Name == "sensor fusion");
+        ManagerHang hang = Assert.Single(fusion.Hangs);
+        Assert.Equal((ManagerStage.UnitOfWork, HangPolicy.Report.UnitOfWorkLimit), (hang.Stage, hang.Duration));
+        Assert.InRange(hang.Since, InTheLanes, InTheLanes + TimeSpan.FromSeconds(2));
+        Assert.Equal(ManagerOutcome.Ended, fusion.Outcome);
+    }
+
+    [Fact]
+    public void Manager_HangsForAMoment_IsNothingToGoHomeFor()
+    {
+        using SearchFlight flight = Fly(Hang("sensor fusion", seconds: 4));
+
+        Assert.Null(flight.Mission.Aborted);
         AssertLandedAtHome(flight);
     }
 
@@ -154,6 +178,9 @@ public sealed class FaultTests(ITestOutputHelper output)
         TruePose pose = flight.World.Truth.Pose;
         return Math.Sqrt((pose.North * pose.North) + (pose.East * pose.East));
     }
+
+    private static ScriptedFault Hang(string manager, double seconds)
+        => new() { Kind = ScriptedFaultKind.ManagerHangs, At = InTheLanes, Manager = manager, Duration = TimeSpan.FromSeconds(seconds) };
 
     private static ScriptedFault Fault(ScriptedFaultKind kind, double value, double seconds = 0)
         => new() { Kind = kind, At = InTheLanes, Value = value, Duration = TimeSpan.FromSeconds(seconds) };

@@ -49,6 +49,7 @@ internal sealed class SearchFlight : IDisposable
     {
         options.TakePlacesFrom(plan);
         World = new SimulatedWorld(options);
+        World.AddHangsTo(time);
         var link = new MemoryLinkPair("simulation");
         Camera = World.CreateCamera();
         _uav = UavSystem.Open(new UavOptions

@@ -23,6 +23,8 @@ public class HealthRulesTests
     [InlineData(ManagerState.Faulted, true, 10, false, HealthReasons.ManagerFaulted)]
     [InlineData(ManagerState.Running, true, 0.1, false, HealthReasons.ManagerFaulted)]
     [InlineData(ManagerState.Running, true, 10, false, HealthReasons.ManagerFaulted | HealthReasons.ManagerStuck)]
+    [InlineData(ManagerState.Restarting, false, 10, false, HealthReasons.ManagerFaulted)]
+    [InlineData(ManagerState.Hanging, false, 10, false, HealthReasons.ManagerHangs)]
     [InlineData(ManagerState.Created, false, 0, false, HealthReasons.None)]
     [InlineData(ManagerState.Stopped, false, 10, false, HealthReasons.None)]
     public void Manager_IsJudgedByStateFaultsAndSilence(ManagerState state, bool faultedLately, double quietSeconds, bool isAlive, HealthReasons expected)

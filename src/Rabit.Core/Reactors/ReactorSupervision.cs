@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core.Diagnostics;
+using Rabit.Core.Managers;
+
+namespace Rabit.Core.Reactors;
+
+/// <summary>What watches the managers of a run: the watchdog, and whatever shows their statuses to the outside.</summary>
+internal sealed class ReactorSupervision : IDisposable
+{
+    private static readonly TimeSpan ShortestInterval = TimeSpan.FromMilliseconds(5);
+    private static readonly TimeSpan LongestInterval = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan WatchdogStopTimeout = TimeSpan.FromSeconds(1);
+
+    private readonly IReadOnlyList<ManagerActivity> _managers;
+    private readonly StatusEnd[] _statuses;
+    private readonly WatchdogActivity? _watchdog;
+    private readonly ManagerMeter _meter;
+
+    public ReactorSupervision(ReactorOptions options, RabitWorkspace workspace, RunClock clock, IReadOnlyList<ManagerActivity> managers)
+    {
+        _managers = managers;
+        _statuses = managers.Select(m => workspace.StatusEndOf(m.Name)).ToArray();
+        _meter = new ManagerMeter(options.Name, managers.Select(m => m.Name).ToArray(), ReadStatuses);
+        if (options.Time is VirtualTime modelled)
+        {
+            // One that nobody needs would still take its turns.
+            if (managers.Any(m => modelled.LongestUnitOfWork(m.Name) > m.Hangs.Policy.LimitOf(ManagerStage.UnitOfWork)))
+                _watchdog = new WatchdogActivity(managers, _statuses, clock, TimeSpan.MaxValue, hasThreads: false);
+            WatchdogWakeUp = _watchdog?.WakeUp;
+            return;
+        }
+
+        TimeSpan shortest = managers.Min(m => ShortestLimit(m.Hangs.Policy));
+        if (shortest < TimeSpan.MaxValue)
+            _watchdog = new WatchdogActivity(managers, _statuses, clock, IntervalFor(shortest), hasThreads: true);
+    }
+
+    /// <summary>Wakes the watchdog of virtual time, if there is one.</summary>
+    public WakeUpEvent? WatchdogWakeUp { get; }
+
+    public ManagerStatus StatusOf(int manager) => _statuses[manager].Read();
+
+    public string StatusTable() => ManagerTable.Format(_managers.Select((m, i) => (m.Name, m.Doing, _statuses[i].Read())));
+
+    /// <summary>Before the first manager begins: start-ups are watched too.</summary>
+    public void Begin(ReactorEngine engine)
+    {
+        if (_watchdog is null)
+            return;
+        engine.Begin(_watchdog);
+        _watchdog.WakeUp.Wake(WakeUpCauses.Start);
+    }
+
+    /// <summary>After the last manager has ended: shutdowns are watched too.</summary>
+    public void End(ReactorEngine engine, RabitLog log, TimeSpan now)
+    {
+        // It does not end while a callback of the user's does not come back.
+        if (_watchdog is not null && !engine.TryEnd(_watchdog, WatchdogStopTimeout, Times.Later(now, WatchdogStopTimeout)))
+            log.Write(RabitLogKind.Note, _watchdog.Name, "did not stop: it is in the callback of a hang policy, or in a post handler of a status");
+    }
+
+    public void Dispose() => _meter.Dispose();
+
+    private static TimeSpan ShortestLimit(HangPolicy policy)
+        => Times.Earlier(policy.LimitOf(ManagerStage.Startup), Times.Earlier(policy.LimitOf(ManagerStage.UnitOfWork), policy.LimitOf(ManagerStage.Shutdown)));
+
+    // Found within a quarter more than its limit, at next to no cost.
+    private static TimeSpan IntervalFor(TimeSpan limit)
+    {
+        var quarter = new TimeSpan(limit.Ticks / 4);
+        return quarter < ShortestInterval ? ShortestInterval : Times.Earlier(quarter, LongestInterval);
+    }
+
+    private ManagerStatus[] ReadStatuses() => Array.ConvertAll(_statuses, s => s.Read());
+}

@@ -1,0 +1,62 @@
+using System;
+using System.Threading;
+
+namespace Rabit.Core.Synchronization;
+
+/// <summary>
+/// The points at which threads meet: every access to what they share without a lock, and every wait. Lock-free code is generic over a
+/// struct of them, so that the same code runs on the machine (<see cref="SyncPoints"/>, which the compiler inlines to nothing) and under the
+/// explorer of the tests, which tries every interleaving and every order in which a memory may show the accesses.
+/// </summary>
+/// <remarks>
+/// How to use it: <c>class C&lt;TSync&gt; where TSync : struct, ISyncPoints</c>, and <c>default(TSync).VolatileRead(ref _x)</c> where
+/// <c>Volatile.Read(ref _x)</c> would be. A field that is written once, before its object is handed to another thread, needs no point.
+/// What each one promises is what the .NET memory model promises of the call of the same name, and no more:
+/// <list type="bullet">
+/// <item>plain: nothing but that an aligned 32-bit word is whole; a <see cref="Load"/> or <see cref="Store"/> of a value not even that;</item>
+/// <item>volatile: a read is not moved behind, a write not before, its neighbours; a write may still be delayed past later reads;</item>
+/// <item>interlocked and <see cref="Fence"/>: in order with everything;</item>
+/// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
+/// </list>
+/// There are no volatile or plain 64-bit words: they are not whole on 32-bit machines.
+/// </remarks>
+internal unsafe interface ISyncPoints
+{
+    /// <summary>A plain read.</summary>
+    int Read(ref int location);
+
+    /// <summary>A plain write.</summary>
+    void Write(ref int location, int value);
+
+    /// <summary>A plain copy of a shared value of any size: it may be torn, and whoever takes it must find that out.</summary>
+    void Load<T>(ref T shared, out T value);
+
+    /// <summary>A plain copy to a shared value of any size.</summary>
+    void Store<T>(ref T shared, in T value);
+
+    int VolatileRead(ref int location);
+
+    void VolatileWrite(ref int location, int value);
+
+    int Exchange(ref int location, int value);
+
+    int CompareExchange(ref int location, int value, int comparand);
+
+    /// <summary>An interlocked read.</summary>
+    long InterlockedRead(ref long location);
+
+    long Exchange(ref long location, long value);
+
+    /// <summary>A full fence.</summary>
+    void Fence();
+
+    void Set(AutoResetEvent signal);
+
+    void Wait(AutoResetEvent signal, int milliseconds);
+
+    /// <summary>Wakes at most one thread that waits on the word.</summary>
+    void FutexWake(int* word);
+
+    /// <summary>Waits while the word is 0, which the kernel looks up; may return early.</summary>
+    void FutexWaitWhileZero(int* word, TimeSpan atMost);
+}

@@ -1,0 +1,54 @@
+using System;
+using System.Runtime.CompilerServices;
+using System.Threading;
+
+namespace Rabit.Core.Synchronization;
+
+/// <summary>The points as they are on the machine: each is one call, which is inlined, of the call that it stands for.</summary>
+internal readonly unsafe struct SyncPoints : ISyncPoints
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Read(ref int location) => location;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Write(ref int location, int value) => location = value;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Load<T>(ref T shared, out T value) => value = shared;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Store<T>(ref T shared, in T value) => shared = value;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int VolatileRead(ref int location) => Volatile.Read(ref location);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void VolatileWrite(ref int location, int value) => Volatile.Write(ref location, value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Exchange(ref int location, int value) => Interlocked.Exchange(ref location, value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int CompareExchange(ref int location, int value, int comparand) => Interlocked.CompareExchange(ref location, value, comparand);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public long InterlockedRead(ref long location) => Interlocked.Read(ref location);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public long Exchange(ref long location, long value) => Interlocked.Exchange(ref location, value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Fence() => Interlocked.MemoryBarrier();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Set(AutoResetEvent signal) => signal.Set();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Wait(AutoResetEvent signal, int milliseconds) => signal.WaitOne(milliseconds);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void FutexWake(int* word) => Futex.Wake(word);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void FutexWaitWhileZero(int* word, TimeSpan atMost) => Futex.WaitWhileZero(word, atMost);
+}

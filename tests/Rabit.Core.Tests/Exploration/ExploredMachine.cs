@@ -1,0 +1,216 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>The machine that the explored threads run on: processors, memory, kernel and clock. It takes one step at a time, as it is told.</summary>
+internal sealed class ExploredMachine
+{
+    private const int Asleep = 1;
+    private const int Woken = 2;
+
+    private readonly ExploredModel _model;
+    private readonly IReadOnlyList<ExploredThread> _threads;
+    private readonly StateShape _shape;
+    private readonly ExploredMemory _memory;
+    private readonly Recorder _recorder = new();
+    private readonly CodeTree[] _code;
+    private readonly CodeFold _places;
+    private readonly TimeSpan _lastMoment;
+
+    public ExploredMachine(ExploredModel model, MemoryModel memory, int watchedSteps)
+    {
+        _model = model;
+        _threads = model.Threads;
+        _code = _threads.Select(thread => new CodeTree(thread, _recorder)).ToArray();
+        _places = new CodeFold(watchedSteps);
+        _shape = new StateShape(_threads.Count, model.Size.Locations, model.Size.Writes, model.Size.Signals, model.Notes);
+        _memory = new ExploredMemory(_shape, memory);
+        _lastMoment = new TimeSpan(model.Ticks.Step.Ticks * model.Ticks.Times);
+    }
+
+    public int Threads => _threads.Count;
+
+    public ExploredState NewState() => new(_shape);
+
+    public string NameOf(int thread) => _threads[thread].Name;
+
+    public bool HasEnded(ExploredState state, int thread) => OperationOf(state, thread).Kind == SyncKind.End;
+
+    public SyncOperation OperationOf(ExploredState state, int thread) => _places[state.Place(thread)].Place.Operation;
+
+    /// <summary>The state before the first step.</summary>
+    public void Begin(ExploredState state)
+    {
+        _places.BeginAnew();
+        Array.Clear(state.Numbers, 0, state.Numbers.Length);
+        for (int location = 0; location < _shape.Locations; location++)
+            state.Numbers[_shape.Counts + location] = 1;
+        state.TicksLeft = _model.Ticks.Times;
+        state.EarlyReturnsLeft = _model.EarlyReturns;
+        for (int thread = 0; thread < Threads; thread++)
+            Arrive(state, thread, _places.PlaceOf(_code[thread].Root));
+    }
+
+    public bool TryLetTimePass(ExploredState state)
+    {
+        if (state.TicksLeft == 0)
+            return false;
+        state.TicksLeft--;
+        state.Now += _model.Ticks.Step;
+        return true;
+    }
+
+    /// <summary>Takes the next step of a thread.</summary>
+    /// <param name="state">Changed where the step is taken; else it may be spoilt.</param>
+    /// <param name="thread">The thread.</param>
+    /// <param name="choice">Which of the ways in which the step may go, from 0.</param>
+    /// <param name="result">What the thread is told.</param>
+    public StepKind Take(ExploredState state, int thread, int choice, out int result)
+    {
+        FoldedPlace place = _places[state.Place(thread)];
+        SyncOperation operation = place.Place.Operation;
+        StepKind kind = operation.Kind is SyncKind.Wait or SyncKind.FutexWait
+            ? Wait(state, thread, operation, choice, out result)
+            : Access(state, thread, operation, choice, out result) ? StepKind.Taken : StepKind.NoSuchChoice;
+        if (kind is StepKind.NoSuchChoice or StepKind.NotNow)
+            return kind;
+
+        if (state.WaitStage(thread) != Asleep)
+            Arrive(state, thread, _places.After(place, result));
+        _memory.Forget(state.Numbers, t => HasEnded(state, t));
+        return kind;
+    }
+
+    private bool Access(ExploredState state, int thread, in SyncOperation operation, int choice, out int result)
+    {
+        int[] s = state.Numbers;
+        int location = operation.Location;
+        bool isVolatile = operation.Kind is SyncKind.VolatileRead or SyncKind.VolatileWrite;
+
+        // A memory begins with zeros: values are kept as what differs from the first.
+        int first = UsesMemory(operation.Kind) ? _recorder.InitialValue(location) : 0;
+        result = 0;
+        switch (operation.Kind)
+        {
+            case SyncKind.Read or SyncKind.VolatileRead:
+                if (!_memory.TryRead(s, thread, location, choice, isVolatile, out result))
+                    return false;
+                result ^= first;
+                return true;
+            case SyncKind.Write or SyncKind.VolatileWrite:
+                return _memory.TryWrite(s, thread, location, choice, isVolatile, operation.Value ^ first);
+            case SyncKind.End or SyncKind.Note:
+                return false;
+        }
+
+        if (choice > 0)
+            return false;
+        switch (operation.Kind)
+        {
+            case SyncKind.Exchange or SyncKind.InterlockedRead:
+                result = first ^ _memory.Interlocked(s, thread, location, operation.Value ^ first, null, operation.Kind == SyncKind.InterlockedRead);
+                break;
+            case SyncKind.CompareExchange:
+                result = first ^ _memory.Interlocked(s, thread, location, operation.Value ^ first, operation.Comparand ^ first, isRead: false);
+                break;
+            case SyncKind.Fence:
+                _memory.Fence(s, thread);
+                break;
+            case SyncKind.ReadClock:
+                result = (int)state.Now.Ticks;
+                break;
+            case SyncKind.Set:
+                state.SignalIsSet(location) = 1;
+                _memory.HandOn(s, thread, state.SignalView(location));
+                break;
+            case SyncKind.FutexWake:
+                WakeSleeperOn(state, location);
+                break;
+        }
+
+        return true;
+    }
+
+    private static bool UsesMemory(SyncKind kind) => kind <= SyncKind.InterlockedRead;
+
+    // Choices: 0 what the wait is for, 1 its time is over, 2 no reason. A futex wait that has not begun: what the kernel finds in the word.
+    private StepKind Wait(ExploredState state, int thread, in SyncOperation operation, int choice, out int result)
+    {
+        result = 0;
+        if (operation.Kind == SyncKind.FutexWait && state.WaitStage(thread) == 0)
+        {
+            _memory.Fence(state.Numbers, thread);
+            if (!_memory.TryRead(state.Numbers, thread, operation.Location, choice, isVolatile: false, out int word))
+                return StepKind.NoSuchChoice;
+            if ((word ^ _recorder.InitialValue(operation.Location)) == 0)
+                FallAsleep(state, thread, operation.AtMost);
+            return StepKind.Taken;
+        }
+
+        switch (choice)
+        {
+            case 0 when operation.Kind == SyncKind.FutexWait ? state.WaitStage(thread) == Woken : state.SignalIsSet(operation.Location) != 0:
+                if (operation.Kind == SyncKind.Wait)
+                {
+                    state.SignalIsSet(operation.Location) = 0;
+                    _memory.TakeOver(state.Numbers, thread, state.SignalView(operation.Location));
+                }
+
+                WakeUp(state, thread);
+                return StepKind.Taken;
+            case 1 when state.Deadline(thread) <= state.Now.Ticks:
+                WakeUp(state, thread);
+                return StepKind.Taken;
+            case 2 when state.EarlyReturnsLeft > 0:
+                state.EarlyReturnsLeft--;
+                WakeUp(state, thread);
+                return StepKind.WithoutReason;
+            default:
+                return choice > 2 ? StepKind.NoSuchChoice : StepKind.NotNow;
+        }
+    }
+
+    private void Arrive(ExploredState state, int thread, FoldedPlace place)
+    {
+        while (place.Place.Operation.Kind == SyncKind.Note)
+        {
+            place.Place.Operation.Note!(state);
+            place = _places.After(place, 0);
+        }
+
+        state.Place(thread) = place.Number;
+        SyncOperation next = place.Place.Operation;
+        if (next.Kind == SyncKind.Wait)
+            FallAsleep(state, thread, next.AtMost);
+        else if (next.Kind == SyncKind.End)
+            _memory.ForgetThread(state.Numbers, thread);
+    }
+
+    private void FallAsleep(ExploredState state, int thread, TimeSpan atMost)
+    {
+        TimeSpan end = state.Now + atMost;
+        state.WaitStage(thread) = Asleep;
+        state.Deadline(thread) = end > _lastMoment ? int.MaxValue : (int)end.Ticks;
+    }
+
+    private static void WakeUp(ExploredState state, int thread)
+    {
+        state.WaitStage(thread) = 0;
+        state.Deadline(thread) = 0;
+    }
+
+    private void WakeSleeperOn(ExploredState state, int location)
+    {
+        for (int thread = 0; thread < Threads; thread++)
+        {
+            SyncOperation waiting = OperationOf(state, thread);
+            if (waiting.Kind == SyncKind.FutexWait && waiting.Location == location && state.WaitStage(thread) == Asleep)
+            {
+                state.WaitStage(thread) = Woken;
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+using System;
+using System.Runtime.CompilerServices;
+using System.Threading;
+using Rabit.Core.Synchronization;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>The points as the explorer sees them: each asks the recorder what the memory, the kernel or the clock answers.</summary>
+internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
+{
+    public int Read(ref int location) => Perform(SyncKind.Read, ref location);
+
+    public void Write(ref int location, int value) => Perform(SyncKind.Write, ref location, value);
+
+    public void Load<T>(ref T shared, out T value)
+    {
+        value = default!;
+        for (int word = 0; word < Unsafe.SizeOf<T>() / sizeof(int); word++)
+            Unsafe.Add(ref Unsafe.As<T, int>(ref value), word) = Perform(new SyncOperation(SyncKind.Read, Mine.LocationOf(ref shared, word)));
+    }
+
+    public void Store<T>(ref T shared, in T value)
+    {
+        T copy = value;
+        for (int word = 0; word < Unsafe.SizeOf<T>() / sizeof(int); word++)
+            Perform(new SyncOperation(SyncKind.Write, Mine.LocationOf(ref shared, word), Unsafe.Add(ref Unsafe.As<T, int>(ref copy), word)));
+    }
+
+    public int VolatileRead(ref int location) => Perform(SyncKind.VolatileRead, ref location);
+
+    public void VolatileWrite(ref int location, int value) => Perform(SyncKind.VolatileWrite, ref location, value);
+
+    public int Exchange(ref int location, int value) => Perform(SyncKind.Exchange, ref location, value);
+
+    public int CompareExchange(ref int location, int value, int comparand) => Perform(SyncKind.CompareExchange, ref location, value, comparand);
+
+    public long InterlockedRead(ref long location) => Perform(new SyncOperation(SyncKind.InterlockedRead, Mine.LocationOf(ref location)));
+
+    public long Exchange(ref long location, long value)
+        => Perform(new SyncOperation(SyncKind.Exchange, Mine.LocationOf(ref location), checked((int)value)));
+
+    public void Fence() => Perform(new SyncOperation(SyncKind.Fence));
+
+    public void Set(AutoResetEvent signal) => Perform(new SyncOperation(SyncKind.Set, Mine.SignalOf(signal)));
+
+    public void Wait(AutoResetEvent signal, int milliseconds)
+        => Perform(new SyncOperation(SyncKind.Wait, Mine.SignalOf(signal)) { AtMost = TimeSpan.FromMilliseconds(milliseconds) });
+
+    public void FutexWake(int* word) => Perform(SyncKind.FutexWake, ref *word);
+
+    public void FutexWaitWhileZero(int* word, TimeSpan atMost)
+        => Perform(new SyncOperation(SyncKind.FutexWait, Mine.LocationOf(ref *word)) { AtMost = atMost });
+
+    /// <summary>A remark of the model.</summary>
+    /// <param name="about">Compared: two notes that do the same have the same.</param>
+    /// <param name="note">What it does.</param>
+    public static void Note(object about, Action<ExploredState> note) => Perform(new SyncOperation(SyncKind.Note) { About = about, Note = note });
+
+    private static Recorder Mine => Recorder.Current ?? throw new InvalidOperationException("Nothing is explored on this thread.");
+
+    private static int Perform(SyncKind kind, ref int location, int value = 0, int comparand = 0)
+        => Perform(new SyncOperation(kind, Mine.LocationOf(ref location), value, comparand));
+
+    private static int Perform(in SyncOperation operation) => Mine.Perform(operation);
+}

@@ -1,0 +1,175 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core.Synchronization;
+using Xunit;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>
+/// The classic small programs that tell memories apart (Alglave, Maranget, Tautschnig: "Herding cats", TOPLAS 2014, figure 3), run by the
+/// explorer: what x86 and Arm do is found, and what volatile, interlocked operations and fences forbid is not.
+/// </summary>
+public sealed class MemoryLitmusTests
+{
+    private static readonly ISyncPoints P = default(ExploredSyncPoints);
+
+    private readonly int[] _x = new int[1];
+    private readonly int[] _y = new int[1];
+
+    [Theory]
+    [InlineData("plain", true)]
+    [InlineData("volatile", true)]
+    [InlineData("fence", false)]
+    [InlineData("interlocked", false)]
+    public void StoreBuffering_BothReadTheOld_OnlyWithoutAFence(string kind, bool isPossible)
+    {
+        void Side(int[] mine, int[] others, int note)
+        {
+            Write(mine, 1, kind);
+            if (kind == "fence")
+                P.Fence();
+            Tell(note, Read(others, kind == "interlocked" ? "volatile" : kind));
+        }
+
+        Assert.Equal(isPossible, Outcomes(2, () => Side(_x, _y, 0), () => Side(_y, _x, 1)).Contains("0 0"));
+    }
+
+    [Theory]
+    [InlineData("plain", true)]
+    [InlineData("volatile", false)]
+    [InlineData("fence", false)]
+    [InlineData("interlocked", false)]
+    public void MessagePassing_FlagWithoutData_OnlyPlain(string kind, bool isPossible)
+    {
+        void Writer()
+        {
+            P.Write(ref _x[0], 1);
+            if (kind == "fence")
+                P.Fence();
+            Write(_y, 1, kind);
+        }
+
+        void Reader()
+        {
+            Tell(0, Read(_y, kind));
+            if (kind == "fence")
+                P.Fence();
+            Tell(1, P.Read(ref _x[0]));
+        }
+
+        HashSet<string> outcomes = Outcomes(2, Writer, Reader);
+
+        Assert.Equal(isPossible, outcomes.Contains("1 0"));
+        Assert.Contains("1 1", outcomes);
+        Assert.Contains("0 0", outcomes);
+    }
+
+    [Fact]
+    public void Coherence_TwoReadsOfOneLocation_NeverGoBack()
+    {
+        HashSet<string> outcomes = Outcomes(
+            2,
+            () => { P.Write(ref _x[0], 1); P.Write(ref _x[0], 2); },
+            () => { Tell(0, P.Read(ref _x[0])); Tell(1, P.Read(ref _x[0])); });
+
+        Assert.Equal(["0 0", "0 1", "0 2", "1 1", "1 2", "2 2"], outcomes.OrderBy(o => o, StringComparer.Ordinal));
+    }
+
+    [Theory]
+    [InlineData("plain", true)]
+    [InlineData("volatile", true)]
+    [InlineData("interlocked", false)]
+    public void TwoWritesEach_FirstOnesWin_OnlyWithoutAFence(string kind, bool isPossible)
+    {
+        HashSet<string> outcomes = Outcomes(
+            2,
+            () => { Write(_x, 1, kind); Write(_y, 2, kind); TellTheEnd(); },
+            () => { Write(_y, 1, kind); Write(_x, 2, kind); TellTheEnd(); });
+
+        Assert.Equal(isPossible, outcomes.Contains("1 1"));
+    }
+
+    [Fact]
+    public void Interlocked_TwoExchanges_AreNotLost()
+    {
+        HashSet<string> outcomes = Outcomes(
+            2,
+            () => Tell(0, P.Exchange(ref _x[0], 1)),
+            () => Tell(1, P.CompareExchange(ref _x[0], 2, 1)));
+
+        Assert.Equal(["0 0", "0 1"], outcomes.OrderBy(o => o, StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public void SequentialConsistency_StoreBuffering_IsNotFound()
+    {
+        HashSet<string> outcomes = Outcomes(
+            2,
+            MemoryModel.SequentiallyConsistent,
+            () => { P.Write(ref _x[0], 1); Tell(0, P.Read(ref _y[0])); },
+            () => { P.Write(ref _y[0], 1); Tell(1, P.Read(ref _x[0])); });
+
+        Assert.Equal(["0 1", "1 0", "1 1"], outcomes.OrderBy(o => o, StringComparer.Ordinal));
+    }
+
+    /// <summary>Steps of two threads that do not meet interleave in as many ways as the binomial coefficient says.</summary>
+    [Fact]
+    public void Interleavings_OfThreadsThatDoNotMeet_AreAsManyAsTheBinomialCoefficient()
+    {
+        var model = new Litmus(
+            0,
+            () => { P.Write(ref _x[0], 1); P.Write(ref _x[0], 2); P.Write(ref _x[0], 3); },
+            () => { P.Write(ref _y[0], 1); P.Write(ref _y[0], 2); P.Write(ref _y[0], 3); P.Write(ref _y[0], 4); });
+
+        Assert.Equal(35, Explorer.Explore(model).Interleavings);
+    }
+
+    private static void Write(int[] location, int value, string kind)
+    {
+        if (kind == "volatile")
+            P.VolatileWrite(ref location[0], value);
+        else if (kind == "interlocked")
+            P.Exchange(ref location[0], value);
+        else
+            P.Write(ref location[0], value);
+    }
+
+    private static int Read(int[] location, string kind)
+        => kind switch
+        {
+            "volatile" => P.VolatileRead(ref location[0]),
+            "interlocked" => P.CompareExchange(ref location[0], 0, 0),
+            _ => P.Read(ref location[0]),
+        };
+
+    private static void Tell(int note, int value) => ExploredSyncPoints.Note((note, value), state => state.Note(note) = value);
+
+    // What the locations hold in the end: whoever tells last tells after all writes.
+    private void TellTheEnd()
+    {
+        Tell(0, Read(_x, "interlocked"));
+        Tell(1, Read(_y, "interlocked"));
+    }
+
+    private static HashSet<string> Outcomes(int notes, params Action[] threads) => Outcomes(notes, MemoryModel.Weak, threads);
+
+    private static HashSet<string> Outcomes(int notes, MemoryModel memory, params Action[] threads)
+    {
+        var model = new Litmus(notes, threads);
+        Assert.Null(Explorer.Explore(model, memory).Fault);
+        return model.Outcomes;
+    }
+
+    private sealed class Litmus(int notes, params Action[] threads) : ExploredModel
+    {
+        public HashSet<string> Outcomes { get; } = new(StringComparer.Ordinal);
+
+        public override IReadOnlyList<ExploredThread> Threads { get; } = threads.Select((code, i) => new OnePieceThread($"thread {i}", code)).ToArray();
+
+        public override int Notes => notes;
+
+        public override void CheckQuiet(ExploredState state, Func<int, bool> hasEnded)
+            => Outcomes.Add(string.Join(" ", Enumerable.Range(0, notes).Select(i => state.Note(i))));
+    }
+}

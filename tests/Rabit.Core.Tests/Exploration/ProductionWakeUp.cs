@@ -1,0 +1,28 @@
+using System;
+using Rabit.Core.Managers;
+using Rabit.Core.Reactors;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>The code that flies, with a wait engine of its own.</summary>
+internal sealed class ProductionWakeUp : WakeUpUnderTest
+{
+    private readonly WakeUpEvent<ExploredSyncPoints> _wakeUp = new();
+    private readonly TurnLoop<ExploredSyncPoints> _loop;
+
+    public ProductionWakeUp(IWaitSignal signal, RunClock clock)
+    {
+        _wakeUp.Connect(signal, clock);
+        _loop = new TurnLoop<ExploredSyncPoints>(_wakeUp, signal, clock);
+    }
+
+    public static WakeUpUnderTest OnEvent(RunClock clock) => new ProductionWakeUp(new EventWaitSignal<ExploredSyncPoints>(), clock);
+
+    public static WakeUpUnderTest OnFutex(RunClock clock) => new ProductionWakeUp(new FutexWaitSignal<ExploredSyncPoints>(), clock);
+
+    public override void Wake(WakeUpCauses cause) => _wakeUp.Wake(cause);
+
+    public override void RequestStop() => _wakeUp.RequestStop();
+
+    public override void Run(NextTurn next, Func<WakeUps, TimeSpan?, NextTurn> takeTurn) => _loop.Run(next, takeTurn);
+}

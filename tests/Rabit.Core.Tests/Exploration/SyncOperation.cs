@@ -1,0 +1,19 @@
+using System;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>One operation of a thread: what, where (a location or a signal, by number) and with which values.</summary>
+internal readonly record struct SyncOperation(SyncKind Kind, int Location = 0, int Value = 0, int Comparand = 0)
+{
+    /// <summary>How long a wait may take.</summary>
+    public TimeSpan AtMost { get; init; }
+
+    /// <summary>What a note does to the model's own numbers; null for the others.</summary>
+    public Action<ExploredState>? Note { get; init; }
+
+    /// <summary>What tells a note from others; compared.</summary>
+    public object? About { get; init; }
+
+    /// <summary>Whether the two are the same operation, their notes apart.</summary>
+    public bool IsLike(in SyncOperation other) => this with { Note = null } == other with { Note = null };
+}

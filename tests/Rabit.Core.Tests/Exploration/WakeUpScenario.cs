@@ -1,0 +1,22 @@
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>How much happens around the sleeper.</summary>
+/// <param name="Wakers">Threads that wake it.</param>
+/// <param name="WakesEach">How often each of them does.</param>
+internal sealed record WakeUpScenario(int Wakers, int WakesEach)
+{
+    /// <summary>Whether the sleeper begins at the start-up barrier, and the reactor opens it.</summary>
+    public bool Starts { get; init; }
+
+    /// <summary>Whether the reactor stops the sleeper.</summary>
+    public bool Stops { get; init; }
+
+    /// <summary>How often time passes by as much as the timer waits; 0: the timer never comes.</summary>
+    public int Ticks { get; init; }
+
+    /// <summary>How often a wait returns without a reason.</summary>
+    public int EarlyReturns { get; init; }
+
+    /// <summary>Whether every turn fails, so that the next comes with the timer and not before, and wakes are kept.</summary>
+    public bool BacksOff { get; init; }
+}
