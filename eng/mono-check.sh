@@ -141,6 +141,8 @@ check "CustomDialect prints the same" prints_the_same CustomDialect
 check "Wheelchair prints the same" prints_the_same Wheelchair --virtual
 check "OrderBugSearch finds the same" order_bug_is_the_same
 check "MavlinkDump prints the same" prints_the_same MavlinkDump tests/data/mavlink/px4-flight.tlog
+check "MavlinkDump prints the same values" prints_the_same MavlinkDump tests/data/mavlink/px4-flight.tlog --print
+check "MavlinkDump prints the same JSON" prints_the_same MavlinkDump tests/data/mavlink/ardupilot-flight.tlog --json
 for flight in "${flights[@]}"; do
     check "the summary of $flight is the same" flight_is_the_same "$flight"
 done

@@ -57,9 +57,15 @@ internal static class CommandLine
             HelpName = "DIR",
         };
 
+        var signKey = new Option<string>("--sign-key")
+        {
+            Description = "Signs all the vehicle says with the key in a file, 32 bytes or 64 hexadecimal digits, and hears nothing that is not signed with it.",
+            HelpName = "FILE",
+        };
+
         var command = new RootCommand("A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter does, until Ctrl-C.")
         {
-            link, seed, targets, wind, mission, camera, truth,
+            link, seed, targets, wind, mission, camera, truth, signKey,
         };
         command.SetAction(result => run(new VehicleOptions(
             result.GetValue(link)!,
@@ -71,7 +77,8 @@ internal static class CommandLine
             },
             result.GetValue(mission),
             result.GetValue(truth),
-            result.GetValue(camera))));
+            result.GetValue(camera),
+            result.GetValue(signKey))));
         return command;
     }
 

@@ -4,7 +4,7 @@ using Rabit.Uav.Simulation;
 namespace SimulatedVehicle;
 
 /// <summary>What the command line asked for.</summary>
-internal sealed class VehicleOptions(LinkUrl link, SimulationOptions world, string? missionFile, string? truthFile, string? cameraFolder)
+internal sealed class VehicleOptions(LinkUrl link, SimulationOptions world, string? missionFile, string? truthFile, string? cameraFolder, string? signKeyFile)
 {
     public LinkUrl Link { get; } = link;
 
@@ -16,6 +16,9 @@ internal sealed class VehicleOptions(LinkUrl link, SimulationOptions world, stri
 
     /// <summary>Where the pictures of its camera go; null for nowhere.</summary>
     public string? CameraFolder { get; } = cameraFolder;
+
+    /// <summary>The file of the key that the link is signed with; null where it is not.</summary>
+    public string? SignKeyFile { get; } = signKeyFile;
 
     /// <summary>Where the truth goes as JSON, at the start and again at the end; null for nowhere.</summary>
     public string? TruthFile { get; } = truthFile;

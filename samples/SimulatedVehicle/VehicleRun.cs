@@ -2,6 +2,8 @@ using System;
 using System.IO;
 using System.Threading.Tasks;
 using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Links;
 using Rabit.Uav.Simulation;
@@ -28,9 +30,10 @@ internal static class VehicleRun
             var world = new SimulatedWorld(options.World);
             using TruthFile? truthFile = TruthFile.Open(options.TruthFile);
             CameraFolder? folder = options.CameraFolder is { } path ? CameraFolder.Create(path, world.CameraModel, world.CameraMount) : null;
+            using MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
             using IByteLink link = LinkFactory.Open(options.Link);
             truthFile?.Write(world, options.World);
-            int exitCode = Fly(world, link, folder, options);
+            int exitCode = Fly(world.CreateVehicle(link, key), world, folder, options);
             truthFile?.Write(world, options.World);
             return exitCode;
         }
@@ -41,11 +44,11 @@ internal static class VehicleRun
         }
     }
 
-    private static int Fly(SimulatedWorld world, IByteLink link, CameraFolder? folder, VehicleOptions options)
+    private static int Fly(RabitManager vehicle, SimulatedWorld world, CameraFolder? folder, VehicleOptions options)
     {
         // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the truth off.
         Console.CancelKeyPress += (_, e) => e.Cancel = true;
-        var reactor = new RabitReactor(new ReactorOptions { Log = WriteNews, StopTimeout = StopTimeout }) { world.CreateVehicle(link) };
+        var reactor = new RabitReactor(new ReactorOptions { Log = WriteNews, StopTimeout = StopTimeout }) { vehicle };
         if (folder is not null)
             reactor.Add(new CameraRecorderManager(world.CreateCamera(), new PictureFolderWriter(folder)));
         Console.WriteLine($"simulated vehicle, seed {options.World.Seed}, on {options.Link}; Ctrl-C ends it");

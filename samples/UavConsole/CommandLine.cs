@@ -63,6 +63,19 @@ internal static class CommandLine
 
     private static readonly Option<string> Log = new("--log") { Description = "Writes the log of the run, a line for each entry.", HelpName = "FILE" };
 
+    private static readonly Option<string> SignKey = new("--sign-key")
+    {
+        Description = "Signs and verifies MAVLink on all live links with the key in a file, 32 bytes or 64 hexadecimal digits (docs/concepts/signing.md). FILE.clock.0 and .1 beside it keep "
+            + "the time of the signatures.",
+        HelpName = "FILE",
+    };
+
+    private static readonly Option<int[]> TrustLink = new("--trust-link")
+    {
+        Description = "A link that is not signed with --sign-key: a cable. Its number, from 0 in the order of the live --link; may be given several times.",
+        HelpName = "N",
+    };
+
     private static readonly Option<byte?> SystemId = new("--system-id")
     {
         Description = "Our MAVLink system id, 1 to 255, and so that of the vehicle that carries us; without it that of the first autopilot heard.",
@@ -74,7 +87,7 @@ internal static class CommandLine
     {
         var command = new RootCommand("Rabit's managers fly a search: a simulated one, or with a real vehicle; or they watch a flight, live or recorded.")
         {
-            Links, RealTime, Seed, Targets, Mission, Fly, Camera, TruthOption, Headless, Summary, Report, Log, SystemId,
+            Links, RealTime, Seed, Targets, Mission, Fly, Camera, TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink,
         };
         command.SetAction(result => FindFaults(result) is { Length: > 0 } faults ? Refuse(faults) : run(Read(result)));
         return command;
@@ -103,6 +116,8 @@ internal static class CommandLine
         ReportFile = result.GetValue(Report),
         LogFile = result.GetValue(Log),
         SystemId = result.GetValue(SystemId),
+        SignKeyFile = result.GetValue(SignKey),
+        TrustedLinks = result.GetValue(TrustLink) ?? [],
         CommandLine = string.Join(" ", new[] { "UavConsole" }.Concat(result.Tokens.Select(t => t.Value))),
     };
 
@@ -111,7 +126,7 @@ internal static class CommandLine
     {
         LinkUrl[] links = result.GetValue(Links) ?? [];
         bool isReplay = links.Length > 0 && Array.TrueForAll(links, l => l.Kind == LinkKind.RecordedFile);
-        return (links.Length == 0 ? WithoutLink(result) : WithLink(result, isReplay)).ToArray();
+        return (links.Length == 0 ? WithoutLink(result) : WithLink(result, isReplay)).Concat(OfSigning(result, isReplay)).ToArray();
     }
 
     private static IEnumerable<string> WithoutLink(ParseResult result)
@@ -141,6 +156,14 @@ internal static class CommandLine
             if (isReplay && isGiven)
                 yield return $"{name} needs a live vehicle: a recorded flight is only looked at.";
         }
+    }
+
+    private static IEnumerable<string> OfSigning(ParseResult result, bool isReplay)
+    {
+        if (result.GetValue(TrustLink) is { Length: > 0 } && result.GetValue(SignKey) is null)
+            yield return "--trust-link needs --sign-key FILE: without it no link is signed.";
+        if (result.GetValue(SignKey) is not null && isReplay)
+            yield return "--sign-key needs a live vehicle: a recorded flight is only looked at.";
     }
 
     private static LinkUrl[] ParseLinks(ArgumentResult result)

@@ -46,6 +46,12 @@ internal sealed class ConsoleOptions
     /// <summary>Our MAVLink system id; null for that of the vehicle.</summary>
     public byte? SystemId { get; init; }
 
+    /// <summary>The file of the key that live links are signed with; null for none.</summary>
+    public string? SignKeyFile { get; init; }
+
+    /// <summary>Numbers of live links that are not signed all the same.</summary>
+    public IReadOnlyList<int> TrustedLinks { get; init; } = [];
+
     /// <summary>The arguments as given, for the report.</summary>
     public string CommandLine { get; init; } = "UavConsole";
 

@@ -3,7 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Mavlink;
 using Rabit.Uav;
+using Rabit.Uav.Communications;
 using Rabit.Uav.Geometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Links;
@@ -17,10 +19,13 @@ internal sealed class Flight : IDisposable
 {
     private const string BundledMission = "missions/search.json";
 
-    private Flight(UavSystem uav, string source)
+    private readonly MavlinkSigningKey? _key;
+
+    private Flight(UavSystem uav, string source, MavlinkSigningKey? key)
     {
         Uav = uav;
         Source = source;
+        _key = key;
     }
 
     public UavSystem Uav { get; }
@@ -46,7 +51,11 @@ internal sealed class Flight : IDisposable
 
     public RabitReactor CreateReactor(ReactorOptions options) => Uav.CreateReactor(options);
 
-    public void Dispose() => Uav.Dispose();
+    public void Dispose()
+    {
+        Uav.Dispose();
+        _key?.Dispose();
+    }
 
     private static Flight OpenSimulation(ConsoleOptions options)
     {
@@ -58,10 +67,11 @@ internal sealed class Flight : IDisposable
         var time = new VirtualTime(options.Seed);
         if (options.IsRealTime)
             time.Pace = 1;
+        MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
         UavSystem uav = UavSystem.Open(new UavOptions
         {
             OpenLinks = [links.A],
-            OtherManagers = [world.CreateVehicle(links.B)],
+            OtherManagers = [world.CreateVehicle(links.B, key)],
             Mission = mission,
             MayCommand = true,
             Camera = world.CreateCamera(),
@@ -69,8 +79,9 @@ internal sealed class Flight : IDisposable
             SystemId = options.SystemId,
             Seed = options.Seed,
             Time = time,
+            Signing = key is null ? null : new SigningOptions(key),   // the vehicle is new each time, and so is its memory of us
         });
-        return new Flight(uav, $"simulated flight: {mission.Name}, seed {Figures.Of(options.Seed)}, {Figures.Of(options.TargetCount)} targets")
+        return new Flight(uav, $"simulated flight: {mission.Name}, seed {Figures.Of(options.Seed)}, {Figures.Of(options.TargetCount)} targets", key)
         {
             Truth = TruthOf(world, worldOptions, mission),
             TruePosition = () => world.PositionOf(world.Truth.Pose.North, world.Truth.Pose.East),
@@ -84,6 +95,7 @@ internal sealed class Flight : IDisposable
         Truth? truth = options.TruthFile is { } truthFile ? TruthFile.Read(truthFile) : null;
         CameraFolder? folder = options.CameraFolder is { } cameraFolder ? OpenCamera(cameraFolder) : null;
         FolderCamera? camera = folder is null ? null : new FolderCamera(folder);
+        MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
         UavSystem uav = UavSystem.Open(new UavOptions
         {
             Links = options.Links,
@@ -91,14 +103,27 @@ internal sealed class Flight : IDisposable
             Mission = options.Flies ? mission : null,
             MayCommand = options.Flies,
             Camera = camera,
+            Signing = key is null ? null : SigningOf(key, options),
             Imaging = folder is null ? new ImageProcessingOptions() : ImagingOf(folder),
         });
         string links = string.Join(", ", options.Links.Select(l => l.ToString()));
-        return new Flight(uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or listening to " + links)
+        return new Flight(uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or listening to " + links, key)
         {
             Truth = truth,
             Camera = camera,
             Notice = options.IsReplay || options.Flies ? null : "observing only: nothing is commanded; --mission FILE --fly flies",
+        };
+    }
+
+    private static SigningOptions SigningOf(MavlinkSigningKey key, ConsoleOptions options)
+    {
+        int live = options.Links.Count(l => l.Kind != LinkKind.RecordedFile);
+        foreach (int link in options.TrustedLinks.Where(l => l < 0 || l >= live))
+            throw new ArgumentException($"--trust-link {Figures.Of(link)}: there are {Figures.Of(live)} live links, numbered from 0.", nameof(options));
+        return new SigningOptions(key)
+        {
+            Links = Enumerable.Range(0, live).Except(options.TrustedLinks).ToArray(),
+            TimestampStore = new FileTimestampStore(options.SignKeyFile + ".clock"),
         };
     }
 

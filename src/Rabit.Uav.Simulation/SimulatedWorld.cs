@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Mavlink;
 using Rabit.Uav.Geometry;
 using Rabit.Uav.Links;
 
@@ -61,8 +62,9 @@ public sealed class SimulatedWorld
     /// Makes the manager that runs the vehicle. It may be in the reactor of those who fly it, or in a reactor or a process of its own. Once.
     /// </summary>
     /// <param name="link">Its telemetry; open, and closed by whoever opened it, after the run. That it ends does not end the vehicle.</param>
+    /// <param name="signingKey">Where the link is signed, the key: the vehicle then signs all it says and hears nothing that is not signed with it. Its owner disposes of it.</param>
     /// <exception cref="InvalidOperationException">There is a vehicle already.</exception>
-    public RabitManager CreateVehicle(IByteLink link)
+    public RabitManager CreateVehicle(IByteLink link, MavlinkSigningKey? signingKey = null)
     {
         if (link is null)
             throw new ArgumentNullException(nameof(link));
@@ -70,7 +72,7 @@ public sealed class SimulatedWorld
             throw new InvalidOperationException("The simulated world has its vehicle already.");
         _hasVehicle = true;
         var delayed = new DelayedFrames(new SimulationRandom(Options.Seed, "telemetry latency"), Options.TelemetryLatency);
-        return new SimulatedVehicleManager(VehicleManagerName, CreateVehicle(), delayed, _recorder, link);
+        return new SimulatedVehicleManager(VehicleManagerName, CreateVehicle(), delayed, _recorder, link, signingKey is null ? null : new VehicleSigning(signingKey));
     }
 
     /// <summary>

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink;
+using Rabit.Uav.Communications;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Links;
@@ -32,6 +33,10 @@ public sealed class UavOptions
 
     /// <summary>Links that are open already, for example to a simulated vehicle; they come before <see cref="Links"/>, and are closed with the rest.</summary>
     public IReadOnlyList<IByteLink> OpenLinks { get; set; } = Array.Empty<IByteLink>();
+
+    /// <summary>Which live links are signed, and how; null for none. They are numbered from 0, <see cref="OpenLinks"/> first.</summary>
+    /// <value>The default is null.</value>
+    public SigningOptions? Signing { get; set; }
 
     /// <summary>The mission; null to observe.</summary>
     /// <value>The default is null.</value>
@@ -89,6 +94,10 @@ public sealed class UavOptions
             .GroupBy(l => l.ToString(), StringComparer.Ordinal)
             .Where(g => g.Count() > 1)
             .Select(g => $"link {g.Key} is given {g.Count()} times"));
+
+        if (Signing is not null && IsReplay)
+            faults.Add("there is nothing to sign in a replay");
+        faults.AddRange(IsReplay ? [] : Signing?.FindFaults(OpenLinks.Count + Links.Count(l => l.Kind != LinkKind.RecordedFile)) ?? []);
 
         LinkUrl? fast = Links.FirstOrDefault(l => !l.Speed.Equals(1));
         LinkUrl? other = fast is null ? null : Links.FirstOrDefault(l => l.Kind != LinkKind.RecordedFile || !l.Speed.Equals(fast.Speed));

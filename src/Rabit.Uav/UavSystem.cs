@@ -42,6 +42,7 @@ public sealed class UavSystem : IDisposable
             Links = _links,
             RecordedFiles = _files,
             StopsWhenAllLinksEnd = options.IsReplay,
+            Signing = options.Signing,
             MailRoutes =
             [
                 new MailRoute<TargetReport>(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),

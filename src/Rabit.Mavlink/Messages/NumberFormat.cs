@@ -27,48 +27,31 @@ internal static class NumberFormat
     {
         System.Span<char> characters = stackalloc char[Longest];
         value.TryFormat(characters, out int length, "R", CultureInfo.InvariantCulture);
-        text.Append(characters.Slice(0, length));
+
+        // Of some powers of two, below which the next number is closer than above, .NET 10 writes a digit too few.
+        if (float.IsPow2(System.Math.Abs(value)) && !float.Parse(characters.Slice(0, length), NumberStyles.Float, CultureInfo.InvariantCulture).Equals(value))
+            ShortestNumber.Append(text, value);
+        else
+            text.Append(characters.Slice(0, length));
     }
 
     public static void Append(StringBuilder text, double value)
     {
         System.Span<char> characters = stackalloc char[Longest];
         value.TryFormat(characters, out int length, "R", CultureInfo.InvariantCulture);
-        text.Append(characters.Slice(0, length));
+        if (double.IsPow2(System.Math.Abs(value)) && !double.Parse(characters.Slice(0, length), NumberStyles.Float, CultureInfo.InvariantCulture).Equals(value))
+            ShortestNumber.Append(text, value);
+        else
+            text.Append(characters.Slice(0, length));
     }
 #else
-    private static readonly string[] SingleFormats = ["G7", "G8", "G9"];
-    private static readonly string[] DoubleFormats = ["G15", "G16", "G17"];
-
     public static void Append(StringBuilder text, long value) => text.Append(value.ToString(CultureInfo.InvariantCulture));
 
     public static void Append(StringBuilder text, ulong value) => text.Append(value.ToString(CultureInfo.InvariantCulture));
 
-    // "R" is not always read back as the same number on these runtimes.
-    public static void Append(StringBuilder text, float value)
-    {
-        string shortest = "";
-        foreach (string format in SingleFormats)
-        {
-            shortest = ((double)value).ToString(format, CultureInfo.InvariantCulture);   // Mono rounds the last digit of a float wrongly
-            if (float.TryParse(shortest, NumberStyles.Float, CultureInfo.InvariantCulture, out float read) && read.Equals(value))
-                break;
-        }
+    // "R" is not always read back as the same number on these runtimes, nor has it the same digits as on .NET.
+    public static void Append(StringBuilder text, float value) => ShortestNumber.Append(text, value);
 
-        text.Append(value == 0 && 1 / value < 0 ? "-0" : shortest);   // they print the zero without its sign
-    }
-
-    public static void Append(StringBuilder text, double value)
-    {
-        string shortest = "";
-        foreach (string format in DoubleFormats)
-        {
-            shortest = value.ToString(format, CultureInfo.InvariantCulture);
-            if (double.TryParse(shortest, NumberStyles.Float, CultureInfo.InvariantCulture, out double read) && read.Equals(value))
-                break;
-        }
-
-        text.Append(value == 0 && 1 / value < 0 ? "-0" : shortest);
-    }
+    public static void Append(StringBuilder text, double value) => ShortestNumber.Append(text, value);
 #endif
 }

@@ -11,6 +11,7 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
     private TimeSpan _lastHeardAt;
     private int _tries;
     private int _sent;
+    private int _answers;
     private int _rejections;
     private bool _isInt;
     private bool _hasSwitched;
@@ -37,7 +38,7 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         Handle = handle;
         _command = command;
         Phase = CommandPhase.Queued;
-        _tries = _sent = _rejections = 0;
+        _tries = _sent = _answers = _rejections = 0;
         _isInt = command.Forms is MavlinkCommandForms.IntThenLong or MavlinkCommandForms.IntOnly;
         _hasSwitched = command.Forms is MavlinkCommandForms.IntOnly or MavlinkCommandForms.LongOnly;
         _isInProgress = false;
@@ -64,12 +65,25 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
     public bool IsAnswered(in MavlinkFrame frame, in CommandAck answer) =>
         IsOpen && _sent > 0 && answer.Command == _command.Command && _command.Target.IsSourceOf(frame);
 
+    /// <summary>Takes an answer that comes after the end: perhaps the last one that was still to come.</summary>
+    /// <returns>Whether it may have been for this command.</returns>
+    public bool TakeLate(in MavlinkFrame frame, in CommandAck answer, TimeSpan now)
+    {
+        if (Phase is not (CommandPhase.Over or CommandPhase.Settled) || now >= LateUntil || answer.Command != _command.Command || !_command.Target.IsSourceOf(frame))
+            return false;
+        CountAnswer(answer.Result);
+        if (IsFullyAnswered)
+            LateUntil = now;
+        return true;
+    }
+
     public bool TryNext(TimeSpan now, MavlinkSender sender, out MavlinkFrame frame)
     {
         frame = default;
         if (!IsOpen || now < Due)
             return false;
-        if (_tries > options.Retries || (_isInProgress && Phase != CommandPhase.Cancelling))
+        bool isWaitedFor = _isInProgress && !options.RetriesInProgress && Phase != CommandPhase.Cancelling;
+        if (_tries > options.Retries || isWaitedFor)
         {
             End(MavlinkCommandVerdict.Unknown, null, 0, now);
             return false;
@@ -112,9 +126,18 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         }
     }
 
+    /// <summary>Ends it without a word to the vehicle.</summary>
+    public void Abandon(TimeSpan now)
+    {
+        End(_sent == 0 ? MavlinkCommandVerdict.Cancelled : MavlinkCommandVerdict.Unknown, null, 0, now);
+        if (_sent == 0)
+            LateUntil = now;
+    }
+
     public void Take(in CommandAck answer, TimeSpan now)
     {
         _lastHeardAt = now;
+        CountAnswer(answer.Result);
         switch (answer.Result)
         {
             case MavResult.InProgress:
@@ -160,6 +183,15 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         }
     }
 
+    // "In progress" is a word in between; the answer is still to come.
+    private void CountAnswer(MavResult result)
+    {
+        if (result != MavResult.InProgress)
+            _answers++;
+    }
+
+    private bool IsFullyAnswered => !options.AnswersMayDouble && _answers >= _sent;
+
     private void Switch(TimeSpan due)
     {
         if (Phase == CommandPhase.Cancelling)
@@ -182,8 +214,10 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
 
         // Also of the last word there may be a copy under way, long after the last sending of what took long.
         LateUntil = (_sent > 0 && _lastHeardAt > _lastSentAt ? _lastHeardAt : _lastSentAt) + options.LateAnswerTime;
-        if (verdict == MavlinkCommandVerdict.Unknown && LateUntil < _lastSentAt + options.ProgressTimeout)
-            LateUntil = _lastSentAt + options.ProgressTimeout;
+        if (verdict == MavlinkCommandVerdict.Unknown && LateUntil < _lastSentAt + options.UnknownLateTime)
+            LateUntil = _lastSentAt + options.UnknownLateTime;
+        if (IsFullyAnswered)
+            LateUntil = now;
         Outcome = new MavlinkCommandOutcome(Handle, _command, verdict, result, resultParam2, _sent, now);
     }
 }

@@ -101,6 +101,17 @@ public sealed class MavlinkCommandClient
         return exchange is not null;
     }
 
+    /// <summary>Ends a command without a word to the vehicle, which may still do it: for one that another has taken the place of.</summary>
+    /// <param name="handle">What <see cref="TryStart"/> gave.</param>
+    /// <param name="now">The time.</param>
+    /// <returns>Whether it was still open. Its outcome is <see cref="MavlinkCommandVerdict.Unknown"/>, or <see cref="MavlinkCommandVerdict.Cancelled"/> where it was never sent.</returns>
+    public bool Abandon(int handle, TimeSpan now)
+    {
+        CommandExchange? exchange = Find(handle);
+        exchange?.Abandon(now);
+        return exchange is not null;
+    }
+
     /// <summary>How far a command is, by the vehicle's own word.</summary>
     /// <param name="handle">What <see cref="TryStart"/> gave.</param>
     /// <param name="percent">0 to 100.</param>
@@ -127,6 +138,11 @@ public sealed class MavlinkCommandClient
         }
 
         StrayAnswers++;
+        foreach (CommandExchange exchange in _exchanges)
+        {
+            if (exchange.TakeLate(frame, answer, now))
+                return;
+        }
     }
 
     /// <summary>Gives the next frame to send. Call it until there is none.</summary>

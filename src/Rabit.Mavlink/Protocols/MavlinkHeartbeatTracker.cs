@@ -18,7 +18,9 @@ public sealed class MavlinkHeartbeatTracker
     public static readonly TimeSpan UsualLossTimeout = TimeSpan.FromSeconds(5);
 
     /// <summary>How far the time since boot may fall back without a reboot.</summary>
-    public static readonly TimeSpan ReorderTolerance = TimeSpan.FromSeconds(2);
+    public static readonly TimeSpan ReorderTolerance = TimeSpan.FromMilliseconds(ReorderToleranceMs);
+
+    private const uint ReorderToleranceMs = 3000;
 
     private readonly Entry[] _entries;
     private readonly TimeSpan _lossTimeout;
@@ -73,7 +75,7 @@ public sealed class MavlinkHeartbeatTracker
         if (frame.TryDecode(out Heartbeat heartbeat))
             TakeHeartbeat(frame, heartbeat, now);
         else if (TryGetBootTime(frame, out uint milliseconds))
-            TakeBootTime(frame, milliseconds, now);
+            TakeBootTime(frame, milliseconds);
     }
 
     /// <summary>Gives the next event. Call it until there is none, after frames and at <see cref="NextDue"/>.</summary>
@@ -158,26 +160,16 @@ public sealed class MavlinkHeartbeatTracker
         entry.Value = entry.Value with { Heartbeat = heartbeat, LastAt = now, Heartbeats = entry.Value.Heartbeats + 1, IsLost = false };
     }
 
-    private void TakeBootTime(in MavlinkFrame frame, uint milliseconds, TimeSpan now)
+    private void TakeBootTime(in MavlinkFrame frame, uint milliseconds)
     {
         int index = IndexOf(frame);
         if (index < 0)
             return;
         ref Entry entry = ref _entries[index];
-
-        // Modulo 2^32, so that the start from zero after 49.7 days is a step forward.
-        int step = unchecked((int)(milliseconds - entry.BootMilliseconds));
-        if (!entry.HasBootTime || step > 0)
-        {
-            entry.HasBootTime = true;
-            entry.BootMilliseconds = milliseconds;
-        }
-        else if (step < -ReorderTolerance.TotalMilliseconds)
-        {
-            entry.BootMilliseconds = milliseconds;
-            entry.Value = entry.Value with { Reboots = entry.Value.Reboots + 1 };
-            entry.Open |= 1 << (int)MavlinkComponentEvent.Rebooted;
-        }
+        if (!entry.BootTime.HasRebooted(milliseconds, ReorderToleranceMs))
+            return;
+        entry.Value = entry.Value with { Reboots = entry.Value.Reboots + 1 };
+        entry.Open |= 1 << (int)MavlinkComponentEvent.Rebooted;
     }
 
     private int IndexOf(in MavlinkFrame frame)
@@ -194,8 +186,7 @@ public sealed class MavlinkHeartbeatTracker
     private struct Entry
     {
         public MavlinkComponent Value;
-        public uint BootMilliseconds;
-        public bool HasBootTime;
+        public BootTime BootTime;
         public int Open;
     }
 }

@@ -66,6 +66,9 @@ public sealed class MavlinkRateClient
     /// <summary>How many messages are wanted.</summary>
     public int Count => _entries.Length;
 
+    /// <summary>Requests sent since the client was made, every try counted.</summary>
+    public long Requests { get; private set; }
+
     /// <summary>When to call <see cref="TryTakeFrame"/> at the latest.</summary>
     public TimeSpan NextDue
     {
@@ -114,7 +117,7 @@ public sealed class MavlinkRateClient
         }
 
         if (_current >= 0 && frame.TryDecode(out CommandAck answer) && answer.Command == MavCmd.SetMessageInterval && _own.IsMeantBy(answer.TargetSystem, answer.TargetComponent))
-            Take(answer.Result);
+            Take(answer.Result, now);
     }
 
     /// <summary>Gives the next frame to send. Call it until there is none.</summary>
@@ -148,24 +151,54 @@ public sealed class MavlinkRateClient
             Param2 = entry.Hertz > 0 ? (float)Math.Round(1e6 / entry.Hertz) : -1,
         });
         entry.Requests++;
+        Requests++;
         entry.AskedAt = now;
         _tries++;
         _due = now + AnswerTimeout;
         return true;
     }
 
-    private void Take(MavResult result)
+    /// <summary>Gives the next message that was answered, or given up, since the last call. Call it until there is none; not calling it costs nothing.</summary>
+    /// <param name="rate">The message, and what became of it.</param>
+    /// <returns>Whether there is one.</returns>
+    public bool TryTakeAnswer(out MavlinkStreamRate rate)
     {
-        if (result == MavResult.Accepted)
-            Finish(MavlinkRateAnswer.Accepted);
-        else if (result is not (MavResult.InProgress or MavResult.TemporarilyRejected))
-            Finish(MavlinkRateAnswer.Refused);   // after the other two the time-out asks again
+        for (int i = 0; i < _entries.Length; i++)
+        {
+            if (!_entries[i].IsNews)
+                continue;
+            _entries[i].IsNews = false;
+            rate = this[i];
+            return true;
+        }
+
+        rate = default;
+        return false;
+    }
+
+    private void Take(MavResult result, TimeSpan now)
+    {
+        switch (result)
+        {
+            case MavResult.Accepted:
+                Finish(MavlinkRateAnswer.Accepted);
+                return;
+            case MavResult.InProgress:
+                _due = now + AnswerTimeout;
+                return;
+            case MavResult.TemporarilyRejected:
+                return;   // the time-out asks again
+            default:
+                Finish(MavlinkRateAnswer.Refused);
+                return;
+        }
     }
 
     private void Finish(MavlinkRateAnswer answer)
     {
         _entries[_current].Answer = answer;
         _entries[_current].IsWaiting = false;
+        _entries[_current].IsNews = true;
         _current = -1;
     }
 
@@ -213,5 +246,6 @@ public sealed class MavlinkRateClient
         public TimeSpan AskedAt;
         public long InWindow;
         public bool IsWaiting;
+        public bool IsNews;
     }
 }

@@ -16,7 +16,6 @@ public sealed class MavlinkVerifier
     private readonly MavlinkSigningClock _clock;
     private readonly MavlinkUnsignedRule _acceptUnsigned;
     private readonly ReplayTable _streams;
-    private readonly long[] _counts = new long[(int)MavlinkSignatureVerdict.UnsignedAllowed + 1];
 
     /// <summary>Makes a verifier. There is none without a key.</summary>
     /// <param name="key">The secret; its owner disposes of it.</param>
@@ -36,16 +35,7 @@ public sealed class MavlinkVerifier
     }
 
     /// <summary>What it has decided so far.</summary>
-    public MavlinkSignatureCounters Counters => new()
-    {
-        Valid = _counts[(int)MavlinkSignatureVerdict.Valid] + _counts[(int)MavlinkSignatureVerdict.ValidNewStream],
-        UnsignedAllowed = _counts[(int)MavlinkSignatureVerdict.UnsignedAllowed],
-        NotSigned = _counts[(int)MavlinkSignatureVerdict.NotSigned],
-        BadSignatures = _counts[(int)MavlinkSignatureVerdict.BadSignature],
-        OldTimestamps = _counts[(int)MavlinkSignatureVerdict.OldTimestamp],
-        NewStreamsTooOld = _counts[(int)MavlinkSignatureVerdict.NewStreamTooOld],
-        TooManyStreams = _counts[(int)MavlinkSignatureVerdict.TooManyStreams],
-    };
+    public MavlinkSignatureCounters Counters { get; private set; }
 
     /// <summary>How many streams it remembers.</summary>
     public int Streams => _streams.Count;
@@ -66,7 +56,7 @@ public sealed class MavlinkVerifier
         MavlinkSignatureVerdict verdict = frame.IsSigned ? VerifySigned(frame)
             : frame.Version != MavlinkVersion.None && _acceptUnsigned(frame, link) ? MavlinkSignatureVerdict.UnsignedAllowed
             : MavlinkSignatureVerdict.NotSigned;
-        _counts[(int)verdict]++;
+        Counters = Counters.With(verdict);
         return verdict;
     }
 

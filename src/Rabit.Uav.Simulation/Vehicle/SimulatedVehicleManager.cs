@@ -21,15 +21,23 @@ internal sealed class SimulatedVehicleManager : RabitManager
     private readonly BlockingReader<MavlinkFrame> _reader;
     private readonly BlockingWriter<MavlinkFrame> _writer;
     private readonly DelayedFrames _delayed;
+    private readonly VehicleSigning? _signing;
     private TimeSpan _stepped;
     private long _sent;
     private long _heard;
     private long _lost;
     private bool _hasTold;
 
-    public SimulatedVehicleManager(string name, SimulatedVehicle vehicle, DelayedFrames delayed, TruthRecorder recorder, IByteLink link)
+    /// <param name="name">Of the manager.</param>
+    /// <param name="vehicle">What flies.</param>
+    /// <param name="delayed">The latency of its telemetry.</param>
+    /// <param name="recorder">Keeps the truth.</param>
+    /// <param name="link">Its telemetry.</param>
+    /// <param name="signing">Null where the link is not signed.</param>
+    public SimulatedVehicleManager(string name, SimulatedVehicle vehicle, DelayedFrames delayed, TruthRecorder recorder, IByteLink link, VehicleSigning? signing)
         : base(name)
     {
+        _signing = signing;
         _vehicle = vehicle;
         _delayed = delayed;
         _recorder = recorder;
@@ -45,6 +53,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
     {
         TimeSpan now = Now;
         DateTimeOffset utc = Clock.GetUtcNow();
+        _signing?.Advance(utc, now);
         while (_stepped + StepTime <= now)
         {
             _stepped += StepTime;
@@ -62,7 +71,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
     {
         while (_reader.TryPop(out MavlinkFrame frame))
         {
-            if (_vehicle.IsSilent)
+            if (_vehicle.IsSilent || _signing?.Accepts(frame) == false)
             {
                 _lost++;
                 continue;
@@ -85,7 +94,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
     {
         while (_delayed.TryTake(now, out MavlinkFrame frame))
         {
-            if (_vehicle.IsSilent || HasNobodyBehindIt() || _writer.Push(frame) == PushResult.Rejected)
+            if (_vehicle.IsSilent || HasNobodyBehindIt() || _writer.Push(_signing is null ? frame : _signing.Sign(frame)) == PushResult.Rejected)
                 _lost++;
             else
                 _sent++;

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
@@ -30,8 +31,8 @@ public sealed partial class AutopilotManager : RabitManager
     private readonly MessagePublisher<RecentItems<StatusText>> _statusTexts;
     private readonly MessagePublisher<RecentItems<CommandAcknowledgement>> _acknowledgements;
     private readonly VehicleTracker _tracker;
-    private readonly MessageRateRequester _rates;
     private readonly FlightRecorder _recorder = new();
+    private MavlinkRateClient? _rates;
     private TimeSpan _listenedUntil;
 
     /// <summary>Makes the manager.</summary>
@@ -43,7 +44,6 @@ public sealed partial class AutopilotManager : RabitManager
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         _executor = new CommandExecutor(_options.MayCommand);
         _tracker = new VehicleTracker(_options.SystemId, _options.HeartbeatTimeout);
-        _rates = new MessageRateRequester(_options.RequestedRates);
         _frames = Receive<LinkFrame>(MessageNames.AutopilotFrames, FramesWaiting, QueueFullMode.Reject, wakeOnPush: true);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
         _vehicle = Publish(MessageNames.VehicleState, VehicleTracker.Unknown);
@@ -94,6 +94,7 @@ public sealed partial class AutopilotManager : RabitManager
         RecentItems<CommandAcknowledgement> acknowledgements = _acknowledgements.Value;
         while (_frames.TryPop(out LinkFrame frame))
         {
+            MavlinkFrame mavlink = frame.Frame;
             VehicleEvents events = _tracker.Fold(frame);
             _recorder.Record(frame, events, _tracker.State);
             Handle(events, frame.Time);
@@ -102,6 +103,9 @@ public sealed partial class AutopilotManager : RabitManager
             TakeTime(frame);
             TakeText(frame);
             TakeAcknowledgement(frame);
+            if (_tracker.State.IsConnected)
+                _rates?.Handle(mavlink, Now);
+            _executor.TakeFrame(mavlink, Now);
             all |= events;
         }
 
@@ -133,7 +137,6 @@ public sealed partial class AutopilotManager : RabitManager
         if ((events & VehicleEvents.Lost) != 0)
         {
             Log("the autopilot is lost");
-            _rates.Stop();
             _clock.Requests.Stop();
         }
 
@@ -142,6 +145,7 @@ public sealed partial class AutopilotManager : RabitManager
             VehicleState vehicle = _tracker.State;
             Log($"autopilot {vehicle.Autopilot} of a {vehicle.VehicleType}, system {vehicle.SystemId}, component {vehicle.ComponentId}");
             PostOwnAddress(vehicle.SystemId);
+            MakeClients(vehicle);
         }
 
         if ((events & VehicleEvents.FoundAgain) != 0)
@@ -154,7 +158,7 @@ public sealed partial class AutopilotManager : RabitManager
 
         if ((events & (VehicleEvents.Found | VehicleEvents.FoundAgain | VehicleEvents.Rebooted)) != 0)
         {
-            _rates.Start();
+            _rates!.Restart();
             StartAskingForTime(time);
         }
     }
@@ -179,36 +183,43 @@ public sealed partial class AutopilotManager : RabitManager
         mavlink.TryDecode(out CommandAck ack);
         var item = new CommandAcknowledgement(frame.Time, ack.Command, ack.Result, ack.TargetSystem, ack.TargetComponent);
         _acknowledgements.Value = _acknowledgements.Value.With(item, RecentItemsKept);
-        if (!IsForUs(ack))
-            return;
-        _executor.TakeAcknowledgement(ack.Command, ack.Result, Now);
-        if (ack.Command == MavCmd.SetMessageInterval && _rates.TakeAnswer(ack.Result, Now) is { } refused)
-            Log($"the autopilot refuses a rate for {NameOf(refused)}: {ack.Result}");
     }
 
-    // 0 is everybody, and what MAVLink 1 leaves out.
-    private bool IsForUs(in CommandAck ack)
+    // Who we are and which vehicle is ours never changes again.
+    private void MakeClients(in VehicleState vehicle)
     {
         OwnAddress own = _ownAddress.Value;
-        return (ack.TargetSystem == 0 || ack.TargetSystem == own.SystemId)
-            && (ack.TargetComponent == 0 || ack.TargetComponent == own.ComponentId);
+        var target = new MavlinkAddress(vehicle.SystemId, vehicle.ComponentId);
+
+        // Communications numbers and signs what goes out.
+        var sender = new MavlinkSender(own.SystemId, own.ComponentId);
+        _executor.Connect(sender, target);
+        _rates = new MavlinkRateClient(sender, target, _options.RequestedRates.Select(r => (r.MessageId, r.Hertz)).ToArray());
     }
 
     private void RequestRates()
     {
-        if (!_options.RequestsRates)
+        if (!_options.RequestsRates || _rates is null)
             return;
-        if (_rates.TryNext(Now, out CommandLong command, out int? gaveUp))
-        {
-            OwnAddress own = _ownAddress.Value;
-            command.TargetSystem = _tracker.State.SystemId;
-            command.TargetComponent = _tracker.State.ComponentId;
-            _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(command, own.SystemId, own.ComponentId, sequence: 0) });
-        }
+        while (_tracker.State.IsConnected && _rates.TryTakeFrame(Now, out MavlinkFrame frame))
+            _outgoing.Push(new OutgoingFrame { Frame = frame });
+        while (_rates.TryTakeAnswer(out MavlinkStreamRate rate))
+            TakeRateAnswer(rate);
+        RateRequestCounts counts = _recorder.RateRequests;
+        _recorder.RateRequests = new RateRequestCounts(counts.Accepted, counts.Refused, counts.Unanswered, _rates.Requests);
+    }
 
-        if (gaveUp is { } unanswered)
-            Log($"the autopilot does not answer to a rate for {NameOf(unanswered)}");
-        _recorder.RateRequests = _rates.Counts;
+    private void TakeRateAnswer(in MavlinkStreamRate rate)
+    {
+        RateRequestCounts counts = _recorder.RateRequests;
+        int accepted = rate.Answer == MavlinkRateAnswer.Accepted ? 1 : 0;
+        int refused = rate.Answer == MavlinkRateAnswer.Refused ? 1 : 0;
+        int unanswered = rate.Answer == MavlinkRateAnswer.Unanswered ? 1 : 0;
+        _recorder.RateRequests = new RateRequestCounts(counts.Accepted + accepted, counts.Refused + refused, counts.Unanswered + unanswered, counts.Sent);
+        if (refused > 0)
+            Log($"the autopilot refuses a rate for {NameOf(rate.MessageId)}");
+        if (unanswered > 0)
+            Log($"the autopilot does not answer to a rate for {NameOf(rate.MessageId)}");
     }
 
     private void PostOwnAddress(byte systemId)

@@ -54,34 +54,34 @@ internal sealed partial class VehicleTracker
 
     private VehicleEvents Fold(in GlobalPositionInt message, TimeSpan time)
     {
-        VehicleEvents events = JudgeBoot(message.TimeBootMs);
+        BootTimeMs = message.TimeBootMs;
 
         // Both exactly zero is what an autopilot sends that does not know where it is.
         bool isPlace = message.Lat is >= -NorthPoleDegE7 and <= NorthPoleDegE7
             && message.Lon is >= -DateLineDegE7 and <= DateLineDegE7
             && (message.Lat != 0 || message.Lon != 0);
         if (!isPlace)
-            return events | VehicleEvents.Refused;
+            return VehicleEvents.Refused;
 
         _state.PositionTime = time;
         _state.Position = GeodeticPosition.FromRadians(message.Lat * RadiansPerDegE7, message.Lon * RadiansPerDegE7, message.Alt / 1000.0);
         _state.HeightAboveHomeMetres = message.RelativeAlt / 1000.0;
         _state.VelocityNed = new NedVector(message.Vx / 100.0, message.Vy / 100.0, message.Vz / 100.0);
-        return events | VehicleEvents.Changed;
+        return VehicleEvents.Changed;
     }
 
     private VehicleEvents Fold(in Attitude message, TimeSpan time)
     {
-        VehicleEvents events = JudgeBoot(message.TimeBootMs);
+        BootTimeMs = message.TimeBootMs;
         bool isSound = IsAngle(message.Roll) && IsAngle(message.Pitch) && Math.Abs(message.Pitch) < Math.PI / 2 + 1e-3 && IsAngle(message.Yaw)
             && IsFinite(message.Rollspeed) && IsFinite(message.Pitchspeed) && IsFinite(message.Yawspeed);
         if (!isSound)
-            return events | VehicleEvents.Refused;
+            return VehicleEvents.Refused;
 
         _state.AttitudeTime = time;
         _state.Attitude = EulerAngles.FromRadians(Wrapped(message.Roll), message.Pitch, Wrapped(message.Yaw));
         _state.Rates = BodyRates.FromRadiansPerSecond(message.Rollspeed, message.Pitchspeed, message.Yawspeed);
-        return events | VehicleEvents.Changed;
+        return VehicleEvents.Changed;
     }
 
     private VehicleEvents Fold(in BatteryReading battery)
@@ -105,7 +105,8 @@ internal sealed partial class VehicleTracker
     {
         _state.UtcTime = time;
         _state.GpsUtcMicroseconds = message.TimeUnixUsec is >= EarliestUtc and <= LatestUtc ? (long)message.TimeUnixUsec : 0;
-        return JudgeBoot(message.TimeBootMs) | VehicleEvents.Changed;
+        BootTimeMs = message.TimeBootMs;
+        return VehicleEvents.Changed;
     }
 
     private VehicleEvents Fold(in ExtendedSysState message)
@@ -121,12 +122,6 @@ internal sealed partial class VehicleTracker
         _state.WindTime = time;
         _state.WindMetresPerSecond = message.Speed;
         return VehicleEvents.Changed;
-    }
-
-    private VehicleEvents JudgeBoot(uint timeBootMs)
-    {
-        BootTimeMs = timeBootMs;
-        return _bootClock.HasRebooted(timeBootMs) ? VehicleEvents.Rebooted : VehicleEvents.None;
     }
 
     private static bool IsFinite(float value) => !float.IsNaN(value) && !float.IsInfinity(value);

@@ -14,7 +14,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatTimeout)
 {
     private readonly FlightModeNames _modeNames = new();
-    private readonly BootClock _bootClock = new();
+    private readonly MavlinkHeartbeatTracker _heartbeats = new(capacity: 1, heartbeatTimeout);
     private readonly BatteryTracker _battery = new();
     private VehicleState _state = Unknown;
 
@@ -48,7 +48,7 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         if (mavlink.TryDecode(out Heartbeat heartbeat))
             events |= FoldHeartbeat(mavlink, heartbeat, frame.Time);
         else if (IsFromAutopilot(mavlink))
-            events |= FoldTelemetry(mavlink, frame.Time);
+            events |= FoldTelemetry(mavlink, frame.Time) | Watch(mavlink, frame.Time);
         else
             events |= VehicleEvents.OfOther;
 
@@ -63,13 +63,34 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
     /// </summary>
     public VehicleEvents Judge(TimeSpan time)
     {
-        if (!_state.IsConnected || time - _state.LastHeartbeatTime <= heartbeatTimeout)
-            return VehicleEvents.None;
+        VehicleEvents events = VehicleEvents.None;
+        while (_heartbeats.TryTakeEvent(time, out MavlinkComponentEvent happened, out _))
+        {
+            events |= happened switch
+            {
+                MavlinkComponentEvent.Appeared => VehicleEvents.Found,
+                MavlinkComponentEvent.Lost => Lose(),
+                MavlinkComponentEvent.Returned => VehicleEvents.FoundAgain,
+                _ => VehicleEvents.Rebooted,
+            };
+        }
+
+        return events;
+    }
+
+    private VehicleEvents Lose()
+    {
         _state.IsConnected = false;
         TimeSpan lostAt = _state.LastHeartbeatTime + heartbeatTimeout;
         if (lostAt > NewestTime)
             NewestTime = lostAt;
         return VehicleEvents.Changed | VehicleEvents.Lost;
+    }
+
+    private VehicleEvents Watch(in MavlinkFrame frame, TimeSpan time)
+    {
+        _heartbeats.Handle(frame, time);
+        return Judge(time);
     }
 
     private VehicleEvents FoldHeartbeat(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan time)
@@ -80,9 +101,7 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         if (isFirst ? systemId is { } wanted && wanted != frame.SystemId : !IsFromAutopilot(frame))
             return VehicleEvents.OfOther | VehicleEvents.OtherAutopilot;
 
-        VehicleEvents events = VehicleEvents.Changed;
-        if (!_state.IsConnected)
-            events |= isFirst ? VehicleEvents.Found : VehicleEvents.FoundAgain;
+        VehicleEvents events = VehicleEvents.Changed | Watch(frame, time);
         _state.SystemId = frame.SystemId;
         _state.ComponentId = frame.ComponentId;
         _state.IsConnected = true;

@@ -41,7 +41,7 @@ public sealed partial class CommunicationsManager
     {
         MavlinkDialect.All.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
         MavlinkFrame numbered = Numbered(frame, message);
-        SendTo(_router.RouteOwn(numbered, message), numbered);
+        SendOwn(_router.RouteOwn(numbered, message), numbered, message.CrcExtra);
     }
 
     private void SendMail()
@@ -81,7 +81,7 @@ public sealed partial class CommunicationsManager
             }
 
             numbered ??= Numbered(frame, message);
-            port.Send(numbered.Value);
+            Send(port, numbered.Value, message.CrcExtra);
             slot.CountSent();
         }
     }

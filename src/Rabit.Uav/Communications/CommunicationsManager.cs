@@ -48,6 +48,7 @@ public sealed partial class CommunicationsManager : RabitManager
         _position = new OwnPosition(_options.Links.Count > 0 ? _options.PositionRateHz : 0);
         _mail = _options.MailRoutes.Select(route => route.Open(this)).ToArray();
         _droppedIn = new long[_options.Count];
+        _signing = _options.Signing is { } signing ? MakeSigning(signing) : null;
         foreach (IByteLink link in _options.Links)
             AddLink(link);
         foreach (RecordedFile file in _options.RecordedFiles)
@@ -66,6 +67,7 @@ public sealed partial class CommunicationsManager : RabitManager
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
     {
+        _signing?.Advance(Clock.GetUtcNow(), Now);
         if (_ownAddress.Fetch() && _ownAddress.Value.IsKnown)
             _router.SetOwnAddress(_ownAddress.Value.SystemId, _ownAddress.Value.ComponentId);
 
@@ -88,6 +90,7 @@ public sealed partial class CommunicationsManager : RabitManager
     {
         SendOwnFrames();
         PostStatus();
+        _signing?.Save();
     }
 
     private void AddLink(IByteLink link)
@@ -144,7 +147,8 @@ public sealed partial class CommunicationsManager : RabitManager
             if (!port.Reader.TryPop(out LinkFrame frame))
                 return true;
             port.Saw(frame);
-            Route(frame, port.IsRecorded);
+            if (IsAccepted(port, frame.Frame))
+                Route(frame, port.IsRecorded);
         }
 
         // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which is at once.
@@ -168,7 +172,7 @@ public sealed partial class CommunicationsManager : RabitManager
         bool isForUs = route.DeliverLocally || (isRecorded && isKnown && route.Reason != MavlinkRouteReason.OurOwn);
         if (isForUs && !IsMail(frame) && _autopilot.Push(frame) == PushResult.Rejected)
             _droppedIn[frame.Link]++;
-        SendTo(route.ForwardTo, mavlink);
+        Forward(route.ForwardTo, mavlink);
     }
 
     private void SendOwnFrames()
@@ -182,7 +186,7 @@ public sealed partial class CommunicationsManager : RabitManager
             }
 
             MavlinkFrame frame = Numbered(outgoing.Frame, message);
-            SendTo(_router.RouteOwn(frame, message), frame);
+            SendOwn(_router.RouteOwn(frame, message), frame, message.CrcExtra);
         }
     }
 
@@ -201,7 +205,7 @@ public sealed partial class CommunicationsManager : RabitManager
         return sequence;
     }
 
-    private void SendTo(ulong links, in MavlinkFrame frame)
+    private void Forward(ulong links, in MavlinkFrame frame)
     {
         if (links == 0)
             return;
@@ -209,6 +213,15 @@ public sealed partial class CommunicationsManager : RabitManager
         {
             if ((links & (1UL << port.Number)) != 0)
                 port.Send(frame);
+        }
+    }
+
+    private void SendOwn(ulong links, in MavlinkFrame frame, byte crcExtra)
+    {
+        foreach (LinkPort port in _ports)
+        {
+            if ((links & (1UL << port.Number)) != 0)
+                Send(port, frame, crcExtra);
         }
     }
 
@@ -222,6 +235,7 @@ public sealed partial class CommunicationsManager : RabitManager
         if (dropped > _reportedDrops)
             Log($"{dropped - _reportedDrops} frames of our own were dropped: more came than could be sent");
         _reportedDrops = dropped;
+        ReportSigning();
     }
 
     /// <returns>True while the end is near but something is still to be handled.</returns>

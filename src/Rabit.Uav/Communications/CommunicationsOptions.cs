@@ -46,6 +46,10 @@ public sealed class CommunicationsOptions
     /// <value>The default is 1000: thirteen target reports; a radio with error correction carries 3600 (SiK at 57600 baud).</value>
     public int MailBytesPerSecond { get; set; } = 1000;
 
+    /// <summary>Which live links are signed, and how; null for none.</summary>
+    /// <value>The default is null.</value>
+    public SigningOptions? Signing { get; set; }
+
     internal int Count => Links.Count + RecordedFiles.Count;
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
@@ -58,6 +62,7 @@ public sealed class CommunicationsOptions
             faults.Add("there is no link");
         if (Count > MavlinkRouter.MaximumLinks)
             faults.Add($"there are {Count} links; at most {MavlinkRouter.MaximumLinks} are possible");
+        faults.AddRange(Signing?.FindFaults(Links.Count) ?? []);
         if (FramesWaitingIn < 1)
             faults.Add($"{nameof(FramesWaitingIn)} is {FramesWaitingIn}; it must be at least 1");
         if (FramesWaitingOut < 1)

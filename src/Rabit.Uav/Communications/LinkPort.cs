@@ -23,6 +23,8 @@ internal sealed class LinkPort(
     private long _framesOut;
     private long _rejectedOut;
     private TimeSpan? _lastFrameTime;
+    private MavlinkSignatureCounters _signatures;
+    private long _reportedRejections;
 
     public int Number { get; } = number;
 
@@ -34,6 +36,17 @@ internal sealed class LinkPort(
     public bool HasEnded => Reader.State is DeviceState.Ended or DeviceState.Faulted;
 
     public void Saw(in LinkFrame frame) => _lastFrameTime = frame.Time;
+
+    public void Judged(MavlinkSignatureVerdict verdict) => _signatures = _signatures.With(verdict);
+
+    /// <summary>Says how many frames were rejected since the last call.</summary>
+    public bool TakeNewRejections(out MavlinkSignatureCounters counts, out long rejected)
+    {
+        counts = _signatures;
+        rejected = counts.Rejected - _reportedRejections;
+        _reportedRejections = counts.Rejected;
+        return rejected > 0;
+    }
 
     public void Send(in MavlinkFrame frame)
     {
@@ -66,6 +79,7 @@ internal sealed class LinkPort(
             BytesLost = bytesLost(),
             FramesDroppedIn = droppedIn + incoming.Dropped + incoming.Rejected + DiscardedIn,
             FramesDroppedOut = _rejectedOut + lostOut,
+            Signatures = _signatures,
             Progress = file?.Progress ?? double.NaN,
         };
         status.Post();

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Mavlink;
 
 namespace Rabit.Uav.Messages;
 
@@ -34,6 +35,9 @@ public struct LinkStatus
 
     /// <summary>Frames that were to go out and did not: there was no room, nobody to hear them, or the link had ended.</summary>
     public long FramesDroppedOut { get; set; }
+
+    /// <summary>What was thought of the signatures of the frames that came in, where the link is signed. Rejected ones count in <see cref="FramesIn"/>, and go nowhere.</summary>
+    public MavlinkSignatureCounters Signatures { get; set; }
 
     /// <summary>How much of a recorded log has been read, 0 to 1; NaN for a live link.</summary>
     public double Progress { get; set; }

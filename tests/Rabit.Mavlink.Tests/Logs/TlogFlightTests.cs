@@ -47,7 +47,7 @@ public class TlogFlightTests
         byte[] original = TestData.Bytes(name + ".tlog");
         var copy = new MemoryStream(original.Length);
         var writer = new TlogWriter(copy);
-        var log = new TlogReader(new SlowStream(original, readLength), MavlinkDialect.All);
+        var log = new TlogReader(new OneWayStream(original, original.Length, readLength), MavlinkDialect.All);
         while (log.TryRead(out MavlinkFrame frame, out TlogRecord record))
         {
             Assert.Equal(copy.Position, record.Offset);

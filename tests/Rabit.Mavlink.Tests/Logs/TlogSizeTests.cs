@@ -32,7 +32,7 @@ public class TlogSizeTests(ITestOutputHelper output)
             watch.Stop();
         }
 
-        void Open(long bytes) => log = new TlogReader(new RepeatingStream(flight, bytes), MavlinkDialect.All);
+        void Open(long bytes) => log = new TlogReader(new OneWayStream(flight, bytes), MavlinkDialect.All);
         Open(flight.Length);
         Read();
         long recordsPerFlight = log.Records;

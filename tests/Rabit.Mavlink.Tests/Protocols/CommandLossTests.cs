@@ -35,7 +35,7 @@ public class CommandLossTests(ITestOutputHelper output)
         for (ulong seed = 1; seed <= (ulong)seeds; seed++)
         {
             var vehicle = new CommandVehicle();
-            var world = new ProtocolWorld(vehicle, lossPercent / 100.0, seed);
+            var world = new ProtocolWorld(vehicle, lossPercent, seed);
             var client = new MavlinkCommandClient(ScriptedVehicle.Companion());
             var outcomes = new Dictionary<int, MavlinkCommandOutcome>();
             var tokens = new Dictionary<int, int>();
@@ -51,7 +51,7 @@ public class CommandLossTests(ITestOutputHelper output)
             }
 
             bool ended = world.RunUntil(() => Collect(client, outcomes), client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(600));
-            string context = $"loss {lossPercent} %, seed {seed}";
+            string context = world.Context;
             Assert.True(ended, $"{context}: {outcomes.Count} of {Commands} ended");
             foreach (MavlinkCommandOutcome outcome in outcomes.Values)
                 Check(outcome, tokens[outcome.Handle], vehicle, lossPercent, context);

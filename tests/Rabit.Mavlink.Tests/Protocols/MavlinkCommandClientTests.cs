@@ -9,7 +9,7 @@ public class MavlinkCommandClientTests
 {
     private static readonly TimeSpan Start = TimeSpan.FromSeconds(10);
     private static readonly MavlinkSender Vehicle = new(1, 1);
-    private readonly MavlinkCommandClient _client = new(ScriptedVehicle.Companion());
+    private MavlinkCommandClient _client = new(ScriptedVehicle.Companion());
     private TimeSpan _now = Start;
 
     [Fact]
@@ -117,6 +117,65 @@ public class MavlinkCommandClientTests
         Assert.False(_client.TryTakeOutcome(out _));
         _now += TimeSpan.FromSeconds(1);
         Assert.True(_client.TryTakeFrame(_now, out frame));
+    }
+
+    [Fact]
+    public void InProgressThenSilent_RetriesInProgress_IsSentAgainByTheTriesThatAreLeft()
+    {
+        _client = new MavlinkCommandClient(ScriptedVehicle.Companion(), new MavlinkCommandOptions { RetriesInProgress = true });
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        Answer(MavCmd.DoSetMode, MavResult.InProgress);
+        Assert.Equal(_now + TimeSpan.FromSeconds(5), _client.NextDue);
+        for (int tries = 2; tries <= 4; tries++)
+        {
+            _now = _client.NextDue;
+            Assert.True(_client.TryTakeFrame(_now, out _));
+        }
+
+        _now = _client.NextDue;
+        Assert.False(_client.TryTakeFrame(_now, out _));
+        AssertOutcome(MavlinkCommandVerdict.Unknown, null);
+    }
+
+    [Fact]
+    public void SameCommandAgain_LinkThatDoesNotDouble_WaitsForAnswersThatAreStillToCome()
+    {
+        _client = new MavlinkCommandClient(ScriptedVehicle.Companion(), new MavlinkCommandOptions { AnswersMayDouble = false });
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        _now = _client.NextDue;
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        Answer(MavCmd.DoSetMode, MavResult.Accepted);   // to one of the two
+        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 2));
+        Assert.False(_client.TryTakeFrame(_now, out _));
+        Answer(MavCmd.DoSetMode, MavResult.Denied);     // to the other
+        Assert.False(_client.TryTakeOutcome(out _));
+
+        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Param1 == 2);
+        Answer(MavCmd.DoSetMode, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+    }
+
+    [Fact]
+    public void Abandon_SentOrNot_SaysNothingToTheVehicleAndItsLateAnswerIsNotTheNextOnes()
+    {
+        int sent = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        int queued = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 2));
+        Assert.True(_client.Abandon(queued, _now));
+        AssertOutcome(MavlinkCommandVerdict.Cancelled, null);
+        Assert.True(_client.Abandon(sent, _now));
+        Assert.False(_client.Abandon(sent, _now));
+        Assert.False(_client.TryTakeFrame(_now, out _));
+        AssertOutcome(MavlinkCommandVerdict.Unknown, null);
+
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 3));
+        Answer(MavCmd.DoSetMode, MavResult.Accepted);
+        Assert.False(_client.TryTakeOutcome(out _));
+        _now += TimeSpan.FromSeconds(5);
+        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Param1 == 3);
     }
 
     [Fact]

@@ -19,6 +19,19 @@ public class MavlinkParameterTests
     public void Bytewise_RoundTrips(MavParamType type, double value) =>
         Assert.Equal(value, MavlinkParameter.Decode(MavlinkParameter.Encode(value, type, MavlinkParameterEncoding.Bytewise), type, MavlinkParameterEncoding.Bytewise));
 
+    [Theory]
+    [InlineData("CAL_ACC0_XOFF", true)]
+    [InlineData("CAL_GYRO2_ZOFF", true)]
+    [InlineData("CAL_MAG1_YODIAG", true)]
+    [InlineData("CAL_BARO3_OFF", true)]
+    [InlineData("ASPD_SCALE_1", true)]
+    [InlineData("EKF2_MAG_DECL", true)]
+    [InlineData("CAL_ACC0_ID", false)]
+    [InlineData("CAL_MAG_COMP", false)]
+    [InlineData("CAL_ACC", false)]
+    [InlineData("SENS_BOARD_X_OFF", false)]
+    public void Hash_LeavesOutWhatPx4ChangesByItself(string name, bool isVolatile) => Assert.Equal(isVolatile, MavlinkParameterHash.IsVolatile(name));
+
     [Fact]
     public void CCast_HoldsTwentyFourBitsAndSaysWhenItDoesNot()
     {

@@ -81,9 +81,9 @@ public class MissionLossTests(ITestOutputHelper output)
         for (ulong seed = 1; seed <= (ulong)seeds; seed++)
         {
             var vehicle = new MissionVehicle(isArduPilot);
-            var world = new ProtocolWorld(vehicle, lossPercent / 100.0, seed);
+            var world = new ProtocolWorld(vehicle, lossPercent, seed);
             var client = new MavlinkMissionClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, isPatient ? Patient : null);
-            string context = $"loss {lossPercent} %, seed {seed}";
+            string context = world.Context;
             TimeSpan start = world.Now;
             var type = (MavMissionType)(seed % 3);
             MissionItemInt[] items = Items(Count, seed);

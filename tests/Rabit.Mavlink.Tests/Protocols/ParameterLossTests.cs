@@ -37,9 +37,9 @@ public class ParameterLossTests(ITestOutputHelper output)
         for (ulong seed = 1; seed <= 200; seed++)
         {
             var vehicle = new ParameterVehicle(20);
-            var world = new ProtocolWorld(vehicle, lossPercent / 100.0, seed);
+            var world = new ProtocolWorld(vehicle, lossPercent, seed);
             MavlinkParameterClient client = Client();
-            string context = $"loss {lossPercent} %, seed {seed}";
+            string context = world.Context;
             for (int i = 0; i < 4; i++)
             {
                 string name = vehicle.Parameters[i].Name;
@@ -79,7 +79,7 @@ public class ParameterLossTests(ITestOutputHelper output)
         for (ulong seed = 1; seed <= 10; seed++)
         {
             var vehicle = new ParameterVehicle(100) { GrowsAfter = 60 };
-            var world = new ProtocolWorld(vehicle, lossPercent / 100.0, seed);
+            var world = new ProtocolWorld(vehicle, lossPercent, seed);
             MavlinkParameterClient client = Client();
             Assert.True(client.TryStartList(world.Now));
             MavlinkParameterOutcome outcome = End(client, world, $"seed {seed}");
@@ -118,10 +118,10 @@ public class ParameterLossTests(ITestOutputHelper output)
         for (ulong seed = 1; seed <= (ulong)seeds; seed++)
         {
             var vehicle = new ParameterVehicle(Count);
-            var world = new ProtocolWorld(vehicle, lossPercent / 100.0, seed);
+            var world = new ProtocolWorld(vehicle, lossPercent, seed);
             MavlinkParameterClient client = Client();
             TimeSpan start = world.Now;
-            string context = $"loss {lossPercent} %, seed {seed}";
+            string context = world.Context;
             Assert.True(client.TryStartList(world.Now));
             MavlinkParameterOutcome outcome = End(client, world, context);
             longest = Math.Max(longest, (outcome.EndedAt - start).TotalSeconds);

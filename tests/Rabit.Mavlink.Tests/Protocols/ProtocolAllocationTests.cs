@@ -21,6 +21,7 @@ public class ProtocolAllocationTests
         var tracker = new MavlinkHeartbeatTracker();
         var name = new Text16("A_PARAMETER");
         TimeSpan now = TimeSpan.FromSeconds(1);
+        var items = new MissionItemInt[50];
         int done = 0;
         Action work = () =>
         {
@@ -57,9 +58,42 @@ public class ProtocolAllocationTests
             tracker.Handle(vehicle.Create(default(Heartbeat)), now);
             while (tracker.TryTakeEvent(now, out _, out _))
                 done += 0;
+
+            now += TimeSpan.FromSeconds(10);
+            parameters.TryStartRead("A_PARAMETERA", now);
+            parameters.TryTakeFrame(now, out _);
+            parameters.Handle(vehicle.Create(Report(name, 'A', 0)), now);
+            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome read) && read.Verdict == MavlinkParameterVerdict.Done ? 1 : 0;
+            now += TimeSpan.FromSeconds(10);
+            parameters.TryStartSet("A_PARAMETERB", MavParamType.Real32, 7, now);
+            parameters.TryTakeFrame(now, out _);
+            parameters.Handle(vehicle.Create(Report(name, 'B', 7)), now);
+            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome set) && set.Verdict == MavlinkParameterVerdict.Done ? 1 : 0;
+
+            missions.TryStartUpload(MavMissionType.Fence, items, now);
+            missions.TryTakeFrame(now, out _);
+            for (int i = 0; i < items.Length; i++)
+            {
+                missions.Handle(vehicle.Create(new MissionRequestInt { Seq = (ushort)i, MissionType = MavMissionType.Fence }), now);
+                missions.TryTakeFrame(now, out _);
+            }
+
+            missions.Handle(vehicle.Create(new MissionAck { MissionType = MavMissionType.Fence }), now);
+            done += missions.TryTakeOutcome(out MavlinkMissionOutcome upload) && upload.Verdict == MavlinkMissionVerdict.Done ? 1 : 0;
+            now += TimeSpan.FromSeconds(10);
+            missions.TryStartClear(MavMissionType.Rally, now);
+            missions.TryTakeFrame(now, out _);
+            missions.Handle(vehicle.Create(new MissionAck { MissionType = MavMissionType.Rally }), now);
+            done += missions.TryTakeOutcome(out MavlinkMissionOutcome clear) && clear.Verdict == MavlinkMissionVerdict.Done ? 1 : 0;
         };
         work();
-        Assert.Equal(3, done);
+        Assert.Equal(7, done);
         Assert.Equal(0, Allocated.By(work));
+    }
+
+    private static ParamValue Report(Text16 name, char last, float value)
+    {
+        name[11] = (byte)last;
+        return new ParamValue { ParamId = name, Value = value, ParamType = MavParamType.Real32, ParamCount = 50, ParamIndex = (ushort)(last - 'A') };
     }
 }

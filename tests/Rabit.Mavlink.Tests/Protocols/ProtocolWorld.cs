@@ -3,14 +3,17 @@ using System;
 namespace Rabit.Mavlink.Tests.Protocols;
 
 /// <summary>A client, a vehicle and the two directions between them. Virtual time jumps from event to event.</summary>
-internal sealed class ProtocolWorld(ScriptedVehicle vehicle, double loss, ulong seed)
+internal sealed class ProtocolWorld(ScriptedVehicle vehicle, int lossPercent, ulong seed)
 {
-    private readonly LossyChannel _up = new(loss, (seed * 2) + 1);
-    private readonly LossyChannel _down = new(loss, (seed * 2) + 2);
+    private readonly LossyChannel _up = new(lossPercent / 100.0, (seed * 2) + 1);
+    private readonly LossyChannel _down = new(lossPercent / 100.0, (seed * 2) + 2);
 
     public delegate void HandleFrame(in MavlinkFrame frame, TimeSpan now);
 
     public delegate bool TakeFrame(TimeSpan now, out MavlinkFrame frame);
+
+    /// <summary>For whoever reads why a test failed.</summary>
+    public string Context => $"loss {lossPercent} %, seed {seed}";
 
     public TimeSpan Now { get; set; } = TimeSpan.FromSeconds(100);
 

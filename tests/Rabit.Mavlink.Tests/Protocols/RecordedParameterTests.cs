@@ -33,6 +33,10 @@ public class RecordedParameterTests
         Assert.Equal(facts.GetProperty("param_count").GetInt32(), client.Parameters.Count);
         Assert.Equal(Listed(facts, end), Known(client), StringComparer.Ordinal);
 
+        // The hash that stood before the list is that of the list, computed here.
+        if (encoding == MavlinkParameterEncoding.Bytewise)
+            Assert.Equal(client.Hash, MavlinkParameterHash.Compute(client.Parameters));
+
         // One after another; what was not answered in the recording is not answered here.
         int done = 0;
         for (int i = afterList; i < requests.Length; i++)

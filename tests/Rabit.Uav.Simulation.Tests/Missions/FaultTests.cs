@@ -105,7 +105,7 @@ public sealed class FaultTests(ITestOutputHelper output)
         var time = new VirtualTime(seed: 5);
         time.SetUnitOfWorkDuration(PayloadManager.ManagerName, TimeSpan.FromSeconds(30));
         var payload = new PayloadManager(throwsAt: TimeSpan.MaxValue, sleepsFor: TimeSpan.FromSeconds(40)) { HangPolicy = HangPolicy.Off };
-        using SearchFlight flight = Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), time, payload));
+        using SearchFlight flight = Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), time, [payload]));
 
         Assert.Contains("payload", flight.Mission.Aborted, StringComparison.Ordinal);
         AssertLandedAtHome(flight);

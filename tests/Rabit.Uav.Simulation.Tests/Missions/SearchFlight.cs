@@ -4,6 +4,8 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Uav.Communications;
 using Rabit.Uav.Geometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Links;
@@ -36,13 +38,14 @@ internal sealed class SearchFlight : IDisposable
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly MessageSubscriber<ImagingStatus> _imaging;
     private readonly MessageSubscriber<CommandAuthority> _authority;
+    private readonly MessageSubscriber<LinkStatus> _link;
 
     public SearchFlight(MissionPlan plan, SimulationOptions options, params RabitManager[] others)
         : this(plan, options, new VirtualTime(options.Seed), others)
     {
     }
 
-    public SearchFlight(MissionPlan plan, SimulationOptions options, VirtualTime time, params RabitManager[] others)
+    public SearchFlight(MissionPlan plan, SimulationOptions options, VirtualTime time, RabitManager[] others, MavlinkSigningKey? key = null, MavlinkSigningKey? vehicleKey = null)
     {
         options.TakePlacesFrom(plan);
         World = new SimulatedWorld(options);
@@ -58,15 +61,17 @@ internal sealed class SearchFlight : IDisposable
             Imaging = new ImageProcessingOptions { Camera = World.CameraModel, Mount = World.CameraMount },
             OtherManagers = others,
             Time = time,
+            Signing = key is null ? null : new SigningOptions(key),
         });
         Reactor = _uav.CreateReactor(new ReactorOptions { StopsOnSignals = false, Log = Write });
-        Reactor.Add(World.CreateVehicle(link.B));
+        Reactor.Add(World.CreateVehicle(link.B, vehicleKey ?? key));
         RabitWorkspace workspace = Reactor.Workspace;
         _mission = workspace.Subscribe<MissionStatus>(MessageNames.Mission);
         _health = workspace.Subscribe<HealthReport>(MessageNames.Health);
         _tracks = workspace.Subscribe<TrackList>(MessageNames.Tracks);
         _imaging = workspace.Subscribe<ImagingStatus>(MessageNames.Imaging);
         _authority = workspace.Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
+        _link = workspace.Subscribe<LinkStatus>(MessageNames.LinkStatus(0));
     }
 
     public SimulatedWorld World { get; }
@@ -87,6 +92,8 @@ internal sealed class SearchFlight : IDisposable
     public ImagingStatus Imaging => Latest(_imaging);
 
     public CommandAuthority Authority => Latest(_authority);
+
+    public LinkStatus Link => Latest(_link);
 
     public ReactorResult? Result { get; private set; }
 

@@ -18,21 +18,24 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
 
     private readonly string _folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), $"rabit-live-{Guid.NewGuid():N}")).FullName;
 
-    [Fact]
-    public void Mission_OverUdp_IsFlownAndScored()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Mission_OverUdp_IsFlownAndScored(bool isSigned)
     {
+        string[] signing = isSigned ? ["--sign-key", Write("key", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")] : [];
         string mission = Write("mission.json", SearchFlight.SmallMission);
         string truth = In("truth.json");
         string summary = In("summary.json");
         int port = FreePort();
         using var vehicle = new SampleProcess(
-            "SimulatedVehicle", "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
-            "--camera-out", In("pictures"), "--truth-out", truth);
+            "SimulatedVehicle", [.. signing, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
+            "--camera-out", In("pictures"), "--truth-out", truth]);
         WaitFor(() => File.Exists(In("pictures/camera.json")) && File.Exists(truth) && new FileInfo(truth).Length > 0, vehicle);
 
         using var console = new SampleProcess(
-            "UavConsole", "--link", $"udpin:127.0.0.1:{port}", "--mission", mission, "--fly", "--camera", In("pictures"), "--truth", truth,
-            "--headless", "--summary", summary, "--report", In("report.html"));
+            "UavConsole", [.. signing, "--link", $"udpin:127.0.0.1:{port}", "--mission", mission, "--fly", "--camera", In("pictures"), "--truth", truth,
+            "--headless", "--summary", summary, "--report", In("report.html")]);
         int exitCode = console.WaitForEnd(MissionPatience);
         output.WriteLine(console.Output);
         vehicle.Interrupt();
@@ -45,6 +48,7 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
         Assert.False(flight.GetProperty("hasCrashed").GetBoolean());
         Assert.True(File.Exists(summary));
         Assert.True(File.Exists(In("report.html")));
+        Assert.Equal(isSigned, File.Exists(In("key.clock.0")));
     }
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);

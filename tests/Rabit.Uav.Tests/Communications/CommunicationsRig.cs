@@ -26,13 +26,15 @@ internal sealed class CommunicationsRig : IDisposable
     /// <param name="seed">Of the virtual time.</param>
     /// <param name="linkCapacity">Bytes that may be on the way on each link.</param>
     /// <param name="beforeStart">What else is to be in the reactor.</param>
+    /// <param name="startUtc">What the wall clock shows at first; the usual of virtual time if left out.</param>
     public CommunicationsRig(
         int links,
         Action<CommunicationsOptions>? configure = null,
         FakeAutopilot? autopilot = null,
         long seed = 0,
         int linkCapacity = 64 * 1024,
-        Action<RabitReactor>? beforeStart = null)
+        Action<RabitReactor>? beforeStart = null,
+        DateTimeOffset? startUtc = null)
     {
         for (int number = 0; number < links; number++)
             _pairs.Add(new MemoryLinkPair("link" + number, linkCapacity));
@@ -41,7 +43,7 @@ internal sealed class CommunicationsRig : IDisposable
 
         Manager = new CommunicationsManager(options);
         Autopilot = autopilot ?? new FakeAutopilot(1024);
-        Reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(seed), Log = Log.Add, StopsOnSignals = false }) { Manager, Autopilot };
+        Reactor = new RabitReactor(new ReactorOptions { Time = startUtc is { } start ? new VirtualTime(seed, start) : new VirtualTime(seed), Log = Log.Add, StopsOnSignals = false }) { Manager, Autopilot };
         _ownAddress = Reactor.Workspace.Publish(MessageNames.OwnAddress, new OwnAddress { ComponentId = 191 });
         _vehicle = Reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
         _outgoing = Reactor.Workspace.Send<OutgoingFrame>(MessageNames.OutgoingFrames);

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 
@@ -10,24 +11,23 @@ internal sealed partial class CommandExecutor
     private MavResult _refusal;
 
     /// <returns>Whether there may be more to do at once.</returns>
-    private bool RunPhase(in VehicleState vehicle, in OwnAddress own, TimeSpan now) => _phase switch
+    private bool RunPhase(in VehicleState vehicle, TimeSpan now) => _phase switch
     {
-        CommandPhase.Planning => Plan(vehicle, own, now),
-        CommandPhase.Clearing => Clear(now),
-        CommandPhase.Sending => Send(vehicle, own, now),
+        CommandPhase.Planning => Plan(vehicle, now),
+        CommandPhase.Sending => Send(vehicle, now),
         CommandPhase.AwaitingMode => AwaitMode(vehicle, now),
         CommandPhase.AwaitingReason => AwaitReason(now),
         CommandPhase.StartingVelocity => StartVelocity(vehicle, now),
         _ => false,
     };
 
-    private bool Plan(in VehicleState vehicle, in OwnAddress own, TimeSpan now)
+    private bool Plan(in VehicleState vehicle, TimeSpan now)
     {
-        if (vehicle.SystemId == 0 || !own.IsKnown)
+        if (_client is null)
         {
             if (now - _phaseSince < AutopilotWait)
                 return false;
-            Finish(VehicleCommandOutcome.TimedOut, "no autopilot was heard");
+            Finish(VehicleCommandOutcome.TimedOut, "no autopilot was heard", now);
             return false;
         }
 
@@ -35,7 +35,7 @@ internal sealed partial class CommandExecutor
         refusal ??= _profile!.Plan(_command, new CommandContext(vehicle, now, _lastSpeed), _steps);
         if (refusal is not null)
         {
-            Finish(VehicleCommandOutcome.Refused, refusal);
+            Finish(VehicleCommandOutcome.Refused, refusal, now);
             return false;
         }
 
@@ -49,40 +49,49 @@ internal sealed partial class CommandExecutor
     {
         _isModeSeen = false;
         _reason = null;
-        Enter(_steps[_step].StartsVelocity ? CommandPhase.StartingVelocity : CommandPhase.Clearing, now);
-    }
+        if (_steps[_step].StartsVelocity)
+        {
+            Enter(CommandPhase.StartingVelocity, now);
+            return;
+        }
 
-    private bool Clear(TimeSpan now)
-    {
-        if (!_open.IsClear(_steps[_step].Request.Command, now))
-            return false;
-        _transaction.Begin(now);
+        _sent = 0;
+
+        // At most one is at work and a handful may still be answered late: there is always room.
+        _client!.TryStart(_steps[_step].Request with { Target = _target }, now, out _handle);
         Enter(CommandPhase.Sending, now);
-        return true;
     }
 
-    private bool Send(in VehicleState vehicle, in OwnAddress own, TimeSpan now)
+    private bool Send(in VehicleState vehicle, TimeSpan now)
     {
         CommandStep step = _steps[_step];
-        if (_transaction.TryNext(now, out byte confirmation))
+        while (_client!.TryTakeFrame(now, out MavlinkFrame frame))
         {
             _guard.Begin(vehicle.CustomMode, now);
             if (step.Mode is { } mode)
                 _guard.Ask(mode, now);
-            _open.Sent(step.Request.Command, now);
-            Outbox.Frames.Enqueue(step.Request.ToFrame(own, vehicle, confirmation));
-            return false;
+            _sent++;
+            Outbox.Frames.Enqueue(frame);
         }
 
-        if (!_transaction.IsOver)
-            return false;
-        if (_transaction.Result is not { } result)
+        while (_client.TryTakeOutcome(out MavlinkCommandOutcome outcome))
         {
-            Finish(VehicleCommandOutcome.TimedOut, $"no answer to {step.Request.Command}, sent {_transaction.Sent} times");
+            if (outcome.Handle == _handle)
+                return Take(outcome, step, vehicle, now);
+        }
+
+        return false;
+    }
+
+    private bool Take(in MavlinkCommandOutcome outcome, in CommandStep step, in VehicleState vehicle, TimeSpan now)
+    {
+        if (outcome.Result is not { } result)
+        {
+            Finish(VehicleCommandOutcome.TimedOut, $"no answer to {step.Request.Command}, sent {outcome.Sent} times", now);
             return false;
         }
 
-        if (result == MavResult.Accepted || (step.IsDoneInTheAir && _transaction.Sent > 1 && IsInTheAir(vehicle)))
+        if (result == MavResult.Accepted || (step.IsDoneInTheAir && outcome.Sent > 1 && IsInTheAir(vehicle)))
         {
             if (step.IsModeAwaited)
                 Enter(CommandPhase.AwaitingMode, now);
@@ -108,7 +117,7 @@ internal sealed partial class CommandExecutor
 
         if (now - _phaseSince < ModeTimeout)
             return false;
-        Finish(VehicleCommandOutcome.TimedOut, $"the autopilot accepted the mode, but is in {vehicle.Mode} still");
+        Finish(VehicleCommandOutcome.TimedOut, $"the autopilot accepted the mode, but is in {vehicle.Mode} still", now);
         return false;
     }
 
@@ -117,7 +126,7 @@ internal sealed partial class CommandExecutor
         if (_reason is null && now - _phaseSince < ReasonWait)
             return false;
         string text = $"{_steps[_step].Request.Command}: {_refusal}";
-        Finish(VehicleCommandOutcome.Refused, _reason is null ? text : $"{text} ({_reason})");
+        Finish(VehicleCommandOutcome.Refused, _reason is null ? text : $"{text} ({_reason})", now);
         return false;
     }
 
@@ -133,7 +142,7 @@ internal sealed partial class CommandExecutor
 
         if (now - _phaseSince < AutopilotWait)
             return false;
-        Finish(VehicleCommandOutcome.TimedOut, "the autopilot is lost");
+        Finish(VehicleCommandOutcome.TimedOut, "the autopilot is lost", now);
         return false;
     }
 
@@ -147,7 +156,7 @@ internal sealed partial class CommandExecutor
 
         if (_command.Kind == VehicleCommandKind.GoTo)
             _lastSpeed = _command.SpeedMetresPerSecond;
-        Finish(VehicleCommandOutcome.Accepted, text: null);
+        Finish(VehicleCommandOutcome.Accepted, text: null, now);
     }
 
     private static bool IsInTheAir(in VehicleState vehicle) => vehicle.LandedState is MavLandedState.Takeoff or MavLandedState.InAir;

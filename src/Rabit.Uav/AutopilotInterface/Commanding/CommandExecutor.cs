@@ -19,19 +19,32 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     /// <summary>How long a text that says why may come behind a refusal.</summary>
     public static readonly TimeSpan ReasonWait = TimeSpan.FromSeconds(0.3);
 
+    // Modes, places and the like may be done twice, so that what fell silent is sent again. On the wire between autopilot and companion nothing is
+    // doubled, so that what was answered need not be waited for: a vehicle that is to hold is told at once.
+    private static readonly MavlinkCommandOptions Patience = new()
+    {
+        Rejections = 5,
+        RetriesInProgress = true,
+        LateAnswerTime = TimeSpan.FromSeconds(0.7),
+        UnknownLateTime = TimeSpan.FromSeconds(0.7),
+        AnswersMayDouble = false,
+    };
+
     /// <summary>How long to wait for an autopilot to be heard at all: as long as for its answers.</summary>
-    public static readonly TimeSpan AutopilotWait = new(CommandTransaction.AnswerTimeout.Ticks * CommandTransaction.MaximumTries);
+    public static readonly TimeSpan AutopilotWait = new(Patience.AnswerTimeout.Ticks * (1 + Patience.Retries));
 
     private readonly AuthorityGuard _guard = new(mayCommand);
-    private readonly CommandTransaction _transaction = new();
-    private readonly OpenAcknowledgements _open = new();
     private readonly VelocityStream _velocity = new();
     private readonly List<CommandStep> _steps = [];
+    private MavlinkCommandClient? _client;
+    private MavlinkAddress _target;
     private VehicleProfile? _profile;
     private VehicleCommand _command;
     private CommandPhase _phase;
     private bool _isOurOwn;
     private int _step;
+    private int _handle;
+    private int _sent;
     private bool _isModeSeen;
     private bool _owesHold;
     private TimeSpan _begunAt;
@@ -47,6 +60,15 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     public bool IsBusy => _phase != CommandPhase.Idle || _velocity.IsRunning;
 
     private bool StepAsksForMode => _step < _steps.Count && _steps[_step].Mode is not null;
+
+    /// <summary>The autopilot is known: from now on it can be sent to.</summary>
+    /// <param name="sender">Who we are.</param>
+    /// <param name="target">The autopilot.</param>
+    public void Connect(MavlinkSender sender, MavlinkAddress target)
+    {
+        _client = new MavlinkCommandClient(sender, Patience);
+        _target = target;
+    }
 
     /// <summary>Takes a command. It replaces the one that is worked at, unless it is unsound itself.</summary>
     public void Take(in VehicleCommand command, TimeSpan now)
@@ -64,7 +86,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         }
 
         if (_phase != CommandPhase.Idle)
-            Finish(VehicleCommandOutcome.Replaced, $"{command.Kind} came before it was done");
+            Finish(VehicleCommandOutcome.Replaced, $"{command.Kind} came before it was done", now);
         Begin(command, isOurOwn: false, now);
     }
 
@@ -73,12 +95,12 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     {
         if (_guard.TakeMode(vehicle.CustomMode, vehicle.Mode, _profile, time))
         {
-            GiveUp();
+            GiveUp(time);
             return;
         }
 
         bool isStepUnderway = _phase is CommandPhase.Sending or CommandPhase.AwaitingMode;
-        if (isStepUnderway && _transaction.Sent > 0 && StepAsksForMode)
+        if (isStepUnderway && _sent > 0 && StepAsksForMode)
             _isModeSeen = _steps[_step].Mode == vehicle.CustomMode;
     }
 
@@ -89,17 +111,11 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     {
         _lastSpeed = double.NaN;
         if (_guard.TakeReboot(wasFlying, time))
-            GiveUp();
+            GiveUp(time);
     }
 
-    /// <summary>Takes an acknowledgement by the autopilot, for us or for everybody.</summary>
-    public void TakeAcknowledgement(MavCmd command, MavResult result, TimeSpan time)
-    {
-        if (_phase == CommandPhase.Sending && _transaction.Sent > 0 && _steps[_step].Request.Command == command)
-            _transaction.Take(result, time);
-        if (result != MavResult.InProgress)
-            _open.Answered(command);
-    }
+    /// <summary>Takes a frame, which may be an acknowledgement by the autopilot.</summary>
+    public void TakeFrame(in MavlinkFrame frame, TimeSpan now) => _client?.Handle(frame, now);
 
     /// <summary>Takes a text of the vehicle: the newest one that came with a refusal, and is no mere information, is its reason.</summary>
     public void TakeText(MavSeverity severity, string text)
@@ -112,12 +128,12 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     public void Run(in VehicleState vehicle, in OwnAddress own, TimeSpan now)
     {
         // Each turn ends a phase; a command has a handful of steps.
-        while (RunPhase(vehicle, own, now))
+        while (RunPhase(vehicle, now))
         {
         }
 
         WatchDeadMan(now);
-        while (RunPhase(vehicle, own, now))
+        while (RunPhase(vehicle, now))
         {
         }
 
@@ -160,17 +176,17 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         _phaseSince = now;
     }
 
-    private void GiveUp()
+    private void GiveUp(TimeSpan now)
     {
         _velocity.Stop();
         _owesHold = false;
         string text = NotInCommandText();
         Outbox.Notes.Enqueue(text);
         if (_phase != CommandPhase.Idle)
-            Finish(VehicleCommandOutcome.NotInCommand, text);
+            Finish(VehicleCommandOutcome.NotInCommand, text, now);
     }
 
-    private void Finish(VehicleCommandOutcome outcome, string? text)
+    private void Finish(VehicleCommandOutcome outcome, string? text, TimeSpan now)
     {
         if (!_isOurOwn)
             Answer(_command, outcome, text);
@@ -179,6 +195,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         _phase = CommandPhase.Idle;
         _steps.Clear();
         _step = 0;
+        _client?.Abandon(_handle, now);
     }
 
     private void Answer(in VehicleCommand command, VehicleCommandOutcome outcome, string? text)

@@ -9,10 +9,7 @@ internal enum CommandPhase
     /// <summary>Until the autopilot is known.</summary>
     Planning,
 
-    /// <summary>Until what an earlier command may still be answered with has come or is out of date.</summary>
-    Clearing,
-
-    /// <summary>A step is sent, until it is acknowledged.</summary>
+    /// <summary>A step is sent, once nothing earlier can be answered any more, until it is acknowledged.</summary>
     Sending,
 
     /// <summary>It was accepted, until a heartbeat shows the mode.</summary>

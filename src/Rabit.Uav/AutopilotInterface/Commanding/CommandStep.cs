@@ -1,10 +1,12 @@
+using Rabit.Mavlink;
+
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>One step of carrying out a vehicle command. A plain value.</summary>
 internal struct CommandStep
 {
-    /// <summary>What is sent, and acknowledged. Not of a step that <see cref="StartsVelocity"/>.</summary>
-    public MavlinkRequest Request { get; set; }
+    /// <summary>What is sent, and acknowledged; the addressee is filled in then. Not of a step that <see cref="StartsVelocity"/>.</summary>
+    public MavlinkCommand Request { get; set; }
 
     /// <summary>The mode that the autopilot takes by it; null where it takes none.</summary>
     public uint? Mode { get; set; }

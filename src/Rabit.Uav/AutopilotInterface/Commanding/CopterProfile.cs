@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Geometry;
 using Rabit.Uav.Messages;
@@ -32,53 +33,20 @@ internal sealed class CopterProfile : VehicleProfile
 
     public override uint? ModeOf(MavType vehicle, string name) => ArdupilotModes.NumberOf(vehicle, name);
 
-    public override CommandStep SetMode(uint mode)
-    {
-        CommandStep step = Long(MavCmd.DoSetMode, ByCustomMode, mode);
-        step.Mode = mode;
-        step.IsModeAwaited = true;
-        return step;
-    }
+    private protected override (float Mode, float SubMode) ModeParameters(uint mode) => (mode, 0);
 
-    public override string? Plan(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    private protected override string? PlanFlight(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
     {
         VehicleState vehicle = context.Vehicle;
-        switch (command.Kind)
-        {
-            case VehicleCommandKind.Arm:
-                steps.Add(SetMode(CommandedMode));
-                steps.Add(Arm(true));
-                return null;
-            case VehicleCommandKind.Disarm:
-                steps.Add(Arm(false));
-                return null;
-            case VehicleCommandKind.SetMode:
-                return PlanMode(command.Mode!, vehicle, steps);
-            case VehicleCommandKind.Return:
-                steps.Add(SetMode(ReturnMode));
-                return null;
-            case VehicleCommandKind.Land:
-                steps.Add(SetMode(LandMode));
-                return null;
-            case VehicleCommandKind.PointCamera:
-                steps.Add(PointCamera(command));
-                return null;
-            default:
-                EnsureCommandedMode(vehicle, steps);
-                return PlanFlight(command, context, steps);
-        }
-    }
-
-    private static string? PlanFlight(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
-    {
-        VehicleState vehicle = context.Vehicle;
+        EnsureCommandedMode(vehicle, steps);
         switch (command.Kind)
         {
             case VehicleCommandKind.TakeOff:
-                CommandStep takeOff = Long(MavCmd.NavTakeoff);
-                MavlinkRequest request = takeOff.Request;
-                request.Param7 = (float)command.HeightAboveHomeMetres;
-                steps.Add(new CommandStep { Request = request, IsDoneInTheAir = true });
+                steps.Add(new CommandStep
+                {
+                    Request = new MavlinkCommand { Command = MavCmd.NavTakeoff, Z = (float)command.HeightAboveHomeMetres },
+                    IsDoneInTheAir = true,
+                });
                 return null;
             case VehicleCommandKind.GoTo:
                 PlanGoTo(command, context, steps);
@@ -90,7 +58,7 @@ internal sealed class CopterProfile : VehicleProfile
                 return "where the vehicle is is not known";
             case VehicleCommandKind.Hold:
                 GeodeticPosition here = StoppingPoint(vehicle);
-                steps.Add(Reposition(here.LatitudeRadians, here.LongitudeRadians, vehicle.HeightAboveHomeMetres, double.NaN, double.NaN));
+                steps.Add(Reposition(MavFrame.GlobalRelativeAltInt, here.LatitudeRadians, here.LongitudeRadians, vehicle.HeightAboveHomeMetres, Plain));
                 return null;
             default:
                 return $"{command.Kind} is not known";
@@ -101,26 +69,12 @@ internal sealed class CopterProfile : VehicleProfile
     {
         double speed = command.SpeedMetresPerSecond;
         double yaw = command.YawRadians;
-        steps.Add(Reposition(command.LatitudeRadians, command.LongitudeRadians, command.HeightAboveHomeMetres, speed, yaw));
+        steps.Add(Reposition(MavFrame.GlobalRelativeAltInt, command.LatitudeRadians, command.LongitudeRadians, command.HeightAboveHomeMetres, command));
         if (!double.IsNaN(speed) && !speed.Equals(context.LastSpeedMetresPerSecond))
             steps.Add(Long(MavCmd.DoChangeSpeed, GroundSpeed, speed, NoThrottle));
         if (!double.IsNaN(yaw))
             steps.Add(Long(MavCmd.ConditionYaw, Heading(yaw)));
     }
-
-    private static CommandStep Reposition(double latitudeRadians, double longitudeRadians, double heightAboveHome, double speed, double yaw) => new()
-    {
-        Request = new MavlinkRequest
-        {
-            Command = MavCmd.DoReposition,
-            Frame = MavFrame.GlobalRelativeAltInt,
-            Param1 = double.IsNaN(speed) ? -1 : (float)speed,
-            Param4 = (float)yaw,
-            LatitudeDegE7 = DegE7(latitudeRadians),
-            LongitudeDegE7 = DegE7(longitudeRadians),
-            Param7 = (float)heightAboveHome,
-        },
-    };
 
     // Rounded to what a float holds below, so that 360 never comes out.
     private static double Heading(double yawRadians)

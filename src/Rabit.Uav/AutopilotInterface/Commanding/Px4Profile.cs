@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Geometry;
 using Rabit.Uav.Messages;
@@ -31,48 +32,15 @@ internal sealed class Px4Profile : VehicleProfile
 
     public override uint? ModeOf(MavType vehicle, string name) => Px4Modes.NumberOf(name);
 
-    public override CommandStep SetMode(uint mode)
-    {
-        CommandStep step = Long(MavCmd.DoSetMode, ByCustomMode, (byte)(mode >> 16), (byte)(mode >> 24));
-        step.Mode = mode;
-        step.IsModeAwaited = true;
-        return step;
-    }
+    private protected override (float Mode, float SubMode) ModeParameters(uint mode) => ((byte)(mode >> 16), (byte)(mode >> 24));
 
-    public override string? Plan(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    private protected override string? PlanFlight(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
     {
+        if (command.Kind == VehicleCommandKind.Velocity)
+            return "velocities are not supported on PX4 yet";
+        if (!context.IsPositionFresh)
+            return "where the vehicle is is not known, and so not how high home lies above the sea";
         VehicleState vehicle = context.Vehicle;
-        switch (command.Kind)
-        {
-            case VehicleCommandKind.Arm:
-                steps.Add(SetMode(CommandedMode));
-                steps.Add(Arm(true));
-                return null;
-            case VehicleCommandKind.Disarm:
-                steps.Add(Arm(false));
-                return null;
-            case VehicleCommandKind.SetMode:
-                return PlanMode(command.Mode!, vehicle, steps);
-            case VehicleCommandKind.Return:
-                steps.Add(SetMode(ReturnMode));
-                return null;
-            case VehicleCommandKind.Land:
-                steps.Add(SetMode(LandMode));
-                return null;
-            case VehicleCommandKind.PointCamera:
-                steps.Add(PointCamera(command));
-                return null;
-            case VehicleCommandKind.Velocity:
-                return "velocities are not supported on PX4 yet";
-            default:
-                return context.IsPositionFresh
-                    ? PlanFlight(command, vehicle, steps)
-                    : "where the vehicle is is not known, and so not how high home lies above the sea";
-        }
-    }
-
-    private string? PlanFlight(in VehicleCommand command, in VehicleState vehicle, List<CommandStep> steps)
-    {
         double homeAmsl = vehicle.Position.AltitudeAmslMetres - vehicle.HeightAboveHomeMetres;
         switch (command.Kind)
         {
@@ -81,13 +49,13 @@ internal sealed class Px4Profile : VehicleProfile
                 return null;
             case VehicleCommandKind.GoTo:
                 EnsureCommandedMode(vehicle, steps);
-                var place = GeodeticPosition.FromRadians(command.LatitudeRadians, command.LongitudeRadians, homeAmsl + command.HeightAboveHomeMetres);
-                steps.Add(Reposition(place, command.SpeedMetresPerSecond, command.YawRadians));
+                steps.Add(Reposition(command.LatitudeRadians, command.LongitudeRadians, homeAmsl + command.HeightAboveHomeMetres, command));
                 return null;
             case VehicleCommandKind.Hold:
                 // The mode alone would let it fly on to the last place.
                 EnsureCommandedMode(vehicle, steps);
-                steps.Add(Reposition(StoppingPoint(vehicle), double.NaN, double.NaN));
+                GeodeticPosition here = StoppingPoint(vehicle);
+                steps.Add(Reposition(here.LatitudeRadians, here.LongitudeRadians, here.AltitudeAmslMetres, Plain));
                 return null;
             default:
                 return $"{command.Kind} is not known";
@@ -97,31 +65,22 @@ internal sealed class Px4Profile : VehicleProfile
     // Not a number: from here, with the heading that it has.
     private static CommandStep TakeOff(double altitudeAmslMetres) => new()
     {
-        Request = new MavlinkRequest
+        Request = new MavlinkCommand
         {
             Command = MavCmd.NavTakeoff,
             Param4 = float.NaN,
             Param5 = float.NaN,
             Param6 = float.NaN,
-            Param7 = (float)altitudeAmslMetres,
+            Z = (float)altitudeAmslMetres,
         },
         Mode = Px4Modes.Takeoff,
         IsDoneInTheAir = true,
     };
 
-    private CommandStep Reposition(in GeodeticPosition place, double speed, double yaw) => new()
+    private CommandStep Reposition(double latitudeRadians, double longitudeRadians, double altitudeAmslMetres, in VehicleCommand command)
     {
-        Request = new MavlinkRequest
-        {
-            Command = MavCmd.DoReposition,
-            Frame = MavFrame.Global,
-            Param1 = double.IsNaN(speed) ? -1 : (float)speed,
-            Param2 = ChangesMode,
-            Param4 = (float)yaw,
-            LatitudeDegE7 = DegE7(place.LatitudeRadians),
-            LongitudeDegE7 = DegE7(place.LongitudeRadians),
-            Param7 = (float)place.AltitudeAmslMetres,
-        },
-        Mode = CommandedMode,
-    };
+        CommandStep step = Reposition(MavFrame.Global, latitudeRadians, longitudeRadians, altitudeAmslMetres, command, ChangesMode);
+        step.Mode = CommandedMode;
+        return step;
+    }
 }

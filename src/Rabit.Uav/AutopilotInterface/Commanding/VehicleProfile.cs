@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Geometry;
 using Rabit.Uav.Messages;
@@ -12,7 +13,7 @@ internal abstract class VehicleProfile
     private protected const double DegreesPerRadian = 180 / Math.PI;
 
     // 1: the custom mode is the one that counts (MAV_MODE_FLAG_CUSTOM_MODE_ENABLED).
-    private protected const float ByCustomMode = 1;
+    private const float ByCustomMode = 1;
 
     private const double DegE7PerRadian = DegreesPerRadian * 1e7;
 
@@ -54,26 +55,87 @@ internal abstract class VehicleProfile
     /// <summary>The number of a mode; null where it has none of that name.</summary>
     public abstract uint? ModeOf(MavType vehicle, string name);
 
-    public abstract CommandStep SetMode(uint mode);
-
     /// <summary>The steps of a command whose figures are sound.</summary>
     /// <param name="command">The command.</param>
     /// <param name="context">What is known of the vehicle.</param>
     /// <param name="steps">Where they are added.</param>
     /// <returns>Why it is not possible; null where it is.</returns>
-    public abstract string? Plan(in VehicleCommand command, in CommandContext context, List<CommandStep> steps);
+    public string? Plan(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    {
+        switch (command.Kind)
+        {
+            case VehicleCommandKind.Arm:
+                steps.Add(SetMode(CommandedMode));
+                steps.Add(Arm(true));
+                return null;
+            case VehicleCommandKind.Disarm:
+                steps.Add(Arm(false));
+                return null;
+            case VehicleCommandKind.SetMode:
+                return PlanMode(command.Mode!, context.Vehicle, steps);
+            case VehicleCommandKind.Return:
+                steps.Add(SetMode(ReturnMode));
+                return null;
+            case VehicleCommandKind.Land:
+                steps.Add(SetMode(LandMode));
+                return null;
+            case VehicleCommandKind.PointCamera:
+                steps.Add(PointCamera(command));
+                return null;
+            default:
+                return PlanFlight(command, context, steps);
+        }
+    }
+
+    /// <summary>The steps of what moves the vehicle: taking off, going to a place, holding, velocities.</summary>
+    /// <returns>Why it is not possible; null where it is.</returns>
+    private protected abstract string? PlanFlight(in VehicleCommand command, in CommandContext context, List<CommandStep> steps);
+
+    /// <summary>The custom mode as the parameters 2 and 3 of MAV_CMD_DO_SET_MODE.</summary>
+    private protected abstract (float Mode, float SubMode) ModeParameters(uint mode);
 
     private protected static CommandStep Long(MavCmd command, double param1 = 0, double param2 = 0, double param3 = 0) => new()
     {
-        Request = new MavlinkRequest { Command = command, Param1 = (float)param1, Param2 = (float)param2, Param3 = (float)param3 },
+        Request = new MavlinkCommand { Command = command, Param1 = (float)param1, Param2 = (float)param2, Param3 = (float)param3 },
     };
 
-    private protected static CommandStep Arm(bool arms) => Long(MavCmd.ComponentArmDisarm, arms ? 1 : 0);
+    /// <summary>A place, as COMMAND_INT and nothing else: without its frame an autopilot would guess what the height counts from.</summary>
+    private protected static CommandStep Reposition(
+        MavFrame frame, double latitudeRadians, double longitudeRadians, double heightMetres, in VehicleCommand command, float flags = 0) => new()
+        {
+            Request = new MavlinkCommand
+            {
+                Command = MavCmd.DoReposition,
+                Forms = MavlinkCommandForms.IntOnly,
+                HasPlace = true,
+                Frame = frame,
+                Param1 = double.IsNaN(command.SpeedMetresPerSecond) ? -1 : (float)command.SpeedMetresPerSecond,
+                Param2 = flags,
+                Param4 = (float)command.YawRadians,
+                X = DegE7(latitudeRadians),
+                Y = DegE7(longitudeRadians),
+                Z = (float)heightMetres,
+            },
+        };
+
+    // Where the speed and the heading are left to the vehicle.
+    private protected static VehicleCommand Plain { get; } = new() { SpeedMetresPerSecond = double.NaN, YawRadians = double.NaN };
+
+    private static CommandStep Arm(bool arms) => Long(MavCmd.ComponentArmDisarm, arms ? 1 : 0);
+
+    private CommandStep SetMode(uint mode)
+    {
+        (float main, float sub) = ModeParameters(mode);
+        CommandStep step = Long(MavCmd.DoSetMode, ByCustomMode, main, sub);
+        step.Mode = mode;
+        step.IsModeAwaited = true;
+        return step;
+    }
 
     /// <summary>Without flags the angles are against the body; rates are left to the gimbal (MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW).</summary>
-    private protected static CommandStep PointCamera(in VehicleCommand command) => new()
+    private static CommandStep PointCamera(in VehicleCommand command) => new()
     {
-        Request = new MavlinkRequest
+        Request = new MavlinkCommand
         {
             Command = MavCmd.DoGimbalManagerPitchyaw,
             Param1 = (float)(command.CameraPitchRadians * DegreesPerRadian),
@@ -83,7 +145,7 @@ internal abstract class VehicleProfile
         },
     };
 
-    private protected static int DegE7(double radians) => (int)Math.Round(radians * DegE7PerRadian);
+    private static int DegE7(double radians) => (int)Math.Round(radians * DegE7PerRadian);
 
     /// <summary>Where the vehicle comes to rest if it brakes now, at the height that it has.</summary>
     private protected static GeodeticPosition StoppingPoint(in VehicleState vehicle)
@@ -95,7 +157,7 @@ internal abstract class VehicleProfile
     }
 
     /// <summary>The steps of a command for a mode by name.</summary>
-    private protected string? PlanMode(string name, in VehicleState vehicle, List<CommandStep> steps)
+    private string? PlanMode(string name, in VehicleState vehicle, List<CommandStep> steps)
     {
         if (ModeOf(vehicle.VehicleType, name) is not { } mode)
             return $"{vehicle.Autopilot} has no mode '{name}' for a {vehicle.VehicleType}";

@@ -3,10 +3,12 @@ using System.IO;
 
 namespace Rabit.Mavlink.Tests.Logs;
 
-/// <summary>A stream that cannot seek and gives at most so many bytes a read, as pipes and sockets do.</summary>
-internal sealed class SlowStream(byte[] bytes, int readLength) : Stream
+/// <summary>
+/// A stream that cannot seek, as pipes and sockets are, and may give little at a time. Where it is longer than its bytes, they come over and over: a file of any size without a disk.
+/// </summary>
+internal sealed class OneWayStream(byte[] bytes, long length, int readLength = int.MaxValue) : Stream
 {
-    private int _position;
+    private long _position;
 
     public override bool CanRead => true;
 
@@ -24,10 +26,13 @@ internal sealed class SlowStream(byte[] bytes, int readLength) : Stream
 
     public override int Read(byte[] buffer, int offset, int count)
     {
-        int length = Math.Min(Math.Min(count, readLength), bytes.Length - _position);
-        Array.Copy(bytes, _position, buffer, offset, length);
-        _position += length;
-        return length;
+        if (_position == length)
+            return 0;
+        int from = (int)(_position % bytes.Length);
+        int given = (int)Math.Min(Math.Min(Math.Min(count, readLength), bytes.Length - from), length - _position);
+        Array.Copy(bytes, from, buffer, offset, given);
+        _position += given;
+        return given;
     }
 
     public override void Flush() => throw new NotSupportedException();

@@ -1,0 +1,57 @@
+using System;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Mavlink;
+
+namespace Rabit.Uav.Communications;
+
+// Signed links: what comes in is verified, and what is ours is signed. What others sent keeps its own signature.
+public sealed partial class CommunicationsManager
+{
+    private const int TimestampsWaiting = 16;
+
+    private readonly LinkSigning? _signing;
+    private TimestampTarget? _timestamps;
+    private bool _hasToldOfFailedStore;
+
+    private LinkSigning MakeSigning(SigningOptions options)
+    {
+        if (options.TimestampStore is not { } store)
+            return new LinkSigning(options, _options.Links.Count, store: null);
+        _timestamps = new TimestampTarget(store);
+        BlockingWriter<TimestampRecord> writer = AttachWriter("signing clock", _timestamps, TimestampsWaiting, QueueFullMode.DropOldest);
+        return new LinkSigning(options, _options.Links.Count, new QueuedTimestampStore(store, _timestamps, writer));
+    }
+
+    // What is not proved goes nowhere: were it forwarded, the links behind us that are not signed would believe it.
+    private bool IsAccepted(LinkPort port, in MavlinkFrame frame)
+    {
+        if (_signing is null || !_signing.IsSigned(port.Number))
+            return true;
+        MavlinkSignatureVerdict verdict = _signing.Verify(frame, port.Number);
+        port.Judged(verdict);
+        return verdict.IsAccepted();
+    }
+
+    private void Send(LinkPort port, in MavlinkFrame frame, byte crcExtra)
+        => port.Send(_signing is null ? frame : _signing.Sign(frame, crcExtra, port.Number));
+
+    private void ReportSigning()
+    {
+        if (_signing is null)
+            return;
+        foreach (LinkPort port in _ports)
+        {
+            if (port.TakeNewRejections(out MavlinkSignatureCounters counts, out long rejected))
+            {
+                Log($"link {port.Number}: {rejected} frames were rejected; since the start {counts.NotSigned} not signed, {counts.BadSignatures} with a bad signature, "
+                    + $"{counts.OldTimestamps} too old, {counts.NewStreamsTooOld} of new senders too old, {counts.TooManyStreams} of too many senders");
+            }
+        }
+
+        bool hasFailed = _timestamps?.HasFailed == true;
+        if (hasFailed && !_hasToldOfFailedStore)
+            Log("the time of the signatures could not be stored: after a restart others may not believe us");
+        _hasToldOfFailedStore = hasFailed;
+    }
+}
