@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 
 namespace Rabit.Core.Tests.Exploration;
 
@@ -14,6 +13,6 @@ internal sealed record ExplorationResult(string? Fault, IReadOnlyList<string> Sc
 {
     public override string ToString()
         => Fault is null
-            ? string.Create(CultureInfo.InvariantCulture, $"{Interleavings:G4} interleavings, {States} states, {Steps} steps: no fault")
+            ? FormattableString.Invariant($"{Interleavings:G4} interleavings, {States} states, {Steps} steps: no fault")
             : $"{Fault}\n  {string.Join("\n  ", Schedule)}";
 }
