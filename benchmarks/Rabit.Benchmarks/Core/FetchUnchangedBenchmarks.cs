@@ -8,15 +8,16 @@ public class FetchUnchangedBenchmarks : MessageBenchmarks
 {
     private VehiclePose _copy;
     private long _seen;
-    private int _version;
+    private readonly int[] _version = new int[1];
     private int _news;
 
     [Benchmark(OperationsPerInvoke = Operations)]
     public void VolatileRead() => InManager(() =>
     {
+        ref int version = ref _version[0];
         for (int i = 0; i < Operations; i++)
         {
-            if (Volatile.Read(ref _version) != 0)
+            if (Volatile.Read(ref version) != 0)
                 _news++;
         }
     });

@@ -7,7 +7,7 @@ internal sealed class FlatOut<T, TQueue>(string name, int senders, TQueue queue)
     where TQueue : struct, ITryQueue<T>
     where T : struct
 {
-    private TQueue _queue = queue;
+    private readonly TQueue _queue = queue;
 
     public string Name => name;
 

@@ -7,7 +7,7 @@ internal sealed class OneThread<T, TQueue>(string name, TQueue queue) : IContend
     where TQueue : struct, ITryQueue<T>
     where T : struct
 {
-    private TQueue _queue = queue;
+    private readonly TQueue _queue = queue;
 
     public string Name => name;
 

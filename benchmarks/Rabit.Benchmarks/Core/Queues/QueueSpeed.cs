@@ -59,7 +59,7 @@ internal static class QueueSpeed
         Measure($"{senders} sender(s), 1 receiver, {what}: M/s", rounds, messages: 200_000, perSecond: true, contenders);
     }
 
-    private static void Measure(string title, int rounds, int messages, bool perSecond, IReadOnlyList<IContender> contenders)
+    private static void Measure(string title, int rounds, int messages, bool perSecond, List<IContender> contenders)
     {
         double[][] nanoseconds = [.. contenders.Select(_ => new double[rounds])];
         for (int round = -2; round < rounds; round++)
