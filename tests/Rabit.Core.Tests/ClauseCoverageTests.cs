@@ -8,7 +8,7 @@ using Xunit;
 namespace Rabit.Core.Tests;
 
 /// <summary>Every clause of the contract that is due has a test that names it, and every contract is kept in both kinds of time.</summary>
-public sealed class ClauseCoverageTests
+public sealed partial class ClauseCoverageTests
 {
     private static readonly string[] DueClauses =
     [
@@ -58,16 +58,15 @@ public sealed class ClauseCoverageTests
     }
 
     private static HashSet<string> ClausesIn(Func<Type, bool> isWanted)
-    {
-        IEnumerable<string> clauses =
-            from type in typeof(ClauseCoverageTests).Assembly.GetTypes()
-            where !type.IsAbstract && isWanted(type)
-            from method in type.GetMethods()
-            where method.IsDefined(typeof(FactAttribute), inherit: true)
-            from clause in Clauses(method).Concat(Clauses(type))
-            select clause;
-        return new HashSet<string>(clauses, StringComparer.Ordinal);
-    }
+        => new(Tests().Where(t => isWanted(t.Type)).Select(t => t.Clause), StringComparer.Ordinal);
+
+    private static IEnumerable<(Type Type, string Clause)> Tests()
+        => from type in typeof(ClauseCoverageTests).Assembly.GetTypes()
+           where !type.IsAbstract
+           from method in type.GetMethods()
+           where method.IsDefined(typeof(FactAttribute), inherit: true)
+           from clause in Clauses(method).Concat(Clauses(type))
+           select (type, clause);
 
     private static IEnumerable<string> Clauses(MemberInfo member)
         => from attribute in member.GetCustomAttributesData()

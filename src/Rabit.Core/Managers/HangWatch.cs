@@ -40,6 +40,9 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
         }
     }
 
+    /// <summary>Whether the modelled duration of a unit of work goes on. The thread of the virtual run only.</summary>
+    public bool IsInModelledWork => _modelledEnd is not null;
+
     public void Enter(ManagerStage stage, TimeSpan now)
     {
         manager.ForgetDoing();

@@ -92,7 +92,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
     /// <summary>Ends a unit of work whose modelled duration is over; in virtual time, where the watchdog calls it too.</summary>
     public void ComeBack()
     {
-        if (Hangs.TryEndModelled(run.Clock.Now))
+        if (Hangs.IsInModelledWork && Hangs.TryEndModelled(run.Clock.Now))
             PostState(_state);
     }
 

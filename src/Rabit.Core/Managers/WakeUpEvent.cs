@@ -55,9 +55,12 @@ internal class WakeUpEvent<TSync>
         _signal = signal;
     }
 
-    public void Wake(WakeUpCauses cause) => Wake((int)cause);
+    public void Wake(WakeUpCauses cause) => Wake((int)cause, now: null);
 
-    public void RequestStop() => Wake(Stop);
+    /// <summary>As <see cref="Wake(WakeUpCauses)"/>, by a waker that has just read the clock of the run.</summary>
+    public void Wake(WakeUpCauses cause, TimeSpan now) => Wake((int)cause, now);
+
+    public void RequestStop() => Wake(Stop, now: null);
 
     /// <summary>Marks the sleeper asleep, unless one of the wanted causes is already there.</summary>
     /// <returns>False when there is something to take now.</returns>
@@ -87,7 +90,7 @@ internal class WakeUpEvent<TSync>
         return new WakeUps((WakeUpCauses)(taken & AllCauses & ~Stop), (int)((uint)taken / OneWake), (taken & Stop) != 0);
     }
 
-    private void Wake(int cause)
+    private void Wake(int cause, TimeSpan? now)
     {
         int seen = default(TSync).VolatileRead(ref _state);
         while (true)
@@ -104,7 +107,7 @@ internal class WakeUpEvent<TSync>
         bool first = (seen & AllCauses) == 0 || (cause & Urgent) != 0;
         if ((seen & Asleep) != 0 && first)
         {
-            default(TSync).InterlockedWrite(ref _wokenAtTicks, _clock!.Now.Ticks);
+            default(TSync).InterlockedWrite(ref _wokenAtTicks, (now ?? _clock!.Now).Ticks);
             _signal!.Set();
         }
     }

@@ -41,7 +41,8 @@ public sealed class MessagePublisher<T>
     {
         LocalCopy<T> copy = _binding.Copy();
         SharedMessage<T> shared = _binding.Shared!;
-        shared.Post(copy, _binding.Owner, shared.Clock.Now);
+        TimeSpan now = shared.Clock.Now;
+        shared.Post(copy, _binding.Owner, now, now);
     }
 
     /// <summary>As <see cref="Post()"/>, stamped with the time at which the value was true.</summary>

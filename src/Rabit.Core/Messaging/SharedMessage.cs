@@ -34,7 +34,12 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
         }
     }
 
-    public void Post(LocalCopy<T> copy, EndOwner poster, TimeSpan time)
+    /// <summary>Copies a local copy to the global one, and wakes and calls whoever asked for it.</summary>
+    /// <param name="copy">What is posted.</param>
+    /// <param name="poster">Who posts.</param>
+    /// <param name="time">The stamp.</param>
+    /// <param name="now">The time now, where the poster has just read it: whoever is woken need not read the clock again.</param>
+    public void Post(LocalCopy<T> copy, EndOwner poster, TimeSpan time, TimeSpan? now = null)
     {
         int version = Store(copy, time);
         int covered = PostsBetween(copy.SeenVersion, version) - 1;
@@ -46,8 +51,15 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
         foreach (PostTarget target in Volatile.Read(ref _targets))
         {
             // One's own post is not news to oneself.
-            if (target.Owner != poster)
-                Notify(target, copy.Stamp);
+            if (target.Owner == poster)
+                continue;
+            if (target.WakeUp is { } sleeper)
+                Wake(sleeper, now);
+            if (target.Handler is { } handler)
+            {
+                Call(handler, target, copy.Stamp);
+                now = null;   // it took its time
+            }
         }
     }
 
@@ -80,14 +92,19 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion)
     /// <summary>Makes a post news: all that was written before is seen by whoever reads this version. For the poster whose turn it is.</summary>
     protected void Announce(int version) => Volatile.Write(ref _version, version);
 
-    private void Notify(PostTarget target, MessageStamp stamp)
+    private static void Wake(WakeUpEvent sleeper, TimeSpan? now)
     {
-        target.WakeUp?.Wake(WakeUpCauses.Post);
-        if (target.Handler is null)
-            return;
+        if (now is { } time)
+            sleeper.Wake(WakeUpCauses.Post, time);
+        else
+            sleeper.Wake(WakeUpCauses.Post);
+    }
+
+    private void Call(Action<MessageStamp> handler, PostTarget target, MessageStamp stamp)
+    {
         try
         {
-            target.Handler(stamp);
+            handler(stamp);
         }
         catch (Exception e)
         {
