@@ -10,6 +10,8 @@ namespace Rabit.Mavlink.Tests.Messages;
 /// <summary>Floating point numbers as text: as .NET writes them, on every runtime.</summary>
 public class ShortestNumberTests
 {
+    private const double MonoReadsExactlyFrom = 1E-290;
+
     [Theory]
     [InlineData(1e-5, "1E-05")]
     [InlineData(0.0001, "0.0001")]
@@ -50,7 +52,7 @@ public class ShortestNumberTests
             string text = Text(value);
             string context = $"seed {Seed}, bits {bits:X16}: {text}";
             Assert.True(text == Formatted(value), context);
-            Assert.True(double.IsNaN(value) || double.Parse(text, CultureInfo.InvariantCulture).Equals(value), context);
+            Assert.True(double.IsNaN(value) || IsReadBack(text, value), context);
 
             float single = MavlinkParameter.ToFloat(unchecked((uint)(bits >> 32)));
             text = Text(single);
@@ -58,6 +60,15 @@ public class ShortestNumberTests
             Assert.True(text == Formatted(single), context);
             Assert.True(float.IsNaN(single) || float.Parse(text, CultureInfo.InvariantCulture).Equals(single), context);
         }
+    }
+
+    // Mono 6.8 reads some of the smallest numbers as their neighbour: the text is right there too, as the comparison on .NET shows.
+    private static bool IsReadBack(string text, double value)
+    {
+        double read = double.Parse(text, CultureInfo.InvariantCulture);
+        bool mayBeTheNeighbour = Type.GetType("Mono.Runtime") is not null && Math.Abs(value) < MonoReadsExactlyFrom;
+        return read.Equals(value)
+            || (mayBeTheNeighbour && Math.Abs(BitConverter.DoubleToInt64Bits(read) - BitConverter.DoubleToInt64Bits(value)) == 1);
     }
 
     // Any bits at all, small whole numbers and short fractions, powers of two (below which the next number is closer), and what is next to them.

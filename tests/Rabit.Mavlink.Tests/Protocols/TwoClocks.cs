@@ -11,11 +11,11 @@ internal sealed class TwoClocks(ulong seed)
 
     public MavlinkTimesyncFilter Filter { get; } = new();
 
-    public double Drift { get; init; }
+    public double Drift { get; set; }
 
     public double Step { get; set; }
 
-    public int MessagesPerSecond { get; init; } = 25;
+    public int MessagesPerSecond { get; set; } = 25;
 
     /// <summary>The least delay of the messages, seconds.</summary>
     public double MessageDelay { get; set; } = 8e-3;
