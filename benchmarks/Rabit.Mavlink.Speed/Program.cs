@@ -10,6 +10,6 @@ string[] files = args.Length > 0
     ? args
     : [Path.Combine(data, "ardupilot-flight.tlog"), Path.Combine(data, "px4-flight.tlog"), Path.Combine(data, "golden.jsonl")];
 
-Console.WriteLine($"{(Type.GetType("Mono.Runtime") is null ? ".NET" : "Mono")} {Environment.Version}, one core, best of {Measurement.Passes} passes");
+Console.WriteLine($"{(Type.GetType("Mono.Runtime") is null ? ".NET" : "Mono")} {Environment.Version}, one core, best of {Measurement.Passes} passes in turn");
 foreach (string file in files)
     new SpeedTable(FrameSet.Load(file)).Print(Console.Out);

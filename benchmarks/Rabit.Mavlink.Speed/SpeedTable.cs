@@ -46,30 +46,50 @@ internal sealed class SpeedTable
         output.WriteLine(Text($"{_set.Name}: {_set.Frames.Length} frames, {_set.Stream.Length} bytes"));
         output.WriteLine("                                    ns/frame   Mframes/s      MB/s   x limit    gen0   bytes");
         int all = _set.Frames.Length;
-        double limit = Row(output, "copy of the bytes", Copy, all, 0);
-        limit += Row(output, "checksum alone", Checksum, all, 0);
-        Row(output, "framing + checksum", Read, all, limit);
-        Row(output, "... in chunks of 1 kB", ReadInChunks, all, limit);
-        Row(output, "... and decoded to messages", ReadAndDecode, all, limit);
-        Row(output, "decode alone", Decode, all, limit);
-        Row(output, "encode", Encode, all, limit);
-        Row(output, "encode and sign", EncodeAndSign, _signed.Length, limit);
-        Row(output, "sign a frame", Sign, _signed.Length, limit);
-        Row(output, "verify a signature", Verify, _signed.Length, limit);
+        int few = _signed.Length;
+        Measurement copy = Row("copy of the bytes", all, Copy);
+        Measurement checksum = Row("checksum alone", all, Checksum);
+        Measurement[] rows =
+        [
+            copy,
+            checksum,
+            Row("framing + checksum", all, Read),
+            Row("... in chunks of 1 kB", all, ReadInChunks),
+            Row("... and decoded to messages", all, ReadAndDecode),
+            Row("decode alone", all, Decode),
+            Row("encode", all, Encode),
+            Row("encode and sign", few, EncodeAndSign),
+            Row("sign a frame", few, Sign),
+            Row("verify a signature", few, Verify),
+        ];
+        Measure(rows);
+        foreach (Measurement row in rows)
+            Print(output, row, copy.SecondsPerFrame + checksum.SecondsPerFrame);
         if (_checked == 0)
             throw new InvalidOperationException("Nothing was done.");
     }
 
-    // Returns the time per frame; 'limit' is that of copy and checksum.
-    private double Row(TextWriter output, string name, Action work, int frames, double limit)
+    private Measurement Row(string name, int frames, Action work) =>
+        new(name, frames, frames == _set.Frames.Length ? _set.Stream.Length : _fewBytes, work);
+
+    private static void Measure(Measurement[] rows)
     {
-        Measurement measured = Measurement.Of(work);
-        double perFrame = measured.Seconds / frames;
-        int bytes = frames == _set.Frames.Length ? _set.Stream.Length : _fewBytes;
-        string ratio = limit > 0 ? (perFrame / limit).ToString("0.00", CultureInfo.InvariantCulture) : "";
+        foreach (Measurement row in rows)
+            row.Warm();
+        GC.Collect();
+        for (int pass = 0; pass < Measurement.Passes; pass++)
+        {
+            foreach (Measurement row in rows)
+                row.Pass();
+        }
+    }
+
+    // 'limit' is the time of copy and checksum.
+    private static void Print(TextWriter output, Measurement row, double limit)
+    {
+        double perFrame = row.SecondsPerFrame;
         output.WriteLine(Text(
-            $"  {name,-32}{perFrame * 1e9,10:0.0}{1e-6 / perFrame,12:0.00}{bytes / measured.Seconds / 1e6,10:0}{ratio,10}{measured.Collections,8}{measured.Bytes,8}"));
-        return perFrame;
+            $"  {row.Name,-32}{perFrame * 1e9,10:0.0}{1e-6 / perFrame,12:0.00}{row.BytesPerSecond / 1e6,10:0}{perFrame / limit,10:0.00}{row.Collections,8}{row.AllocatedBytes,8}"));
     }
 
     private void Copy() => Buffer.BlockCopy(_set.Stream, 0, _copy, 0, _copy.Length);

@@ -32,8 +32,8 @@ public sealed partial class MavlinkFrameReader
     // Stream offset right behind the last frame: what begins here needs no other sign that it is one.
     private long _boundary;
 
-    // How many more bytes are worth having before the first byte held can be judged.
-    private int _wanted = WireFormat.MaxFrameLength;
+    // With fewer bytes held there is nothing to judge: the frame that seems to begin here has not arrived. Zero: have a look.
+    private int _needed;
 
     private long _skippedBytes;
     private long _frames;
@@ -79,15 +79,21 @@ public sealed partial class MavlinkFrameReader
         while (true)
         {
             bool isFalse = false;
-            if (_start == _end && TryFindInPlace(ref bytes, out FrameCandidate candidate, out isFalse))
+            FrameCandidate candidate;
+            if (_start == _end)
             {
-                Deliver(candidate, bytes, out frame, out info);
-                PassInPlace(ref bytes, candidate.Length);
-                _boundary = _bufferOffset + _start;
-                return true;
+                if (TryFindInPlace(ref bytes, out candidate, out isFalse))
+                {
+                    Deliver(candidate, bytes, out frame, out info);
+                    PassInPlace(ref bytes, candidate.Length);
+                    _boundary = _bufferOffset + _start;
+                    return true;
+                }
+
+                _needed = NeededToJudge(candidate);
             }
 
-            if (TryFind(isLast: false, out candidate))
+            if (_end - _start >= _needed && TryFind(isLast: false, out candidate))
             {
                 Take(candidate, out frame, out info);
                 return true;
@@ -159,11 +165,12 @@ public sealed partial class MavlinkFrameReader
         if (_start == _end || _end == BufferLength)
             MoveToFront();
         // No more than is needed: what is not held back can be read in place.
-        int count = Math.Min(Math.Min(bytes.Length, _wanted), BufferLength - _end);
+        int held = _end - _start;
+        int wanted = held < _needed ? _needed - held : WireFormat.MaxFrameLength;
+        int count = Math.Min(Math.Min(bytes.Length, wanted), BufferLength - _end);
         bytes.Slice(0, count).CopyTo(_buffer.AsSpan(_end));
         bytes = bytes.Slice(count);
         _end += count;
-        _wanted = WireFormat.MaxFrameLength;
     }
 
     private void MoveToFront()
@@ -187,8 +194,7 @@ public sealed partial class MavlinkFrameReader
                 return true;
             if (verdict == Verdict.Wait)
             {
-                if (candidate.Length > rest.Length)
-                    _wanted = candidate.Length - rest.Length;
+                _needed = NeededToJudge(candidate);
                 return false;
             }
 
@@ -201,6 +207,9 @@ public sealed partial class MavlinkFrameReader
         candidate = default;
         return false;
     }
+
+    // A frame of an unknown id gives way to a frame inside it, which may be there long before the whole of it is.
+    private static int NeededToJudge(in FrameCandidate candidate) => candidate.Kind == CandidateKind.Uncheckable ? 0 : candidate.Length;
 
     // A frame with an incompatibility flag that is not known may mean anything: it is dropped whole.
     private void Drop(in FrameCandidate candidate)
@@ -251,6 +260,7 @@ public sealed partial class MavlinkFrameReader
     private void Advance(int count)
     {
         _start += count;
+        _needed = 0;
         if (_probed >= _start)
             return;
         _probed = _start;
