@@ -43,6 +43,30 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
+    public void PushFrom_MoreBuffersThanFit_QueuesTheFirstAndTheRestStayTheSenders()
+    {
+        var pool = new BufferPool("pictures", 5, 8);
+        using TestRun run = NewRun();
+        ScriptedManager source = run.Add("source");
+        QueueSender<Picture> sender = source.Send<Picture>("queue");
+        QueueReceiver<Picture> receiver = run.Add("sink").Receive<Picture>("queue", 2, wakeOnPush: false);
+
+        run.StartAndSettle();
+        run.On(source, () =>
+        {
+            Picture[] pictures = [.. Enumerable.Range(0, 5).Select(i => Take(pool, i))];
+            Assert.Equal(2, sender.PushFrom(pictures));
+            Assert.Equal((2L, 3L), (sender.Counters.Pushed, sender.Counters.Rejected));
+            foreach (Picture picture in pictures.Skip(2))
+                picture.Pixels.Dispose();
+            Assert.Equal(3, pool.Free);
+        });
+        run.Finish();
+
+        Assert.Equal(("queue", 5), (receiver.Name, pool.Free));
+    }
+
+    [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
     public void Queue_DropsTheOldest_GivesItsBufferBack()
     {
         var pool = new BufferPool("pictures", 3, 8);

@@ -132,6 +132,22 @@ public abstract class MessageEndContract(TimeKind kind) : ContractTests(kind)
         Assert.Contains("Int64", Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.Subscribe<long>("order")).Message, StringComparison.Ordinal);
     }
 
+    [Fact, Trait("Clause", "2.2"), Trait("Clause", "2.8")]
+    public void OutsidePublisher_FirstValueStated_IsWhatASubscriberHoldsUntilItPosts()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        MessageSubscriber<string> subscriber = manager.Subscribe<string>("order");
+        MessagePublisher<string> publisher = run.Reactor.Workspace.Publish("order", "wait");
+
+        run.StartAndSettle();
+        run.On(manager, () => Assert.Equal((false, "wait"), (subscriber.Fetch(), subscriber.Value)));
+        publisher.Value = "go";
+        publisher.Post();
+
+        run.On(manager, () => Assert.Equal((true, "go"), (subscriber.Fetch(), subscriber.Value)));
+    }
+
     private static void AssertMisuse(Action misuse, params string[] names)
     {
         string text = Assert.Throws<InvalidOperationException>(misuse).Message;

@@ -26,8 +26,8 @@ internal sealed class ScriptedSource(TestBoard board, TimeSpan interval, params 
 
     public void Open(ReaderContext context)
     {
-        board.Write("open");
         _context = context;
+        board.Write("open");
         OnOpen?.Invoke();
     }
 
