@@ -12,6 +12,7 @@ namespace Geolocate;
 internal sealed class Request
 {
     private const double Degree = Math.PI / 180;
+    private const double LatestSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
 
     private readonly PixelLocator _locator;
     private readonly TimeSpan _time;
@@ -36,7 +37,7 @@ internal sealed class Request
         }
 
         var locator = new PixelLocator(options);
-        TimeSpan time = TimeSpan.FromSeconds(line.TimeSeconds ?? 0);
+        TimeSpan time = TimeSpan.FromSeconds(TimeOf(line));
         if (line.Telemetry is null)
             AddPose(locator, Part(asked, "pose"));
         else
@@ -56,6 +57,13 @@ internal sealed class Request
     }
 
     public GroundFix Locate() => _locator.Locate(_time, _order, _column, _row);
+
+    private static double TimeOf(CommandLine line)
+    {
+        double seconds = line.TimeSeconds ?? 0;
+        return Math.Abs(seconds) <= LatestSeconds
+            ? seconds : throw new FormatException(FormattableString.Invariant($"--time is {seconds}; it must be seconds, {LatestSeconds} at most."));
+    }
 
     private static CameraModel CameraOf(JsonElement camera)
     {

@@ -23,8 +23,8 @@ internal static class VehicleRun
     {
         try
         {
-            if (options is { MissionFile: { } mission, TruthFile: { } truth } && string.Equals(Path.GetFullPath(mission), Path.GetFullPath(truth), StringComparison.Ordinal))
-                throw new ArgumentException($"--mission and --truth-out are the same file {truth}.", nameof(options));
+            CheckTruthOverwrites("--mission", options.MissionFile, options);
+            CheckTruthOverwrites("--sign-key", options.SignKeyFile, options);
             if (options.MissionFile is not null)
                 MissionWorld.Read(options.MissionFile, options.World);
             var world = new SimulatedWorld(options.World);
@@ -59,6 +59,13 @@ internal static class VehicleRun
             line.Show(reactor.Now, world.Truth);
         line.Show(reactor.Now, world.Truth);
         return run.GetAwaiter().GetResult().ExitCode;
+    }
+
+    // What is read is never written to.
+    private static void CheckTruthOverwrites(string option, string? file, VehicleOptions options)
+    {
+        if (file is { Length: > 0 } && options.TruthFile is { Length: > 0 } truth && string.Equals(Path.GetFullPath(file), Path.GetFullPath(truth), StringComparison.Ordinal))
+            throw new ArgumentException($"{option} and --truth-out are the same file {truth}.", nameof(options));
     }
 
     private static void WriteNews(RabitLogEntry entry)

@@ -27,13 +27,13 @@ internal sealed class RunFiles : IDisposable
     /// <summary>Null where none is wanted.</summary>
     public OutputFile? Log { get; }
 
-    /// <exception cref="ArgumentException">One cannot be written, or two are the same; a mission or a truth that was read is never written to.</exception>
+    /// <exception cref="ArgumentException">One cannot be written, or two are the same; a mission, a truth or a key that was read is never written to.</exception>
     public static RunFiles Open(ConsoleOptions options)
     {
         string? report = options.ReportFile ?? (options.FliesMission ? DefaultReport : null);
         CheckTheyDiffer(
         [
-            ("--mission", options.MissionFile), ("--truth", options.TruthFile),
+            ("--mission", options.MissionFile), ("--truth", options.TruthFile), ("--sign-key", options.SignKeyFile),
             ("--summary", options.SummaryFile), ("--report", report), ("--log", options.LogFile),
         ]);
         OutputFile? summaryFile = null;

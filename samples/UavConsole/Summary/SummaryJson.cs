@@ -165,6 +165,7 @@ internal static class SummaryJson
             json.WriteNumber("bytes_lost", link.BytesLost);
             WriteNumberOrNull(json, "first_damage_offset", link.FirstDamageOffset);
             json.WriteNumber("frames_incompatible", link.IncompatibleFrames);
+            WriteSignatures(json, summary.LinkStatus[index].Signatures);
             WriteSources(json, link.Sources);
             WriteCounts(json, "counts", link.Counts);
             json.WriteNumber("frames_not_listed", link.FramesNotListed);
@@ -172,6 +173,20 @@ internal static class SummaryJson
         }
 
         json.WriteEndArray();
+    }
+
+    private static void WriteSignatures(Utf8JsonWriter json, in MavlinkSignatureCounters signatures)
+    {
+        json.WriteStartObject("signatures");
+        json.WriteNumber("valid", signatures.Valid);
+        json.WriteNumber("unsigned_allowed", signatures.UnsignedAllowed);
+        json.WriteNumber("rejected", signatures.Rejected);
+        json.WriteNumber("not_signed", signatures.NotSigned);
+        json.WriteNumber("bad", signatures.BadSignatures);
+        json.WriteNumber("too_old", signatures.OldTimestamps);
+        json.WriteNumber("new_too_old", signatures.NewStreamsTooOld);
+        json.WriteNumber("too_many", signatures.TooManyStreams);
+        json.WriteEndObject();
     }
 
     private static void WriteSources(Utf8JsonWriter json, IReadOnlyList<MavlinkSequenceStatistics> sources)

@@ -104,6 +104,7 @@ internal sealed class SummaryText(TextWriter output, RunSummary summary)
     {
         string fault = status.Fault is null ? string.Empty : $" ({status.Fault})";
         Line($"link {link.Url}: {status.State}{fault}, {link.Frames.ToString(CultureInfo.InvariantCulture)} frames");
+        WriteRejected(status.Signatures);
         if (link.IncompatibleFrames > 0)
             Line($"  {link.IncompatibleFrames.ToString(CultureInfo.InvariantCulture)} frames left out, because they have an incompatibility flag that is not known");
         if (link.BytesLost > 0)
@@ -126,6 +127,22 @@ internal sealed class SummaryText(TextWriter output, RunSummary summary)
         }
 
         WriteUncertain(link);
+    }
+
+    // They were counted, and went nowhere: without this line nobody would know why an autopilot was not heard.
+    private void WriteRejected(in MavlinkSignatureCounters signatures)
+    {
+        if (signatures.Rejected == 0)
+            return;
+        Line(string.Format(
+            CultureInfo.InvariantCulture,
+            "  {0} frames were rejected: {1} not signed, {2} with a bad signature, {3} too old, {4} of new senders too old, {5} of too many senders",
+            signatures.Rejected,
+            signatures.NotSigned,
+            signatures.BadSignatures,
+            signatures.OldTimestamps,
+            signatures.NewStreamsTooOld,
+            signatures.TooManyStreams));
     }
 
     // Sources of which nothing could be checked: their ids are unknown, so that even who sent them is not certain.

@@ -14,6 +14,9 @@ namespace Rabit.Core.Managers;
 /// </remarks>
 internal sealed class HangWatch(RabitManager manager, ManagerRun run)
 {
+    /// <summary>What a manager does that is in none of its code.</summary>
+    public const string Sleeping = "sleeping";
+
     private readonly object _posting = new();
     private readonly StageMark _mark = new();
     private string? _lastHang;        // written by the watchdog under _posting; read by the manager after it passed it
@@ -36,7 +39,7 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
                 ManagerStage.Shutdown => "Shutdown",
                 _ => null,
             };
-            return stage is null ? "sleeping" : manager.Doing is { } doing ? $"{stage}: {doing}" : stage;
+            return stage is null ? Sleeping : manager.Doing is { } doing ? $"{stage}: {doing}" : stage;
         }
     }
 

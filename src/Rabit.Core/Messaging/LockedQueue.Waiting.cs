@@ -149,14 +149,18 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
     private async Task<PushResult> Await(PendingPush<T> pending, CancellationToken cancellation)
     {
         TimeKeeper?.Wake(WakeUpCauses.Request);
-        using (cancellation.Register(() =>
-        {
-            if (pending.TryClaim())
-                pending.TrySetCanceled(cancellation);
-        }))
-        {
+        using (cancellation.Register(() => Cancel(pending, cancellation)))
             return await pending.Task.ConfigureAwait(false);
-        }
+    }
+
+    // Let go of at once: who waits in vain, and is cancelled again and again, must not fill the memory.
+    private void Cancel(PendingPush<T> pending, CancellationToken cancellation)
+    {
+        if (!pending.TryClaim())
+            return;
+        lock (_gate)
+            ForgetEnded();
+        pending.TrySetCanceled(cancellation);
     }
 
     private static async ValueTask<bool> Await(TaskCompletionSource<bool> waiter, CancellationToken cancellation)

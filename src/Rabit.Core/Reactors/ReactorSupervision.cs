@@ -46,7 +46,7 @@ internal sealed class ReactorSupervision : IDisposable
 
     public ManagerStatus StatusOf(int manager) => _statuses[manager].Read();
 
-    public string StatusTable() => ManagerTable.Format(_managers.Select((m, i) => (m.Name, m.Doing, _statuses[i].Read())));
+    public string StatusTable() => ManagerTable.Format(_managers.Select((m, i) => Describe(m, _statuses[i].Read())));
 
     /// <summary>Before the first manager begins: start-ups are watched too.</summary>
     public void Begin(ReactorEngine engine)
@@ -66,6 +66,14 @@ internal sealed class ReactorSupervision : IDisposable
     }
 
     public void Dispose() => _meter.Dispose();
+
+    // One that was stopped, or waits for its restart, sleeps too: that would say too little.
+    private static (string Name, string State, ManagerStatus Status) Describe(ManagerActivity manager, ManagerStatus status)
+    {
+        string doing = manager.Doing;
+        bool isDown = status.State is ManagerState.Stopped or ManagerState.Faulted or ManagerState.Restarting;
+        return (manager.Name, isDown && doing == HangWatch.Sleeping ? status.State.ToString().ToLowerInvariant() : doing, status);
+    }
 
     private static TimeSpan ShortestLimit(HangPolicy policy)
         => Times.Earlier(policy.LimitOf(ManagerStage.Startup), Times.Earlier(policy.LimitOf(ManagerStage.UnitOfWork), policy.LimitOf(ManagerStage.Shutdown)));

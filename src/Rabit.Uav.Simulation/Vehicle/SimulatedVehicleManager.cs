@@ -27,6 +27,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
     private long _heard;
     private long _lost;
     private bool _hasTold;
+    private bool _hasToldOfRejection;
 
     /// <param name="name">Of the manager.</param>
     /// <param name="vehicle">What flies.</param>
@@ -71,7 +72,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
     {
         while (_reader.TryPop(out MavlinkFrame frame))
         {
-            if (_vehicle.IsSilent || _signing?.Accepts(frame) == false)
+            if (_vehicle.IsSilent || !IsAccepted(frame))
             {
                 _lost++;
                 continue;
@@ -82,6 +83,17 @@ internal sealed class SimulatedVehicleManager : RabitManager
         }
 
         Take(now);
+    }
+
+    // Said once: otherwise nobody would know why the vehicle does not answer.
+    private bool IsAccepted(in MavlinkFrame frame)
+    {
+        if (_signing is null || _signing.Accepts(frame))
+            return true;
+        if (!_hasToldOfRejection)
+            Log(FormattableString.Invariant($"a frame of {frame.SystemId}/{frame.ComponentId} was rejected: it is not signed with the key, or not in time; all such are"));
+        _hasToldOfRejection = true;
+        return false;
     }
 
     private void Take(TimeSpan now)

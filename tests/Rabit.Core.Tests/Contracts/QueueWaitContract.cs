@@ -82,6 +82,24 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => outside.PushAsync(4, cancellation.Token).AsTask());
     }
 
+    [Fact, Trait("Clause", "3.1")]
+    public async Task PushAsync_CancelledManyTimesWhileTheQueueIsFull_KeepsNothing()
+    {
+        using TestRun run = NewRun();
+        run.Add("sink").Receive<byte[]>("queue", 1, QueueFullMode.Wait, wakeOnPush: false);
+        QueueSender<byte[]> outside = run.Reactor.Workspace.Send<byte[]>("queue");
+        run.StartAndSettle();
+
+        await outside.PushAsync([]);
+        var values = new List<WeakReference>();
+        for (int i = 0; i < 100; i++)
+            values.Add(await PushInVain(outside));
+        GC.Collect();
+
+        // The last ones may still be on a stack.
+        Assert.InRange(values.Count(v => v.IsAlive), 0, 10);
+    }
+
     [Fact, Trait("Clause", "3.1"), Trait("Clause", "3.5")]
     public async Task PushAsync_RunEndsMeanwhile_IsRejected()
     {
@@ -318,6 +336,21 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
     {
         Assert.Same(task, await Task.WhenAny(task, Task.Delay(Patience)).ConfigureAwait(false));
         return await task.ConfigureAwait(false);
+    }
+
+    private static async Task<WeakReference> PushInVain(QueueSender<byte[]> sender)
+    {
+        using var cancellation = new CancellationTokenSource();
+        (WeakReference value, Task<PushResult> push) = Push(sender, cancellation.Token);
+        cancellation.Cancel();
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => InTime(push));
+        return value;
+    }
+
+    private static (WeakReference Value, Task<PushResult> Push) Push(QueueSender<byte[]> sender, CancellationToken cancellation)
+    {
+        var value = new byte[1000];
+        return (new WeakReference(value), sender.PushAsync(value, cancellation).AsTask());
     }
 }
 

@@ -227,6 +227,8 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         }
 
         Assert.Contains("Ended", last, StringComparison.Ordinal);
+        Assert.Contains("sleeping", live, StringComparison.Ordinal);
+        Assert.DoesNotContain("sleeping", run.Reactor.StatusTable(), StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "4.4"), Trait("Clause", "4.2")]

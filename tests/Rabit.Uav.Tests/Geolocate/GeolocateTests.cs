@@ -98,6 +98,8 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("'x' is not a number", "--pixel", "x", "1")]
     [InlineData("--pixel needs a value", "--pixel")]
     [InlineData("go together", "--time", "3")]
+    [InlineData("--time is Infinity; it must be seconds", "--telemetry", "poses.csv", "--time", "Infinity")]
+    [InlineData("--time is 922337203684; it must be seconds", "--telemetry", "poses.csv", "--time", "922337203684")]
     [InlineData("'pose' is missing")]
     public void BadInput_IsNamedAndEndsWithOne(string message, params string[] more)
     {

@@ -154,6 +154,20 @@ public sealed class BadInputTests : IDisposable
         Assert.Equal(before, File.ReadAllBytes(mission));
     }
 
+    [Theory]
+    [InlineData("--summary")]
+    [InlineData("--report")]
+    [InlineData("--log")]
+    public void Output_IsTheSigningKey_SaysSoAndDoesNotTouchIt(string option)
+    {
+        string key = Path.Combine(_log.Folder, "key");
+        File.WriteAllText(key, new string('a', 64));
+
+        AssertRefused($"--sign-key and {option} are the same file", "--sign-key", key, option, Path.Combine(_log.Folder, ".", "key"));
+
+        Assert.Equal(new string('a', 64), File.ReadAllText(key));
+    }
+
     [Fact]
     public void Files_TheSameTwice_SaysSo()
     {
