@@ -15,7 +15,9 @@ internal static class PumpHouse
         reactor.Start();
         reactor.RunFor(TimeSpan.FromMilliseconds(330));
         reactor.Stop("the test is over");
-        reactor.Finish();
+        ReactorResult result = reactor.Finish();
+        if (result.ExitCode != 0)
+            throw new PumpHouseException(result.ToString());
         if (!valve.IsOpen)
             throw new PumpHouseException("the button was pressed three times and the valve is closed");
     }
