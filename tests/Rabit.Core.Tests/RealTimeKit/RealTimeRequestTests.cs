@@ -52,7 +52,10 @@ public sealed class RealTimeRequestTests
         var log = new List<string>();
         var manager = new RequestingManager("m", new RealTimeRequest
         {
-            Priority = 1, Cpus = [0], TimerSlack = TimeSpan.FromTicks(10), WarmUpRuns = 2,
+            Priority = 1,
+            Cpus = [0],
+            TimerSlack = TimeSpan.FromTicks(10),
+            WarmUpRuns = 2,
         });
         ReactorResult result = Run(new RabitReactor(new ReactorOptions { Log = e => log.Add(e.Text), StopsOnSignals = false }), manager);
 
