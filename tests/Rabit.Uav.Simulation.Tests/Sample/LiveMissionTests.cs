@@ -3,7 +3,6 @@ using System.IO;
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
-using System.Threading;
 using Rabit.Uav.Simulation.Tests.Missions;
 using Xunit;
 using Xunit.Abstractions;
@@ -31,7 +30,7 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
         using var vehicle = new SampleProcess(
             "SimulatedVehicle", [.. signing, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
             "--camera-out", In("pictures"), "--truth-out", truth]);
-        WaitFor(() => File.Exists(In("pictures/camera.json")) && File.Exists(truth) && new FileInfo(truth).Length > 0, vehicle);
+        vehicle.WaitUntil(() => File.Exists(In("pictures/camera.json")) && File.Exists(truth) && new FileInfo(truth).Length > 0);
 
         using var console = new SampleProcess(
             "UavConsole", [.. signing, "--link", $"udpin:127.0.0.1:{port}", "--mission", mission, "--fly", "--camera", In("pictures"), "--truth", truth,
@@ -59,16 +58,6 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
     {
         File.WriteAllText(In(name), text);
         return In(name);
-    }
-
-    private static void WaitFor(Func<bool> condition, SampleProcess process)
-    {
-        DateTime end = DateTime.UtcNow + TimeSpan.FromSeconds(30);
-        while (!condition())
-        {
-            Assert.True(DateTime.UtcNow < end && !process.HasEnded, process.Output);
-            Thread.Sleep(100);
-        }
     }
 
     private static int FreePort()

@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Runtime.InteropServices;
+using System.Threading;
 using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Sample;
@@ -15,6 +16,8 @@ internal sealed class SampleProcess : IDisposable
 
     private static readonly TimeSpan DefaultPatience = TimeSpan.FromSeconds(60);
 
+    // For conditions that come true without a line of output, such as a file that is there.
+    private static readonly TimeSpan LookAgain = TimeSpan.FromMilliseconds(100);
 
     private static readonly string Folder = Path.GetDirectoryName(typeof(SampleProcess).Assembly.Location)!;
     private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
@@ -52,6 +55,20 @@ internal sealed class SampleProcess : IDisposable
 
     public bool HasEnded => _process.HasExited;
 
+    /// <summary>Waits until something is so; fails the test if the process ends before, or takes too long.</summary>
+    public void WaitUntil(Func<bool> condition)
+    {
+        var waited = Stopwatch.StartNew();
+        lock (_lines)
+        {
+            while (!condition())
+            {
+                Assert.True(waited.Elapsed < DefaultPatience && !HasEnded, Output);
+                Monitor.Wait(_lines, LookAgain);
+            }
+        }
+    }
+
     /// <summary>Ctrl-C.</summary>
     public void Interrupt() => Assert.Equal(0, Kill(_process.Id, InterruptSignal));
 
@@ -74,7 +91,10 @@ internal sealed class SampleProcess : IDisposable
         if (line is null)
             return;
         lock (_lines)
+        {
             _lines.Add(line);
+            Monitor.PulseAll(_lines);
+        }
     }
 
     [DllImport("libc", EntryPoint = "kill")]
