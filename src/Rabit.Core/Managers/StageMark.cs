@@ -27,7 +27,7 @@ internal sealed class StageMark
 
     public void Enter(ManagerStage stage, TimeSpan now)
     {
-        Interlocked.Exchange(ref _sinceTicks, now.Ticks);
+        Volatile.Write(ref _sinceTicks, now.Ticks);
         _number = unchecked(_number + OneStage);
         Volatile.Write(ref _word, _number | ((int)stage + 1));
     }
@@ -40,7 +40,7 @@ internal sealed class StageMark
     {
         seen = Volatile.Read(ref _word);
         stage = StageOf(seen) ?? default;
-        since = new TimeSpan(Interlocked.Read(ref _sinceTicks));
+        since = new TimeSpan(Volatile.Read(ref _sinceTicks));
         return seen != 0 && (seen & Hanging) == 0 && Volatile.Read(ref _word) == seen;
     }
 

@@ -30,17 +30,19 @@ internal sealed class TurnLoop<TSync>(WakeUpEvent<TSync> wakeUp, IWaitSignal sig
         wokenAt = null;
         while (wakeUp.TryFallAsleep(next.Wanted))
         {
-            TimeSpan left = next.Due - clock.Now;
-            if (left <= TimeSpan.Zero)
+            signal.Wait(next.Due);
+            if (wakeUp.Has(next.Wanted))
+            {
+                wokenAt = wakeUp.WokenAt;
+                break;
+            }
+
+            // Nobody reads the clock before the wait: it returns at once where the time is over.
+            if (clock.Now >= next.Due)
             {
                 wokenAt = next.Due;
                 return wakeUp.Take().With(WakeUpCauses.Timer);
             }
-
-            wokenAt = null;
-            signal.Wait(left);
-            if (wakeUp.Has(next.Wanted))
-                wokenAt = wakeUp.WokenAt;
         }
 
         return wakeUp.Take();

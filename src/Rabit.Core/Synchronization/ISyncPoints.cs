@@ -18,7 +18,7 @@ namespace Rabit.Core.Synchronization;
 /// <item>interlocked and <see cref="Fence"/>: in order with everything;</item>
 /// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
 /// </list>
-/// There are no volatile or plain 64-bit words: they are not whole on 32-bit machines.
+/// There are no plain 64-bit words: they are not whole on 32-bit machines.
 /// </remarks>
 internal unsafe interface ISyncPoints
 {
@@ -38,15 +38,15 @@ internal unsafe interface ISyncPoints
 
     void VolatileWrite(ref int location, int value);
 
+    /// <summary>As the one of 32 bits: whole on every machine, if not in one instruction on those of 32 bits.</summary>
+    long VolatileRead(ref long location);
+
+    /// <inheritdoc cref="VolatileRead(ref long)"/>
+    void VolatileWrite(ref long location, long value);
+
     int Exchange(ref int location, int value);
 
     int CompareExchange(ref int location, int value, int comparand);
-
-    /// <summary>An interlocked read.</summary>
-    long InterlockedRead(ref long location);
-
-    /// <summary>An interlocked write.</summary>
-    void InterlockedWrite(ref long location, long value);
 
     /// <summary>A full fence.</summary>
     void Fence();
@@ -58,6 +58,6 @@ internal unsafe interface ISyncPoints
     /// <summary>Wakes at most one thread that waits on the word.</summary>
     void FutexWake(int* word);
 
-    /// <summary>Waits while the word is 0, which the kernel looks up; may return early.</summary>
-    void FutexWaitWhileZero(int* word, TimeSpan atMost);
+    /// <summary>Waits while the word is 0, which the kernel looks up, until a time of the run; may return early.</summary>
+    void FutexWaitWhileZero(int* word, TimeSpan until, RunClock clock);
 }

@@ -26,16 +26,16 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public void VolatileWrite(ref int location, int value) => Volatile.Write(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public long VolatileRead(ref long location) => Volatile.Read(ref location);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void VolatileWrite(ref long location, long value) => Volatile.Write(ref location, value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Exchange(ref int location, int value) => Interlocked.Exchange(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int CompareExchange(ref int location, int value, int comparand) => Interlocked.CompareExchange(ref location, value, comparand);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public long InterlockedRead(ref long location) => Interlocked.Read(ref location);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void InterlockedWrite(ref long location, long value) => Interlocked.Exchange(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Fence() => Interlocked.MemoryBarrier();
@@ -50,5 +50,5 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public void FutexWake(int* word) => Futex.Wake(word);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void FutexWaitWhileZero(int* word, TimeSpan atMost) => Futex.WaitWhileZero(word, atMost);
+    public void FutexWaitWhileZero(int* word, TimeSpan until, RunClock clock) => Futex.WaitWhileZero(word, until, clock);
 }

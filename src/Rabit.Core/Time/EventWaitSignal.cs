@@ -5,7 +5,7 @@ using Rabit.Core.Synchronization;
 namespace Rabit.Core;
 
 /// <summary>The portable wait engine: an <see cref="AutoResetEvent"/>. One thread waits, any thread sets.</summary>
-internal sealed class EventWaitSignal<TSync> : IWaitSignal
+internal sealed class EventWaitSignal<TSync>(RunClock clock) : IWaitSignal
     where TSync : struct, ISyncPoints
 {
     private static readonly TimeSpan LongestWait = TimeSpan.FromHours(1);
@@ -24,8 +24,9 @@ internal sealed class EventWaitSignal<TSync> : IWaitSignal
         }
     }
 
-    public void Wait(TimeSpan atMost)
+    public void Wait(TimeSpan until)
     {
+        TimeSpan atMost = until - clock.Now;
         if (atMost > LongestWait)
             atMost = LongestWait;
 

@@ -14,10 +14,15 @@ internal static unsafe class Futex
     private const int WaitUntilPrivate = 9 | 128;         // FUTEX_WAIT_BITSET | FUTEX_PRIVATE_FLAG: an absolute time of CLOCK_MONOTONIC
     private const int AnyBit = -1;                        // FUTEX_BITSET_MATCH_ANY
     private const int ClockMonotonic = 1;
-    private const int Interrupted = 4;                    // EINTR
     private const int TimedOut = 110;                     // ETIMEDOUT
     private const int NanosecondsPerTick = 100;
     private const long NanosecondsPerSecond = 1_000_000_000;
+
+    // Where the run has a clock of its own, which the kernel's may leave behind.
+    private static readonly TimeSpan LongestGuess = TimeSpan.FromHours(1);
+
+    // The seconds of a 32-bit machine have 31 bits, 68 years, and begin when it does.
+    private static readonly TimeSpan LongestWait = TimeSpan.FromDays(365 * 50);
 
     // The number of the call (asm/unistd.h); on 32-bit machines the one whose time has 32-bit seconds, as the C types below have.
     private static readonly IntPtr Call = new(RuntimeInformation.ProcessArchitecture switch
@@ -31,33 +36,44 @@ internal static unsafe class Futex
     /// <summary>Whether it works here: asked of the kernel, since a sandbox may forbid it.</summary>
     public static bool IsThere { get; } = Probe();
 
+    // Whether the system's TimeProvider counts CLOCK_MONOTONIC, from its zero on: then deadlines need no look at a clock.
+    private static bool SystemClockIsKernels { get; } = IsThere && ProbeSystemClock();
+
     /// <summary>Wakes at most one waiter of the word.</summary>
-    public static void Wake(int* word) => syscall(Call, word, WakePrivate, 1, null, null, 0);
+    public static void Wake(int* word) => syscall(Call, word, new IntPtr(WakePrivate), new IntPtr(1), null, null, IntPtr.Zero);
 
     /// <summary>
-    /// Waits while the word is 0, until it is woken or the time is over. A Unix signal to the thread, as Mono's collector sends, does
-    /// not end it: the deadline is absolute, so the wait just goes on.
+    /// Waits while the word is 0, until it is woken or the time is over. A Unix signal to the thread, as Mono's collector sends, ends it
+    /// early, as the caller expects.
     /// </summary>
     /// <param name="word">The word.</param>
-    /// <param name="atMost">Positive.</param>
-    public static void WaitWhileZero(int* word, TimeSpan atMost)
+    /// <param name="until">By the clock of the run; a time that is over does not wait.</param>
+    /// <param name="clock">The clock of the run.</param>
+    public static void WaitWhileZero(int* word, TimeSpan until, RunClock clock)
     {
-        if (!TryNow(out TimeSpec deadline))
-            return;
-        long nanoseconds = (long)deadline.Nanoseconds + (atMost.Ticks % TimeSpan.TicksPerSecond * NanosecondsPerTick);
-        deadline.Seconds = new IntPtr((long)deadline.Seconds + (atMost.Ticks / TimeSpan.TicksPerSecond) + (nanoseconds / NanosecondsPerSecond));
-        deadline.Nanoseconds = new IntPtr(nanoseconds % NanosecondsPerSecond);
-        while ((long)syscall(Call, word, WaitUntilPrivate, 0, &deadline, null, AnyBit) == -1 && Marshal.GetLastWin32Error() == Interrupted)
+        long nanoseconds = Deadline(until, clock);
+        var deadline = new TimeSpec
         {
-            // The kernel compares the word again, so a wake that came with the signal is not missed.
-        }
+            Seconds = new IntPtr(nanoseconds / NanosecondsPerSecond),
+            Nanoseconds = new IntPtr(nanoseconds % NanosecondsPerSecond),
+        };
+        syscall(Call, word, new IntPtr(WaitUntilPrivate), IntPtr.Zero, &deadline, null, new IntPtr(AnyBit));
     }
 
-    private static bool TryNow(out TimeSpec now)
+    private static long Deadline(TimeSpan until, RunClock clock)
     {
-        now = default;
-        fixed (TimeSpec* into = &now)
-            return clock_gettime(ClockMonotonic, into) == 0;
+        if (SystemClockIsKernels && clock.SystemOriginNanoseconds is { } origin)
+            return origin + ((until < LongestWait ? until : LongestWait).Ticks * NanosecondsPerTick);
+        TimeSpan left = until - clock.Now;
+        return left > TimeSpan.Zero ? Now() + ((left < LongestGuess ? left : LongestGuess).Ticks * NanosecondsPerTick) : 0;
+    }
+
+    // CLOCK_MONOTONIC; it has no way to fail where the probe has read it.
+    private static long Now()
+    {
+        TimeSpec now;
+        _ = clock_gettime(ClockMonotonic, &now);
+        return ((long)now.Seconds * NanosecondsPerSecond) + (long)now.Nanoseconds;
     }
 
     // A wait whose time is over already must say so; anything else means that the call is not there or not allowed.
@@ -68,9 +84,10 @@ internal static unsafe class Futex
         try
         {
             int word = 0;
+            TimeSpec now;
             var past = default(TimeSpec);
-            return TryNow(out _)
-                && (long)syscall(Call, &word, WaitUntilPrivate, 0, &past, null, AnyBit) == -1
+            return clock_gettime(ClockMonotonic, &now) == 0
+                && (long)TellingSyscall(Call, &word, new IntPtr(WaitUntilPrivate), IntPtr.Zero, &past, null, new IntPtr(AnyBit)) == -1
                 && Marshal.GetLastWin32Error() == TimedOut;
         }
         catch (Exception e) when (e is DllNotFoundException or EntryPointNotFoundException)
@@ -79,13 +96,23 @@ internal static unsafe class Futex
         }
     }
 
-    [DllImport("libc", SetLastError = true)]
+    private static bool ProbeSystemClock()
+    {
+        if (NanosecondsPerSecond % TimeProvider.System.TimestampFrequency != 0)
+            return false;
+        long nanosecondsPerCount = NanosecondsPerSecond / TimeProvider.System.TimestampFrequency;
+        long before = Now() / nanosecondsPerCount;
+        long count = TimeProvider.System.GetTimestamp();
+        return before <= count && count <= Now() / nanosecondsPerCount;
+    }
+
+    [DllImport("libc")]
     private static extern IntPtr syscall(IntPtr number, int* word, IntPtr operation, IntPtr value, TimeSpec* time, int* secondWord, IntPtr value3);
 
-    private static IntPtr syscall(IntPtr number, int* word, int operation, int value, TimeSpec* time, int* secondWord, int value3)
-        => syscall(number, word, new IntPtr(operation), new IntPtr(value), time, secondWord, new IntPtr(value3));
+    [DllImport("libc", EntryPoint = "syscall", SetLastError = true)]
+    private static extern IntPtr TellingSyscall(IntPtr number, int* word, IntPtr operation, IntPtr value, TimeSpec* time, int* secondWord, IntPtr value3);
 
-    [DllImport("libc", SetLastError = true)]
+    [DllImport("libc")]
     private static extern int clock_gettime(int clock, TimeSpec* time);
 
     // struct timespec: both members are as long as a pointer, on all three architectures.

@@ -12,11 +12,9 @@ namespace Rabit.Core;
 /// its lock, before it lets the sleeper sleep, so either the sleeper sees the 1 or the waker's call finds the sleeper.
 /// A waker that was held up may come when its sleeper has ended; the word lives as long as anyone has this object.
 /// </remarks>
-internal sealed unsafe class FutexWaitSignal<TSync> : IWaitSignal
+internal sealed unsafe class FutexWaitSignal<TSync>(RunClock clock) : IWaitSignal
     where TSync : struct, ISyncPoints
 {
-    private static readonly TimeSpan LongestWait = TimeSpan.FromHours(1);
-
     private readonly NativeWord _word = new();   // written by all, interlocked; read by the kernel
 
     public void Set()
@@ -26,12 +24,13 @@ internal sealed unsafe class FutexWaitSignal<TSync> : IWaitSignal
         GC.KeepAlive(_word);
     }
 
-    public void Wait(TimeSpan atMost)
+    // The deadline is the kernel's to look at: nobody reads a clock in front of the wait.
+    public void Wait(TimeSpan until)
     {
         int* word = _word.Address;
-        if (default(TSync).Exchange(ref *word, 0) == 0 && atMost > TimeSpan.Zero)
+        if (default(TSync).Exchange(ref *word, 0) == 0)
         {
-            default(TSync).FutexWaitWhileZero(word, atMost < LongestWait ? atMost : LongestWait);
+            default(TSync).FutexWaitWhileZero(word, until, clock);
             default(TSync).Exchange(ref *word, 0);
         }
 

@@ -5,6 +5,7 @@ namespace Rabit.Core;
 /// <summary>A wait engine: what a thread sleeps on. One thread waits, any thread sets.</summary>
 internal interface IWaitSignal : IWakeSignal, IDisposable
 {
-    /// <summary>Waits for a signal; may return early without one, so the caller looks at its own state again.</summary>
-    void Wait(TimeSpan atMost);
+    /// <summary>Waits for a signal; may return early without one, so the caller looks at its own state, and at the clock, again.</summary>
+    /// <param name="until">When to return at the latest, by the clock of the run; a time that is over does not wait.</param>
+    void Wait(TimeSpan until);
 }

@@ -18,12 +18,18 @@ internal sealed class RunClock
     public RunClock(TimeProvider provider)
     {
         Provider = provider;
-        _countsNanoseconds = provider.TimestampFrequency == NanosecondsPerSecond;
-        _ticksPerCount = (double)TimeSpan.TicksPerSecond / provider.TimestampFrequency;
+        long frequency = provider.TimestampFrequency;
+        _countsNanoseconds = frequency == NanosecondsPerSecond;
+        _ticksPerCount = (double)TimeSpan.TicksPerSecond / frequency;
         _origin = provider.GetTimestamp();
+        if (ReferenceEquals(provider, TimeProvider.System) && NanosecondsPerSecond % frequency == 0)
+            SystemOriginNanoseconds = _origin * (NanosecondsPerSecond / frequency);
     }
 
     public TimeProvider Provider { get; }
+
+    /// <summary>What <see cref="TimeProvider.System"/> showed at time zero of the run; null where the run has another clock.</summary>
+    public long? SystemOriginNanoseconds { get; }
 
     public TimeSpan Now
     {

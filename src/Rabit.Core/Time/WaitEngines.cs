@@ -33,6 +33,6 @@ internal static class WaitEngines
         return WaitEngine.Event;
     }
 
-    public static IWaitSignal Create(WaitEngine engine)
-        => engine == WaitEngine.Futex ? new FutexWaitSignal<SyncPoints>() : new EventWaitSignal<SyncPoints>();
+    public static IWaitSignal Create(WaitEngine engine, RunClock clock)
+        => engine == WaitEngine.Futex ? new FutexWaitSignal<SyncPoints>(clock) : new EventWaitSignal<SyncPoints>(clock);
 }

@@ -181,7 +181,7 @@ internal sealed class ExploredMachine
             if (!_memory.TryRead(state.Numbers, thread, operation.Location, choice, isVolatile: false, out int word))
                 return StepKind.NoSuchChoice;
             if ((word ^ _recorder.InitialValue(operation.Location)) == 0)
-                FallAsleep(state, thread, operation.AtMost);
+                FallAsleep(state, thread, operation.Until);
             return StepKind.Taken;
         }
 
@@ -225,14 +225,13 @@ internal sealed class ExploredMachine
         state.Place(thread) = place.Number;
         SyncOperation next = place.Place.Operation;
         if (next.Kind == SyncKind.Wait)
-            FallAsleep(state, thread, next.AtMost);
+            FallAsleep(state, thread, state.Now + next.AtMost);
         else if (next.Kind == SyncKind.End)
             _memory.ForgetThread(state.Numbers, thread);
     }
 
-    private void FallAsleep(ExploredState state, int thread, TimeSpan atMost)
+    private void FallAsleep(ExploredState state, int thread, TimeSpan end)
     {
-        TimeSpan end = state.Now + atMost;
         state.WaitStage(thread) = Asleep;
         state.Deadline(thread) = end > _lastMoment ? int.MaxValue : (int)end.Ticks;
     }

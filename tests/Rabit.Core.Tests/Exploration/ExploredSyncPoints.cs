@@ -34,10 +34,10 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
 
     public int CompareExchange(ref int location, int value, int comparand) => Perform(SyncKind.CompareExchange, ref location, value, comparand);
 
-    public long InterlockedRead(ref long location) => Perform(new SyncOperation(SyncKind.InterlockedRead, Mine.LocationOf(ref location)));
+    public long VolatileRead(ref long location) => Perform(new SyncOperation(SyncKind.VolatileRead, Mine.LocationOf(ref location)));
 
-    public void InterlockedWrite(ref long location, long value)
-        => Perform(new SyncOperation(SyncKind.InterlockedWrite, Mine.LocationOf(ref location), checked((int)value)));
+    public void VolatileWrite(ref long location, long value)
+        => Perform(new SyncOperation(SyncKind.VolatileWrite, Mine.LocationOf(ref location), checked((int)value)));
 
     public void Fence() => Perform(new SyncOperation(SyncKind.Fence));
 
@@ -48,8 +48,8 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
 
     public void FutexWake(int* word) => Perform(SyncKind.FutexWake, ref *word);
 
-    public void FutexWaitWhileZero(int* word, TimeSpan atMost)
-        => Perform(new SyncOperation(SyncKind.FutexWait, Mine.LocationOf(ref *word)) { AtMost = atMost });
+    public void FutexWaitWhileZero(int* word, TimeSpan until, RunClock clock)
+        => Perform(new SyncOperation(SyncKind.FutexWait, Mine.LocationOf(ref *word)) { Until = until });
 
     /// <summary>A remark of the model.</summary>
     /// <param name="about">Compared: two notes that do the same have the same.</param>

@@ -16,9 +16,9 @@ internal sealed class ProductionWakeUp : WakeUpUnderTest
         _loop = new TurnLoop<ExploredSyncPoints>(_wakeUp, signal, clock);
     }
 
-    public static WakeUpUnderTest OnEvent(RunClock clock) => new ProductionWakeUp(new EventWaitSignal<ExploredSyncPoints>(), clock);
+    public static WakeUpUnderTest OnEvent(RunClock clock) => new ProductionWakeUp(new EventWaitSignal<ExploredSyncPoints>(clock), clock);
 
-    public static WakeUpUnderTest OnFutex(RunClock clock) => new ProductionWakeUp(new FutexWaitSignal<ExploredSyncPoints>(), clock);
+    public static WakeUpUnderTest OnFutex(RunClock clock) => new ProductionWakeUp(new FutexWaitSignal<ExploredSyncPoints>(clock), clock);
 
     public override void Wake(WakeUpCauses cause) => _wakeUp.Wake(cause);
 

@@ -5,8 +5,11 @@ namespace Rabit.Core.Tests.Exploration;
 /// <summary>One operation of a thread: what, where (a location or a signal, by number) and with which values.</summary>
 internal readonly record struct SyncOperation(SyncKind Kind, int Location = 0, int Value = 0, int Comparand = 0)
 {
-    /// <summary>How long a wait may take.</summary>
+    /// <summary>How long the wait for an event may take.</summary>
     public TimeSpan AtMost { get; init; }
+
+    /// <summary>When the wait on a futex ends at the latest.</summary>
+    public TimeSpan Until { get; init; }
 
     /// <summary>What a note does to the model's own numbers; null for the others.</summary>
     public Action<ExploredState>? Note { get; init; }
