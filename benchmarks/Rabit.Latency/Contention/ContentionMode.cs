@@ -24,18 +24,19 @@ internal static class ContentionMode
         var duel = new RabitDuel<Pose>(default, message => message.Value.TimeSeconds++);
         Subject rabit = new Subject("Rabit", () => duel.Run(seconds)).Owning(duel);
         Subject copy = new("a copy of 72 bytes by each alone", () => Copies(seconds));
+        Subject locked = new("lock and version by hand", () => LockedStructs(seconds));
         List<Subject> subjects =
         [
             copy,
-            new("lock and version by hand", () => Locked(seconds)),
+            locked,
             new("Channel of one, drop oldest", () => Channels(seconds)),
             rabit,
         ];
         Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
         rabit.Dispose();
         var table = new Table("contention", "a poster and a fetcher flat out, a CPU each: a struct of 72 bytes", Columns, subjects, copy);
-        table.RequireAtLeast(rabit, Posts, 8);
-        table.RequireAtLeast(rabit, News, 1.5);
+        table.RequireAtLeast(rabit, Posts, 8, locked, 17);
+        table.RequireAtLeast(rabit, News, 1.5, locked, 1.6);
         return table;
     }
 
@@ -46,19 +47,36 @@ internal static class ContentionMode
         var duel = new RabitDuel<PoseObject>(values[0], message => message.Value = values[++posts & 1]);
         Subject rabit = new Subject("Rabit", () => duel.Run(seconds)).Owning(duel);
         Subject byReference = new("a volatile reference by hand", () => References(seconds));
-        List<Subject> subjects = [byReference, rabit];
+        Subject locked = new("lock and version by hand", () => LockedObjects(seconds));
+        List<Subject> subjects = [byReference, locked, rabit];
         Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
         rabit.Dispose();
         var table = new Table("contention", "the same, an immutable class (two instances that take turns)", Columns, subjects, byReference);
-        table.RequireAtLeast(rabit, Posts, 10);
-        table.RequireAtLeast(rabit, News, 5);
+        table.RequireAtLeast(rabit, Posts, 10, locked, 17);
+        table.RequireAtLeast(rabit, News, 5, byReference, 14);
         return table;
     }
 
-    private static double[] Locked(double seconds)
+    private static double[] LockedStructs(double seconds)
     {
-        var message = new LockedPose();
-        return Duel.ByHand(seconds, message.Post, message.Fetch);
+        var message = new LockedMessage<Pose>(default);
+        Pose posted = default;
+        return Duel.ByHand(
+            seconds,
+            () =>
+            {
+                posted.TimeSeconds++;
+                message.Post(posted);
+            },
+            () => message.Fetch(out Pose pose) && pose.TimeSeconds > 0);
+    }
+
+    private static double[] LockedObjects(double seconds)
+    {
+        PoseObject[] values = [new(0), new(1)];
+        int posts = 0;
+        var message = new LockedMessage<PoseObject>(values[0]);
+        return Duel.ByHand(seconds, () => message.Post(values[++posts & 1]), () => message.Fetch(out _));
     }
 
     private static double[] References(double seconds)

@@ -41,6 +41,22 @@ internal sealed class Table(string mode, string title, IReadOnlyList<Column> col
     public void RequireAtLeast(Subject subject, int column, double limitValue)
         => _requirements.Add(new Requirement($"{subject.Name}, {columns[column].Name}", subject.Columns[column].Median, limitValue, string.Empty, atLeast: true));
 
+    /// <summary>
+    /// As <see cref="RequireAtLeast(Subject, int, double)"/>, for a figure that was set on another machine beside one written by hand: where that
+    /// one is slower here, the ratio of the two decides.
+    /// </summary>
+    /// <param name="subject">What must be fast.</param>
+    /// <param name="column">Its figure.</param>
+    /// <param name="limitValue">The least.</param>
+    /// <param name="byHand">The one by hand, measured in the same rounds.</param>
+    /// <param name="byHandThere">What that one reached where the least value was set.</param>
+    public void RequireAtLeast(Subject subject, int column, double limitValue, Subject byHand, double byHandThere)
+    {
+        double slowdown = Math.Min(1, byHand.Columns[column].Median / byHandThere);
+        string what = FormattableString.Invariant($"{subject.Name}, {columns[column].Name}: {limitValue} where {byHand.Name} reaches {byHandThere}");
+        _requirements.Add(new Requirement(what, subject.Columns[column].Median, limitValue * slowdown, string.Empty, atLeast: true));
+    }
+
     /// <summary>Requires that two figures do not differ by more than so much.</summary>
     public void RequireDifference(Subject subject, Subject other, int column, double atMost)
         => _requirements.Add(new Requirement(

@@ -35,11 +35,14 @@ internal sealed class Flow(int senders, int messages)
     {
         Begin();
         int count = Messages;
+        var sink = new Sink<T>();
         for (int i = 0; i < count; i++)
         {
             int tries = 0;
-            while (!queue.TryPop(out _))
+            T value;
+            while (!queue.TryPop(out value))
                 Rest(ref tries);
+            sink.Take(value);
         }
 
         Interlocked.Exchange(ref _end, MonotonicClock.Now);

@@ -41,6 +41,13 @@ internal static class HandQueues
         public bool TryPop(out T value) => ring.TryPop(out value);
     }
 
+    public readonly struct Multi<T>(MpscRing<T> ring) : IPush<T>, IPop<T>
+    {
+        public bool TryPush(in T value) => ring.TryPush(value);
+
+        public bool TryPop(out T value) => ring.TryPop(out value);
+    }
+
     public readonly struct Single<T>(SpscRing<T> ring) : IPush<T>, IPop<T>
     {
         public bool TryPush(in T value) => ring.TryPush(value);

@@ -3,27 +3,26 @@ using System.Threading;
 namespace Rabit.Latency.Contention;
 
 /// <summary>A message by hand: a lock and a version, which the fetcher reads before it takes the lock.</summary>
-internal sealed class LockedPose
+internal sealed class LockedMessage<T>(T initial)
 {
     private readonly object _gate = new();   // guards _shared; _version is written under it, read by all
-    private Pose _shared;
-    private Pose _posted;                    // the poster's
-    private Pose _fetched;                   // the fetcher's
+    private T _shared = initial;
+    private T _fetched = initial;            // the fetcher's
     private int _version;
     private int _seen;                       // the fetcher's
 
-    public void Post()
+    public void Post(in T value)
     {
-        _posted.TimeSeconds++;
         lock (_gate)
         {
-            _shared = _posted;
+            _shared = value;
             _version++;
         }
     }
 
-    public bool Fetch()
+    public bool Fetch(out T value)
     {
+        value = _fetched;
         if (Volatile.Read(ref _version) == _seen)
             return false;
         lock (_gate)
@@ -32,6 +31,7 @@ internal sealed class LockedPose
             _seen = _version;
         }
 
-        return _fetched.TimeSeconds > 0;
+        value = _fetched;
+        return true;
     }
 }
