@@ -32,6 +32,8 @@ internal sealed class CommandLine
                     line.IsJson = true;
                     break;
                 case "--pixel":
+                    if (i + 2 >= args.Length)
+                        throw new FormatException("--pixel needs two numbers: column and row.");
                     line.Pixel = (Number(args, ++i), Number(args, ++i));
                     break;
                 case "--telemetry":

@@ -107,7 +107,7 @@ internal sealed class Request
     }
 
     private static void AddPose(PixelLocator locator, JsonElement pose) => Telemetry.Add(locator, default, [
-        Number(pose, "lat_deg"), Number(pose, "lon_deg"), Number(pose, "alt_m"), Optional(pose, "vn_mps"), Optional(pose, "ve_mps"), Optional(pose, "vd_mps"),
+        Angle(pose, "lat_deg", 90), Angle(pose, "lon_deg", 180), Number(pose, "alt_m"), Optional(pose, "vn_mps"), Optional(pose, "ve_mps"), Optional(pose, "vd_mps"),
         Number(pose, "roll_deg"), Number(pose, "pitch_deg"), Number(pose, "yaw_deg")]);
 
     private static double[] Arm(JsonElement mount, string name) => mount.TryGetProperty(name, out _) ? Numbers(mount, name, 3) : new double[3];
@@ -116,6 +116,10 @@ internal sealed class Request
         => element.TryGetProperty(name, out JsonElement part) ? part : throw new FormatException($"'{name}' is missing.");
 
     private static double Number(JsonElement element, string name) => Part(element, name).GetDouble();
+
+    private static double Angle(JsonElement element, string name, double most)
+        => Number(element, name) is var degrees && Math.Abs(degrees) <= most
+            ? degrees : throw new FormatException(FormattableString.Invariant($"'{name}' is {degrees}; it must be -{most} to {most}."));
 
     private static double Optional(JsonElement element, string name) => element.TryGetProperty(name, out JsonElement value) ? value.GetDouble() : 0;
 

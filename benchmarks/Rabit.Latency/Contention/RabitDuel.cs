@@ -1,6 +1,6 @@
 using System;
-using System.Threading;
 using Rabit.Core;
+using Rabit.Latency.Measuring;
 using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Contention;
@@ -45,43 +45,7 @@ internal sealed class RabitDuel<T> : IDisposable
         _fetcher.Dispose();
     }
 
-    private abstract class Side : RabitManager, IDisposable
-    {
-        private readonly AutoResetEvent _ended = new(initialState: false);
-        private readonly int _cpu;
-        private Duel? _duel;   // set from outside before the wake; taken by the manager
-
-        protected Side(string name, int cpu)
-            : base(name)
-        {
-            _cpu = cpu;
-            WakeUpDelay = TimeSpan.FromHours(1);
-        }
-
-        public void Begin(Duel duel)
-        {
-            Volatile.Write(ref _duel, duel);
-            WakeUp();
-        }
-
-        public void WaitForEnd() => _ended.WaitOne();
-
-        public void Dispose() => _ended.Dispose();
-
-        protected override void Startup() => Cpus.Pin(_cpu);
-
-        protected override void ExecuteUnitOfWork()
-        {
-            if (Interlocked.Exchange(ref _duel, null) is not { } duel)
-                return;
-            Fight(duel);
-            _ended.Set();
-        }
-
-        protected abstract void Fight(Duel duel);
-    }
-
-    private sealed class Poster : Side
+    private sealed class Poster : FlatOutManager<Duel>
     {
         private readonly MessagePublisher<T> _message;
         private readonly Action<MessagePublisher<T>> _fill;
@@ -94,20 +58,20 @@ internal sealed class RabitDuel<T> : IDisposable
             _fill = fill;
         }
 
-        protected override void Fight(Duel duel) => duel.Post(() =>
+        protected override void Work(Duel duel) => duel.Post(() =>
         {
             _fill(_message);
             _message.Post(new TimeSpan(++_time));
         });
     }
 
-    private sealed class Fetcher : Side
+    private sealed class Fetcher : FlatOutManager<Duel>
     {
         private readonly MessageSubscriber<T> _message;
 
         public Fetcher()
             : base("fetcher", Cpus.Other) => _message = Subscribe<T>("pose");
 
-        protected override void Fight(Duel duel) => duel.Fetch(() => _message.Fetch());
+        protected override void Work(Duel duel) => duel.Fetch(() => _message.Fetch());
     }
 }

@@ -1,6 +1,6 @@
 using System;
-using System.Threading;
 using Rabit.Core;
+using Rabit.Latency.Measuring;
 using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Throughput;
@@ -10,16 +10,16 @@ internal sealed class RabitFlow<T> : IDisposable
     where T : struct
 {
     private readonly RabitReactor _reactor = RabitRun.Create(WaitEngine.Best);
-    private readonly Worker[] _workers;
+    private readonly FlatOutManager<Flow>[] _workers;
 
     public RabitFlow(int senders, int capacity)
     {
         bool pins = senders == 1;
-        _workers = new Worker[senders + 1];
+        _workers = new FlatOutManager<Flow>[senders + 1];
         _workers[0] = new Receiver(capacity, pins ? Cpus.Other : null);
         for (int i = 1; i <= senders; i++)
             _workers[i] = new Sender($"sender {i}", pins ? Cpus.One : null);
-        foreach (Worker worker in _workers)
+        foreach (FlatOutManager<Flow> worker in _workers)
             _reactor.Add(worker);
         _reactor.Start();
     }
@@ -27,9 +27,9 @@ internal sealed class RabitFlow<T> : IDisposable
     public double Run(int messages)
     {
         var flow = new Flow(_workers.Length - 1, messages);
-        foreach (Worker worker in _workers)
+        foreach (FlatOutManager<Flow> worker in _workers)
             worker.Begin(flow);
-        foreach (Worker worker in _workers)
+        foreach (FlatOutManager<Flow> worker in _workers)
             worker.WaitForEnd();
         return flow.MillionPerSecond;
     }
@@ -37,51 +37,11 @@ internal sealed class RabitFlow<T> : IDisposable
     public void Dispose()
     {
         RabitRun.End(_reactor);
-        foreach (Worker worker in _workers)
+        foreach (FlatOutManager<Flow> worker in _workers)
             worker.Dispose();
     }
 
-    private abstract class Worker : RabitManager, IDisposable
-    {
-        private readonly AutoResetEvent _ended = new(initialState: false);
-        private readonly int? _cpu;
-        private Flow? _flow;   // set from outside before the wake; taken by the manager
-
-        protected Worker(string name, int? cpu)
-            : base(name)
-        {
-            _cpu = cpu;
-            WakeUpDelay = TimeSpan.FromHours(1);
-        }
-
-        public void Begin(Flow flow)
-        {
-            Volatile.Write(ref _flow, flow);
-            WakeUp();
-        }
-
-        public void WaitForEnd() => _ended.WaitOne();
-
-        public void Dispose() => _ended.Dispose();
-
-        protected override void Startup()
-        {
-            if (_cpu is { } cpu)
-                Cpus.Pin(cpu);
-        }
-
-        protected override void ExecuteUnitOfWork()
-        {
-            if (Interlocked.Exchange(ref _flow, null) is not { } flow)
-                return;
-            Work(flow);
-            _ended.Set();
-        }
-
-        protected abstract void Work(Flow flow);
-    }
-
-    private sealed class Sender : Worker
+    private sealed class Sender : FlatOutManager<Flow>
     {
         private readonly QueueSender<T> _queue;
 
@@ -95,7 +55,7 @@ internal sealed class RabitFlow<T> : IDisposable
         }
     }
 
-    private sealed class Receiver : Worker
+    private sealed class Receiver : FlatOutManager<Flow>
     {
         private readonly QueueReceiver<T> _queue;
 

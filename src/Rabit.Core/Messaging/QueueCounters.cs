@@ -1,3 +1,5 @@
+using System;
+
 namespace Rabit.Core;
 
 /// <summary>
@@ -36,4 +38,8 @@ public readonly struct QueueCounters
 
     /// <summary>How many fit in.</summary>
     public int Capacity { get; }
+
+    /// <summary>All of them, in one line.</summary>
+    public override string ToString() => FormattableString.Invariant(
+        $"pushed {Pushed} = popped {Popped} + dropped {Dropped} + resident {Resident}; rejected {Rejected}; at most {HighWater} of {Capacity}");
 }

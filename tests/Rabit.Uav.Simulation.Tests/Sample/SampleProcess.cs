@@ -55,6 +55,9 @@ internal sealed class SampleProcess : IDisposable
 
     public bool HasEnded => _process.HasExited;
 
+    /// <summary>Whether it ends by itself within a time, which should be short.</summary>
+    public bool EndsWithin(TimeSpan time) => _process.WaitForExit((int)time.TotalMilliseconds);
+
     /// <summary>Waits until something is so; fails the test if the process ends before, or takes too long.</summary>
     public void WaitUntil(Func<bool> condition)
     {

@@ -4,7 +4,6 @@ using System.IO;
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
-using System.Threading;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Links;
@@ -23,8 +22,7 @@ public class SimulatedVehicleTests
         int port = FreePort();
         string truth = Path.Combine(Path.GetTempPath(), $"rabit-truth-{Guid.NewGuid():N}.json");
         using var vehicle = new SampleProcess("SimulatedVehicle", "--link", $"udpout:127.0.0.1:{port}", "--seed", "3", "--truth-out", truth);
-        Thread.Sleep(2500);
-        Assert.False(vehicle.HasEnded, vehicle.Output);
+        Assert.False(vehicle.EndsWithin(TimeSpan.FromSeconds(2.5)), vehicle.Output);
 
         using (UdpListenLink ground = UdpListenLink.Open("127.0.0.1", port))
         {

@@ -96,7 +96,8 @@ public sealed class GeolocateTests : IDisposable
     [Theory]
     [InlineData("There is no option --colour", "--colour")]
     [InlineData("'x' is not a number", "--pixel", "x", "1")]
-    [InlineData("--pixel needs a value", "--pixel")]
+    [InlineData("--pixel needs two numbers", "--pixel")]
+    [InlineData("--pixel needs two numbers", "--pixel", "5")]
     [InlineData("go together", "--time", "3")]
     [InlineData("--time is Infinity; it must be seconds", "--telemetry", "poses.csv", "--time", "Infinity")]
     [InlineData("--time is 922337203684; it must be seconds", "--telemetry", "poses.csv", "--time", "922337203684")]
@@ -107,6 +108,15 @@ public sealed class GeolocateTests : IDisposable
         Assert.Equal(1, _run.Run(arguments));
         Assert.Contains(message, _run.Errors);
         Assert.Empty(_run.Output);
+    }
+
+    [Theory]
+    [InlineData("\"lat_deg\":47", "\"lat_deg\":147", "'lat_deg' is 147; it must be -90 to 90")]
+    [InlineData("\"lon_deg\":8", "\"lon_deg\":-188", "'lon_deg' is -188; it must be -180 to 180")]
+    public void BadInput_PoseThatIsNowhere_IsNamed(string before, string after, string message)
+    {
+        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose.Replace(before, after), _run.File("camera.json", GeolocateRun.Camera), "-"));
+        Assert.Contains(message, _run.Errors);
     }
 
     [Fact]
