@@ -68,14 +68,42 @@ internal sealed class Explorer
 
         if (depth == MostSteps)
             throw new InvalidOperationException($"No end after {MostSteps} steps; the first: {string.Join("; ", _steps.GetRange(0, 40).ConvertAll(Describe))}");
+        interleavings = FreeThread(state) is { } free ? InterleavingsOf(free, depth, out _) : InterleavingsOfAll(depth);
+        if (_fault is not null)
+            return 0;
+        if (interleavings == 0)
+            interleavings = 1;
+        _known.Add(key, interleavings);
+        return interleavings;
+    }
+
+    private int? FreeThread(ExploredState state)
+    {
+        for (int thread = 0; thread < _machine.Threads; thread++)
+        {
+            if (_machine.IsFree(state, thread))
+                return thread;
+        }
+
+        return null;
+    }
+
+    private double InterleavingsOfAll(int depth)
+    {
+        ExploredState state = StateAt(depth);
+        double interleavings = 0;
         bool isQuiet = true;
         for (int thread = 0; thread < _machine.Threads && _fault is null; thread++)
-            interleavings += InterleavingsOf(thread, depth, ref isQuiet);
+        {
+            interleavings += InterleavingsOf(thread, depth, out bool canRest);
+            isQuiet &= canRest;
+        }
+
         if (_fault is not null)
             return 0;
         if (isQuiet)
         {
-            _model.CheckQuiet(state, thread => _machine.HasEnded(state, thread));
+            _model.CheckQuiet(state, thread => _machine.MayRest(state, thread));
             if ((_fault = state.Fault) is not null)
                 return 0;
         }
@@ -84,18 +112,16 @@ internal sealed class Explorer
         next.CopyFrom(state);
         if (_machine.TryLetTimePass(next))
             interleavings += InterleavingsAfter(new Step(Time, default, 0), depth + 1);
-        if (interleavings == 0)
-            interleavings = 1;
-        _known.Add(key, interleavings);
         return interleavings;
     }
 
-    private double InterleavingsOf(int thread, int depth, ref bool isQuiet)
+    private double InterleavingsOf(int thread, int depth, out bool canRest)
     {
         double interleavings = 0;
+        canRest = true;
         ExploredState state = StateAt(depth);
         ExploredState next = StateAt(depth + 1);
-        SyncOperation operation = _machine.OperationOf(state, thread);
+        SyncOperation operation = _machine.StepOf(state, thread);
         for (int choice = 0; _fault is null; choice++)
         {
             next.CopyFrom(state);
@@ -104,7 +130,7 @@ internal sealed class Explorer
                 break;
             if (kind == StepKind.NotNow)
                 continue;
-            isQuiet &= kind == StepKind.WithoutReason;
+            canRest &= kind == StepKind.WithoutReason;
             interleavings += InterleavingsAfter(new Step(thread, operation, result), depth + 1);
         }
 
