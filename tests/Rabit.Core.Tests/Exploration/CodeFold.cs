@@ -60,11 +60,8 @@ internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
     /// <exception cref="ClaimBroken">Two places that were taken for alike are not.</exception>
     public FoldedPlace After(FoldedPlace place, int told)
     {
-        foreach (FoldedPlace.Answer known in place.Next)
-        {
-            if (known.Told == told)
-                return known.Place;
-        }
+        if (place.ByAnswer.TryGetValue(told, out FoldedPlace? known))
+            return known;
 
         FoldedPlace after = PlaceOf(place.Place.After(told));
         FoldedPlace.Answer answer = place.Add(told, after);

@@ -20,6 +20,7 @@ internal sealed class ExploredMachine
     private readonly RetriedUpdates _updates;
     private readonly LoneWriters _writers = new();
     private readonly ExplorerOptions _options;
+    private readonly bool[] _hasEnded;
     private readonly TimeSpan _lastMoment;
 
     public ExploredMachine(ExploredModel model, ExplorerOptions options)
@@ -32,6 +33,7 @@ internal sealed class ExploredMachine
         _options = options;
         _shape = new StateShape(_threads.Count, model.Size.Locations, model.Size.Writes, model.Size.Signals, model.Notes);
         _memory = new ExploredMemory(_shape, options.Memory);
+        _hasEnded = new bool[_threads.Count];
         _lastMoment = new TimeSpan(model.Ticks.Step.Ticks * model.Ticks.Times);
     }
 
@@ -40,8 +42,6 @@ internal sealed class ExploredMachine
     public ExploredState NewState() => new(_shape);
 
     public string NameOf(int thread) => _threads[thread].Name;
-
-    public bool HasEnded(ExploredState state, int thread) => OperationOf(state, thread).Kind == SyncKind.End;
 
     /// <summary>Whether the thread may do nothing more.</summary>
     public bool MayRest(ExploredState state, int thread) => OperationOf(state, thread) is { Kind: SyncKind.End } or { MayNeverCome: true };
@@ -124,7 +124,7 @@ internal sealed class ExploredMachine
             if (choice > 0)
                 return StepKind.NoSuchChoice;
             Arrive(state, thread, place);
-            _memory.Forget(state.Numbers, t => HasEnded(state, t));
+            Forget(state);
             return StepKind.Taken;
         }
 
@@ -136,12 +136,19 @@ internal sealed class ExploredMachine
 
         if (state.WaitStage(thread) != Asleep)
             Arrive(state, thread, _places.After(place, result));
-        _memory.Forget(state.Numbers, t => HasEnded(state, t));
+        Forget(state);
         return kind;
     }
 
     // What the model notes happens then and not earlier.
     private bool IsNoted(FoldedPlace place, int told) => _places.After(place, told).Place.Operation.Kind is SyncKind.Note or SyncKind.ReadOldest;
+
+    private void Forget(ExploredState state)
+    {
+        for (int thread = 0; thread < Threads; thread++)
+            _hasEnded[thread] = _places[state.Place(thread)].IsEnd;
+        _memory.Forget(state.Numbers, _hasEnded);
+    }
 
     private bool TryUpdate(ExploredState state, int thread, ref FoldedPlace place, int choice, out int result)
     {

@@ -128,11 +128,11 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
     }
 
     /// <summary>Forgets the writes that nobody may be shown any more.</summary>
-    public void Forget(int[] s, Func<int, bool> hasEnded)
+    public void Forget(int[] s, bool[] hasEnded)
     {
         for (int thread = 0; thread < shape.Threads && model != MemoryModel.Weak; thread++)
         {
-            if (!hasEnded(thread))
+            if (!hasEnded[thread])
                 ShowToAll(s, thread);
         }
 
@@ -141,7 +141,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
             int oldest = s[shape.Counts + location] - 1;
             for (int thread = 0; thread < shape.Threads; thread++)
             {
-                if (!hasEnded(thread))
+                if (!hasEnded[thread])
                     oldest = Math.Min(oldest, s[View(thread, Own) + location]);
             }
 

@@ -19,7 +19,7 @@ internal sealed class Explorer
 
     private readonly ExploredModel _model;
     private readonly ExploredMachine _machine;
-    private readonly Dictionary<StateKey, double> _known = [];
+    private readonly StateTable _known = new();
     private readonly List<ExploredState> _path = [];
     private readonly List<Step> _steps = [];
     private long _stepCount;
@@ -63,7 +63,7 @@ internal sealed class Explorer
     {
         ExploredState state = StateAt(depth);
         StateKey key = state.Key();
-        if (_known.TryGetValue(key, out double interleavings))
+        if (_known.TryGet(key, out double interleavings))
             return interleavings;
 
         if (depth == MostSteps)

@@ -10,7 +10,12 @@ internal sealed class FoldedPlace(CodePlace place, int number)
 
     public int Number { get; } = number;
 
+    public bool IsEnd { get; } = place.Operation.Kind == SyncKind.End;
+
     public List<Answer> Next { get; } = [];
+
+    /// <summary>The same, by what the thread is told.</summary>
+    public Dictionary<int, FoldedPlace> ByAnswer { get; } = [];
 
     /// <summary>How many of the values of the location this place is known to be a retried update for; see <see cref="RetriedUpdates"/>.</summary>
     public int RetriesKnown { get; set; }
@@ -24,6 +29,7 @@ internal sealed class FoldedPlace(CodePlace place, int number)
         SyncOperation operation = place.Place.Operation;
         var answer = new Answer(told, place, Next.Count(n => n.Place.Place.Operation.Kind == operation.Kind && n.Place.Place.Operation.Location == operation.Location));
         Next.Add(answer);
+        ByAnswer.Add(told, place);
         return answer;
     }
 
