@@ -12,7 +12,9 @@ namespace Rabit.Core.Tests.Exploration;
 /// one, in the whole exploration, its code is run with at the other too, and must do the same for some steps on. A claim that breaks is never
 /// made again, and the exploration begins anew. This is how a program is tested against an automaton (Chow: "Testing software design modeled by
 /// finite-state machines", IEEE TSE 1978): it is exact unless the code hides a difference for longer than it is watched.
-/// A test explores with and without folding and finds the same number of interleavings.
+/// What is watched grows with the number of answers to the power of the steps. So a large exploration follows, from each place, only a few answers
+/// that lead to the same kind of operation for all the steps; the others are watched for one step.
+/// Tests explore without folding, with all answers and with few, and find the same number of interleavings.
 /// </remarks>
 internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
 {

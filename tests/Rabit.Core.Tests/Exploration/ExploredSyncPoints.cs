@@ -1,5 +1,4 @@
 using System;
-using System.Runtime.CompilerServices;
 using System.Threading;
 using Rabit.Core.Synchronization;
 
@@ -11,20 +10,6 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
     public int Read(ref int location) => Perform(SyncKind.Read, ref location);
 
     public void Write(ref int location, int value) => Perform(SyncKind.Write, ref location, value);
-
-    public void Load<T>(ref T shared, out T value)
-    {
-        value = default!;
-        for (int word = 0; word < Unsafe.SizeOf<T>() / sizeof(int); word++)
-            Unsafe.Add(ref Unsafe.As<T, int>(ref value), word) = Perform(new SyncOperation(SyncKind.Read, Mine.LocationOf(ref shared, word)));
-    }
-
-    public void Store<T>(ref T shared, in T value)
-    {
-        T copy = value;
-        for (int word = 0; word < Unsafe.SizeOf<T>() / sizeof(int); word++)
-            Perform(new SyncOperation(SyncKind.Write, Mine.LocationOf(ref shared, word), Unsafe.Add(ref Unsafe.As<T, int>(ref copy), word)));
-    }
 
     public int VolatileRead(ref int location) => Perform(SyncKind.VolatileRead, ref location);
 

@@ -10,7 +10,8 @@ namespace Rabit.Core.Tests.Exploration;
 /// <remarks>
 /// Depth first, each state once. That the number of interleavings comes out all the same is simple: those from a state on are those
 /// from its successors on, added up. Nothing is taken by chance. Two things are not walked twice: places in the code that go on alike
-/// (<see cref="CodeFold"/>), and retries of a compare-and-swap (<see cref="RetriedUpdates"/>); a test explores with and without.
+/// (<see cref="CodeFold"/>), and retries of a compare-and-swap (<see cref="RetriedUpdates"/>). A step that is in nobody's way is taken alone
+/// (<see cref="LoneWriters"/>), so the interleavings that are counted are those that remain. Tests explore with and without.
 /// </remarks>
 internal sealed class Explorer
 {

@@ -56,7 +56,6 @@ public sealed class ReducedExplorationTests(ITestOutputHelper output)
     public void Explore_MoreWakersWithAndWithoutReductions_FindsNoFaultInProduction(string engine, int wakers, int wakesEach, bool isWeak)
         => AssertNoFaultWithAndWithout(engine, wakers, wakesEach, isWeak);
 
-
     [Theory]
     [InlineData(SeededFault.None)]
     [InlineData(SeededFault.FlagClearedAfterTheWork)]
