@@ -13,11 +13,12 @@ namespace Rabit.Core.Synchronization;
 /// <c>Volatile.Read(ref _x)</c> would be. A field that is written once, before its object is handed to another thread, needs no point.
 /// What each one promises is what the .NET memory model promises of the call of the same name, and no more:
 /// <list type="bullet">
-/// <item>plain: nothing but that an aligned 32-bit word is whole; a <see cref="Load"/> or <see cref="Store"/> of a value not even that;</item>
+/// <item>plain: nothing but that an aligned 32-bit word is whole;</item>
 /// <item>volatile: a read is not moved behind, a write not before, its neighbours; a write may still be delayed past later reads;</item>
 /// <item>interlocked and <see cref="Fence"/>: in order with everything;</item>
 /// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
 /// </list>
+/// The plain ones, the volatile write of 32 bits and the fence are what the explorer's own tests are made of: what a memory may show, and faults to find.
 /// There are no plain 64-bit words: they are not whole on 32-bit machines.
 /// </remarks>
 internal unsafe interface ISyncPoints
@@ -27,12 +28,6 @@ internal unsafe interface ISyncPoints
 
     /// <summary>A plain write.</summary>
     void Write(ref int location, int value);
-
-    /// <summary>A plain copy of a shared value of any size: it may be torn, and whoever takes it must find that out.</summary>
-    void Load<T>(ref T shared, out T value);
-
-    /// <summary>A plain copy to a shared value of any size.</summary>
-    void Store<T>(ref T shared, in T value);
 
     int VolatileRead(ref int location);
 

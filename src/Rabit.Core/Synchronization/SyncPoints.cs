@@ -14,12 +14,6 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public void Write(ref int location, int value) => location = value;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Load<T>(ref T shared, out T value) => value = shared;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store<T>(ref T shared, in T value) => shared = value;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int VolatileRead(ref int location) => Volatile.Read(ref location);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

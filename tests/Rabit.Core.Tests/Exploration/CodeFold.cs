@@ -12,9 +12,11 @@ namespace Rabit.Core.Tests.Exploration;
 /// one, in the whole exploration, its code is run with at the other too, and must do the same for some steps on. A claim that breaks is never
 /// made again, and the exploration begins anew. This is how a program is tested against an automaton (Chow: "Testing software design modeled by
 /// finite-state machines", IEEE TSE 1978): it is exact unless the code hides a difference for longer than it is watched.
-/// A test explores with and without folding and finds the same number of interleavings.
+/// What is watched grows with the number of answers to the power of the steps. So a large exploration follows, from each place, only a few answers
+/// that lead to the same kind of operation for all the steps; the others are watched for one step.
+/// Tests explore without folding, with all answers and with few, and find the same number of interleavings.
 /// </remarks>
-internal sealed class CodeFold(int watchedSteps)
+internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
 {
     private readonly List<FoldedPlace> _places = [];
     private readonly Dictionary<(CodeTree? Tree, object From, SyncOperation Operation), List<FoldedPlace>> _alike = [];
@@ -60,47 +62,47 @@ internal sealed class CodeFold(int watchedSteps)
     /// <exception cref="ClaimBroken">Two places that were taken for alike are not.</exception>
     public FoldedPlace After(FoldedPlace place, int told)
     {
-        foreach ((int known, FoldedPlace next) in place.Next)
-        {
-            if (known == told)
-                return next;
-        }
+        if (place.ByAnswer.TryGetValue(told, out FoldedPlace? known))
+            return known;
 
         FoldedPlace after = PlaceOf(place.Place.After(told));
-        place.Next.Add((told, after));
+        FoldedPlace.Answer answer = place.Add(told, after);
         foreach (FoldClaim claim in place.Claims.ToArray())
-            Follow(claim, told, after);
+            Follow(claim, answer);
         return after;
     }
 
-    private void Follow(FoldClaim claim, int told, FoldedPlace after)
+    private void Follow(FoldClaim claim, in FoldedPlace.Answer answer)
     {
-        CodePlace there = claim.Place.After(told);
-        if (!GoOnAlike(after, there, claim.Steps - 1))
+        CodePlace there = claim.Place.After(answer.Told);
+        int steps = StepsAfter(answer, claim.Steps);
+        if (!GoOnAlike(answer.Place, there, steps))
         {
             _unlike.Add((claim.First, claim.Second));
             throw new ClaimBroken();
         }
 
-        Watch(after, claim with { Place = there, Steps = claim.Steps - 1 });
+        Watch(answer.Place, claim with { Place = there, Steps = steps });
     }
 
-    private static bool GoOnAlike(FoldedPlace folded, CodePlace place, int steps)
+    private int StepsAfter(in FoldedPlace.Answer answer, int steps) => answer.Rank < watchedAnswers ? steps - 1 : 0;
+
+    private bool GoOnAlike(FoldedPlace folded, CodePlace place, int steps)
     {
         if (ReferenceEquals(folded.Place, place))
             return true;
         if (folded.Place.Tree != place.Tree || !folded.Place.Operation.IsLike(place.Operation) || !folded.Place.From.Equals(place.From) || place.Operation.Kind == SyncKind.End)
             return false;
-        return steps == 0 || folded.Next.TrueForAll(next => GoOnAlike(next.Place, place.After(next.Told), steps - 1));
+        return steps == 0 || folded.Next.TrueForAll(next => GoOnAlike(next.Place, place.After(next.Told), StepsAfter(next, steps)));
     }
 
-    private static void Watch(FoldedPlace folded, FoldClaim claim)
+    private void Watch(FoldedPlace folded, FoldClaim claim)
     {
         if (claim.Steps == 0 || ReferenceEquals(folded.Place, claim.Place))
             return;
         folded.Claims.Add(claim);
-        foreach ((int told, FoldedPlace next) in folded.Next)
-            Watch(next, claim with { Place = claim.Place.After(told), Steps = claim.Steps - 1 });
+        foreach (FoldedPlace.Answer next in folded.Next)
+            Watch(next.Place, claim with { Place = claim.Place.After(next.Told), Steps = StepsAfter(next, claim.Steps) });
     }
 
     internal sealed class ClaimBroken : Exception;

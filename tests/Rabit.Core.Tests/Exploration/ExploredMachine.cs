@@ -18,7 +18,9 @@ internal sealed class ExploredMachine
     private readonly CodeTree[] _code;
     private readonly CodeFold _places;
     private readonly RetriedUpdates _updates;
-    private readonly bool _mergesRetries;
+    private readonly LoneWriters _writers = new();
+    private readonly ExplorerOptions _options;
+    private readonly bool[] _hasEnded;
     private readonly TimeSpan _lastMoment;
 
     public ExploredMachine(ExploredModel model, ExplorerOptions options)
@@ -26,11 +28,12 @@ internal sealed class ExploredMachine
         _model = model;
         _threads = model.Threads;
         _code = _threads.Select(thread => new CodeTree(thread, _recorder)).ToArray();
-        _places = new CodeFold(options.WatchedSteps);
+        _places = new CodeFold(options.WatchedSteps, options.WatchedAnswers);
         _updates = new RetriedUpdates();
-        _mergesRetries = options.MergesRetries;
+        _options = options;
         _shape = new StateShape(_threads.Count, model.Size.Locations, model.Size.Writes, model.Size.Signals, model.Notes);
         _memory = new ExploredMemory(_shape, options.Memory);
+        _hasEnded = new bool[_threads.Count];
         _lastMoment = new TimeSpan(model.Ticks.Step.Ticks * model.Ticks.Times);
     }
 
@@ -40,9 +43,34 @@ internal sealed class ExploredMachine
 
     public string NameOf(int thread) => _threads[thread].Name;
 
-    public bool HasEnded(ExploredState state, int thread) => OperationOf(state, thread).Kind == SyncKind.End;
+    /// <summary>Whether the thread may do nothing more.</summary>
+    public bool MayRest(ExploredState state, int thread) => OperationOf(state, thread) is { Kind: SyncKind.End } or { MayNeverCome: true };
 
     public SyncOperation OperationOf(ExploredState state, int thread) => _places[state.Place(thread)].Place.Operation;
+
+    /// <summary>The operation that the thread does next, notes apart.</summary>
+    public SyncOperation StepOf(ExploredState state, int thread)
+    {
+        FoldedPlace place = _places[state.Place(thread)];
+        return (place.Place.Operation.Kind == SyncKind.NoteOfNext ? _places.After(place, 0) : place).Place.Operation;
+    }
+
+    /// <summary>Whether the next step of the thread may be taken at once and alone: no run is lost by putting off the others.</summary>
+    public bool IsFree(ExploredState state, int thread)
+    {
+        if (!_options.TakesFreeSteps)
+            return false;
+        FoldedPlace place = _places[state.Place(thread)];
+        SyncOperation operation = place.Place.Operation;
+        return operation.Kind switch
+        {
+            SyncKind.Write => _options.Memory != MemoryModel.SequentiallyConsistent && !IsNoted(place, 0) && _writers.IsLone(operation.Location, thread),
+
+            // A clock that stands still for good: nobody can tell when it is read.
+            SyncKind.ReadClock => state.TicksLeft == 0 && !IsNoted(place, (int)state.Now.Ticks),
+            _ => false,
+        };
+    }
 
     /// <summary>The state before the first step.</summary>
     public void Begin(ExploredState state)
@@ -76,12 +104,27 @@ internal sealed class ExploredMachine
     {
         FoldedPlace place = _places[state.Place(thread)];
         SyncOperation operation = place.Place.Operation;
-        if (_mergesRetries && TryUpdate(state, thread, ref place, choice, out result))
+        bool mayNeverCome = operation.MayNeverCome;
+        if (operation.Kind == SyncKind.NoteOfNext)
+        {
+            operation.Note!(state);
+            place = _places.After(place, 0);
+            operation = place.Place.Operation;
+        }
+
+        StepKind kind = Take(state, thread, place, choice, out result);
+        return mayNeverCome && kind == StepKind.Taken ? StepKind.WithoutReason : kind;
+    }
+
+    private StepKind Take(ExploredState state, int thread, FoldedPlace place, int choice, out int result)
+    {
+        SyncOperation operation = place.Place.Operation;
+        if (_options.MergesRetries && TryUpdate(state, thread, ref place, choice, out result))
         {
             if (choice > 0)
                 return StepKind.NoSuchChoice;
             Arrive(state, thread, place);
-            _memory.Forget(state.Numbers, t => HasEnded(state, t));
+            Forget(state);
             return StepKind.Taken;
         }
 
@@ -93,8 +136,18 @@ internal sealed class ExploredMachine
 
         if (state.WaitStage(thread) != Asleep)
             Arrive(state, thread, _places.After(place, result));
-        _memory.Forget(state.Numbers, t => HasEnded(state, t));
+        Forget(state);
         return kind;
+    }
+
+    // What the model notes happens then and not earlier.
+    private bool IsNoted(FoldedPlace place, int told) => _places.After(place, told).Place.Operation.Kind is SyncKind.Note or SyncKind.ReadOldest;
+
+    private void Forget(ExploredState state)
+    {
+        for (int thread = 0; thread < Threads; thread++)
+            _hasEnded[thread] = _places[state.Place(thread)].IsEnd;
+        _memory.Forget(state.Numbers, _hasEnded);
     }
 
     private bool TryUpdate(ExploredState state, int thread, ref FoldedPlace place, int choice, out int result)
@@ -110,6 +163,7 @@ internal sealed class ExploredMachine
         if (choice > 0)
             return true;
         FoldedPlace swap = _places.After(place, result);
+        _writers.Meet(read.Location, thread);
         _memory.Interlocked(state.Numbers, thread, read.Location, swap.Place.Operation.Value ^ first, null, isRead: false);
         _updates.Meet(read.Location, swap.Place.Operation.Value);
         place = _places.After(swap, result);
@@ -125,6 +179,8 @@ internal sealed class ExploredMachine
         // A memory begins with zeros: values are kept as what differs from the first.
         int first = UsesMemory(operation.Kind) ? _recorder.InitialValue(location) : 0;
         result = 0;
+        if (UsesMemory(operation.Kind) && operation.Kind is not (SyncKind.Read or SyncKind.VolatileRead))
+            _writers.Meet(location, thread);
         switch (operation.Kind)
         {
             case SyncKind.Read or SyncKind.VolatileRead:
@@ -134,7 +190,7 @@ internal sealed class ExploredMachine
                 return true;
             case SyncKind.Write or SyncKind.VolatileWrite:
                 return _memory.TryWrite(s, thread, location, choice, isVolatile, operation.Value ^ first);
-            case SyncKind.End or SyncKind.Note:
+            case SyncKind.End:
                 return false;
         }
 
@@ -177,6 +233,7 @@ internal sealed class ExploredMachine
         result = 0;
         if (operation.Kind == SyncKind.FutexWait && state.WaitStage(thread) == 0)
         {
+            _writers.Meet(operation.Location, thread);
             _memory.Fence(state.Numbers, thread);
             if (!_memory.TryRead(state.Numbers, thread, operation.Location, choice, isVolatile: false, out int word))
                 return StepKind.NoSuchChoice;
@@ -213,13 +270,18 @@ internal sealed class ExploredMachine
         while (true)
         {
             SyncOperation operation = place.Place.Operation;
+            int told = 0;
             if (operation.Kind == SyncKind.Note)
                 operation.Note!(state);
+            else if (operation.Kind == SyncKind.ReadOldest)
+                told = _recorder.InitialValue(operation.Location) ^ _memory.Oldest(state.Numbers, thread, operation.Location);
 
             // A clock that stands still for good may be read at once: nobody can tell.
-            else if (operation.Kind != SyncKind.ReadClock || state.TicksLeft > 0)
+            else if (operation.Kind == SyncKind.ReadClock && state.TicksLeft == 0)
+                told = (int)state.Now.Ticks;
+            else
                 break;
-            place = _places.After(place, operation.Kind == SyncKind.Note ? 0 : (int)state.Now.Ticks);
+            place = _places.After(place, told);
         }
 
         state.Place(thread) = place.Number;

@@ -35,6 +35,18 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
 
     public int Newest(int[] s, int location) => s[Write(location, s[shape.Counts + location] - 1)];
 
+    /// <summary>The oldest value that a thread might be shown.</summary>
+    public int Oldest(int[] s, int thread, int location)
+    {
+        int oldest = model switch
+        {
+            MemoryModel.SequentiallyConsistent => s[shape.Counts + location] - 1,
+            MemoryModel.StoreBuffers => Math.Max(s[View(thread, Own) + location], s[_fences + location]),
+            _ => s[View(thread, Own) + location],
+        };
+        return s[Write(location, oldest)];
+    }
+
     /// <summary>Reads a write, by choice: 0 is the newest.</summary>
     /// <returns>False where there is no such choice.</returns>
     public bool TryRead(int[] s, int thread, int location, int choice, bool isVolatile, out int value)
@@ -116,11 +128,11 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
     }
 
     /// <summary>Forgets the writes that nobody may be shown any more.</summary>
-    public void Forget(int[] s, Func<int, bool> hasEnded)
+    public void Forget(int[] s, bool[] hasEnded)
     {
         for (int thread = 0; thread < shape.Threads && model != MemoryModel.Weak; thread++)
         {
-            if (!hasEnded(thread))
+            if (!hasEnded[thread])
                 ShowToAll(s, thread);
         }
 
@@ -129,7 +141,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
             int oldest = s[shape.Counts + location] - 1;
             for (int thread = 0; thread < shape.Threads; thread++)
             {
-                if (!hasEnded(thread))
+                if (!hasEnded[thread])
                     oldest = Math.Min(oldest, s[View(thread, Own) + location]);
             }
 

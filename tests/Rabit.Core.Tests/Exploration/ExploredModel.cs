@@ -22,7 +22,8 @@ internal abstract class ExploredModel
     public virtual (int Locations, int Signals, int Writes) Size => (8, 1, 12);
 
     /// <summary>
-    /// What must hold whenever no thread can go on unless time passes. For each thread whether it has ended; one that has not waits.
+    /// What must hold whenever no thread can go on unless time passes. For each thread whether it has ended, or may never do what it does next; any
+    /// other waits.
     /// </summary>
-    public abstract void CheckQuiet(ExploredState state, Func<int, bool> hasEnded);
+    public abstract void CheckQuiet(ExploredState state, Func<int, bool> mayRest);
 }

@@ -52,7 +52,9 @@ internal sealed class ExploredState(StateShape shape)
 
     public void CopyFrom(ExploredState other)
     {
-        Array.Copy(other._numbers, _numbers, shape.Size);
+        Array.Copy(other._numbers, _numbers, shape.Memory);
+        for (int location = 0; location < shape.Locations; location++)
+            Array.Copy(other._numbers, FirstWrite(location), _numbers, FirstWrite(location), EndOfWrites(location) - FirstWrite(location));
         Fault = other.Fault;
     }
 
@@ -60,16 +62,14 @@ internal sealed class ExploredState(StateShape shape)
     public StateKey Key()
     {
         var key = default(StateKey);
-        for (int i = 0; i < shape.Memory; i++)
-            key.Add(_numbers[i]);
+        key.Add(_numbers, 0, shape.Memory);
         for (int location = 0; location < shape.Locations; location++)
-        {
-            int first = shape.Memory + (location * shape.Writes * shape.WriteSize);
-            int used = _numbers[shape.Counts + location] * shape.WriteSize;
-            for (int i = first; i < first + used; i++)
-                key.Add(_numbers[i]);
-        }
-
+            key.Add(_numbers, FirstWrite(location), EndOfWrites(location));
         return key;
     }
+
+    private int FirstWrite(int location) => shape.Memory + (location * shape.Writes * shape.WriteSize);
+
+    // Of those in sight; what lies behind them means nothing.
+    private int EndOfWrites(int location) => FirstWrite(location) + (_numbers[shape.Counts + location] * shape.WriteSize);
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Runtime.CompilerServices;
 using System.Threading;
 using Rabit.Core.Synchronization;
 
@@ -11,20 +10,6 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
     public int Read(ref int location) => Perform(SyncKind.Read, ref location);
 
     public void Write(ref int location, int value) => Perform(SyncKind.Write, ref location, value);
-
-    public void Load<T>(ref T shared, out T value)
-    {
-        value = default!;
-        for (int word = 0; word < Unsafe.SizeOf<T>() / sizeof(int); word++)
-            Unsafe.Add(ref Unsafe.As<T, int>(ref value), word) = Perform(new SyncOperation(SyncKind.Read, Mine.LocationOf(ref shared, word)));
-    }
-
-    public void Store<T>(ref T shared, in T value)
-    {
-        T copy = value;
-        for (int word = 0; word < Unsafe.SizeOf<T>() / sizeof(int); word++)
-            Perform(new SyncOperation(SyncKind.Write, Mine.LocationOf(ref shared, word), Unsafe.Add(ref Unsafe.As<T, int>(ref copy), word)));
-    }
 
     public int VolatileRead(ref int location) => Perform(SyncKind.VolatileRead, ref location);
 
@@ -51,10 +36,23 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
     public void FutexWaitWhileZero(int* word, TimeSpan until, RunClock clock)
         => Perform(new SyncOperation(SyncKind.FutexWait, Mine.LocationOf(ref *word)) { Until = until });
 
-    /// <summary>A remark of the model.</summary>
+    /// <summary>A remark of the model, on what has just been done.</summary>
     /// <param name="about">Compared: two notes that do the same have the same.</param>
     /// <param name="note">What it does.</param>
     public static void Note(object about, Action<ExploredState> note) => Perform(new SyncOperation(SyncKind.Note) { About = about, Note = note });
+
+    /// <summary>A remark of the model, on what is done next.</summary>
+    /// <param name="about">Compared: two notes that do the same have the same.</param>
+    /// <param name="note">What it does.</param>
+    /// <param name="mayNeverCome">Whether what is done next may as well never be done: nobody may count on it.</param>
+    public static void NoteNext(object about, Action<ExploredState> note, bool mayNeverCome = false)
+        => Perform(new SyncOperation(SyncKind.NoteOfNext) { About = about, Note = note, MayNeverCome = mayNeverCome });
+
+    /// <summary>
+    /// The oldest value that a plain read might be shown, now or ever after: views only grow. Where a check bears the newer ones if it bears
+    /// the oldest, and the code does not, this stands for the read; nobody else can tell whether somebody has read.
+    /// </summary>
+    public static int OldestSeen(ref int location) => Perform(SyncKind.ReadOldest, ref location);
 
     private static Recorder Mine => Recorder.Current ?? throw new InvalidOperationException("Nothing is explored on this thread.");
 

@@ -10,7 +10,8 @@ namespace Rabit.Core.Tests.Exploration;
 /// <remarks>
 /// Depth first, each state once. That the number of interleavings comes out all the same is simple: those from a state on are those
 /// from its successors on, added up. Nothing is taken by chance. Two things are not walked twice: places in the code that go on alike
-/// (<see cref="CodeFold"/>), and retries of a compare-and-swap (<see cref="RetriedUpdates"/>); a test explores with and without.
+/// (<see cref="CodeFold"/>), and retries of a compare-and-swap (<see cref="RetriedUpdates"/>). A step that is in nobody's way is taken alone
+/// (<see cref="LoneWriters"/>), so the interleavings that are counted are those that remain. Tests explore with and without.
 /// </remarks>
 internal sealed class Explorer
 {
@@ -19,7 +20,7 @@ internal sealed class Explorer
 
     private readonly ExploredModel _model;
     private readonly ExploredMachine _machine;
-    private readonly Dictionary<StateKey, double> _known = [];
+    private readonly StateTable _known = new();
     private readonly List<ExploredState> _path = [];
     private readonly List<Step> _steps = [];
     private long _stepCount;
@@ -63,19 +64,47 @@ internal sealed class Explorer
     {
         ExploredState state = StateAt(depth);
         StateKey key = state.Key();
-        if (_known.TryGetValue(key, out double interleavings))
+        if (_known.TryGet(key, out double interleavings))
             return interleavings;
 
         if (depth == MostSteps)
             throw new InvalidOperationException($"No end after {MostSteps} steps; the first: {string.Join("; ", _steps.GetRange(0, 40).ConvertAll(Describe))}");
+        interleavings = FreeThread(state) is { } free ? InterleavingsOf(free, depth, out _) : InterleavingsOfAll(depth);
+        if (_fault is not null)
+            return 0;
+        if (interleavings == 0)
+            interleavings = 1;
+        _known.Add(key, interleavings);
+        return interleavings;
+    }
+
+    private int? FreeThread(ExploredState state)
+    {
+        for (int thread = 0; thread < _machine.Threads; thread++)
+        {
+            if (_machine.IsFree(state, thread))
+                return thread;
+        }
+
+        return null;
+    }
+
+    private double InterleavingsOfAll(int depth)
+    {
+        ExploredState state = StateAt(depth);
+        double interleavings = 0;
         bool isQuiet = true;
         for (int thread = 0; thread < _machine.Threads && _fault is null; thread++)
-            interleavings += InterleavingsOf(thread, depth, ref isQuiet);
+        {
+            interleavings += InterleavingsOf(thread, depth, out bool canRest);
+            isQuiet &= canRest;
+        }
+
         if (_fault is not null)
             return 0;
         if (isQuiet)
         {
-            _model.CheckQuiet(state, thread => _machine.HasEnded(state, thread));
+            _model.CheckQuiet(state, thread => _machine.MayRest(state, thread));
             if ((_fault = state.Fault) is not null)
                 return 0;
         }
@@ -84,18 +113,16 @@ internal sealed class Explorer
         next.CopyFrom(state);
         if (_machine.TryLetTimePass(next))
             interleavings += InterleavingsAfter(new Step(Time, default, 0), depth + 1);
-        if (interleavings == 0)
-            interleavings = 1;
-        _known.Add(key, interleavings);
         return interleavings;
     }
 
-    private double InterleavingsOf(int thread, int depth, ref bool isQuiet)
+    private double InterleavingsOf(int thread, int depth, out bool canRest)
     {
         double interleavings = 0;
+        canRest = true;
         ExploredState state = StateAt(depth);
         ExploredState next = StateAt(depth + 1);
-        SyncOperation operation = _machine.OperationOf(state, thread);
+        SyncOperation operation = _machine.StepOf(state, thread);
         for (int choice = 0; _fault is null; choice++)
         {
             next.CopyFrom(state);
@@ -104,7 +131,7 @@ internal sealed class Explorer
                 break;
             if (kind == StepKind.NotNow)
                 continue;
-            isQuiet &= kind == StepKind.WithoutReason;
+            canRest &= kind == StepKind.WithoutReason;
             interleavings += InterleavingsAfter(new Step(thread, operation, result), depth + 1);
         }
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Rabit.Core.Tests.Exploration;
 
@@ -9,11 +10,32 @@ internal sealed class FoldedPlace(CodePlace place, int number)
 
     public int Number { get; } = number;
 
-    public List<(int Told, FoldedPlace Place)> Next { get; } = [];
+    public bool IsEnd { get; } = place.Operation.Kind == SyncKind.End;
+
+    public List<Answer> Next { get; } = [];
+
+    /// <summary>The same, by what the thread is told.</summary>
+    public Dictionary<int, FoldedPlace> ByAnswer { get; } = [];
 
     /// <summary>How many of the values of the location this place is known to be a retried update for; see <see cref="RetriedUpdates"/>.</summary>
     public int RetriesKnown { get; set; }
 
     /// <summary>The others, and for how many steps each is watched.</summary>
     public List<FoldClaim> Claims { get; } = [];
+
+    /// <summary>Notes what comes after an answer.</summary>
+    public Answer Add(int told, FoldedPlace place)
+    {
+        SyncOperation operation = place.Place.Operation;
+        var answer = new Answer(told, place, Next.Count(n => n.Place.Place.Operation.Kind == operation.Kind && n.Place.Place.Operation.Location == operation.Location));
+        Next.Add(answer);
+        ByAnswer.Add(told, place);
+        return answer;
+    }
+
+    /// <summary>An answer, and where it leads.</summary>
+    /// <param name="Told">What the thread is told.</param>
+    /// <param name="Place">Where it is then.</param>
+    /// <param name="Rank">How many answers that lead to an operation of the same kind in the same location came up before this one.</param>
+    internal readonly record struct Answer(int Told, FoldedPlace Place, int Rank);
 }

@@ -20,6 +20,13 @@ internal sealed class ProductionWakeUp : WakeUpUnderTest
 
     public static WakeUpUnderTest OnFutex(RunClock clock) => new ProductionWakeUp(new FutexWaitSignal<ExploredSyncPoints>(clock), clock);
 
+    public static Func<RunClock, WakeUpUnderTest> On(string engine) => engine switch
+    {
+        "event" => OnEvent,
+        "futex" => OnFutex,
+        _ => throw new ArgumentException($"No wait engine is called {engine}.", nameof(engine)),
+    };
+
     public override void Wake(WakeUpCauses cause) => _wakeUp.Wake(cause);
 
     public override void RequestStop() => _wakeUp.RequestStop();

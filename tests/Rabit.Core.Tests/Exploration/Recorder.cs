@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Runtime.CompilerServices;
 using System.Threading;
 
 namespace Rabit.Core.Tests.Exploration;
@@ -95,8 +94,6 @@ internal sealed class Recorder
         location = ((long)Tag << 32) | (uint)(_initialValues.Count - 1);
         return _initialValues.Count - 1;
     }
-
-    public int LocationOf<T>(ref T shared, int word) => LocationOf(ref Unsafe.Add(ref Unsafe.As<T, int>(ref shared), word));
 
     public int SignalOf(AutoResetEvent signal)
     {

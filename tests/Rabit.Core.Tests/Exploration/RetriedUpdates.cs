@@ -15,17 +15,23 @@ namespace Rabit.Core.Tests.Exploration;
 internal sealed class RetriedUpdates
 {
     private readonly Dictionary<int, List<int>> _values = [];
+    private readonly HashSet<(int Location, int Value)> _met = [];
     private readonly HashSet<CodePlace> _others = [];
 
-    public void BeginAnew() => _values.Clear();
+    public void BeginAnew()
+    {
+        _values.Clear();
+        _met.Clear();
+    }
 
     /// <summary>Notes a value of a location.</summary>
     public void Meet(int location, int value)
     {
+        if (!_met.Add((location, value)))
+            return;
         if (!_values.TryGetValue(location, out List<int>? values))
             _values.Add(location, values = []);
-        if (!values.Contains(value))
-            values.Add(value);
+        values.Add(value);
     }
 
     /// <summary>Whether a place begins an update of a location that holds a value.</summary>

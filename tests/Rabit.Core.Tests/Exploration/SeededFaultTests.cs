@@ -51,14 +51,14 @@ public sealed class SeededFaultTests(ITestOutputHelper output)
         Assert.Equal("a turn does not see what was written before its wake", result.Fault);
     }
 
-    private static ExplorationResult Explore(SeededFault fault, MemoryModel memory)
-    {
-        var scenario = new WakeUpScenario(1, 2)
+    internal static WakeUpScenario ScenarioOf(SeededFault fault)
+        => new(1, 2)
         {
             Starts = true,
             Stops = fault is SeededFault.StopWithoutASignal or SeededFault.None,
             ChecksCounts = fault != SeededFault.UnfencedAlreadySetRead,
         };
-        return Explorer.Explore(new WakeUpModel(scenario, clock => new FaultyWakeUp(fault, clock)), memory);
-    }
+
+    private static ExplorationResult Explore(SeededFault fault, MemoryModel memory)
+        => Explorer.Explore(new WakeUpModel(ScenarioOf(fault), clock => new FaultyWakeUp(fault, clock)), memory);
 }

@@ -14,6 +14,9 @@ internal readonly record struct SyncOperation(SyncKind Kind, int Location = 0, i
     /// <summary>What a note does to the model's own numbers; null for the others.</summary>
     public Action<ExploredState>? Note { get; init; }
 
+    /// <summary>Whether the step that this note belongs to may as well never come: nobody may count on it.</summary>
+    public bool MayNeverCome { get; init; }
+
     /// <summary>What tells a note from others; compared.</summary>
     public object? About { get; init; }
 
