@@ -46,7 +46,7 @@ internal class WakeUpEvent<TSync>
     public bool StopRequested => Has(Stop);
 
     /// <summary>When the wake that ended the last sleep came; null while the waker, who has set the cause already, has not told.</summary>
-    public TimeSpan? WokenAt => default(TSync).VolatileRead(ref _wokenAtTicks) is var ticks && ticks == NotTold ? null : new TimeSpan(ticks);
+    public TimeSpan? WokenAt => default(TSync).InterlockedRead(ref _wokenAtTicks) is var ticks && ticks == NotTold ? null : new TimeSpan(ticks);
 
     /// <summary>Tells what to signal. Wakes that came before are kept.</summary>
     public void Connect(IWakeSignal signal, RunClock clock)
@@ -70,7 +70,7 @@ internal class WakeUpEvent<TSync>
         while ((seen & wanted) == 0)
         {
             // Before the mark: a waker tells its time after it has found the mark.
-            default(TSync).VolatileWrite(ref _wokenAtTicks, NotTold);
+            default(TSync).InterlockedWrite(ref _wokenAtTicks, NotTold);
             int found = default(TSync).CompareExchange(ref _state, seen | Asleep, seen);
             if (found == seen)
                 return true;
@@ -107,7 +107,7 @@ internal class WakeUpEvent<TSync>
         bool first = (seen & AllCauses) == 0 || (cause & Urgent) != 0;
         if ((seen & Asleep) != 0 && first)
         {
-            default(TSync).VolatileWrite(ref _wokenAtTicks, (now ?? _clock!.Now).Ticks);
+            default(TSync).InterlockedWrite(ref _wokenAtTicks, (now ?? _clock!.Now).Ticks);
             _signal!.Set();
         }
     }

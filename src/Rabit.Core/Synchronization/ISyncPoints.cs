@@ -18,8 +18,8 @@ namespace Rabit.Core.Synchronization;
 /// <item>interlocked and <see cref="Fence"/>: in order with everything;</item>
 /// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
 /// </list>
-/// The plain ones, the volatile write of 32 bits and the fence are what the explorer's own tests are made of: what a memory may show, and faults to find.
-/// There are no plain 64-bit words: they are not whole on 32-bit machines.
+/// The plain ones, the volatile write and the fence are what the explorer's own tests are made of: what a memory may show, and faults to find.
+/// There are no volatile or plain 64-bit words: they are not whole on 32-bit machines.
 /// </remarks>
 internal unsafe interface ISyncPoints
 {
@@ -33,13 +33,13 @@ internal unsafe interface ISyncPoints
 
     void VolatileWrite(ref int location, int value);
 
-    /// <summary>As the one of 32 bits: whole on every machine, if not in one instruction on those of 32 bits.</summary>
-    long VolatileRead(ref long location);
-
-    /// <inheritdoc cref="VolatileRead(ref long)"/>
-    void VolatileWrite(ref long location, long value);
-
     int Exchange(ref int location, int value);
+
+    /// <summary>An interlocked read.</summary>
+    long InterlockedRead(ref long location);
+
+    /// <summary>An interlocked write.</summary>
+    void InterlockedWrite(ref long location, long value);
 
     int CompareExchange(ref int location, int value, int comparand);
 

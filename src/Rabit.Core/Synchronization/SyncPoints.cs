@@ -20,10 +20,10 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public void VolatileWrite(ref int location, int value) => Volatile.Write(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public long VolatileRead(ref long location) => Volatile.Read(ref location);
+    public long InterlockedRead(ref long location) => Interlocked.Read(ref location);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void VolatileWrite(ref long location, long value) => Volatile.Write(ref location, value);
+    public void InterlockedWrite(ref long location, long value) => Interlocked.Exchange(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Exchange(ref int location, int value) => Interlocked.Exchange(ref location, value);

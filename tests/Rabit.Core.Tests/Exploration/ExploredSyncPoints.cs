@@ -19,10 +19,10 @@ internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
 
     public int CompareExchange(ref int location, int value, int comparand) => Perform(SyncKind.CompareExchange, ref location, value, comparand);
 
-    public long VolatileRead(ref long location) => Perform(new SyncOperation(SyncKind.VolatileRead, Mine.LocationOf(ref location)));
+    public long InterlockedRead(ref long location) => Perform(new SyncOperation(SyncKind.InterlockedRead, Mine.LocationOf(ref location)));
 
-    public void VolatileWrite(ref long location, long value)
-        => Perform(new SyncOperation(SyncKind.VolatileWrite, Mine.LocationOf(ref location), checked((int)value)));
+    public void InterlockedWrite(ref long location, long value)
+        => Perform(new SyncOperation(SyncKind.InterlockedWrite, Mine.LocationOf(ref location), checked((int)value)));
 
     public void Fence() => Perform(new SyncOperation(SyncKind.Fence));
 
