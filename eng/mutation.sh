@@ -12,7 +12,7 @@ rm -rf "$out" && mkdir -p "$out"
 dotnet tool restore
 dotnet build tests/Rabit.Core.Tests
 
-# Stryker puts the assembly back when it ends, so it is taken while a few tests run that reach nothing of these two folders.
+# Stryker puts the assembly back when it ends, so it is taken while a few tests run that hardly reach these two folders.
 (cd tests/Rabit.Core.Tests && dotnet stryker -f ../../eng/stryker-config.json --skip-version-check -O "$out") > "$out/stryker.log" 2>&1 &
 stryker=$!
 until grep -q 'mutants will be tested' "$out/stryker.log"; do
