@@ -197,7 +197,8 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(0, run.Finish().Queues.Single(q => q.Name == "queue").Counters.Rejected);
         Assert.False(writer.TryWrite(1));
         Assert.False(await InTime(writer.WaitToWriteAsync().AsTask()));
-        await Assert.ThrowsAsync<ChannelClosedException>(() => writer.WriteAsync(1).AsTask());
+        var closed = await Assert.ThrowsAsync<ChannelClosedException>(() => writer.WriteAsync(1).AsTask());
+        Assert.Contains("'queue'", closed.Message, StringComparison.Ordinal);
 
         async Task Feed()
         {

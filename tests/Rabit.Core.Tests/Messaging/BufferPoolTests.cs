@@ -125,11 +125,12 @@ public sealed class BufferPoolTests
     [Fact, Trait("Clause", "2.5")]
     public void Constructor_BadArguments_SaysWhich()
     {
-        Assert.Contains("name", Assert.Throws<ArgumentException>(() => new BufferPool(" ", 1, 1)).Message, StringComparison.Ordinal);
+        Assert.Contains("A pool needs a name", Assert.Throws<ArgumentException>(() => new BufferPool(" ", 1, 1)).Message, StringComparison.Ordinal);
         Assert.Contains("'p'", Assert.Throws<ArgumentOutOfRangeException>(() => new BufferPool("p", 0, 1)).Message, StringComparison.Ordinal);
         Assert.Contains("'p'", Assert.Throws<ArgumentOutOfRangeException>(() => new BufferPool("p", 1, 0)).Message, StringComparison.Ordinal);
-        Assert.Throws<ArgumentException>(() => _pool.TryRent("", out _));
-        Assert.Throws<ArgumentException>(() => Rent("a").HandTo(""));
+        Assert.Contains("'pictures'", Assert.Throws<ArgumentException>(() => _pool.TryRent("", out _)).Message, StringComparison.Ordinal);
+        Assert.Contains("new owner", Assert.Throws<ArgumentException>(() => Rent("a").HandTo("")).Message, StringComparison.Ordinal);
+        Assert.Equal((1, 1), (new BufferPool("p", 1, 1).Count, new BufferPool("p", 1, 1).BufferBytes));
     }
 
     [Fact, Trait("Clause", "2.5")]

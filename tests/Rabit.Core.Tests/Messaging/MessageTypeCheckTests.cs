@@ -15,7 +15,7 @@ public sealed class MessageTypeCheckTests
     public static TheoryData<Type> Accepted => new()
     {
         typeof(int), typeof(double), typeof(bool), typeof(char), typeof(IntPtr), typeof(DayOfWeek), typeof(string),
-        typeof(decimal), typeof(DateTime), typeof(DateTimeOffset), typeof(TimeSpan), typeof(Guid), typeof(Version), typeof(Uri),
+        typeof(decimal), typeof(DateTime), typeof(DateTimeOffset), typeof(TimeSpan), typeof(Guid), typeof(Version), typeof(Uri), typeof(TimeZoneInfo),
         typeof(int?), typeof(Plain?), typeof((int, string)), typeof(KeyValuePair<string, int>),
         typeof(Plain), typeof(Nested), typeof(Generic<Plain>), typeof(SealedRecord), typeof(RecordStruct), typeof(Fixed),
         typeof(ReadOnlyClass), typeof(Node), typeof(Derived), typeof(HoldsImmutables), typeof(StaticsOnly),
