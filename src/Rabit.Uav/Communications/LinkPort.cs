@@ -39,13 +39,15 @@ internal sealed class LinkPort(
 
     public void Judged(MavlinkSignatureVerdict verdict) => _signatures = _signatures.With(verdict);
 
-    /// <summary>Says how many frames were rejected since the last call.</summary>
+    /// <summary>Says how many frames were rejected since they were last told of; again only when they have doubled, so that a flood fills no log.</summary>
     public bool TakeNewRejections(out MavlinkSignatureCounters counts, out long rejected)
     {
         counts = _signatures;
         rejected = counts.Rejected - _reportedRejections;
+        if (rejected == 0 || counts.Rejected < 2 * _reportedRejections)
+            return false;
         _reportedRejections = counts.Rejected;
-        return rejected > 0;
+        return true;
     }
 
     public void Send(in MavlinkFrame frame)

@@ -60,6 +60,20 @@ public sealed class SigningTests : IDisposable
     }
 
     [Fact]
+    public void FramesRejected_WithoutEnd_AreToldOfWhenTheyHaveDoubled()
+    {
+        using CommunicationsRig rig = Rig(1, o => o.Links = [0]);
+        for (int i = 0; i < 100; i++)
+        {
+            rig.Send(0, Frames.Heartbeat(sequence: (byte)i));
+            rig.Run(TimeSpan.FromSeconds(1));
+        }
+
+        Assert.Equal(100, rig.Status(0).Signatures.Rejected);
+        Assert.InRange(rig.Log.Count(e => e.Text.Contains("frames were rejected")), 2, 8);
+    }
+
+    [Fact]
     public void Forwarded_ToASignedLink_KeepsItsOwnSignatureOrNone()
     {
         using CommunicationsRig rig = Rig(2, o => o.Links = [1]);
