@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Rabit.Latency.Calls;
 using Rabit.Latency.Contention;
 using Rabit.Latency.Idle;
 using Rabit.Latency.Periods;
@@ -32,6 +33,7 @@ internal static class Runner
         ("idle", IdleMode.Run),
         ("throughput", ThroughputMode.Run),
         ("contention", ContentionMode.Run),
+        ("calls", CallsMode.Run),
         ("runs", options => [RunsMode.Run(options)]),
         ("stop", options => [StopMode.Run(options)]),
         ("fault", options => [FaultMode.Run(options)]),

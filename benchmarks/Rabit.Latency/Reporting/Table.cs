@@ -57,6 +57,14 @@ internal sealed class Table(string mode, string title, IReadOnlyList<Column> col
         _requirements.Add(new Requirement(what, subject.Columns[column].Median, limitValue * slowdown, string.Empty, atLeast: true));
     }
 
+    /// <summary>As <see cref="RequireAtLeast(Subject, int, double, Subject, double)"/>, for a figure that must be small.</summary>
+    public void RequireAtMost(Subject subject, int column, double limitValue, Subject byHand, double byHandThere)
+    {
+        double slowdown = Math.Max(1, byHand.Columns[column].Median / byHandThere);
+        string what = FormattableString.Invariant($"{subject.Name}, {columns[column].Name}: {limitValue} where {byHand.Name} takes {byHandThere}");
+        _requirements.Add(new Requirement(what, subject.Columns[column].Median, limitValue * slowdown, string.Empty));
+    }
+
     /// <summary>Requires that two figures do not differ by more than so much.</summary>
     public void RequireDifference(Subject subject, Subject other, int column, double atMost)
         => _requirements.Add(new Requirement(

@@ -88,8 +88,18 @@ internal sealed class SharedValue<T> : SharedMessage<T>
     {
         lock (_gate)
         {
-            Volatile.Write(ref _lapped, true);
             int version;
+            if (_tries == 0)
+            {
+                // Everybody takes the lock: nothing can move, and no barrier is needed.
+                version = Version;
+                ref Slot slot = ref SlotOf(version);
+                copy.Value = slot.Value;
+                copy.Time = slot.Time;
+                return version;
+            }
+
+            Volatile.Write(ref _lapped, true);
             while (!TryRead(copy, out version))
             {
                 // Lapped by posts that began before the poster could see the mark; the next one waits for this lock.
@@ -105,7 +115,8 @@ internal sealed class SharedValue<T> : SharedMessage<T>
         int version = NextVersion();
         ref Slot slot = ref SlotOf(version);
         slot.Begun = version;
-        OptimisticRead.StoreBarrier();
+        if (_tries > 0)
+            OptimisticRead.StoreBarrier();
         slot.Value = copy.Value;
         slot.Time = time;
         Announce(version);
