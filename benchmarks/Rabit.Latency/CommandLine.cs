@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.IO;
 
 namespace Rabit.Latency;
 
@@ -67,6 +68,8 @@ internal sealed class CommandLine
         };
         values.TryGetValue("--json", out string? json);
         values.TryGetValue("--into", out string? document);
+        if (document is not null && !File.Exists(document))
+            throw new FormatException($"--into is '{document}'; there is no such document.");
         return new CommandLine(modes, options, json, document);
     }
 
