@@ -67,7 +67,7 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
     {
         // Past the deadline it gets a last look: it was asked a while ago, and may be about to end.
         TimeSpan now = context.Clock.Now;
-        TimeSpan until = Times.Earlier(now + atMost, deadline);
+        TimeSpan until = Times.Earlier(Times.Later(now, atMost), deadline);
         WaitFor(() => thread.HasEnded, until > now + LastLook ? until : now + LastLook);
         return thread.HasEnded;
     }

@@ -12,6 +12,9 @@ namespace Rabit.Core.Reactors;
 internal sealed class TurnLoop<TSync>(WakeUpEvent<TSync> wakeUp, IWaitSignal signal, RunClock clock)
     where TSync : struct, ISyncPoints
 {
+    // The kernel may let a thread whose time is just over sleep for the slack of its timers (50 µs): a sleep so short looks at the clock first.
+    private const long ShortSleepTicks = TimeSpan.TicksPerMillisecond;
+
     public void Run(NextTurn next, Func<WakeUps, TimeSpan?, NextTurn> takeTurn)
     {
         while (true)
@@ -28,16 +31,17 @@ internal sealed class TurnLoop<TSync>(WakeUpEvent<TSync> wakeUp, IWaitSignal sig
     private WakeUps SleepUntil(NextTurn next, out TimeSpan? wokenAt)
     {
         wokenAt = null;
+        bool mayBeOver = (next.Due - next.NotBefore).Ticks < ShortSleepTicks;
         while (wakeUp.TryFallAsleep(next.Wanted))
         {
-            signal.Wait(next.Due);
+            if (!mayBeOver || clock.Now < next.Due)
+                signal.Wait(next.Due);
             if (wakeUp.Has(next.Wanted))
             {
                 wokenAt = wakeUp.WokenAt;
                 break;
             }
 
-            // Nobody reads the clock before the wait: it returns at once where the time is over.
             if (clock.Now >= next.Due)
             {
                 wokenAt = next.Due;

@@ -47,11 +47,13 @@ internal static unsafe class Futex
     /// early, as the caller expects.
     /// </summary>
     /// <param name="word">The word.</param>
-    /// <param name="until">By the clock of the run; a time that is over does not wait.</param>
+    /// <param name="until">By the clock of the run; where it is over already the kernel may still take the slack of its timers.</param>
     /// <param name="clock">The clock of the run.</param>
     public static void WaitWhileZero(int* word, TimeSpan until, RunClock clock)
     {
         long nanoseconds = Deadline(until, clock);
+        if (nanoseconds == 0)
+            return;
         var deadline = new TimeSpec
         {
             Seconds = new IntPtr(nanoseconds / NanosecondsPerSecond),

@@ -50,6 +50,19 @@ public abstract class ReactorContract(TimeKind kind) : ContractTests(kind)
         }
     }
 
+    [Fact, Trait("Clause", "4.3")]
+    public void StopTimeout_AsLongAsCanBe_IsNoFaultOfTheStop()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        manager.StopTimeout = TimeSpan.MaxValue;
+        run.StartAndSettle();
+
+        ReactorResult result = run.Finish();
+
+        Assert.Equal((0, ManagerOutcome.Ended), (result.ExitCode, result.Managers[0].Outcome));
+    }
+
     [Fact, Trait("Clause", "4.2")]
     public void Constructor_OfManagerOrReactor_RunsNothing()
     {
