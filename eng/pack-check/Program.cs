@@ -2,7 +2,7 @@ using System;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Simulation;
 
 namespace PackCheck

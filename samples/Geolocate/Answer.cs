@@ -2,8 +2,9 @@ using System;
 using System.IO;
 using System.Text;
 using System.Text.Json;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Geolocate;
 

@@ -2,8 +2,8 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Geodesy;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 
 namespace Geolocate;

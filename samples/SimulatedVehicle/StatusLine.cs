@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.IO;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Simulation;
 
 namespace SimulatedVehicle;

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Simulation;
 
 namespace SimulatedVehicle;

@@ -1,4 +1,5 @@
-using Rabit.Uav.Links;
+using Rabit.Links;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Simulation;
 
 namespace SimulatedVehicle;

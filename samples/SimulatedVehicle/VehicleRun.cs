@@ -2,11 +2,13 @@ using System;
 using System.IO;
 using System.Threading.Tasks;
 using Rabit.Core;
+using Rabit.Links;
 using Rabit.Mavlink;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
-using Rabit.Uav.Links;
 using Rabit.Uav.Simulation;
+using Rabit.Vision;
 
 namespace SimulatedVehicle;
 

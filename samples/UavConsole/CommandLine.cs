@@ -4,7 +4,9 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Linq;
-using Rabit.Uav.Links;
+using Rabit.Links;
+using Rabit.Uav.Communications;
+using Rabit.Uav.ImageProcessing;
 
 namespace UavConsole;
 

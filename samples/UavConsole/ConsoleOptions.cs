@@ -1,6 +1,8 @@
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Uav.Links;
+using Rabit.Links;
+using Rabit.Uav.Communications;
+using Rabit.Uav.ImageProcessing;
 
 namespace UavConsole;
 

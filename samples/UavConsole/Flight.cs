@@ -3,14 +3,17 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Geodesy;
+using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Uav;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
-using Rabit.Uav.Geometry;
 using Rabit.Uav.ImageProcessing;
-using Rabit.Uav.Links;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation;
+using Rabit.Vision;
 
 namespace UavConsole;
 

@@ -3,7 +3,7 @@ using System.Linq;
 using System.Text;
 using System.Threading.Tasks;
 using Rabit.Core;
-using Rabit.Uav.Links;
+using Rabit.Links;
 
 namespace UavConsole;
 

@@ -2,9 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Geodesy;
+using Rabit.Links;
 using Rabit.Mavlink;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.Links;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Simulation;
 

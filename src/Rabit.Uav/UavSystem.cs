@@ -7,7 +7,7 @@ using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.ImageProcessing;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.SensorFusion;

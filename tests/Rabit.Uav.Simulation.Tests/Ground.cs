@@ -2,10 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Geodesy;
+using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.Links;
+using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.Simulation.Tests;
 

@@ -6,7 +6,7 @@ using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Tests.Communications;
 using Xunit;

@@ -1,6 +1,7 @@
 using System;
 using BenchmarkDotNet.Attributes;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Benchmarks.Uav;

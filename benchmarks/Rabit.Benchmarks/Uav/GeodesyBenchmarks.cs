@@ -1,5 +1,5 @@
 using BenchmarkDotNet.Attributes;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 
 namespace Rabit.Benchmarks.Uav;
 

@@ -1,6 +1,6 @@
 using BenchmarkDotNet.Attributes;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Geodesy;
+using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Benchmarks.Uav;
 

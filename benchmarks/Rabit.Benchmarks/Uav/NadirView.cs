@@ -1,6 +1,7 @@
 using System;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Benchmarks.Uav;

@@ -1,5 +1,6 @@
 using System;
 using System.Runtime.InteropServices;
+using Rabit.Links;
 
 namespace Rabit.Latency.Native;
 

@@ -1,3 +1,5 @@
+using Rabit.Links;
+
 namespace Rabit.Latency.Native;
 
 /// <summary>CLOCK_MONOTONIC in nanoseconds: what all measured threads read, whatever they are measured for.</summary>

@@ -2,7 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Rabit.Uav.Links;
+using Rabit.Links;
+using Rabit.Uav.Communications;
 
 namespace UavConsole;
 

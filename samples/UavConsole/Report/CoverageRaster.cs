@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace UavConsole;
 

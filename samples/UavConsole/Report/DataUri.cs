@@ -1,5 +1,5 @@
 using System;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 
 namespace UavConsole;
 

@@ -1,4 +1,4 @@
-using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 
 namespace UavConsole;
 

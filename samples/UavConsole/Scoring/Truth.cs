@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 
 namespace UavConsole;
 

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace UavConsole;

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace UavConsole;

@@ -5,6 +5,7 @@ using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace UavConsole;
 

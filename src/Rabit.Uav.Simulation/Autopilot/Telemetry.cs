@@ -1,6 +1,6 @@
 using System;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Uav.Geometry;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Simulation;
 

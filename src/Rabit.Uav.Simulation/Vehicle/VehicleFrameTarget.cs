@@ -1,7 +1,7 @@
 using System.Threading;
 using Rabit.Core;
 using Rabit.Mavlink;
-using Rabit.Uav.Links;
+using Rabit.Links;
 
 namespace Rabit.Uav.Simulation;
 

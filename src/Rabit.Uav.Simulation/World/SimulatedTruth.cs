@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.Simulation;
 

@@ -1,5 +1,6 @@
 using System;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.Simulation;
 

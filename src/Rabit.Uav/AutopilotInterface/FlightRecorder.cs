@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Rabit.Geodesy;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;

@@ -1,3 +1,4 @@
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;

@@ -1,7 +1,7 @@
 using System;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.AutopilotInterface;
 

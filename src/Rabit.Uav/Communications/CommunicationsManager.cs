@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Mavlink;
-using Rabit.Uav.Links;
+using Rabit.Links;
 
 namespace Rabit.Uav.Communications;
 

@@ -2,7 +2,7 @@ using System;
 using System.Threading;
 using Rabit.Core;
 using Rabit.Mavlink;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;

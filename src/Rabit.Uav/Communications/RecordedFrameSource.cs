@@ -1,7 +1,6 @@
 using System;
 using Rabit.Core;
 using Rabit.Mavlink;
-using Rabit.Uav.Links;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;

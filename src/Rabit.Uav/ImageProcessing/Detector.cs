@@ -1,5 +1,8 @@
 using System;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -12,7 +15,7 @@ internal sealed class Detector(ImageProcessingOptions options)
     // The lens may bend the middle of the picture a little more than its corners.
     private const double SlackForCorners = 1.5;
 
-    private readonly ColourTable _colours = new();
+    private readonly ColourTable _colours = new(NominalColours.Ranges);
     private readonly BlobFinder _finder = new();
     private readonly BlobMeasure _measure = new();
     private readonly TargetGates _gates = new(options);
@@ -36,10 +39,10 @@ internal sealed class Detector(ImageProcessingOptions options)
     {
         _count = 0;
         Cut = 0;
-        _colours.Choose(colours);
-        if (!_finder.TryFind(pixels, width, height, _colours.Classes))
+        _colours.Select((uint)colours);
+        if (!_finder.TryFind(pixels, width, height, _colours))
             return false;
-        _measure.Use(pixels, width, height, _colours.Classes);
+        _measure.SetPicture(pixels, width, height, _colours);
         _largestPixelArea = LargestPixelArea(width, height, locator);
         foreach (ref readonly Blob blob in _finder.Blobs)
             Judge(blob, locator);
@@ -69,16 +72,15 @@ internal sealed class Detector(ImageProcessingOptions options)
             || IsTooSmall(blob, scale.PixelArea) || Math.Sqrt(blob.Pixels * scale.PixelArea) > options.MaximumSideMetres
             || !_measure.TryMeasure(blob, out BlobShape shape))
             return;
-        TargetColour colour = TargetColour.All[blob.Class - 1];
-        double score = _gates.Score(shape, scale, colour);
+        double score = _gates.Score(shape, scale, NominalColours.Ranges[blob.Class - 1]);
         if (score <= 0)
             return;
         Put(new Detection
         {
-            Colour = colour.Colour,
+            Colour = (TargetColours)(1 << (blob.Class - 1)),
             CentreX = shape.CentreX,
             CentreY = shape.CentreY,
-            SideMetres = shape.SideMetres(scale),
+            SideMetres = BlobOnGround.SideMetres(shape, scale),
             Score = score,
         });
     }

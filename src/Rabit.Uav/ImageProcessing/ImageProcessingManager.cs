@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Rabit.Core;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.ImageProcessing;
 

@@ -1,4 +1,6 @@
 using System;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -15,12 +17,12 @@ internal sealed class TargetGates(ImageProcessingOptions options)
     private const double AspectSpread = 0.4;
 
     /// <summary>The score of a blob, 0 to 1; 0 where it is none.</summary>
-    public double Score(in BlobShape shape, in GroundScale scale, TargetColour colour)
+    public double Score(in BlobShape shape, in GroundScale scale, ColourRange colour)
     {
-        double side = shape.SideMetres(scale);
+        double side = BlobOnGround.SideMetres(shape, scale);
         if (!(side >= options.MinimumSideMetres && side <= options.MaximumSideMetres) || Math.Sqrt(shape.Area) < options.MinimumSidePixels)
             return 0;
-        (double longSpread, double shortSpread) = shape.SpreadMetres(scale);
+        (double longSpread, double shortSpread) = BlobOnGround.SpreadMetres(shape, scale);
         double aspect = longSpread / shortSpread;
         double fill = side * side / (RectangleFactor * longSpread * shortSpread);
         if (!(aspect <= options.MaximumAspect && fill >= LeastFill && fill <= MostFill))

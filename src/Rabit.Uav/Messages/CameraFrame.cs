@@ -1,5 +1,6 @@
 using System;
 using Rabit.Core;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Messages;
 

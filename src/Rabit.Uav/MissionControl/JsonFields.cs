@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
+using Rabit.Uav.ImageProcessing;
 
 namespace Rabit.Uav.MissionControl;
 

@@ -1,6 +1,6 @@
 using System;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;

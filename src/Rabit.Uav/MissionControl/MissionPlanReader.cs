@@ -4,7 +4,8 @@ using System.Collections.Immutable;
 using System.Globalization;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;

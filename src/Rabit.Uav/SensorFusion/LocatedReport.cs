@@ -1,4 +1,4 @@
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.SensorFusion;

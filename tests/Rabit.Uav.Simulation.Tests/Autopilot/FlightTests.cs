@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
 using Xunit.Abstractions;
 

@@ -1,5 +1,6 @@
 using System;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Autopilot;

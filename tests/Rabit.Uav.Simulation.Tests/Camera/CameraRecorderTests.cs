@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Rabit.Core;
-using Rabit.Uav.Geometry;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 using Xunit;
 

@@ -2,7 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Tests.Shared;
-using Rabit.Uav.Geometry;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
 using Xunit.Abstractions;
 

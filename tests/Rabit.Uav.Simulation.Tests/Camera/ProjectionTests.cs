@@ -1,5 +1,6 @@
 using System;
-using Rabit.Uav.Geometry;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
 using Xunit.Abstractions;
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
-using Rabit.Uav.Geometry;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Simulation.Tests.Camera;

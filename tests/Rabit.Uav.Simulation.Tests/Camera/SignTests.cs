@@ -1,4 +1,5 @@
 using System;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Camera;

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Rabit.Uav.CameraGeometry;
 using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Camera;
@@ -107,6 +108,6 @@ public class SimulatedCameraTests
 
     private static SimulatedCameraOptions Small() => new()
     {
-        Camera = new Geometry.CameraModel { Width = 64, Height = 48, FocalX = 53, FocalY = 53, CentreX = 31.5, CentreY = 23.5 },
+        Camera = new CameraModel { Width = 64, Height = 48, FocalX = 53, FocalY = 53, CentreX = 31.5, CentreY = 23.5 },
     };
 }

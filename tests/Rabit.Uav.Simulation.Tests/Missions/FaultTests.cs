@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 using Xunit;
 using Xunit.Abstractions;

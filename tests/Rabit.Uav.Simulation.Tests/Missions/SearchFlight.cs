@@ -4,11 +4,12 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Rabit.Core;
+using Rabit.Geodesy;
+using Rabit.Links;
 using Rabit.Mavlink;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
-using Rabit.Uav.Geometry;
 using Rabit.Uav.ImageProcessing;
-using Rabit.Uav.Links;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 

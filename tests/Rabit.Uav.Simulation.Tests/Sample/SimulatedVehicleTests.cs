@@ -6,7 +6,7 @@ using System.Net.Sockets;
 using System.Text.Json;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Sample;

@@ -1,5 +1,5 @@
 using System;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Vehicle;

@@ -3,7 +3,7 @@ using System.Linq;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Xunit;
 

@@ -5,7 +5,7 @@ using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.AutopilotInterface;

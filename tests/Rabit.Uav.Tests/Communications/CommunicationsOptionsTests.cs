@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Uav.Communications;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Communications;

@@ -4,7 +4,7 @@ using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Uav.Communications;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.Communications;

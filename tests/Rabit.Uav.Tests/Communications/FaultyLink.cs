@@ -1,5 +1,5 @@
 using System;
-using Rabit.Uav.Links;
+using Rabit.Links;
 
 namespace Rabit.Uav.Tests.Communications;
 

@@ -2,7 +2,7 @@ using System;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Messages;
 using Xunit;
 

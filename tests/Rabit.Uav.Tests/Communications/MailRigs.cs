@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using Rabit.Core;
 using Rabit.Uav.Communications;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.Communications;

@@ -1,8 +1,8 @@
 using System;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Communications;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.Links;
+using Rabit.Geodesy;
+using Rabit.Links;
 using Rabit.Uav.Messages;
 using Xunit;
 

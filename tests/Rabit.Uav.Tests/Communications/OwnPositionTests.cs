@@ -1,9 +1,10 @@
 using System;
 using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.Links;
+using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 using Xunit;
 

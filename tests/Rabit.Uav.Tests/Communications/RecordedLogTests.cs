@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 using Xunit;
 

@@ -1,6 +1,6 @@
 using System;
 using Rabit.Uav.Communications;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Xunit;
 

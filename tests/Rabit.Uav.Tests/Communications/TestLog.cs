@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using Rabit.Links;
 using Rabit.Mavlink;
-using Rabit.Uav.Links;
+using Rabit.Uav.Communications;
 
 namespace Rabit.Uav.Tests.Communications;
 

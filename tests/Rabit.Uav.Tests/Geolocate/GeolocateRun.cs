@@ -2,7 +2,8 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Text.Json;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Tests.Geometry;
 using Rabit.Uav.Tests.ImageProcessing.Pictures;
 

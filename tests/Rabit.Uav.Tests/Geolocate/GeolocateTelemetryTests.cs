@@ -4,7 +4,7 @@ using System.IO;
 using System.Text;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Tests.Geometry;
 using Xunit;
 

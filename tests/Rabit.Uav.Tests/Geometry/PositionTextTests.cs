@@ -1,4 +1,4 @@
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Geometry;

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Geometry;

@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Rabit.Geodesy;
 using Rabit.Tests.Shared;
-using Rabit.Uav.Geometry;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Tests.Geometry;
 

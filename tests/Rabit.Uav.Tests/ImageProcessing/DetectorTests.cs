@@ -1,10 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Tests.Shared;
-using Rabit.Uav.Geometry;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
@@ -221,8 +223,8 @@ public sealed class DetectorTests
     {
         const int Seed = 77;
         var random = new Random(Seed);
-        var table = new ColourTable();
-        table.Choose(TargetColours.All);
+        var table = new ColourTable(NominalColours.Ranges);
+        table.Select((uint)TargetColours.All);
         var finder = new BlobFinder();
         for (int n = 0; n < 200; n++)
         {
@@ -233,7 +235,7 @@ public sealed class DetectorTests
                 (double r, double g, double b) = c == 0 ? (86, 112, 56) : Painting.Nominal(Colours[c - 1]);
                 return new[] { (byte)r, (byte)g, (byte)b };
             }).ToArray();
-            Assert.True(finder.TryFind(picture, width, height, table.Classes));
+            Assert.True(finder.TryFind(picture, width, height, table));
             IEnumerable<string> found = finder.Blobs.ToArray().Select(b => $"{b.Class}: {b.Left}-{b.Right} {b.Top}-{b.Bottom} {b.Pixels}");
             Assert.Equal(Flooded(classes, width, height).OrderBy(s => s, StringComparer.Ordinal), found.OrderBy(s => s, StringComparer.Ordinal));
         }

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Rabit.Core;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Xunit;

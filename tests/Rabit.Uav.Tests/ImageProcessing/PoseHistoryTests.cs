@@ -1,8 +1,8 @@
 using System;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Tests.Shared;
-using Rabit.Uav.Geometry;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 using Xunit;
 

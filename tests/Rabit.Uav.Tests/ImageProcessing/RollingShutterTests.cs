@@ -1,6 +1,8 @@
 using System;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 using Xunit;
 

@@ -2,7 +2,7 @@ using System;
 using System.Diagnostics;
 using System.Linq;
 using System.Threading;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Links;

@@ -1,5 +1,5 @@
 using System;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Links;

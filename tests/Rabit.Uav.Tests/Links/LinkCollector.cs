@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
-using Rabit.Uav.Links;
+using Rabit.Links;
 
 namespace Rabit.Uav.Tests.Links;
 

@@ -1,5 +1,6 @@
 using System;
-using Rabit.Uav.Links;
+using Rabit.Links;
+using Rabit.Uav.Communications;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Links;

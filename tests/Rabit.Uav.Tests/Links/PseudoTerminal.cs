@@ -1,7 +1,7 @@
 using System;
 using System.Runtime.InteropServices;
 using System.Text;
-using Rabit.Uav.Links;
+using Rabit.Links;
 
 namespace Rabit.Uav.Tests.Links;
 

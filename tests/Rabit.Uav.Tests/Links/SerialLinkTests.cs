@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Links;

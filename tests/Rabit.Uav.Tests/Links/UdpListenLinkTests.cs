@@ -1,7 +1,7 @@
 using System;
 using System.Net;
 using System.Net.Sockets;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Links;

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.MissionControl;

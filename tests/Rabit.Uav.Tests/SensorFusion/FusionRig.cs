@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Uav.SensorFusion;
 

@@ -2,7 +2,7 @@ using System;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Tests.Shared;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.SensorFusion;
 using Xunit;
 using Xunit.Abstractions;

@@ -5,7 +5,7 @@ using System.Linq;
 using System.Text.Json;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Tests.Communications;
 using Xunit;
 

@@ -3,7 +3,7 @@ using System.IO;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Links;
+using Rabit.Links;
 using Rabit.Uav.Tests.Communications;
 using Spectre.Console;
 using UavConsole;

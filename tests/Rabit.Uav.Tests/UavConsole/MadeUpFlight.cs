@@ -3,9 +3,10 @@ using System.Collections.Generic;
 using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Core;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 using UavConsole;
 
 namespace Rabit.Uav.Tests.UavConsole;

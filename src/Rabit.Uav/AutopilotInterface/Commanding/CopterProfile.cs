@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;

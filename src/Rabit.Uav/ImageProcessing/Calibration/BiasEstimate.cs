@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Rabit.Uav.Geometry;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 

@@ -1,5 +1,6 @@
 using System;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 

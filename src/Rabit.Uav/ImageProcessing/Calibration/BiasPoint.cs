@@ -1,4 +1,4 @@
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 

@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 

@@ -3,7 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -108,7 +110,7 @@ internal static class CameraDescription
     private static CameraMount Check(CameraModel model, double[] matrix, double[] arm, List<string> faults)
     {
         faults.AddRange(model.FindFaults());
-        if (RgbPicture.SizeFault(model.Width, model.Height) is { } fault)
+        if (RgbPicture.FindSizeFault(model.Width, model.Height) is { } fault)
             faults.Add(fault);
         if (!TryRotation(matrix, out Rotation rotation, out string reason))
             faults.Add("R_body_from_cam: " + reason);

@@ -2,7 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Rabit.Uav.Geometry;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -51,7 +52,7 @@ public sealed class CameraFolder
         {
             return CameraDescription.Parse(File.ReadAllBytes(file), file, path);
         }
-        catch (Exception e) when (PictureFile.IsFileFault(e))
+        catch (Exception e) when (FileFaults.IsFileFault(e))
         {
             throw new PictureException(file, "it cannot be read: " + e.Message, e);
         }
@@ -75,7 +76,7 @@ public sealed class CameraFolder
             throw new ArgumentNullException(nameof(mount));
         string file = System.IO.Path.Combine(path, DescriptionFile);
         List<string> faults = camera.FindFaults().Concat(mount.FindFaults()).ToList();
-        if (RgbPicture.SizeFault(camera.Width, camera.Height) is { } fault)
+        if (RgbPicture.FindSizeFault(camera.Width, camera.Height) is { } fault)
             faults.Add(fault);
         if (faults.Count > 0)
             throw new PictureException(file, string.Join("; ", faults));
@@ -86,7 +87,7 @@ public sealed class CameraFolder
             Directory.CreateDirectory(path);
             File.WriteAllBytes(file, CameraDescription.Write(camera, placement));
         }
-        catch (Exception e) when (PictureFile.IsFileFault(e))
+        catch (Exception e) when (FileFaults.IsFileFault(e))
         {
             throw new PictureException(file, "it cannot be written: " + e.Message, e);
         }

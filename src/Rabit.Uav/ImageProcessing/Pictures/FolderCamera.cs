@@ -4,6 +4,7 @@ using System.IO;
 using System.Threading;
 using Rabit.Core;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Threading;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -42,7 +43,7 @@ public sealed class PictureFolderWriter
             File.Delete(path);
             File.Move(path + TemporaryEnding, path);
         }
-        catch (Exception e) when (PictureFile.IsFileFault(e))
+        catch (Exception e) when (FileFaults.IsFileFault(e))
         {
             throw new PictureException(path, "it cannot be written: " + e.Message, e);
         }

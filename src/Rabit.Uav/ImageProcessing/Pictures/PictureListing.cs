@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
@@ -46,7 +47,7 @@ internal sealed class PictureListing
                     nameless.Add(name);
             }
         }
-        catch (Exception e) when (PictureFile.IsFileFault(e))
+        catch (Exception e) when (FileFaults.IsFileFault(e))
         {
             _changed = default;
             throw new PictureException(_folder, e is DirectoryNotFoundException ? "the folder is gone" : "it cannot be read: " + e.Message, e);

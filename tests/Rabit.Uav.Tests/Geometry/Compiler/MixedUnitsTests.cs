@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Geometry.Compiler;
@@ -47,7 +47,7 @@ public sealed class MixedUnitsTests
 
     private static List<string> Errors(string line)
     {
-        string program = "using System; using Rabit.Uav.Geometry; static class Program { static void Run(BodyVector body, NedVector ned, Rotation attitude, LocalNedFrame frame, "
+        string program = "using System; using Rabit.Geodesy; static class Program { static void Run(BodyVector body, NedVector ned, Rotation attitude, LocalNedFrame frame, "
             + "Angle angle, AmslAltitude amsl, EllipsoidHeight ellipsoid, HeightAboveGround aboveGround, HeightAboveHome aboveHome, GeographicPoint point, GeodeticPosition amslPlace) { "
             + line + " } }";
         string[] trusted = ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator);

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Calibration;
 using Rabit.Uav.Tests.Geometry;
 using Xunit;

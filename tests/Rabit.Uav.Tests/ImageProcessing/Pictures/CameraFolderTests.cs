@@ -1,8 +1,10 @@
 using System;
 using System.IO;
 using System.Text;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;

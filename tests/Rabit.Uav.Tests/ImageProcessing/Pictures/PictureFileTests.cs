@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;

@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 using Xunit;
 using Xunit.Abstractions;
 

@@ -1,6 +1,6 @@
 using System;
 using System.IO;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Vision;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
 

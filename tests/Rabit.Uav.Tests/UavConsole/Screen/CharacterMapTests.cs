@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Rabit.Uav.Geometry;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using UavConsole;
 using Xunit;

@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+
+namespace Rabit.Geodesy;
+
+/// <summary>
+/// Reads a grid of heights from text: the ARC/INFO ASCII grid (.asc) in degrees of latitude and longitude, rows from the north; cells may
+/// be told by `cellsize`, or by `dx` and `dy`.
+/// </summary>
+public static class AsciiGrid
+{
+    private const int MostPosts = 100_000_000;
+
+    private static readonly char[] Blanks = [' ', '\t', '\r', '\n'];
+
+    /// <summary>Reads it to its end.</summary>
+    /// <param name="reader">The text; stays open.</param>
+    /// <exception cref="FormatException">It is not such a grid; the text says where.</exception>
+    public static TerrainGrid Read(TextReader reader)
+    {
+        if (reader is null)
+            throw new ArgumentNullException(nameof(reader));
+        Dictionary<string, double> header = ReadHeader(reader, out string? line, out int lineNumber);
+        int columns = Count(header, "ncols");
+        int rows = Count(header, "nrows");
+        if ((long)rows * columns > MostPosts)
+            throw new FormatException($"The grid of {rows} x {columns} posts is larger than {MostPosts} posts.");
+        double dx = header.TryGetValue("cellsize", out double size) || header.TryGetValue("dx", out size) ? size : throw Missing("cellsize");
+        double dy = header.TryGetValue("cellsize", out size) || header.TryGetValue("dy", out size) ? size : throw Missing("cellsize");
+        double west = Corner(header, "xllcenter", "xllcorner", dx);
+        double south = Corner(header, "yllcenter", "yllcorner", dy);
+        double noData = header.TryGetValue("nodata_value", out double none) ? none : -9999;
+
+        var heights = new float[rows * columns];
+        int count = 0;
+        for (; line is not null; line = reader.ReadLine(), lineNumber++)
+        {
+            foreach (string word in line.Split(Blanks, StringSplitOptions.RemoveEmptyEntries))
+            {
+                if (!double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double height))
+                    throw new FormatException($"Line {lineNumber} of the grid: '{word}' is not a height.");
+                if (count == heights.Length)
+                    throw new FormatException($"Line {lineNumber} of the grid: there are more than {rows} x {columns} heights.");
+                int index = ((rows - 1 - (count / columns)) * columns) + (count % columns);
+                heights[index] = height == noData || double.IsInfinity(height) ? float.NaN : (float)height;
+                count++;
+            }
+        }
+
+        if (count != heights.Length)
+            throw new FormatException($"The grid ends after {count} of {rows} x {columns} heights.");
+        try
+        {
+            return new TerrainGrid(new GeographicPoint(Angle.FromDegrees(south), Angle.FromDegrees(west)), Angle.FromDegrees(dy), Angle.FromDegrees(dx), rows, columns, heights);
+        }
+        catch (ArgumentException e)
+        {
+            throw new FormatException(e.Message, e);
+        }
+    }
+
+    private static Dictionary<string, double> ReadHeader(TextReader reader, out string? line, out int lineNumber)
+    {
+        var header = new Dictionary<string, double>(StringComparer.OrdinalIgnoreCase);
+        lineNumber = 1;
+        while ((line = reader.ReadLine()) is not null)
+        {
+            string[] words = line.Split(Blanks, StringSplitOptions.RemoveEmptyEntries);
+            bool isHeader = words.Length == 2 && char.IsLetter(words[0][0]) && !double.TryParse(words[0], NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+            if (words.Length > 0 && !isHeader)
+                break;
+            if (isHeader && !double.TryParse(words[1], NumberStyles.Float, CultureInfo.InvariantCulture, out _))
+                throw new FormatException($"Line {lineNumber} of the grid: '{words[1]}' is not a number.");
+            if (isHeader)
+                header[words[0]] = double.Parse(words[1], NumberStyles.Float, CultureInfo.InvariantCulture);
+            lineNumber++;
+        }
+
+        return header;
+    }
+
+    private static int Count(Dictionary<string, double> header, string name)
+    {
+        double value = header.TryGetValue(name, out double found) ? found : throw Missing(name);
+        return value >= 2 && value <= MostPosts && value == Math.Floor(value) ? (int)value : throw new FormatException(FormattableString.Invariant($"The grid's {name} is {value}."));
+    }
+
+    // A cell's corner is half a cell from its post.
+    private static double Corner(Dictionary<string, double> header, string centre, string corner, double cell)
+    {
+        if (header.TryGetValue(centre, out double value))
+            return value;
+        return header.TryGetValue(corner, out value) ? value + (cell / 2) : throw Missing(corner);
+    }
+
+    private static FormatException Missing(string name) => new($"The grid does not tell its {name}.");
+}

@@ -1,0 +1,34 @@
+namespace Rabit.Geodesy;
+
+/// <summary>A place with its height above the WGS-84 ellipsoid. A plain value.</summary>
+/// <param name="point">Where it is on the ellipsoid.</param>
+/// <param name="height">How far above.</param>
+public readonly struct EllipsoidPosition(GeographicPoint point, EllipsoidHeight height)
+{
+    /// <summary>Where it is on the ellipsoid.</summary>
+    public GeographicPoint Point { get; } = point;
+
+    /// <summary>How far above.</summary>
+    public EllipsoidHeight Height { get; } = height;
+
+    /// <summary>From an earth-centred position; at the poles the longitude is 0 or 180 degrees. At the centre of the earth it is not a place.</summary>
+    /// <param name="position">Not nearer than 50 km to the centre of the earth.</param>
+    public static EllipsoidPosition FromEcef(EcefPosition position)
+    {
+        (double latitude, double longitude, double height) = Wgs84.FromEarthCentred(position.XMetres, position.YMetres, position.ZMetres);
+        return new EllipsoidPosition(
+            new GeographicPoint(Angle.FromRadians(latitude), Angle.FromRadians(longitude)), new EllipsoidHeight(height));
+    }
+
+    /// <summary>Earth-centred.</summary>
+    public EcefPosition ToEcef()
+    {
+        (double x, double y, double z) = Wgs84.ToEarthCentred(Point.Latitude.Radians, Point.Longitude.Radians, Height.Metres);
+        return new EcefPosition(x, y, z);
+    }
+
+    /// <summary>With its altitude above mean sea level, as autopilots tell it.</summary>
+    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid there.</param>
+    public GeodeticPosition ToAmsl(double geoidUndulationMetres)
+        => new(Point, Height.ToAmsl(geoidUndulationMetres));
+}

@@ -1,0 +1,100 @@
+using System;
+
+namespace Rabit.Geodesy;
+
+/// <summary>
+/// A flat north-east-down frame that touches the WGS-84 ellipsoid's normal at an origin, through earth-centred coordinates, so that it is
+/// exact at any distance. A plain value.
+/// </summary>
+/// <remarks>
+/// Altitudes above mean sea level become heights above the ellipsoid by the undulation that the frame was given, and only by that.
+/// Formulas: <see cref="Wgs84"/>.
+/// </remarks>
+public readonly struct LocalNedFrame
+{
+    private readonly double _sinLat;
+    private readonly double _cosLat;
+    private readonly double _sinLon;
+    private readonly double _cosLon;
+    private readonly double _x;
+    private readonly double _y;
+    private readonly double _z;
+
+    /// <summary>Makes the frame.</summary>
+    /// <param name="origin">Where north, east and down are 0.</param>
+    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid in this frame, -107 to 86 m on earth.</param>
+    public LocalNedFrame(GeodeticPosition origin, double geoidUndulationMetres)
+    {
+        Origin = origin;
+        GeoidUndulationMetres = geoidUndulationMetres;
+        (_sinLat, _cosLat) = (Math.Sin(origin.LatitudeRadians), Math.Cos(origin.LatitudeRadians));
+        (_sinLon, _cosLon) = (Math.Sin(origin.LongitudeRadians), Math.Cos(origin.LongitudeRadians));
+        (_x, _y, _z) = Wgs84.ToEarthCentred(origin.LatitudeRadians, origin.LongitudeRadians, origin.AltitudeAmslMetres + geoidUndulationMetres);
+    }
+
+    /// <summary>Makes the frame.</summary>
+    /// <param name="origin">Where north, east and down are 0.</param>
+    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid in this frame: for altitudes above mean sea level only.</param>
+    public LocalNedFrame(EllipsoidPosition origin, double geoidUndulationMetres)
+        : this(origin.ToAmsl(geoidUndulationMetres), geoidUndulationMetres)
+    {
+    }
+
+    /// <summary>Where north, east and down are 0.</summary>
+    public GeodeticPosition Origin { get; }
+
+    /// <summary>How far the geoid is taken to be above the ellipsoid, metres.</summary>
+    public double GeoidUndulationMetres { get; }
+
+    /// <summary>
+    /// The frame where the undulation is not known and need not be: mean sea level is taken for the ellipsoid, which stretches distances by
+    /// 0.002 % at most. What goes in and out are altitudes above mean sea level; its heights above the ellipsoid mean nothing.
+    /// </summary>
+    /// <param name="origin">Where north, east and down are 0.</param>
+    public static LocalNedFrame IgnoringGeoid(GeodeticPosition origin) => new(origin, geoidUndulationMetres: 0);
+
+    /// <summary>A place in this frame, metres.</summary>
+    /// <param name="position">The place.</param>
+    public NedVector ToNed(GeodeticPosition position)
+        => FromEarthCentred(Wgs84.ToEarthCentred(position.LatitudeRadians, position.LongitudeRadians, position.AltitudeAmslMetres + GeoidUndulationMetres));
+
+    /// <summary>A place in this frame, metres.</summary>
+    /// <param name="position">The place.</param>
+    public NedVector ToNed(EllipsoidPosition position)
+        => FromEarthCentred(Wgs84.ToEarthCentred(position.Point.Latitude.Radians, position.Point.Longitude.Radians, position.Height.Metres));
+
+    /// <summary>The place of a point of this frame, with its altitude above mean sea level.</summary>
+    /// <param name="ned">The point, metres.</param>
+    public GeodeticPosition ToGeodetic(NedVector ned)
+    {
+        (double latitude, double longitude, double height) = ToEllipsoidal(ned);
+        return GeodeticPosition.FromRadians(latitude, longitude, height - GeoidUndulationMetres);
+    }
+
+    /// <summary>The place of a point of this frame, with its height above the ellipsoid.</summary>
+    /// <param name="ned">The point, metres.</param>
+    public EllipsoidPosition ToEllipsoid(NedVector ned)
+    {
+        (double latitude, double longitude, double height) = ToEllipsoidal(ned);
+        return new EllipsoidPosition(new GeographicPoint(Angle.FromRadians(latitude), Angle.FromRadians(longitude)), new EllipsoidHeight(height));
+    }
+
+    private NedVector FromEarthCentred((double X, double Y, double Z) place)
+    {
+        (double x, double y, double z) = (place.X - _x, place.Y - _y, place.Z - _z);
+        double outward = (_cosLon * x) + (_sinLon * y);
+        return new NedVector(
+            (-_sinLat * outward) + (_cosLat * z),
+            (-_sinLon * x) + (_cosLon * y),
+            (-_cosLat * outward) - (_sinLat * z));
+    }
+
+    private (double Latitude, double Longitude, double Height) ToEllipsoidal(NedVector ned)
+    {
+        double outward = (-_sinLat * ned.North) - (_cosLat * ned.Down);
+        double x = _x + (_cosLon * outward) - (_sinLon * ned.East);
+        double y = _y + (_sinLon * outward) + (_cosLon * ned.East);
+        double z = _z + (_cosLat * ned.North) - (_sinLat * ned.Down);
+        return Wgs84.FromEarthCentred(x, y, z);
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using System.Net;
+using System.Net.Sockets;
+
+namespace Rabit.Links;
+
+/// <summary>Finds the addresses of a host.</summary>
+internal static class HostAddresses
+{
+    /// <summary>
+    /// The addresses of a host, IPv4 before IPv6: over UDP nobody can tell which one is listened on, and MAVLink programs listen on IPv4.
+    /// Waits for the system's name service as long as that takes.
+    /// </summary>
+    /// <exception cref="LinkException">The name is not known.</exception>
+    public static IPAddress[] Find(string url, string host)
+    {
+        if (IPAddress.TryParse(host, out IPAddress? literal)) return [literal];
+
+        IPAddress[] found;
+        try
+        {
+            found = Dns.GetHostAddresses(host);
+        }
+        catch (SocketException e)
+        {
+            throw new LinkException(url, SocketFaults.Describe(e.SocketErrorCode), linkEnded: true, e);
+        }
+        catch (ArgumentException e)
+        {
+            throw new LinkException(url, $"'{host}' cannot be the name of a host", linkEnded: true, e);
+        }
+
+        if (found.Length == 0) throw new LinkException(url, SocketFaults.Describe(SocketError.NoData), linkEnded: true);
+        Array.Sort(found, (x, y) => IsIpv6(x).CompareTo(IsIpv6(y)));
+        return found;
+    }
+
+    private static bool IsIpv6(IPAddress address) => address.AddressFamily == AddressFamily.InterNetworkV6;
+}

@@ -1,0 +1,41 @@
+namespace Rabit.Links;
+
+/// <summary>
+/// What went through a link and what was lost, since it was opened. A snapshot: each figure is exact, but they are not all of one instant.
+/// </summary>
+public readonly struct LinkCounters
+{
+    /// <summary>Makes a snapshot.</summary>
+    /// <param name="bytesRead">See <see cref="BytesRead"/>.</param>
+    /// <param name="bytesWritten">See <see cref="BytesWritten"/>.</param>
+    /// <param name="bytesDropped">See <see cref="BytesDropped"/>.</param>
+    /// <param name="writesDropped">See <see cref="WritesDropped"/>.</param>
+    /// <param name="transientFaults">See <see cref="TransientFaults"/>.</param>
+    public LinkCounters(long bytesRead, long bytesWritten, long bytesDropped, long writesDropped, long transientFaults)
+    {
+        BytesRead = bytesRead;
+        BytesWritten = bytesWritten;
+        BytesDropped = bytesDropped;
+        WritesDropped = writesDropped;
+        TransientFaults = transientFaults;
+    }
+
+    /// <summary>Bytes handed out by reads.</summary>
+    public long BytesRead { get; }
+
+    /// <summary>Bytes handed on by writes, to the other end or to the operating system.</summary>
+    public long BytesWritten { get; }
+
+    /// <summary>Bytes given to a write that did not go out. Given = written + dropped.</summary>
+    public long BytesDropped { get; }
+
+    /// <summary>Writes of which at least one byte was dropped.</summary>
+    public long WritesDropped { get; }
+
+    /// <summary>Faults that passed without ending the link, for example a host that answered "nobody listens on this port".</summary>
+    public long TransientFaults { get; }
+
+    /// <summary>For logs, one line.</summary>
+    public override string ToString() =>
+        $"{BytesRead} bytes read, {BytesWritten} written, {BytesDropped} dropped in {WritesDropped} writes, {TransientFaults} transient faults";
+}

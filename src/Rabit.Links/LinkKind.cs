@@ -1,0 +1,20 @@
+namespace Rabit.Links;
+
+/// <summary>The kinds of link that a <see cref="LinkUrl"/> can name.</summary>
+public enum LinkKind
+{
+    /// <summary><c>udpin:ADDRESS:PORT</c>: waits on a UDP port and answers whoever spoke last.</summary>
+    UdpListen,
+
+    /// <summary><c>udpout:HOST:PORT</c>: sends to one UDP address and hears only that.</summary>
+    UdpSend,
+
+    /// <summary><c>tcp:HOST:PORT</c>: connects to a TCP server.</summary>
+    TcpClient,
+
+    /// <summary><c>serial:DEVICE:BAUD</c>: a serial line.</summary>
+    Serial,
+
+    /// <summary><c>tlog:FILE[?speed=10|max]</c>: plays a recorded flight.</summary>
+    RecordedFile,
+}

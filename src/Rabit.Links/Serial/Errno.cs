@@ -1,0 +1,35 @@
+using System.Globalization;
+
+namespace Rabit.Links;
+
+/// <summary>The error numbers of Linux that a serial line meets, and how to say them to a user.</summary>
+internal static class Errno
+{
+    public const int NotPermitted = 1; // EPERM
+    public const int NoEntry = 2; // ENOENT
+    public const int Interrupted = 4; // EINTR
+    public const int InputOutput = 5; // EIO
+    public const int NoDeviceOrAddress = 6; // ENXIO
+    public const int TryAgain = 11; // EAGAIN
+    public const int AccessDenied = 13; // EACCES
+    public const int Busy = 16; // EBUSY
+    public const int NoDevice = 19; // ENODEV
+    public const int NotDirectory = 20; // ENOTDIR
+    public const int IsDirectory = 21; // EISDIR
+    public const int Invalid = 22; // EINVAL
+    public const int NotATerminal = 25; // ENOTTY
+
+    /// <summary>What the kernel answers once the device is gone.</summary>
+    public static bool IsUnplugged(int errno) => errno is InputOutput or NoDeviceOrAddress or NoDevice;
+
+    public static string Describe(int errno) => errno switch
+    {
+        NoEntry or NotDirectory => "there is no such device",
+        AccessDenied or NotPermitted =>
+            "permission denied; add the user to the group 'dialout' (sudo usermod -aG dialout USER) and log in again",
+        Busy => "the device is in use by another program",
+        NotATerminal or IsDirectory => "this is not a serial device",
+        NoDevice or NoDeviceOrAddress or InputOutput => "the device does not answer (unplugged?)",
+        _ => $"error {errno.ToString(CultureInfo.InvariantCulture)} of the operating system (errno)",
+    };
+}

@@ -1,0 +1,92 @@
+using System;
+using System.Net;
+using System.Net.Sockets;
+
+namespace Rabit.Links;
+
+/// <summary>
+/// <c>udpin:ADDRESS:PORT</c>: waits on a UDP port and hears everybody. Writes go to whoever was heard last; before anybody was heard, and while
+/// the network is down, they are dropped and counted. One write is one datagram. A peer that goes away cannot be seen.
+/// Allocates nothing per datagram on .NET; on Mono about 400 bytes for one received and one sent.
+/// </summary>
+public sealed class UdpListenLink : IByteLink
+{
+    private readonly LinkLifetime _state;
+    private readonly UdpSocket _socket;
+    private readonly DatagramExchange _exchange;
+
+    private UdpListenLink(Socket socket, LinkLifetime state, IPEndPoint local)
+    {
+        _state = state;
+        _exchange = new DatagramExchange(socket);
+        _socket = new UdpSocket(socket, state, _exchange);
+        Port = local.Port;
+    }
+
+    /// <inheritdoc/>
+    public string Url => _state.Url;
+
+    /// <summary>The port it listens on.</summary>
+    public int Port { get; }
+
+    /// <inheritdoc/>
+    public bool Blocks => true;
+
+    /// <inheritdoc/>
+    public LinkCounters Counters => _state.Counters;
+
+    /// <summary>Opens a link.</summary>
+    /// <param name="address">The address of this computer to listen on, or a name for it; <c>0.0.0.0</c> is all of them for IPv4.</param>
+    /// <param name="port">1 to 65535, or 0 for any free one: <see cref="Port"/> says which.</param>
+    /// <param name="options">How long a write may wait; the defaults if left out.</param>
+    /// <exception cref="LinkException">The port is in use, this computer does not have the address, or the like.</exception>
+    public static UdpListenLink Open(string address, int port, LinkOptions? options = null)
+    {
+        if (address is null) throw new ArgumentNullException(nameof(address));
+        if (port is < 0 or > 65535) throw new ArgumentOutOfRangeException(nameof(port), port, "a port is 0 to 65535");
+        string url = LinkUrl.ForHost(LinkKind.UdpListen, address, port).ToString();
+        IPAddress own = HostAddresses.Find(url, address)[0];
+
+        Socket? socket = null;
+        try
+        {
+            socket = new Socket(own.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
+            // Mono lets two programs share a UDP port, so that each gets some of the datagrams, unless told otherwise.
+            socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, false);
+            socket.SendTimeout = (options ?? LinkOptions.Default).WriteTimeoutMilliseconds;
+            socket.Bind(new IPEndPoint(own, port));
+            var local = (IPEndPoint)socket.LocalEndPoint!;
+            return new UdpListenLink(socket, new LinkLifetime(LinkUrl.ForHost(LinkKind.UdpListen, address, local.Port).ToString()), local);
+        }
+        catch (SocketException e)
+        {
+            socket?.Dispose();
+            throw new LinkException(url, $"cannot listen: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
+        }
+    }
+
+    /// <inheritdoc/>
+    public LinkRead Read(byte[] buffer) => _socket.Read(buffer);
+
+    /// <inheritdoc/>
+    public void Write(byte[] buffer, int offset, int count)
+    {
+        if (!_state.CheckWrite(buffer, offset, count)) return;
+        if (_exchange.HasSender) _socket.Write(buffer, offset, count);
+        else _state.Dropped(count);
+    }
+
+    /// <inheritdoc/>
+    public void Unblock() => _socket.End(LinkLifetime.UnblockedReason);
+
+    /// <inheritdoc/>
+    public void SetReadableCallback(Action? callback)
+    {
+    }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        if (_state.TryDispose()) Unblock();
+    }
+}

@@ -1,0 +1,74 @@
+using System.Collections.Generic;
+using Rabit.Geodesy;
+
+namespace Rabit.Uav.CameraGeometry;
+
+/// <summary>
+/// How a camera sits on the vehicle. Its gimbal turns by yaw, then pitch, from where the optical axis points forward: pitch -pi/2 looks
+/// straight down with the top of the picture forward. A camera without a gimbal is one whose angles never change, or has a
+/// <see cref="FixedBodyFromCamera"/>. Immutable.
+/// </summary>
+/// <remarks>
+/// Body from gimbal = Rz(misalignment yaw) Ry(misalignment pitch) Rx(misalignment roll) Rz(gimbal yaw) Ry(gimbal pitch). Axes of the
+/// gimbal: x along the optical axis, y to the right in the picture, z down in the picture.
+/// </remarks>
+public sealed class CameraMount
+{
+    /// <summary>Misalignment about forward, radians.</summary>
+    public double MisalignmentRollRadians { get; init; }
+
+    /// <summary>Misalignment about right, radians.</summary>
+    public double MisalignmentPitchRadians { get; init; }
+
+    /// <summary>Misalignment about down, radians.</summary>
+    public double MisalignmentYawRadians { get; init; }
+
+    /// <summary>Where the gimbal's centre is, from the point whose position the autopilot tells, metres.</summary>
+    public BodyVector GimbalArmMetres { get; init; }
+
+    /// <summary>Where the camera is from the gimbal's centre, metres, in the axes of the gimbal: forward is along the optical axis.</summary>
+    public BodyVector CameraArmMetres { get; init; }
+
+    /// <summary>For a camera without a gimbal: from its axes (x right, y down, z along the optical axis) to the body's. The misalignment comes on top.</summary>
+    /// <value>Null, the default, where the angles of the gimbal tell it. See <see cref="Rotation.FromMatrix"/>.</value>
+    public Rotation? FixedBodyFromCamera { get; init; }
+
+    // x_gimbal = z_camera, y_gimbal = x_camera, z_gimbal = y_camera: a turn by 120 degrees about (1, 1, 1).
+    private static Rotation GimbalFromCamera => Rotation.FromQuaternion(1, 1, 1, 1);
+
+    /// <summary>Where the camera is and how it stands in the body frame.</summary>
+    /// <param name="gimbalPitchRadians">Up positive. Not used with <see cref="FixedBodyFromCamera"/>.</param>
+    /// <param name="gimbalYawRadians">Right positive. Not used with <see cref="FixedBodyFromCamera"/>.</param>
+    public CameraPlacement At(double gimbalPitchRadians, double gimbalYawRadians) => At(gimbalPitchRadians, gimbalYawRadians, default);
+
+    /// <summary>As the other, with an error of the misalignment: what would be if it were so.</summary>
+    internal CameraPlacement At(double gimbalPitchRadians, double gimbalYawRadians, EulerAngles misalignmentError)
+    {
+        Rotation gimbal = FixedBodyFromCamera is { } fixedCamera
+            ? fixedCamera * GimbalFromCamera.Inverse
+            : Rotation.FromEuler(EulerAngles.FromRadians(0, gimbalPitchRadians, gimbalYawRadians));
+        Rotation bodyFromGimbal = Rotation.FromEuler(EulerAngles.FromRadians(
+            MisalignmentRollRadians + misalignmentError.RollRadians,
+            MisalignmentPitchRadians + misalignmentError.PitchRadians,
+            MisalignmentYawRadians + misalignmentError.YawRadians)) * gimbal;
+        (double x, double y, double z) = bodyFromGimbal.Apply(CameraArmMetres.Forward, CameraArmMetres.Right, CameraArmMetres.Down);
+        return new CameraPlacement(
+            bodyFromGimbal * GimbalFromCamera,
+            new BodyVector(GimbalArmMetres.Forward + x, GimbalArmMetres.Right + y, GimbalArmMetres.Down + z));
+    }
+
+    /// <summary>What is wrong with it, one line each.</summary>
+    internal IEnumerable<string> FindFaults()
+    {
+        if (!IsFinite(MisalignmentRollRadians + MisalignmentPitchRadians + MisalignmentYawRadians))
+            yield return "the misalignment of the camera mount is not a number";
+        if (!IsFinite(GimbalArmMetres.Forward + GimbalArmMetres.Right + GimbalArmMetres.Down))
+            yield return $"{nameof(GimbalArmMetres)} is not a number";
+        if (!IsFinite(CameraArmMetres.Forward + CameraArmMetres.Right + CameraArmMetres.Down))
+            yield return $"{nameof(CameraArmMetres)} is not a number";
+        if (FixedBodyFromCamera is { IsValid: false })
+            yield return $"{nameof(FixedBodyFromCamera)} is no rotation";
+    }
+
+    private static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
+}

@@ -1,0 +1,34 @@
+using System;
+using Rabit.Geodesy;
+
+namespace Rabit.Uav.ImageProcessing.Geolocation;
+
+/// <summary>Where the vehicle was and how it stood at a moment. A plain value.</summary>
+internal struct Pose
+{
+    public TimeSpan Time { get; set; }
+
+    public GeodeticPosition Position { get; set; }
+
+    /// <summary>Metres per second; zero where the autopilot did not tell.</summary>
+    public NedVector VelocityNed { get; set; }
+
+    /// <summary>From the body to north-east-down.</summary>
+    public Rotation Attitude { get; set; }
+
+    public BodyRates Rates { get; set; }
+
+    /// <summary>How far beyond the newest sample it was drawn on, seconds; 0 for a pose between samples.</summary>
+    public double ExtrapolatedSeconds { get; set; }
+
+    /// <summary>What it was, or will be, at the same velocity and rates.</summary>
+    public readonly Pose After(double seconds)
+    {
+        var frame = LocalNedFrame.IgnoringGeoid(Position);
+        Pose pose = this;
+        pose.Time = Time + TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
+        pose.Position = frame.ToGeodetic(new NedVector(VelocityNed.North * seconds, VelocityNed.East * seconds, VelocityNed.Down * seconds));
+        pose.Attitude = Attitude.After(Rates, seconds);
+        return pose;
+    }
+}

@@ -1,0 +1,49 @@
+using System;
+
+namespace Rabit.Vision;
+
+/// <summary>A picture with 8 bits each of red, green and blue, row by row from the top left, without padding.</summary>
+public sealed class RgbPicture
+{
+    /// <summary>Columns or rows that a picture has at most here.</summary>
+    public const int MostPixelsPerSide = 16_384;
+
+    /// <summary>Pixels that a picture has at most here: 50 million, more than any camera of an aircraft this is made for.</summary>
+    public const int MostPixels = 50_000_000;
+
+    /// <summary>Makes a picture of bytes, which are not copied.</summary>
+    /// <param name="width">Columns, 1 to <see cref="MostPixelsPerSide"/>.</param>
+    /// <param name="height">Rows, 1 to <see cref="MostPixelsPerSide"/>.</param>
+    /// <param name="pixels">At least width x height x 3 bytes; what is behind them does not belong to the picture.</param>
+    /// <exception cref="ArgumentException">The size is out of range, or the bytes are too few.</exception>
+    public RgbPicture(int width, int height, byte[] pixels)
+    {
+        if (FindSizeFault(width, height) is { } fault)
+            throw new ArgumentException("A picture: " + fault + ".", nameof(width));
+        Pixels = pixels ?? throw new ArgumentNullException(nameof(pixels));
+        if (pixels.Length < width * height * 3)
+            throw new ArgumentException($"A picture of {width} x {height} needs {width * height * 3} bytes; there are {pixels.Length}.", nameof(pixels));
+        (Width, Height) = (width, height);
+    }
+
+    /// <summary>Columns.</summary>
+    public int Width { get; }
+
+    /// <summary>Rows.</summary>
+    public int Height { get; }
+
+    /// <summary>The bytes: red, green and blue of each pixel.</summary>
+    public byte[] Pixels { get; }
+
+    /// <summary>What is wrong with the size of a picture; null if nothing is.</summary>
+    /// <param name="width">Columns.</param>
+    /// <param name="height">Rows.</param>
+    public static string? FindSizeFault(long width, long height)
+    {
+        if (width < 1 || height < 1)
+            return $"its size of {width} x {height} is none";
+        return width > MostPixelsPerSide || height > MostPixelsPerSide || width * height > MostPixels
+            ? $"its size of {width} x {height} is more than this reads (at most {MostPixelsPerSide} a side and {MostPixels} pixels)"
+            : null;
+    }
+}
