@@ -14,50 +14,50 @@ internal static class Answer
     private const double Degree = Math.PI / 180;
 
     /// <returns>The exit code: 0 for a place, 2 for a refusal.</returns>
-    public static int Write(GroundFix fix, bool isJson, TextWriter output)
+    public static int Write(GeolocationResult fix, bool isJson, TextWriter output)
     {
         output.WriteLine(isJson ? Json(fix) : Text(fix));
-        return fix.Refusal == LocateRefusal.None ? 0 : 2;
+        return fix.Refusal == GeolocationError.None ? 0 : 2;
     }
 
-    private static string Text(GroundFix fix)
+    private static string Text(GeolocationResult fix)
     {
-        if (fix.Refusal != LocateRefusal.None)
+        if (fix.Refusal != GeolocationError.None)
             return $"refused: {fix.Refusal}: {Reason(fix.Refusal)}";
-        HorizontalCovariance all = fix.Covariance + fix.CommonCovariance;
+        HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
         GeographicPoint point = fix.Position.Point;
         double latitude = point.Latitude.Degrees;
         string grid = latitude is >= -80 and <= 84 ? "  " + PositionText.Format(point, PositionStyle.Mgrs) : "";
         return FormattableString.Invariant(
-            $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  {PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}\naltitude {fix.Position.AltitudeAmslMetres:0.00} m\n95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxisRadians / Degree:0} deg from north\nof which anew in each look {fix.Covariance.HalfMajorAxis95Metres:0.0} m, the same in all {fix.CommonCovariance.HalfMajorAxis95Metres:0.0} m\n") + Drawn(fix);
+            $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  {PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}\naltitude {fix.Position.AltitudeAmslMetres:0.00} m\n95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxisRadians / Degree:0} deg from north\nof which anew in each look {fix.Covariance.HalfMajorAxis95Metres:0.0} m, the same in all {fix.SystematicCovariance.HalfMajorAxis95Metres:0.0} m\n") + Drawn(fix);
     }
 
-    private static string Reason(LocateRefusal refusal) => refusal switch
+    private static string Reason(GeolocationError refusal) => refusal switch
     {
-        LocateRefusal.OutsidePicture => "the pixel is not in the picture",
-        LocateRefusal.LensCannotBeUndone => "the formula of the lens cannot be undone there",
-        LocateRefusal.NearHorizon => "the line of sight points above the horizon, or too little below it",
-        LocateRefusal.CameraBelowGround => "the camera is below the ground",
-        LocateRefusal.LeavesTerrain => "the line of sight leaves the grid of heights above the ground",
-        LocateRefusal.NoTerrainData => "the line of sight may meet the ground where the grid has no height",
-        LocateRefusal.NoPose => "no pose reaches the time of the picture",
-        LocateRefusal.PoseTooOld => "the picture is older than all poses",
-        LocateRefusal.PoseGap => "the poses around the time of the picture are too far apart",
+        GeolocationError.OutsidePicture => "the pixel is not in the picture",
+        GeolocationError.LensCannotBeUndone => "the formula of the lens cannot be undone there",
+        GeolocationError.NearHorizon => "the line of sight points above the horizon, or too little below it",
+        GeolocationError.CameraBelowGround => "the camera is below the ground",
+        GeolocationError.LeavesTerrain => "the line of sight leaves the grid of heights above the ground",
+        GeolocationError.NoTerrainData => "the line of sight may meet the ground where the grid has no height",
+        GeolocationError.NoPose => "no pose reaches the time of the picture",
+        GeolocationError.PoseTooOld => "the picture is older than all poses",
+        GeolocationError.PoseGap => "the poses around the time of the picture are too far apart",
         _ => "there is no place",
     };
 
-    private static string Drawn(GroundFix fix) => fix.Extrapolated > TimeSpan.Zero
+    private static string Drawn(GeolocationResult fix) => fix.Extrapolated > TimeSpan.Zero
         ? FormattableString.Invariant($"pose drawn on by {fix.Extrapolated.TotalMilliseconds:0} ms") : "pose between samples";
 
-    private static string Json(GroundFix fix)
+    private static string Json(GeolocationResult fix)
     {
         using var stream = new MemoryStream();
         using (var writer = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true }))
         {
             writer.WriteStartObject();
-            writer.WriteString("status", fix.Refusal == LocateRefusal.None ? "ok" : "refused");
+            writer.WriteString("status", fix.Refusal == GeolocationError.None ? "ok" : "refused");
             writer.WriteNumber("time_s", fix.Time.TotalSeconds);
-            if (fix.Refusal == LocateRefusal.None)
+            if (fix.Refusal == GeolocationError.None)
                 WritePlace(writer, fix);
             else
             {
@@ -71,14 +71,14 @@ internal static class Answer
         return Encoding.UTF8.GetString(stream.ToArray());
     }
 
-    private static void WritePlace(Utf8JsonWriter writer, GroundFix fix)
+    private static void WritePlace(Utf8JsonWriter writer, GeolocationResult fix)
     {
-        HorizontalCovariance all = fix.Covariance + fix.CommonCovariance;
+        HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
         writer.WriteNumber("lat_deg", fix.Position.LatitudeRadians / Degree);
         writer.WriteNumber("lon_deg", fix.Position.LongitudeRadians / Degree);
         writer.WriteNumber("alt_m", fix.Position.AltitudeAmslMetres);
         WriteCovariance(writer, "cov_per_look_ne_m2", fix.Covariance);
-        WriteCovariance(writer, "cov_common_ne_m2", fix.CommonCovariance);
+        WriteCovariance(writer, "cov_common_ne_m2", fix.SystematicCovariance);
         writer.WriteNumber("half_major_95_m", all.HalfMajorAxis95Metres);
         writer.WriteNumber("half_minor_95_m", all.HalfMinorAxis95Metres);
         writer.WriteNumber("major_axis_deg", all.MajorAxisRadians / Degree);

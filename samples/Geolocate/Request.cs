@@ -14,15 +14,15 @@ namespace Geolocate;
 internal sealed class Request
 {
     private const double Degree = Math.PI / 180;
-    private const double LatestSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
+    private const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
 
-    private readonly PixelLocator _locator;
+    private readonly PixelGeolocator _locator;
     private readonly TimeSpan _time;
-    private readonly ImagingOrder _order;
+    private readonly ImagingCommand _order;
     private readonly double _column;
     private readonly double _row;
 
-    private Request(PixelLocator locator, TimeSpan time, ImagingOrder order, double column, double row)
+    private Request(PixelGeolocator locator, TimeSpan time, ImagingCommand order, double column, double row)
         => (_locator, _time, _order, _column, _row) = (locator, time, order, column, row);
 
     /// <exception cref="FormatException">Something is missing or no number.</exception>
@@ -38,7 +38,7 @@ internal sealed class Request
             options.Terrain = AsciiGrid.Read(reader);
         }
 
-        var locator = new PixelLocator(options);
+        var locator = new PixelGeolocator(options);
         TimeSpan time = TimeSpan.FromSeconds(TimeOf(line));
         if (line.Telemetry is null)
             AddPose(locator, Part(asked, "pose"));
@@ -48,7 +48,7 @@ internal sealed class Request
         if (!hasGround && options.Terrain is null)
             throw new FormatException("The request tells neither ground_alt_m, nor is there a --terrain.");
         bool hasGimbal = asked.TryGetProperty("gimbal", out JsonElement gimbal);
-        var order = new ImagingOrder
+        var order = new ImagingCommand
         {
             GroundAltitudeAmslMetres = hasGround ? ground.GetDouble() : 0,
             CameraPitchRadians = hasGimbal ? Number(gimbal, "pitch_deg") * Degree : -Math.PI / 2,
@@ -58,13 +58,13 @@ internal sealed class Request
         return new Request(locator, time, order, column, row);
     }
 
-    public GroundFix Locate() => _locator.Locate(_time, _order, _column, _row);
+    public GeolocationResult Locate() => _locator.Locate(_time, _order, _column, _row);
 
     private static double TimeOf(CommandLine line)
     {
         double seconds = line.TimeSeconds ?? 0;
-        return Math.Abs(seconds) <= LatestSeconds
-            ? seconds : throw new FormatException(FormattableString.Invariant($"--time is {seconds}; it must be seconds, {LatestSeconds} at most."));
+        return Math.Abs(seconds) <= MaxSeconds
+            ? seconds : throw new FormatException(FormattableString.Invariant($"--time is {seconds}; it must be seconds, {MaxSeconds} at most."));
     }
 
     private static CameraModel CameraOf(JsonElement camera)
@@ -100,15 +100,15 @@ internal sealed class Request
         return new CameraMount
         {
             FixedBodyFromCamera = turn,
-            GimbalArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
-            CameraArmMetres = new BodyVector(cameraArm[0], cameraArm[1], cameraArm[2]),
+            GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
+            CameraLeverArmMetres = new BodyVector(cameraArm[0], cameraArm[1], cameraArm[2]),
             MisalignmentRollRadians = Optional(mount, "roll_deg") * Degree,
             MisalignmentPitchRadians = Optional(mount, "pitch_deg") * Degree,
             MisalignmentYawRadians = Optional(mount, "yaw_deg") * Degree,
         };
     }
 
-    private static void AddPose(PixelLocator locator, JsonElement pose) => Telemetry.Add(locator, default, [
+    private static void AddPose(PixelGeolocator locator, JsonElement pose) => Telemetry.Add(locator, default, [
         Angle(pose, "lat_deg", 90), Angle(pose, "lon_deg", 180), Number(pose, "alt_m"), Optional(pose, "vn_mps"), Optional(pose, "ve_mps"), Optional(pose, "vd_mps"),
         Number(pose, "roll_deg"), Number(pose, "pitch_deg"), Number(pose, "yaw_deg")]);
 

@@ -22,7 +22,7 @@ internal static class Telemetry
 
     /// <returns>The time by the clock of the poses.</returns>
     /// <exception cref="FormatException">The file cannot be understood.</exception>
-    public static TimeSpan Read(string file, TimeSpan time, PixelLocator locator)
+    public static TimeSpan Read(string file, TimeSpan time, PixelGeolocator locator)
     {
         if (Path.GetExtension(file).Equals(".tlog", StringComparison.OrdinalIgnoreCase))
             return TelemetryLog.Read(file, time, Beyond, locator);
@@ -30,7 +30,7 @@ internal static class Telemetry
         return time;
     }
 
-    public static void Add(PixelLocator locator, TimeSpan time, double[] p)
+    public static void Add(PixelGeolocator locator, TimeSpan time, double[] p)
     {
         locator.Add(new PoseSample
         {
@@ -42,7 +42,7 @@ internal static class Telemetry
         locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = time, Attitude = EulerAngles.FromDegrees(p[6], p[7], p[8]) });
     }
 
-    private static void ReadTable(string file, TimeSpan until, PixelLocator locator)
+    private static void ReadTable(string file, TimeSpan until, PixelGeolocator locator)
     {
         int number = 0;
         int[] places = [.. Enumerable.Range(0, Columns.Length)];

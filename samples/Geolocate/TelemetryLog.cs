@@ -22,7 +22,7 @@ internal static class TelemetryLog
     /// <param name="locator">Takes the poses.</param>
     /// <returns>The time since the autopilot started.</returns>
     /// <exception cref="FormatException">There are no positions or no attitudes in it.</exception>
-    public static TimeSpan Read(string file, TimeSpan time, TimeSpan beyond, PixelLocator locator)
+    public static TimeSpan Read(string file, TimeSpan time, TimeSpan beyond, PixelGeolocator locator)
     {
         if (time.TotalSeconds >= EarliestUtcSeconds)
             time -= StampsLessBoot(file);

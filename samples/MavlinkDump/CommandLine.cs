@@ -12,7 +12,7 @@ namespace MavlinkDump;
 internal static class CommandLine
 {
     /// <summary>Ids are three bytes on the wire.</summary>
-    private const int LargestMessageId = 0xFF_FFFF;
+    private const int MaxMessageId = 0xFF_FFFF;
 
     public static RootCommand Create(Func<DumpOptions, int> run)
     {
@@ -65,7 +65,7 @@ internal static class CommandLine
         {
             if (MavlinkDialect.All.TryGetMessage(text, out MavlinkMessageInfo message))
                 ids.Add(message.Id);
-            else if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int id) && id <= LargestMessageId)
+            else if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int id) && id <= MaxMessageId)
                 ids.Add(id);
             else
                 result.AddError($"--message {text}: no message of that name{Similar(text)}");

@@ -13,7 +13,7 @@ namespace SimulatedVehicle;
 internal static class CommandLine
 {
     private const double StrongestWind = 25;
-    private const int MostTargets = 1000;
+    private const int MaxTargets = 1000;
 
     public static RootCommand Create(Func<VehicleOptions, int> run)
     {
@@ -36,7 +36,7 @@ internal static class CommandLine
         {
             Description = "How many targets lie in the area.",
             HelpName = "N",
-            CustomParser = result => (int)ParseNumber(result, "--targets", 0, MostTargets),
+            CustomParser = result => (int)ParseNumber(result, "--targets", 0, MaxTargets),
             DefaultValueFactory = _ => defaults.TargetCount,
         };
         var wind = new Option<double>("--wind")

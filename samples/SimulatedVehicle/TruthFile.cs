@@ -56,9 +56,9 @@ internal sealed class TruthFile : IDisposable
         truth.BatteryRemaining,
         AirtimeSeconds = truth.Airtime.TotalSeconds,
         truth.FlownMetres,
-        truth.MaximumHeightMetres,
-        truth.MaximumSpeedMetresPerSecond,
-        truth.MaximumDistanceMetres,
+        truth.MaxHeightMetres,
+        truth.MaxSpeedMetresPerSecond,
+        truth.MaxDistanceMetres,
         Path = truth.Path.Select(Point).ToArray(),
     };
 

@@ -14,7 +14,7 @@ namespace UavConsole;
 internal static class CommandLine
 {
     private const int BadInput = 2;
-    private const int TargetsAtMost = 50;
+    private const int MaxTargets = 50;
 
     private static readonly Option<LinkUrl[]> Links = new("--link", "-l")
     {
@@ -36,7 +36,7 @@ internal static class CommandLine
 
     private static readonly Option<int?> Targets = new("--targets")
     {
-        Description = $"How many targets the simulated world has, 0 to {TargetsAtMost}. 5 without it.",
+        Description = $"How many targets the simulated world has, 0 to {MaxTargets}. 5 without it.",
         HelpName = "N",
         CustomParser = ParseTargets,
     };
@@ -194,9 +194,9 @@ internal static class CommandLine
     private static int? ParseTargets(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;
-        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count <= TargetsAtMost)
+        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int count) && count <= MaxTargets)
             return count;
-        result.AddError($"--targets {text}: it must be a number from 0 to {TargetsAtMost}.");
+        result.AddError($"--targets {text}: it must be a number from 0 to {MaxTargets}.");
         return null;
     }
 

@@ -16,7 +16,7 @@ internal static class FlightRun
     private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
 
     // Longer than any battery of the simulation lasts: nothing may hang.
-    private static readonly TimeSpan LongestSimulation = TimeSpan.FromMinutes(40);
+    private static readonly TimeSpan MaxSimulation = TimeSpan.FromMinutes(40);
 
     public static int Run(ConsoleOptions options)
     {
@@ -77,8 +77,8 @@ internal static class FlightRun
         var recorder = new MissionRecorder(reactor.Select(m => m.Name).ToList(), new RecorderOptions
         {
             StopsWhenMissionEnds = options.FliesMission,
-            LongestMission = options.IsSimulated ? LongestSimulation : null,
-            CutOuts = () => flight.Uav.ImageProcessing.CutOuts,
+            MaxMission = options.IsSimulated ? MaxSimulation : null,
+            ImageChips = () => flight.Uav.ImageProcessing.ImageChips,
         });
         reactor.Add(recorder);
         var monitor = new FlightMonitor(reactor, recorder, flight.Uav.LinkCount);

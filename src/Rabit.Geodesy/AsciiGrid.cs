@@ -11,7 +11,7 @@ namespace Rabit.Geodesy;
 /// </summary>
 public static class AsciiGrid
 {
-    private const int MostPosts = 100_000_000;
+    private const int MaxPosts = 100_000_000;
 
     private static readonly char[] Blanks = [' ', '\t', '\r', '\n'];
 
@@ -25,8 +25,8 @@ public static class AsciiGrid
         Dictionary<string, double> header = ReadHeader(reader, out string? line, out int lineNumber);
         int columns = Count(header, "ncols");
         int rows = Count(header, "nrows");
-        if ((long)rows * columns > MostPosts)
-            throw new FormatException($"The grid of {rows} x {columns} posts is larger than {MostPosts} posts.");
+        if ((long)rows * columns > MaxPosts)
+            throw new FormatException($"The grid of {rows} x {columns} posts is larger than {MaxPosts} posts.");
         double dx = header.TryGetValue("cellsize", out double size) || header.TryGetValue("dx", out size) ? size : throw Missing("cellsize");
         double dy = header.TryGetValue("cellsize", out size) || header.TryGetValue("dy", out size) ? size : throw Missing("cellsize");
         double west = Corner(header, "xllcenter", "xllcorner", dx);
@@ -84,7 +84,7 @@ public static class AsciiGrid
     private static int Count(Dictionary<string, double> header, string name)
     {
         double value = header.TryGetValue(name, out double found) ? found : throw Missing(name);
-        return value >= 2 && value <= MostPosts && value == Math.Floor(value) ? (int)value : throw new FormatException(FormattableString.Invariant($"The grid's {name} is {value}."));
+        return value >= 2 && value <= MaxPosts && value == Math.Floor(value) ? (int)value : throw new FormatException(FormattableString.Invariant($"The grid's {name} is {value}."));
     }
 
     // A cell's corner is half a cell from its post.

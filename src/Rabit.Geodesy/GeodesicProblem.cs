@@ -21,7 +21,7 @@ internal struct GeodesicProblem
     public double SinAlpha2;
     public double CosAlpha2;
 
-    private const int MostSteps = 120;
+    private const int MaxSteps = 120;
     private const double Good = 1e-16;
     private const double Tiny = 1e-150;
 
@@ -97,7 +97,7 @@ internal struct GeodesicProblem
     {
         (double lowSin, double lowCos) = (Tiny, 1.0);
         (double highSin, double highCos) = (Tiny, -1.0);
-        for (int step = 0; step < MostSteps; step++)
+        for (int step = 0; step < MaxSteps; step++)
         {
             double miss = LongitudeAt() - Lambda;
             if (Math.Abs(miss) <= Good)

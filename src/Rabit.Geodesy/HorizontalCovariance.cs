@@ -21,15 +21,15 @@ public readonly struct HorizontalCovariance(double northNorth, double northEast,
     public double EastEast { get; } = eastEast;
 
     /// <summary>Half the long axis of the ellipse that holds the truth with 95 %, metres.</summary>
-    public double HalfMajorAxis95Metres => Math.Sqrt(ChiSquare95 * LargestVariance);
+    public double HalfMajorAxis95Metres => Math.Sqrt(ChiSquare95 * MaxVariance);
 
     /// <summary>Half the short axis of that ellipse, metres.</summary>
-    public double HalfMinorAxis95Metres => Math.Sqrt(ChiSquare95 * Math.Max(0, NorthNorth + EastEast - LargestVariance));
+    public double HalfMinorAxis95Metres => Math.Sqrt(ChiSquare95 * Math.Max(0, NorthNorth + EastEast - MaxVariance));
 
     /// <summary>Direction of its long axis, radians clockwise from north, -pi/2 to pi/2.</summary>
     public double MajorAxisRadians => 0.5 * Math.Atan2(2 * NorthEast, NorthNorth - EastEast);
 
-    private double LargestVariance
+    private double MaxVariance
     {
         get
         {

@@ -15,7 +15,7 @@ public readonly struct MgrsPosition
     private const int RowCycle = 2_000_000;
 
     // The least northing of each band, in 100 km, below its southern edge anywhere in a zone.
-    private static readonly int[] LeastNorthing = [11, 20, 28, 37, 46, 55, 64, 73, 82, 91, 0, 8, 17, 26, 35, 44, 53, 62, 70, 79];
+    private static readonly int[] MinNorthing = [11, 20, 28, 37, 46, 55, 64, 73, 82, 91, 0, 8, 17, 26, 35, 44, 53, 62, 70, 79];
 
     private readonly int _band;
     private readonly int _eastingMetres;
@@ -92,7 +92,7 @@ public readonly struct MgrsPosition
             return false;
 
         int northing = (((row + (zone % 2 == 0 ? 15 : 0)) % 20) * Square) + north;
-        while (northing < (LeastNorthing[band] * Square))
+        while (northing < (MinNorthing[band] * Square))
             northing += RowCycle;
         var found = new MgrsPosition(zone, band, ((column + 1) * Square) + east, northing, digits);
         if (!found.IsInBand())

@@ -54,14 +54,14 @@ public sealed class TerrainGrid
     /// <summary>The height of the ground at a place.</summary>
     /// <param name="point">The place.</param>
     /// <param name="metres">Its height; not a number unless the answer is that it is known.</param>
-    public TerrainAnswer TryHeight(GeographicPoint point, out double metres)
+    public TerrainLookup TryHeight(GeographicPoint point, out double metres)
     {
         metres = double.NaN;
         double row = (point.Latitude - _southWest.Latitude).Radians / _latitudeStep.Radians;
         double east = (point.Longitude - _southWest.Longitude).Wrapped().Radians;
         double column = (east < -Edge ? east + (2 * Math.PI) : east) / _longitudeStep.Radians;
         if (!(row >= -Edge && row <= Rows - 1 + Edge && column >= -Edge && column <= Columns - 1 + Edge))
-            return TerrainAnswer.Outside;
+            return TerrainLookup.Outside;
         int south = Math.Max(0, Math.Min(Rows - 2, (int)row));
         int west = Math.Max(0, Math.Min(Columns - 2, (int)column));
         (double v, double u) = (row - south, column - west);
@@ -69,6 +69,6 @@ public sealed class TerrainGrid
         double southern = ((1 - u) * _heights[at]) + (u * _heights[at + 1]);
         double northern = ((1 - u) * _heights[at + Columns]) + (u * _heights[at + Columns + 1]);
         metres = ((1 - v) * southern) + (v * northern);
-        return double.IsNaN(metres) ? TerrainAnswer.NoData : TerrainAnswer.Known;
+        return double.IsNaN(metres) ? TerrainLookup.NoData : TerrainLookup.Known;
     }
 }

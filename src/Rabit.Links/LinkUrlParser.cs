@@ -20,7 +20,7 @@ internal static class LinkUrlParser
     private const string SpeedOption = "speed";
 
     // No machine comes near it: who wants more wants max.
-    private const double HighestSpeed = 1_000_000;
+    private const double MaxSpeed = 1_000_000;
 
     public static bool TryParse(string? text, [NotNullWhen(true)] out LinkUrl? url, [NotNullWhen(false)] out string? error)
     {
@@ -112,7 +112,7 @@ internal static class LinkUrlParser
             path = beforeOption;
             if (!string.Equals(name, SpeedOption, StringComparison.OrdinalIgnoreCase)) return Wrong(text, $"the option '{name}' is unknown", FileForm);
             if (!TryParseSpeed(value, out speed)) return Wrong(text, $"the speed '{value}' is not a positive number or max", FileForm);
-            if (speed > HighestSpeed && !double.IsInfinity(speed)) return Wrong(text, $"the speed '{value}' is above 1000000; that is max", FileForm);
+            if (speed > MaxSpeed && !double.IsInfinity(speed)) return Wrong(text, $"the speed '{value}' is above 1000000; that is max", FileForm);
         }
 
         if (path.Length == 0) return Wrong(text, "the file is missing", FileForm);

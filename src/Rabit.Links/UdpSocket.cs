@@ -12,12 +12,12 @@ namespace Rabit.Links;
 /// <param name="exchange">For a socket without one peer; null if it is connected to its peer.</param>
 internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExchange? exchange)
 {
-    private const int LargestDatagram = 65535;
+    private const int MaxDatagram = 65535;
 
     // A refusal answers an earlier datagram and keeps the present one from being sent: it is worth another try.
     private const int SendAttempts = 3;
 
-    private readonly byte[] _datagram = new byte[LargestDatagram]; // reader's thread, as the two indices
+    private readonly byte[] _datagram = new byte[MaxDatagram]; // reader's thread, as the two indices
     private int _next;
     private int _end;
 

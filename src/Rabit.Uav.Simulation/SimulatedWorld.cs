@@ -44,7 +44,7 @@ public sealed class SimulatedWorld
     /// <summary>How the camera sits on the vehicle, as far as the vehicle's owner knows: misalignments are for the one who looks to find.</summary>
     public CameraMount CameraMount => new()
     {
-        GimbalArmMetres = new BodyVector(Options.Camera.LeverArmForwardMetres, Options.Camera.LeverArmRightMetres, Options.Camera.LeverArmDownMetres),
+        GimbalLeverArmMetres = new BodyVector(Options.Camera.LeverArmForwardMetres, Options.Camera.LeverArmRightMetres, Options.Camera.LeverArmDownMetres),
     };
 
     /// <summary>What the vehicle has really done until now. A new snapshot at each call. Any thread.</summary>

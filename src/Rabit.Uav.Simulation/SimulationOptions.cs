@@ -9,7 +9,7 @@ namespace Rabit.Uav.Simulation;
 /// <summary>What the simulated world is like. Read once, when it is made.</summary>
 public sealed class SimulationOptions
 {
-    private const double MaximumWind = 25;
+    private const double MaxWind = 25;
 
     /// <summary>All that is left to chance follows from it: targets, texture, gusts, errors of the sensors, times on the link.</summary>
     /// <value>The default is 1.</value>
@@ -115,7 +115,7 @@ public sealed class SimulationOptions
         if (PositionAfter < TimeSpan.Zero)
             yield return FormattableString.Invariant($"{nameof(PositionAfter)} is {PositionAfter}; it must not be negative");
         if (!IsWind(WindMetresPerSecond))
-            yield return FormattableString.Invariant($"{nameof(WindMetresPerSecond)} is {WindMetresPerSecond}; it must be 0 to {MaximumWind}");
+            yield return FormattableString.Invariant($"{nameof(WindMetresPerSecond)} is {WindMetresPerSecond}; it must be 0 to {MaxWind}");
         if (WindFromRadians is { } from && !(Math.Abs(from) <= 2 * Math.PI))
             yield return FormattableString.Invariant($"{nameof(WindFromRadians)} is {from}; it must be an angle of at most one turn");
         if (!(BatteryRemaining >= 0 && BatteryRemaining <= 1))
@@ -161,5 +161,5 @@ public sealed class SimulationOptions
         }
     }
 
-    private static bool IsWind(double speed) => speed is >= 0 and <= MaximumWind;
+    private static bool IsWind(double speed) => speed is >= 0 and <= MaxWind;
 }

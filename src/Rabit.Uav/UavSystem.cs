@@ -43,9 +43,9 @@ public sealed class UavSystem : IDisposable
             RecordedFiles = _files,
             StopsWhenAllLinksEnd = options.IsReplay,
             Signing = options.Signing,
-            MailRoutes =
+            VehicleMessageRoutes =
             [
-                new MailRoute<TargetReport>(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
+                new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
             ],
         });
         Autopilot = new AutopilotManager(new AutopilotOptions

@@ -13,7 +13,7 @@ public class DetectorBenchmarks
     private const int Height = 480;
 
     private readonly Detector _detector = new(new ImageProcessingOptions());
-    private readonly Locator _locator = NadirView.CreateLocator();
+    private readonly GroundProjector _locator = NadirView.CreateLocator();
     private readonly byte[] _grass = Paint(panels: 0, spots: 0);
     private readonly byte[] _panels = Paint(panels: 5, spots: 0);
     private readonly byte[] _meadow = Paint(panels: 5, spots: 3000);

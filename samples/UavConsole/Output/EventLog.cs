@@ -12,7 +12,7 @@ namespace UavConsole;
 internal sealed class EventLog(OutputFile? file)
 {
     // Of the first ones and of the last ones.
-    private const int KeptAtMost = 2_000;
+    private const int MaxKept = 2_000;
 
     private readonly object _gate = new();   // guards all below, and the file
     private readonly List<FlightEvent> _first = [];
@@ -51,14 +51,14 @@ internal sealed class EventLog(OutputFile? file)
 
     private void Keep(FlightEvent e)
     {
-        if (_first.Count < KeptAtMost)
+        if (_first.Count < MaxKept)
         {
             _first.Add(e);
             return;
         }
 
         _last.Enqueue(e);
-        if (_last.Count > KeptAtMost)
+        if (_last.Count > MaxKept)
             _last.Dequeue();
     }
 

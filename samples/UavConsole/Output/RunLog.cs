@@ -7,7 +7,7 @@ namespace UavConsole;
 /// <summary>Keeps the last entries of the log of the run that a person should see. Written by any thread, read by the view's.</summary>
 internal sealed class RunLog
 {
-    private const int KeptAtMost = 200;
+    private const int MaxKept = 200;
 
     private readonly Queue<RabitLogEntry> _entries = new();   // under its own lock
 
@@ -18,7 +18,7 @@ internal sealed class RunLog
         lock (_entries)
         {
             _entries.Enqueue(entry);
-            if (_entries.Count > KeptAtMost)
+            if (_entries.Count > MaxKept)
                 _entries.Dequeue();
         }
     }

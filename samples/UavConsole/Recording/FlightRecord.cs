@@ -15,10 +15,10 @@ internal sealed class FlightRecord
     public IReadOnlyList<FlightSample> Samples { get; init; } = [];
 
     /// <summary>Pictures that were searched, and the ground that they show.</summary>
-    public IReadOnlyList<CameraLook> Looks { get; init; } = [];
+    public IReadOnlyList<CameraObservation> Looks { get; init; } = [];
 
     /// <summary>The best of each track.</summary>
-    public IReadOnlyList<CutOut> Pictures { get; init; } = [];
+    public IReadOnlyList<ImageChip> Pictures { get; init; } = [];
 
     public IReadOnlyList<PhaseChange> Phases { get; init; } = [];
 

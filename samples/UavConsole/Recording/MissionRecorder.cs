@@ -45,7 +45,7 @@ internal sealed class MissionRecorder : RabitManager
         _authority = Subscribe<CommandAuthority>(MessageNames.CommandAuthority, optional: true);
         _tracks = Subscribe<TrackList>(MessageNames.Tracks, optional: true);
         _managers = managerNames.Select(name => SubscribeToStatus(name)).ToArray();
-        _keeper = new RecordKeeper(managerNames, options.CutOuts);
+        _keeper = new RecordKeeper(managerNames, options.ImageChips);
         WakeUpDelay = Cycle;
     }
 
@@ -88,7 +88,7 @@ internal sealed class MissionRecorder : RabitManager
         _overSince = isOver ? _overSince ?? now : null;
         if (now - _overSince >= Linger)
             StopSystem("the mission is over");
-        else if (now >= _options.LongestMission)
-            StopSystem($"the mission is not over after {_options.LongestMission.Value.TotalMinutes:0} minutes");
+        else if (now >= _options.MaxMission)
+            StopSystem($"the mission is not over after {_options.MaxMission.Value.TotalMinutes:0} minutes");
     }
 }

@@ -9,18 +9,18 @@ using Rabit.Uav.Messages;
 namespace UavConsole;
 
 /// <summary>The lists behind a <see cref="FlightRecord"/>: filled by the recorder's thread, read by that of the view, under a lock of its own.</summary>
-internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IReadOnlyList<CutOut>> album)
+internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IReadOnlyList<ImageChip>> album)
 {
     // At five a second an hour fits before every second one goes.
-    private const int SamplesAtMost = 20_000;
-    private const int LooksAtMost = 8_000;
-    private const int ManagerSamplesAtMost = 2_000;
-    private const int ChangesAtMost = 2_000;
+    private const int MaxSamples = 20_000;
+    private const int MaxObservations = 8_000;
+    private const int MaxManagerSamples = 2_000;
+    private const int MaxChanges = 2_000;
 
     private readonly object _gate = new();   // guards all below
-    private readonly ThinnedList<FlightSample> _samples = new(SamplesAtMost);
-    private readonly ThinnedList<CameraLook> _looks = new(LooksAtMost);
-    private readonly ThinnedList<ManagerSample>[] _managers = managerNames.Select(_ => new ThinnedList<ManagerSample>(ManagerSamplesAtMost)).ToArray();
+    private readonly DecimatedSeries<FlightSample> _samples = new(MaxSamples);
+    private readonly DecimatedSeries<CameraObservation> _looks = new(MaxObservations);
+    private readonly DecimatedSeries<ManagerSample>[] _managers = managerNames.Select(_ => new DecimatedSeries<ManagerSample>(MaxManagerSamples)).ToArray();
     private readonly List<PhaseChange> _phases = [];
     private readonly TrackPictures _pictures = new(album);
     private readonly List<HealthChange> _healthChanges = [];
@@ -52,7 +52,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
             AddUp(step, vehicle);
             NoteChanges(now, mission, health);
             if (imaging.Looks != _imaging.Looks)
-                _looks.Add(imaging.LastLook);
+                _looks.Add(imaging.LastObservation);
             (_vehicle, _mission, _health) = (vehicle, mission, health);
             (_imaging, _authority, _tracks) = (imaging, authority, tracks);
             _pictures.Take(tracks);
@@ -108,10 +108,10 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
     private void NoteChanges(TimeSpan now, in MissionStatus mission, in HealthReport health)
     {
         bool isNewPhase = mission.Phase != _mission.Phase || mission.Since != _mission.Since;
-        if (isNewPhase && _phases.Count < ChangesAtMost)
+        if (isNewPhase && _phases.Count < MaxChanges)
             _phases.Add(new PhaseChange(mission.Since, mission.Phase, mission.Text));
         bool isNewHealth = health.Level != _health.Level || health.Reasons != _health.Reasons || health.Advice != _health.Advice;
-        if (isNewHealth && _healthChanges.Count < ChangesAtMost)
+        if (isNewHealth && _healthChanges.Count < MaxChanges)
             _healthChanges.Add(new HealthChange(now, health));
     }
 

@@ -11,8 +11,8 @@ internal sealed class RecorderOptions
     public bool StopsWhenMissionEnds { get; init; }
 
     /// <summary>A mission that is not over by then is given up; null for any length.</summary>
-    public TimeSpan? LongestMission { get; init; }
+    public TimeSpan? MaxMission { get; init; }
 
     /// <summary>The newest pieces of pictures. Called by the recorder's thread.</summary>
-    public Func<IReadOnlyList<CutOut>> CutOuts { get; init; } = () => [];
+    public Func<IReadOnlyList<ImageChip>> ImageChips { get; init; } = () => [];
 }

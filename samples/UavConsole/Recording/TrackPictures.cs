@@ -10,27 +10,27 @@ namespace UavConsole;
 /// The best picture of each track, kept while the album still has it: the album forgets the oldest, and on a long flight the best one of a
 /// track may be long gone at the end. One thread at a time.
 /// </summary>
-internal sealed class TrackPictures(Func<IReadOnlyList<CutOut>> album)
+internal sealed class TrackPictures(Func<IReadOnlyList<ImageChip>> album)
 {
-    private readonly Dictionary<int, CutOut> _pictures = [];   // by the id of the track
+    private readonly Dictionary<int, ImageChip> _pictures = [];   // by the id of the track
     private readonly Dictionary<int, (long Look, int Report)> _best = [];
 
     /// <summary>Asks the album only when the best picture of a track has become another one.</summary>
     public void Take(TrackList tracks)
     {
-        IReadOnlyList<CutOut>? cutOuts = null;
+        IReadOnlyList<ImageChip>? cutOuts = null;
         foreach (TargetTrack track in tracks.Tracks)
         {
-            (long Look, int Report) best = (track.BestLookNumber, track.BestReportIndex);
+            (long Look, int Report) best = (track.BestPictureNumber, track.BestReportIndex);
             if (best.Look < 0 || (_best.TryGetValue(track.Id, out (long Look, int Report) known) && known == best))
                 continue;
             _best[track.Id] = best;
             cutOuts ??= album();
-            if (cutOuts.FirstOrDefault(c => c.LookNumber == best.Look && c.ReportIndex == best.Report) is { } cutOut)
+            if (cutOuts.FirstOrDefault(c => c.PictureNumber == best.Look && c.ReportIndex == best.Report) is { } cutOut)
                 _pictures[track.Id] = cutOut;
         }
     }
 
     /// <summary>Those of all tracks, also of the lost ones.</summary>
-    public IReadOnlyList<CutOut> ToArray() => _pictures.Values.ToArray();
+    public IReadOnlyList<ImageChip> ToArray() => _pictures.Values.ToArray();
 }

@@ -10,20 +10,20 @@ namespace UavConsole;
 internal static class CoverageRaster
 {
     private const int Columns = 400;
-    private const double FarthestMetres = 5_000;
+    private const double MaxDistanceMetres = 5_000;
 
     // How light, by how often: never, once, 2 to 3, 4 to 7, 8 to 15, more.
     private static readonly byte[] Light = [0, 34, 56, 78, 100, 122];
 
     /// <returns>The picture as a data address; null where nothing was looked at.</returns>
-    public static string? Draw(MapFrame frame, IReadOnlyList<CameraLook> looks)
+    public static string? Draw(MapFrame frame, IReadOnlyList<CameraObservation> looks)
     {
         if (looks.Count == 0)
             return null;
         double cell = MapFrame.Width / Columns;
         int rows = Math.Max(1, (int)Math.Ceiling(frame.Height / cell));
         var counts = new int[Columns * rows];
-        foreach (CameraLook look in looks)
+        foreach (CameraObservation look in looks)
             Count(frame, look, cell, rows, counts);
 
         var pixels = new byte[counts.Length * 3];
@@ -41,10 +41,10 @@ internal static class CoverageRaster
     }
 
     // The four corners are a convex figure: in each row of cells all between its left and right edge.
-    private static void Count(MapFrame frame, in CameraLook look, double cell, int rows, int[] counts)
+    private static void Count(MapFrame frame, in CameraObservation look, double cell, int rows, int[] counts)
     {
         (double X, double Y)[] corners = new[] { look.TopLeft, look.TopRight, look.BottomRight, look.BottomLeft }.Select(frame.ToMap).ToArray();
-        if (Array.Exists(corners, c => !(Math.Abs(c.X) + Math.Abs(c.Y) < FarthestMetres * frame.UnitsPerMetre)))
+        if (Array.Exists(corners, c => !(Math.Abs(c.X) + Math.Abs(c.Y) < MaxDistanceMetres * frame.UnitsPerMetre)))
             return;
         int first = Math.Max(0, (int)Math.Floor(corners.Min(c => c.Y) / cell));
         int last = Math.Min(rows - 1, (int)Math.Floor(corners.Max(c => c.Y) / cell));

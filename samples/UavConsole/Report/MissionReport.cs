@@ -9,7 +9,7 @@ namespace UavConsole;
 /// <summary>Writes mission-report.html: one page that needs nothing else, for a person to look at after a flight.</summary>
 internal sealed class MissionReport
 {
-    private const int CursorPointsAtMost = 600;
+    private const int MaxCursorPoints = 600;
 
     private readonly PageWriter _page = new();
     private readonly ReportData _data;
@@ -126,7 +126,7 @@ internal sealed class MissionReport
         if (_frame is null)
             return "[]";
         FlightSample[] samples = _data.Record.Samples.Where(s => s.HasPosition).ToArray();
-        int stride = Math.Max(1, samples.Length / CursorPointsAtMost);
+        int stride = Math.Max(1, samples.Length / MaxCursorPoints);
         IEnumerable<string> points = samples.Where((_, index) => index % stride == 0).Select(s =>
         {
             (double x, double y) = _frame.ToMap(s.Position);

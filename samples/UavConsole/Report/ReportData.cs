@@ -27,7 +27,7 @@ internal sealed class ReportData
 
     public IReadOnlyList<ManagerFigures> Managers { get; init; } = [];
 
-    public IReadOnlyList<PictureCutOut> CutOuts { get; init; } = [];
+    public IReadOnlyList<ImageChipPng> ImageChips { get; init; } = [];
 
     /// <summary>Why the run ended.</summary>
     public string StopReason { get; init; } = string.Empty;

@@ -10,7 +10,7 @@ namespace UavConsole;
 internal sealed class ReportMap(PageWriter page, ReportData data, MapFrame frame)
 {
     private const double DegreesPerRadian = 180 / Math.PI;
-    private const int PathPointsAtMost = 3_000;
+    private const int MaxPathPoints = 3_000;
 
     public void Write()
     {
@@ -57,7 +57,7 @@ internal sealed class ReportMap(PageWriter page, ReportData data, MapFrame frame
     private void WritePath()
     {
         FlightSample[] samples = data.Record.Samples.Where(s => s.HasPosition).ToArray();
-        int stride = Math.Max(1, samples.Length / PathPointsAtMost);
+        int stride = Math.Max(1, samples.Length / MaxPathPoints);
         int first = 0;
         for (int index = 1; index <= samples.Length; index++)
         {

@@ -10,7 +10,7 @@ namespace UavConsole;
 /// <summary>The tables of the page: decisions and events, health, managers, and how the run was started.</summary>
 internal sealed class ReportTables(PageWriter page, ReportData data)
 {
-    private const int EventsAtMost = 1_500;
+    private const int MaxEvents = 1_500;
 
     public void Write()
     {
@@ -23,9 +23,9 @@ internal sealed class ReportTables(PageWriter page, ReportData data)
     private void WriteEvents()
     {
         FlightEvent[] events = data.Events.Where(e => e.Kind != RabitLogKind.Run).ToArray();
-        FlightEvent[] shown = events.Length <= EventsAtMost
+        FlightEvent[] shown = events.Length <= MaxEvents
             ? events
-            : events.Take(EventsAtMost / 2).Concat(events.Skip(events.Length - (EventsAtMost / 2))).ToArray();
+            : events.Take(MaxEvents / 2).Concat(events.Skip(events.Length - (MaxEvents / 2))).ToArray();
         page.Open("section").Element("h2", "Decisions and events");
         page.Open("div", "class", "card scroll").Open("table", "class", "events");
         Head("#time", "by", "what");
@@ -135,7 +135,7 @@ internal sealed class ReportTables(PageWriter page, ReportData data)
     private static string Advice(HealthAdvice advice) => advice switch
     {
         HealthAdvice.None => "–",
-        HealthAdvice.GoHome => "come home",
+        HealthAdvice.ReturnToLaunch => "come home",
         HealthAdvice.Land => "land",
         _ => advice.ToString(),
     };

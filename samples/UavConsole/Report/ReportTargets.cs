@@ -75,11 +75,11 @@ internal sealed class ReportTargets(PageWriter page, ReportData data)
     private void WritePictures(TargetTrack track, TargetScore? target)
     {
         page.Open("div", "class", "pictures");
-        PictureCutOut? picture = data.CutOuts.FirstOrDefault(c => c.LookNumber == track.BestLookNumber && c.ReportIndex == track.BestReportIndex);
+        ImageChipPng? picture = data.ImageChips.FirstOrDefault(c => c.PictureNumber == track.BestPictureNumber && c.ReportIndex == track.BestReportIndex);
         if (picture is null)
             page.Element("span", "no picture", "class", "none");
         else
-            page.Empty("img", "src", DataUri.Of(picture.Picture), "alt", $"What the camera saw of track {Figures.Of(track.Id)}, picture {Figures.Of(picture.LookNumber)}");
+            page.Empty("img", "src", DataUri.Of(picture.Picture), "alt", $"What the camera saw of track {Figures.Of(track.Id)}, picture {Figures.Of(picture.PictureNumber)}");
         WritePlot(track, target);
         page.Close();
     }

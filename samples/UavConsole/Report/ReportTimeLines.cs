@@ -14,8 +14,8 @@ internal sealed class ReportTimeLines(PageWriter page, ReportData data)
     private const double ChartHeight = 58;
     private const double BandHeight = 18;
     private const double Gap = 12;
-    private const int PointsAtMost = 700;
-    private const int BinsAtMost = 240;
+    private const int MaxPoints = 700;
+    private const int MaxBins = 240;
 
     private readonly IReadOnlyList<FlightSample> _samples = data.Record.Samples;
     private double _y = 22;
@@ -94,7 +94,7 @@ internal sealed class ReportTimeLines(PageWriter page, ReportData data)
 
     private void WriteChart(string name, string unit, Func<FlightSample, double> value, double least, string kind)
     {
-        int stride = Math.Max(1, _samples.Count / PointsAtMost);
+        int stride = Math.Max(1, _samples.Count / MaxPoints);
         (double T, double Value)[] points = _samples
             .Where((_, index) => index % stride == 0 || index == _samples.Count - 1)
             .Select(s => (s.Time.TotalSeconds, value(s)))
@@ -130,7 +130,7 @@ internal sealed class ReportTimeLines(PageWriter page, ReportData data)
     private void WriteManager(ManagerTimeLine manager)
     {
         ManagerSample[] samples = manager.Samples.ToArray();
-        int stride = Math.Max(1, (samples.Length + BinsAtMost - 1) / BinsAtMost);
+        int stride = Math.Max(1, (samples.Length + MaxBins - 1) / MaxBins);
         samples = samples.Where((_, index) => index % stride == 0 || index == samples.Length - 1).ToArray();
         double most = 0;
         for (int index = 1; index < samples.Length; index++)

@@ -14,7 +14,7 @@ internal sealed class CharacterMap
 {
     private const string Arrows = "↑↗→↘↓↙←↖";
     private const string PlainArrows = "^^>vvv<^";
-    private const double SmallestMetres = 20;
+    private const double MinSideMetres = 20;
     private const int EllipseSteps = 48;
 
     private readonly MapModel _model;
@@ -71,7 +71,7 @@ internal sealed class CharacterMap
 
     private static (double Low, double High) Around(double low, double high)
     {
-        double margin = Math.Max((high - low) * 0.03, (SmallestMetres - (high - low)) / 2);
+        double margin = Math.Max((high - low) * 0.03, (MinSideMetres - (high - low)) / 2);
         return (low - margin, high + margin);
     }
 

@@ -9,8 +9,8 @@ namespace UavConsole;
 /// <summary>The view for a terminal: a mission with its map, or a flight that is watched, a few times a second.</summary>
 internal sealed class LiveScreen
 {
-    private const int SmallestWidth = 80;
-    private const int SmallestHeight = 24;
+    private const int MinWidth = 80;
+    private const int MinHeight = 24;
     private const int NotesKept = 20;
     private static readonly TimeSpan RefreshEvery = TimeSpan.FromMilliseconds(150);
 
@@ -48,7 +48,7 @@ internal sealed class LiveScreen
     /// <param name="width">Columns of the terminal.</param>
     /// <param name="height">Its lines.</param>
     /// <param name="isUnicode">Whether it knows more than ASCII.</param>
-    internal Rows Draw(int width = SmallestWidth, int height = SmallestHeight, bool isUnicode = true)
+    internal Rows Draw(int width = MinWidth, int height = MinHeight, bool isUnicode = true)
     {
         foreach (RabitLogEntry entry in _log.TakeAll())
             _notes.Enqueue(entry.ToString());
@@ -56,7 +56,7 @@ internal sealed class LiveScreen
             _notes.Dequeue();
         return _mission is null
             ? _vehicle.Draw(_notes)
-            : _mission.Draw(_notes, Math.Max(SmallestWidth, width), Math.Max(SmallestHeight, height), isUnicode);
+            : _mission.Draw(_notes, Math.Max(MinWidth, width), Math.Max(MinHeight, height), isUnicode);
     }
 
     private Rows DrawFitting() => Draw(AnsiConsole.Profile.Width, AnsiConsole.Profile.Height, AnsiConsole.Profile.Capabilities.Unicode);

@@ -15,7 +15,7 @@ internal sealed class MissionView(FlightMonitor monitor)
     private const int PanelWidth = 38;
     private const int NotesShown = 3;
     private const int WidestMap = 110;
-    private const int HighestMap = 40;
+    private const int MaxMapHeight = 40;
     private const int BarWidth = 20;
     private const int TargetsShown = 5;
 
@@ -23,7 +23,7 @@ internal sealed class MissionView(FlightMonitor monitor)
     {
         // One line stays free for the cursor.
         int managerRows = ((monitor.Managers.Count + 1) / 2) + 1;
-        int mapRows = Math.Min(HighestMap, Math.Max(8, height - managerRows - NotesShown - 2));
+        int mapRows = Math.Min(MaxMapHeight, Math.Max(8, height - managerRows - NotesShown - 2));
         int mapColumns = Math.Min(WidestMap, width - PanelWidth - 2);
         MapPicture map = CharacterMap.Draw(MapModel.Of(monitor.Record), mapColumns, mapRows, isUnicode);
         List<string> panel = Panel();
@@ -72,7 +72,7 @@ internal sealed class MissionView(FlightMonitor monitor)
     }
 
     private static string LaneText(in MissionStatus mission)
-        => $"{Figures.Of(mission.LanesFlown)} of {Figures.Of((mission.Plan?.Lanes.Length ?? 0) / 2)} flown, {Figures.Of(mission.SecondLooks)} second looks";
+        => $"{Figures.Of(mission.LanesFlown)} of {Figures.Of((mission.Plan?.Lanes.Length ?? 0) / 2)} flown, {Figures.Of(mission.Revisits)} second looks";
 
     private static string VehicleText(in VehicleState vehicle)
         => vehicle.SystemId == 0 ? "not heard yet" : $"{vehicle.Mode}, {(vehicle.IsArmed ? "armed" : "disarmed")}";

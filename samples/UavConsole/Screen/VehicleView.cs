@@ -14,7 +14,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
 {
     private const int TextsShown = 4;
     private const int NotesShown = 2;
-    private const int LongestLinkName = 40;
+    private const int MaxLinkNameLength = 40;
     private const int BarWidth = 60;
 
     // Fits 80 by 24: one row for each manager and link where they are few, and every text on one line.
@@ -101,7 +101,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
 
     // The end of a long path tells more than its beginning.
     private static string ShortName(string? url)
-        => url is null ? "-" : url.Length <= LongestLinkName ? url : $"...{url.Substring(url.Length - LongestLinkName + 3)}";
+        => url is null ? "-" : url.Length <= MaxLinkNameLength ? url : $"...{url.Substring(url.Length - MaxLinkNameLength + 3)}";
 
     private IEnumerable<IRenderable> Texts(IEnumerable<string> notes)
     {

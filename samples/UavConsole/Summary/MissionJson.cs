@@ -49,7 +49,7 @@ internal static class MissionJson
         WriteNumber(json, "from_home_m", outcome.DistanceFromHomeMetres);
         WriteNumber(json, "outside_fence_m", outcome.OutsideFenceMetres);
         json.WriteNumber("lanes_flown", summary.Record.Mission.LanesFlown);
-        json.WriteNumber("second_looks", summary.Record.Mission.SecondLooks);
+        json.WriteNumber("second_looks", summary.Record.Mission.Revisits);
     }
 
     private static void WriteScore(Utf8JsonWriter json, MissionScore? score)

@@ -82,7 +82,7 @@ internal sealed class RunSummary
             Events = events,
             EventCount = count,
             Managers = Managers,
-            CutOuts = Record.Pictures.Select(c => new PictureCutOut(c.LookNumber, c.ReportIndex, new RgbPicture(c.Width, c.Height, c.CopyPixels()))).ToArray(),
+            ImageChips = Record.Pictures.Select(c => new ImageChipPng(c.PictureNumber, c.ReportIndex, new RgbPicture(c.Width, c.Height, c.CopyPixels()))).ToArray(),
             StopReason = Result.StopReason,
         };
     }

@@ -11,7 +11,7 @@ internal sealed class CommandHandler(
     // "Force": MAVLink common.xml, MAV_CMD_COMPONENT_ARM_DISARM, param 2; ArduPilot takes 2989 for arming as well.
     private const float ForceMagic = 21196;
     private const float ForceArmMagic = 2989;
-    private const float LargestNumber = 1 << 24;   // message ids have 24 bits
+    private const float MaxNumber = 1 << 24;   // message ids have 24 bits
 
     public void Handle(in CommandLong message, Sender sender)
     {
@@ -170,5 +170,5 @@ internal sealed class CommandHandler(
     private static MavResult Result(bool isDone) => isDone ? MavResult.Accepted : MavResult.Failed;
 
     // What is no number, or none that fits, is none that anybody knows.
-    private static uint WholeNumber(float value) => value >= 0 && value < LargestNumber ? (uint)value : uint.MaxValue;
+    private static uint WholeNumber(float value) => value >= 0 && value < MaxNumber ? (uint)value : uint.MaxValue;
 }

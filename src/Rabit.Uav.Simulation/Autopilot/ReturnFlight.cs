@@ -7,7 +7,7 @@ namespace Rabit.Uav.Simulation;
 internal sealed class ReturnFlight : FlightMode
 {
     // RTL_ALT_MIN of ArduCopter: it climbs at least to 2 m.
-    private const double LowestHeight = 2;
+    private const double MinHeight = 2;
     private const double HeightReached = 0.3;
     private const double HomeReached = 1;
 
@@ -34,7 +34,7 @@ internal sealed class ReturnFlight : FlightMode
         _part = Part.Climb;
         _start = situation.StoppingPoint;
         double slope = situation.Parameters.ReturnSlope.Value;
-        double lowest = Math.Max(LowestHeight, situation.Height);
+        double lowest = Math.Max(MinHeight, situation.Height);
         double cone = slope >= 0.5 ? Math.Max(situation.Home.Minus(situation.Position).HorizontalLength() * slope, lowest) : double.MaxValue;
         _height = Math.Min(Math.Max(situation.Parameters.ReturnHeight.Value / 100, lowest), cone);
     }

@@ -11,8 +11,8 @@ namespace Rabit.Uav.Simulation;
 internal sealed class StreamSchedule
 {
     // ArduPilot's loop runs at 400 Hz and no stream may ask for more than 0.8 of that (see DENIED in the results of 511).
-    private const double FastestHertz = 320;
-    private const int LongestMilliseconds = 60_000;
+    private const double MaxHertz = 320;
+    private const int MaxMilliseconds = 60_000;
 
     private static readonly int[] ExtendedStatus = [SysStatus.MavlinkId, GpsRawInt.MavlinkId];
     private static readonly int[] Position = [GlobalPositionInt.MavlinkId, LocalPositionNed.MavlinkId];
@@ -33,11 +33,11 @@ internal sealed class StreamSchedule
             return MavResult.Accepted;
         }
 
-        if (intervalMicroseconds < 1e6 / FastestHertz)
+        if (intervalMicroseconds < 1e6 / MaxHertz)
             return MavResult.Denied;
 
         // It counts in whole milliseconds.
-        int milliseconds = (int)Math.Min(intervalMicroseconds / 1000, LongestMilliseconds);
+        int milliseconds = (int)Math.Min(intervalMicroseconds / 1000, MaxMilliseconds);
         Put(messageId, TimeSpan.FromMilliseconds(milliseconds), now);
         return MavResult.Accepted;
     }

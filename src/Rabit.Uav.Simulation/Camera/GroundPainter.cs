@@ -6,9 +6,9 @@ namespace Rabit.Uav.Simulation;
 internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
 {
     /// <summary>Below this height above the ground the lens is in the grass: the picture is dark, and nothing is seen.</summary>
-    public const double LeastHeight = 0.03;
+    public const double MinHeight = 0.03;
 
-    private const double FarthestGround = 3000;
+    private const double MaxGroundDistance = 3000;
     private const double HazeFrom = 250;
 
     // A pixel that is larger than this on the ground does not resolve the finest grain any more, metres.
@@ -18,9 +18,9 @@ internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
     private const uint Haze = 0xC6_CC_D2;
     private const uint Zenith = 0x8C_A8_CC;
 
-    public void Paint(in CameraStance stance, byte[] pixels)
+    public void Paint(in CameraPose stance, byte[] pixels)
     {
-        if (stance.Height < LeastHeight)
+        if (stance.Height < MinHeight)
         {
             Fill(pixels, lens.Width * lens.Height * 3);
             return;
@@ -32,7 +32,7 @@ internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
         double height = stance.Height;
         double northFrom = stance.North - (GroundTexture.Period * Math.Floor(stance.North / GroundTexture.Period));
         double eastFrom = stance.East - (GroundTexture.Period * Math.Floor(stance.East / GroundTexture.Period));
-        double leastDown = height / FarthestGround;
+        double leastDown = height / MaxGroundDistance;
         double grainPerDown = 256 * GrainMetres * lens.Focal / height;
         double[] rays = lens.Rays;
         int count = lens.Width * lens.Height;
@@ -55,7 +55,7 @@ internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
                 double grain = grainPerDown * down;
                 colour = texture.ColourAt(north, east, grain < 256 ? (int)grain : 256);
                 if (along > HazeFrom)
-                    colour = Mix(colour, Haze, (along - HazeFrom) / (FarthestGround - HazeFrom));
+                    colour = Mix(colour, Haze, (along - HazeFrom) / (MaxGroundDistance - HazeFrom));
             }
 
             pixels[to] = (byte)(colour >> 16);

@@ -10,7 +10,7 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 internal sealed class LensRays
 {
-    private const int MostSteps = 30;
+    private const int MaxSteps = 30;
     private const double Converged = 1e-13;
 
     private readonly CameraModel _camera;
@@ -21,7 +21,7 @@ internal sealed class LensRays
     {
         _camera = camera;
         _rays = new double[camera.Width * camera.Height * 2];
-        (LeastX, MostX, LeastY, MostY) = (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
+        (MinX, MaxX, MinY, MaxY) = (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
         int at = 0;
         for (int v = 0; v < camera.Height; v++)
         {
@@ -29,8 +29,8 @@ internal sealed class LensRays
             {
                 (double x, double y) = Undistort(u, v);
                 (_rays[at], _rays[at + 1]) = (x, y);
-                (LeastX, MostX) = (Math.Min(LeastX, x), Math.Max(MostX, x));
-                (LeastY, MostY) = (Math.Min(LeastY, y), Math.Max(MostY, y));
+                (MinX, MaxX) = (Math.Min(MinX, x), Math.Max(MaxX, x));
+                (MinY, MaxY) = (Math.Min(MinY, y), Math.Max(MaxY, y));
                 at += 2;
             }
         }
@@ -44,16 +44,16 @@ internal sealed class LensRays
     public double[] Rays => _rays;
 
     /// <summary>The bounds of all rays.</summary>
-    public double LeastX { get; }
+    public double MinX { get; }
 
-    /// <inheritdoc cref="LeastX"/>
-    public double MostX { get; }
+    /// <inheritdoc cref="MinX"/>
+    public double MaxX { get; }
 
-    /// <inheritdoc cref="LeastX"/>
-    public double LeastY { get; }
+    /// <inheritdoc cref="MinX"/>
+    public double MinY { get; }
 
-    /// <inheritdoc cref="LeastX"/>
-    public double MostY { get; }
+    /// <inheritdoc cref="MinX"/>
+    public double MaxY { get; }
 
     /// <summary>How many pixels a step of 1 across the optical axis is at distance 1.</summary>
     public double Focal => (_camera.FocalX + _camera.FocalY) / 2;
@@ -79,7 +79,7 @@ internal sealed class LensRays
         double xd = (u - _camera.CentreX) / _camera.FocalX;
         double yd = (v - _camera.CentreY) / _camera.FocalY;
         (double x, double y) = (xd, yd);
-        for (int step = 0; step < MostSteps; step++)
+        for (int step = 0; step < MaxSteps; step++)
         {
             (double fx, double fy) = Distort(x, y);
             (fx, fy) = (fx - xd, fy - yd);

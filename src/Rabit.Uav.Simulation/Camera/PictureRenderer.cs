@@ -28,7 +28,7 @@ internal sealed class PictureRenderer
     /// <param name="late">How it stands after three quarters of it.</param>
     /// <param name="number">Number of the picture; another number has other noise.</param>
     /// <param name="pixels">Takes red, green and blue, row by row.</param>
-    public void Render(in CameraStance middle, in CameraStance early, in CameraStance late, long number, byte[] pixels)
+    public void Render(in CameraPose middle, in CameraPose early, in CameraPose late, long number, byte[] pixels)
     {
         _ground.Paint(middle, pixels);
         _sheets.Paint(early, late, pixels);

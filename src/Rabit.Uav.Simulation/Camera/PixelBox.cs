@@ -22,7 +22,7 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
         Math.Min(Left, other.Left), Math.Min(Top, other.Top), Math.Max(Right, other.Right), Math.Max(Bottom, other.Bottom));
 
     /// <summary>The pixels in which a rectangle on the ground may be seen; false if there are none.</summary>
-    public static bool TryFind(SimulatedTarget sheet, in CameraStance stance, LensRays lens, out PixelBox box)
+    public static bool TryFind(SimulatedTarget sheet, in CameraPose stance, LensRays lens, out PixelBox box)
     {
         box = default;
         (double sin, double cos) = (Math.Sin(sheet.HeadingRadians), Math.Cos(sheet.HeadingRadians));
@@ -58,10 +58,10 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
         }
 
         double margin = MarginPixels / lens.Focal;
-        if (leastX > lens.MostX + margin || mostX < lens.LeastX - margin || leastY > lens.MostY + margin || mostY < lens.LeastY - margin)
+        if (leastX > lens.MaxX + margin || mostX < lens.MinX - margin || leastY > lens.MaxY + margin || mostY < lens.MinY - margin)
             return false;
         box = Around(
-            Math.Max(leastX, lens.LeastX), Math.Min(mostX, lens.MostX), Math.Max(leastY, lens.LeastY), Math.Min(mostY, lens.MostY), lens);
+            Math.Max(leastX, lens.MinX), Math.Min(mostX, lens.MaxX), Math.Max(leastY, lens.MinY), Math.Min(mostY, lens.MaxY), lens);
         return box.Left <= box.Right && box.Top <= box.Bottom;
     }
 

@@ -15,9 +15,9 @@ internal sealed class SheetPainter(LensRays lens, IEnumerable<SimulatedTarget> s
 
     private readonly SimulatedTarget[] _sheets = sheets.ToArray();
 
-    public void Paint(in CameraStance first, in CameraStance second, byte[] pixels)
+    public void Paint(in CameraPose first, in CameraPose second, byte[] pixels)
     {
-        if (first.Height < GroundPainter.LeastHeight || second.Height < GroundPainter.LeastHeight)
+        if (first.Height < GroundPainter.MinHeight || second.Height < GroundPainter.MinHeight)
             return;
         foreach (SimulatedTarget sheet in _sheets)
         {

@@ -15,7 +15,7 @@ internal readonly struct SheetView
     private readonly double _halfSide;
     private readonly double _halfWidth;
 
-    public SheetView(SimulatedTarget sheet, in CameraStance stance)
+    public SheetView(SimulatedTarget sheet, in CameraPose stance)
     {
         (double sin, double cos) = (Math.Sin(sheet.HeadingRadians), Math.Cos(sheet.HeadingRadians));
         (double north, double east) = (stance.North - sheet.NorthMetres, stance.East - sheet.EastMetres);
@@ -43,7 +43,7 @@ internal readonly struct SheetView
     }
 
     // Where a ray meets the ground: camera + height x (its level part) / (its part downwards); here times that part.
-    private static Arrow Terms(in CameraStance stance, double towardsNorth, double towardsEast, double camera) => new(
+    private static Arrow Terms(in CameraPose stance, double towardsNorth, double towardsEast, double camera) => new(
         Term(stance.Axes.Right, stance.Height, towardsNorth, towardsEast, camera),
         Term(stance.Axes.Down, stance.Height, towardsNorth, towardsEast, camera),
         Term(stance.Axes.Forward, stance.Height, towardsNorth, towardsEast, camera));

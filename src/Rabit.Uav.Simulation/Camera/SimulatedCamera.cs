@@ -88,7 +88,7 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
                 continue;
             }
 
-            if (!TryGetStance(start + Part(2), out CameraStance middle))
+            if (!TryGetStance(start + Part(2), out CameraPose middle))
                 return ReaderStep.WaitUntil(now + TruthPause);
 
             if (!_pool.TryRent(Owner, out BufferLease lease))
@@ -116,9 +116,9 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
     {
     }
 
-    private CameraFrame Expose(TimeSpan start, in CameraStance middle, BufferLease lease)
+    private CameraFrame Expose(TimeSpan start, in CameraPose middle, BufferLease lease)
     {
-        if (!TryGetStance(start + Part(1), out CameraStance early) || !TryGetStance(start + Part(3), out CameraStance late))
+        if (!TryGetStance(start + Part(1), out CameraPose early) || !TryGetStance(start + Part(3), out CameraPose late))
             (early, late) = (middle, middle);
         _renderer.Render(middle, early, late, _number, lease.Array);
         return new CameraFrame
@@ -143,10 +143,10 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
         return false;
     }
 
-    private bool TryGetStance(TimeSpan time, out CameraStance stance)
+    private bool TryGetStance(TimeSpan time, out CameraPose stance)
     {
         bool isKnown = _truth.TryGet(time, out TruePose pose);
-        stance = isKnown ? new CameraStance(pose, _options) : default;
+        stance = isKnown ? new CameraPose(pose, _options) : default;
         return isKnown;
     }
 

@@ -11,7 +11,7 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 public sealed class SimulatedCameraOptions
 {
-    private const int MostPixelsPerSide = 4096;
+    private const int MaxPixelsPerSide = 4096;
 
     /// <summary>Pinhole and lens.</summary>
     /// <value>The default is 640 x 480, f 530 px, a slight barrel distortion.</value>
@@ -137,7 +137,7 @@ public sealed class SimulatedCameraOptions
 
     private static void CheckPixels(List<string> faults, string name, int pixels)
     {
-        if (pixels is < 8 or > MostPixelsPerSide)
-            faults.Add($"{name} is {pixels}; it must be 8 to {MostPixelsPerSide} pixels");
+        if (pixels is < 8 or > MaxPixelsPerSide)
+            faults.Add($"{name} is {pixels}; it must be 8 to {MaxPixelsPerSide} pixels");
     }
 }

@@ -8,7 +8,7 @@ namespace Rabit.Uav.Simulation;
 internal sealed class DelayedFrames(SimulationRandom random, TimeSpan latency)
 {
     private const double JitterSeconds = 0.004;   // mean; exponential
-    private const double LongestJitter = 0.03;
+    private const double MaxJitter = 0.03;
 
     private readonly Queue<(TimeSpan Due, MavlinkFrame Frame)> _frames = new();
     private TimeSpan _lastDue;
@@ -18,7 +18,7 @@ internal sealed class DelayedFrames(SimulationRandom random, TimeSpan latency)
 
     public void Add(in MavlinkFrame frame, TimeSpan now)
     {
-        double jitter = Math.Min(LongestJitter, -Math.Log(1 - random.Uniform()) * JitterSeconds);
+        double jitter = Math.Min(MaxJitter, -Math.Log(1 - random.Uniform()) * JitterSeconds);
         TimeSpan due = now + latency + TimeSpan.FromTicks((long)(jitter * TimeSpan.TicksPerSecond));
         _lastDue = due > _lastDue ? due : _lastDue;
         _frames.Enqueue((_lastDue, frame));

@@ -9,16 +9,16 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 internal sealed class Multirotor
 {
-    private const double MaximumTilt = 30 * NedMath.RadiansPerDegree;
+    private const double MaxTilt = 30 * NedMath.RadiansPerDegree;
     private const double AttitudeSeconds = 0.15;
-    private const double MaximumTiltRate = 120 * NedMath.RadiansPerDegree;
+    private const double MaxTiltRate = 120 * NedMath.RadiansPerDegree;
     private const double LiftSeconds = 0.1;
-    private const double MaximumYawRate = 60 * NedMath.RadiansPerDegree;
+    private const double MaxYawRate = 60 * NedMath.RadiansPerDegree;
     private const double YawGain = 2;             // 1/s
     private const double YawRateSeconds = 0.2;
     private const double VelocityGain = 2;        // 1/s
     private const double LeanGain = 0.8;          // 1/s2, of the integral that holds against the wind
-    private const double MaximumLean = 4;         // m/s2
+    private const double MaxLean = 4;         // m/s2
     private const double Drag = 0.2;              // 1/s: 2 m/s2 at 10 m/s of air
     private const double FallDrag = 0.5;          // 1/s: it falls at 20 m/s at most
 
@@ -95,7 +95,7 @@ internal sealed class Multirotor
         NedVector error = _reference.Minus(Velocity);
         NedVector wanted = change.Times(1 / seconds).Plus(error.Times(VelocityGain)).LimitedHorizontally(command.HorizontalAcceleration);
         if (!IsOnGround)
-            _lean = _lean.Plus(new NedVector(error.North, error.East, 0).Times(LeanGain * seconds)).LimitedHorizontally(MaximumLean);
+            _lean = _lean.Plus(new NedVector(error.North, error.East, 0).Times(LeanGain * seconds)).LimitedHorizontally(MaxLean);
         double down = NedMath.Limited(wanted.Down, -2 * command.VerticalAcceleration, 2 * command.VerticalAcceleration);
         return new NedVector(wanted.North + _lean.North, wanted.East + _lean.East, down);
     }
@@ -103,7 +103,7 @@ internal sealed class Multirotor
     private void Turn(in MotionCommand command, double seconds)
     {
         double wanted = double.IsNaN(command.Yaw) ? command.YawRate : YawGain * NedMath.Wrapped(command.Yaw - Yaw);
-        wanted = NedMath.Limited(wanted, -MaximumYawRate, MaximumYawRate);
+        wanted = NedMath.Limited(wanted, -MaxYawRate, MaxYawRate);
         if (IsOnGround)
             wanted = 0;
         _yawRate += (wanted - _yawRate) * seconds / YawRateSeconds;
@@ -115,10 +115,10 @@ internal sealed class Multirotor
     {
         double forward = (north * Math.Cos(Yaw)) + (east * Math.Sin(Yaw));
         double right = (east * Math.Cos(Yaw)) - (north * Math.Sin(Yaw));
-        double pitch = NedMath.Limited(-Math.Atan(forward / NedMath.Gravity), -MaximumTilt, MaximumTilt);
-        double roll = NedMath.Limited(Math.Atan(right * Math.Cos(pitch) / NedMath.Gravity), -MaximumTilt, MaximumTilt);
-        _pitchRate = NedMath.Limited((pitch - Pitch) / AttitudeSeconds, -MaximumTiltRate, MaximumTiltRate);
-        _rollRate = NedMath.Limited((roll - Roll) / AttitudeSeconds, -MaximumTiltRate, MaximumTiltRate);
+        double pitch = NedMath.Limited(-Math.Atan(forward / NedMath.Gravity), -MaxTilt, MaxTilt);
+        double roll = NedMath.Limited(Math.Atan(right * Math.Cos(pitch) / NedMath.Gravity), -MaxTilt, MaxTilt);
+        _pitchRate = NedMath.Limited((pitch - Pitch) / AttitudeSeconds, -MaxTiltRate, MaxTiltRate);
+        _rollRate = NedMath.Limited((roll - Roll) / AttitudeSeconds, -MaxTiltRate, MaxTiltRate);
         Pitch += _pitchRate * seconds;
         Roll += _rollRate * seconds;
     }

@@ -20,10 +20,10 @@ internal sealed class NavigationErrors
 
     private readonly NedVector _positionConstant;
     private readonly EulerAngles _angleConstant;
-    private readonly SlowNoise[] _walk;
-    private readonly SlowNoise[] _position;
-    private readonly SlowNoise[] _velocity;
-    private readonly SlowNoise[] _angle;
+    private readonly ColouredNoise[] _walk;
+    private readonly ColouredNoise[] _position;
+    private readonly ColouredNoise[] _velocity;
+    private readonly ColouredNoise[] _angle;
 
     public NavigationErrors(long seed, double step)
     {
@@ -64,8 +64,8 @@ internal sealed class NavigationErrors
         }
     }
 
-    private static NedVector Of(SlowNoise[] three) => new(three[0].Value, three[1].Value, three[2].Value);
+    private static NedVector Of(ColouredNoise[] three) => new(three[0].Value, three[1].Value, three[2].Value);
 
-    private static SlowNoise[] ThreeOf(SimulationRandom random, double sigma, double seconds, double step, bool startsAtZero = false)
+    private static ColouredNoise[] ThreeOf(SimulationRandom random, double sigma, double seconds, double step, bool startsAtZero = false)
         => [new(random, sigma, seconds, step, startsAtZero), new(random, sigma, seconds, step, startsAtZero), new(random, sigma, seconds, step, startsAtZero)];
 }

@@ -15,8 +15,8 @@ internal sealed class WindField
     // A new mean comes as weather does, not as a blow.
     private const double ChangeSeconds = 2;
 
-    private readonly SlowNoise _north;
-    private readonly SlowNoise _east;
+    private readonly ColouredNoise _north;
+    private readonly ColouredNoise _east;
     private readonly double _toNorth;
     private readonly double _toEast;
     private readonly double _step;
@@ -34,8 +34,8 @@ internal sealed class WindField
         _step = step;
 
         // Of unit strength here; the mean at the time scales what comes in.
-        _north = new SlowNoise(random, 1, GustSeconds, step, startsAtZero: true);
-        _east = new SlowNoise(random, 1, GustSeconds, step, startsAtZero: true);
+        _north = new ColouredNoise(random, 1, GustSeconds, step, startsAtZero: true);
+        _east = new ColouredNoise(random, 1, GustSeconds, step, startsAtZero: true);
     }
 
     /// <summary>What the mean is, or is on its way to, m/s.</summary>

@@ -51,13 +51,13 @@ public sealed class SimulatedTruth
     public double FlownMetres { get; internal init; }
 
     /// <summary>Above the ground, metres.</summary>
-    public double MaximumHeightMetres { get; internal init; }
+    public double MaxHeightMetres { get; internal init; }
 
     /// <summary>Over ground, m/s.</summary>
-    public double MaximumSpeedMetresPerSecond { get; internal init; }
+    public double MaxSpeedMetresPerSecond { get; internal init; }
 
     /// <summary>Furthest from home over ground, metres.</summary>
-    public double MaximumDistanceMetres { get; internal init; }
+    public double MaxDistanceMetres { get; internal init; }
 
     /// <summary>Frames that the vehicle sent.</summary>
     public long FramesSent { get; internal init; }

@@ -10,7 +10,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal static class ArdupilotModes
 {
     // No kind of vehicle has a mode above.
-    private const uint HighestMode = 63;
+    private const uint MaxMode = 63;
 
     /// <summary>Whether it flies as a copter does.</summary>
     public static bool IsCopter(MavType vehicle) => vehicle is MavType.Quadrotor or MavType.Coaxial or MavType.Helicopter or MavType.Hexarotor
@@ -19,7 +19,7 @@ internal static class ArdupilotModes
     /// <summary>The number of a mode, by its name in any case; null where the vehicle has none of that name.</summary>
     public static uint? NumberOf(MavType vehicle, string name)
     {
-        for (uint mode = 0; mode <= HighestMode; mode++)
+        for (uint mode = 0; mode <= MaxMode; mode++)
         {
             if (string.Equals(NameOf(vehicle, mode), name, StringComparison.OrdinalIgnoreCase))
                 return mode;

@@ -20,7 +20,7 @@ public sealed partial class AutopilotManager
     private readonly CommandExecutor _executor;
     private readonly AutopilotClock _clock = new();
     private readonly QueueReceiver<VehicleCommand> _commands;
-    private readonly QueueSender<VehicleCommandAnswer> _answers;
+    private readonly QueueSender<VehicleCommandResult> _answers;
     private readonly QueueSender<PoseSample> _poses;
     private readonly MessagePublisher<CommandAuthority> _authority;
     private ClockBasis _toldBasis;
@@ -42,7 +42,7 @@ public sealed partial class AutopilotManager
             Answer(outbox.Answers.Dequeue());
     }
 
-    private void Answer(in VehicleCommandAnswer answer)
+    private void Answer(in VehicleCommandResult answer)
     {
         if (answer.Outcome != VehicleCommandOutcome.Accepted)
             Log($"command {answer.Id} {answer.Kind}: {answer.Outcome}, {answer.Text}");

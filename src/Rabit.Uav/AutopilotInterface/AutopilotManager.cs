@@ -51,7 +51,7 @@ public sealed partial class AutopilotManager : RabitManager
         _statusTexts = Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
         _acknowledgements = Publish(MessageNames.CommandAcknowledgements, RecentItems<CommandAcknowledgement>.None);
         _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands, CommandsWaiting, QueueFullMode.Reject, wakeOnPush: true);
-        _answers = Send<VehicleCommandAnswer>(MessageNames.VehicleCommandAnswers);
+        _answers = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
         _poses = Send<PoseSample>(MessageNames.Poses);
         WakeUpDelay = Rhythm;

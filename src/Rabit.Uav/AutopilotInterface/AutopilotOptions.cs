@@ -11,7 +11,7 @@ namespace Rabit.Uav.AutopilotInterface;
 public sealed class AutopilotOptions
 {
     // An autopilot's loop runs at a few hundred hertz at most; more than this is a slip of the pen.
-    private const double HighestRate = 1000;
+    private const double MaxRate = 1000;
 
     /// <summary>
     /// The system id of our vehicle. Where it is set, autopilots of other systems are never taken for ours; where it is null,
@@ -79,10 +79,10 @@ public sealed class AutopilotOptions
         {
             if (!MavlinkDialect.All.TryGetMessage(rate.MessageId, out _))
                 yield return $"{nameof(RequestedRates)} has message {rate.MessageId}, which MAVLink does not have";
-            if (!(rate.Hertz > 0 && rate.Hertz <= HighestRate))
+            if (!(rate.Hertz > 0 && rate.Hertz <= MaxRate))
             {
                 yield return FormattableString.Invariant(
-                    $"{nameof(RequestedRates)} has message {rate.MessageId} at {rate.Hertz} Hz; it must be above 0 and at most {HighestRate}");
+                    $"{nameof(RequestedRates)} has message {rate.MessageId} at {rate.Hertz} Hz; it must be above 0 and at most {MaxRate}");
             }
         }
 

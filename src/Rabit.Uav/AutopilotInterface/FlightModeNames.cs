@@ -10,7 +10,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal sealed class FlightModeNames
 {
     // A sound autopilot has a handful of modes unknown here; one that sends noise must not fill the memory.
-    private const int MostRemembered = 64;
+    private const int MaxRemembered = 64;
 
     private readonly Dictionary<uint, string> _unknown = [];
 
@@ -45,7 +45,7 @@ internal sealed class FlightModeNames
     {
         if (_unknown.TryGetValue(customMode, out string? name))
             return name;
-        if (_unknown.Count == MostRemembered)
+        if (_unknown.Count == MaxRemembered)
             _unknown.Clear();
         name = "mode " + customMode.ToString(CultureInfo.InvariantCulture);
         _unknown.Add(customMode, name);

@@ -13,7 +13,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal sealed class FlightRecorder
 {
     // Positions may come before the first heartbeat says whose matter. Nobody has more components than this on one net.
-    private const int MostSources = 64;
+    private const int MaxSources = 64;
 
     private readonly object _gate = new();   // guards everything below
     private readonly BoundedLog<FlightModeChange> _modeChanges = new(FlightSummary.ListCapacity);
@@ -161,7 +161,7 @@ internal sealed class FlightRecorder
     {
         mavlink.TryDecode(out GlobalPositionInt position);
         int source = SourceOf(mavlink.SystemId, mavlink.ComponentId);
-        if (_ranges.TryGetValue(source, out PositionRanges ranges) || _ranges.Count < MostSources)
+        if (_ranges.TryGetValue(source, out PositionRanges ranges) || _ranges.Count < MaxSources)
             _ranges[source] = ranges.With(position);
     }
 

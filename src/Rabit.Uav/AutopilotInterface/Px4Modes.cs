@@ -15,15 +15,15 @@ internal static class Px4Modes
 
     private const int PositionControl = 3;
     private const int Auto = 4;
-    private const uint HighestMain = 11;
-    private const uint HighestSub = 18;
+    private const uint MaxMainMode = 11;
+    private const uint MaxSubMode = 18;
 
     /// <summary>The number of a mode, by its name in any case; null where there is none of that name.</summary>
     public static uint? NumberOf(string name)
     {
-        for (uint main = 1; main <= HighestMain; main++)
+        for (uint main = 1; main <= MaxMainMode; main++)
         {
-            for (uint sub = 0; sub <= HighestSub; sub++)
+            for (uint sub = 0; sub <= MaxSubMode; sub++)
             {
                 uint mode = (main << 16) | (sub << 24);
                 if (string.Equals(NameOf(mode), name, StringComparison.OrdinalIgnoreCase))

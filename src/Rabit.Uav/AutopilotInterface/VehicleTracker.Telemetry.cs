@@ -14,7 +14,7 @@ internal sealed partial class VehicleTracker
 
     // A clock that says less is not set, one that says more is wrong: 2000-01-01 and 2100-01-01 UTC in microseconds since 1970.
     private const ulong EarliestUtc = 946_684_800_000_000;
-    private const ulong LatestUtc = 4_102_444_800_000_000;
+    private const ulong MaxUtc = 4_102_444_800_000_000;
 
     // No wind at the ground was ever stronger (WMO: 113 m/s, Barrow Island, 1996).
     private const float StrongestWind = 113;
@@ -104,7 +104,7 @@ internal sealed partial class VehicleTracker
     private VehicleEvents Fold(in SystemTime message, TimeSpan time)
     {
         _state.UtcTime = time;
-        _state.GpsUtcMicroseconds = message.TimeUnixUsec is >= EarliestUtc and <= LatestUtc ? (long)message.TimeUnixUsec : 0;
+        _state.GpsUtcMicroseconds = message.TimeUnixUsec is >= EarliestUtc and <= MaxUtc ? (long)message.TimeUnixUsec : 0;
         BootTimeMs = message.TimeBootMs;
         return VehicleEvents.Changed;
     }

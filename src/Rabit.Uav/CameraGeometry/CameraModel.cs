@@ -47,11 +47,11 @@ public sealed class CameraModel
     public TimeSpan RowReadout { get; init; }
 
     // Newton's method doubles the digits in each step: a lens that it cannot undo in so many is folded there.
-    private const int MaximumSteps = 30;
+    private const int MaxSteps = 30;
     private const double ConvergedSquared = 1e-26;
 
     // No picture takes longer to read; it also is less than the poses around it may be apart.
-    private static readonly TimeSpan LongestReadout = TimeSpan.FromMilliseconds(500);
+    private static readonly TimeSpan MaxReadout = TimeSpan.FromMilliseconds(500);
 
     /// <summary>
     /// The direction in which a pixel looks, with the lens undone: (x, y, 1) in the axes of the camera. False where the lens formula
@@ -66,7 +66,7 @@ public sealed class CameraModel
         double wantedX = (column - CentreX) / FocalX;
         double wantedY = (row - CentreY) / FocalY;
         (x, y) = (wantedX, wantedY);
-        for (int step = 0; step < MaximumSteps; step++)
+        for (int step = 0; step < MaxSteps; step++)
         {
             Distort(x, y, out Distorted at);
             double missX = wantedX - at.X;
@@ -108,8 +108,8 @@ public sealed class CameraModel
 
     internal IEnumerable<string> FindFaults()
     {
-        if (RowReadout < TimeSpan.Zero || ReadoutOf(Height) > LongestReadout)
-            yield return FormattableString.Invariant($"the camera's rows are {RowReadout.TotalMilliseconds} ms apart; that must not be negative, and all {Height} rows not take longer than {LongestReadout.TotalSeconds} s");
+        if (RowReadout < TimeSpan.Zero || ReadoutOf(Height) > MaxReadout)
+            yield return FormattableString.Invariant($"the camera's rows are {RowReadout.TotalMilliseconds} ms apart; that must not be negative, and all {Height} rows not take longer than {MaxReadout.TotalSeconds} s");
         if (Width < 1 || Height < 1)
             yield return FormattableString.Invariant($"the camera's picture is {Width} x {Height}");
         if (!(FocalX > 0 && FocalY > 0) || double.IsInfinity(FocalX + FocalY))

@@ -24,10 +24,10 @@ public sealed class CameraMount
     public double MisalignmentYawRadians { get; init; }
 
     /// <summary>Where the gimbal's centre is, from the point whose position the autopilot tells, metres.</summary>
-    public BodyVector GimbalArmMetres { get; init; }
+    public BodyVector GimbalLeverArmMetres { get; init; }
 
     /// <summary>Where the camera is from the gimbal's centre, metres, in the axes of the gimbal: forward is along the optical axis.</summary>
-    public BodyVector CameraArmMetres { get; init; }
+    public BodyVector CameraLeverArmMetres { get; init; }
 
     /// <summary>For a camera without a gimbal: from its axes (x right, y down, z along the optical axis) to the body's. The misalignment comes on top.</summary>
     /// <value>Null, the default, where the angles of the gimbal tell it. See <see cref="Rotation.FromMatrix"/>.</value>
@@ -39,10 +39,10 @@ public sealed class CameraMount
     /// <summary>Where the camera is and how it stands in the body frame.</summary>
     /// <param name="gimbalPitchRadians">Up positive. Not used with <see cref="FixedBodyFromCamera"/>.</param>
     /// <param name="gimbalYawRadians">Right positive. Not used with <see cref="FixedBodyFromCamera"/>.</param>
-    public CameraPlacement At(double gimbalPitchRadians, double gimbalYawRadians) => At(gimbalPitchRadians, gimbalYawRadians, default);
+    public CameraExtrinsics At(double gimbalPitchRadians, double gimbalYawRadians) => At(gimbalPitchRadians, gimbalYawRadians, default);
 
     /// <summary>As the other, with an error of the misalignment: what would be if it were so.</summary>
-    internal CameraPlacement At(double gimbalPitchRadians, double gimbalYawRadians, EulerAngles misalignmentError)
+    internal CameraExtrinsics At(double gimbalPitchRadians, double gimbalYawRadians, EulerAngles misalignmentError)
     {
         Rotation gimbal = FixedBodyFromCamera is { } fixedCamera
             ? fixedCamera * GimbalFromCamera.Inverse
@@ -51,10 +51,10 @@ public sealed class CameraMount
             MisalignmentRollRadians + misalignmentError.RollRadians,
             MisalignmentPitchRadians + misalignmentError.PitchRadians,
             MisalignmentYawRadians + misalignmentError.YawRadians)) * gimbal;
-        (double x, double y, double z) = bodyFromGimbal.Apply(CameraArmMetres.Forward, CameraArmMetres.Right, CameraArmMetres.Down);
-        return new CameraPlacement(
+        (double x, double y, double z) = bodyFromGimbal.Apply(CameraLeverArmMetres.Forward, CameraLeverArmMetres.Right, CameraLeverArmMetres.Down);
+        return new CameraExtrinsics(
             bodyFromGimbal * GimbalFromCamera,
-            new BodyVector(GimbalArmMetres.Forward + x, GimbalArmMetres.Right + y, GimbalArmMetres.Down + z));
+            new BodyVector(GimbalLeverArmMetres.Forward + x, GimbalLeverArmMetres.Right + y, GimbalLeverArmMetres.Down + z));
     }
 
     /// <summary>What is wrong with it, one line each.</summary>
@@ -62,10 +62,10 @@ public sealed class CameraMount
     {
         if (!IsFinite(MisalignmentRollRadians + MisalignmentPitchRadians + MisalignmentYawRadians))
             yield return "the misalignment of the camera mount is not a number";
-        if (!IsFinite(GimbalArmMetres.Forward + GimbalArmMetres.Right + GimbalArmMetres.Down))
-            yield return $"{nameof(GimbalArmMetres)} is not a number";
-        if (!IsFinite(CameraArmMetres.Forward + CameraArmMetres.Right + CameraArmMetres.Down))
-            yield return $"{nameof(CameraArmMetres)} is not a number";
+        if (!IsFinite(GimbalLeverArmMetres.Forward + GimbalLeverArmMetres.Right + GimbalLeverArmMetres.Down))
+            yield return $"{nameof(GimbalLeverArmMetres)} is not a number";
+        if (!IsFinite(CameraLeverArmMetres.Forward + CameraLeverArmMetres.Right + CameraLeverArmMetres.Down))
+            yield return $"{nameof(CameraLeverArmMetres)} is not a number";
         if (FixedBodyFromCamera is { IsValid: false })
             yield return $"{nameof(FixedBodyFromCamera)} is no rotation";
     }

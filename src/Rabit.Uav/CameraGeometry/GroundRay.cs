@@ -22,7 +22,7 @@ public readonly struct GroundRay(NedVector fromMetres, NedVector direction)
     /// <param name="downMetres">Where the plane is, down positive.</param>
     /// <param name="minimumDepressionRadians">It must point further below the horizon than that: near the horizon every error grows without limit.</param>
     /// <param name="point">Where they meet, metres; nothing if the answer is false.</param>
-    public bool TryMeetFlat(double downMetres, double minimumDepressionRadians, out NedVector point)
+    public bool TryIntersectLevel(double downMetres, double minimumDepressionRadians, out NedVector point)
     {
         double height = downMetres - FromMetres.Down;
         if (!(height > 0 && Direction.Down > 0 && DepressionRadians > minimumDepressionRadians))
@@ -37,7 +37,7 @@ public readonly struct GroundRay(NedVector fromMetres, NedVector direction)
     }
 
     /// <summary>Where it meets a plane that may slope; false where it goes away from it or along it.</summary>
-    internal bool TryMeetPlane(NedVector on, double downByNorth, double downByEast, out NedVector point)
+    internal bool TryIntersectPlane(NedVector on, double downByNorth, double downByEast, out NedVector point)
     {
         double height = on.Down + (downByNorth * (FromMetres.North - on.North)) + (downByEast * (FromMetres.East - on.East)) - FromMetres.Down;
         double scale = height / (Direction.Down - (downByNorth * Direction.North) - (downByEast * Direction.East));

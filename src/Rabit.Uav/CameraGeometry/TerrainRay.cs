@@ -11,27 +11,27 @@ internal static class TerrainRay
     private const double ClosestMetres = 1e-5;
 
     /// <summary>The first meeting, or why there is none.</summary>
-    public static LocateRefusal Meet(in GroundRay ray, in LocalNedFrame frame, TerrainGrid terrain, double minimumDepressionRadians, out NedVector point)
+    public static GeolocationError Meet(in GroundRay ray, in LocalNedFrame frame, TerrainGrid terrain, double minimumDepressionRadians, out NedVector point)
     {
         point = ray.FromMetres;
-        LocateRefusal start = Clearance(frame, terrain, point, out double clearance, out double aboveAll);
-        if (start == LocateRefusal.None && clearance <= 0 && aboveAll <= 0)
-            return LocateRefusal.CameraBelowGround;
+        GeolocationError start = Clearance(frame, terrain, point, out double clearance, out double aboveAll);
+        if (start == GeolocationError.None && clearance <= 0 && aboveAll <= 0)
+            return GeolocationError.CameraBelowGround;
         if (!(ray.DepressionRadians > minimumDepressionRadians))
-            return LocateRefusal.NearHorizon;
+            return GeolocationError.NearHorizon;
         NedVector direction = Unit(ray.Direction);
         double reached = 0;
         while (true)
         {
             // Down to the highest post nothing can be met; the earth falls away below the line, never towards it.
             double next = reached + Math.Max(StepMetres, aboveAll / direction.Down);
-            LocateRefusal refusal = Clearance(frame, terrain, At(ray.FromMetres, direction, next), out clearance, out aboveAll);
-            if (refusal != LocateRefusal.None)
+            GeolocationError refusal = Clearance(frame, terrain, At(ray.FromMetres, direction, next), out clearance, out aboveAll);
+            if (refusal != GeolocationError.None)
                 return refusal;
             if (aboveAll <= 0 && clearance <= 0)
             {
                 point = Narrow(ray.FromMetres, direction, frame, terrain, reached, next);
-                return LocateRefusal.None;
+                return GeolocationError.None;
             }
 
             reached = next;
@@ -47,21 +47,21 @@ internal static class TerrainRay
 
     private static double Slope(in LocalNedFrame frame, TerrainGrid terrain, NedVector before, NedVector after)
     {
-        bool isKnown = terrain.TryHeight(frame.ToGeodetic(before).Point, out double first) == TerrainAnswer.Known;
-        isKnown &= terrain.TryHeight(frame.ToGeodetic(after).Point, out double second) == TerrainAnswer.Known;
+        bool isKnown = terrain.TryHeight(frame.ToGeodetic(before).Point, out double first) == TerrainLookup.Known;
+        isKnown &= terrain.TryHeight(frame.ToGeodetic(after).Point, out double second) == TerrainLookup.Known;
         return isKnown ? (first - second) / 2 : 0;
     }
 
     // Where the ground may be met it must be known; high above all of it, it need not.
-    private static LocateRefusal Clearance(in LocalNedFrame frame, TerrainGrid terrain, NedVector point, out double clearance, out double aboveAll)
+    private static GeolocationError Clearance(in LocalNedFrame frame, TerrainGrid terrain, NedVector point, out double clearance, out double aboveAll)
     {
         GeodeticPosition place = frame.ToGeodetic(point);
         aboveAll = place.AltitudeAmslMetres - terrain.HighestMetres;
-        TerrainAnswer answer = terrain.TryHeight(place.Point, out double ground);
+        TerrainLookup answer = terrain.TryHeight(place.Point, out double ground);
         clearance = place.AltitudeAmslMetres - ground;
-        if (answer == TerrainAnswer.Outside)
-            return LocateRefusal.LeavesTerrain;
-        return answer == TerrainAnswer.NoData && aboveAll <= 0 ? LocateRefusal.NoTerrainData : LocateRefusal.None;
+        if (answer == TerrainLookup.Outside)
+            return GeolocationError.LeavesTerrain;
+        return answer == TerrainLookup.NoData && aboveAll <= 0 ? GeolocationError.NoTerrainData : GeolocationError.None;
     }
 
     private static NedVector Narrow(NedVector from, NedVector direction, in LocalNedFrame frame, TerrainGrid terrain, double above, double below)
@@ -69,8 +69,8 @@ internal static class TerrainRay
         while (below - above > ClosestMetres)
         {
             double middle = (above + below) / 2;
-            LocateRefusal refusal = Clearance(frame, terrain, At(from, direction, middle), out double clearance, out _);
-            if (refusal == LocateRefusal.None && clearance <= 0)
+            GeolocationError refusal = Clearance(frame, terrain, At(from, direction, middle), out double clearance, out _);
+            if (refusal == GeolocationError.None && clearance <= 0)
                 below = middle;
             else
                 above = middle;

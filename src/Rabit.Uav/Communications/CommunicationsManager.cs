@@ -29,7 +29,7 @@ public sealed partial class CommunicationsManager : RabitManager
     private readonly QueueReceiver<OutgoingFrame> _outgoing;
     private readonly List<LinkPort> _ports = [];
     private readonly long[] _droppedIn;
-    private readonly FrameTally _own = new();
+    private readonly FrameStatistics _own = new();
     private readonly Dictionary<int, byte> _sequences = [];
     private TimeSpan _nextStatus;
     private long _reportedDrops;
@@ -46,7 +46,7 @@ public sealed partial class CommunicationsManager : RabitManager
         _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _position = new OwnPosition(_options.Links.Count > 0 ? _options.PositionRateHz : 0);
-        _mail = _options.MailRoutes.Select(route => route.Open(this)).ToArray();
+        _mail = _options.VehicleMessageRoutes.Select(route => route.Open(this)).ToArray();
         _droppedIn = new long[_options.Count];
         _signing = _options.Signing is { } signing ? MakeSigning(signing) : null;
         foreach (IByteLink link in _options.Links)
@@ -96,7 +96,7 @@ public sealed partial class CommunicationsManager : RabitManager
     private void AddLink(IByteLink link)
     {
         int number = _ports.Count;
-        var tally = new FrameTally();
+        var tally = new FrameStatistics();
         var source = new LinkFrameSource(link, number, tally);
         var target = new LinkFrameTarget(link);
         _ports.Add(new LinkPort(
@@ -110,14 +110,14 @@ public sealed partial class CommunicationsManager : RabitManager
             () => source.IncompatibleFrames,
             target,
             file: null,
-            new MailBudget(_options.MailBytesPerSecond)));
+            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond)));
         _router.SetLink(number, MavlinkLinkRules.Live);
     }
 
     private void AddRecordedFile(RecordedFile file)
     {
         int number = _ports.Count;
-        var tally = new FrameTally();
+        var tally = new FrameStatistics();
         long origin = _options.RecordedFiles.Min(f => f.StartUtcMicroseconds);
         _ports.Add(new LinkPort(
             number,
@@ -130,7 +130,7 @@ public sealed partial class CommunicationsManager : RabitManager
             () => file.IncompatibleFrames,
             target: null,
             file,
-            new MailBudget(_options.MailBytesPerSecond)));
+            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond)));
 
         // What was recorded is never sent to anybody alive.
         _router.SetLink(number, MavlinkLinkRules.ReceiveOnly);

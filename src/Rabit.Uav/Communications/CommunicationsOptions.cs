@@ -10,7 +10,7 @@ namespace Rabit.Uav.Communications;
 public sealed class CommunicationsOptions
 {
     // More than an autopilot itself measures it.
-    private const double HighestPositionRate = 50;
+    private const double MaxPositionRate = 50;
 
     /// <summary>Live links, open. They stay the caller's to dispose, after the run.</summary>
     public IReadOnlyList<IByteLink> Links { get; set; } = Array.Empty<IByteLink>();
@@ -40,11 +40,11 @@ public sealed class CommunicationsOptions
 
     /// <summary>What types of messages are exchanged with other vehicles, each by a codec of its own.</summary>
     /// <value>The default is none.</value>
-    public IReadOnlyList<MailRoute> MailRoutes { get; set; } = Array.Empty<MailRoute>();
+    public IReadOnlyList<VehicleMessageRoute> VehicleMessageRoutes { get; set; } = Array.Empty<VehicleMessageRoute>();
 
     /// <summary>How many bytes of mail one link carries per second, frames and all; what is above is dropped and counted.</summary>
     /// <value>The default is 1000: thirteen target reports; a radio with error correction carries 3600 (SiK at 57600 baud).</value>
-    public int MailBytesPerSecond { get; set; } = 1000;
+    public int VehicleMessageBytesPerSecond { get; set; } = 1000;
 
     /// <summary>Which live links are signed, and how; null for none.</summary>
     /// <value>The default is null.</value>
@@ -56,7 +56,7 @@ public sealed class CommunicationsOptions
     internal CommunicationsOptions Validate(string parameter)
     {
         var faults = new List<string>();
-        if (Links is null || RecordedFiles is null || MailRoutes is null)
+        if (Links is null || RecordedFiles is null || VehicleMessageRoutes is null)
             throw new ArgumentException("Communications: the lists of links, recorded files and mail routes may be empty, but not null.", parameter);
         if (Count == 0)
             faults.Add("there is no link");
@@ -69,12 +69,12 @@ public sealed class CommunicationsOptions
             faults.Add($"{nameof(FramesWaitingOut)} is {FramesWaitingOut}; it must be at least 1");
         if (SilentAfter <= TimeSpan.Zero)
             faults.Add($"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero");
-        if (!(PositionRateHz >= 0 && PositionRateHz <= HighestPositionRate))
-            faults.Add(FormattableString.Invariant($"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {HighestPositionRate}"));
-        if (MailBytesPerSecond < MavlinkFrame.MaximumWireLength)
-            faults.Add($"{nameof(MailBytesPerSecond)} is {MailBytesPerSecond}; it must be at least one frame, {MavlinkFrame.MaximumWireLength}");
-        foreach (IGrouping<int, MailRoute> twice in MailRoutes.GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
-            faults.Add($"{nameof(MailRoutes)} has payload type {twice.Key} more than once");
+        if (!(PositionRateHz >= 0 && PositionRateHz <= MaxPositionRate))
+            faults.Add(FormattableString.Invariant($"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {MaxPositionRate}"));
+        if (VehicleMessageBytesPerSecond < MavlinkFrame.MaximumWireLength)
+            faults.Add($"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; it must be at least one frame, {MavlinkFrame.MaximumWireLength}");
+        foreach (IGrouping<int, VehicleMessageRoute> twice in VehicleMessageRoutes.GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
+            faults.Add($"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once");
         if (faults.Count > 0)
             throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".", parameter);
         return (CommunicationsOptions)MemberwiseClone();

@@ -8,7 +8,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>Reads the bytes of a live link and makes frames of them. Runs on the reader's thread.</summary>
-internal sealed class LinkFrameSource(IByteLink link, int number, FrameTally tally) : IReaderSource<LinkFrame>
+internal sealed class LinkFrameSource(IByteLink link, int number, FrameStatistics tally) : IReaderSource<LinkFrame>
 {
     private const int BufferLength = 4096;
 

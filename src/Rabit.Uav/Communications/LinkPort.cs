@@ -9,7 +9,7 @@ namespace Rabit.Uav.Communications;
 internal sealed class LinkPort(
     int number,
     string url,
-    FrameTally tally,
+    FrameStatistics tally,
     BlockingReader<LinkFrame> reader,
     BlockingWriter<MavlinkFrame>? writer,
     MessagePublisher<LinkStatus> status,
@@ -17,7 +17,7 @@ internal sealed class LinkPort(
     Func<long> incompatibleFrames,
     LinkFrameTarget? target,
     RecordedFile? file,
-    MailBudget mailBudget)
+    TunnelRateLimiter mailBudget)
 {
     private long _framesOut;
     private long _rejectedOut;

@@ -11,7 +11,7 @@ namespace Rabit.Uav.Communications;
 /// else all that follows would come at once, or after the years since 1970. It never blocks: real time waits for the due time, virtual
 /// time jumps to it.
 /// </summary>
-internal sealed class RecordedFrameSource(RecordedFile file, int number, long originUtcMicroseconds, FrameTally tally) : IReaderSource<LinkFrame>
+internal sealed class RecordedFrameSource(RecordedFile file, int number, long originUtcMicroseconds, FrameStatistics tally) : IReaderSource<LinkFrame>
 {
     private const long TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000;
 

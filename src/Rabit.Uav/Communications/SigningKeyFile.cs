@@ -10,7 +10,7 @@ public static class SigningKeyFile
     private const int HexLength = 2 * MavlinkSigningKey.Length;
 
     // A key file is a line; whoever names a film by mistake shall not wait for it.
-    private const int LongestFile = 4096;
+    private const int MaxFileLength = 4096;
 
     /// <summary>Reads a key: 32 bytes, or a text that begins with its 64 hexadecimal digits, as <c>sha256sum</c> writes it.</summary>
     /// <param name="path">The file.</param>
@@ -40,7 +40,7 @@ public static class SigningKeyFile
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read);
-            if (file.Length > LongestFile)
+            if (file.Length > MaxFileLength)
                 throw new ArgumentException($"Signing key {path}: {file.Length} bytes are no key.", nameof(path));
             var content = new byte[file.Length];
             int count = 0;

@@ -12,7 +12,7 @@ namespace Rabit.Uav.HealthMonitoring;
 internal sealed class GroundTexts(TimeSpan period)
 {
     private const int PieceLength = 50;
-    private const int MostPieces = 4;
+    private const int MaxPieces = 4;
     private const string Sender = "Rabit: ";
 
     private readonly List<Statustext> _pieces = [];
@@ -52,8 +52,8 @@ internal sealed class GroundTexts(TimeSpan period)
     // A text of one piece has no id. The last of several pieces is shorter than the others, which ends the text.
     private void Cut(string text, MavSeverity severity)
     {
-        if (text.Length >= MostPieces * PieceLength)
-            text = text.Substring(0, (MostPieces * PieceLength) - 1);
+        if (text.Length >= MaxPieces * PieceLength)
+            text = text.Substring(0, (MaxPieces * PieceLength) - 1);
         if (text.Length <= PieceLength)
         {
             Add(text, severity, id: 0, piece: 0);

@@ -25,7 +25,7 @@ public sealed class HealthOptions
 
     /// <summary>How much longer than its wake-up delay a manager may go without beginning a unit of work before a vehicle in flight should come home.</summary>
     /// <value>The default is 5 s: a small computer that was busy for a moment is no reason to give a mission up.</value>
-    public TimeSpan StuckGoHomeAfter { get; set; } = TimeSpan.FromSeconds(5);
+    public TimeSpan StuckReturnToLaunchAfter { get; set; } = TimeSpan.FromSeconds(5);
 
     /// <summary>How long a fault of a manager, or a dropped frame, is told of.</summary>
     /// <value>The default is 5 s: several times the longest delay of <see cref="Core.FaultPolicy.CarryOn"/>.</value>
@@ -70,8 +70,8 @@ public sealed class HealthOptions
             yield return $"{nameof(AutopilotTimeout)} is {AutopilotTimeout}; heartbeats come once a second, so it must be at least that";
         if (StuckAfter < HealthManager.Cycle)
             yield return $"{nameof(StuckAfter)} is {StuckAfter}; the rules are judged every {HealthManager.Cycle}, so it must be at least that";
-        if (StuckGoHomeAfter < StuckAfter)
-            yield return $"{nameof(StuckGoHomeAfter)} is {StuckGoHomeAfter}; it must be at least {nameof(StuckAfter)}";
+        if (StuckReturnToLaunchAfter < StuckAfter)
+            yield return $"{nameof(StuckReturnToLaunchAfter)} is {StuckReturnToLaunchAfter}; it must be at least {nameof(StuckAfter)}";
         if (RememberedFor <= TimeSpan.Zero)
             yield return $"{nameof(RememberedFor)} is {RememberedFor}; it must be above zero";
         if (FirstFrameWithin <= TimeSpan.Zero)

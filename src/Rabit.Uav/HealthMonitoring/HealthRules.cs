@@ -14,17 +14,17 @@ internal static class HealthRules
 {
     private static readonly HealthRule<ManagerFacts>[] OfManagers =
     [
-        new(HealthReasons.ManagerFaulted, HealthLevel.Critical, HealthAdvice.GoHome,
+        new(HealthReasons.ManagerFaulted, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
             static (in ManagerFacts m, HealthOptions _) => m.State is ManagerState.Faulted or ManagerState.Restarting || m.HasFaultedLately,
             static (in ManagerFacts m) => m.Faults),
-        new(HealthReasons.ManagerHangs, HealthLevel.Critical, HealthAdvice.GoHome,
+        new(HealthReasons.ManagerHangs, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
             static (in ManagerFacts m, HealthOptions _) => m.State == ManagerState.Hanging,
             static (in ManagerFacts m) => m.HangingSince.Ticks),
         new(HealthReasons.ManagerStuck, HealthLevel.Critical, HealthAdvice.None,
-            static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckAfter) && !IsQuietFor(m, o.StuckGoHomeAfter),
+            static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckAfter) && !IsQuietFor(m, o.StuckReturnToLaunchAfter),
             static (in ManagerFacts m) => m.WakeUpDelay.Ticks),
-        new(HealthReasons.ManagerStuck, HealthLevel.Critical, HealthAdvice.GoHome,
-            static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckGoHomeAfter),
+        new(HealthReasons.ManagerStuck, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
+            static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckReturnToLaunchAfter),
             static (in ManagerFacts m) => m.WakeUpDelay.Ticks),
     ];
 
@@ -33,7 +33,7 @@ internal static class HealthRules
         new(HealthReasons.NoAutopilot, HealthLevel.Warning, HealthAdvice.None,
             static (in VehicleFacts v, HealthOptions _) => v.State.SystemId == 0,
             static (in VehicleFacts _) => 0),
-        new(HealthReasons.AutopilotLost, HealthLevel.Critical, HealthAdvice.GoHome,
+        new(HealthReasons.AutopilotLost, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
             static (in VehicleFacts v, HealthOptions o) => v.State.SystemId != 0 && !v.IsReplayOver
                 && (!v.State.IsConnected || v.HeartbeatAge > o.AutopilotTimeout),
             static (in VehicleFacts v) => v.State.LastHeartbeatTime.Ticks,
@@ -44,18 +44,18 @@ internal static class HealthRules
         new(HealthReasons.BatteryCritical, HealthLevel.Critical, HealthAdvice.Land,
             static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null && v.State.BatteryRemaining <= o.BatteryCritical,
             static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
-        new(HealthReasons.BatteryLow, HealthLevel.Warning, HealthAdvice.GoHome,
+        new(HealthReasons.BatteryLow, HealthLevel.Warning, HealthAdvice.ReturnToLaunch,
             static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null
                 && v.State.BatteryRemaining <= o.BatteryLow && v.State.BatteryRemaining > o.BatteryCritical,
             static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
-        new(HealthReasons.WindHigh, HealthLevel.Warning, HealthAdvice.GoHome,
+        new(HealthReasons.WindHigh, HealthLevel.Warning, HealthAdvice.ReturnToLaunch,
             static (in VehicleFacts v, HealthOptions o) => v.WindHighFor >= o.WindHighAfter,
             static (in VehicleFacts v) => (long)Math.Round(v.State.WindMetresPerSecond)),
     ];
 
     private static readonly HealthRule<CameraFacts>[] OfCamera =
     [
-        new(HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.GoHome,
+        new(HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.ReturnToLaunch,
             static (in CameraFacts c, HealthOptions o) => c.Status.HasCamera && c.Status.Mode == ImagingMode.Search && c.QuietFor > o.CameraSilentAfter,
             static (in CameraFacts c) => c.Status.LastFrameTime?.Ticks ?? -1),
     ];

@@ -9,7 +9,7 @@ namespace Rabit.Uav.HealthMonitoring;
 internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status)
 {
     private readonly string _number = number.ToString(CultureInfo.InvariantCulture);
-    private readonly RecentRise _dropped = new();
+    private readonly WindowedIncrease _dropped = new();
     private long _droppedUnheard;
 
     public LinkFacts Look(TimeSpan now, TimeSpan watchedSince, HealthOptions options)

@@ -6,7 +6,7 @@ namespace Rabit.Uav.HealthMonitoring;
 /// <summary>What is remembered of one manager between two looks.</summary>
 internal sealed class ManagerWatch(string name, MessageSubscriber<ManagerStatus> status)
 {
-    private readonly RecentRise _faults = new();
+    private readonly WindowedIncrease _faults = new();
 
     public string Name { get; } = name;
 

@@ -10,7 +10,7 @@ namespace Rabit.Uav.ImageProcessing;
 internal sealed class Detector(ImageProcessingOptions options)
 {
     // A smaller blob cannot have the least size in pixels that the options allow (4 and more), even at its edges.
-    private const int LeastPixels = 4;
+    private const int MinPixels = 4;
 
     // The lens may bend the middle of the picture a little more than its corners.
     private const double SlackForCorners = 1.5;
@@ -19,7 +19,7 @@ internal sealed class Detector(ImageProcessingOptions options)
     private readonly BlobFinder _finder = new();
     private readonly BlobMeasure _measure = new();
     private readonly TargetGates _gates = new(options);
-    private readonly Detection[] _found = new Detection[options.MaximumReportsPerPicture];
+    private readonly Detection[] _found = new Detection[options.MaxReportsPerPicture];
     private int _count;
     private double _largestPixelArea;   // of the last picture, square metres on the ground
 
@@ -35,7 +35,7 @@ internal sealed class Detector(ImageProcessingOptions options)
     /// <param name="height">Rows.</param>
     /// <param name="colours">What is looked for.</param>
     /// <param name="locator">Aimed at this picture.</param>
-    public bool TrySearch(byte[] pixels, int width, int height, TargetColours colours, Locator locator)
+    public bool TrySearch(byte[] pixels, int width, int height, TargetColours colours, GroundProjector locator)
     {
         _count = 0;
         Cut = 0;
@@ -50,7 +50,7 @@ internal sealed class Detector(ImageProcessingOptions options)
     }
 
     // A pixel reaches furthest on the ground at one of the corners: what is too small there is too small anywhere.
-    private static double LargestPixelArea(int width, int height, Locator locator)
+    private static double LargestPixelArea(int width, int height, GroundProjector locator)
     {
         double largest = 0;
         for (int corner = 0; corner < 4; corner++)
@@ -64,12 +64,12 @@ internal sealed class Detector(ImageProcessingOptions options)
     }
 
     // What costs least comes first: a meadow may have thousands of coloured spots.
-    private void Judge(in Blob blob, Locator locator)
+    private void Judge(in Blob blob, GroundProjector locator)
     {
-        if (blob.Pixels < LeastPixels || IsTooSmall(blob, SlackForCorners * _largestPixelArea) || _measure.TouchesBorder(blob))
+        if (blob.Pixels < MinPixels || IsTooSmall(blob, SlackForCorners * _largestPixelArea) || _measure.TouchesBorder(blob))
             return;
         if (!locator.TryScale((blob.Left + blob.Right) / 2.0, (blob.Top + blob.Bottom) / 2.0, out GroundScale scale)
-            || IsTooSmall(blob, scale.PixelArea) || Math.Sqrt(blob.Pixels * scale.PixelArea) > options.MaximumSideMetres
+            || IsTooSmall(blob, scale.PixelArea) || Math.Sqrt(blob.Pixels * scale.PixelArea) > options.MaxSideMetres
             || !_measure.TryMeasure(blob, out BlobShape shape))
             return;
         double score = _gates.Score(shape, scale, NominalColours.Ranges[blob.Class - 1]);
@@ -86,7 +86,7 @@ internal sealed class Detector(ImageProcessingOptions options)
     }
 
     // The pixels at the edge, which are half ground, may be missing: of a small target that is most of its area.
-    private bool IsTooSmall(in Blob blob, double pixelArea) => Math.Sqrt(blob.Pixels * pixelArea) < options.MinimumSideMetres / 2;
+    private bool IsTooSmall(in Blob blob, double pixelArea) => Math.Sqrt(blob.Pixels * pixelArea) < options.MinSideMetres / 2;
 
     // In the order of the scores; with equal ones, the one that was found first.
     private void Put(in Detection detection)

@@ -41,15 +41,15 @@ public sealed class ImageProcessingManager : RabitManager
     private readonly BlockingReader<CameraFrame>? _camera;
     private readonly PictureSearch? _search;
     private readonly QueueReceiver<PoseSample> _poseQueue;
-    private readonly MessageSubscriber<ImagingOrder> _order;
+    private readonly MessageSubscriber<ImagingCommand> _order;
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly QueueSender<TargetReport> _reports;
-    private readonly QueueSender<CameraLook> _looks;
-    private readonly QueueSender<CameraLook> _searchedGround;
+    private readonly QueueSender<CameraObservation> _looks;
+    private readonly QueueSender<CameraObservation> _searchedGround;
     private readonly MessagePublisher<ImagingStatus> _status;
     private readonly PoseHistory _poses;
     private readonly WaitingFrames _waiting;
-    private readonly CutOutAlbum _album;
+    private readonly ImageChipBuffer _album;
     private readonly FrameNumbers _numbers = new();
     private ImagingStatus _next;
     private TimeSpan? _lastPost;
@@ -62,7 +62,7 @@ public sealed class ImageProcessingManager : RabitManager
         : base(ManagerName)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(camera is not null, nameof(options));
-        _poses = new PoseHistory(_options.LongestPoseGap);
+        _poses = new PoseHistory(_options.MaxPoseGap);
         if (camera is not null)
         {
             _camera = AttachReader("camera", camera, FramesQueued, QueueFullMode.DropOldest);
@@ -70,19 +70,19 @@ public sealed class ImageProcessingManager : RabitManager
         }
 
         _poseQueue = Receive<PoseSample>(MessageNames.Poses, PosesQueued, QueueFullMode.DropOldest, wakeOnPush: false);
-        _order = Subscribe<ImagingOrder>(MessageNames.ImagingOrder, wakeOnPost: true);
+        _order = Subscribe<ImagingCommand>(MessageNames.ImagingCommand, wakeOnPost: true);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _reports = Send<TargetReport>(MessageNames.TargetReports);
-        _looks = Send<CameraLook>(MessageNames.Looks);
-        _searchedGround = Send<CameraLook>(MessageNames.SearchedGround);
+        _looks = Send<CameraObservation>(MessageNames.Looks);
+        _searchedGround = Send<CameraObservation>(MessageNames.SearchedGround);
         _status = Publish<ImagingStatus>(MessageNames.Imaging);
         _waiting = new WaitingFrames(_options.FramesWaiting);
-        _album = new CutOutAlbum(_options.CutOutsKept, _options.CutOutSide);
+        _album = new ImageChipBuffer(_options.MaxImageChips, _options.ImageChipSide);
         WakeUpDelay = IdleCycle;
     }
 
     /// <summary>Parts of pictures around the newest reports, oldest first: a snapshot. Any thread, at any time.</summary>
-    public IReadOnlyList<CutOut> CutOuts => _album.Kept;
+    public IReadOnlyList<ImageChip> ImageChips => _album.Kept;
 
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
@@ -131,14 +131,14 @@ public sealed class ImageProcessingManager : RabitManager
     {
         for (int i = 0; i < _waiting.Count;)
         {
-            PoseAnswer answer = FindPoses(_waiting[i], out Pose pose);
-            if (answer == PoseAnswer.Known)
+            PoseLookup answer = FindPoses(_waiting[i], out Pose pose);
+            if (answer == PoseLookup.Known)
                 Search(i, pose);
-            else if (answer != PoseAnswer.NotYet)
-                Refuse(i, answer == PoseAnswer.Gap ? PoseGap : PoseTooOld);
+            else if (answer != PoseLookup.NotYet)
+                Refuse(i, answer == PoseLookup.Gap ? PoseGap : PoseTooOld);
             else if (now - _waiting.Since(i) < _options.PoseTimeout)
                 i++;
-            else if (_poses.Extrapolate(MiddleOf(_waiting[i]), _options.LongestExtrapolation, out pose) == PoseAnswer.Extrapolated)
+            else if (_poses.Extrapolate(MiddleOf(_waiting[i]), _options.MaxExtrapolation, out pose) == PoseLookup.Extrapolated)
                 Search(i, pose);
             else
                 Refuse(i, NoPose);
@@ -146,14 +146,14 @@ public sealed class ImageProcessingManager : RabitManager
     }
 
     // Of the middle row, once the poses around the first and the last one are known too.
-    private PoseAnswer FindPoses(in CameraFrame frame, out Pose pose)
+    private PoseLookup FindPoses(in CameraFrame frame, out Pose pose)
     {
-        PoseAnswer answer = _poses.Find(MiddleOf(frame), out pose);
+        PoseLookup answer = _poses.Find(MiddleOf(frame), out pose);
         TimeSpan readout = LastRow();
-        if (answer != PoseAnswer.Known || readout == TimeSpan.Zero)
+        if (answer != PoseLookup.Known || readout == TimeSpan.Zero)
             return answer;
-        PoseAnswer first = _poses.Find(frame.MidExposure, out _);
-        return first == PoseAnswer.Known ? _poses.Find(frame.MidExposure + readout, out _) : first;
+        PoseLookup first = _poses.Find(frame.MidExposure, out _);
+        return first == PoseLookup.Known ? _poses.Find(frame.MidExposure + readout, out _) : first;
     }
 
     private TimeSpan MiddleOf(in CameraFrame frame) => frame.MidExposure + TimeSpan.FromTicks(LastRow().Ticks / 2);
@@ -180,10 +180,10 @@ public sealed class ImageProcessingManager : RabitManager
                 _next.ReportsDropped++;
             else
                 _next.Reports++;
-            _album.Add(report.LookNumber, report.Index, frame.Pixels.Array, frame.Width, frame.Height, report.CentreX, report.CentreY);
+            _album.Add(report.PictureNumber, report.Index, frame.Pixels.Array, frame.Width, frame.Height, report.CentreX, report.CentreY);
         }
 
-        _next.LastLook = _search.Look;
+        _next.LastObservation = _search.Look;
 
         // What finds no room is in the books of the queue.
         _looks.Push(_search.Look);

@@ -19,12 +19,12 @@ internal sealed class PictureSearch
 
     private readonly CameraModel _camera;
     private readonly Detector _detector;
-    private readonly Locator _locator;
+    private readonly GroundProjector _locator;
     private readonly PoseHistory _poses;
     private readonly TimeSpan _longestExtrapolation;
     private readonly TargetReport[] _reports;
     private int _reportCount;
-    private CameraLook _look;
+    private CameraObservation _look;
 
     /// <param name="options">Checked.</param>
     /// <param name="camera">Of the options.</param>
@@ -33,17 +33,17 @@ internal sealed class PictureSearch
     {
         _camera = camera;
         _poses = poses;
-        _longestExtrapolation = options.LongestExtrapolation;
+        _longestExtrapolation = options.MaxExtrapolation;
         _detector = new Detector(options);
-        _locator = new Locator(camera, options.Mount, options.Errors, options.MinimumDepressionRadians, options.Terrain);
-        _reports = new TargetReport[options.MaximumReportsPerPicture];
+        _locator = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepressionRadians, options.Terrain);
+        _reports = new TargetReport[options.MaxReportsPerPicture];
     }
 
     /// <summary>The reports of the last picture, the surest first.</summary>
     public ReadOnlySpan<TargetReport> Reports => new(_reports, 0, _reportCount);
 
     /// <summary>Which ground the last picture showed.</summary>
-    public ref readonly CameraLook Look => ref _look;
+    public ref readonly CameraObservation Look => ref _look;
 
     /// <summary>Targets of the last picture beyond the most that are reported.</summary>
     public int Cut => _detector.Cut;
@@ -54,7 +54,7 @@ internal sealed class PictureSearch
     /// <param name="order">What to look for, and where the camera points.</param>
     /// <param name="systemId">Who looks.</param>
     /// <returns>Why it could not be searched; null if it was.</returns>
-    public string? Search(in CameraFrame frame, in Pose pose, in ImagingOrder order, byte systemId)
+    public string? Search(in CameraFrame frame, in Pose pose, in ImagingCommand order, byte systemId)
     {
         _reportCount = 0;
         if (frame.Width != _camera.Width || frame.Height != _camera.Height)
@@ -75,15 +75,15 @@ internal sealed class PictureSearch
         return null;
     }
 
-    private bool TryFindCorners(in CameraFrame frame, in Pose pose, in ImagingOrder order)
+    private bool TryFindCorners(in CameraFrame frame, in Pose pose, in ImagingCommand order)
     {
         double right = _camera.Width - 1;
         double bottom = _camera.Height - 1;
         Aim(frame, 0, pose, order);
-        if (!_locator.TryLocate(0, 0, out GeodeticPosition topLeft) || !_locator.TryLocate(right, 0, out GeodeticPosition topRight))
+        if (!_locator.TryProjectToGround(0, 0, out GeodeticPosition topLeft) || !_locator.TryProjectToGround(right, 0, out GeodeticPosition topRight))
             return false;
         Aim(frame, bottom, pose, order);
-        if (!_locator.TryLocate(right, bottom, out GeodeticPosition bottomRight) || !_locator.TryLocate(0, bottom, out GeodeticPosition bottomLeft))
+        if (!_locator.TryProjectToGround(right, bottom, out GeodeticPosition bottomRight) || !_locator.TryProjectToGround(0, bottom, out GeodeticPosition bottomLeft))
             return false;
         (_look.TopLeft, _look.TopRight, _look.BottomRight, _look.BottomLeft) = (topLeft, topRight, bottomRight, bottomLeft);
         return true;
@@ -91,11 +91,11 @@ internal sealed class PictureSearch
 
     // At the pose of a row. The caller made sure that there are poses around all rows; where they are drawn on, the last rows may lie
     // a little beyond, and go on from the middle one.
-    private TimeSpan Aim(in CameraFrame frame, double row, in Pose middle, in ImagingOrder order)
+    private TimeSpan Aim(in CameraFrame frame, double row, in Pose middle, in ImagingCommand order)
     {
         Pose pose = middle;
         TimeSpan time = frame.MidExposure + _camera.ReadoutOf(row);
-        if (_camera.RowReadout > TimeSpan.Zero && _poses.Extrapolate(time, _longestExtrapolation, out pose) is not (PoseAnswer.Known or PoseAnswer.Extrapolated))
+        if (_camera.RowReadout > TimeSpan.Zero && _poses.Extrapolate(time, _longestExtrapolation, out pose) is not (PoseLookup.Known or PoseLookup.Extrapolated))
         {
             pose = middle.After((time - middle.Time).TotalSeconds);
             pose.ExtrapolatedSeconds = Math.Max(0, middle.ExtrapolatedSeconds + (time - middle.Time).TotalSeconds);
@@ -105,21 +105,21 @@ internal sealed class PictureSearch
         return time;
     }
 
-    private void Report(in Detection found, in CameraFrame frame, in Pose middle, in ImagingOrder order, byte systemId)
+    private void Report(in Detection found, in CameraFrame frame, in Pose middle, in ImagingCommand order, byte systemId)
     {
         TimeSpan time = Aim(frame, found.CentreY, middle, order);
-        if (!_locator.TryLocate(found.CentreX, found.CentreY, out GeodeticPosition place)
+        if (!_locator.TryProjectToGround(found.CentreX, found.CentreY, out GeodeticPosition place)
             || !_locator.TryCovariances(found.CentreX, found.CentreY, out HorizontalCovariance perLook, out HorizontalCovariance common))
             return;
         _reports[_reportCount] = new TargetReport
         {
             SourceSystemId = systemId,
-            LookNumber = frame.Number,
+            PictureNumber = frame.Number,
             Index = _reportCount,
             Time = time,
             Position = place,
             Covariance = perLook,
-            CommonCovariance = common,
+            SystematicCovariance = common,
             Colour = found.Colour,
             Score = found.Score,
             SizeMetres = found.SideMetres,

@@ -9,8 +9,8 @@ internal sealed class TargetGates(ImageProcessingOptions options)
 {
     // A solid rectangle of area A has sigma_long * sigma_short = A / 12, however it lies; what has holes or arms has more.
     private const double RectangleFactor = 12;
-    private const double LeastFill = 0.7;
-    private const double MostFill = 1.3;
+    private const double MinFill = 0.7;
+    private const double MaxFill = 1.3;
 
     // How far from the best value a good target may be: one standard deviation.
     private const double FillSpread = 0.2;
@@ -20,17 +20,17 @@ internal sealed class TargetGates(ImageProcessingOptions options)
     public double Score(in BlobShape shape, in GroundScale scale, ColourRange colour)
     {
         double side = BlobOnGround.SideMetres(shape, scale);
-        if (!(side >= options.MinimumSideMetres && side <= options.MaximumSideMetres) || Math.Sqrt(shape.Area) < options.MinimumSidePixels)
+        if (!(side >= options.MinSideMetres && side <= options.MaxSideMetres) || Math.Sqrt(shape.Area) < options.MinSidePixels)
             return 0;
         (double longSpread, double shortSpread) = BlobOnGround.SpreadMetres(shape, scale);
         double aspect = longSpread / shortSpread;
         double fill = side * side / (RectangleFactor * longSpread * shortSpread);
-        if (!(aspect <= options.MaximumAspect && fill >= LeastFill && fill <= MostFill))
+        if (!(aspect <= options.MaxAspect && fill >= MinFill && fill <= MaxFill))
             return 0;
 
         // The middle of the range, as a ratio.
-        double size = Math.Log(side / Math.Sqrt(options.MinimumSideMetres * options.MaximumSideMetres))
-            / Math.Log(Math.Sqrt(options.MaximumSideMetres / options.MinimumSideMetres));
+        double size = Math.Log(side / Math.Sqrt(options.MinSideMetres * options.MaxSideMetres))
+            / Math.Log(Math.Sqrt(options.MaxSideMetres / options.MinSideMetres));
         double shapeLikeness = Likeness((fill - 1) / FillSpread) * Likeness((aspect - 1) / AspectSpread) * Likeness(size);
         return Math.Sqrt(shapeLikeness * colour.Closeness(shape.Red, shape.Green, shape.Blue));
     }

@@ -7,7 +7,7 @@ public enum HealthAdvice
     None,
 
     /// <summary>Give the search up and come home.</summary>
-    GoHome,
+    ReturnToLaunch,
 
     /// <summary>Land where you are.</summary>
     Land,

@@ -21,7 +21,7 @@ public struct ImagingStatus
     public long Looks { get; set; }
 
     /// <summary>The last picture that was searched, and the ground that it shows; empty before the first.</summary>
-    public CameraLook LastLook { get; set; }
+    public CameraObservation LastObservation { get; set; }
 
     /// <summary>Pictures that were lost before they came to us, or had no room.</summary>
     public long FramesDropped { get; set; }

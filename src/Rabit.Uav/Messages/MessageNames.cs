@@ -29,8 +29,8 @@ public static class MessageNames
     /// <summary>Message <see cref="Messages.CommandAuthority"/>, posted by Autopilot Interface.</summary>
     public const string CommandAuthority = "command authority";
 
-    /// <summary>Message <see cref="Messages.ImagingOrder"/>, posted by Mission Control.</summary>
-    public const string ImagingOrder = "imaging order";
+    /// <summary>Message <see cref="Messages.ImagingCommand"/>, posted by Mission Control.</summary>
+    public const string ImagingCommand = "imaging order";
 
     /// <summary>Message <see cref="Messages.ImagingStatus"/>, posted by Image Processing.</summary>
     public const string Imaging = "imaging";
@@ -47,8 +47,8 @@ public static class MessageNames
     /// <summary>Queue of <see cref="VehicleCommand"/>: from Mission Control to Autopilot Interface.</summary>
     public const string VehicleCommands = "vehicle commands";
 
-    /// <summary>Queue of <see cref="VehicleCommandAnswer"/>: from Autopilot Interface to Mission Control.</summary>
-    public const string VehicleCommandAnswers = "vehicle command answers";
+    /// <summary>Queue of <see cref="VehicleCommandResult"/>: from Autopilot Interface to Mission Control.</summary>
+    public const string VehicleCommandResults = "vehicle command answers";
 
     /// <summary>Queue of <see cref="TargetReport"/>: from Image Processing, and by mail from other vehicles, to Sensor Fusion.</summary>
     public const string TargetReports = "target reports";
@@ -56,10 +56,10 @@ public static class MessageNames
     /// <summary>Queue of <see cref="Envelope{T}"/> of <see cref="TargetReport"/>: from Sensor Fusion to Communications, for other vehicles.</summary>
     public const string OutgoingTargetReports = "outgoing target reports";
 
-    /// <summary>Queue of <see cref="CameraLook"/>: from Image Processing to Sensor Fusion, after the reports of the same picture.</summary>
+    /// <summary>Queue of <see cref="CameraObservation"/>: from Image Processing to Sensor Fusion, after the reports of the same picture.</summary>
     public const string Looks = "looks";
 
-    /// <summary>Queue of <see cref="CameraLook"/>: from Image Processing to Mission Control, for the coverage.</summary>
+    /// <summary>Queue of <see cref="CameraObservation"/>: from Image Processing to Mission Control, for the coverage.</summary>
     public const string SearchedGround = "searched ground";
 
     /// <summary>Message <see cref="Messages.LinkStatus"/> of one link, posted by Communications.</summary>

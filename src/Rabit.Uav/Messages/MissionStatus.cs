@@ -27,5 +27,5 @@ public struct MissionStatus
     public double Coverage { get; set; }
 
     /// <summary>Tracks that had their second look.</summary>
-    public int SecondLooks { get; set; }
+    public int Revisits { get; set; }
 }

@@ -9,8 +9,8 @@ public struct TargetReport
     /// <summary>MAVLink system id of the vehicle that saw it.</summary>
     public byte SourceSystemId { get; set; }
 
-    /// <summary>The picture it was seen in: <see cref="CameraLook.Number"/>. With the source and <see cref="Index"/> it is the identity of the report.</summary>
-    public long LookNumber { get; set; }
+    /// <summary>The picture it was seen in: <see cref="CameraObservation.Number"/>. With the source and <see cref="Index"/> it is the identity of the report.</summary>
+    public long PictureNumber { get; set; }
 
     /// <summary>Which report of that picture it is, from 0.</summary>
     public int Index { get; set; }
@@ -21,11 +21,11 @@ public struct TargetReport
     /// <summary>Where it stood, on the ground.</summary>
     public GeodeticPosition Position { get; set; }
 
-    /// <summary>How uncertain that is, without what is the same for every look of a flight (see <see cref="CommonCovariance"/>).</summary>
+    /// <summary>How uncertain that is, without what is the same for every look of a flight (see <see cref="SystematicCovariance"/>).</summary>
     public HorizontalCovariance Covariance { get; set; }
 
     /// <summary>The part of the uncertainty that does not average out over the looks of one vehicle: satellite position and mount biases.</summary>
-    public HorizontalCovariance CommonCovariance { get; set; }
+    public HorizontalCovariance SystematicCovariance { get; set; }
 
     /// <summary>Its colour: exactly one.</summary>
     public TargetColours Colour { get; set; }

@@ -43,7 +43,7 @@ public sealed class TargetTrack
     public double SizeMetres { get; init; }
 
     /// <summary>The picture of the report with the best score, of our own camera; -1 when another vehicle saw it.</summary>
-    public long BestLookNumber { get; init; } = -1;
+    public long BestPictureNumber { get; init; } = -1;
 
     /// <summary>Which report of that picture.</summary>
     public int BestReportIndex { get; init; }

@@ -4,7 +4,7 @@ namespace Rabit.Uav.Messages;
 
 /// <summary>
 /// What Mission Control wants the vehicle to do; Autopilot Interface puts it into the autopilot's form, sees it through and answers
-/// with a <see cref="VehicleCommandAnswer"/> of the same id. A newer command replaces the one that is still being worked at. A plain value.
+/// with a <see cref="VehicleCommandResult"/> of the same id. A newer command replaces the one that is still being worked at. A plain value.
 /// </summary>
 public struct VehicleCommand
 {

@@ -7,7 +7,7 @@ namespace Rabit.Uav.MissionControl;
 internal sealed class CoverageGrid
 {
     private const double FinestCellMetres = 1;
-    private const double MostCells = 250_000;
+    private const double MaxCells = 250_000;
 
     private readonly double _south;
     private readonly double _west;
@@ -27,7 +27,7 @@ internal sealed class CoverageGrid
             (_west, east) = (Math.Min(_west, c.East), Math.Max(east, c.East));
         }
 
-        CellMetres = Math.Max(FinestCellMetres, Math.Sqrt((north - _south) * (east - _west) / MostCells));
+        CellMetres = Math.Max(FinestCellMetres, Math.Sqrt((north - _south) * (east - _west) / MaxCells));
         _rows = (int)Math.Ceiling((north - _south) / CellMetres);
         _columns = (int)Math.Ceiling((east - _west) / CellMetres);
         _isArea = new bool[_rows * _columns];

@@ -11,10 +11,10 @@ namespace Rabit.Uav.MissionControl;
 internal sealed class FlightPlan
 {
     // Further away it is probably the wrong mission.
-    private const double FarthestAreaMetres = 5000;
-    private const double FarthestHomeMetres = 50;
-    private const double LargestAltitudeDifferenceMetres = 50;
-    private const int MostLanes = 2000;
+    private const double MaxAreaDistanceMetres = 5000;
+    private const double MaxHomeDistanceMetres = 50;
+    private const double MaxAltitudeDifferenceMetres = 50;
+    private const int MaxLanes = 2000;
 
     private FlightPlan(MissionPlan mission, LocalNedFrame frame)
     {
@@ -37,7 +37,7 @@ internal sealed class FlightPlan
     /// <summary>Along the lanes.</summary>
     public double HeadingRadians { get; }
 
-    public IReadOnlyList<LanePiece> Lanes { get; }
+    public IReadOnlyList<LaneSegment> Lanes { get; }
 
     /// <summary>The same for others.</summary>
     public SearchPlan Message { get; }
@@ -53,24 +53,24 @@ internal sealed class FlightPlan
         if (fault.Length > 0)
             return null;
         var plan = new FlightPlan(mission, frame);
-        if (plan.Lanes.Count > MostLanes)
-            fault = $"it has {MissionText.Of(plan.Lanes.Count)} lanes; at most {MissionText.Of(MostLanes)} are flown";
+        if (plan.Lanes.Count > MaxLanes)
+            fault = $"it has {MissionText.Of(plan.Lanes.Count)} lanes; at most {MissionText.Of(MaxLanes)} are flown";
         return fault.Length > 0 ? null : plan;
     }
 
     private static string? FindFault(MissionPlan mission, LocalNedFrame frame)
     {
         double far = mission.Area.Select(c => frame.ToNed(c)).Max(n => new PlanePoint(n.North, n.East).Length);
-        if (!(far <= FarthestAreaMetres))
-            return $"the area reaches {MissionText.Of(far)} m from the vehicle; at most {MissionText.Of(FarthestAreaMetres)} m are flown";
+        if (!(far <= MaxAreaDistanceMetres))
+            return $"the area reaches {MissionText.Of(far)} m from the vehicle; at most {MissionText.Of(MaxAreaDistanceMetres)} m are flown";
         if (mission.Home is not { } home)
             return null;
         NedVector off = frame.ToNed(GeodeticPosition.FromRadians(home.LatitudeRadians, home.LongitudeRadians, frame.Origin.AltitudeAmslMetres));
         double distance = new PlanePoint(off.North, off.East).Length;
-        if (!(distance <= FarthestHomeMetres))
-            return $"the vehicle stands {MissionText.Of(distance)} m from the mission's home; at most {MissionText.Of(FarthestHomeMetres)} m are allowed";
+        if (!(distance <= MaxHomeDistanceMetres))
+            return $"the vehicle stands {MissionText.Of(distance)} m from the mission's home; at most {MissionText.Of(MaxHomeDistanceMetres)} m are allowed";
         double difference = Math.Abs((home.GroundAltitudeAmslMetres ?? frame.Origin.AltitudeAmslMetres) - frame.Origin.AltitudeAmslMetres);
-        return difference <= LargestAltitudeDifferenceMetres
+        return difference <= MaxAltitudeDifferenceMetres
             ? null
             : $"the ground is {MissionText.Of(frame.Origin.AltitudeAmslMetres)} m above sea level by the vehicle; the mission says {MissionText.Of(home.GroundAltitudeAmslMetres!.Value)} m";
     }

@@ -7,7 +7,7 @@ namespace Rabit.Uav.MissionControl;
 internal static class GapPlanner
 {
     // Less than this is a few cells at the border that rounding left.
-    private const double LeastGapSquareMetres = 6;
+    private const double MinGapSquareMetres = 6;
 
     /// <summary>Legs in the order in which they are flown, each from its nearer end.</summary>
     /// <param name="unseen">Centres of the cells that were not seen.</param>
@@ -15,13 +15,13 @@ internal static class GapPlanner
     /// <param name="spacingMetres">How wide a strip one leg looks after.</param>
     /// <param name="headingRadians">Along the legs.</param>
     /// <param name="from">Where the vehicle is.</param>
-    public static List<LanePiece> Plan(IEnumerable<PlanePoint> unseen, double cellMetres, double spacingMetres, double headingRadians, PlanePoint from)
+    public static List<LaneSegment> Plan(IEnumerable<PlanePoint> unseen, double cellMetres, double spacingMetres, double headingRadians, PlanePoint from)
     {
         PlanePoint along = PlanePoint.Towards(headingRadians);
         var right = new PlanePoint(-along.East, along.North);
         (double Offset, double Along)[] cells = unseen
             .Select(c => (Offset: c.Dot(right), Along: c.Dot(along))).OrderBy(c => c.Offset).ToArray();
-        var legs = new List<LanePiece>();
+        var legs = new List<LaneSegment>();
         for (int first = 0; first < cells.Length;)
         {
             double edge = cells[first].Offset + spacingMetres;
@@ -35,27 +35,27 @@ internal static class GapPlanner
         return NearestFirst(legs, from);
     }
 
-    private static IEnumerable<LanePiece> LegsOf(List<(double Offset, double Along)> strip, PlanePoint along, double cell, double spacing)
+    private static IEnumerable<LaneSegment> LegsOf(List<(double Offset, double Along)> strip, PlanePoint along, double cell, double spacing)
     {
         IEnumerable<(double, double)> intervals = strip.Select(c => (c.Along - (cell / 2), c.Along + (cell / 2)));
         foreach ((double from, double to) in LanePlanner.Join(intervals, gap: spacing / 2))
         {
             List<double> offsets = strip.Where(c => c.Along > from && c.Along < to).Select(c => c.Offset).ToList();
-            if (offsets.Count * cell * cell >= LeastGapSquareMetres)
+            if (offsets.Count * cell * cell >= MinGapSquareMetres)
                 yield return LanePlanner.Piece(along, (offsets.Min() + offsets.Max()) / 2, from, to);
         }
     }
 
-    private static List<LanePiece> NearestFirst(List<LanePiece> legs, PlanePoint from)
+    private static List<LaneSegment> NearestFirst(List<LaneSegment> legs, PlanePoint from)
     {
-        var ordered = new List<LanePiece>();
+        var ordered = new List<LaneSegment>();
         while (legs.Count > 0)
         {
             int nearest = Enumerable.Range(0, legs.Count).OrderBy(i => System.Math.Min(from.DistanceTo(legs[i].Start), from.DistanceTo(legs[i].End))).First();
-            LanePiece leg = legs[nearest];
+            LaneSegment leg = legs[nearest];
             legs.RemoveAt(nearest);
             if (from.DistanceTo(leg.End) < from.DistanceTo(leg.Start))
-                leg = new LanePiece(leg.End, leg.Start);
+                leg = new LaneSegment(leg.End, leg.Start);
             ordered.Add(leg);
             from = leg.End;
         }

@@ -12,7 +12,7 @@ namespace Rabit.Uav.MissionControl;
 /// </summary>
 internal sealed class JsonFields
 {
-    private const int LongestValueShown = 40;
+    private const int MaxValueLength = 40;
 
     private readonly string _prefix;
     private readonly List<string> _faults;
@@ -107,8 +107,8 @@ internal sealed class JsonFields
     public void Blame(string name, JsonElement value, string text)
     {
         string shown = value.GetRawText().Replace("\r", string.Empty).Replace("\n", " ");
-        if (shown.Length > LongestValueShown)
-            shown = shown.Remove(LongestValueShown) + "...";
+        if (shown.Length > MaxValueLength)
+            shown = shown.Remove(MaxValueLength) + "...";
         _faults.Add($"{_prefix}{name} is {shown}; it {text}");
     }
 

@@ -14,17 +14,17 @@ internal static class LanePlanner
     private const double JoinedGapInSpacings = 1;
 
     // A piece that is shorter is made this long: a point has no heading to be flown with.
-    private const double ShortestPieceMetres = 4;
+    private const double MinPieceMetres = 4;
 
     /// <summary>The lanes in the order in which they are flown; the first begins at the corner next to where the vehicle comes from.</summary>
     /// <param name="area">The area; its edges do not cross.</param>
     /// <param name="spacingMetres">From lane to lane at most; they are moved together so that all strips are equally wide.</param>
     /// <param name="headingRadians">Along the lanes; null for the direction that needs the fewest.</param>
     /// <param name="from">Where the vehicle comes from.</param>
-    public static IReadOnlyList<LanePiece> Plan(PlanePolygon area, double spacingMetres, double? headingRadians, PlanePoint from)
+    public static IReadOnlyList<LaneSegment> Plan(PlanePolygon area, double spacingMetres, double? headingRadians, PlanePoint from)
     {
         double heading = headingRadians ?? BestHeading(area, spacingMetres);
-        List<List<LanePiece>> lanes = Lanes(area, spacingMetres, heading);
+        List<List<LaneSegment>> lanes = Lanes(area, spacingMetres, heading);
         return Orders(lanes).OrderBy(order => from.DistanceTo(order[0].Start)).First();
     }
 
@@ -76,11 +76,11 @@ internal static class LanePlanner
     }
 
     /// <summary>A leg along a line; one that is too short to have a heading is made longer.</summary>
-    public static LanePiece Piece(PlanePoint along, double offset, double from, double to)
+    public static LaneSegment Piece(PlanePoint along, double offset, double from, double to)
     {
         var right = new PlanePoint(-along.East, along.North);
-        double missing = Math.Max(0, ShortestPieceMetres - (to - from)) / 2;
-        return new LanePiece(((from - missing) * along) + (offset * right), ((to + missing) * along) + (offset * right));
+        double missing = Math.Max(0, MinPieceMetres - (to - from)) / 2;
+        return new LaneSegment(((from - missing) * along) + (offset * right), ((to + missing) * along) + (offset * right));
     }
 
     private static int LaneCount(PlanePolygon area, double spacing, double heading)
@@ -98,7 +98,7 @@ internal static class LanePlanner
         return (area.Corners.Min(c => c.Dot(right)), area.Corners.Max(c => c.Dot(right)));
     }
 
-    private static List<List<LanePiece>> Lanes(PlanePolygon area, double spacing, double heading)
+    private static List<List<LaneSegment>> Lanes(PlanePolygon area, double spacing, double heading)
     {
         PlanePoint along = PlanePoint.Towards(heading);
         (double from, double to) = Width(area, heading);
@@ -112,18 +112,18 @@ internal static class LanePlanner
     }
 
     // From the left or from the right, the first one there or back.
-    private static IEnumerable<List<LanePiece>> Orders(List<List<LanePiece>> lanes)
+    private static IEnumerable<List<LaneSegment>> Orders(List<List<LaneSegment>> lanes)
     {
-        foreach (IEnumerable<List<LanePiece>> order in new[] { lanes, Enumerable.Reverse(lanes) })
+        foreach (IEnumerable<List<LaneSegment>> order in new[] { lanes, Enumerable.Reverse(lanes) })
         {
             yield return ToAndFro(order, firstIsBack: false);
             yield return ToAndFro(order, firstIsBack: true);
         }
     }
 
-    private static List<LanePiece> ToAndFro(IEnumerable<List<LanePiece>> lanes, bool firstIsBack)
+    private static List<LaneSegment> ToAndFro(IEnumerable<List<LaneSegment>> lanes, bool firstIsBack)
         => lanes.SelectMany((lane, i) => (i % 2 == 1) != firstIsBack
-            ? Enumerable.Reverse(lane).Select(p => new LanePiece(p.End, p.Start))
+            ? Enumerable.Reverse(lane).Select(p => new LaneSegment(p.End, p.Start))
             : lane).ToList();
 
     // Between two cuts no corner lies: the edges that cross come in pairs, and bound trapezoids.

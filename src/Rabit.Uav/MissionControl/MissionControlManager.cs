@@ -22,10 +22,10 @@ public sealed class MissionControlManager : RabitManager
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly MessageSubscriber<CommandAuthority> _authority;
     private readonly MessageSubscriber<ImagingStatus> _imaging;
-    private readonly QueueReceiver<VehicleCommandAnswer> _answers;
-    private readonly QueueReceiver<CameraLook> _searchedGround;
+    private readonly QueueReceiver<VehicleCommandResult> _answers;
+    private readonly QueueReceiver<CameraObservation> _searchedGround;
     private readonly QueueSender<VehicleCommand> _commands;
-    private readonly MessagePublisher<ImagingOrder> _imagingOrder;
+    private readonly MessagePublisher<ImagingCommand> _imagingOrder;
     private readonly MessagePublisher<MissionStatus> _status;
     private readonly MissionFlight? _flight;
     private readonly MissionMachine? _machine;
@@ -44,15 +44,15 @@ public sealed class MissionControlManager : RabitManager
         _tracks = Subscribe<TrackList>(MessageNames.Tracks);
         _authority = Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
         _imaging = Subscribe<ImagingStatus>(MessageNames.Imaging);
-        _answers = Receive<VehicleCommandAnswer>(MessageNames.VehicleCommandAnswers);
-        _searchedGround = Receive<CameraLook>(MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+        _answers = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
+        _searchedGround = Receive<CameraObservation>(MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
         _commands = Send<VehicleCommand>(MessageNames.VehicleCommands);
-        _imagingOrder = Publish<ImagingOrder>(MessageNames.ImagingOrder);
+        _imagingOrder = Publish<ImagingCommand>(MessageNames.ImagingCommand);
         _status = Publish<MissionStatus>(MessageNames.Mission);
         WakeUpDelay = Cycle;
         if (copy.Mission is null)
             return;
-        var desk = new CommandDesk(command => _commands.Push(command) != PushResult.Rejected, Log);
+        var desk = new CommandDispatcher(command => _commands.Push(command) != PushResult.Rejected, Log);
         _flight = new MissionFlight(copy.Mission, copy, desk, Log);
         _machine = new MissionMachine(_flight);
     }
@@ -111,9 +111,9 @@ public sealed class MissionControlManager : RabitManager
             flight.Authority = _authority.Value;
         if (_imaging.Fetch())
             flight.Imaging = _imaging.Value;
-        while (_answers.TryPop(out VehicleCommandAnswer answer))
+        while (_answers.TryPop(out VehicleCommandResult answer))
             flight.Desk.Take(answer, flight.Now);
-        while (_searchedGround.TryPop(out CameraLook look))
+        while (_searchedGround.TryPop(out CameraObservation look))
             flight.Route?.Mark(look);
         if (!_tracks.Fetch())
             return;
@@ -138,7 +138,7 @@ public sealed class MissionControlManager : RabitManager
     private void PostOrder(MissionFlight flight, MissionMachine machine)
     {
         bool searches = machine.Phase is MissionPhase.Searching or MissionPhase.Looking;
-        ref ImagingOrder order = ref _imagingOrder.Value;
+        ref ImagingCommand order = ref _imagingOrder.Value;
         ImagingMode mode = searches ? ImagingMode.Search : ImagingMode.Off;
         if (order.Mode == mode)
             return;
@@ -162,7 +162,7 @@ public sealed class MissionControlManager : RabitManager
             status.Plan = _flight.Plan?.Message;
             status.LanesFlown = _flight.Route?.Flown ?? 0;
             status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;
-            status.SecondLooks = _flight.Looks.Done;
+            status.Revisits = _flight.Looks.Done;
         }
         else
         {

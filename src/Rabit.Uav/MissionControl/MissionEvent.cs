@@ -37,7 +37,7 @@ internal enum MissionEvent
     Landed,
 
     /// <summary>Give up the search and come home.</summary>
-    GoHome,
+    ReturnToLaunch,
 
     /// <summary>Land here and now.</summary>
     LandNow,

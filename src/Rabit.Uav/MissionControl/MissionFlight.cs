@@ -6,7 +6,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>Everything that the phases of a mission know and share: what came in, what is planned, how far it is.</summary>
-internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions options, CommandDesk desk, Action<string> log)
+internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions options, CommandDispatcher desk, Action<string> log)
 {
     // Below this a vehicle that does not tell whether it flies is taken to stand.
     private const double StandingHeightMetres = 2;
@@ -20,9 +20,9 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
 
     public MissionControlOptions Options { get; } = options;
 
-    public CommandDesk Desk { get; } = desk;
+    public CommandDispatcher Desk { get; } = desk;
 
-    public SecondLooks Looks { get; } = new();
+    public Revisits Looks { get; } = new();
 
     /// <summary>The time of this look at things.</summary>
     public TimeSpan Now { get; set; }

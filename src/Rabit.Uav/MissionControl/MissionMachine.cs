@@ -9,7 +9,7 @@ namespace Rabit.Uav.MissionControl;
 internal sealed class MissionMachine
 {
     private readonly MissionFlight _flight;
-    private readonly MissionGuards _guards = new();
+    private readonly MissionFailsafes _guards = new();
     private readonly Dictionary<MissionPhase, MissionState> _states;
     private MissionState _state;
     private TimeSpan _lastTick;
@@ -21,7 +21,7 @@ internal sealed class MissionMachine
         _flight = flight;
         _states = new MissionState[]
         {
-            new WaitingForVehicleState(), new ArmingState(), new TakingOffState(), new InTransitState(), new SearchingState(), new LookingState(),
+            new WaitingForVehicleState(), new ArmingState(), new TakingOffState(), new InTransitState(), new SearchingState(), new RevisitingState(),
             new ReturningState(), new LandingState(),
             new EndState(MissionPhase.Done), new EndState(MissionPhase.HandedOver), new EndState(MissionPhase.Failed),
         }.ToDictionary(s => s.Phase);
@@ -42,7 +42,7 @@ internal sealed class MissionMachine
     {
         if (IsOver)
             return;
-        MissionStep step = MissionGuards.Authority(_flight);
+        MissionStep step = MissionFailsafes.Authority(_flight);
         bool canAct = false;
         if (step.What == MissionEvent.None)
             step = _guards.Contact(_flight, out canAct);
@@ -82,7 +82,7 @@ internal sealed class MissionMachine
         MissionPhase to = MissionTransitions.After(from, step.What);
         if (to == from)
             return;
-        if (step.What is MissionEvent.GoHome or MissionEvent.LandNow)
+        if (step.What is MissionEvent.ReturnToLaunch or MissionEvent.LandNow)
             _flight.Aborted ??= step.Reason;
         if (step.What == MissionEvent.Impossible)
             MakeSafe(from);

@@ -36,7 +36,7 @@ public sealed class MissionPlan
     public double FenceMarginMetres { get; init; } = 40;
 
     /// <summary>How each new target is looked at again.</summary>
-    public SecondLookPlan SecondLook { get; init; } = new();
+    public RevisitPlan Revisit { get; init; } = new();
 
     /// <summary>Camera pitch against the body, radians, up positive; -pi/2 looks straight down.</summary>
     public double CameraPitchRadians { get; init; } = -Math.PI / 2;

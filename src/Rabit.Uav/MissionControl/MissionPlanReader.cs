@@ -13,7 +13,7 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>Reads a mission file by hand, so that every fault can be told with its path and value, and all of them at once.</summary>
 internal static class MissionPlanReader
 {
-    private const int LongestText = 1_000_000;
+    private const int MaxTextLength = 1_000_000;
 
     private static readonly JsonDocumentOptions Form = new()
     {
@@ -25,8 +25,8 @@ internal static class MissionPlanReader
     /// <exception cref="MissionPlanException">It is no mission, or not one that can be flown.</exception>
     public static MissionPlan Read(string json, string name)
     {
-        if (json.Length > LongestText)
-            throw new MissionPlanException(name, [FormattableString.Invariant($"it has {json.Length} characters; a mission has at most {LongestText}")]);
+        if (json.Length > MaxTextLength)
+            throw new MissionPlanException(name, [FormattableString.Invariant($"it has {json.Length} characters; a mission has at most {MaxTextLength}")]);
         try
         {
             using JsonDocument document = JsonDocument.Parse(json, Form);
@@ -70,7 +70,7 @@ internal static class MissionPlanReader
             Targets = ReadTargets(fields),
             Home = ReadHome(fields),
             FenceMarginMetres = fields.Number("fenceMarginMetres") ?? 40,
-            SecondLook = new SecondLookPlan
+            Revisit = new RevisitPlan
             {
                 IsEnabled = look.Flag("enabled") ?? true,
                 HeightMetres = look.Number("heightMetres"),

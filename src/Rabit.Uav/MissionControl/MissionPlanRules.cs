@@ -10,10 +10,10 @@ namespace Rabit.Uav.MissionControl;
 internal static class MissionPlanRules
 {
     /// <summary>Area of the largest search, square metres.</summary>
-    public const double LargestArea = 4e6;
+    public const double MaxArea = 4e6;
 
-    private const double SmallestArea = 100;
-    private const int MostCorners = 50;
+    private const double MinArea = 100;
+    private const int MaxCorners = 50;
 
     // A lane ends up to half a spacing outside the area, and the vehicle flies a little further and drifts.
     private const double FenceReserveMetres = 10;
@@ -42,8 +42,8 @@ internal static class MissionPlanRules
         yield return ("laneSpacingMetres", plan.LaneSpacingMetres, 2, 200);
         yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeadingRadians ?? 0), -360, 360);
         yield return ("fenceMarginMetres", plan.FenceMarginMetres, 0, 500);
-        yield return ("secondLook.heightMetres", plan.SecondLook.HeightMetres ?? 5, 5, 120);
-        yield return ("secondLook.radiusMetres", plan.SecondLook.RadiusMetres, 0, 100);
+        yield return ("secondLook.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, 120);
+        yield return ("secondLook.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
         yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitchRadians), -90, -20);
         yield return ("camera.yawDegrees", ToDegrees(plan.CameraYawRadians), -180, 180);
         yield return ("limits.minBatteryToStart", plan.MinBatteryToStart, 0, 1);
@@ -71,9 +71,9 @@ internal static class MissionPlanRules
 
     private static IEnumerable<string> AreaFaults(MissionPlan plan)
     {
-        if (plan.Area.IsDefault || plan.Area.Length < 3 || plan.Area.Length > MostCorners)
+        if (plan.Area.IsDefault || plan.Area.Length < 3 || plan.Area.Length > MaxCorners)
         {
-            yield return FormattableString.Invariant($"area has {(plan.Area.IsDefault ? 0 : plan.Area.Length)} corners; it must have 3 to {MostCorners}");
+            yield return FormattableString.Invariant($"area has {(plan.Area.IsDefault ? 0 : plan.Area.Length)} corners; it must have 3 to {MaxCorners}");
             yield break;
         }
 
@@ -95,12 +95,12 @@ internal static class MissionPlanRules
     private static IEnumerable<string> ShapeFaults(PlanePolygon area)
     {
         // Also keeps the plane honest: so far from its origin it lies a metre above the ellipsoid.
-        const double FarthestCorner = 5000;
-        int far = Enumerable.Range(0, area.Corners.Count).FirstOrDefault(i => area.Corners[i].Length > FarthestCorner);
+        const double MaxCornerDistance = 5000;
+        int far = Enumerable.Range(0, area.Corners.Count).FirstOrDefault(i => area.Corners[i].Length > MaxCornerDistance);
         if (far > 0)
         {
             yield return FormattableString.Invariant(
-                $"area[{far}] is {area.Corners[far].Length:0} m from area[0]; corners must be within {FarthestCorner} m of it");
+                $"area[{far}] is {area.Corners[far].Length:0} m from area[0]; corners must be within {MaxCornerDistance} m of it");
             yield break;
         }
 
@@ -114,8 +114,8 @@ internal static class MissionPlanRules
 
         if (area.FindCrossing() is { } edges)
             yield return FormattableString.Invariant($"area crosses itself: the edges after area[{edges.First}] and area[{edges.Second}] meet");
-        else if (!(area.Area >= SmallestArea && area.Area <= LargestArea))
-            yield return FormattableString.Invariant($"area has {area.Area:0} m2; it must have {SmallestArea} to {LargestArea}");
+        else if (!(area.Area >= MinArea && area.Area <= MaxArea))
+            yield return FormattableString.Invariant($"area has {area.Area:0} m2; it must have {MinArea} to {MaxArea}");
     }
 
     private static bool IsPlace(double latitude, double longitude) => Math.Abs(latitude) <= Math.PI / 2 && Math.Abs(longitude) <= Math.PI;

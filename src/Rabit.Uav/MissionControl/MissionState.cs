@@ -7,7 +7,7 @@ namespace Rabit.Uav.MissionControl;
 internal abstract class MissionState(MissionPhase phase)
 {
     /// <summary>After so many refusals or time-outs of one command in the air something else is done.</summary>
-    protected const int MostFailures = 3;
+    protected const int MaxFailures = 3;
 
     /// <summary>Which phase it is.</summary>
     public MissionPhase Phase { get; } = phase;
@@ -24,7 +24,7 @@ internal abstract class MissionState(MissionPhase phase)
     /// <param name="inPhase">For how long the phase lasts, without the time in which the vehicle was not heard.</param>
     public abstract MissionStep Tick(MissionFlight flight, TimeSpan inPhase);
 
-    protected static MissionStep GoHome(string reason) => new(MissionEvent.GoHome, reason);
+    protected static MissionStep ReturnToLaunch(string reason) => new(MissionEvent.ReturnToLaunch, reason);
 
     protected static MissionStep Impossible(string reason) => new(MissionEvent.Impossible, reason);
 

@@ -26,7 +26,7 @@ internal static class MissionTransitions
 
         // Otherwise.
         (TakingOff, Disarmed) => Arming,
-        (TakingOff or InTransit or Searching or Looking, GoHome) => Returning,
+        (TakingOff or InTransit or Searching or Looking, ReturnToLaunch) => Returning,
         (TakingOff or InTransit or Searching or Looking or Returning, LandNow) => Landing,
         _ => phase,
     };

@@ -10,7 +10,7 @@ internal sealed class SearchRoute
 {
     private readonly FlightPlan _plan;
     private readonly double _spacingMetres;
-    private readonly List<LanePiece> _legs;
+    private readonly List<LaneSegment> _legs;
 
     public SearchRoute(FlightPlan plan, double spacingMetres)
     {
@@ -32,10 +32,10 @@ internal sealed class SearchRoute
     public int GapPasses { get; private set; }
 
     /// <summary>Looks whose corners were not those of a picture of the ground here.</summary>
-    public long LooksRefused { get; private set; }
+    public long ObservationsRefused { get; private set; }
 
     /// <summary>The leg to fly now; null when all have been.</summary>
-    public LanePiece? Current => Flown < _legs.Count ? _legs[Flown] : null;
+    public LaneSegment? Current => Flown < _legs.Count ? _legs[Flown] : null;
 
     public void FinishLeg() => Flown++;
 
@@ -43,14 +43,14 @@ internal sealed class SearchRoute
     /// <returns>How many.</returns>
     public int AddGapLegs(PlanePoint from)
     {
-        List<LanePiece> legs = GapPlanner.Plan(Coverage.Unseen(), Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
+        List<LaneSegment> legs = GapPlanner.Plan(Coverage.Unseen(), Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
         _legs.AddRange(legs);
         GapPasses++;
         return legs.Count;
     }
 
     /// <summary>Marks the ground that a picture showed.</summary>
-    public void Mark(in CameraLook look)
+    public void Mark(in CameraObservation look)
     {
         PlanePoint a = ToPlane(look.TopLeft);
         PlanePoint b = ToPlane(look.TopRight);
@@ -59,17 +59,17 @@ internal sealed class SearchRoute
         if (IsPicture(a, b, c, d))
             Coverage.Mark(a, b, c, d);
         else
-            LooksRefused++;
+            ObservationsRefused++;
     }
 
     // Convex and of a size that a camera has from where one may fly; comparisons with NaN are false.
     private static bool IsPicture(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)
     {
-        const double LargestSideMetres = 2000;
+        const double MaxSideMetres = 2000;
         double first = (b - a).Cross(c - b);
         bool isConvex = first * (c - b).Cross(d - c) > 0 && first * (d - c).Cross(a - d) > 0 && first * (a - d).Cross(b - a) > 0;
-        return isConvex && (b - a).Length < LargestSideMetres && (c - b).Length < LargestSideMetres
-            && (d - c).Length < LargestSideMetres && (a - d).Length < LargestSideMetres;
+        return isConvex && (b - a).Length < MaxSideMetres && (c - b).Length < MaxSideMetres
+            && (d - c).Length < MaxSideMetres && (a - d).Length < MaxSideMetres;
     }
 
     private PlanePoint ToPlane(GeodeticPosition place)

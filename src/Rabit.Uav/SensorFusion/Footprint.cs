@@ -8,7 +8,7 @@ namespace Rabit.Uav.SensorFusion;
 internal readonly struct Footprint
 {
     // A picture that shows more than this is not one that was searched: it is a fault of whoever sent it.
-    private const double LargestSideMetres = 5000;
+    private const double MaxSideMetres = 5000;
 
     private readonly double _n0, _e0, _n1, _e1, _n2, _e2, _n3, _e3;
     private readonly double _turn;
@@ -24,7 +24,7 @@ internal readonly struct Footprint
     public bool IsKnown => _turn != 0;
 
     /// <summary>The footprint of a look; an unknown one if its corners are not those of a picture of the ground.</summary>
-    public static Footprint Of(in CameraLook look, in LocalNedFrame frame)
+    public static Footprint Of(in CameraObservation look, in LocalNedFrame frame)
     {
         NedVector a = frame.ToNed(look.TopLeft);
         NedVector b = frame.ToNed(look.TopRight);
@@ -34,7 +34,7 @@ internal readonly struct Footprint
         bool isConvex = turn > 0
             ? Turn(b, c, d) > 0 && Turn(c, d, a) > 0 && Turn(d, a, b) > 0
             : turn < 0 && Turn(b, c, d) < 0 && Turn(c, d, a) < 0 && Turn(d, a, b) < 0;
-        bool isSmall = Side(a, b) < LargestSideMetres && Side(b, c) < LargestSideMetres && Side(c, d) < LargestSideMetres;
+        bool isSmall = Side(a, b) < MaxSideMetres && Side(b, c) < MaxSideMetres && Side(c, d) < MaxSideMetres;
         return isConvex && isSmall ? new Footprint(a, b, c, d, Math.Sign(turn)) : default;
     }
 

@@ -18,7 +18,7 @@ internal sealed class FusedTrack
         Filter = PlanarFilter.From(report.North, report.East, report.Report.Covariance, options.StartVelocitySigma);
         Time = report.Report.Time;
         FirstSeen = report.Report.Time;
-        Common = report.Report.CommonCovariance;
+        Common = report.Report.SystematicCovariance;
         Describe(report);
     }
 
@@ -56,12 +56,12 @@ internal sealed class FusedTrack
     public byte LastSource { get; private set; }
 
     /// <summary>The last look that reported it, as the tracker counts looks.</summary>
-    public long LastLook { get; set; }
+    public long LastObservation { get; set; }
 
     /// <summary>When a report of it last went out to others; null before the first.</summary>
     public TimeSpan? SharedTime { get; set; }
 
-    public long BestLookNumber { get; private set; } = -1;
+    public long BestPictureNumber { get; private set; } = -1;
 
     public int BestReportIndex { get; private set; }
 
@@ -87,7 +87,7 @@ internal sealed class FusedTrack
         Filter = filter;
         if (seconds > 0)
             Time = report.Report.Time;
-        Common = Larger(Common, report.Report.CommonCovariance);
+        Common = Larger(Common, report.Report.SystematicCovariance);
         Describe(report);
     }
 
@@ -108,7 +108,7 @@ internal sealed class FusedTrack
         _sizeSum += other._sizeSum;
         _sizes += other._sizes;
         if (other._bestScore > _bestScore)
-            (_bestScore, BestLookNumber, BestReportIndex) = (other._bestScore, other.BestLookNumber, other.BestReportIndex);
+            (_bestScore, BestPictureNumber, BestReportIndex) = (other._bestScore, other.BestPictureNumber, other.BestReportIndex);
         if (other.State == TrackState.Confirmed)
             State = TrackState.Confirmed;
     }
@@ -127,7 +127,7 @@ internal sealed class FusedTrack
         Reports = Reports,
         Misses = Misses,
         SizeMetres = _sizeSum / _sizes,
-        BestLookNumber = BestLookNumber,
+        BestPictureNumber = BestPictureNumber,
         BestReportIndex = BestReportIndex,
     };
 
@@ -147,7 +147,7 @@ internal sealed class FusedTrack
 
         // Only pictures of our own can be shown.
         if (report.IsOwn && report.Report.Score > _bestScore)
-            (_bestScore, BestLookNumber, BestReportIndex) = (report.Report.Score, report.Report.LookNumber, report.Report.Index);
+            (_bestScore, BestPictureNumber, BestReportIndex) = (report.Report.Score, report.Report.PictureNumber, report.Report.Index);
     }
 
     private static HorizontalCovariance Larger(HorizontalCovariance a, HorizontalCovariance b)

@@ -8,12 +8,12 @@ namespace Rabit.Uav.SensorFusion;
 /// Puts reports together by the picture that they are of. Reports come before their look; those of other vehicles have no look here
 /// and are given out after a while as they are.
 /// </summary>
-internal sealed class LookAssembler(FusionBooks books)
+internal sealed class LookAssembler(FusionStatistics books)
 {
     // So many reports have an identity that is remembered; at most so many wait.
     private const int RememberedReports = 4096;
-    private const int MostGroups = 100;
-    private const int MostReportsPerGroup = 200;
+    private const int MaxGroups = 100;
+    private const int MaxReportsPerGroup = 200;
 
     private readonly List<LookGroup> _groups = [];
     private readonly Stack<LookGroup> _unused = new();
@@ -25,14 +25,14 @@ internal sealed class LookAssembler(FusionBooks books)
     /// <summary>Takes a report, if it makes sense and is new.</summary>
     public void Add(in TargetReport report, TimeSpan now)
     {
-        LookGroup? group = FindOrBegin(report.SourceSystemId, report.LookNumber, now);
+        LookGroup? group = FindOrBegin(report.SourceSystemId, report.PictureNumber, now);
         if (group is not null)
             group.Arrived++;
         if (!ReportCheck.IsSound(report, now))
             books.ReportsRefused++;
-        else if (!_seen.Add(new ReportKey(report.SourceSystemId, report.LookNumber, report.Index)))
+        else if (!_seen.Add(new ReportKey(report.SourceSystemId, report.PictureNumber, report.Index)))
             books.ReportsTwice++;
-        else if (group is null || group.Reports.Count >= MostReportsPerGroup)
+        else if (group is null || group.Reports.Count >= MaxReportsPerGroup)
             books.ReportsWithoutRoom++;
         else
             group.Reports.Add(report);
@@ -63,7 +63,7 @@ internal sealed class LookAssembler(FusionBooks books)
         int at = IndexOf(source, look);
         if (at >= 0)
             return _groups[at];
-        if (_groups.Count >= MostGroups)
+        if (_groups.Count >= MaxGroups)
             return null;
         LookGroup group = _unused.Count > 0 ? _unused.Pop() : new LookGroup();
         group.Begin(source, look, now);

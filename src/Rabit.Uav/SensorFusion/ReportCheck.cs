@@ -10,11 +10,11 @@ namespace Rabit.Uav.SensorFusion;
 internal static class ReportCheck
 {
     // A report that could be a centimetre or a kilometre wrong says nothing that a filter should hear.
-    private const double LeastSigmaMetres = 0.001;
-    private const double LargestSigmaMetres = 200;
-    private const double LargestSizeMetres = 50;
-    private const double LargestAltitudeMetres = 20_000;
-    private const int LargestIndex = 10_000;
+    private const double MinSigmaMetres = 0.001;
+    private const double MaxSigmaMetres = 200;
+    private const double MaxSizeMetres = 50;
+    private const double MaxAltitudeMetres = 20_000;
+    private const int MaxIndex = 10_000;
 
     // Clocks of one computer differ by nothing; those of two by what Communications maps them to.
     private static readonly TimeSpan FutureTolerance = TimeSpan.FromSeconds(1);
@@ -24,18 +24,18 @@ internal static class ReportCheck
     /// <param name="now">By the clock of the run.</param>
     public static bool IsSound(in TargetReport report, TimeSpan now)
         => report.SourceSystemId != 0
-            && report.LookNumber >= 0
-            && report.Index is >= 0 and <= LargestIndex
+            && report.PictureNumber >= 0
+            && report.Index is >= 0 and <= MaxIndex
             && report.Time >= TimeSpan.Zero && report.Time <= now + FutureTolerance
             && IsPlace(report.Position)
             && IsPositiveDefinite(report.Covariance)
-            && IsNotNegative(report.CommonCovariance)
+            && IsNotNegative(report.SystematicCovariance)
             && IsOneColour(report.Colour)
             && report.Score is >= 0 and <= 1
-            && report.SizeMetres is > 0 and <= LargestSizeMetres;
+            && report.SizeMetres is > 0 and <= MaxSizeMetres;
 
     /// <summary>Whether a look has a number, a time and corners on the earth.</summary>
-    public static bool IsSound(in CameraLook look, TimeSpan now)
+    public static bool IsSound(in CameraObservation look, TimeSpan now)
         => look.SourceSystemId != 0
             && look.Number >= 0
             && look.Time >= TimeSpan.Zero && look.Time <= now + FutureTolerance
@@ -44,16 +44,16 @@ internal static class ReportCheck
     private static bool IsPlace(GeodeticPosition place)
         => Math.Abs(place.LatitudeRadians) <= Math.PI / 2
             && Math.Abs(place.LongitudeRadians) <= Math.PI
-            && Math.Abs(place.AltitudeAmslMetres) <= LargestAltitudeMetres;
+            && Math.Abs(place.AltitudeAmslMetres) <= MaxAltitudeMetres;
 
     // Comparisons with NaN are false, so each is written to be true for what is sound.
     private static bool IsPositiveDefinite(HorizontalCovariance c)
         => IsNotNegative(c) && Determinant(c) > 1e-9 * c.NorthNorth * c.EastEast
-            && Math.Min(c.NorthNorth, c.EastEast) >= LeastSigmaMetres * LeastSigmaMetres;
+            && Math.Min(c.NorthNorth, c.EastEast) >= MinSigmaMetres * MinSigmaMetres;
 
     private static bool IsNotNegative(HorizontalCovariance c)
-        => c.NorthNorth is >= 0 and <= LargestSigmaMetres * LargestSigmaMetres
-            && c.EastEast is >= 0 and <= LargestSigmaMetres * LargestSigmaMetres
+        => c.NorthNorth is >= 0 and <= MaxSigmaMetres * MaxSigmaMetres
+            && c.EastEast is >= 0 and <= MaxSigmaMetres * MaxSigmaMetres
             && Determinant(c) >= -1e-9 * c.NorthNorth * c.EastEast;
 
     private static double Determinant(HorizontalCovariance c) => (c.NorthNorth * c.EastEast) - (c.NorthEast * c.NorthEast);

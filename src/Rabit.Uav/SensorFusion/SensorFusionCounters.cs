@@ -25,7 +25,7 @@ public sealed class SensorFusionCounters
     public long Looks { get; init; }
 
     /// <summary>Looks whose corners, number or time made no sense.</summary>
-    public long LooksRefused { get; init; }
+    public long ObservationsRefused { get; init; }
 
     /// <summary>Looks that had fewer reports than they said; they are no miss for anything.</summary>
     public long LooksIncomplete { get; init; }

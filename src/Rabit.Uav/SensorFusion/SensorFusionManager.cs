@@ -28,13 +28,13 @@ public sealed class SensorFusionManager : RabitManager
 
     private readonly SensorFusionOptions _options;
     private readonly QueueReceiver<TargetReport> _reports;
-    private readonly QueueReceiver<CameraLook> _looks;
+    private readonly QueueReceiver<CameraObservation> _looks;
     private readonly QueueSender<Envelope<TargetReport>>? _outgoing;
     private readonly MessagePublisher<TrackList> _tracks;
-    private readonly FusionBooks _books = new();
+    private readonly FusionStatistics _books = new();
     private readonly LookAssembler _assembler;
     private readonly TargetTracker _tracker;
-    private readonly List<CameraLook> _arrivedLooks = [];
+    private readonly List<CameraObservation> _arrivedLooks = [];
     private readonly List<LocatedReport> _located = [];
     private readonly List<FusedTrack?> _updated = [];
     private SensorFusionCounters _counters = new();
@@ -52,7 +52,7 @@ public sealed class SensorFusionManager : RabitManager
         _assembler = new LookAssembler(_books);
         _tracker = new TargetTracker(_options, _books);
         _reports = Receive<TargetReport>(MessageNames.TargetReports, QueueCapacity);
-        _looks = Receive<CameraLook>(MessageNames.Looks, QueueCapacity);
+        _looks = Receive<CameraObservation>(MessageNames.Looks, QueueCapacity);
         if (_options.SharesReports)
             _outgoing = Send<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
         _tracks = Publish(MessageNames.Tracks, TrackList.None);
@@ -70,7 +70,7 @@ public sealed class SensorFusionManager : RabitManager
         // The looks first: whatever was reported of them is in the other queue by then.
         bool hasNews = PopLooks();
         hasNews |= PopReports(now);
-        foreach (CameraLook look in _arrivedLooks)
+        foreach (CameraObservation look in _arrivedLooks)
             Take(look, now);
         while (_assembler.TakeWaitingSince(now - _options.HoldWithoutLook) is { } group)
         {
@@ -88,7 +88,7 @@ public sealed class SensorFusionManager : RabitManager
     private bool PopLooks()
     {
         _arrivedLooks.Clear();
-        while (_looks.TryPop(out CameraLook look))
+        while (_looks.TryPop(out CameraObservation look))
             _arrivedLooks.Add(look);
         return _arrivedLooks.Count > 0;
     }
@@ -105,12 +105,12 @@ public sealed class SensorFusionManager : RabitManager
         return hasSome;
     }
 
-    private void Take(in CameraLook look, TimeSpan now)
+    private void Take(in CameraObservation look, TimeSpan now)
     {
         LookGroup? group = _assembler.Take(look.SourceSystemId, look.Number);
         bool isSound = ReportCheck.IsSound(look, now);
         if (!isSound)
-            _books.LooksRefused++;
+            _books.ObservationsRefused++;
         bool isComplete = look.Reports <= (group?.Arrived ?? 0);
         if (isSound && !isComplete)
             _books.LooksIncomplete++;

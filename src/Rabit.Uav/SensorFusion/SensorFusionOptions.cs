@@ -52,7 +52,7 @@ public sealed class SensorFusionOptions
 
     /// <summary>How many tracks there may be, in any state; what would start one more is counted and dropped.</summary>
     /// <value>The default is 200.</value>
-    public int MaximumTracks { get; set; } = 200;
+    public int MaxTracks { get; set; } = 200;
 
     /// <summary>Whether own reports that belong to a confirmed track go out to other vehicles, at most one a second and track.</summary>
     /// <value>The default is true.</value>
@@ -89,7 +89,7 @@ public sealed class SensorFusionOptions
             yield return $"{nameof(HoldWithoutLook)} is {HoldWithoutLook}; it must be above zero";
         if (LateWindow < TimeSpan.Zero)
             yield return $"{nameof(LateWindow)} is {LateWindow}; it cannot be negative";
-        if (MaximumTracks is < 1 or > 1000)
-            yield return FormattableString.Invariant($"{nameof(MaximumTracks)} is {MaximumTracks}; it must be 1 to 1000");
+        if (MaxTracks is < 1 or > 1000)
+            yield return FormattableString.Invariant($"{nameof(MaxTracks)} is {MaxTracks}; it must be 1 to 1000");
     }
 }

@@ -9,7 +9,7 @@ namespace Rabit.Uav.SensorFusion;
 /// The tracks: one look at a time, its reports are given to the tracks that they fit best, all at once; what fits none starts a
 /// track; what should have been reported and was not is a miss.
 /// </summary>
-internal sealed class TargetTracker(SensorFusionOptions options, FusionBooks books)
+internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistics books)
 {
     // Above any cost within the gate: a report goes without a track only when none is left for it.
     private const double MissCost = 1e6;
@@ -86,7 +86,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionBooks boo
         double lag = Math.Max(0, (track.Time - said.Time).TotalSeconds);
         Innovation innovation = track.FilterAt(said.Time, options.ProcessNoise)
             .Expect(report.North, report.East, said.Covariance, lag)
-            .Wider(said.CommonCovariance);
+            .Wider(said.SystematicCovariance);
         return track.LastSource == said.SourceSystemId ? innovation : innovation.Wider(track.Common);
     }
 
@@ -101,7 +101,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionBooks boo
         track.Take(report, options.ProcessNoise);
         track.History.Add(isHit: true);
         track.MissesInARow = 0;
-        track.LastLook = _lookCount;
+        track.LastObservation = _lookCount;
         books.ReportsUsed++;
         Judge(track);
         return track;
@@ -115,13 +115,13 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionBooks boo
             return null;
         }
 
-        if (_tracks.Count >= options.MaximumTracks)
+        if (_tracks.Count >= options.MaxTracks)
         {
             books.ReportsWithoutRoom++;
             return null;
         }
 
-        var track = new FusedTrack(++_lastId, report, options) { LastLook = _lookCount };
+        var track = new FusedTrack(++_lastId, report, options) { LastObservation = _lookCount };
         track.History.Add(isHit: true);
         _tracks.Add(track);
         books.TracksStarted++;
@@ -139,7 +139,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionBooks boo
 
     private bool CountMiss(FusedTrack track, TimeSpan time, in Footprint footprint)
     {
-        if (track.LastLook == _lookCount || !footprint.IsKnown)
+        if (track.LastObservation == _lookCount || !footprint.IsKnown)
             return false;
         PlanarFilter there = track.FilterAt(time, options.ProcessNoise);
         HorizontalCovariance total = there.PositionCovariance + track.Common;

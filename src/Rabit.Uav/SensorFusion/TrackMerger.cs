@@ -88,7 +88,7 @@ internal sealed class TrackMerger
 
         (int, int) pair = a.Id < b.Id ? (a.Id, b.Id) : (b.Id, a.Id);
         _together.TryGetValue(pair, out int times);
-        if (a.LastLook == look && b.LastLook == look)
+        if (a.LastObservation == look && b.LastObservation == look)
         {
             _together[pair] = times + 1;
             return false;

@@ -9,7 +9,7 @@ namespace Rabit.Vision;
 public static class PictureFile
 {
     // Larger than any picture that is read here: nothing is gained by packing pixels into more bytes than they have.
-    private const long MostFileBytes = 256L * 1024 * 1024;
+    private const long MaxFileBytes = 256L * 1024 * 1024;
 
     /// <summary>Reads a picture.</summary>
     /// <param name="path">The file.</param>
@@ -110,8 +110,8 @@ public static class PictureFile
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-            if (file.Length > MostFileBytes)
-                throw new PictureException(path, $"it has {file.Length} bytes; at most {MostFileBytes} are read");
+            if (file.Length > MaxFileBytes)
+                throw new PictureException(path, $"it has {file.Length} bytes; at most {MaxFileBytes} are read");
             int length = (int)file.Length;
             if (buffer is null || buffer.Length < length)
                 buffer = new byte[length];

@@ -10,7 +10,7 @@ namespace Rabit.Vision;
 /// </summary>
 internal sealed class PngDecoder
 {
-    private const int MostChunkLength = int.MaxValue - 12;
+    private const int MaxChunkLength = int.MaxValue - 12;
 
     private readonly byte[] _file;
     private readonly int _length;
@@ -79,7 +79,7 @@ internal sealed class PngDecoder
             throw Fault("it is cut off");
         uint length = PngPicture.GetNumber(_file, next);
         uint type = PngPicture.GetNumber(_file, next + 4);
-        if (length > MostChunkLength || length > (uint)(_length - next - 12))
+        if (length > MaxChunkLength || length > (uint)(_length - next - 12))
             throw Fault("it is cut off");
         int at = next + 8;
         int count = (int)length;

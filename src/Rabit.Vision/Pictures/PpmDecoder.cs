@@ -5,7 +5,7 @@ namespace Rabit.Vision;
 /// <summary>Reads one binary PPM (Netpbm, "PPM Format Specification"): "P6", width, height, 255, one white space, pixels.</summary>
 internal sealed class PpmDecoder
 {
-    private const int MostDigits = 9;
+    private const int MaxDigits = 9;
 
     private readonly byte[] _file;
     private readonly int _length;
@@ -50,9 +50,9 @@ internal sealed class PpmDecoder
 
         int value = 0;
         int digits = 0;
-        for (; at < _length && _file[at] is >= (byte)'0' and <= (byte)'9' && digits <= MostDigits; at++, digits++)
+        for (; at < _length && _file[at] is >= (byte)'0' and <= (byte)'9' && digits <= MaxDigits; at++, digits++)
             value = unchecked((value * 10) + _file[at] - '0');
-        if (at == before + digits || digits == 0 || digits > MostDigits || at >= _length || !(IsSpace(_file[at]) || _file[at] == '#'))
+        if (at == before + digits || digits == 0 || digits > MaxDigits || at >= _length || !(IsSpace(_file[at]) || _file[at] == '#'))
             throw new PictureException(_name, "its header is wrong or cut off");
         return value;
     }

@@ -6,14 +6,14 @@ namespace Rabit.Vision;
 public sealed class RgbPicture
 {
     /// <summary>Columns or rows that a picture has at most here.</summary>
-    public const int MostPixelsPerSide = 16_384;
+    public const int MaxPixelsPerSide = 16_384;
 
     /// <summary>Pixels that a picture has at most here: 50 million, more than any camera of an aircraft this is made for.</summary>
-    public const int MostPixels = 50_000_000;
+    public const int MaxPixels = 50_000_000;
 
     /// <summary>Makes a picture of bytes, which are not copied.</summary>
-    /// <param name="width">Columns, 1 to <see cref="MostPixelsPerSide"/>.</param>
-    /// <param name="height">Rows, 1 to <see cref="MostPixelsPerSide"/>.</param>
+    /// <param name="width">Columns, 1 to <see cref="MaxPixelsPerSide"/>.</param>
+    /// <param name="height">Rows, 1 to <see cref="MaxPixelsPerSide"/>.</param>
     /// <param name="pixels">At least width x height x 3 bytes; what is behind them does not belong to the picture.</param>
     /// <exception cref="ArgumentException">The size is out of range, or the bytes are too few.</exception>
     public RgbPicture(int width, int height, byte[] pixels)
@@ -42,8 +42,8 @@ public sealed class RgbPicture
     {
         if (width < 1 || height < 1)
             return $"its size of {width} x {height} is none";
-        return width > MostPixelsPerSide || height > MostPixelsPerSide || width * height > MostPixels
-            ? $"its size of {width} x {height} is more than this reads (at most {MostPixelsPerSide} a side and {MostPixels} pixels)"
+        return width > MaxPixelsPerSide || height > MaxPixelsPerSide || width * height > MaxPixels
+            ? $"its size of {width} x {height} is more than this reads (at most {MaxPixelsPerSide} a side and {MaxPixels} pixels)"
             : null;
     }
 }

@@ -25,7 +25,7 @@ public class FlightTests(ITestOutputHelper output)
         ground.RunUntil(() => Distance(ground, 100, 40) < 4 && -ground.Truth.Pose.Down > 26, 60, "at the target");
         ground.Run(15);
         Assert.True(Distance(ground, 100, 40) < 4, $"{Distance(ground, 100, 40)} m");
-        Assert.InRange(ground.Truth.MaximumSpeedMetresPerSecond, 5, 7.5);
+        Assert.InRange(ground.Truth.MaxSpeedMetresPerSecond, 5, 7.5);
 
         Assert.Equal(MavResult.Accepted, ground.Command(MavCmd.NavReturnToLaunch));
         ground.RunUntil(() => !ground.IsArmed, 200, "landed and disarmed");

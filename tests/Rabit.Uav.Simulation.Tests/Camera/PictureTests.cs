@@ -168,7 +168,7 @@ public class PictureTests(ITestOutputHelper output)
         TruePose pose = Scene.Pose(40);
         void Work()
         {
-            var stance = new CameraStance(pose, options);
+            var stance = new CameraPose(pose, options);
             renderer.Render(stance, stance, stance, 5, pixels);
         }
 
@@ -210,7 +210,7 @@ public class PictureTests(ITestOutputHelper output)
     private static byte[] Shoot(PictureRenderer renderer, SimulatedCameraOptions options, TruePose pose, double north, double east)
     {
         (pose.North, pose.East) = (north, east);
-        var stance = new CameraStance(pose, options);
+        var stance = new CameraPose(pose, options);
         byte[] pixels = new byte[options.Camera.Width * options.Camera.Height * 3];
         renderer.Render(stance, stance, stance, 0, pixels);
         return pixels;
@@ -218,7 +218,7 @@ public class PictureTests(ITestOutputHelper output)
 
     private static byte[] Render(SimulatedCameraOptions options, ulong seed, long number, IReadOnlyList<SimulatedTarget>? things = null, double height = 60)
     {
-        var stance = new CameraStance(Scene.Pose(height), options);
+        var stance = new CameraPose(Scene.Pose(height), options);
         byte[] pixels = new byte[options.Camera.Width * options.Camera.Height * 3];
         new PictureRenderer(options, things ?? Things, seed).Render(stance, stance, stance, number, pixels);
         return pixels;

@@ -69,9 +69,9 @@ internal sealed class Scene
     /// <summary>The same, where the camera moves.</summary>
     public (double U, double V, double Pixels) Find(in TruePose middle, in TruePose early, in TruePose late, SimulatedTarget panel)
     {
-        var stance = new CameraStance(middle, _options);
-        var from = new CameraStance(early, _options);
-        var to = new CameraStance(late, _options);
+        var stance = new CameraPose(middle, _options);
+        var from = new CameraPose(early, _options);
+        var to = new CameraPose(late, _options);
         _ground.Paint(stance, _without);
         Array.Copy(_without, _with, _with.Length);
         new SheetPainter(_lens, [panel]).Paint(from, to, _with);

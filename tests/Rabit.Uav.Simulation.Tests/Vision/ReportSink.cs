@@ -8,26 +8,26 @@ namespace Rabit.Uav.Simulation.Tests.Vision;
 internal sealed class ReportSink : RabitManager
 {
     private readonly QueueReceiver<TargetReport> _reports;
-    private readonly QueueReceiver<CameraLook> _looks;
-    private readonly QueueReceiver<CameraLook> _searchedGround;
+    private readonly QueueReceiver<CameraObservation> _looks;
+    private readonly QueueReceiver<CameraObservation> _searchedGround;
 
     public ReportSink()
         : base("sink")
     {
         _reports = Receive<TargetReport>(MessageNames.TargetReports);
-        _looks = Receive<CameraLook>(MessageNames.Looks);
-        _searchedGround = Receive<CameraLook>(MessageNames.SearchedGround);
+        _looks = Receive<CameraObservation>(MessageNames.Looks);
+        _searchedGround = Receive<CameraObservation>(MessageNames.SearchedGround);
     }
 
     public List<TargetReport> Reports { get; } = [];
 
-    public List<CameraLook> Looks { get; } = [];
+    public List<CameraObservation> Looks { get; } = [];
 
     protected override void ExecuteUnitOfWork()
     {
         while (_reports.TryPop(out TargetReport report))
             Reports.Add(report);
-        while (_looks.TryPop(out CameraLook look))
+        while (_looks.TryPop(out CameraObservation look))
             Looks.Add(look);
         while (_searchedGround.TryPop(out _))
         {

@@ -32,13 +32,13 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
 
         (int expected, int found, double squares, double worst) = (0, 0, 0, 0);
         var missed = new List<string>();
-        foreach (CameraLook look in survey.Sink.Looks)
+        foreach (CameraObservation look in survey.Sink.Looks)
         {
             foreach (SimulatedTarget target in survey.Things.Where(t => !t.IsDistractor && survey.IsInside(look, t, EdgeMetres)))
             {
                 expected++;
                 double[] errors = survey.Sink.Reports
-                    .Where(r => r.LookNumber == look.Number && r.Colour == target.Colour)
+                    .Where(r => r.PictureNumber == look.Number && r.Colour == target.Colour)
                     .Select(r => survey.ErrorOf(r, target)).Where(e => e < 1).ToArray();
                 if (errors.Length != 1)
                 {
@@ -92,12 +92,12 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
                 Camera = camera.Camera,
                 Mount = new CameraMount
                 {
-                    GimbalArmMetres = new BodyVector(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres),
+                    GimbalLeverArmMetres = new BodyVector(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres),
                 },
             },
             source);
         var sink = new ReportSink();
-        var order = new ImagingOrder
+        var order = new ImagingCommand
         {
             Mode = ImagingMode.Search,
             CameraPitchRadians = -Math.PI / 2,
@@ -129,10 +129,10 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         public string Describe(TargetReport report)
         {
             SimulatedTarget nearest = Things.OrderBy(t => ErrorOf(report, t)).First();
-            return $"{report.Colour} in look {report.LookNumber}, {report.SizeMetres:F2} m, score {report.Score:F2}, nearest is {nearest.Name} at {ErrorOf(report, nearest):F1} m";
+            return $"{report.Colour} in look {report.PictureNumber}, {report.SizeMetres:F2} m, score {report.Score:F2}, nearest is {nearest.Name} at {ErrorOf(report, nearest):F1} m";
         }
 
-        public bool IsInside(CameraLook look, SimulatedTarget target, double margin)
+        public bool IsInside(CameraObservation look, SimulatedTarget target, double margin)
         {
             NedVector[] corners = [frame.ToWorld(look.TopLeft), frame.ToWorld(look.TopRight), frame.ToWorld(look.BottomRight), frame.ToWorld(look.BottomLeft)];
             for (int i = 0; i < 4; i++)

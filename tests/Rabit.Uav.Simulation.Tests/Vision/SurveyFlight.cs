@@ -19,20 +19,20 @@ internal sealed class SurveyFlight : RabitManager
     private readonly TruthHistory _truth;
     private readonly WorldFrame _frame;
     private readonly double _height;
-    private readonly ImagingOrder _wanted;
+    private readonly ImagingCommand _wanted;
     private readonly QueueSender<PoseSample> _poses;
-    private readonly MessagePublisher<ImagingOrder> _order;
+    private readonly MessagePublisher<ImagingCommand> _order;
     private readonly MessagePublisher<OwnAddress> _address;
     private long _step;
 
-    public SurveyFlight(TruthHistory truth, WorldFrame frame, double heightMetres, ImagingOrder order)
+    public SurveyFlight(TruthHistory truth, WorldFrame frame, double heightMetres, ImagingCommand order)
         : base("survey flight")
     {
         _truth = truth;
         _frame = frame;
         _height = heightMetres;
         _poses = Send<PoseSample>(MessageNames.Poses);
-        _order = Publish<ImagingOrder>(MessageNames.ImagingOrder);
+        _order = Publish<ImagingCommand>(MessageNames.ImagingCommand);
         _address = Publish<OwnAddress>(MessageNames.OwnAddress);
         _wanted = order;
         WakeUpDelay = TimeSpan.FromMilliseconds(10);

@@ -173,8 +173,8 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         SimulatedTruth truth = ground.Truth;
         Assert.True(truth.IsAirborne && truth.IsArmed && truth.HasFlown);
         Assert.Null(truth.Landing);
-        Assert.InRange(truth.MaximumHeightMetres, 14, 18);
-        Assert.InRange(truth.MaximumDistanceMetres, 36, 44);
+        Assert.InRange(truth.MaxHeightMetres, 14, 18);
+        Assert.InRange(truth.MaxDistanceMetres, 36, 44);
         Assert.InRange(truth.FlownMetres, 36, 50);
         double[] steps = truth.Path.Skip(2).Zip(truth.Path.Skip(1), (b, a) => (b.Time - a.Time).TotalSeconds).ToArray();
         Assert.All(steps, s => Assert.Equal(0.2, s, 6));

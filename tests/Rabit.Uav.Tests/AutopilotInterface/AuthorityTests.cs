@@ -19,7 +19,7 @@ public class AuthorityTests
     {
         using var copter = new ScriptedAutopilot(mayCommand: false);
         copter.Run(1.5);
-        VehicleCommandAnswer answer = copter.GiveAndRun(kind);
+        VehicleCommandResult answer = copter.GiveAndRun(kind);
         Assert.Equal((VehicleCommandOutcome.NotInCommand, "observing only", kind), (answer.Outcome, answer.Text, answer.Kind));
         Assert.Empty(copter.Heard);
         Assert.Equal(CommandAuthorityState.Observing, copter.Authority);
@@ -59,7 +59,7 @@ public class AuthorityTests
         CommandAuthority authority = copter.Rig.Authority;
         Assert.Equal((CommandAuthorityState.TakenAway, "mode LOITER"), (authority.State, authority.TakenBy));
         Assert.Equal(heard, copter.Heard.Count);
-        VehicleCommandAnswer answer = copter.Answers.Single(a => a.Id == id);
+        VehicleCommandResult answer = copter.Answers.Single(a => a.Id == id);
         if (kind != VehicleCommandKind.Velocity)   // that was accepted when it began
             Assert.Equal((VehicleCommandOutcome.NotInCommand, "mode LOITER took the command away"), (answer.Outcome, answer.Text));
 
@@ -114,7 +114,7 @@ public class AuthorityTests
             copter.Beat((uint)CopterMode.Poshold);
             return MavResult.Accepted;
         };
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.Return, seconds: 0.2);
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Return, seconds: 0.2);
         Assert.Equal(VehicleCommandOutcome.NotInCommand, answer.Outcome);
         Assert.Equal("mode POSHOLD", copter.Rig.Authority.TakenBy);
     }

@@ -8,18 +8,18 @@ namespace Rabit.Uav.Tests.AutopilotInterface;
 internal sealed class AutopilotPeers : RabitManager
 {
     private readonly QueueReceiver<PoseSample> _poses;
-    private readonly QueueReceiver<VehicleCommandAnswer> _answers;
+    private readonly QueueReceiver<VehicleCommandResult> _answers;
 
     public AutopilotPeers()
         : base("peers")
     {
         _poses = Receive<PoseSample>(MessageNames.Poses, 1000, QueueFullMode.DropOldest);
-        _answers = Receive<VehicleCommandAnswer>(MessageNames.VehicleCommandAnswers);
+        _answers = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
     }
 
     public List<PoseSample> Poses { get; } = [];
 
-    public List<VehicleCommandAnswer> Answers { get; } = [];
+    public List<VehicleCommandResult> Answers { get; } = [];
 
     /// <summary>Whether it keeps the poses.</summary>
     public bool KeepsPoses { get; set; } = true;
@@ -32,7 +32,7 @@ internal sealed class AutopilotPeers : RabitManager
                 Poses.Add(pose);
         }
 
-        while (_answers.TryPop(out VehicleCommandAnswer answer))
+        while (_answers.TryPop(out VehicleCommandResult answer))
             Answers.Add(answer);
     }
 }

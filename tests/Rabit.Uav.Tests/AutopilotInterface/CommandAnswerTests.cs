@@ -31,7 +31,7 @@ public class CommandAnswerTests
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (_, _) => null;
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
         Assert.Equal((VehicleCommandOutcome.TimedOut, "no answer to NavTakeoff, sent 4 times"), (answer.Outcome, answer.Text));
         Assert.Equal(4, copter.Heard.Count - 2);
     }
@@ -86,7 +86,7 @@ public class CommandAnswerTests
                 copter.Acknowledge(command, result, later: 0.01);
                 return null;
             };
-            VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.Arm);
+            VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
             Assert.Equal(
                 (VehicleCommandOutcome.Refused, $"ComponentArmDisarm: {result} (Arm: Compass not calibrated)"), (answer.Outcome, answer.Text));
             Assert.Equal(2, copter.Heard.Count);
@@ -129,7 +129,7 @@ public class CommandAnswerTests
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         int tries = 0;
         copter.Script = (frame, command) => tries++ < rejections ? MavResult.TemporarilyRejected : copter.Accept(frame, command);
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
         Assert.Equal(expected, answer.Outcome);
         Assert.Equal(6, tries);
         double[] times = copter.Heard.Skip(2).Select(f => f.Time.TotalSeconds).ToArray();
@@ -156,7 +156,7 @@ public class CommandAnswerTests
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (_, _) => MavResult.Accepted;
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.Return, seconds: 6);
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Return, seconds: 6);
         Assert.Equal(VehicleCommandOutcome.TimedOut, answer.Outcome);
         Assert.Contains("is in GUIDED still", answer.Text, StringComparison.Ordinal);
         Assert.Equal(CommandAuthorityState.Ours, copter.Authority);

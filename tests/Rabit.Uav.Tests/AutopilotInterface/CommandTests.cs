@@ -19,7 +19,7 @@ public class CommandTests
     {
         using var copter = new ScriptedAutopilot();
         copter.Run(1.5);
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.Arm);
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
 
         Assert.Equal((VehicleCommandOutcome.Accepted, null), (answer.Outcome, answer.Text));
         Assert.Equal([MavCmd.DoSetMode, MavCmd.ComponentArmDisarm], copter.Commands);
@@ -111,7 +111,7 @@ public class CommandTests
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "brake" }).Outcome);
         Assert.Equal((uint)CopterMode.Brake, copter.Mode);
         int heard = copter.Heard.Count;
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "FBWA" });
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "FBWA" });
         Assert.Equal(VehicleCommandOutcome.Refused, answer.Outcome);
         Assert.Contains("'FBWA'", answer.Text, StringComparison.Ordinal);
         Assert.Equal(heard, copter.Heard.Count);
@@ -121,7 +121,7 @@ public class CommandTests
     public void PointCamera_AnglesGoOutInDegrees()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
-        VehicleCommandAnswer answer = copter.GiveAndRun(
+        VehicleCommandResult answer = copter.GiveAndRun(
             VehicleCommandKind.PointCamera, with: c => c with { CameraPitchRadians = -Math.PI / 2, CameraYawRadians = 30 / DegreesPerRadian });
         Assert.Equal(VehicleCommandOutcome.Accepted, answer.Outcome);
         CommandLong gimbal = copter.Last<CommandLong>();
@@ -134,7 +134,7 @@ public class CommandTests
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (_, _) => MavResult.Failed;
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.Disarm);
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Disarm);
         Assert.Equal((VehicleCommandOutcome.Refused, "ComponentArmDisarm: Failed"), (answer.Outcome, answer.Text));
         Assert.Equal(0f, copter.Last<CommandLong>().Param1);
     }
@@ -174,7 +174,7 @@ public class CommandTests
     public void Command_NoAutopilotYet_WaitsThenTimesOut()
     {
         using var copter = new ScriptedAutopilot { Beats = false };
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.Arm);
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
         Assert.Equal((VehicleCommandOutcome.TimedOut, "no autopilot was heard"), (answer.Outcome, answer.Text));
         Assert.Empty(copter.Heard);
 
@@ -204,7 +204,7 @@ public class CommandTests
     {
         using var copter = new ScriptedAutopilot(make) { Type = type };
         copter.Run(1.5);
-        VehicleCommandAnswer answer = copter.GiveAndRun(VehicleCommandKind.Arm);
+        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
         Assert.Equal(VehicleCommandOutcome.Refused, answer.Outcome);
         Assert.Contains(expected, answer.Text, StringComparison.Ordinal);
         Assert.Empty(copter.Heard);
@@ -218,7 +218,7 @@ public class CommandTests
         int heard = copter.Heard.Count;
         void Refuses(VehicleCommandKind kind, string name, Func<VehicleCommand, VehicleCommand> with)
         {
-            VehicleCommandAnswer answer = copter.GiveAndRun(kind, 0.2, with);
+            VehicleCommandResult answer = copter.GiveAndRun(kind, 0.2, with);
             Assert.Equal(VehicleCommandOutcome.Refused, answer.Outcome);
             Assert.Contains(name, answer.Text, StringComparison.Ordinal);
         }

@@ -77,7 +77,7 @@ public class Px4CommandTests
     public void SetMode_ByName_IsItsNumbers()
     {
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
-        VehicleCommandAnswer answer = px4.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "AUTO.MISSION" });
+        VehicleCommandResult answer = px4.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "AUTO.MISSION" });
         Assert.Equal((VehicleCommandOutcome.Accepted, 0x0404_0000u), (answer.Outcome, px4.Mode));
         answer = px4.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "GUIDED" });
         Assert.Equal(VehicleCommandOutcome.Refused, answer.Outcome);
@@ -88,7 +88,7 @@ public class Px4CommandTests
     {
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
         int heard = px4.Heard.Count;
-        VehicleCommandAnswer answer = px4.GiveAndRun(VehicleCommandKind.Velocity);
+        VehicleCommandResult answer = px4.GiveAndRun(VehicleCommandKind.Velocity);
         Assert.Equal((VehicleCommandOutcome.Refused, "velocities are not supported on PX4 yet"), (answer.Outcome, answer.Text));
         Assert.Equal(heard, px4.Heard.Count);
     }

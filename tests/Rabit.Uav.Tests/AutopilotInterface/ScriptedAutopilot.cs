@@ -60,7 +60,7 @@ internal sealed class ScriptedAutopilot : IDisposable
 
     public IEnumerable<MavCmd> Commands => _heard.Where(f => CommandOf(f.Frame) is not null).Select(f => CommandOf(f.Frame)!.Value);
 
-    public IReadOnlyList<VehicleCommandAnswer> Answers => Rig.Peers.Answers;
+    public IReadOnlyList<VehicleCommandResult> Answers => Rig.Peers.Answers;
 
     public CommandAuthorityState Authority => Rig.Authority.State;
 
@@ -114,7 +114,7 @@ internal sealed class ScriptedAutopilot : IDisposable
         return _id;
     }
 
-    public VehicleCommandAnswer GiveAndRun(VehicleCommandKind kind, double seconds = 4, Func<VehicleCommand, VehicleCommand>? with = null)
+    public VehicleCommandResult GiveAndRun(VehicleCommandKind kind, double seconds = 4, Func<VehicleCommand, VehicleCommand>? with = null)
     {
         long id = Give(kind, with);
         Run(seconds);

@@ -17,7 +17,7 @@ public sealed class TargetReportCodecTests
     {
         const int Seed = 21;
         var random = new Random(Seed);
-        var buffer = new byte[MailRoute.MaximumLength];
+        var buffer = new byte[VehicleMessageRoute.MaximumLength];
         for (int i = 0; i < 10_000; i++)
         {
             double nn = 0.01 + (random.NextDouble() * 100);
@@ -25,12 +25,12 @@ public sealed class TargetReportCodecTests
             var report = new TargetReport
             {
                 SourceSystemId = 200,
-                LookNumber = random.Next(),
+                PictureNumber = random.Next(),
                 Index = random.Next(256),
                 Time = Now - TimeSpan.FromSeconds(random.NextDouble() * 600),
                 Position = GeodeticPosition.FromRadians((random.NextDouble() - 0.5) * Math.PI, (random.NextDouble() - 0.5) * 2 * Math.PI, (random.NextDouble() * 9000) - 400),
                 Covariance = new HorizontalCovariance(nn, Math.Sqrt(nn * ee) * ((random.NextDouble() * 1.9) - 0.95), ee),
-                CommonCovariance = i % 3 == 0 ? default : new HorizontalCovariance(ee, 0, nn),
+                SystematicCovariance = i % 3 == 0 ? default : new HorizontalCovariance(ee, 0, nn),
                 Colour = (TargetColours)(1 << random.Next(5)),
                 Score = random.NextDouble(),
                 SizeMetres = random.NextDouble() * 60,
@@ -66,8 +66,8 @@ public sealed class TargetReportCodecTests
     {
         const int Seed = 23;
         var random = new Random(Seed);
-        var good = new byte[MailRoute.MaximumLength];
-        Codec.TryEncode(MailTests.Report(look: 3), TimeSpan.Zero, good, out int length);
+        var good = new byte[VehicleMessageRoute.MaximumLength];
+        Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, good, out int length);
         int taken = 0;
         for (int i = 0; i < 200_000; i++)
         {
@@ -92,8 +92,8 @@ public sealed class TargetReportCodecTests
     [InlineData(15, 127)]   // beyond the pole
     public void Decode_OneWrongByte_IsRefused(int offset, byte value)
     {
-        var bytes = new byte[MailRoute.MaximumLength];
-        Codec.TryEncode(MailTests.Report(look: 3), TimeSpan.Zero, bytes, out int length);
+        var bytes = new byte[VehicleMessageRoute.MaximumLength];
+        Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, bytes, out int length);
         Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), Now, 7, out _));
         Assert.False(Codec.TryDecode(bytes.AsSpan(0, length - 1), Now, 7, out _));
         Assert.False(Codec.TryDecode(bytes.AsSpan(0, length + 1), Now, 7, out _));
@@ -104,18 +104,18 @@ public sealed class TargetReportCodecTests
     [Fact]
     public void Encode_WhatDoesNotFit_IsRefused()
     {
-        TargetReport good = MailTests.Report(look: 1);
+        TargetReport good = VehicleMessageTests.Report(look: 1);
         Assert.True(Encodes(good));
         Assert.False(Encodes(good with { Colour = TargetColours.All }));
         Assert.False(Encodes(good with { Index = 256 }));
-        Assert.False(Encodes(good with { LookNumber = -1 }));
+        Assert.False(Encodes(good with { PictureNumber = -1 }));
         Assert.False(Encodes(good with { Score = double.NaN }));
         Assert.False(Encodes(good with { SizeMetres = 70 }));
         Assert.False(Encodes(good with { CentreX = double.NaN }));
         Assert.False(Encodes(good with { Covariance = default }));
         Assert.False(Encodes(good with { Covariance = new HorizontalCovariance(1, 2, 1) }));
         Assert.False(Encodes(good with { Covariance = new HorizontalCovariance(double.NaN, 0, 1) }));
-        Assert.False(Encodes(good with { CommonCovariance = new HorizontalCovariance(-1, 0, 1) }));
+        Assert.False(Encodes(good with { SystematicCovariance = new HorizontalCovariance(-1, 0, 1) }));
         Assert.False(Encodes(good with { Position = default }));
         Assert.False(Encodes(good with { Position = GeodeticPosition.FromRadians(double.NaN, 0, 0) }));
         Assert.False(Encodes(good with { Time = TimeSpan.FromHours(-1) }));
@@ -129,7 +129,7 @@ public sealed class TargetReportCodecTests
         Assert.True(Math.Abs(report.Position.LatitudeRadians) <= (Math.PI / 2) + 1e-9, what);
         Assert.True(Math.Abs(report.Position.LongitudeRadians) <= Math.PI + 1e-9, what);
         Assert.True(report.Covariance.HalfMajorAxis95Metres is > 0 and < 1e6, what);
-        Assert.False(double.IsNaN(report.CommonCovariance.HalfMajorAxis95Metres), what);
+        Assert.False(double.IsNaN(report.SystematicCovariance.HalfMajorAxis95Metres), what);
         Assert.False(double.IsNaN(report.CentreX) || double.IsInfinity(report.CentreY), what);
         Assert.InRange(report.Score, 0, 1);
         Assert.Equal(7, report.SourceSystemId);
@@ -137,13 +137,13 @@ public sealed class TargetReportCodecTests
 
     private static void AssertEqual(in TargetReport expected, in TargetReport actual)
     {
-        Assert.Equal((7, expected.LookNumber, expected.Index, expected.Colour), (actual.SourceSystemId, actual.LookNumber, actual.Index, actual.Colour));
+        Assert.Equal((7, expected.PictureNumber, expected.Index, expected.Colour), (actual.SourceSystemId, actual.PictureNumber, actual.Index, actual.Colour));
         Assert.Equal(expected.Time.TotalSeconds + 5, actual.Time.TotalSeconds, 0.0006);
         Assert.Equal(expected.Position.LatitudeRadians, actual.Position.LatitudeRadians, 1e-9);
         Assert.Equal(expected.Position.LongitudeRadians, actual.Position.LongitudeRadians, 1e-9);
         Assert.Equal(expected.Position.AltitudeAmslMetres, actual.Position.AltitudeAmslMetres, 0.0006);
         AssertEqual(expected.Covariance, actual.Covariance);
-        AssertEqual(expected.CommonCovariance, actual.CommonCovariance);
+        AssertEqual(expected.SystematicCovariance, actual.SystematicCovariance);
         Assert.Equal(expected.Score, actual.Score, 0.002);
         Assert.Equal(expected.SizeMetres, actual.SizeMetres, 0.0006);
         Assert.Equal(expected.CentreX, actual.CentreX, 1e-4);

@@ -162,7 +162,7 @@ public sealed class GeolocateTests : IDisposable
     {
         CameraModel camera = Vectors.Camera(c.GetProperty("cam").GetInt32());
         CameraMount mount = Vectors.Mount(c.GetProperty("mount"));
-        (BodyVector a, BodyVector b) = (mount.GimbalArmMetres, mount.CameraArmMetres);
+        (BodyVector a, BodyVector b) = (mount.GimbalLeverArmMetres, mount.CameraLeverArmMetres);
         JsonElement turn = c.GetProperty("mount");
         return Text($$"""
             {"camera":{"width":{{camera.Width}},"height":{{camera.Height}},"fx":{{camera.FocalX}},"fy":{{camera.FocalY}},"cx":{{camera.CentreX}},"cy":{{camera.CentreY}},

@@ -58,15 +58,15 @@ public sealed class CameraTests
         Assert.Equal(3, new CameraMount
         {
             MisalignmentRollRadians = double.NaN,
-            GimbalArmMetres = new BodyVector(double.PositiveInfinity, 0, 0),
-            CameraArmMetres = new BodyVector(0, double.NaN, 0),
+            GimbalLeverArmMetres = new BodyVector(double.PositiveInfinity, 0, 0),
+            CameraLeverArmMetres = new BodyVector(0, double.NaN, 0),
         }.FindFaults().Count());
     }
 
     [Fact]
     public void Mount_StraightDown_HasTheTopOfThePictureForward()
     {
-        CameraPlacement placement = new CameraMount().At(-Math.PI / 2, 0);
+        CameraExtrinsics placement = new CameraMount().At(-Math.PI / 2, 0);
         AssertAxis(placement, (0, 0, 1), forward: 0, right: 0, down: 1);
         AssertAxis(placement, (0, -1, 0), forward: 1, right: 0, down: 0);
         AssertAxis(placement, (1, 0, 0), forward: 0, right: 1, down: 0);
@@ -88,17 +88,17 @@ public sealed class CameraTests
         {
             FixedBodyFromCamera = Rotation.FromMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1),
             MisalignmentPitchRadians = 0.02,
-            GimbalArmMetres = new BodyVector(0.1, 0.2, 0.3),
-            CameraArmMetres = new BodyVector(0.05, -0.02, 0.01),
+            GimbalLeverArmMetres = new BodyVector(0.1, 0.2, 0.3),
+            CameraLeverArmMetres = new BodyVector(0.05, -0.02, 0.01),
         };
         var byAngles = new CameraMount
         {
             MisalignmentPitchRadians = 0.02,
-            GimbalArmMetres = new BodyVector(0.1, 0.2, 0.3),
-            CameraArmMetres = new BodyVector(0.05, -0.02, 0.01),
+            GimbalLeverArmMetres = new BodyVector(0.1, 0.2, 0.3),
+            CameraLeverArmMetres = new BodyVector(0.05, -0.02, 0.01),
         };
-        CameraPlacement a = byMatrix.At(0.3, 0.7);
-        CameraPlacement b = byAngles.At(-Math.PI / 2, 0);
+        CameraExtrinsics a = byMatrix.At(0.3, 0.7);
+        CameraExtrinsics b = byAngles.At(-Math.PI / 2, 0);
         Assert.Equal(0, (a.BodyFromCamera.Inverse * b.BodyFromCamera).AngleRadians, 1e-7);
         Assert.Equal(b.PositionMetres.Forward, a.PositionMetres.Forward, 1e-12);
         Assert.Equal(b.PositionMetres.Right, a.PositionMetres.Right, 1e-12);
@@ -109,19 +109,19 @@ public sealed class CameraTests
     public void GroundRay_NearTheHorizonOrBelowGround_MeetsNothing()
     {
         double limit = 5 * Vectors.Degree;
-        Assert.True(Ray(5.1).TryMeetFlat(100, limit, out NedVector point));
+        Assert.True(Ray(5.1).TryIntersectLevel(100, limit, out NedVector point));
         Assert.Equal(100, point.Down);
         Assert.Equal(100 / Math.Tan(5.1 * Vectors.Degree), point.North, 1e-6);
-        Assert.False(Ray(4.9).TryMeetFlat(100, limit, out _));
-        Assert.False(Ray(-30).TryMeetFlat(100, limit, out _));
-        Assert.False(Ray(45).TryMeetFlat(-1, limit, out _));
-        Assert.False(Ray(45).TryMeetFlat(double.NaN, limit, out _));
+        Assert.False(Ray(4.9).TryIntersectLevel(100, limit, out _));
+        Assert.False(Ray(-30).TryIntersectLevel(100, limit, out _));
+        Assert.False(Ray(45).TryIntersectLevel(-1, limit, out _));
+        Assert.False(Ray(45).TryIntersectLevel(double.NaN, limit, out _));
 
         static GroundRay Ray(double depressionDegrees)
             => new(default, new NedVector(Math.Cos(depressionDegrees * Vectors.Degree), 0, Math.Sin(depressionDegrees * Vectors.Degree)));
     }
 
-    private static void AssertAxis(CameraPlacement placement, (double X, double Y, double Z) axis, double forward, double right, double down)
+    private static void AssertAxis(CameraExtrinsics placement, (double X, double Y, double Z) axis, double forward, double right, double down)
     {
         (double x, double y, double z) = placement.BodyFromCamera.Apply(axis.X, axis.Y, axis.Z);
         Assert.Equal(forward, x, 1e-12);

@@ -75,8 +75,8 @@ internal static class Vectors
             MisalignmentRollRadians = mount.Radians("roll"),
             MisalignmentPitchRadians = mount.Radians("pitch"),
             MisalignmentYawRadians = mount.Radians("yaw"),
-            GimbalArmMetres = new BodyVector(gimbal[0], gimbal[1], gimbal[2]),
-            CameraArmMetres = new BodyVector(camera[0], camera[1], camera[2]),
+            GimbalLeverArmMetres = new BodyVector(gimbal[0], gimbal[1], gimbal[2]),
+            CameraLeverArmMetres = new BodyVector(camera[0], camera[1], camera[2]),
         };
     }
 

@@ -14,8 +14,8 @@ public class AdviceTests
 {
     [Theory]
     [InlineData(0.26, HealthAdvice.None)]
-    [InlineData(0.25, HealthAdvice.GoHome)]
-    [InlineData(0.11, HealthAdvice.GoHome)]
+    [InlineData(0.25, HealthAdvice.ReturnToLaunch)]
+    [InlineData(0.11, HealthAdvice.ReturnToLaunch)]
     [InlineData(0.10, HealthAdvice.Land)]
     public void Battery_InFlight_IsGoHomeThenLand(double remaining, HealthAdvice expected)
     {
@@ -48,7 +48,7 @@ public class AdviceTests
         rig.PostMission(phase);
         rig.PostVehicle(remaining: 0.2);
         rig.Run(1);
-        Assert.Equal(isAdvised ? HealthAdvice.GoHome : HealthAdvice.None, rig.Report.Advice);
+        Assert.Equal(isAdvised ? HealthAdvice.ReturnToLaunch : HealthAdvice.None, rig.Report.Advice);
         Assert.Equal(HealthReasons.BatteryLow, rig.Report.Reasons & HealthReasons.BatteryLow);
     }
 
@@ -76,7 +76,7 @@ public class AdviceTests
         rig.Run(3);
         Assert.Equal((HealthReasons.AutopilotLost, HealthAdvice.None), (rig.Report.Reasons & HealthReasons.AutopilotLost, rig.Report.Advice));
         rig.Fly(1);
-        Assert.Equal(HealthAdvice.GoHome, rig.Report.Advice);
+        Assert.Equal(HealthAdvice.ReturnToLaunch, rig.Report.Advice);
         Assert.Contains("autopilot lost", rig.Report.AdviceText!, StringComparison.Ordinal);
     }
 
@@ -102,7 +102,7 @@ public class AdviceTests
             new HealthOptions(),
             findings);
         Assert.Equal([HealthReasons.ManagerFaulted, HealthReasons.ManagerStuck], findings.Select(f => f.Reason));
-        Assert.All(findings, f => Assert.Equal(HealthAdvice.GoHome, f.Advice));
+        Assert.All(findings, f => Assert.Equal(HealthAdvice.ReturnToLaunch, f.Advice));
     }
 
     [Fact]
@@ -119,7 +119,7 @@ public class AdviceTests
         rig.Fly(2);
         Assert.Equal(HealthReasons.None, rig.Report.Reasons);
         rig.Fly(2);
-        Assert.Equal((HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.GoHome), (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
+        Assert.Equal((HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.ReturnToLaunch), (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
         Assert.Equal("the camera gives no pictures (last at 12.0 s)", rig.Report.AdviceText);
     }
 
@@ -156,7 +156,7 @@ public class AdviceTests
         Blow(15, 4);
         Assert.Equal((HealthReasons.None, HealthAdvice.None), (rig.Report.Reasons, rig.Report.Advice));
         Blow(15, 2);
-        Assert.Equal((HealthReasons.WindHigh, HealthAdvice.GoHome), (rig.Report.Reasons, rig.Report.Advice));
+        Assert.Equal((HealthReasons.WindHigh, HealthAdvice.ReturnToLaunch), (rig.Report.Reasons, rig.Report.Advice));
         Assert.Equal("wind too strong (15 m/s)", rig.Report.AdviceText);
         Blow(double.NaN, 6);
         Assert.Equal(HealthReasons.None, rig.Report.Reasons);

@@ -136,7 +136,7 @@ public class HealthRulesTests
     [Fact]
     public void RecentRise_CountThatRises_IsToldOfForAWhile()
     {
-        var rise = new RecentRise();
+        var rise = new WindowedIncrease();
         TimeSpan within = TimeSpan.FromSeconds(5);
         Assert.False(rise.Take(0, TimeSpan.FromSeconds(0), within));
         Assert.True(rise.Take(1, TimeSpan.FromSeconds(1), within));

@@ -207,7 +207,7 @@ public sealed class DetectorTests
         var painting = new Painting(11);
         Scatter(painting, new Random(11), 13, light: 1);
         byte[] picture = painting.Finish();
-        Locator locator = Over(13);
+        GroundProjector locator = Over(13);
         _detector.TrySearch(picture, Painting.Width, Painting.Height, TargetColours.All, locator);
 
         Assert.Equal(0, Allocated.By(() =>
@@ -289,7 +289,7 @@ public sealed class DetectorTests
     }
 
     // From so high that a metre is so many pixels.
-    private static Locator Over(double pixelsPerMetre)
+    private static GroundProjector Over(double pixelsPerMetre)
     {
         var view = new TestView();
         view.Position = GeodeticPosition.FromRadians(0.8, 0.1, view.GroundAltitude + (view.Camera.FocalX / pixelsPerMetre));

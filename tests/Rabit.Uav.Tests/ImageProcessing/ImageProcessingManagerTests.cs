@@ -18,16 +18,16 @@ public sealed class ImageProcessingManagerTests
         rig.Run(2);
 
         TargetReport report = Assert.Single(rig.Sink.Reports);
-        Assert.Equal((7, 0L, 0, TargetColours.Red), (report.SourceSystemId, report.LookNumber, report.Index, report.Colour));
+        Assert.Equal((7, 0L, 0, TargetColours.Red), (report.SourceSystemId, report.PictureNumber, report.Index, report.Colour));
         Assert.Equal(TimeSpan.FromSeconds(1.03), report.Time);
         NedVector ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
         Assert.Equal(ImagingRig.North, ned.North, 0.05);
         Assert.Equal(ImagingRig.East, ned.East, 0.05);
         Assert.Equal(rig.View.GroundAltitude, report.Position.AltitudeAmslMetres, 0.01);
         Assert.InRange(report.SizeMetres, 0.9, 1.1);
-        Assert.True(report.Covariance.NorthNorth > 0 && report.CommonCovariance.NorthNorth > 1);
+        Assert.True(report.Covariance.NorthNorth > 0 && report.SystematicCovariance.NorthNorth > 1);
 
-        CameraLook look = Assert.Single(rig.Sink.Looks);
+        CameraObservation look = Assert.Single(rig.Sink.Looks);
         Assert.Equal((7, 0L, 1, report.Time), (look.SourceSystemId, look.Number, look.Reports, look.Time));
         Assert.Equal(look, Assert.Single(rig.Sink.SearchedGround));
         AssertCorners(rig.View, look);
@@ -45,7 +45,7 @@ public sealed class ImageProcessingManagerTests
         rig.Run(2);
         Assert.Empty(rig.Sink.Reports);
         Assert.Equal(0, Assert.Single(rig.Sink.Looks).Reports);
-        Assert.Empty(rig.Manager.CutOuts);
+        Assert.Empty(rig.Manager.ImageChips);
     }
 
     [Fact]
@@ -185,7 +185,7 @@ public sealed class ImageProcessingManagerTests
         rig.AssertAllGivenBack();
     }
 
-    private static void AssertCorners(TestView view, CameraLook look)
+    private static void AssertCorners(TestView view, CameraObservation look)
     {
         var frame = LocalNedFrame.IgnoringGeoid(view.Position);
         (GeodeticPosition Corner, double Column, double Row)[] corners =

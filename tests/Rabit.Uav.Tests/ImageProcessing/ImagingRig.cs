@@ -19,7 +19,7 @@ internal sealed class ImagingRig : IDisposable
     private static readonly Lazy<byte[]> GrassPicture = new(() => Paint(hasPanel: false));
 
     private readonly QueueSender<PoseSample> _poses;
-    private readonly MessagePublisher<ImagingOrder> _order;
+    private readonly MessagePublisher<ImagingCommand> _order;
     private readonly MessagePublisher<OwnAddress> _ownAddress;
     private readonly MessageSubscriber<ImagingStatus> _status;
     private bool _isFinished;
@@ -30,11 +30,11 @@ internal sealed class ImagingRig : IDisposable
         options ??= new ImageProcessingOptions();
         options.Camera ??= View.Camera;
         options.Mount = View.Mount;
-        Sink = new LookSink(sinkIsSmall ? 1 : 100);
+        Sink = new ObservationSink(sinkIsSmall ? 1 : 100);
         Manager = new ImageProcessingManager(options, camera);
         Reactor = new RabitReactor(new VirtualTime(1)) { Manager, Sink };
         _poses = Reactor.Workspace.Send<PoseSample>(MessageNames.Poses);
-        _order = Reactor.Workspace.Publish<ImagingOrder>(MessageNames.ImagingOrder);
+        _order = Reactor.Workspace.Publish<ImagingCommand>(MessageNames.ImagingCommand);
         _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         _status = Reactor.Workspace.Subscribe<ImagingStatus>(MessageNames.Imaging);
         _status.OnPost(_ => StatusTimes.Add(Reactor.Now));
@@ -57,7 +57,7 @@ internal sealed class ImagingRig : IDisposable
 
     public RabitReactor Reactor { get; }
 
-    public LookSink Sink { get; }
+    public ObservationSink Sink { get; }
 
     public List<TimeSpan> StatusTimes { get; } = [];
 

@@ -126,7 +126,7 @@ public sealed class ImagingServiceTests
     [Fact]
     public void CutOuts_OfReports_ShowTheTargetAndAreBounded()
     {
-        using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel, new ImageProcessingOptions { CutOutsKept = 3, CutOutSide = 24 });
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel, new ImageProcessingOptions { MaxImageChips = 3, ImageChipSide = 24 });
         rig.AddPoses(0, 9);
         for (int i = 0; i < 5; i++)
         {
@@ -135,9 +135,9 @@ public sealed class ImagingServiceTests
         }
 
         rig.Run(2);
-        IReadOnlyList<CutOut> cutOuts = rig.Manager.CutOuts;
-        Assert.Equal([2L, 3L, 4L], cutOuts.Select(c => c.LookNumber));
-        CutOut newest = cutOuts[2];
+        IReadOnlyList<ImageChip> cutOuts = rig.Manager.ImageChips;
+        Assert.Equal([2L, 3L, 4L], cutOuts.Select(c => c.PictureNumber));
+        ImageChip newest = cutOuts[2];
         Assert.Equal((0, 24, 24), (newest.ReportIndex, newest.Width, newest.Height));
         byte[] pixels = newest.CopyPixels();
         int middle = ((12 * 24) + 12) * 3;
@@ -169,23 +169,23 @@ public sealed class ImagingServiceTests
     {
         var options = new ImageProcessingOptions
         {
-            MinimumSideMetres = 2,
-            MaximumAspect = 1,
-            MinimumSidePixels = 3,
-            MaximumReportsPerPicture = 0,
-            MinimumDepressionRadians = 0,
+            MinSideMetres = 2,
+            MaxAspect = 1,
+            MinSidePixels = 3,
+            MaxReportsPerPicture = 0,
+            MinDepressionRadians = 0,
             PoseTimeout = TimeSpan.FromSeconds(-1),
-            LongestPoseGap = TimeSpan.Zero,
+            MaxPoseGap = TimeSpan.Zero,
             FramesWaiting = 0,
-            CutOutSide = 0,
+            ImageChipSide = 0,
             Mount = new CameraMount { MisalignmentYawRadians = double.NaN },
             Errors = new ErrorBudget { PixelNoise = -1, PositionBiasMetres = double.NaN },
         };
         string text = Assert.Throws<ArgumentException>(() => new ImageProcessingManager(options, new ScriptedCamera([]))).Message;
         foreach (string name in new[]
         {
-            "Camera does not say", "MinimumSideMetres is 2", "MaximumAspect is 1", "MinimumSidePixels is 3", "MaximumReportsPerPicture is 0",
-            "MinimumDepressionRadians is 0", "PoseTimeout", "LongestPoseGap", "FramesWaiting is 0", "CutOutSide is 0", "misalignment",
+            "Camera does not say", "MinSideMetres is 2", "MaxAspect is 1", "MinSidePixels is 3", "MaxReportsPerPicture is 0",
+            "MinDepressionRadians is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0", "misalignment",
             "ErrorBudget.PixelNoise is -1", "ErrorBudget.PositionBiasMetres is NaN",
         })
             Assert.Contains(name, text, StringComparison.Ordinal);

@@ -24,7 +24,7 @@ internal sealed class Painting
             {
                 // Patches of lighter and darker grass, and blades.
                 double patch = (12 * Math.Sin(x * 0.05)) + (10 * Math.Sin((y * 0.07) + (x * 0.02)));
-                double blade = 8 * LocatorTests.Gauss(_random);
+                double blade = 8 * GroundProjectorTests.Gauss(_random);
                 Set(x, y, 86 + patch + blade, 112 + patch + blade, 56 + (0.6 * (patch + blade)));
             }
         }
@@ -77,7 +77,7 @@ internal sealed class Painting
     public byte[] Finish()
     {
         for (int i = 0; i < Pixels.Length; i++)
-            Pixels[i] = ToByte(Pixels[i] + (Noise * LocatorTests.Gauss(_random)));
+            Pixels[i] = ToByte(Pixels[i] + (Noise * GroundProjectorTests.Gauss(_random)));
         return Pixels;
     }
 

@@ -15,13 +15,13 @@ public sealed class PoseHistoryTests
     [Fact]
     public void Find_OutsideTheSamples_NeverExtrapolates()
     {
-        Assert.Equal(PoseAnswer.NotYet, _history.Find(Seconds(1), out _));
+        Assert.Equal(PoseLookup.NotYet, _history.Find(Seconds(1), out _));
         AddBoth(1);
         AddBoth(1.2);
-        Assert.Equal(PoseAnswer.TooOld, _history.Find(Seconds(0.9999), out _));
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(1), out _));
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(1.2), out _));
-        Assert.Equal(PoseAnswer.NotYet, _history.Find(Seconds(1.2001), out _));
+        Assert.Equal(PoseLookup.TooOld, _history.Find(Seconds(0.9999), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.2), out _));
+        Assert.Equal(PoseLookup.NotYet, _history.Find(Seconds(1.2001), out _));
     }
 
     [Fact]
@@ -29,10 +29,10 @@ public sealed class PoseHistoryTests
     {
         _history.Add(new PoseSample { Kind = PoseSampleKind.Position, Time = Seconds(1), Position = Place(), VelocityNed = new NedVector(10, 0, -2) });
         _history.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = Seconds(1.02), Rates = BodyRates.FromRadiansPerSecond(0, 0, 0.5) });
-        Assert.Equal(PoseAnswer.NotYet, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(199), out _));
-        Assert.Equal(PoseAnswer.TooOld, _history.Extrapolate(Seconds(0.9), TimeSpan.FromSeconds(1), out _));
+        Assert.Equal(PoseLookup.NotYet, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(199), out _));
+        Assert.Equal(PoseLookup.TooOld, _history.Extrapolate(Seconds(0.9), TimeSpan.FromSeconds(1), out _));
 
-        Assert.Equal(PoseAnswer.Extrapolated, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(200), out Pose pose));
+        Assert.Equal(PoseLookup.Extrapolated, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(200), out Pose pose));
         Assert.Equal(0.2, pose.ExtrapolatedSeconds, 1e-9);
         Assert.Equal(100.4, pose.Position.AltitudeAmslMetres, 1e-3);
         Assert.Equal(2, LocalNedFrame.IgnoringGeoid(Place()).ToNed(pose.Position).North, 1e-6);
@@ -43,10 +43,10 @@ public sealed class PoseHistoryTests
     [Fact]
     public void Extrapolate_NothingThereOrABracket_IsAsFind()
     {
-        Assert.Equal(PoseAnswer.NotYet, _history.Extrapolate(Seconds(1), TimeSpan.FromSeconds(1), out _));
+        Assert.Equal(PoseLookup.NotYet, _history.Extrapolate(Seconds(1), TimeSpan.FromSeconds(1), out _));
         AddBoth(1);
         AddBoth(1.2);
-        Assert.Equal(PoseAnswer.Known, _history.Extrapolate(Seconds(1.1), TimeSpan.FromSeconds(1), out Pose pose));
+        Assert.Equal(PoseLookup.Known, _history.Extrapolate(Seconds(1.1), TimeSpan.FromSeconds(1), out Pose pose));
         Assert.Equal(0, pose.ExtrapolatedSeconds);
     }
 
@@ -55,9 +55,9 @@ public sealed class PoseHistoryTests
     {
         AddBoth(1);
         AddAttitude(2, default);
-        Assert.Equal(PoseAnswer.NotYet, _history.Find(Seconds(1.5), out _));
+        Assert.Equal(PoseLookup.NotYet, _history.Find(Seconds(1.5), out _));
         AddPosition(1.6, Place(), default);
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(1.5), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.5), out _));
     }
 
     [Fact]
@@ -65,10 +65,10 @@ public sealed class PoseHistoryTests
     {
         AddBoth(1);
         AddAttitude(2.1, default);
-        Assert.Equal(PoseAnswer.Gap, _history.Find(Seconds(1.5), out _));
+        Assert.Equal(PoseLookup.Gap, _history.Find(Seconds(1.5), out _));
         AddPosition(2.1, Place(), default);
-        Assert.Equal(PoseAnswer.Gap, _history.Find(Seconds(1.5), out _));
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(2.1), out _));
+        Assert.Equal(PoseLookup.Gap, _history.Find(Seconds(1.5), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(2.1), out _));
     }
 
     [Fact]
@@ -80,7 +80,7 @@ public sealed class PoseHistoryTests
             AddAttitude(t, EulerAngles.FromRadians(0, 0, t));
         }
 
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(1.25), out Pose pose));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.25), out Pose pose));
         Assert.Equal(125, pose.Position.AltitudeAmslMetres, 1e-6);
         Assert.Equal(1.25, pose.Attitude.ToEuler().YawRadians, 1e-9);
         Assert.Equal(0, _history.Refused);
@@ -99,8 +99,8 @@ public sealed class PoseHistoryTests
         _history.Add(new PoseSample { Kind = (PoseSampleKind)9, Time = Seconds(1.1) });
 
         Assert.Equal(7, _history.Refused);
-        Assert.Equal(PoseAnswer.NotYet, _history.Find(Seconds(1.05), out _));
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(1), out Pose pose));
+        Assert.Equal(PoseLookup.NotYet, _history.Find(Seconds(1.05), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1), out Pose pose));
         Assert.Equal(100, pose.Position.AltitudeAmslMetres, 1e-6);
     }
 
@@ -111,7 +111,7 @@ public sealed class PoseHistoryTests
         AddAttitude(2, default);
         AddPosition(1, Place(altitude: 100), new NedVector(double.NaN, 0, 0));
         AddPosition(2, Place(altitude: 110), default);
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(1.5), out Pose pose));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.5), out Pose pose));
         Assert.Equal(105, pose.Position.AltitudeAmslMetres, 1e-6);
         Assert.Equal(-10, pose.VelocityNed.Down, 1e-6);
     }
@@ -125,8 +125,8 @@ public sealed class PoseHistoryTests
         AddBoth(50.2);
 
         Assert.Equal(2, _history.Restarts);
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(50.1), out _));
-        Assert.Equal(PoseAnswer.NotYet, _history.Find(Seconds(100.1), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(50.1), out _));
+        Assert.Equal(PoseLookup.NotYet, _history.Find(Seconds(100.1), out _));
     }
 
     [Fact]
@@ -137,8 +137,8 @@ public sealed class PoseHistoryTests
         AddBoth(1.2);
         AddBoth(1.4);
 
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(1.3), out _));
-        Assert.Equal(PoseAnswer.TooOld, _history.Find(Seconds(1.1), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.3), out _));
+        Assert.Equal(PoseLookup.TooOld, _history.Find(Seconds(1.1), out _));
     }
 
     [Fact]
@@ -150,8 +150,8 @@ public sealed class PoseHistoryTests
                 AddBoth(i * 0.02);
             _history.Find(Seconds(59), out _);
         }));
-        Assert.Equal(PoseAnswer.Known, _history.Find(Seconds(58), out _));
-        Assert.Equal(PoseAnswer.TooOld, _history.Find(Seconds(30), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(58), out _));
+        Assert.Equal(PoseLookup.TooOld, _history.Find(Seconds(30), out _));
     }
 
     [Fact]
@@ -170,8 +170,8 @@ public sealed class PoseHistoryTests
         for (int i = 0; i < 200; i++)
         {
             TimeSpan time = Seconds(random.NextDouble() * 4.95);
-            Assert.Equal(PoseAnswer.Known, expected.Find(time, out Pose a));
-            Assert.Equal(PoseAnswer.Known, _history.Find(time, out Pose b));
+            Assert.Equal(PoseLookup.Known, expected.Find(time, out Pose a));
+            Assert.Equal(PoseLookup.Known, _history.Find(time, out Pose b));
             Assert.True(a.Position.AltitudeAmslMetres == b.Position.AltitudeAmslMetres, $"seed {Seed}");
             Assert.True(a.Attitude.Z == b.Attitude.Z, $"seed {Seed}");
         }

@@ -38,7 +38,7 @@ public sealed class RollingShutterTests
         Assert.Equal(North, ned.North, 0.05);
         Assert.Equal(East, ned.East, 0.05);
         Assert.Equal(Exposed + (row * Readout.TotalSeconds), report.Time.TotalSeconds, 0.2e-3);
-        CameraLook look = Assert.Single(rig.Sink.Looks);
+        CameraObservation look = Assert.Single(rig.Sink.Looks);
         Assert.Equal(Exposed + (479 / 2.0 * Readout.TotalSeconds), look.Time.TotalSeconds, 1e-6);
         AssertShown(look.TopLeft, 0, 0);
         AssertShown(look.BottomRight, 639, 479);
@@ -85,7 +85,7 @@ public sealed class RollingShutterTests
     public void Constructor_ImpossibleReadout_IsRefused(int microseconds)
     {
         var options = new ImageProcessingOptions { Camera = CameraWith(TimeSpan.FromTicks(microseconds * 10)) };
-        Assert.Contains("rows are", Assert.Throws<ArgumentException>(() => new PixelLocator(options)).Message);
+        Assert.Contains("rows are", Assert.Throws<ArgumentException>(() => new PixelGeolocator(options)).Message);
     }
 
     private static TargetReport Located(double posesUntil, byte[] picture)

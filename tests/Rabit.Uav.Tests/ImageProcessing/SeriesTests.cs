@@ -27,24 +27,24 @@ public sealed class SeriesTests
             double exposed = image.Number("frame_start_camera_clock") - own.Number("clock_offset_s") + (image.Number("exposure_s") / 2);
             var camera = Vectors.Camera(image.GetProperty("cam").GetInt32());
             TimeSpan time = Seconds(exposed + (image.Number("v") * own.Number("line_time_s")) - start);
-            PoseAnswer answer = histories[id].Find(time, out Pose pose);
+            PoseLookup answer = histories[id].Find(time, out Pose pose);
             if (image.Text("status") == "not_bracketed")
             {
-                Assert.Equal(PoseAnswer.NotYet, answer);
+                Assert.Equal(PoseLookup.NotYet, answer);
                 refused++;
                 continue;
             }
 
-            Assert.Equal(PoseAnswer.Known, answer);
+            Assert.Equal(PoseLookup.Known, answer);
             JsonElement mount = image.GetProperty("mount");
-            var locator = new Locator(camera, Vectors.Mount(mount), new ErrorBudget(), 5 * Vectors.Degree);
-            locator.Aim(pose, new ImagingOrder
+            var locator = new GroundProjector(camera, Vectors.Mount(mount), new ErrorBudget(), 5 * Vectors.Degree);
+            locator.Aim(pose, new ImagingCommand
             {
                 CameraPitchRadians = mount.Radians("el"),
                 CameraYawRadians = mount.Radians("az"),
                 GroundAltitudeAmslMetres = image.Number("ground_h"),
             });
-            Assert.True(locator.TryLocate(image.Number("u"), image.Number("v"), out GeodeticPosition place));
+            Assert.True(locator.TryProjectToGround(image.Number("u"), image.Number("v"), out GeodeticPosition place));
             double error = Vectors.Distance(image.GetProperty("target_interpolated").Position(), place);
             Assert.True(error < 1e-4, $"picture {image.Number("id")} is off by {error} m");
             Assert.True(Vectors.Distance(image.GetProperty("target_true").Position(), place) < image.Number("interp_error_m") + 0.005);

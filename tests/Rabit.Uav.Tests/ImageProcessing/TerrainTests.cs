@@ -23,16 +23,16 @@ public sealed class TerrainTests(ITestOutputHelper output)
         (double worst, int located, int refused) = (0, 0, 0);
         foreach (JsonElement c in Vectors.Geolocation.Each("dem"))
         {
-            Locator locator = LocatorTests.Aimed(c, grids[c.GetProperty("dem").GetInt32()]);
-            LocateRefusal refusal = locator.Locate(c.Number("u"), c.Number("v"), out NedVector ground);
+            GroundProjector locator = GroundProjectorTests.Aimed(c, grids[c.GetProperty("dem").GetInt32()]);
+            GeolocationError refusal = locator.Locate(c.Number("u"), c.Number("v"), out NedVector ground);
             if (c.Text("status") != "ok")
             {
-                Assert.Equal(c.Text("reason") == "ray_leaves_dem" ? LocateRefusal.LeavesTerrain : LocateRefusal.NearHorizon, refusal);
+                Assert.Equal(c.Text("reason") == "ray_leaves_dem" ? GeolocationError.LeavesTerrain : GeolocationError.NearHorizon, refusal);
                 refused++;
                 continue;
             }
 
-            Assert.True(refusal == LocateRefusal.None, $"{c.Number("id")}: {refusal}");
+            Assert.True(refusal == GeolocationError.None, $"{c.Number("id")}: {refusal}");
             GeodeticPosition place = LocalNedFrame.IgnoringGeoid(c.Position()).ToGeodetic(ground);
             double error = Vectors.Distance(c.GetProperty("target").Position(), place);
             Assert.True(error <= 0.01, $"case {c.Number("id")} is off by {error} m");
@@ -53,10 +53,10 @@ public sealed class TerrainTests(ITestOutputHelper output)
         foreach (JsonElement c in Vectors.Geolocation.Each("dem").Where(d => d.Text("status") == "ok").Take(10))
         {
             (double u, double v) = (c.Number("u"), c.Number("v"));
-            Locator locator = LocatorTests.Aimed(c, grids[c.GetProperty("dem").GetInt32()], OnlyPixels);
+            GroundProjector locator = GroundProjectorTests.Aimed(c, grids[c.GetProperty("dem").GetInt32()], OnlyPixels);
             Assert.True(locator.TryCovariances(u, v, out HorizontalCovariance stated, out _));
-            Assert.True(locator.TryLocate(u + Step, v, out NedVector right) & locator.TryLocate(u - Step, v, out NedVector left));
-            Assert.True(locator.TryLocate(u, v + Step, out NedVector below) & locator.TryLocate(u, v - Step, out NedVector above));
+            Assert.True(locator.TryProjectToGround(u + Step, v, out NedVector right) & locator.TryProjectToGround(u - Step, v, out NedVector left));
+            Assert.True(locator.TryProjectToGround(u, v + Step, out NedVector below) & locator.TryProjectToGround(u, v - Step, out NedVector above));
             double expected = (Squared(right.North - left.North) + Squared(below.North - above.North)) / Squared(2 * Step);
 
             // Where a post's cell ends between the steps there is a kink.
@@ -76,9 +76,9 @@ public sealed class TerrainTests(ITestOutputHelper output)
         Assert.Equal(40, Height(grid, 47, 8));
         Assert.Equal(10, Height(grid, 47.01, 8), 1e-6);
         Assert.Equal(30, Height(grid, 47.005, 8.005), 1e-6);
-        Assert.Equal(TerrainAnswer.NoData, grid.TryHeight(Point(47.002, 8.015), out _));
-        Assert.Equal(TerrainAnswer.Outside, grid.TryHeight(Point(46.999, 8.01), out _));
-        Assert.Equal(TerrainAnswer.Outside, grid.TryHeight(Point(double.NaN, 8.01), out _));
+        Assert.Equal(TerrainLookup.NoData, grid.TryHeight(Point(47.002, 8.015), out _));
+        Assert.Equal(TerrainLookup.Outside, grid.TryHeight(Point(46.999, 8.01), out _));
+        Assert.Equal(TerrainLookup.Outside, grid.TryHeight(Point(double.NaN, 8.01), out _));
         Assert.Equal(40, Height(AsciiGrid.Read(new StringReader(Small.Replace("xllcenter 8", "XLLCORNER 7.995"))), 47, 8), 1e-6);
     }
 
@@ -104,11 +104,11 @@ public sealed class TerrainTests(ITestOutputHelper output)
         TerrainGrid holed = AsciiGrid.Read(new StringReader(Flat(hole: true)));
         LocalNedFrame frame = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.005, 8.005, 200));
         var ray = new GroundRay(default, new NedVector(0, 0, 1));
-        Assert.Equal(LocateRefusal.None, TerrainRay.Meet(ray, frame, whole, 0.1, out NedVector point));
+        Assert.Equal(GeolocationError.None, TerrainRay.Meet(ray, frame, whole, 0.1, out NedVector point));
         Assert.Equal(100, point.Down, 1e-4);
-        Assert.Equal(LocateRefusal.NoTerrainData, TerrainRay.Meet(ray, frame, holed, 0.1, out _));
+        Assert.Equal(GeolocationError.NoTerrainData, TerrainRay.Meet(ray, frame, holed, 0.1, out _));
         LocalNedFrame below = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.005, 8.005, 90));
-        Assert.Equal(LocateRefusal.CameraBelowGround, TerrainRay.Meet(ray, below, whole, 0.1, out _));
+        Assert.Equal(GeolocationError.CameraBelowGround, TerrainRay.Meet(ray, below, whole, 0.1, out _));
     }
 
     private static ErrorBudget OnlyPixels => new()
@@ -142,7 +142,7 @@ public sealed class TerrainTests(ITestOutputHelper output)
 
     private static double Height(TerrainGrid grid, double latitude, double longitude)
     {
-        Assert.Equal(TerrainAnswer.Known, grid.TryHeight(Point(latitude, longitude), out double metres));
+        Assert.Equal(TerrainLookup.Known, grid.TryHeight(Point(latitude, longitude), out double metres));
         return metres;
     }
 

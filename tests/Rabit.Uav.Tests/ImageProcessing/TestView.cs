@@ -26,13 +26,13 @@ internal sealed class TestView
         P2 = -0.0003,
     };
 
-    public CameraMount Mount { get; } = new() { GimbalArmMetres = new BodyVector(0.1, 0, 0.05) };
+    public CameraMount Mount { get; } = new() { GimbalLeverArmMetres = new BodyVector(0.1, 0, 0.05) };
 
     public GeodeticPosition Position { get; set; } = GeodeticPosition.FromRadians(0.8, 0.15, 540);
 
     public double GroundAltitude { get; set; } = 500;
 
-    public double HeightMetres => Position.AltitudeAmslMetres - GroundAltitude - Mount.GimbalArmMetres.Down;
+    public double HeightMetres => Position.AltitudeAmslMetres - GroundAltitude - Mount.GimbalLeverArmMetres.Down;
 
     public EulerAngles Attitude { get; set; }
 
@@ -44,7 +44,7 @@ internal sealed class TestView
 
     public double CameraYaw { get; set; }
 
-    public ImagingOrder Order => new()
+    public ImagingCommand Order => new()
     {
         Mode = ImagingMode.Search,
         CameraPitchRadians = CameraPitch,
@@ -63,9 +63,9 @@ internal sealed class TestView
         double Spread(double most) => ((2 * random.NextDouble()) - 1) * most;
     }
 
-    public Locator Aim(ErrorBudget budget)
+    public GroundProjector Aim(ErrorBudget budget)
     {
-        var locator = new Locator(Camera, Mount, budget, 5 * Math.PI / 180);
+        var locator = new GroundProjector(Camera, Mount, budget, 5 * Math.PI / 180);
         locator.Aim(
             new Pose { Position = Position, Attitude = Rotation.FromEuler(Attitude), VelocityNed = Velocity, Rates = Rates },
             Order);
@@ -77,7 +77,7 @@ internal sealed class TestView
     {
         double[,] nedFromBody = Times(Times(AboutZ(Attitude.YawRadians), AboutY(Attitude.PitchRadians)), AboutX(Attitude.RollRadians));
         double[,] bodyFromGimbal = Times(AboutZ(CameraYaw), AboutY(CameraPitch));
-        BodyVector arm = Mount.GimbalArmMetres;
+        BodyVector arm = Mount.GimbalLeverArmMetres;
         double[] armNed = Times(nedFromBody, [arm.Forward, arm.Right, arm.Down]);
         double down = Position.AltitudeAmslMetres - GroundAltitude;
         double[] body = TimesTransposed(nedFromBody, [north - armNed[0], east - armNed[1], down - armNed[2]]);
@@ -114,13 +114,13 @@ internal sealed class TestView
             _offset = _offset,
         };
 
-        double Draw() => LocatorTests.Gauss(random);
+        double Draw() => GroundProjectorTests.Gauss(random);
     }
 
     /// <summary>Where a pixel is, from the vehicle without its errors.</summary>
     public NedVector Located(double column, double row)
     {
-        if (!Aim(new ErrorBudget()).TryLocate(column, row, out NedVector ground))
+        if (!Aim(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground))
             throw new InvalidOperationException("The pixel does not show the ground.");
         return new NedVector(ground.North + _offset.North, ground.East + _offset.East, ground.Down);
     }

@@ -11,10 +11,10 @@ public class CommandDeskTests
     private static readonly TimeSpan Retry = TimeSpan.FromSeconds(1);
 
     private readonly List<VehicleCommand> _sent = [];
-    private readonly CommandDesk _desk;
+    private readonly CommandDispatcher _desk;
     private bool _isFull;
 
-    public CommandDeskTests() => _desk = new CommandDesk(Push, static _ => { });
+    public CommandDeskTests() => _desk = new CommandDispatcher(Push, static _ => { });
 
     [Fact]
     public void Want_TheSameAgain_IsSentOnce()
@@ -95,7 +95,7 @@ public class CommandDeskTests
     private static VehicleCommand GoTo(double latitude)
         => new() { Kind = VehicleCommandKind.GoTo, LatitudeRadians = latitude, YawRadians = double.NaN };
 
-    private static VehicleCommandAnswer Answer(long id, VehicleCommandOutcome outcome)
+    private static VehicleCommandResult Answer(long id, VehicleCommandOutcome outcome)
         => new() { Id = id, Kind = VehicleCommandKind.GoTo, Outcome = outcome, Text = outcome == VehicleCommandOutcome.Accepted ? null : "no" };
 
     private static TimeSpan At(double seconds) => TimeSpan.FromSeconds(seconds);

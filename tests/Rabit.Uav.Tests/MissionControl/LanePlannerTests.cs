@@ -13,7 +13,7 @@ public class LanePlannerTests(ITestOutputHelper output)
     public void Lanes_Rectangle_AreOffsetByHalfASpacingAndStartNextToHome()
     {
         var area = new PlanePolygon([new(60, -80), new(60, 80), new(180, 80), new(180, -80)]);
-        IReadOnlyList<LanePiece> lanes = LanePlanner.Plan(area, 30, null, new PlanePoint(0, 10));
+        IReadOnlyList<LaneSegment> lanes = LanePlanner.Plan(area, 30, null, new PlanePoint(0, 10));
         Assert.Equal(4, lanes.Count);
         Assert.Equal([75.0, 105, 135, 165], lanes.Select(l => Math.Round(l.Start.North, 6)));
         Assert.Equal([80.0, -80, 80, -80], lanes.Select(l => Math.Round(l.Start.East, 6)));
@@ -24,7 +24,7 @@ public class LanePlannerTests(ITestOutputHelper output)
     public void Lanes_HeadingGiven_IsKept()
     {
         var area = new PlanePolygon([new(60, -80), new(60, 80), new(180, 80), new(180, -80)]);
-        IReadOnlyList<LanePiece> lanes = LanePlanner.Plan(area, 30, 0, default);
+        IReadOnlyList<LaneSegment> lanes = LanePlanner.Plan(area, 30, 0, default);
         Assert.Equal(6, lanes.Count);
         Assert.All(lanes, l => Assert.Equal(0, Math.Sin(l.HeadingRadians), 9));
     }
@@ -34,7 +34,7 @@ public class LanePlannerTests(ITestOutputHelper output)
     {
         // A U that opens to the north, its notch wider than a spacing, with lanes across it.
         var area = new PlanePolygon([new(0, 0), new(0, 200), new(150, 200), new(150, 150), new(30, 150), new(30, 50), new(150, 50), new(150, 0)]);
-        IReadOnlyList<LanePiece> lanes = LanePlanner.Plan(area, 30, Math.PI / 2, default);
+        IReadOnlyList<LaneSegment> lanes = LanePlanner.Plan(area, 30, Math.PI / 2, default);
         Assert.Equal(1 + (4 * 2), lanes.Count);
         Assert.Equal(200 + (8 * 50), lanes.Sum(l => l.Length), 6);
     }
@@ -52,7 +52,7 @@ public class LanePlannerTests(ITestOutputHelper output)
             PlanePolygon area = RandomArea(random);
             double spacing = random.Uniform(8, 60);
             double? heading = random.Below(2) == 0 ? null : random.Uniform(-4, 4);
-            IReadOnlyList<LanePiece> lanes = LanePlanner.Plan(area, spacing, heading, default);
+            IReadOnlyList<LaneSegment> lanes = LanePlanner.Plan(area, spacing, heading, default);
             string where = $"seed {seed}, polygon {i}, spacing {spacing}";
             PlanePolygon fence = PlanePolygon.HullOf(area.Corners.Concat([default])).Grown((spacing / 2) + 10);
             Assert.True(lanes.All(l => fence.SignedDistance(l.Start) > 0 && fence.SignedDistance(l.End) > 0), where);
@@ -97,7 +97,7 @@ public class LanePlannerTests(ITestOutputHelper output)
     public void GapPlanner_StripBetweenTwoLanes_IsFlownAlongItsMiddle()
     {
         IEnumerable<PlanePoint> unseen = Enumerable.Range(0, 4).SelectMany(e => Enumerable.Range(0, 80).Select(n => new PlanePoint(n + 0.5, e + 20.5)));
-        LanePiece leg = Assert.Single(GapPlanner.Plan(unseen, 1, 30, 0, new PlanePoint(100, 0)));
+        LaneSegment leg = Assert.Single(GapPlanner.Plan(unseen, 1, 30, 0, new PlanePoint(100, 0)));
         Assert.Equal((80, 22), (leg.Start.North, leg.Start.East));
         Assert.Equal((0, 22), (leg.End.North, leg.End.East));
     }
@@ -117,7 +117,7 @@ public class LanePlannerTests(ITestOutputHelper output)
             .Select(i => centre + (random.Uniform(0.3, 1) * size * PlanePoint.Towards(turn + (2 * Math.PI * (i + random.Uniform(-0.3, 0.3)) / corners)))));
     }
 
-    private static double Covered(PlanePolygon area, IReadOnlyList<LanePiece> lanes, double spacing, SeededNumbers random)
+    private static double Covered(PlanePolygon area, IReadOnlyList<LaneSegment> lanes, double spacing, SeededNumbers random)
     {
         int inside = 0;
         int covered = 0;
@@ -137,7 +137,7 @@ public class LanePlannerTests(ITestOutputHelper output)
         return (double)covered / inside;
     }
 
-    private static bool IsBeside(LanePiece lane, PlanePoint p, double half)
+    private static bool IsBeside(LaneSegment lane, PlanePoint p, double half)
     {
         PlanePoint along = (1 / lane.Length) * (lane.End - lane.Start);
         double at = (p - lane.Start).Dot(along);

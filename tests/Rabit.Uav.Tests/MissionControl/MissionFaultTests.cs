@@ -65,7 +65,7 @@ public class MissionFaultTests(ITestOutputHelper output)
     public void Health_AdvisesGoHome_ComesHome(MissionPhase phase)
     {
         using MissionRig rig = RigIn(phase);
-        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Warning, Text = "battery low (20 %)", Advice = HealthAdvice.GoHome };
+        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Warning, Text = "battery low (20 %)", Advice = HealthAdvice.ReturnToLaunch };
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal("health: battery low (20 %)", rig.Status.Aborted);
         Assert.Equal(1, rig.Vehicle.Count(VehicleCommandKind.Return));
@@ -120,7 +120,7 @@ public class MissionFaultTests(ITestOutputHelper output)
         using MissionRig rig = RigIn(MissionPhase.Searching);
         rig.Vehicle.IsHeard = false;
         rig.Run(4);
-        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Critical, Text = "autopilot lost", Advice = HealthAdvice.GoHome };
+        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Critical, Text = "autopilot lost", Advice = HealthAdvice.ReturnToLaunch };
         rig.Run(20);
         Assert.Equal(0, rig.Vehicle.Count(VehicleCommandKind.Return));
         rig.Vehicle.IsHeard = true;

@@ -20,7 +20,7 @@ public class MissionPlanTests
         Assert.Null(plan.LaneHeadingRadians);
         Assert.Equal(TargetColours.All, plan.Targets);
         Assert.Equal(8.5456, plan.Home!.LongitudeRadians * 180 / Math.PI, 9);
-        Assert.True(plan.SecondLook.IsEnabled);
+        Assert.True(plan.Revisit.IsEnabled);
         Assert.Equal(-Math.PI / 2, plan.CameraPitchRadians, 12);
         Assert.Equal(0.5, plan.MinBatteryToStart);
     }
@@ -32,7 +32,7 @@ public class MissionPlanTests
         Assert.Equal("test", plan.Name);
         Assert.Equal((40, TargetColours.All, false), (plan.FenceMarginMetres, plan.Targets, plan.HasGimbal));
         Assert.Null(plan.Home);
-        Assert.Equal((true, null, 10), (plan.SecondLook.IsEnabled, plan.SecondLook.HeightMetres, plan.SecondLook.RadiusMetres));
+        Assert.Equal((true, null, 10), (plan.Revisit.IsEnabled, plan.Revisit.HeightMetres, plan.Revisit.RadiusMetres));
     }
 
     [Theory]

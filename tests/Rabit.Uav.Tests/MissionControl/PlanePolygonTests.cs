@@ -41,7 +41,7 @@ public class PlanePolygonTests
         {
             PlanePolygon polygon = Read(element);
             double sweep = element.GetProperty("sweep_width_m").GetDouble();
-            IReadOnlyList<LanePiece> lanes = LanePlanner.Plan(polygon, sweep, null, default);
+            IReadOnlyList<LaneSegment> lanes = LanePlanner.Plan(polygon, sweep, null, default);
             Assert.Equal(element.GetProperty("lanes_along_hull_min_width").GetInt32(), lanes.Count);
 
             // No way can be shorter; ours ends a little outside.

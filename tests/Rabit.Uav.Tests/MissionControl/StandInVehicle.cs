@@ -18,14 +18,14 @@ internal sealed class StandInVehicle : RabitManager
     private const double Acceleration = 2.5;
 
     private readonly QueueReceiver<VehicleCommand> _commands;
-    private readonly QueueSender<VehicleCommandAnswer> _answers;
-    private readonly QueueSender<CameraLook> _searched;
+    private readonly QueueSender<VehicleCommandResult> _answers;
+    private readonly QueueSender<CameraObservation> _searched;
     private readonly MessagePublisher<VehicleState> _vehicle;
     private readonly MessagePublisher<HealthReport> _health;
     private readonly MessagePublisher<CommandAuthority> _authority;
     private readonly MessagePublisher<ImagingStatus> _imaging;
     private readonly MessagePublisher<TrackList> _tracks;
-    private readonly MessageSubscriber<ImagingOrder> _order;
+    private readonly MessageSubscriber<ImagingCommand> _order;
     private readonly LocalNedFrame _frame;
     private VehicleCommand _task;
     private TimeSpan _nextLook;
@@ -42,14 +42,14 @@ internal sealed class StandInVehicle : RabitManager
     {
         _frame = LocalNedFrame.IgnoringGeoid(home);
         _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands);
-        _answers = Send<VehicleCommandAnswer>(MessageNames.VehicleCommandAnswers);
-        _searched = Send<CameraLook>(MessageNames.SearchedGround);
+        _answers = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
+        _searched = Send<CameraObservation>(MessageNames.SearchedGround);
         _vehicle = Publish<VehicleState>(MessageNames.VehicleState);
         _health = Publish<HealthReport>(MessageNames.Health);
         _authority = Publish<CommandAuthority>(MessageNames.CommandAuthority);
         _imaging = Publish<ImagingStatus>(MessageNames.Imaging);
         _tracks = Publish(MessageNames.Tracks, TrackList.None);
-        _order = Subscribe<ImagingOrder>(MessageNames.ImagingOrder);
+        _order = Subscribe<ImagingCommand>(MessageNames.ImagingCommand);
         WakeUpDelay = TimeSpan.FromSeconds(Step);
     }
 
@@ -99,9 +99,9 @@ internal sealed class StandInVehicle : RabitManager
 
     public List<(double North, double East, double Height)> Path { get; } = [];
 
-    public List<CameraLook> Looks { get; } = [];
+    public List<CameraObservation> Looks { get; } = [];
 
-    public ImagingOrder Order { get; private set; }
+    public ImagingCommand Order { get; private set; }
 
     /// <summary>The pilot takes another mode.</summary>
     public void TakeOver(string by)
@@ -135,7 +135,7 @@ internal sealed class StandInVehicle : RabitManager
             CommandAuthorityState.TakenAway or CommandAuthorityState.Observing => VehicleCommandOutcome.NotInCommand,
             _ => Refuses(command),
         };
-        _answers.Push(new VehicleCommandAnswer
+        _answers.Push(new VehicleCommandResult
         {
             Id = command.Id,
             Kind = command.Kind,
@@ -211,7 +211,7 @@ internal sealed class StandInVehicle : RabitManager
         if (!CameraSees || _order.Value.Mode != ImagingMode.Search || Now < _nextLook)
             return;
         _nextLook = Now + TimeSpan.FromSeconds(0.5);
-        var look = new CameraLook
+        var look = new CameraObservation
         {
             SourceSystemId = 1,
             Number = ++_look,

@@ -20,7 +20,7 @@ public class WholeMissionTests(ITestOutputHelper output)
 
         MissionStatus status = rig.Status;
         Assert.Null(status.Aborted);
-        Assert.Equal(3, status.SecondLooks);
+        Assert.Equal(3, status.Revisits);
         Assert.InRange(status.Coverage, 0.985, 1);
         Assert.Equal(status.Plan!.Lanes.Length / 2, status.LanesFlown);
         Assert.False(rig.Vehicle.IsArmed);
@@ -131,7 +131,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         Assert.Equal(-30, rig.Vehicle.East, 2.5);
         Assert.Equal(1, Math.Abs(Math.Cos(rig.Vehicle.Yaw)), 6);
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
-        Assert.Equal(1, rig.Status.SecondLooks);
+        Assert.Equal(1, rig.Status.Revisits);
         Assert.Single(rig.Decisions, d => d.Contains("-> Looking", StringComparison.Ordinal));
     }
 
@@ -141,7 +141,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         using var rig = new MissionRig(MissionRig.Mission(", \"secondLook\": {\"enabled\": false}"));
         rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
-        Assert.Equal(0, rig.Status.SecondLooks);
+        Assert.Equal(0, rig.Status.Revisits);
     }
 
     [Fact]
@@ -152,7 +152,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         rig.Vehicle.Tracks.Add(rig.Vehicle.MakeTrack(77, 500, 500, TargetColours.Red, 9));
         rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
-        Assert.Equal(1, rig.Status.SecondLooks);
+        Assert.Equal(1, rig.Status.Revisits);
         Assert.Contains("track 77 stands at the fence or outside", rig.Story, StringComparison.Ordinal);
     }
 

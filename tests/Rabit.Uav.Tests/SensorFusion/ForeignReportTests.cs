@@ -20,7 +20,7 @@ public class ForeignReportTests
         for (int i = 0; i < 4; i++)
         {
             TargetReport report = Report(0.5, 0.5);
-            (report.SourceSystemId, report.LookNumber, report.Time, report.Score) = (2, i, rig.Now, 1);
+            (report.SourceSystemId, report.PictureNumber, report.Time, report.Score) = (2, i, rig.Now, 1);
             rig.Push(report);
             rig.Run(0.3);
             Assert.Equal(3 + i, rig.Only.Reports);
@@ -29,7 +29,7 @@ public class ForeignReportTests
         }
 
         Assert.Equal(mail, rig.Mail.Count);
-        Assert.InRange(rig.Only.BestLookNumber, 1, 3);
+        Assert.InRange(rig.Only.BestPictureNumber, 1, 3);
     }
 
     [Fact]
@@ -39,12 +39,12 @@ public class ForeignReportTests
         for (int i = 0; i < 3; i++)
         {
             TargetReport report = Report(0.5, 0.5);
-            (report.SourceSystemId, report.LookNumber, report.Time) = (2, i, rig.Now);
+            (report.SourceSystemId, report.PictureNumber, report.Time) = (2, i, rig.Now);
             rig.Push(report);
             rig.Run(1);
         }
 
-        Assert.Equal((TrackState.Confirmed, -1L), (rig.Only.State, rig.Only.BestLookNumber));
+        Assert.Equal((TrackState.Confirmed, -1L), (rig.Only.State, rig.Only.BestPictureNumber));
     }
 
     [Fact]
@@ -52,7 +52,7 @@ public class ForeignReportTests
     {
         using var rig = new FusionRig();
         TargetReport report = Report(0, 0);
-        (report.SourceSystemId, report.LookNumber, report.Time) = (2, 7, rig.Now);
+        (report.SourceSystemId, report.PictureNumber, report.Time) = (2, 7, rig.Now);
         for (int i = 0; i < 5; i++)
         {
             rig.Push(report);
@@ -72,7 +72,7 @@ public class ForeignReportTests
         void PushOlder(int number, double seconds)
         {
             TargetReport report = Report(0, 0);
-            (report.SourceSystemId, report.LookNumber, report.Time) = (2, number, rig.Only.Time - TimeSpan.FromSeconds(seconds));
+            (report.SourceSystemId, report.PictureNumber, report.Time) = (2, number, rig.Only.Time - TimeSpan.FromSeconds(seconds));
             rig.Push(report);
             rig.Run(1);
         }
@@ -92,7 +92,7 @@ public class ForeignReportTests
         TargetReport[] hostile = HostileReports(rig.Now).ToArray();
         for (int i = 0; i < hostile.Length; i++)
         {
-            hostile[i].LookNumber = hostile[i].LookNumber < 0 ? -1 : 100 + i;
+            hostile[i].PictureNumber = hostile[i].PictureNumber < 0 ? -1 : 100 + i;
             rig.Push(hostile[i]);
         }
 
@@ -107,11 +107,11 @@ public class ForeignReportTests
         using var rig = new FusionRig();
         Confirm(rig);
         var nan = GeodeticPosition.FromRadians(double.NaN, 0, 0);
-        rig.Push(new CameraLook { SourceSystemId = 1, Number = 1000, TopLeft = nan });
-        rig.Push(new CameraLook { SourceSystemId = 1, Number = 1001, Time = TimeSpan.FromHours(99) });
-        rig.Push(new CameraLook { SourceSystemId = 1, Number = 1002, TopLeft = Origin, TopRight = Origin, BottomLeft = Origin, BottomRight = Origin });
+        rig.Push(new CameraObservation { SourceSystemId = 1, Number = 1000, TopLeft = nan });
+        rig.Push(new CameraObservation { SourceSystemId = 1, Number = 1001, Time = TimeSpan.FromHours(99) });
+        rig.Push(new CameraObservation { SourceSystemId = 1, Number = 1002, TopLeft = Origin, TopRight = Origin, BottomLeft = Origin, BottomRight = Origin });
         rig.Run(2);
-        Assert.Equal((2L, 0), (rig.Counters.LooksRefused, rig.Only.Misses));
+        Assert.Equal((2L, 0), (rig.Counters.ObservationsRefused, rig.Only.Misses));
     }
 
     [Fact]
@@ -120,12 +120,12 @@ public class ForeignReportTests
         using var rig = new FusionRig();
         TargetReport wrong = Report(0, 0);
         wrong.Position = GeodeticPosition.FromRadians(0, 0, 0);
-        (wrong.SourceSystemId, wrong.LookNumber, wrong.Time) = (2, 1, rig.Now);
+        (wrong.SourceSystemId, wrong.PictureNumber, wrong.Time) = (2, 1, rig.Now);
         rig.Push(wrong);
         rig.Run(1);
         Confirm(rig);
         Assert.Equal(TrackState.Confirmed, rig.Only.State);
-        wrong.LookNumber = 2;
+        wrong.PictureNumber = 2;
         rig.Push(wrong);
         rig.Run(1);
         Assert.Single(rig.Tracks);
@@ -162,8 +162,8 @@ public class ForeignReportTests
         yield return With(r => { r.Covariance = new HorizontalCovariance(-1, 0, -1); return r; });
         yield return With(r => { r.Covariance = new HorizontalCovariance(0, 0, 0); return r; });
         yield return With(r => { r.Covariance = new HorizontalCovariance(1e12, 0, 1); return r; });
-        yield return With(r => { r.CommonCovariance = new HorizontalCovariance(double.NaN, 0, 1); return r; });
-        yield return With(r => { r.CommonCovariance = new HorizontalCovariance(1, 5, 1); return r; });
+        yield return With(r => { r.SystematicCovariance = new HorizontalCovariance(double.NaN, 0, 1); return r; });
+        yield return With(r => { r.SystematicCovariance = new HorizontalCovariance(1, 5, 1); return r; });
         yield return With(r => { r.Colour = TargetColours.None; return r; });
         yield return With(r => { r.Colour = TargetColours.Red | TargetColours.Blue; return r; });
         yield return With(r => { r.Colour = (TargetColours)64; return r; });
@@ -171,7 +171,7 @@ public class ForeignReportTests
         yield return With(r => { r.SizeMetres = double.NaN; return r; });
         yield return With(r => { r.SizeMetres = 1e6; return r; });
         yield return With(r => { r.Index = -1; return r; });
-        yield return With(r => { r.LookNumber = -5; return r; });
+        yield return With(r => { r.PictureNumber = -5; return r; });
         yield return With(r => { r.SourceSystemId = 0; return r; });
         yield return With(r => { r.Time = now + TimeSpan.FromHours(1); return r; });
         yield return With(r => { r.Time = TimeSpan.FromHours(-1); return r; });

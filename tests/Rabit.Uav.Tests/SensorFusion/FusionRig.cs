@@ -15,7 +15,7 @@ internal sealed class FusionRig : IDisposable
 
     private readonly RabitReactor _reactor;
     private readonly QueueSender<TargetReport> _reports;
-    private readonly QueueSender<CameraLook> _looks;
+    private readonly QueueSender<CameraObservation> _looks;
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly MailBox _mail = new();
     private long _number;
@@ -27,7 +27,7 @@ internal sealed class FusionRig : IDisposable
         Manager = new SensorFusionManager(options);
         _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), StopsOnSignals = false }) { Manager, _mail };
         _reports = _reactor.Workspace.Send<TargetReport>(MessageNames.TargetReports);
-        _looks = _reactor.Workspace.Send<CameraLook>(MessageNames.Looks);
+        _looks = _reactor.Workspace.Send<CameraObservation>(MessageNames.Looks);
         _tracks = _reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks);
         _reactor.Start();
     }
@@ -68,7 +68,7 @@ internal sealed class FusionRig : IDisposable
             SourceSystemId = 1,
             Position = LocalNedFrame.IgnoringGeoid(Origin).ToGeodetic(new NedVector(north, east, 0)),
             Covariance = new HorizontalCovariance(sigma * sigma, 0, sigma * sigma),
-            CommonCovariance = new HorizontalCovariance(common * common, 0, common * common),
+            SystematicCovariance = new HorizontalCovariance(common * common, 0, common * common),
             Colour = colour,
             Score = 0.9,
             SizeMetres = 1,
@@ -87,13 +87,13 @@ internal sealed class FusionRig : IDisposable
         for (int i = 0; i < reports.Length; i++)
         {
             TargetReport report = reports[i];
-            (report.LookNumber, report.Index, report.Time) = (_number, i, Now);
+            (report.PictureNumber, report.Index, report.Time) = (_number, i, Now);
             Push(report);
         }
 
         var frame = LocalNedFrame.IgnoringGeoid(Origin);
         GeodeticPosition At(double n, double e) => frame.ToGeodetic(new NedVector(north + n, east + e, 0));
-        _looks.Push(new CameraLook
+        _looks.Push(new CameraObservation
         {
             SourceSystemId = 1,
             Number = _number,
@@ -108,7 +108,7 @@ internal sealed class FusionRig : IDisposable
     }
 
     /// <summary>A look that is wrong in itself.</summary>
-    public void Push(CameraLook look) => _looks.Push(look);
+    public void Push(CameraObservation look) => _looks.Push(look);
 
     public void Push(TargetReport report) => _reports.Push(report);
 

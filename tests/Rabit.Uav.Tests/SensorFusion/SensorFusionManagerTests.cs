@@ -164,7 +164,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     [Fact]
     public void Tracks_NoRoom_IsCounted()
     {
-        using var rig = new FusionRig(o => o.MaximumTracks = 3);
+        using var rig = new FusionRig(o => o.MaxTracks = 3);
         rig.Look(0, 0, Enumerable.Range(0, 5).Select(i => Report(0, (10 * i) - 20)).ToArray());
         Assert.Equal(3, rig.Tracks.Count);
         Assert.Equal(2, rig.Counters.ReportsWithoutRoom);
@@ -269,11 +269,11 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         {
             ProcessNoise = double.NaN,
             ConfirmHits = 6,
-            MaximumTracks = 0,
+            MaxTracks = 0,
         }));
         Assert.Contains("ProcessNoise is NaN", e.Message, StringComparison.Ordinal);
         Assert.Contains("ConfirmHits is 6", e.Message, StringComparison.Ordinal);
-        Assert.Contains("MaximumTracks is 0", e.Message, StringComparison.Ordinal);
+        Assert.Contains("MaxTracks is 0", e.Message, StringComparison.Ordinal);
     }
 
     private static void Confirm(FusionRig rig)

@@ -22,7 +22,7 @@ internal sealed class MadeUpFlight
     private static readonly string[] ManagerNames = ["communications", "autopilot", "image processing", "sensor fusion", "mission control", "health", "simulated vehicle", "recorder"];
 
     private readonly List<FlightSample> _samples = [];
-    private readonly List<CameraLook> _looks = [];
+    private readonly List<CameraObservation> _looks = [];
     private readonly List<PhaseChange> _phases = [];
     private readonly Random _random = new(4);   // of the tests alone; the picture may change with the runtime
     private double _time;
@@ -72,7 +72,7 @@ internal sealed class MadeUpFlight
                 new HealthChange(TimeSpan.FromSeconds(96), new HealthReport { Level = HealthLevel.Good }),
             ],
             Managers = ManagerNames.Select(flight.TimeLine).ToArray(),
-            Mission = new MissionStatus { Phase = MissionPhase.Done, Plan = Plan, Coverage = 0.993, LanesFlown = 4, SecondLooks = finds, Text = "landed" },
+            Mission = new MissionStatus { Phase = MissionPhase.Done, Plan = Plan, Coverage = 0.993, LanesFlown = 4, Revisits = finds, Text = "landed" },
             Vehicle = new VehicleState
             {
                 SystemId = 1,
@@ -114,7 +114,7 @@ internal sealed class MadeUpFlight
             Faults = index == 3 ? 1 : 0,
             FirstFault = index == 3 ? "sensor fusion in UnitOfWork: InvalidOperationException: planted for the picture" : null,
         }).ToArray(),
-        CutOuts = record.Tracks.Tracks.Where(t => t.BestLookNumber >= 0).Select(CutOut).ToArray(),
+        ImageChips = record.Tracks.Tracks.Where(t => t.BestPictureNumber >= 0).Select(ImageChip).ToArray(),
     };
 
     private static TruthTarget Target(string name, TargetColours colour, double north, double east) => new(name, colour, Frame.ToGeodetic(new NedVector(north, east, 0)));
@@ -145,7 +145,7 @@ internal sealed class MadeUpFlight
         SizeMetres = 1.02,
         FirstSeen = TimeSpan.FromSeconds(40 + (15 * id)),
         LastSeen = TimeSpan.FromSeconds(60 + (18 * id)),
-        BestLookNumber = 100 + id,
+        BestPictureNumber = 100 + id,
         BestReportIndex = 0,
     };
 
@@ -162,7 +162,7 @@ internal sealed class MadeUpFlight
         new(TimeSpan.FromSeconds(150), RabitLogKind.Manager, "mission control", "all lanes flown: returns"),
     ];
 
-    private static PictureCutOut CutOut(TargetTrack track)
+    private static ImageChipPng ImageChip(TargetTrack track)
     {
         const int Size = 48;
         var rgb = new byte[Size * Size * 3];
@@ -180,7 +180,7 @@ internal sealed class MadeUpFlight
             }
         }
 
-        return new PictureCutOut(track.BestLookNumber, track.BestReportIndex, new RgbPicture(Size, Size, rgb));
+        return new ImageChipPng(track.BestPictureNumber, track.BestReportIndex, new RgbPicture(Size, Size, rgb));
     }
 
     private void Fly()
@@ -261,12 +261,12 @@ internal sealed class MadeUpFlight
         _time += 0.2;
     }
 
-    private CameraLook Look(double yaw)
+    private CameraObservation Look(double yaw)
     {
         (double forward, double right) = (HeightMetres * 240 / 530, HeightMetres * 320 / 530);
         GeodeticPosition Corner(double f, double r) => Frame.ToGeodetic(new NedVector(
             _at.North + (f * Math.Cos(yaw)) - (r * Math.Sin(yaw)), _at.East + (f * Math.Sin(yaw)) + (r * Math.Cos(yaw)), 0));
-        return new CameraLook
+        return new CameraObservation
         {
             Number = _looks.Count,
             Time = TimeSpan.FromSeconds(_time),

@@ -8,7 +8,7 @@ internal static class CommandCheck
 {
     // More than these is a slip of the pen for what flies on batteries.
     private const double HighestMetres = 5000;
-    private const double FastestMetresPerSecond = 60;
+    private const double MaxMetresPerSecond = 60;
 
     /// <summary>What is wrong, by the name of the property; null where nothing is.</summary>
     public static string? FindFault(in VehicleCommand command) => command.Kind switch
@@ -40,10 +40,10 @@ internal static class CommandCheck
         : FormattableString.Invariant($"HeightAboveHomeMetres is {command.HeightAboveHomeMetres}; it must be above 0 and at most {HighestMetres}");
 
     private static string? FaultOfSpeed(in VehicleCommand command)
-        => double.IsNaN(command.SpeedMetresPerSecond) || command.SpeedMetresPerSecond is > 0 and <= FastestMetresPerSecond
+        => double.IsNaN(command.SpeedMetresPerSecond) || command.SpeedMetresPerSecond is > 0 and <= MaxMetresPerSecond
             ? null
             : FormattableString.Invariant(
-                $"SpeedMetresPerSecond is {command.SpeedMetresPerSecond}; it must be above 0 and at most {FastestMetresPerSecond}, or NaN");
+                $"SpeedMetresPerSecond is {command.SpeedMetresPerSecond}; it must be above 0 and at most {MaxMetresPerSecond}, or NaN");
 
     private static string? FaultOfYaw(in VehicleCommand command)
         => double.IsNaN(command.YawRadians) ? null : FaultOfAngle(nameof(command.YawRadians), command.YawRadians, 2 * Math.PI);
@@ -54,9 +54,9 @@ internal static class CommandCheck
         double east = command.VelocityNed.East;
         double down = command.VelocityNed.Down;
         double speed = Math.Sqrt((north * north) + (east * east) + (down * down));
-        return speed <= FastestMetresPerSecond
+        return speed <= MaxMetresPerSecond
             ? null
-            : FormattableString.Invariant($"VelocityNed is ({north}, {east}, {down}); it must be at most {FastestMetresPerSecond} m/s");
+            : FormattableString.Invariant($"VelocityNed is ({north}, {east}, {down}); it must be at most {MaxMetresPerSecond} m/s");
     }
 
     private static string? FaultOfAngle(string name, double radians, double most) => Math.Abs(radians) <= most

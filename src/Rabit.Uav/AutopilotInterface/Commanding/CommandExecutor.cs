@@ -33,7 +33,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     /// <summary>How long to wait for an autopilot to be heard at all: as long as for its answers.</summary>
     public static readonly TimeSpan AutopilotWait = new(Patience.AnswerTimeout.Ticks * (1 + Patience.Retries));
 
-    private readonly AuthorityGuard _guard = new(mayCommand);
+    private readonly AuthorityMonitor _guard = new(mayCommand);
     private readonly VelocityStream _velocity = new();
     private readonly List<CommandStep> _steps = [];
     private MavlinkCommandClient? _client;
@@ -199,7 +199,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     }
 
     private void Answer(in VehicleCommand command, VehicleCommandOutcome outcome, string? text)
-        => Outbox.Answers.Enqueue(new VehicleCommandAnswer { Id = command.Id, Kind = command.Kind, Outcome = outcome, Text = text });
+        => Outbox.Answers.Enqueue(new VehicleCommandResult { Id = command.Id, Kind = command.Kind, Outcome = outcome, Text = text });
 
     private string NotInCommandText() => _guard.Authority.State == CommandAuthorityState.Observing
         ? "observing only"

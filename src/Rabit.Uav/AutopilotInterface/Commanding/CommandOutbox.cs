@@ -11,7 +11,7 @@ internal sealed class CommandOutbox
     public Queue<MavlinkFrame> Frames { get; } = new();
 
     /// <summary>Answers for Mission Control.</summary>
-    public Queue<VehicleCommandAnswer> Answers { get; } = new();
+    public Queue<VehicleCommandResult> Answers { get; } = new();
 
     /// <summary>Lines for the log.</summary>
     public Queue<string> Notes { get; } = new();

@@ -14,11 +14,11 @@ namespace Rabit.Uav.ImageProcessing.Calibration;
 /// </summary>
 public sealed class BiasEstimator
 {
-    private const int MostRounds = 15;
+    private const int MaxRounds = 15;
     private const int Biases = BiasModel.Biases;
 
     private readonly BiasModel _model;
-    private readonly Locator _locator;
+    private readonly GroundProjector _locator;
     private readonly BiasOptions _options;
     private readonly double[] _priors;
     private readonly List<BiasLook> _looks = [];
@@ -39,7 +39,7 @@ public sealed class BiasEstimator
         if (faults.Count > 0)
             throw new ArgumentException("Bias estimation: " + string.Join("; ", faults) + ".", nameof(options));
         _model = new BiasModel(camera, mount);
-        _locator = new Locator(camera, mount, new ErrorBudget(), Math.PI / 36);
+        _locator = new GroundProjector(camera, mount, new ErrorBudget(), Math.PI / 36);
         _priors = _options.Sigmas();
         _groundAmslMetres = ground.Metres;
     }
@@ -70,7 +70,7 @@ public sealed class BiasEstimator
         Dictionary<int, int> indexes = numbers.Select((p, i) => (p, i)).ToDictionary(p => p.p, p => p.i);
         var system = new BiasSystem(_model, _options, _priors, _looks, _looks.Select(l => indexes[l.Point]).ToArray(), frame, groundDown);
         Start(system, frame, indexes);
-        for (int round = 0; round < MostRounds && system.Step() > 1e-4; round++)
+        for (int round = 0; round < MaxRounds && system.Step() > 1e-4; round++)
         {
         }
 
@@ -107,7 +107,7 @@ public sealed class BiasEstimator
     {
         _locator.Aim(
             new Pose { Position = look.Position, Attitude = Rotation.FromEuler(look.Attitude), VelocityNed = look.VelocityNed, Rates = look.Rates },
-            new Messages.ImagingOrder { CameraPitchRadians = look.GimbalPitchRadians, CameraYawRadians = look.GimbalYawRadians, GroundAltitudeAmslMetres = _groundAmslMetres });
-        return _locator.TryLocate(look.Column, look.Row, out ground);
+            new Messages.ImagingCommand { CameraPitchRadians = look.GimbalPitchRadians, CameraYawRadians = look.GimbalYawRadians, GroundAltitudeAmslMetres = _groundAmslMetres });
+        return _locator.TryProjectToGround(look.Column, look.Row, out ground);
     }
 }

@@ -34,7 +34,7 @@ internal sealed class BiasModel(CameraModel camera, CameraMount mount)
             look.Attitude.RollRadians - values[(int)BiasParameter.AttitudeRoll],
             look.Attitude.PitchRadians - values[(int)BiasParameter.AttitudePitch],
             look.Attitude.YawRadians - values[(int)BiasParameter.AttitudeYaw])).After(look.Rates, earlier);
-        CameraPlacement placement = mount.At(look.GimbalPitchRadians, look.GimbalYawRadians, EulerAngles.FromRadians(
+        CameraExtrinsics placement = mount.At(look.GimbalPitchRadians, look.GimbalYawRadians, EulerAngles.FromRadians(
             values[(int)BiasParameter.MountRoll], values[(int)BiasParameter.MountPitch], values[(int)BiasParameter.MountYaw]));
         NedVector arm = attitude.ToNed(placement.PositionMetres);
         (double x, double y, double z) = (attitude * placement.BodyFromCamera).Inverse.Apply(

@@ -11,23 +11,23 @@ namespace Rabit.Uav.ImageProcessing.Geolocation;
 internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
 {
     /// <summary>How many things there are.</summary>
-    public const int Inputs = (int)SightingInput.Time + 1;
+    public const int Inputs = (int)ViewingParameter.Time + 1;
 
     private readonly double[] _north = new double[Inputs];
     private readonly double[] _east = new double[Inputs];
     private readonly double[] _errors = new double[Inputs];
 
     /// <summary>Reckons all derivatives for one pixel; false where one cannot be reckoned because a line of sight misses the ground.</summary>
-    public bool TryCompute(in Sighting sighting, double column, double row)
+    public bool TryCompute(in ViewingGeometry sighting, double column, double row)
     {
         if (!camera.TryUndistort(column, row, out double x, out double y))
             return false;
         EulerAngles attitude = sighting.Pose.Attitude.ToEuler();
         for (int input = 0; input < Inputs; input++)
         {
-            double step = StepOf((SightingInput)input);
+            double step = StepOf((ViewingParameter)input);
             (double columnStep, double rowStep) = (
-                input == (int)SightingInput.Column ? step : 0, input == (int)SightingInput.Row ? step : 0);
+                input == (int)ViewingParameter.Column ? step : 0, input == (int)ViewingParameter.Row ? step : 0);
             (double plusX, double plusY, double minusX, double minusY) = (x, y, x, y);
             if ((columnStep > 0 || rowStep > 0)
                 && !(camera.TryUndistort(column + columnStep, row + rowStep, out plusX, out plusY)
@@ -47,7 +47,7 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
         return true;
     }
 
-    /// <summary>The covariance of the position for independent errors of the given standard deviations, in the order of <see cref="SightingInput"/>.</summary>
+    /// <summary>The covariance of the position for independent errors of the given standard deviations, in the order of <see cref="ViewingParameter"/>.</summary>
     public HorizontalCovariance Covariance(double[] sigmas)
     {
         (double nn, double ne, double ee) = (0, 0, 0);
@@ -62,34 +62,34 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
         return new HorizontalCovariance(nn, ne, ee);
     }
 
-    private static double StepOf(SightingInput input) => input switch
+    private static double StepOf(ViewingParameter input) => input switch
     {
-        SightingInput.Column or SightingInput.Row => 1e-2,
-        SightingInput.North or SightingInput.East or SightingInput.Down or SightingInput.GroundHeight => 1e-2,
-        SightingInput.Time => 1e-3,
+        ViewingParameter.Column or ViewingParameter.Row => 1e-2,
+        ViewingParameter.North or ViewingParameter.East or ViewingParameter.Down or ViewingParameter.GroundHeight => 1e-2,
+        ViewingParameter.Time => 1e-3,
         _ => 1e-5,
     };
 
-    private bool TryMeetWithErrors(in Sighting sighting, EulerAngles attitude, double x, double y, out NedVector point)
+    private bool TryMeetWithErrors(in ViewingGeometry sighting, EulerAngles attitude, double x, double y, out NedVector point)
     {
-        double later = Error(SightingInput.Time);
+        double later = Error(ViewingParameter.Time);
         NedVector velocity = sighting.Pose.VelocityNed;
         var vehicle = new NedVector(
-            Error(SightingInput.North) + (velocity.North * later),
-            Error(SightingInput.East) + (velocity.East * later),
-            Error(SightingInput.Down) + (velocity.Down * later));
+            Error(ViewingParameter.North) + (velocity.North * later),
+            Error(ViewingParameter.East) + (velocity.East * later),
+            Error(ViewingParameter.Down) + (velocity.Down * later));
         Rotation turned = Rotation.FromEuler(EulerAngles.FromRadians(
-            attitude.RollRadians + Error(SightingInput.Roll),
-            attitude.PitchRadians + Error(SightingInput.Pitch),
-            attitude.YawRadians + Error(SightingInput.Yaw))).After(sighting.Pose.Rates, later);
-        CameraPlacement placement = mount.At(
-            sighting.GimbalPitchRadians + Error(SightingInput.GimbalPitch),
-            sighting.GimbalYawRadians + Error(SightingInput.GimbalYaw),
-            EulerAngles.FromRadians(Error(SightingInput.MountRoll), Error(SightingInput.MountPitch), Error(SightingInput.MountYaw)));
-        double down = sighting.GroundDownMetres - Error(SightingInput.GroundHeight);
-        return Sighting.Ray(turned, placement, vehicle, x, y).TryMeetPlane(
+            attitude.RollRadians + Error(ViewingParameter.Roll),
+            attitude.PitchRadians + Error(ViewingParameter.Pitch),
+            attitude.YawRadians + Error(ViewingParameter.Yaw))).After(sighting.Pose.Rates, later);
+        CameraExtrinsics placement = mount.At(
+            sighting.GimbalPitchRadians + Error(ViewingParameter.GimbalPitch),
+            sighting.GimbalYawRadians + Error(ViewingParameter.GimbalYaw),
+            EulerAngles.FromRadians(Error(ViewingParameter.MountRoll), Error(ViewingParameter.MountPitch), Error(ViewingParameter.MountYaw)));
+        double down = sighting.GroundDownMetres - Error(ViewingParameter.GroundHeight);
+        return ViewingGeometry.Ray(turned, placement, vehicle, x, y).TryIntersectPlane(
             new NedVector(sighting.GroundPoint.North, sighting.GroundPoint.East, down), sighting.GroundDownByNorth, sighting.GroundDownByEast, out point);
     }
 
-    private double Error(SightingInput input) => _errors[(int)input];
+    private double Error(ViewingParameter input) => _errors[(int)input];
 }

@@ -15,10 +15,10 @@ internal sealed class PoseHistory(TimeSpan longestGap)
     private const int PositionsKept = 256;
 
     // Samples may come a little out of order; one that is older than this is of a clock that was set anew.
-    private static readonly TimeSpan LongestStepBack = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan MaxStepBack = TimeSpan.FromSeconds(2);
 
-    private readonly TimedRing<PositionSample> _positions = new(PositionsKept, LongestStepBack);
-    private readonly TimedRing<AttitudeSample> _attitudes = new(AttitudesKept, LongestStepBack);
+    private readonly TimedRing<PositionSample> _positions = new(PositionsKept, MaxStepBack);
+    private readonly TimedRing<AttitudeSample> _attitudes = new(AttitudesKept, MaxStepBack);
     private long _invalid;
 
     /// <summary>Samples that were not used: not a number, out of range, of a moment that was there already, or too old.</summary>
@@ -38,34 +38,34 @@ internal sealed class PoseHistory(TimeSpan longestGap)
     }
 
     /// <summary>The pose at a moment, if it is known.</summary>
-    public PoseAnswer Find(TimeSpan time, out Pose pose)
+    public PoseLookup Find(TimeSpan time, out Pose pose)
     {
         pose = default;
-        PoseAnswer position = _positions.Find(time, longestGap, out TimedPair<PositionSample> positions);
-        PoseAnswer attitude = _attitudes.Find(time, longestGap, out TimedPair<AttitudeSample> attitudes);
-        if (position != PoseAnswer.Known || attitude != PoseAnswer.Known)
+        PoseLookup position = _positions.Find(time, longestGap, out TimedPair<PositionSample> positions);
+        PoseLookup attitude = _attitudes.Find(time, longestGap, out TimedPair<AttitudeSample> attitudes);
+        if (position != PoseLookup.Known || attitude != PoseLookup.Known)
             return Worse(position, attitude);
         pose.Time = time;
         (pose.Position, pose.VelocityNed) = Between(positions);
         pose.Attitude = Rotation.Slerp(attitudes.Before.Attitude, attitudes.After.Attitude, attitudes.Part);
         pose.Rates = Between(attitudes.Before.Rates, attitudes.After.Rates, attitudes.Part);
-        return PoseAnswer.Known;
+        return PoseLookup.Known;
     }
 
     /// <summary>The pose at a moment that the samples do not reach, at the velocity and the rates of the newest ones.</summary>
     /// <param name="time">The moment.</param>
     /// <param name="longest">How far it may be drawn on.</param>
     /// <param name="pose">Says how far it was drawn on, from which its errors grow.</param>
-    public PoseAnswer Extrapolate(TimeSpan time, TimeSpan longest, out Pose pose)
+    public PoseLookup Extrapolate(TimeSpan time, TimeSpan longest, out Pose pose)
     {
-        PoseAnswer answer = Find(time, out pose);
-        if (answer != PoseAnswer.NotYet
+        PoseLookup answer = Find(time, out pose);
+        if (answer != PoseLookup.NotYet
             || !_positions.TryNewest(out TimeSpan positionTime, out PositionSample position)
             || !_attitudes.TryNewest(out TimeSpan attitudeTime, out AttitudeSample attitude))
             return answer;
         TimeSpan beyond = Later(time - positionTime, time - attitudeTime);
         if (beyond > longest)
-            return PoseAnswer.NotYet;
+            return PoseLookup.NotYet;
 
         // One kind may reach beyond the moment: then its newest sample is drawn back, which is no worse.
         pose.Position = position.Position;
@@ -77,17 +77,17 @@ internal sealed class PoseHistory(TimeSpan longestGap)
         pose.Attitude = attitude.Attitude.After(pose.Rates, seconds);
         pose.Time = time;
         pose.ExtrapolatedSeconds = beyond.TotalSeconds;
-        return PoseAnswer.Extrapolated;
+        return PoseLookup.Extrapolated;
     }
 
     private static TimeSpan Later(TimeSpan a, TimeSpan b) => a > b ? a : b;
 
     // What can never come is told before what may still come.
-    private static PoseAnswer Worse(PoseAnswer a, PoseAnswer b)
+    private static PoseLookup Worse(PoseLookup a, PoseLookup b)
     {
-        if (a == PoseAnswer.TooOld || b == PoseAnswer.TooOld)
-            return PoseAnswer.TooOld;
-        return a == PoseAnswer.Gap || b == PoseAnswer.Gap ? PoseAnswer.Gap : PoseAnswer.NotYet;
+        if (a == PoseLookup.TooOld || b == PoseLookup.TooOld)
+            return PoseLookup.TooOld;
+        return a == PoseLookup.Gap || b == PoseLookup.Gap ? PoseLookup.Gap : PoseLookup.NotYet;
     }
 
     private static (GeodeticPosition Position, NedVector Velocity) Between(in TimedPair<PositionSample> pair)

@@ -56,13 +56,13 @@ internal sealed class TimedRing<T>(int capacity, TimeSpan longestStepBack)
     }
 
     /// <summary>Finds the samples around a moment; both the same where one is of that very moment.</summary>
-    public PoseAnswer Find(TimeSpan time, TimeSpan longestGap, out TimedPair<T> pair)
+    public PoseLookup Find(TimeSpan time, TimeSpan longestGap, out TimedPair<T> pair)
     {
         pair = default;
         if (_count == 0 || time > TimeAt(_count - 1))
-            return PoseAnswer.NotYet;
+            return PoseLookup.NotYet;
         if (time < TimeAt(0))
-            return PoseAnswer.TooOld;
+            return PoseLookup.TooOld;
         int after = _count - 1;
         while (after > 0 && TimeAt(after - 1) >= time)
             after--;
@@ -72,7 +72,7 @@ internal sealed class TimedRing<T>(int capacity, TimeSpan longestStepBack)
         pair.After = _values[Slot(after)];
         pair.Seconds = (afterTime - beforeTime).TotalSeconds;
         pair.Part = before == after ? 0 : (time - beforeTime).Ticks / (double)(afterTime - beforeTime).Ticks;
-        return afterTime - beforeTime > longestGap ? PoseAnswer.Gap : PoseAnswer.Known;
+        return afterTime - beforeTime > longestGap ? PoseLookup.Gap : PoseLookup.Known;
     }
 
     /// <summary>The newest sample; false if there is none.</summary>

@@ -50,7 +50,7 @@ internal static class CameraDescription
         }
     }
 
-    public static byte[] Write(CameraModel camera, CameraPlacement placement)
+    public static byte[] Write(CameraModel camera, CameraExtrinsics placement)
     {
         using var stream = new MemoryStream();
         using (var json = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true }))
@@ -114,7 +114,7 @@ internal static class CameraDescription
             faults.Add(fault);
         if (!TryRotation(matrix, out Rotation rotation, out string reason))
             faults.Add("R_body_from_cam: " + reason);
-        var mount = new CameraMount { FixedBodyFromCamera = rotation, GimbalArmMetres = new BodyVector(arm[0], arm[1], arm[2]) };
+        var mount = new CameraMount { FixedBodyFromCamera = rotation, GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]) };
         faults.AddRange(mount.FindFaults());
         return mount;
     }

@@ -81,7 +81,7 @@ public sealed class CameraFolder
         if (faults.Count > 0)
             throw new PictureException(file, string.Join("; ", faults));
 
-        CameraPlacement placement = mount.At(gimbalPitchRadians, gimbalYawRadians);
+        CameraExtrinsics placement = mount.At(gimbalPitchRadians, gimbalYawRadians);
         try
         {
             Directory.CreateDirectory(path);
@@ -92,7 +92,7 @@ public sealed class CameraFolder
             throw new PictureException(file, "it cannot be written: " + e.Message, e);
         }
 
-        var fixedMount = new CameraMount { FixedBodyFromCamera = placement.BodyFromCamera, GimbalArmMetres = placement.PositionMetres };
+        var fixedMount = new CameraMount { FixedBodyFromCamera = placement.BodyFromCamera, GimbalLeverArmMetres = placement.PositionMetres };
         return new CameraFolder(path, camera, fixedMount, []);
     }
 }

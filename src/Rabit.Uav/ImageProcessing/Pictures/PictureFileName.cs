@@ -13,7 +13,7 @@ internal readonly struct PictureFileName(long number, long startUtcMicroseconds,
 {
     // The last microsecond that a date of .NET can tell, at the end of the year 9999; and an exposure of an hour.
     private const long LastMicrosecond = 253_402_300_799_999_999;
-    private const long LongestExposure = 3_600_000_000;
+    private const long MaxExposure = 3_600_000_000;
 
     private static readonly string[] PictureEndings = [".png", ".ppm", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"];
 
@@ -28,7 +28,7 @@ internal readonly struct PictureFileName(long number, long startUtcMicroseconds,
 
     /// <summary>Whether numbers are such as a picture may have.</summary>
     public static bool IsPossible(long startUtcMicroseconds, long exposureMicroseconds)
-        => startUtcMicroseconds is >= 0 and <= LastMicrosecond && exposureMicroseconds is >= 0 and <= LongestExposure;
+        => startUtcMicroseconds is >= 0 and <= LastMicrosecond && exposureMicroseconds is >= 0 and <= MaxExposure;
 
     /// <summary>Whether a file says that it is a picture, of whatever kind.</summary>
     public static bool IsPicture(string fileName) => PictureEndings.Contains(Path.GetExtension(fileName), StringComparer.OrdinalIgnoreCase);

@@ -12,25 +12,25 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
     public override void Enter(MissionFlight flight, MissionEvent by)
     {
         _isCameraPointed = !flight.Mission.HasGimbal;
-        _limit = LegPilot.TimeLimit(flight, flight.Position.DistanceTo(flight.Route!.Current!.Value.Start));
+        _limit = PathFollower.TimeLimit(flight, flight.Position.DistanceTo(flight.Route!.Current!.Value.Start));
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        if (flight.Desk.Failures >= MostFailures)
-            return GoHome(flight.Desk.LastFailure);
+        if (flight.Desk.Failures >= MaxFailures)
+            return ReturnToLaunch(flight.Desk.LastFailure);
         if (inPhase > _limit)
-            return GoHome($"not at the area within {MissionText.Seconds(_limit)}");
+            return ReturnToLaunch($"not at the area within {MissionText.Seconds(_limit)}");
         if (!_isCameraPointed)
         {
             PointCamera(flight);
             return MissionStep.Stay;
         }
 
-        LanePiece lane = flight.Route!.Current!.Value;
+        LaneSegment lane = flight.Route!.Current!.Value;
         flight.WantGoTo(lane.Start, flight.Mission.HeightMetres, lane.HeadingRadians);
         flight.Text = $"to the area: {MissionText.Of(flight.Position.DistanceTo(lane.Start))} m to go";
-        return LegPilot.HasArrived(flight, lane.Start, flight.Mission.HeightMetres)
+        return PathFollower.HasArrived(flight, lane.Start, flight.Mission.HeightMetres)
             ? new MissionStep(MissionEvent.AtArea, "at the first lane")
             : MissionStep.Stay;
     }

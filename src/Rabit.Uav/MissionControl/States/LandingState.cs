@@ -8,7 +8,7 @@ namespace Rabit.Uav.MissionControl;
 internal sealed class LandingState() : MissionState(MissionPhase.Landing)
 {
     private const double TimeReserveSeconds = 120;
-    private const double SlowestDescent = 0.3;
+    private const double MinDescentRate = 0.3;
 
     // Autopilots stop the motors by themselves a few seconds after touch-down.
     private static readonly TimeSpan StopsByItselfWithin = TimeSpan.FromSeconds(10);
@@ -21,7 +21,7 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
     public override void Enter(MissionFlight flight, MissionEvent by)
     {
         _isOurLanding = by == MissionEvent.LandNow;
-        _limit = Seconds(TimeReserveSeconds + (Math.Max(0, flight.HeightMetres) / SlowestDescent));
+        _limit = Seconds(TimeReserveSeconds + (Math.Max(0, flight.HeightMetres) / MinDescentRate));
         _onGround = null;
     }
 

@@ -14,7 +14,7 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
     // As long as a careful autopilot waits over home before it lands.
     private const double StandstillSeconds = 40;
     private const double TimeReserveSeconds = 180;
-    private const double SlowestDescent = 0.3;
+    private const double MinDescentRate = 0.3;
 
     private TimeSpan _limit;
     private TimeSpan _progressTime;
@@ -25,7 +25,7 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
     public override void Enter(MissionFlight flight, MissionEvent by)
     {
         double distance = flight.Position.Length;
-        _limit = LegPilot.TimeLimit(flight, distance) + Seconds(TimeReserveSeconds + (flight.HeightMetres / SlowestDescent));
+        _limit = PathFollower.TimeLimit(flight, distance) + Seconds(TimeReserveSeconds + (flight.HeightMetres / MinDescentRate));
         (_progressTime, _lastDistance, _lastHeight) = (flight.ActiveTime, distance, flight.HeightMetres);
         _wasSentAgain = false;
     }
@@ -39,7 +39,7 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
             return new MissionStep(MissionEvent.Descending, $"{MissionText.Of(distance)} m from home");
         if (distance < OverHomeMetres && flight.Vehicle.VelocityNed.Down > SinkingMetresPerSecond)
             return new MissionStep(MissionEvent.Descending, $"{MissionText.Of(distance)} m from home");
-        if (flight.Desk.Failures >= MostFailures)
+        if (flight.Desk.Failures >= MaxFailures)
             return new MissionStep(MissionEvent.LandNow, "return " + flight.Desk.LastFailure);
         if (inPhase > _limit)
             return new MissionStep(MissionEvent.LandNow, $"not home within {MissionText.Seconds(_limit)}");

@@ -9,7 +9,7 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
     // The last pictures of a lane are still being looked through.
     private static readonly TimeSpan Settling = TimeSpan.FromSeconds(1.5);
 
-    private readonly LegPilot _pilot = new();
+    private readonly PathFollower _pilot = new();
     private TimeSpan? _laneEnd;
     private bool _isOnItsWay;
 
@@ -17,8 +17,8 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        if (flight.Desk.Failures >= MostFailures)
-            return GoHome(flight.Desk.LastFailure);
+        if (flight.Desk.Failures >= MaxFailures)
+            return ReturnToLaunch(flight.Desk.LastFailure);
         if (_laneEnd is { } end && flight.ActiveTime - end < Settling && flight.Route!.Current is null)
             return MissionStep.Stay;
         if (!_isOnItsWay && flight.Looks.Next(flight) is { } track)
@@ -28,7 +28,7 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
         return Finish(flight);
     }
 
-    private MissionStep Fly(MissionFlight flight, LanePiece lane)
+    private MissionStep Fly(MissionFlight flight, LaneSegment lane)
     {
         SearchRoute route = flight.Route!;
         if (!_isOnItsWay)
@@ -37,7 +37,7 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
         flight.Text = $"searching: lane {MissionText.Of(route.Flown + 1)} of {MissionText.Of(route.Count)}, {MissionText.Percent(route.Coverage.Fraction)} seen";
         bool isFlown = _pilot.Tick(flight, out bool isLate);
         if (isLate)
-            return GoHome($"lane {MissionText.Of(route.Flown + 1)} takes too long");
+            return ReturnToLaunch($"lane {MissionText.Of(route.Flown + 1)} takes too long");
         if (!isFlown)
             return MissionStep.Stay;
         _isOnItsWay = false;

@@ -10,9 +10,9 @@ internal sealed class TakingOffState() : MissionState(MissionPhase.TakingOff)
     private const double HeightToleranceMetres = 1;
     private const double HeightPart = 0.95;
 
-    private const double SlowestClimb = 0.7;
+    private const double MinClimbRate = 0.7;
     private const double TimeReserveSeconds = 30;
-    private const int MostStarts = 3;
+    private const int MaxStarts = 3;
 
     private static readonly TimeSpan LeavesGroundWithin = TimeSpan.FromSeconds(8);
 
@@ -38,21 +38,21 @@ internal sealed class TakingOffState() : MissionState(MissionPhase.TakingOff)
         {
             if (_hasFlown)
                 return Impossible($"the motors stopped at a height of {MissionText.Of(flight.HeightMetres)} m");
-            return _starts < MostStarts
+            return _starts < MaxStarts
                 ? new MissionStep(MissionEvent.Disarmed, "the autopilot stopped the motors on the ground")
-                : Impossible($"the autopilot stopped the motors on the ground {MissionText.Of(MostStarts)} times");
+                : Impossible($"the autopilot stopped the motors on the ground {MissionText.Of(MaxStarts)} times");
         }
 
         if (flight.HeightMetres >= height - HeightToleranceMetres || flight.HeightMetres >= HeightPart * height)
             return new MissionStep(MissionEvent.AtHeight, $"height {MissionText.Of(flight.HeightMetres)} m");
-        if (flight.Desk.Failures >= MostFailures)
+        if (flight.Desk.Failures >= MaxFailures)
             return GiveUp(flight, "take-off " + flight.Desk.LastFailure);
-        if (inPhase > Seconds(TimeReserveSeconds + (height / SlowestClimb)))
+        if (inPhase > Seconds(TimeReserveSeconds + (height / MinClimbRate)))
             return GiveUp(flight, $"only {MissionText.Of(flight.HeightMetres)} of {MissionText.Of(height)} m reached in {MissionText.Seconds(inPhase)}");
         if (!_hasFlown && flight.Desk.IsAccepted && flight.Now - flight.Desk.SentTime > LeavesGroundWithin)
             flight.Desk.SendAgain();
         return MissionStep.Stay;
     }
 
-    private static MissionStep GiveUp(MissionFlight flight, string reason) => flight.IsFlying ? GoHome(reason) : Impossible(reason);
+    private static MissionStep GiveUp(MissionFlight flight, string reason) => flight.IsFlying ? ReturnToLaunch(reason) : Impossible(reason);
 }

@@ -55,7 +55,7 @@ internal static class RecordedSequence
             TimeSpan middle = Microseconds(frame.Number("frame_start_us") + (frame.Number("exposure_us") / 2));
             foreach (double[] row in clock.RunTo((middle.TotalSeconds * 1e6) + 300_000))
                 AddPose(history, clock.Filter, row);
-            if (history.Find(middle, out Pose pose) != PoseAnswer.Known)
+            if (history.Find(middle, out Pose pose) != PoseLookup.Known)
                 throw new InvalidOperationException($"There is no pose for {frame}.");
             foreach (JsonElement target in seen.Each("targets"))
             {

@@ -66,7 +66,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
         JsonElement camera = file.RootElement.GetProperty("camera");
         double[] matrix = camera.GetProperty("mount").Each("R_body_from_cam").SelectMany(r => r.EnumerateArray()).Select(n => n.GetDouble()).ToArray();
         double[] arm = camera.GetProperty("mount").Numbers("lever_arm_body_m");
-        var mount = new CameraMount { FixedBodyFromCamera = Rotation.FromMatrix(matrix), GimbalArmMetres = new BodyVector(arm[0], arm[1], arm[2]) };
+        var mount = new CameraMount { FixedBodyFromCamera = Rotation.FromMatrix(matrix), GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]) };
         CameraModel model = RecordedSequence.ModelOf(camera);
         double ground = file.RootElement.Number("ground_alt_hae_m");
         var estimator = new BiasEstimator(model, mount, new AmslAltitude(ground), new BiasOptions
@@ -78,7 +78,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
             HeightMetres = 1.5,
             Time = TimeSpan.FromMilliseconds(1),
         });
-        var single = new Locator(model, mount, new ErrorBudget(), 5 * Vectors.Degree);
+        var single = new GroundProjector(model, mount, new ErrorBudget(), 5 * Vectors.Degree);
         Dictionary<int, JsonElement> targets = truth.RootElement.Each("targets").Where(t => !t.GetProperty("moving").GetBoolean()).ToDictionary(t => t.GetProperty("id").GetInt32());
         double squares = 0;
         var mean = new Dictionary<int, (double North, double East, int Count)>();
@@ -98,8 +98,8 @@ public sealed class SequenceTests(ITestOutputHelper output)
                 Attitude = attitude,
                 Rates = pose.Rates,
             }));
-            single.Aim(pose, new ImagingOrder { GroundAltitudeAmslMetres = ground });
-            Assert.True(single.TryLocate(column, row, out GeodeticPosition place));
+            single.Aim(pose, new ImagingCommand { GroundAltitudeAmslMetres = ground });
+            Assert.True(single.TryProjectToGround(column, row, out GeodeticPosition place));
             (double north, double east) = Error(world, targets[id], place);
             squares += (north * north) + (east * east);
             mean.TryGetValue(id, out (double North, double East, int Count) sum);

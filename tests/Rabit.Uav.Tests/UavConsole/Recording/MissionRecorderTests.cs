@@ -17,7 +17,7 @@ public sealed class MissionRecorderTests : IDisposable
     private readonly MessagePublisher<VehicleState> _vehicle;
     private readonly MessagePublisher<HealthReport> _health;
     private readonly MessagePublisher<MissionStatus> _mission;
-    private readonly MissionRecorder _recorder = new([MissionRecorder.ManagerName], new RecorderOptions { StopsWhenMissionEnds = true, LongestMission = TimeSpan.FromMinutes(1) });
+    private readonly MissionRecorder _recorder = new([MissionRecorder.ManagerName], new RecorderOptions { StopsWhenMissionEnds = true, MaxMission = TimeSpan.FromMinutes(1) });
 
     public MissionRecorderTests()
     {
@@ -81,23 +81,23 @@ public sealed class MissionRecorderTests : IDisposable
     [Fact]
     public void Pictures_TheAlbumHasForgotten_AreStillThere()
     {
-        List<CutOut> album = [PictureOf(7), PictureOf(8)];
+        List<ImageChip> album = [PictureOf(7), PictureOf(8)];
         var pictures = new TrackPictures(() => album);
         pictures.Take(TracksOf((1, 7)));
         album = [PictureOf(9)];
         pictures.Take(TracksOf((1, 7), (2, 9), (3, 8), (4, -1)));
 
-        Assert.Equal([7, 9], pictures.ToArray().Select(c => c.LookNumber).OrderBy(n => n));
+        Assert.Equal([7, 9], pictures.ToArray().Select(c => c.PictureNumber).OrderBy(n => n));
 
         album = [PictureOf(10)];
         pictures.Take(TracksOf((1, 10)));
-        Assert.Equal([9, 10], pictures.ToArray().Select(c => c.LookNumber).OrderBy(n => n));
+        Assert.Equal([9, 10], pictures.ToArray().Select(c => c.PictureNumber).OrderBy(n => n));
     }
 
     [Fact]
     public void ThinnedList_LongerThanItsCapacity_KeepsEvenlySpacedItems()
     {
-        var list = new ThinnedList<int>(100);
+        var list = new DecimatedSeries<int>(100);
         for (int i = 0; i < 1_000_000; i++)
             list.Add(i);
         int[] kept = list.ToArray();
@@ -130,10 +130,10 @@ public sealed class MissionRecorderTests : IDisposable
         _vehicle.Post();
     }
 
-    private static CutOut PictureOf(long look) => new(look, 0, 1, 1, new byte[3]);
+    private static ImageChip PictureOf(long look) => new(look, 0, 1, 1, new byte[3]);
 
     private static TrackList TracksOf(params (int Id, long Look)[] tracks)
-        => new(TimeSpan.Zero, tracks.Select(t => new TargetTrack { Id = t.Id, BestLookNumber = t.Look }));
+        => new(TimeSpan.Zero, tracks.Select(t => new TargetTrack { Id = t.Id, BestPictureNumber = t.Look }));
 
     private void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));
 }

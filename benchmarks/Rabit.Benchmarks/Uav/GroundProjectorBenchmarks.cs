@@ -1,0 +1,25 @@
+using BenchmarkDotNet.Attributes;
+using Rabit.Geodesy;
+using Rabit.Uav.ImageProcessing.Geolocation;
+
+namespace Rabit.Benchmarks.Uav;
+
+/// <summary>What one report costs beyond the search: where it stands, and how uncertain that is.</summary>
+public class GroundProjectorBenchmarks
+{
+    private readonly GroundProjector _locator = NadirView.CreateLocator();
+
+    [Benchmark(Baseline = true)]
+    public GeodeticPosition Locate()
+    {
+        _locator.TryProjectToGround(500.25, 100.75, out GeodeticPosition place);
+        return place;
+    }
+
+    [Benchmark]
+    public HorizontalCovariance Covariances()
+    {
+        _locator.TryCovariances(500.25, 100.75, out HorizontalCovariance perLook, out HorizontalCovariance common);
+        return perLook + common;
+    }
+}

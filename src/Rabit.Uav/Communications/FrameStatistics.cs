@@ -1,0 +1,106 @@
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Mavlink;
+
+namespace Rabit.Uav.Communications;
+
+/// <summary>
+/// Counts frames by message and source, and the gaps of each source. One thread counts, any thread may ask: a lock guards all of it.
+/// Allocates only for a message or source that is new.
+/// </summary>
+internal sealed class FrameStatistics
+{
+    // A hostile stream may make up as many sources and ids as it likes, ids that nobody knows most easily of all: those may not
+    // take the places of frames that were checked. What does not fit is counted together.
+    private const int MaxUncheckedKinds = 1024;
+    private const int MaxKinds = 8192;
+
+    private readonly object _gate = new();
+    private readonly Dictionary<long, long> _counts = [];
+    private readonly MavlinkSequenceTracker _sequences = new();
+    private int _uncheckedKinds;
+    private long _frames;
+    private long _notListed;
+
+    /// <summary>Frames of kinds for which there was no room in the list.</summary>
+    public long NotListed
+    {
+        get
+        {
+            lock (_gate)
+                return _notListed;
+        }
+    }
+
+    public long Frames
+    {
+        get
+        {
+            lock (_gate)
+                return _frames;
+        }
+    }
+
+    public long Missing
+    {
+        get
+        {
+            lock (_gate)
+            {
+                long missing = 0;
+                for (int index = 0; index < _sequences.Count; index++)
+                    missing += _sequences[index].Missing;
+                return missing;
+            }
+        }
+    }
+
+    public void Count(in MavlinkFrame frame, bool isChecked)
+    {
+        lock (_gate)
+        {
+            _frames++;
+            if (isChecked)
+                _sequences.Track(frame);
+            long key = KeyOf(frame);
+            if (_counts.TryGetValue(key, out long count))
+                _counts[key] = count + 1;
+            else if (HasRoom(isChecked))
+                Add(key, isChecked);
+            else
+                _notListed++;
+        }
+    }
+
+    public IReadOnlyList<FrameCount> Counts()
+    {
+        lock (_gate)
+            return _counts.OrderBy(c => c.Key).Select(c => ToCount(c.Key, c.Value)).ToArray();
+    }
+
+    public IReadOnlyList<MavlinkSequenceStatistics> Sources()
+    {
+        lock (_gate)
+            return Enumerable.Range(0, _sequences.Count).Select(i => _sequences[i]).OrderBy(s => (s.SystemId << 8) | s.ComponentId).ToArray();
+    }
+
+    private bool HasRoom(bool isChecked) => _counts.Count < MaxKinds && (isChecked || _uncheckedKinds < MaxUncheckedKinds);
+
+    private void Add(long key, bool isChecked)
+    {
+        _counts.Add(key, 1);
+        if (!isChecked)
+            _uncheckedKinds++;
+    }
+
+    // Source, then message id, then version: the order in which people read them.
+    private static long KeyOf(in MavlinkFrame frame)
+        => ((long)frame.SystemId << 40) | ((long)frame.ComponentId << 32) | ((long)frame.MessageId << 2) | (uint)frame.Version;
+
+    private static FrameCount ToCount(long key, long count)
+    {
+        int messageId = (int)(key >> 2) & 0xFF_FFFF;
+        string? name = MavlinkDialect.All.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : null;
+        return new FrameCount(messageId, name, (byte)(key >> 40), (byte)(key >> 32), (MavlinkVersion)(key & 3), count);
+    }
+}

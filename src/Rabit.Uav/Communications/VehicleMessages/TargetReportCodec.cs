@@ -1,0 +1,157 @@
+using System;
+using System.Buffers.Binary;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Communications;
+
+/// <summary>
+/// Target reports between vehicles: 58 bytes, little-endian, no padding. Stateless; any thread.
+/// </summary>
+/// <remarks>
+/// Version (1 byte, 1), colour (1, the flag), index (1), score (1, of 255), picture (4, modulo 2^32), age (4, ms), latitude and longitude (4 + 4,
+/// 1e-7 degrees), altitude (4, mm above mean sea level), covariance (3 floats, m2: north-north, north-east, east-east), the part of it that is
+/// common to all looks (the same), size (2, mm), centre (2 floats, pixels).
+/// The clocks of two vehicles have nothing in common, so that the time travels as the age at the moment of sending. The time on the other side
+/// is late by how long the way took: some ten milliseconds on a net, up to half a second on a slow radio.
+/// </remarks>
+public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
+{
+    /// <summary>How many bytes a report has.</summary>
+    public const int Length = 58;
+
+    private const byte Version = 1;
+    private const double DegE7PerRadian = 180 / Math.PI * 1e7;
+    private const double MaxLatitudeDegE7 = 90e7;
+    private const double MaxLongitudeDegE7 = 180e7;
+    private const double MaxAltitudeMetres = 20_000;
+    private const double MaxVariance = 1e8;
+    private const double MaxPixel = 100_000;
+    private const double MaxAgeMs = 600_000;
+
+    /// <summary>42001: an arbitrary one of those for private use.</summary>
+    public int PayloadType => 42001;
+
+    /// <inheritdoc/>
+    public long IdentityOf(in TargetReport content) => unchecked(((long)(uint)content.PictureNumber << 8) | (byte)content.Index);
+
+    /// <inheritdoc/>
+    public bool TryEncode(in TargetReport content, TimeSpan now, Span<byte> destination, out int length)
+    {
+        length = 0;
+        double ageMs = Math.Round((now - content.Time).TotalMilliseconds);
+        bool fits = destination.Length >= Length
+            && IsSound(content)
+            && content.Index is >= 0 and <= byte.MaxValue
+            && content.PictureNumber >= 0
+            && content.Score is >= 0 and <= 1
+            && content.SizeMetres * 1000 is >= 0 and <= ushort.MaxValue
+            && ageMs <= MaxAgeMs;
+        if (!fits)
+            return false;
+
+        destination[0] = Version;
+        destination[1] = (byte)content.Colour;
+        destination[2] = (byte)content.Index;
+        destination[3] = (byte)Math.Round(content.Score * byte.MaxValue);
+        BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(4), unchecked((uint)content.PictureNumber));
+        BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(8), (uint)Math.Max(0, ageMs));
+        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(12), (int)Math.Round(content.Position.LatitudeRadians * DegE7PerRadian));
+        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(16), (int)Math.Round(content.Position.LongitudeRadians * DegE7PerRadian));
+        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(20), (int)Math.Round(content.Position.AltitudeAmslMetres * 1000));
+        Write(destination.Slice(24), content.Covariance);
+        Write(destination.Slice(36), content.SystematicCovariance);
+        BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(48), (ushort)Math.Round(content.SizeMetres * 1000));
+        WriteSingle(destination.Slice(50), content.CentreX);
+        WriteSingle(destination.Slice(54), content.CentreY);
+        length = Length;
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public bool TryDecode(ReadOnlySpan<byte> payload, TimeSpan now, byte sourceSystemId, out TargetReport content)
+    {
+        content = default;
+        if (payload.Length != Length || payload[0] != Version)
+            return false;
+        uint ageMs = BinaryPrimitives.ReadUInt32LittleEndian(payload.Slice(8));
+        int latitude = BinaryPrimitives.ReadInt32LittleEndian(payload.Slice(12));
+        int longitude = BinaryPrimitives.ReadInt32LittleEndian(payload.Slice(16));
+        int altitude = BinaryPrimitives.ReadInt32LittleEndian(payload.Slice(20));
+        if (ageMs > MaxAgeMs)
+            return false;
+
+        var report = new TargetReport
+        {
+            SourceSystemId = sourceSystemId,
+            PictureNumber = BinaryPrimitives.ReadUInt32LittleEndian(payload.Slice(4)),
+            Index = payload[2],
+            Time = now - TimeSpan.FromMilliseconds(ageMs),
+            Position = GeodeticPosition.FromRadians(latitude / DegE7PerRadian, longitude / DegE7PerRadian, altitude / 1000.0),
+            Covariance = ReadCovariance(payload.Slice(24)),
+            SystematicCovariance = ReadCovariance(payload.Slice(36)),
+            Colour = (TargetColours)payload[1],
+            Score = payload[3] / (double)byte.MaxValue,
+            SizeMetres = BinaryPrimitives.ReadUInt16LittleEndian(payload.Slice(48)) / 1000.0,
+            CentreX = ReadSingle(payload.Slice(50)),
+            CentreY = ReadSingle(payload.Slice(54)),
+        };
+        if (!IsSound(report))
+            return false;
+        content = report;
+        return true;
+    }
+
+    private static bool IsSound(in TargetReport report)
+    {
+        double latitude = report.Position.LatitudeRadians * DegE7PerRadian;
+        double longitude = report.Position.LongitudeRadians * DegE7PerRadian;
+        return Math.Abs(latitude) <= MaxLatitudeDegE7 + 0.5
+            && Math.Abs(longitude) <= MaxLongitudeDegE7 + 0.5
+            && !(Math.Abs(latitude) < 1 && Math.Abs(longitude) < 1)
+            && Math.Abs(report.Position.AltitudeAmslMetres) <= MaxAltitudeMetres
+            && IsOneColour(report.Colour)
+            && IsCovariance(report.Covariance, canBeNone: false)
+            && IsCovariance(report.SystematicCovariance, canBeNone: true)
+            && Math.Abs(report.CentreX) <= MaxPixel
+            && Math.Abs(report.CentreY) <= MaxPixel;
+    }
+
+    private static bool IsOneColour(TargetColours colour)
+        => colour != TargetColours.None && (colour & ~TargetColours.All) == 0 && (colour & (colour - 1)) == 0;
+
+    // Comparisons with what is no number are false.
+    private static bool IsCovariance(in HorizontalCovariance covariance, bool canBeNone)
+    {
+        double nn = covariance.NorthNorth;
+        double ne = covariance.NorthEast;
+        double ee = covariance.EastEast;
+        double determinant = (nn * ee) - (ne * ne);
+        bool isSized = nn is >= 0 and <= MaxVariance && ee is >= 0 and <= MaxVariance;
+
+        // Floats of a common part that is a line may come out a little below.
+        return isSized && (canBeNone ? determinant >= -1e-6 * Math.Max(nn * ee, 1e-12) : nn > 0 && determinant > 0);
+    }
+
+    private static void Write(Span<byte> destination, in HorizontalCovariance covariance)
+    {
+        WriteSingle(destination, covariance.NorthNorth);
+        WriteSingle(destination.Slice(4), covariance.NorthEast);
+        WriteSingle(destination.Slice(8), covariance.EastEast);
+    }
+
+    private static HorizontalCovariance ReadCovariance(ReadOnlySpan<byte> source)
+        => new(ReadSingle(source), ReadSingle(source.Slice(4)), ReadSingle(source.Slice(8)));
+
+    private static unsafe void WriteSingle(Span<byte> destination, double value)
+    {
+        float single = (float)value;
+        BinaryPrimitives.WriteInt32LittleEndian(destination, *(int*)&single);
+    }
+
+    private static unsafe double ReadSingle(ReadOnlySpan<byte> source)
+    {
+        int bits = BinaryPrimitives.ReadInt32LittleEndian(source);
+        return *(float*)&bits;
+    }
+}

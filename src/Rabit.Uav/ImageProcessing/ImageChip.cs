@@ -1,0 +1,33 @@
+using System;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>The part of a picture around a target that was reported, for a person to look at. Immutable; any thread.</summary>
+public sealed class ImageChip
+{
+    private readonly byte[] _pixels;
+
+    internal ImageChip(long lookNumber, int reportIndex, int width, int height, byte[] pixels)
+    {
+        PictureNumber = lookNumber;
+        ReportIndex = reportIndex;
+        Width = width;
+        Height = height;
+        _pixels = pixels;
+    }
+
+    /// <summary>The picture: <see cref="Messages.TargetReport.PictureNumber"/>.</summary>
+    public long PictureNumber { get; }
+
+    /// <summary>The report of that picture: <see cref="Messages.TargetReport.Index"/>.</summary>
+    public int ReportIndex { get; }
+
+    /// <summary>Columns.</summary>
+    public int Width { get; }
+
+    /// <summary>Rows.</summary>
+    public int Height { get; }
+
+    /// <summary>The pixels, a new array at each call: 8 bits each of red, green and blue, row by row from the top left, without padding.</summary>
+    public byte[] CopyPixels() => (byte[])_pixels.Clone();
+}

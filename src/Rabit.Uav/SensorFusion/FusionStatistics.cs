@@ -1,0 +1,32 @@
+namespace Rabit.Uav.SensorFusion;
+
+/// <summary>What is counted, while it is counted. See <see cref="SensorFusionCounters"/>.</summary>
+internal sealed class FusionStatistics
+{
+    public long ReportsUsed;
+    public long TracksStarted;
+    public long ReportsTwice;
+    public long ReportsLate;
+    public long ReportsRefused;
+    public long ReportsWithoutRoom;
+    public long Looks;
+    public long ObservationsRefused;
+    public long LooksIncomplete;
+    public long TracksDropped;
+    public long TracksMerged;
+
+    public SensorFusionCounters Close() => new()
+    {
+        ReportsUsed = ReportsUsed,
+        TracksStarted = TracksStarted,
+        ReportsTwice = ReportsTwice,
+        ReportsLate = ReportsLate,
+        ReportsRefused = ReportsRefused,
+        ReportsWithoutRoom = ReportsWithoutRoom,
+        Looks = Looks,
+        ObservationsRefused = ObservationsRefused,
+        LooksIncomplete = LooksIncomplete,
+        TracksDropped = TracksDropped,
+        TracksMerged = TracksMerged,
+    };
+}

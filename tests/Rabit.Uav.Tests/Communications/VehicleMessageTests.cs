@@ -1,0 +1,219 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Communications;
+using Rabit.Geodesy;
+using Rabit.Links;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Tests.Communications;
+
+/// <summary>Typed messages between vehicles: target reports, over TUNNEL.</summary>
+public sealed class VehicleMessageTests
+{
+    [Fact]
+    public void Mail_TwoVehicles_FallsIntoTheQueueOverThere()
+    {
+        using var air = new TwoVehicles();
+        air.Send(from: 0, Report(look: 7, index: 2));
+        TargetReport report = Assert.Single(air.Received(1));
+        Assert.Equal((1, 7L, 2, TargetColours.Orange), (report.SourceSystemId, report.PictureNumber, report.Index, report.Colour));
+        Assert.Empty(air.Received(0));
+        Assert.Equal((1L, 0L), (air.Counts(0).Sent, air.Counts(0).Delivered));
+        Assert.Equal((0L, 1L), (air.Counts(1).Sent, air.Counts(1).Delivered));
+
+        air.Send(from: 1, Report(look: 7, index: 2));
+        Assert.Equal(2, Assert.Single(air.Received(0)).SourceSystemId);
+    }
+
+    [Fact]
+    public void Mail_ItsTime_TravelsAsAnAge()
+    {
+        using var air = new TwoVehicles();
+        air.Run(5);
+        TargetReport sent = Report(look: 1);
+        sent.Time = air.Now - TimeSpan.FromSeconds(1.5);
+        air.Send(from: 0, sent);
+        Assert.InRange((air.Received(1)[0].Time - sent.Time).TotalMilliseconds, 0, 5);
+    }
+
+    [Fact]
+    public void Mail_SourceInTheContent_IsNotBelieved()
+    {
+        using var air = new TwoVehicles();
+        TargetReport lie = Report(look: 1);
+        lie.SourceSystemId = 99;
+        air.Send(from: 0, lie);
+        Assert.Equal(1, air.Received(1)[0].SourceSystemId);
+    }
+
+    [Fact]
+    public void Mail_Addressed_GoesThereAloneAndToNobodyUnseen()
+    {
+        using var air = new TwoVehicles();
+        air.Send(from: 0, Report(look: 1), to: 2);   // not seen yet
+        Assert.Empty(air.Received(1));
+        Assert.Equal(1, air.Counts(0).Unsendable);
+        air.Send(from: 1, Report(look: 1));          // now it is
+        air.Send(from: 0, Report(look: 2), to: 2);
+        air.Send(from: 0, Report(look: 3), to: 77);
+        Assert.Equal(2, Assert.Single(air.Received(1)).PictureNumber);
+        Assert.Equal(2, air.Counts(0).Unsendable);
+    }
+
+    [Fact]
+    public void Mail_ThatComesIn_IsForwardedToOtherLinksButNotBackAndNotToTheAutopilot()
+    {
+        using var rig = new MailRig(links: 3);
+        byte[] letter = Letter(Report(look: 1), system: 5);
+        rig.Rig.Send(0, letter);
+        Assert.Equal(5, Assert.Single(rig.Reports).SourceSystemId);
+        Assert.Empty(rig.Rig.Received(0));
+        Assert.Equal(letter, rig.Rig.Received(1));
+        Assert.Equal(letter, rig.Rig.Received(2));
+        Assert.Empty(rig.Rig.Autopilot.Taken);
+    }
+
+    [Fact]
+    public void Mail_OfTypesWithoutARoute_GoesTheWayOfAllFrames()
+    {
+        using var rig = new MailRig(links: 1);
+        rig.Rig.Send(0, Frames.Of(new Tunnel { PayloadType = (MavTunnelPayloadType)50_000, PayloadLength = 3 }, system: 5));
+        Assert.Single(rig.Rig.Autopilot.Taken);
+        Assert.Equal(0, rig.Counts.Malformed);
+    }
+
+    [Fact]
+    public void Mail_ForAnotherVehicle_IsNotOurs()
+    {
+        using var rig = new MailRig(links: 1);
+        rig.Rig.Send(0, Letter(Report(look: 1), system: 5, target: 9));
+        Assert.Empty(rig.Reports);
+        rig.Rig.Send(0, Letter(Report(look: 1), system: 5, target: 1));
+        Assert.Single(rig.Reports);
+    }
+
+    [Fact]
+    public void Mail_OfOurOwnSystem_IsAnEcho()
+    {
+        using var rig = new MailRig(links: 1);
+        rig.Rig.Send(0, Letter(Report(look: 1), system: 1, component: 192));
+        rig.Rig.Send(0, Letter(Report(look: 1), system: 1, component: 191));   // the router counts this one
+        Assert.Empty(rig.Reports);
+        Assert.Equal(1, rig.Counts.Echoes);
+    }
+
+    [Fact]
+    public void Mail_ThatComesTwice_CountsOnceWithinTheWindow()
+    {
+        using var rig = new MailRig(links: 2);
+        rig.Rig.Send(0, Letter(Report(look: 1, index: 0), system: 5), Letter(Report(look: 1, index: 1), system: 5));
+        rig.Rig.Send(1, Letter(Report(look: 1, index: 0), system: 5), Letter(Report(look: 1, index: 0), system: 6));
+        Assert.Equal((3, 1L), (rig.Reports.Count, rig.Counts.Duplicates));
+        rig.Rig.Run(TimeSpan.FromSeconds(11));
+        rig.Rig.Send(0, Letter(Report(look: 1, index: 0), system: 5));   // it has started anew
+        Assert.Equal(4, rig.Reports.Count);
+    }
+
+    [Fact]
+    public void Mail_MoreThanTheBudget_IsDroppedAndCounted()
+    {
+        using var air = new TwoVehicles();
+        for (int second = 0; second < 5; second++)
+        {
+            for (int i = 0; i < 50; i++)
+                air.Push(0, Report(look: second, index: i));
+            air.Run(1);
+        }
+
+        int frame = 12 + 5 + TargetReportCodec.Length;   // header, checksum, what TUNNEL says of its content
+        Assert.InRange(air.Received(1).Count * frame, 4 * 1000, 6 * 1000);
+        Assert.Equal(250, air.Counts(0).Sent + air.Counts(0).OverBudget);
+        Assert.Equal(air.Counts(0).Sent, air.Received(1).Count);
+        Assert.Equal(0, air.Lost(1));
+    }
+
+    [Fact]
+    public void Mail_AddressNotKnown_IsNotSent()
+    {
+        using var rig = new MailRig(links: 1, knowsAddress: false);
+        rig.Send(Report(look: 1));
+        Assert.Empty(rig.Rig.Received(0));
+        Assert.Equal(1, rig.Counts.Unsendable);
+    }
+
+    [Fact]
+    public void Mail_Garbage_IsCountedAndNeverThrows()
+    {
+        using var rig = new MailRig(links: 1);
+        var random = new Random(11);
+        int sent = 0;
+        for (int i = 0; i < 300; i++)
+        {
+            var payload = new byte[128];
+            random.NextBytes(payload);
+            rig.Rig.Send(0, Frames.Of(
+                new Tunnel
+                {
+                    PayloadType = (MavTunnelPayloadType)new TargetReportCodec().PayloadType,
+                    PayloadLength = (byte)random.Next(256),
+                    Payload = new ByteArray128(payload),
+                },
+                system: 5));
+            sent++;
+        }
+
+        Assert.Equal(sent, rig.Counts.Malformed);
+        Assert.Empty(rig.Reports);
+        Assert.Equal(LinkState.Receiving, rig.Rig.Status(0).State);
+    }
+
+    [Fact]
+    public void Options_BadOnes_AreToldTogether()
+    {
+        var route = new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), "out", "in");
+        var pair = new MemoryLinkPair("a", 100);
+        string text = Assert.Throws<ArgumentException>(() => new CommunicationsManager(new CommunicationsOptions
+        {
+            Links = [pair.A],
+            VehicleMessageRoutes = [route, route],
+            VehicleMessageBytesPerSecond = 10,
+            PositionRateHz = double.NaN,
+        })).Message;
+        foreach (string part in new[] { "42001 more than once", "VehicleMessageBytesPerSecond is 10", "PositionRateHz is NaN" })
+            Assert.Contains(part, text, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), string.Empty, "in"));
+        Assert.Throws<ArgumentNullException>(() => new VehicleMessageRoute<TargetReport>(null!, "out", "in"));
+    }
+
+    internal static TargetReport Report(long look, int index = 0) => new()
+    {
+        PictureNumber = look,
+        Index = index,
+        Position = GeodeticPosition.FromRadians(0.7, 0.1, 101.25),
+        Covariance = new HorizontalCovariance(1.5, 0.25, 2),
+        SystematicCovariance = new HorizontalCovariance(1, 0, 1),
+        Colour = TargetColours.Orange,
+        Score = 0.8,
+        SizeMetres = 1.02,
+        CentreX = 320.5,
+        CentreY = 17.25,
+    };
+
+    private static byte[] Letter(in TargetReport report, byte system, byte component = 191, byte target = 0)
+    {
+        var codec = new TargetReportCodec();
+        var buffer = new byte[128];
+        Assert.True(codec.TryEncode(report, report.Time, buffer, out int length));
+        return Frames.Of(
+            new Tunnel
+            {
+                TargetSystem = target,
+                PayloadType = (MavTunnelPayloadType)codec.PayloadType,
+                PayloadLength = (byte)length,
+                Payload = new ByteArray128(buffer.AsSpan(0, length)),
+            },
+            system,
+            component);
+    }
+}

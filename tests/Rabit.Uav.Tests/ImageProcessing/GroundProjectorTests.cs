@@ -1,0 +1,204 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing.Geolocation;
+using Rabit.Uav.Messages;
+using Rabit.Uav.Tests.Geometry;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+public sealed class GroundProjectorTests
+{
+    private const double Limit = 5 * Vectors.Degree;
+
+    [Fact]
+    public void TryLocate_Vectors_FindsTheirTargetsOnFlatGround()
+    {
+        int located = 0;
+        foreach (JsonElement c in Vectors.Geolocation.Each("flat"))
+        {
+            if (c.Text("status") != "ok")
+                continue;
+            Assert.True(Aimed(c).TryProjectToGround(c.Number("u"), c.Number("v"), out GeodeticPosition place), $"case {c.Number("id")}");
+            double error = Vectors.Distance(c.GetProperty("target").Position(), place);
+            Assert.True(error < 1e-4, $"case {c.Number("id")} is off by {error} m");
+            located++;
+        }
+
+        Assert.True(located >= 40);
+    }
+
+    [Fact]
+    public void TryLocate_VectorsNearTheHorizonOrBelowGround_AreRejected()
+    {
+        JsonElement[] rejects = Vectors.Geolocation.Each("flat").Where(c => c.Text("status") != "ok").ToArray();
+        Assert.True(rejects.Length >= 15);
+        foreach (JsonElement c in rejects)
+        {
+            GeolocationError expected = c.Text("reason") == "camera_below_ground" ? GeolocationError.CameraBelowGround : GeolocationError.NearHorizon;
+            Assert.Equal(expected, Aimed(c).Locate(c.Number("u"), c.Number("v"), out NedVector _));
+        }
+    }
+
+    [Fact]
+    public void Covariance_Vectors_IsTheSumOverAllErrors()
+    {
+        Dictionary<double, JsonElement> flat = Vectors.Geolocation.Each("flat").ToDictionary(c => c.Number("id"));
+        JsonElement holder = Vectors.Geolocation.TryGetProperty("jacobian_columns", out _) ? Vectors.Geolocation : Vectors.Geolocation.Each("covariance").First();
+        string[] columns = holder.Each("jacobian_columns").Select(n => n.GetString()!).ToArray();
+        foreach (JsonElement c in Vectors.Geolocation.Each("covariance"))
+        {
+            JsonElement look = flat[c.Number("flat_case")];
+            double[] sigmas = columns.Select(n => c.GetProperty("sigma").Number(n) * (n.EndsWith("_deg", StringComparison.Ordinal) ? Vectors.Degree : 1)).ToArray();
+            var jacobian = new GroundJacobian(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(look.GetProperty("mount")));
+            double[] v = c.Numbers("v_ned");
+            double[] w = c.Numbers("omega_body_deg_s");
+            Pose pose = PoseOf(look);
+            pose.VelocityNed = new NedVector(v[0], v[1], v[2]);
+            pose.Rates = BodyRates.FromDegreesPerSecond(w[0], w[1], w[2]);
+            Assert.True(jacobian.TryCompute(SightingOf(look, pose), look.Number("u"), look.Number("v")));
+
+            HorizontalCovariance covariance = jacobian.Covariance(sigmas);
+
+            double[] expected = c.Numbers("cov_ne");
+            double tolerance = 1e-4 * (expected[0] + expected[2]);
+            Assert.Equal(expected[0], covariance.NorthNorth, tolerance);
+            Assert.Equal(expected[1], covariance.NorthEast, tolerance);
+            Assert.Equal(expected[2], covariance.EastEast, tolerance);
+        }
+    }
+
+    [Fact]
+    public void TryLocate_GroundPointsProjectedByTheTest_ComeBack()
+    {
+        const int Seed = 7;
+        var random = new Random(Seed);
+        var view = new TestView();
+        int seen = 0;
+        for (int i = 0; i < 400; i++)
+        {
+            view.SetAtRandom(random);
+            double north = 30 * (random.NextDouble() - 0.5);
+            double east = 30 * (random.NextDouble() - 0.5);
+            if (!view.TryProject(north, east, out double column, out double row))
+                continue;
+            seen++;
+            Assert.True(view.Aim(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground), $"seed {Seed}, case {i}");
+            Assert.Equal(north, ground.North, 1e-6);
+            Assert.Equal(east, ground.East, 1e-6);
+        }
+
+        Assert.True(seen > 100, $"{seen} were seen");
+    }
+
+    // The middle of the picture of a camera that looks straight down, nose north (docs/managers/image-processing.md).
+    [Theory]
+    [InlineData(10, 0, 0, 0, 0, -1)]
+    [InlineData(0, 10, 0, 0, 1, 0)]
+    [InlineData(0, 0, 100, 0, 0, 1)]
+    [InlineData(0, 0, 0, 100, -1, 0)]
+    public void TryLocate_StraightDownNoseNorth_MovesAsTheQuickSignCheckSays(double roll, double pitch, double columns, double rows, int north, int east)
+    {
+        var view = new TestView { Attitude = EulerAngles.FromDegrees(roll, pitch, 0) };
+        Assert.True(view.Aim(new ErrorBudget()).TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedVector ground));
+        Assert.Equal((north, east), (Sign(ground.North), Sign(ground.East)));
+
+        static int Sign(double metres) => Math.Abs(metres) < 2 ? 0 : Math.Sign(metres);
+    }
+
+    [Fact]
+    public void Scale_StraightDown_IsHeightOverFocalLength()
+    {
+        var view = new TestView();
+        Assert.True(view.Aim(new ErrorBudget()).TryScale(view.Camera.CentreX, view.Camera.CentreY, out GroundScale scale));
+        double expected = view.HeightMetres / 530;
+        Assert.Equal(expected * expected, scale.PixelArea, 1e-7);
+
+        // Yaw 0 and looking down: right is east, down in the picture is south.
+        Assert.Equal(expected, scale.EastByColumn, 1e-6);
+        Assert.Equal(-expected, scale.NorthByRow, 1e-6);
+    }
+
+    [Fact]
+    public void Covariances_ErrorsDrawnAtRandom_SpreadAsStated()
+    {
+        const int Seed = 11;
+        const int Draws = 4000;
+        var random = new Random(Seed);
+        var budget = new ErrorBudget
+        {
+            AttitudeNoiseRadians = 0.5 * Vectors.Degree,
+            HeadingNoiseRadians = 1.5 * Vectors.Degree,
+            PositionNoiseMetres = 0.4,
+            AltitudeNoiseMetres = 0.6,
+            PixelNoise = 0.8,
+            TimeNoise = TimeSpan.FromMilliseconds(30),
+            PositionBiasMetres = 0,
+            AttitudeBiasRadians = 0,
+            HeadingBiasRadians = 0,
+            MountBiasRadians = 0,
+            AltitudeBiasMetres = 0,
+        };
+        var view = new TestView { Attitude = EulerAngles.FromRadians(0.1, -0.15, 0.7), Velocity = new NedVector(6, -3, 0.5), Rates = BodyRates.FromRadiansPerSecond(0.2, -0.1, 0.1) };
+        GroundProjector locator = view.Aim(budget);
+        const double Column = 480;
+        const double Row = 120;
+        Assert.True(locator.TryProjectToGround(Column, Row, out NedVector truth));
+        Assert.True(locator.TryCovariances(Column, Row, out HorizontalCovariance stated, out HorizontalCovariance common));
+        Assert.Equal(0, common.NorthNorth + common.EastEast);
+
+        (double nn, double ne, double ee) = (0, 0, 0);
+        for (int i = 0; i < Draws; i++)
+        {
+            NedVector ground = view.WithErrors(random, budget).Located(Column + (budget.PixelNoise * Gauss(random)), Row + (budget.PixelNoise * Gauss(random)));
+            (double north, double east) = (ground.North - truth.North, ground.East - truth.East);
+            nn += north * north / Draws;
+            ne += north * east / Draws;
+            ee += east * east / Draws;
+        }
+
+        // The spread of a variance over so many draws is 2.2 %.
+        double tolerance = 0.08 * (stated.NorthNorth + stated.EastEast);
+        Assert.Equal(nn, stated.NorthNorth, tolerance);
+        Assert.Equal(ne, stated.NorthEast, tolerance);
+        Assert.Equal(ee, stated.EastEast, tolerance);
+    }
+
+    [Fact]
+    public void Covariances_DefaultErrors_AreThoseOfAnUncalibratedVehicle()
+    {
+        Assert.True(new TestView().Aim(new ErrorBudget()).TryCovariances(320, 240, out HorizontalCovariance perLook, out HorizontalCovariance common));
+        Assert.InRange(perLook.HalfMajorAxis95Metres, 0.5, 2);
+        Assert.InRange(common.HalfMajorAxis95Metres, 2.5, 4.5);
+    }
+
+    internal static double Gauss(Random random)
+        => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+
+    internal static Pose PoseOf(JsonElement look) => new() { Position = look.Position(), Attitude = Rotation.FromEuler(look.Euler()) };
+
+    internal static GroundProjector Aimed(JsonElement look, TerrainGrid? terrain = null, ErrorBudget? errors = null)
+    {
+        JsonElement mount = look.GetProperty("mount");
+        var locator = new GroundProjector(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
+        locator.Aim(PoseOf(look), new ImagingCommand
+        {
+            CameraPitchRadians = mount.Radians("el"),
+            CameraYawRadians = mount.Radians("az"),
+            GroundAltitudeAmslMetres = terrain is null ? look.Number("ground_h") : 0,
+        });
+        return locator;
+    }
+
+    private static ViewingGeometry SightingOf(JsonElement look, Pose pose) => new()
+    {
+        Pose = pose,
+        GimbalPitchRadians = look.GetProperty("mount").Radians("el"),
+        GimbalYawRadians = look.GetProperty("mount").Radians("az"),
+        GroundDownMetres = look.Number("h") - look.Number("ground_h"),
+    };
+}
