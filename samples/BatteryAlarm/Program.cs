@@ -1,0 +1,58 @@
+using System;
+using Rabit.Core;
+using Rabit.Links;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav;
+using Rabit.Uav.Messages;
+
+// A manager of your own beside the six: it warns the ground station when the battery falls below a level. It subscribes to the
+// state of the vehicle, and pushes a STATUSTEXT into the queue of frames that Communications sends to all links.
+//     BatteryAlarm LINK PERCENT       for example 'tlog:flight.tlog?speed=max' 96
+if (args.Length != 2 || !LinkUrl.TryParse(args[0], out LinkUrl? link, out _) || !int.TryParse(args[1], out int percent))
+{
+    Console.Error.WriteLine("BatteryAlarm LINK PERCENT");
+    return 2;
+}
+
+using UavSystem uav = UavSystem.Open(new UavOptions
+{
+    Links = [link],
+    OtherManagers = [new BatteryAlarm(percent / 100.0)],
+});
+var options = new ReactorOptions { Log = entry => { if (entry.Source == "battery alarm") Console.WriteLine(entry); } };
+return (await uav.CreateReactor(options).RunAsync()).ExitCode;
+
+internal sealed class BatteryAlarm : RabitManager
+{
+    private readonly double _level;
+    private readonly MessageSubscriber<VehicleState> _vehicle;
+    private readonly MessageSubscriber<OwnAddress> _ownAddress;
+    private readonly QueueSender<OutgoingFrame> _outgoing;
+    private bool _hasWarned;
+
+    public BatteryAlarm(double level)
+        : base("battery alarm")
+    {
+        _level = level;
+        _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState, wakeOnPost: true);
+        _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
+        _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
+    }
+
+    protected override void ExecuteUnitOfWork()
+    {
+        _ownAddress.Fetch();
+        if (!_vehicle.Fetch() || _hasWarned || !_ownAddress.Value.IsKnown)
+            return;
+        double remaining = _vehicle.Value.BatteryRemaining;
+        if (!(remaining < _level))   // also where it is not known: NaN
+            return;
+        _hasWarned = true;
+        string text = FormattableString.Invariant($"battery at {100 * remaining:0} percent");
+        Log(text);
+        var message = new Statustext { Severity = MavSeverity.Warning, Text = new Text50(text) };
+        OwnAddress own = _ownAddress.Value;
+        _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0) });
+    }
+}
