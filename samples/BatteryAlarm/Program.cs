@@ -18,23 +18,24 @@ if (args.Length != 2 || !LinkUrl.TryParse(args[0], out LinkUrl? link, out _) || 
 using UavSystem uav = UavSystem.Open(new UavOptions
 {
     Links = [link],
-    OtherManagers = [new BatteryAlarm(percent / 100.0)],
+    OtherManagers = [new BatteryAlarm(percent / 100.0, Console.WriteLine)],
 });
-var options = new ReactorOptions { Log = entry => { if (entry.Source == "battery alarm") Console.WriteLine(entry); } };
-return (await uav.CreateReactor(options).RunAsync()).ExitCode;
+return (await uav.CreateReactor(new ReactorOptions()).RunAsync()).ExitCode;
 
 internal sealed class BatteryAlarm : RabitManager
 {
     private readonly double _level;
+    private readonly Action<string> _print;
     private readonly MessageSubscriber<VehicleState> _vehicle;
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly QueueSender<OutgoingFrame> _outgoing;
     private bool _hasWarned;
 
-    public BatteryAlarm(double level)
+    public BatteryAlarm(double level, Action<string> print)
         : base("battery alarm")
     {
         _level = level;
+        _print = print;
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState, wakeOnPost: true);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
@@ -50,7 +51,7 @@ internal sealed class BatteryAlarm : RabitManager
             return;
         _hasWarned = true;
         string text = FormattableString.Invariant($"battery at {100 * remaining:0} percent");
-        Log(text);
+        _print($"{Now.TotalSeconds:0.0} s: {text}");
         var message = new Statustext { Severity = MavSeverity.Warning, Text = new Text50(text) };
         OwnAddress own = _ownAddress.Value;
         _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0) });
