@@ -124,6 +124,10 @@ latencies_work() {
 }
 
 for project in tests/*/*.csproj; do
+    # The tests of the documents need a compiler, which runs on .NET only.
+    if [ "$(property "$project" RabitRunsOnMono)" = false ]; then
+        continue
+    fi
     if build_for_mono "$project"; then
         run_tests "$project"
     else
@@ -136,7 +140,7 @@ for project in samples/*/*.csproj; do
 done
 
 check "Rabit.Latency works" latencies_work
-check "HelloRabit prints the same" prints_the_same HelloRabit
+check "the small samples print what they should" eng/samples-check.sh --mono
 check "CustomDialect prints the same" prints_the_same CustomDialect
 check "Wheelchair prints the same" prints_the_same Wheelchair --virtual
 check "OrderBugSearch finds the same" order_bug_is_the_same
