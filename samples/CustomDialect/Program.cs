@@ -1,9 +1,9 @@
 using System;
 using System.Text;
-using CustomDialect.Messages;
+using Orchard.Messages;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using MavCmd = CustomDialect.Messages.MavCmd;   // ours: the package's commands and our own in one enum
+using MavCmd = Orchard.Messages.MavCmd;   // ours: the package's commands and our own in one enum
 
 // Messages of our own (dialects/*.xml) and of the package, out and in again over one stream of bytes.
 var wire = new byte[1024];
