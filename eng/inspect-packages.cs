@@ -8,21 +8,22 @@ using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
 using System.Linq;
+using System.Reflection.Metadata;
+using System.Reflection.PortableExecutable;
+using System.Runtime.CompilerServices;
 using System.Xml.Linq;
 
-// What each package may depend on: on .NET 10 on nothing from outside, down-level on Microsoft's own.
-var allowed = new Dictionary<string, string[]>(StringComparer.Ordinal)
+// eng/packages.txt: the packages, and what each may depend on.
+var allowed = new Dictionary<string, string[]>(StringComparer.Ordinal);
+var packages = new List<string>();
+foreach (string line in File.ReadLines(PackageList()).Where(line => line.Length != 0 && line[0] != '#'))
 {
-    ["Rabit.Core/net10.0"] = [],
-    ["Rabit.Core/.NETStandard2.0"] = ["System.Memory", "System.Threading.Channels", "Microsoft.Bcl.TimeProvider"],
-    ["Rabit.Mavlink/net10.0"] = [],
-    ["Rabit.Mavlink/.NETStandard2.0"] = ["System.Memory", "Microsoft.Bcl.TimeProvider"],
-    ["Rabit.Uav/net10.0"] = ["Rabit.Core", "Rabit.Mavlink"],
-    ["Rabit.Uav.Simulation/net10.0"] = ["Rabit.Uav"],
-    ["Rabit.Uav.Simulation/.NETStandard2.0"] = ["Rabit.Uav"],
-    ["Rabit.Uav/.NETStandard2.0"] = ["Rabit.Core", "Rabit.Mavlink", "System.Collections.Immutable", "System.Text.Json"],
-};
-string[] packages = ["Rabit.Core", "Rabit.Mavlink", "Rabit.Uav", "Rabit.Uav.Simulation"];
+    string[] columns = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
+    packages.Add(columns[0]);
+    allowed[columns[0] + "/net10.0"] = columns[1] == "-" ? [] : columns[1].Split(',');
+    allowed[columns[0] + "/.NETStandard2.0"] = columns[2] == "-" ? [] : columns[2].Split(',');
+}
+
 string[] frameworks = ["net10.0", "netstandard2.0"];
 var faults = new List<string>();
 
@@ -46,7 +47,7 @@ foreach (string id in packages)
 
 foreach (string fault in faults)
     Console.Error.WriteLine(fault);
-Console.WriteLine($"{packages.Length} packages, {faults.Count} faults");
+Console.WriteLine($"{packages.Count} packages, {faults.Count} faults");
 return faults.Count == 0 ? 0 : 1;
 
 void Inspect(string id, string file)
@@ -60,6 +61,10 @@ void Inspect(string id, string file)
     Check(Text("tags").Length > 0, "tags");
     Check(Text("license") == "MIT" && metadata.Elements().Any(e => e.Name.LocalName == "license" && e.Attribute("type")?.Value == "expression"), "licence expression");
     Check(Text("readme") == "README.md" && Read(package, "README.md").Contains("```csharp", StringComparison.Ordinal), "readme with a program");
+    Check(Text("icon") == "icon.png" && Bytes(package, "icon.png") is [0x89, (byte)'P', (byte)'N', (byte)'G', ..], "icon");
+    Check(Text("releaseNotes").Contains("CHANGELOG.md", StringComparison.Ordinal) && package.GetEntry("CHANGELOG.md") is not null, "release notes");
+    foreach (ZipArchiveEntry assembly in package.Entries.Where(e => e.FullName.EndsWith(".dll", StringComparison.Ordinal)))
+        Check(PathOfSymbols(Bytes(package, assembly.FullName)) is var path && (path.StartsWith("/_", StringComparison.Ordinal) || Path.GetFileName(path) == path), $"freedom from the packer's paths: {assembly.FullName} says {path}");
     foreach (string framework in frameworks)
     {
         Check(package.GetEntry($"lib/{framework}/{id}.dll") is not null, $"assembly for {framework}");
@@ -72,7 +77,12 @@ void Inspect(string id, string file)
     {
         using ZipArchive pdbs = ZipFile.OpenRead(symbols);
         foreach (string framework in frameworks)
-            Check(pdbs.GetEntry($"lib/{framework}/{id}.pdb") is not null, $"symbols for {framework}");
+        {
+            string pdb = $"lib/{framework}/{id}.pdb";
+            Check(pdbs.GetEntry(pdb) is not null, $"symbols for {framework}");
+            if (pdbs.GetEntry(pdb) is not null)
+                InspectSources(id, framework, Bytes(pdbs, pdb));
+        }
     }
 
     foreach (XElement group in metadata.Descendants().Where(e => e.Name.LocalName == "group"))
@@ -85,14 +95,35 @@ void Inspect(string id, string file)
     if (id == "Rabit.Mavlink")
     {
         Check(package.GetEntry("analyzers/dotnet/cs/Rabit.Mavlink.Generator.Roslyn.dll") is not null, "generator");
+        Check(Read(package, "lib/net10.0/Rabit.Mavlink.xml").Contains("AttitudeQuaternion", StringComparison.Ordinal), "documentation of messages");
         foreach (string needed in new[] { "build/Rabit.Mavlink.props", "build/Rabit.Mavlink.targets", "buildTransitive/Rabit.Mavlink.props", "buildTransitive/Rabit.Mavlink.targets", "definitions/all.xml", "definitions/common.xml" })
             Check(package.GetEntry(needed) is not null, needed);
     }
+
+    // A package that depends on Rabit.Mavlink, directly or not, passes its generator on.
+    foreach (XElement dependency in metadata.Descendants().Where(e => e.Name.LocalName == "dependency" && packages.Contains(e.Attribute("id")!.Value, StringComparer.Ordinal)))
+        Check(dependency.Attribute("exclude")?.Value.Contains("Analyzers", StringComparison.Ordinal) != true, $"way for the generator: it excludes the analyzers of {dependency.Attribute("id")!.Value}");
 
     void Check(bool holds, string what)
     {
         if (!holds)
             faults.Add($"{id}: has no {what}");
+    }
+}
+
+// Every source is in the symbols, and under no path of the machine that packed.
+void InspectSources(string id, string framework, byte[] pdb)
+{
+    var embeddedSource = new Guid("0E8A571B-6926-466E-B4AD-8AB04611F5FE");   // Portable PDB specification, "Embedded Source"
+    using MetadataReaderProvider provider = MetadataReaderProvider.FromPortablePdbStream(new MemoryStream(pdb));
+    MetadataReader reader = provider.GetMetadataReader();
+    foreach (DocumentHandle handle in reader.Documents)
+    {
+        string name = reader.GetString(reader.GetDocument(handle).Name);
+        if (!name.StartsWith("/_", StringComparison.Ordinal))
+            faults.Add($"{id}: its symbols for {framework} have a path of the packer: {name}");
+        if (!reader.GetCustomDebugInformation(handle).Any(info => reader.GetGuid(reader.GetCustomDebugInformation(info).Kind) == embeddedSource))
+            faults.Add($"{id}: its symbols for {framework} do not hold the source {name}");
     }
 }
 
@@ -106,7 +137,7 @@ void Compare(string file)
         return;
     }
 
-    // Everything but the container's own books, which carry random names.
+    // Everything but the container's own records, which carry random names.
     using ZipArchive one = ZipFile.OpenRead(file);
     using ZipArchive two = ZipFile.OpenRead(other);
     static IEnumerable<string> Names(ZipArchive package) => package.Entries.Select(e => e.FullName).Where(n => !n.StartsWith("_rels/", StringComparison.Ordinal) && !n.StartsWith("package/", StringComparison.Ordinal));
@@ -115,6 +146,16 @@ void Compare(string file)
         if (!Bytes(one, entry).SequenceEqual(Bytes(two, entry)))
             faults.Add($"{name}: {entry} differs when it is built in another folder");
     }
+}
+
+static string PackageList([CallerFilePath] string thisFile = "") => Path.Combine(Path.GetDirectoryName(thisFile)!, "packages.txt");
+
+// Where the compiler wrote the symbols, as the assembly says.
+static string PathOfSymbols(byte[] assembly)
+{
+    using var reader = new PEReader(new MemoryStream(assembly));
+    DebugDirectoryEntry[] entries = [.. reader.ReadDebugDirectory().Where(e => e.Type == DebugDirectoryEntryType.CodeView)];
+    return entries.Length == 0 ? "" : reader.ReadCodeViewDebugDirectoryData(entries[0]).Path;
 }
 
 static XElement Metadata(ZipArchive package)

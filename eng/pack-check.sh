@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # The packages as users get them: packs them to artifacts/packages, looks into them, packs them once more in another folder
-# to show that the build is deterministic, and builds and runs a small program (eng/pack-check) against them under .NET and
-# Mono. With --quick the second build is left out.
+# to show that the build is deterministic, and builds and runs small programs (eng/pack-check) against them under .NET and
+# Mono. eng/packages.txt lists the packages. With --quick the second build is left out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-ids=(Rabit.Core Rabit.Mavlink Rabit.Uav Rabit.Uav.Simulation)
+mapfile -t ids < <(sed -nE 's/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt)
 version=$(dotnet msbuild src/Rabit.Core -getProperty:Version)
 packages=$PWD/artifacts/packages
 work=$PWD/artifacts/pack-check
@@ -14,9 +14,13 @@ trap '[ -z "$copy" ] || rm -rf "$copy"' EXIT
 
 pack() {
     for id in "${ids[@]}"; do
-        dotnet pack "$1/src/$id" -c Release -v quiet -o "$2" -p:ContinuousIntegrationBuild=true "${@:3}"
+        dotnet pack "$1/src/$id" -c Release -v quiet -o "$2" "${@:3}"
     done
 }
+
+echo "--- the list of packages"
+diff -u <(printf '%s\n' "${ids[@]}" | LC_ALL=C sort) \
+    <(grep -l '<IsPackable>true' src/*/*.csproj | sed -E 's|.*/(.*)\.csproj|\1|' | LC_ALL=C sort)
 
 echo "--- pack"
 rm -rf "$packages"
@@ -37,6 +41,8 @@ echo "--- use them"
 mkdir -p "$work/packages"
 rm -rf "$work"/packages/rabit.*   # a package of the same version, packed before, must not be taken for this one
 export RabitVersion=$version          # read by the projects in eng/pack-check
+RabitPackages=$(IFS=';'; printf '%s' "${ids[*]}")
+export RabitPackages
 dotnet build eng/pack-check -v quiet
 dotnet run --project eng/pack-check -f net10.0 --no-build > "$work/net.txt"
 cat "$work/net.txt"
@@ -51,9 +57,17 @@ done
 mono "$work/bin/PackCheck/debug_net472/PackCheck.exe" > "$work/mono.txt"
 diff -u "$work/net.txt" "$work/mono.txt"
 
+echo "--- Rabit.Uav alone, central package versions, two namespaces"
+dotnet build eng/pack-check/central -v quiet
+dotnet run --project eng/pack-check/central --no-build
+
+echo "--- definitions without the generator"
+dotnet build eng/pack-check/no-generator -v quiet > "$work/no-generator.log" 2>&1 && { echo "It compiles." >&2; exit 1; }
+grep -q 'error RABMAV101' "$work/no-generator.log"
+
 echo "--- wrong definitions are compiler errors"
 dotnet build eng/pack-check/faults -v quiet > "$work/faults.log" 2>&1 && { echo "Wrong definitions compile." >&2; exit 1; }
-sed -n 's|^.*/eng/pack-check/faults/\([^/]*: error .*\) \[.*\]$|\1|p' "$work/faults.log" | LC_ALL=C sort -u -V > "$work/faults.txt"
+sed -nE 's#^.*/eng/pack-check/faults/([^/]*: (error|warning) .*) \[.*\]$#\1#p' "$work/faults.log" | LC_ALL=C sort -u -V > "$work/faults.txt"
 diff -u eng/pack-check/faults/expected.txt "$work/faults.txt"
 if grep 'error CS\|error MSB\|error NU' "$work/faults.log"; then
     echo "Wrong definitions give errors of another kind." >&2

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Text;
-using PackCheck.Messages;
+using Harvest.Wire;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 
@@ -18,13 +18,13 @@ namespace PackCheck
             Require(orchard.Count == MavlinkDialect.Common.Count + 2 && orchard.Name == "orchard", "two include levels");
 
             // Only what the package does not have is made here.
-            Type[] own = typeof(OwnDialect).Assembly.GetTypes().Where(type => type.Namespace == "PackCheck.Messages" && type.IsPublic).ToArray();
+            Type[] own = typeof(OwnDialect).Assembly.GetTypes().Where(type => type.Namespace == "Harvest.Wire" && type.IsPublic).ToArray();
             Require(
                 string.Join(" ", own.Select(type => type.Name).OrderBy(name => name, StringComparer.Ordinal))
-                    == "CompanyMode CompanyState MavCmd OrchardDialect OrchardFruit OrchardFruitFlags Text12",
+                    == "CompanyMode CompanyState OrchardDialect OrchardFruit OrchardFruitFlags OrchardMavCmd Text12",
                 "nothing twice, but: " + string.Join(" ", own.Select(type => type.Name)));
             Require(typeof(OrchardFruitFlags).IsDefined(typeof(FlagsAttribute), false), "[Flags]");
-            Require((int)Messages.MavCmd.OrchardPick == 48100 && (int)Messages.MavCmd.CompanyRest == 48000 && (int)Messages.MavCmd.NavWaypoint == 16, "a merged enum");
+            Require((int)OrchardMavCmd.OrchardPick == 48100 && (int)OrchardMavCmd.CompanyRest == 48000, "entries added to an enum of the package");
             MavState status = default(CompanyState).Status;
             Require(status == MavState.Uninit, "the enums of the package");
 
@@ -38,10 +38,10 @@ namespace PackCheck
                 Temperature = -1,
             };
             Program.PassOn(new Heartbeat { Type = MavType.Quadrotor }, orchard);
-            Program.PassOn(new CompanyState { LastCommand = Messages.MavCmd.OrchardPick, Mode = CompanyMode.Picking }, orchard);
+            Program.PassOn(new CompanyState { LastCommand = OrchardMavCmd.OrchardPick, Mode = CompanyMode.Picking }, orchard);
             MavlinkFrame frame = Program.PassOn(fruit, MavlinkDialect.Combine("both", MavlinkDialect.ArduPilotMega, orchard));
             Print(orchard, frame);
-            var command = new CommandLong { Command = (Rabit.Mavlink.Messages.MavCmd)Messages.MavCmd.OrchardPick };
+            var command = new CommandLong { Command = OrchardMavCmd.OrchardPick };
             Print(orchard, Program.PassOn(command, orchard));
         }
 

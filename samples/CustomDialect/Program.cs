@@ -3,13 +3,12 @@ using System.Text;
 using Orchard.Messages;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using MavCmd = Orchard.Messages.MavCmd;   // ours: the package's commands and our own in one enum
 
 // Messages of our own (dialects/*.xml) and of the package, out and in again over one stream of bytes.
 var wire = new byte[1024];
 int length = 0;
 Send(new Heartbeat { Type = MavType.Quadrotor, Autopilot = MavAutopilot.Px4, SystemStatus = MavState.Active, MavlinkVersion = 3 }, 0);
-Send(new CompanyState { TimeBootMs = 1500, LastCommand = MavCmd.OrchardPick, Mode = CompanyMode.Picking, Status = MavState.Active }, 1);
+Send(new CompanyState { TimeBootMs = 1500, LastCommand = OrchardMavCmd.OrchardPick, Mode = CompanyMode.Picking, Status = MavState.Active }, 1);
 Send(
     new OrchardFruit
     {
@@ -21,9 +20,10 @@ Send(
         Temperature = 1850,
     },
     2);
-Send(new CommandLong { TargetSystem = 1, Command = (Rabit.Mavlink.Messages.MavCmd)MavCmd.OrchardPick, Param1 = 12 }, 3);
+// A command of our own is a value of the package's MavCmd.
+Send(new CommandLong { TargetSystem = 1, Command = OrchardMavCmd.OrchardPick, Param1 = 12 }, 3);
 
-// One receiver for our dialect and whatever an ArduPilot says beside it.
+// One receiver for our dialect and the messages of ArduPilot.
 MavlinkDialect dialect = MavlinkDialect.Combine("orchard and ArduPilot", OrchardDialect.Instance, MavlinkDialect.ArduPilotMega);
 Console.WriteLine($"{dialect.Name}: {dialect.Count} messages, {OrchardDialect.Instance.Count} of them in {OrchardDialect.Instance.Name}.xml and what it includes");
 var reader = new MavlinkFrameReader(dialect);

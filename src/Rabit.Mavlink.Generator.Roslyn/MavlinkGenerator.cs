@@ -46,11 +46,12 @@ public sealed class MavlinkGenerator : IIncrementalGenerator
 
     private static void GenerateOwn(SourceProductionContext context, List<DialectInput> own, List<DialectInput> package, string defaultNamespace)
     {
-        // A project's own files come first: an include finds the copy that somebody keeps before that of the package.
+        // A project's own files come first: an include finds the copy that a project keeps before that of the package.
         List<DialectFile> files = own.Concat(package).Select(input => input.File).ToList();
         List<DialectFile> packageFiles = package.Select(input => input.File).ToList();
         DialectFile? packageRoot = packageFiles.FirstOrDefault(file => IsPackageRoot(file.Path));
-        ExistingTypes? existing = packageRoot is null ? null : new ExistingTypes(DialectReader.Read(packageRoot, packageFiles).Dialect, PackageNamespace);
+        Dialect? packageDialect = packageRoot is null ? null : DialectReader.Read(packageRoot, packageFiles).Dialect;
+        ExistingTypes? existing = packageDialect is null ? null : new ExistingTypes(packageDialect, PackageNamespace);
 
         var reported = new HashSet<DialectFault>();
         var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
@@ -60,7 +61,8 @@ public sealed class MavlinkGenerator : IIncrementalGenerator
         {
             DialectReadResult result = DialectReader.Read(root, files);
             // Two roots that include one bad file say so once.
-            foreach (DialectFault fault in result.Faults.Where(reported.Add))
+            IEnumerable<DialectFault> faults = packageDialect is null ? result.Faults : result.Faults.Concat(CommandNumbers.Check(result.Dialect, packageDialect));
+            foreach (DialectFault fault in faults.Where(reported.Add))
                 context.ReportDiagnostic(DialectDiagnostics.From(fault));
             // Two dialects may both have their form of a type, so each gets a namespace of its own.
             bool isShared = roots.Count(other => string.Equals(other.Namespace, chosen, StringComparison.OrdinalIgnoreCase)) > 1;

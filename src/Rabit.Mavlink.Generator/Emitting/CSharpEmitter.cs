@@ -12,7 +12,7 @@ namespace Rabit.Mavlink.Generator.Emitting;
 public static class CSharpEmitter
 {
     /// <summary>Writes a dialect. The same dialect gives the same text, byte for byte.</summary>
-    /// <param name="dialect">Sound definitions, as the reader gives them.</param>
+    /// <param name="dialect">Valid definitions, as the reader gives them.</param>
     /// <param name="options">Where the code goes.</param>
     /// <returns>One file per type that the package does not have, and one for the dialect itself.</returns>
     public static IReadOnlyList<GeneratedSource> Emit(Dialect dialect, EmitOptions options)
@@ -25,15 +25,17 @@ public static class CSharpEmitter
         var sources = new List<GeneratedSource>();
         foreach (ArrayType array in names.OwnArrays)
             Add(sources, options, array.Name, writer => ArrayEmitter.Emit(writer, array));
-        foreach (EnumDefinition definition in names.OwnEnums)
+        foreach (EnumDefinition definition in names.NewEnums)
             Add(sources, options, names.OfEnum(definition.Name), writer => new EnumEmitter(dialect, names, writer).Emit(definition));
+        foreach (EnumDefinition definition in names.ExtendedEnums)
+            Add(sources, options, names.OfAddedEntries(definition.Name), writer => new EnumEntriesEmitter(dialect, names, writer).Emit(definition));
         foreach (MessageDefinition message in names.OwnMessages)
             Add(sources, options, names.OfMessage(message), writer => new MessageEmitter(names, message, writer).Emit());
         sources.Add(DialectEmitter.Emit(dialect, options, names));
         return sources;
     }
 
-    /// <summary>A file with the header that tells tools to leave it alone, and the namespace around its content.</summary>
+    /// <summary>A file with the header that marks it as generated, and the namespace around its content.</summary>
     internal static GeneratedSource File(string name, string @namespace, Action<SourceWriter> content)
     {
         var writer = new SourceWriter();

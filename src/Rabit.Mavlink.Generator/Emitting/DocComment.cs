@@ -29,7 +29,7 @@ internal static class DocComment
         return escaped.EndsWith(".", System.StringComparison.Ordinal) ? escaped : escaped + ".";
     }
 
-    public static IEnumerable<string> Marks(DefinitionMarks marks)
+    public static IEnumerable<string> Marks(DefinitionMarks marks, string? replacedBy)
     {
         if ((marks & DefinitionMarks.WorkInProgress) != DefinitionMarks.None)
             yield return "Work in progress: its definition may still change.";
@@ -37,6 +37,8 @@ internal static class DocComment
             yield return "Deprecated by its definition: should no longer be sent.";
         if ((marks & DefinitionMarks.Superseded) != DefinitionMarks.None)
             yield return "Superseded by its definition: something newer does the same.";
+        if (replacedBy is not null)
+            yield return $"Replaced by {Escape(replacedBy)}.";
     }
 
     public static string Join(IEnumerable<string> sentences) => string.Join(" ", sentences.Where(sentence => sentence.Length != 0));

@@ -15,7 +15,7 @@ internal sealed class EnumEmitter(Dialect dialect, TypeNames names, SourceWriter
         string kind = definition.IsBitmask ? "bit mask" : "enum";
         string fact = $"{DocComment.Code(definition.Name)}, {kind} with {definition.Entries.Count} {(definition.Entries.Count == 1 ? "entry" : "entries")}.";
         DocComment.Summary(writer, definition.Description is null ? fact : DocComment.Sentence(definition.Description));
-        DocComment.Remarks(writer, (definition.Description is null ? [] : new[] { fact }).Concat(DocComment.Marks(definition.Marks)).ToList());
+        DocComment.Remarks(writer, (definition.Description is null ? [] : new[] { fact }).Concat(DocComment.Marks(definition.Marks, replacedBy: null)).ToList());
         if (definition.IsBitmask)
             writer.Line("[global::System.Flags]");
         WireType underlying = EnumUnderlyingType.Of(definition, dialect);
@@ -32,11 +32,17 @@ internal sealed class EnumEmitter(Dialect dialect, TypeNames names, SourceWriter
         writer.Close();
     }
 
-    private void EmitEntry(EnumEntry entry, string name, WireType underlying)
+    /// <summary>The documentation of one entry.</summary>
+    public static void EmitDocs(SourceWriter writer, EnumEntry entry)
     {
         string code = DocComment.Code(entry.Name) + ".";
         DocComment.Summary(writer, entry.Description is null ? code : DocComment.Join([DocComment.Sentence(entry.Description), code]));
-        DocComment.Remarks(writer, DocComment.Marks(entry.Marks).Concat(entry.Parameters.Select(Describe).Where(text => text.Length != 0)).ToList());
+        DocComment.Remarks(writer, DocComment.Marks(entry.Marks, entry.ReplacedBy).Concat(entry.Parameters.Select(Describe).Where(text => text.Length != 0)).ToList());
+    }
+
+    private void EmitEntry(EnumEntry entry, string name, WireType underlying)
+    {
+        EmitDocs(writer, entry);
         string value = entry.Value.ToString(CultureInfo.InvariantCulture);
         writer.Line(entry.Value <= underlying.Maximum ? $"{name} = {value}," : $"{name} = unchecked(({underlying.CSharpName}){value}),");
     }

@@ -5,13 +5,15 @@ using Rabit.Mavlink.Generator.Naming;
 
 namespace Rabit.Mavlink.Generator.Emitting;
 
-/// <summary>What the doc of a property says: what the definition tells of the field.</summary>
+/// <summary>What the doc of a property says: what the definition says of the field.</summary>
 internal static class FieldDocs
 {
-    public static void Write(SourceWriter writer, FieldDefinition field, TypeNames names)
+    public static void Write(SourceWriter writer, FieldDefinition field, TypeNames names, bool isRenamed)
     {
         List<string> facts = Facts(field, names).ToList();
         string head = field.Description is null ? "" : DocComment.Sentence(field.Description);
+        if (isRenamed)
+            facts.Add("Not called like its field, since a C# member cannot have the name of its type.");
         DocComment.Summary(writer, DocComment.Join(new[] { head, What(field) }.Concat(facts)));
     }
 
@@ -42,7 +44,7 @@ internal static class FieldDocs
         if (field.Invalid is not null)
             yield return $"Invalid value: {DocComment.Code(field.Invalid)}.";
         if (field.IsInstance)
-            yield return "Tells several instances of this message apart.";
+            yield return "Distinguishes several instances of this message.";
         if (field.IsExtension)
             yield return "Extension: zero from senders of MAVLink 1 and from those that do not know it.";
     }

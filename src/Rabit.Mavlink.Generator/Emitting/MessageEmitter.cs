@@ -28,7 +28,7 @@ internal sealed class MessageEmitter
     {
         string fact = $"{DocComment.Code(_message.Name)}, message {_message.Id} of {DocComment.Escape(_message.File)}.";
         DocComment.Summary(_writer, _message.Description is null ? fact : DocComment.Join([DocComment.Sentence(_message.Description), fact]));
-        DocComment.Remarks(_writer, DocComment.Marks(_message.Marks).ToList());
+        DocComment.Remarks(_writer, DocComment.Marks(_message.Marks, _message.ReplacedBy).ToList());
         _writer.Open($"public struct {_typeName} : IMavlinkMessage");
         EmitConstants();
         _writer.Blank();
@@ -61,7 +61,7 @@ internal sealed class MessageEmitter
     private void EmitProperty(FieldDefinition field)
     {
         _writer.Blank();
-        FieldDocs.Write(_writer, field, _names);
+        FieldDocs.Write(_writer, field, _names, isRenamed: PropertyNames.IsCalledLikeMessage(field, _typeName));
         _writer.Open($"public {TypeOf(field)} {_properties[field]}");
         _writer.Line($"get {{ return {Variable(field)}; }}");
         _writer.Line($"set {{ {Variable(field)} = value; }}");

@@ -60,6 +60,9 @@ public sealed class MessageDefinition
     /// <summary>Its age.</summary>
     public DefinitionMarks Marks { get; init; }
 
+    /// <summary>What to use instead of a deprecated or superseded one; null where the definition names nothing.</summary>
+    public string? ReplacedBy { get; init; }
+
     /// <summary>Where a field begins in the payload.</summary>
     /// <param name="field">One of <see cref="Fields"/>.</param>
     /// <returns>Bytes from the start of the payload.</returns>

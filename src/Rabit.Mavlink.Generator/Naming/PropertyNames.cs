@@ -17,6 +17,9 @@ internal static class PropertyNames
         "Equals", "GetHashCode", "GetType", "ToString", "Finalize", "MemberwiseClone", "ReferenceEquals",
     };
 
+    /// <summary>Whether a property would be called like its message, so that it is called Value.</summary>
+    public static bool IsCalledLikeMessage(FieldDefinition field, string typeName) => PascalCase.Of(field.Name) == typeName;
+
     /// <summary>The C# name of each field.</summary>
     public static IReadOnlyDictionary<FieldDefinition, string> Of(MessageDefinition message, string typeName)
     {
@@ -25,7 +28,7 @@ internal static class PropertyNames
         foreach (FieldDefinition field in message.Fields)
         {
             string name = PascalCase.Of(field.Name);
-            if (name == typeName)
+            if (IsCalledLikeMessage(field, typeName))
                 name = "Value";
             if (Reserved.Contains(name) || name == typeName)
                 name += "Field";

@@ -13,7 +13,7 @@ internal readonly struct DefinitionElement(XElement element, string path, FaultL
 
     public string Path => path;
 
-    public string FileName => System.IO.Path.GetFileName(path.Replace('\\', '/'));
+    public string FileName => Place.FileName;
 
     public string? Attribute(string name) => element.Attribute(name)?.Value;
 
@@ -26,7 +26,14 @@ internal readonly struct DefinitionElement(XElement element, string path, FaultL
         | (element.Element("deprecated") is null ? DefinitionMarks.None : DefinitionMarks.Deprecated)
         | (element.Element("superseded") is null ? DefinitionMarks.None : DefinitionMarks.Superseded);
 
+    public string? ReplacedBy =>
+        Clean((element.Element("deprecated") ?? element.Element("superseded"))?.Attribute("replaced_by")?.Value);
+
     public void Fault(DialectFaultKind kind, string reason) => faults.Add(kind, path, (IXmlLineInfo)element, reason);
+
+    public void Fault(DialectFaultKind kind, XAttribute at, string reason) => faults.Add(kind, path, at, reason);
+
+    public DefinitionPlace Place => FaultList.PlaceOf(path, element);
 
     public DefinitionElement Child(XElement child) => new(child, path, faults);
 

@@ -35,4 +35,34 @@ public enum DialectFaultKind
 
     /// <summary>A field names an enum that no file defines.</summary>
     UnknownEnum = 11,
+
+    /// <summary>An element or attribute is nearly called like one of the schema, or an element stands in the wrong place.</summary>
+    MisspeltName = 12,
+
+    /// <summary>An element or attribute that the schema does not have; a warning, since a newer schema may.</summary>
+    UnknownName = 13,
+
+    /// <summary>Two entries of an enum have one value.</summary>
+    DuplicateEnumValue = 14,
+
+    /// <summary>A command has a number that the package's MAV_CMD gives to another one; a warning, since the dialect does not include that one.</summary>
+    CommandOfPackage = 15,
+
+    /// <summary>The value of an enum entry fits none of the fields that are of its enum.</summary>
+    ValueFitsNoField = 16,
+
+    /// <summary>A field cannot carry all entries of its enum; a warning, since it may never have to.</summary>
+    FieldTooNarrow = 17,
+
+    /// <summary>A floating-point field names an enum; a warning, since it only stays without the type.</summary>
+    EnumOfFloat = 18,
+
+    /// <summary>A message has no field.</summary>
+    NoFields = 19,
+
+    /// <summary>A message has more than the 64 fields that MAVLink's own libraries can describe.</summary>
+    TooManyFields = 20,
+
+    /// <summary>An entry of a bit mask combines bits that no entry names; a warning.</summary>
+    UnnamedBits = 21,
 }

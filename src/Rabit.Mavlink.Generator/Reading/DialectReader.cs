@@ -12,7 +12,7 @@ public static class DialectReader
     /// <summary>Reads a root file and what it includes. Throws for no definition, however broken: what is wrong is in the result.</summary>
     /// <param name="root">The file to begin with.</param>
     /// <param name="files">All files that may be included; the root may be among them.</param>
-    /// <returns>The sound definitions and the faults.</returns>
+    /// <returns>The valid definitions and the faults.</returns>
     public static DialectReadResult Read(DialectFile root, IReadOnlyList<DialectFile> files)
     {
         if (root is null)
@@ -23,6 +23,8 @@ public static class DialectReader
         var walk = new IncludeWalk(files, faults);
         IReadOnlyList<DefinitionElement> elements = walk.Walk(root);
 
+        foreach (DefinitionElement file in elements)
+            SchemaCheck.Check(file);
         // All enums first: a file may use an enum that a file beside it defines, and files without includes do.
         var enums = new EnumReader();
         foreach (DefinitionElement file in elements)
@@ -30,6 +32,7 @@ public static class DialectReader
         var messages = new MessageReader(enums);
         foreach (DefinitionElement file in elements)
             Each(file, "messages", "message", messages.Read);
+        new EnumValueCheck(enums, messages.EnumUses, faults).Run();
 
         string name = Path.GetFileNameWithoutExtension(IncludePath.FileName(root.Path));
         return new DialectReadResult(new Dialect(name, enums.Enums, messages.Messages) { Parts = walk.Parts }, faults.Faults);

@@ -41,14 +41,20 @@ internal sealed class EnumReader
             return;
         }
 
-        if (!merged.TryAdd(ToEntry(name, value, element), out decimal other))
-            element.Fault(DialectFaultKind.ConflictingEnumValue, $"{name} of enum {merged.Name} is {value} here and {other} elsewhere.");
+        if (merged.TryAdd(ToEntry(name, value, element)) is not { } other)
+            return;
+        if (string.Equals(other.Name, name, StringComparison.Ordinal))
+            element.Fault(DialectFaultKind.ConflictingEnumValue, $"{name} of enum {merged.Name} is {value} here and {other.Value} elsewhere.");
+        else
+            element.Fault(DialectFaultKind.DuplicateEnumValue, $"{name} of enum {merged.Name} is {value}, which is {other.Name} in {other.Place!.FileName} already.");
     }
 
     private static EnumEntry ToEntry(string name, decimal value, DefinitionElement element) => new(name, value)
     {
         Description = element.Description,
+        Place = element.Place,
         Marks = element.Marks,
+        ReplacedBy = element.ReplacedBy,
         Parameters = element.Element.Elements("param").Select(ToParameter).Where(parameter => parameter is not null).ToList()!,
     };
 

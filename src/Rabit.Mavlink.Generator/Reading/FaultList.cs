@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Xml;
+using Rabit.Mavlink.Generator.Model;
 
 namespace Rabit.Mavlink.Generator.Reading;
 
@@ -9,11 +10,13 @@ internal sealed class FaultList
 
     public IReadOnlyList<DialectFault> Faults => _faults;
 
-    public void Add(DialectFaultKind kind, string path, IXmlLineInfo? at, string reason)
-    {
-        bool known = at is not null && at.HasLineInfo();
-        _faults.Add(new DialectFault(kind, path, known ? at!.LineNumber : 0, known ? at!.LinePosition : 0, reason));
-    }
+    public static DefinitionPlace PlaceOf(string path, IXmlLineInfo? at) =>
+        at is not null && at.HasLineInfo() ? new DefinitionPlace(path, at.LineNumber, at.LinePosition) : new DefinitionPlace(path, 0, 0);
+
+    public void Add(DialectFaultKind kind, string path, IXmlLineInfo? at, string reason) => Add(kind, PlaceOf(path, at), reason);
+
+    public void Add(DialectFaultKind kind, DefinitionPlace place, string reason) =>
+        _faults.Add(new DialectFault(kind, place.Path, place.Line, place.Column, reason));
 
     public void Add(string path, XmlException exception) =>
         _faults.Add(new DialectFault(DialectFaultKind.Malformed, path, exception.LineNumber, exception.LinePosition, exception.Message));

@@ -21,14 +21,19 @@ internal sealed class MergedEnum(string name)
     /// <summary>What an entry without a value gets: one more than the largest so far.</summary>
     public decimal NextValue => _entries.Count == 0 ? 0 : _entries.Max(entry => entry.Value) + 1;
 
-    /// <summary>Adds an entry, or nothing where the same one is there already; false where it is there with another value.</summary>
-    public bool TryAdd(EnumEntry entry, out decimal otherValue)
+    /// <summary>
+    /// Adds an entry, or nothing where the same one is there already. Where one of its name has another value, or one of another
+    /// name has its value, nothing is added and that one is returned; otherwise null.
+    /// </summary>
+    public EnumEntry? TryAdd(EnumEntry entry)
     {
-        EnumEntry? known = _entries.FirstOrDefault(candidate => string.Equals(candidate.Name, entry.Name, StringComparison.Ordinal));
-        otherValue = known?.Value ?? entry.Value;
-        if (known is null)
+        EnumEntry? sameName = _entries.FirstOrDefault(other => string.Equals(other.Name, entry.Name, StringComparison.Ordinal));
+        if (sameName is not null)
+            return sameName.Value == entry.Value ? null : sameName;
+        EnumEntry? sameValue = _entries.FirstOrDefault(other => other.Value == entry.Value);
+        if (sameValue is null)
             _entries.Add(entry);
-        return otherValue == entry.Value;
+        return sameValue;
     }
 
     public EnumDefinition ToDefinition() => new(name, _entries.OrderBy(entry => entry.Value).ToList())

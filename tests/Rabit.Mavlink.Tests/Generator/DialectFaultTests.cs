@@ -78,7 +78,7 @@ public class DialectFaultTests
     [Fact]
     public void Read_TwoMessagesOfOneId_NamesBothAndKeepsTheFirst()
     {
-        DialectReadResult result = Definitions.ReadMessages("<message id='5' name='A'/>\n<message id='5' name='B'/>");
+        DialectReadResult result = Definitions.ReadMessages("<message id='5' name='A'><field type='uint8_t' name='a'/></message>\n<message id='5' name='B'><field type='uint8_t' name='a'/></message>");
         AssertOnlyFault(result, DialectFaultKind.DuplicateMessageId, FirstLine + 1, "B has id 5, which A in root.xml has");
         Assert.Equal("A", result.Dialect.Messages.Single().Name);
     }
@@ -86,13 +86,13 @@ public class DialectFaultTests
     [Fact]
     public void Read_TwoMessagesOfOneName_SaysWhereTheFirstIs() =>
         AssertOnlyFault(
-            Definitions.ReadMessages("<message id='5' name='A'/>\n<message id='6' name='A'/>"), DialectFaultKind.DuplicateMessageName, FirstLine + 1, "id 5");
+            Definitions.ReadMessages("<message id='5' name='A'><field type='uint8_t' name='a'/></message>\n<message id='6' name='A'><field type='uint8_t' name='a'/></message>"), DialectFaultKind.DuplicateMessageName, FirstLine + 1, "id 5");
 
     [Fact]
     public void Read_TwoFieldsOfOneName_LeavesTheMessageOut()
     {
         DialectReadResult result = Definitions.ReadMessages(
-            "<message id='5' name='A'><field type='float' name='x'/>\n<field type='float' name='x'/></message><message id='6' name='B'/>");
+            "<message id='5' name='A'><field type='float' name='x'/>\n<field type='float' name='x'/></message><message id='6' name='B'><field type='uint8_t' name='a'/></message>");
         AssertOnlyFault(result, DialectFaultKind.DuplicateField, FirstLine + 1, "called x");
         Assert.Equal("B", result.Dialect.Messages.Single().Name);
     }
@@ -130,7 +130,7 @@ public class DialectFaultTests
 
     [Fact]
     public void Read_SeveralFaults_ReportsAll() =>
-        Assert.Equal(3, Definitions.ReadMessages("<message id='x' name='A'/><message id='1' name='B'><field type='q' name='f'/><field type='q' name='g'/></message>").Faults.Count);
+        Assert.Equal(3, Definitions.ReadMessages("<message id='x' name='A'><field type='uint8_t' name='a'/></message><message id='1' name='B'><field type='q' name='f'/><field type='q' name='g'/></message>").Faults.Count);
 
     private static void AssertOnlyFault(DialectReadResult result, DialectFaultKind kind, int line, string named) =>
         AssertFault(Assert.Single(result.Faults), kind, line, named);

@@ -96,9 +96,9 @@ public class DialectReaderTests
         var root = new DialectFile(@"C:\mine\root.xml", "<mavlink><include>../base/b.xml</include><include>far.xml</include></mavlink>");
         DialectReadResult result = DialectReader.Read(root,
         [
-            new DialectFile("C:/elsewhere/b.xml", "<mavlink><messages><message id='9' name='WRONG'/></messages></mavlink>"),
-            new DialectFile("C:/base/b.xml", "<mavlink><messages><message id='1' name='NEAR'/></messages></mavlink>"),
-            new DialectFile("/package/far.xml", "<mavlink><messages><message id='2' name='FAR'/></messages></mavlink>"),
+            new DialectFile("C:/elsewhere/b.xml", "<mavlink><messages><message id='9' name='WRONG'><field type='uint8_t' name='a'/></message></messages></mavlink>"),
+            new DialectFile("C:/base/b.xml", "<mavlink><messages><message id='1' name='NEAR'><field type='uint8_t' name='a'/></message></messages></mavlink>"),
+            new DialectFile("/package/far.xml", "<mavlink><messages><message id='2' name='FAR'><field type='uint8_t' name='a'/></message></messages></mavlink>"),
         ]);
         Assert.Empty(result.Faults);
         Assert.Equal(new[] { "NEAR", "FAR" }, result.Dialect.Messages.Select(message => message.Name));

@@ -74,7 +74,7 @@ public class NamesTests
     {
         Dialect dialect = Definitions.Read(("root.xml", """
             <enums><enum name="A_B"/><enum name="MAVLINK_PAYLOAD"/></enums>
-            <messages><message id="1" name="A_B"/><message id="2" name="AB"/><message id="3" name="TEXT8"><field type="char[8]" name="a"/></message></messages>
+            <messages><message id="1" name="A_B"><field type="uint8_t" name="a"/></message><message id="2" name="AB"><field type="uint8_t" name="a"/></message><message id="3" name="TEXT8"><field type="char[8]" name="a"/></message></messages>
             """)).Dialect;
         var names = new TypeNames(dialect);
         Assert.Equal("AB", names.OfEnum("A_B"));

@@ -34,7 +34,6 @@ public class EmittedCodeTests
             <field type="float" name="payload" enum="SPAN"/><field type="int64_t" name="equals"/>
             <extensions/><field type="uint64_t[1]" name="more"/>
           </message>
-          <message id="70001" name="NOTHING"/>
         </messages>
         """)).Dialect);
 
@@ -51,8 +50,34 @@ public class EmittedCodeTests
             """), ("company.xml", "<include>common.xml</include>"));
         AssertCompiles(dialect, new EmitOptions("Check.Messages") { Existing = Definitions.Existing });
         Assert.Equal(
-            ["DoubleArray7", "MavCmd", "MavState", "HeartbeatTwo", "AcmeDialect.Instance"],
+            ["DoubleArray7", "MavState", "AcmeMavCmd", "HeartbeatTwo", "AcmeDialect.Instance"],
             CSharpEmitter.Emit(dialect, new EmitOptions("A") { Existing = Definitions.Existing }).Select(source => source.Name.Replace(".g.cs", "", StringComparison.Ordinal)));
+    }
+
+    [Fact]
+    public void Emit_EntriesAddedToAnEnumOfThePackage_AreConstantsOfItsType()
+    {
+        Dialect dialect = Definitions.ReadWithPackage(("acme.xml", """
+            <include>common.xml</include>
+            <enums>
+              <enum name="MAV_CMD"><entry name="MAV_CMD_ACME_DIG" value="48001"/><entry name="MAV_CMD_EQUALS" value="48002"/></enum>
+              <enum name="MAV_SYS_STATUS_SENSOR_EXTENDED" bitmask="true"><entry name="MAV_SYS_STATUS_ACME" value="2**31"/></enum>
+            </enums>
+            """));
+        Assembly assembly = Assembly.Load(Compile(dialect, new EmitOptions("Check.Messages") { Existing = Definitions.Existing }));
+        Type commands = assembly.GetType("Check.Messages.AcmeMavCmd", throwOnError: true)!;
+
+        Assert.Equal((MavCmd)48_001, commands.GetField("AcmeDig")!.GetRawConstantValue() is int dig ? (MavCmd)dig : default);
+        Assert.Equal(typeof(MavCmd), commands.GetField("AcmeDig")!.FieldType);
+        Assert.Equal(["AcmeDig", "EqualsEntry"], commands.GetFields().Select(field => field.Name));
+        Assert.Equal(["AcmeDialect", "AcmeMavCmd", "AcmeMavSysStatusSensorExtended"], assembly.GetExportedTypes().Select(type => type.Name).Order(StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public void Emit_EnumThatOnlySharesItsNameWithOneOfThePackage_IsATypeOfItsOwn()
+    {
+        Dialect dialect = Definitions.ReadEnums("<enum name='MAV_STATE'><entry name='MAV_STATE_ASLEEP' value='1'/></enum>").Dialect;
+        Assert.Contains("MavState.g.cs", CSharpEmitter.Emit(dialect, new EmitOptions("A") { Existing = Definitions.Existing }).Select(source => source.Name));
     }
 
     [Fact]

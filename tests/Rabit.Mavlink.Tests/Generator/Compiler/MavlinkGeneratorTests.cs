@@ -17,7 +17,7 @@ public class MavlinkGeneratorTests
     {
         GeneratorDriverRunResult result = Run(
             new TestFile("/d/base.xml", Base, "own", "Acme.Messages"),
-            new TestFile("/d/root.xml", "<mavlink><include>base.xml</include><messages><message id='1' name='M'/></messages></mavlink>", "own", "Acme.Messages"));
+            new TestFile("/d/root.xml", "<mavlink><include>base.xml</include><messages><message id='1' name='M'><field type='uint8_t' name='a'/></message></messages></mavlink>", "own", "Acme.Messages"));
         Assert.Empty(result.Diagnostics);
         Assert.Equal(["Acme.Messages.E.g.cs", "Acme.Messages.M.g.cs", "Acme.Messages.RootDialect.Instance.g.cs"], Names(result));
     }
@@ -48,14 +48,14 @@ public class MavlinkGeneratorTests
                 """, "package"));
         Assert.Empty(result.Diagnostics);
         Assert.Equal(
-            ["Acme.App.Messages.E.g.cs", "Acme.App.Messages.FloatArray4.g.cs", "Acme.App.Messages.MineDialect.Instance.g.cs", "Acme.App.Messages.Own.g.cs"], Names(result));
+            ["Acme.App.Messages.FloatArray4.g.cs", "Acme.App.Messages.MineDialect.Instance.g.cs", "Acme.App.Messages.MineE.g.cs", "Acme.App.Messages.Own.g.cs"], Names(result));
         string own = Text(result, "Own.g.cs");
-        Assert.Contains("public E A", own);
+        Assert.Contains("public global::Rabit.Mavlink.Messages.E A", own);
         Assert.Contains("public global::Rabit.Mavlink.Messages.F B", own);
         Assert.Contains("public global::Rabit.Mavlink.Messages.FloatArray3 C", own);
         Assert.Contains("public FloatArray4 D", own);
-        Assert.Contains("A = 1", Text(result, ".E.g.cs"));
-        Assert.Contains("B = 2", Text(result, ".E.g.cs"));
+        Assert.Contains("public const global::Rabit.Mavlink.Messages.E B = (global::Rabit.Mavlink.Messages.E)(2);", Text(result, "MineE.g.cs"));
+        Assert.DoesNotContain(" A = ", Text(result, "MineE.g.cs"));
     }
 
     [Fact]
@@ -82,12 +82,38 @@ public class MavlinkGeneratorTests
     [Fact]
     public void Run_BadDefinition_IsACompilerErrorAtItsLine()
     {
-        Diagnostic diagnostic = Run(new TestFile("/d/root.xml", "<mavlink>\n<messages>\n  <message id='x' name='M'/></messages></mavlink>", "own")).Diagnostics.Single();
+        Diagnostic diagnostic = Run(new TestFile("/d/root.xml", "<mavlink>\n<messages>\n  <message id='x' name='M'><field type='uint8_t' name='a'/></message></messages></mavlink>", "own")).Diagnostics.Single();
         Assert.Equal("RABMAV002", diagnostic.Id);
         Assert.Equal(DiagnosticSeverity.Error, diagnostic.Severity);
         Assert.Equal("/d/root.xml", diagnostic.Location.GetLineSpan().Path);
         Assert.Equal(2, diagnostic.Location.GetLineSpan().StartLinePosition.Line);
         Assert.Contains("'x' is no id", diagnostic.GetMessage(null));
+    }
+
+    [Fact]
+    public void Run_SeveralFilesWithSeveralNamespaces_EachGoesToItsOwn() =>
+        Assert.Equal(
+            ["Acme.App.Messages.ThreeDialect.Instance.g.cs", "N.One.OneDialect.Instance.g.cs", "N.Two.TwoDialect.Instance.g.cs"],
+            Names(Run(
+                new TestFile("/d/one.xml", "<mavlink/>", "own", "N.One"), new TestFile("/d/two.xml", "<mavlink/>", "own", "N.Two"),
+                new TestFile("/d/three.xml", "<mavlink/>", "own"))));
+
+    [Fact]
+    public void Run_UnknownElement_IsACompilerWarning()
+    {
+        Diagnostic diagnostic = Run(new TestFile("/d/root.xml", "<mavlink><owner/></mavlink>", "own")).Diagnostics.Single();
+        Assert.Equal(("RABMAV013", DiagnosticSeverity.Warning), (diagnostic.Id, diagnostic.Severity));
+    }
+
+    [Fact]
+    public void Run_CommandNumberOfThePackageThatIsNotIncluded_IsAWarningAtItsLine()
+    {
+        const string Command = "<mavlink><enums>\n<enum name='MAV_CMD'><entry name='{0}' value='16'/></enum></enums></mavlink>";
+        Diagnostic diagnostic = Run(
+            new TestFile("/d/root.xml", Command.Replace("{0}", "MAV_CMD_ACME_TAKEN", System.StringComparison.Ordinal), "own"),
+            new TestFile("/p/all.xml", Command.Replace("{0}", "MAV_CMD_NAV_WAYPOINT", System.StringComparison.Ordinal), "package")).Diagnostics.Single();
+        Assert.Equal(("RABMAV015", DiagnosticSeverity.Warning, 1), (diagnostic.Id, diagnostic.Severity, diagnostic.Location.GetLineSpan().StartLinePosition.Line));
+        Assert.Contains("MAV_CMD_NAV_WAYPOINT in all.xml", diagnostic.GetMessage(null));
     }
 
     [Fact]
