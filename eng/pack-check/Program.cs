@@ -28,7 +28,7 @@ namespace PackCheck
             Console.WriteLine("Rabit.Core: {0}, exit code {1}", result.StopReason, result.ExitCode);
         }
 
-        /// <summary>A second of the simulated vehicle, in virtual time; nobody flies it.</summary>
+        /// <summary>A second of the simulated vehicle, in virtual time, without an autopilot's commands.</summary>
         private static void Fly()
         {
             var world = new SimulatedWorld(new SimulationOptions { Seed = 3 });

@@ -44,7 +44,7 @@ internal sealed class EnumEmitter(Dialect dialect, TypeNames names, SourceWriter
     {
         EmitDocs(writer, entry);
         string value = entry.Value.ToString(CultureInfo.InvariantCulture);
-        writer.Line(entry.Value <= underlying.Maximum ? $"{name} = {value}," : $"{name} = unchecked(({underlying.CSharpName}){value}),");
+        writer.Line(entry.Value <= underlying.Max ? $"{name} = {value}," : $"{name} = unchecked(({underlying.CSharpName}){value}),");
     }
 
     private static string Describe(CommandParameter parameter)

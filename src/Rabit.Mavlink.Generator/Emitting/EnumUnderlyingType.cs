@@ -19,9 +19,9 @@ internal static class EnumUnderlyingType
         List<WireType> fields = dialect.Messages.SelectMany(message => message.Fields)
             .Where(field => field.Type.IsInteger && string.Equals(field.Enum, definition.Name, StringComparison.Ordinal))
             .Select(field => field.Type).ToList();
-        decimal smallest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Minimum)).DefaultIfEmpty().Min();
-        decimal largest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Maximum)).DefaultIfEmpty().Max();
-        WireType? fitting = (definition.IsBitmask ? Bits : Plain).FirstOrDefault(type => type.Minimum <= smallest && type.Maximum >= largest);
+        decimal smallest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Min)).DefaultIfEmpty().Min();
+        decimal largest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Max)).DefaultIfEmpty().Max();
+        WireType? fitting = (definition.IsBitmask ? Bits : Plain).FirstOrDefault(type => type.Min <= smallest && type.Max >= largest);
         // Nothing holds both a negative number and 2^63: the bits still fit.
         return fitting ?? Plain[2];
     }

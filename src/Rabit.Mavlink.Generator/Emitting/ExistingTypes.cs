@@ -46,7 +46,7 @@ public sealed class ExistingTypes
         HashSet<(string Name, decimal Value)> entries = [.. known.Entries.Select(entry => (entry.Name, entry.Value))];
         WireType underlying = EnumUnderlyingType.Of(known, _dialect);
         bool isSame = definition.Entries.All(entry => entries.Contains((entry.Name, entry.Value)))
-            && fieldTypes.All(type => type.Minimum >= underlying.Minimum && type.Maximum <= underlying.Maximum);
+            && fieldTypes.All(type => type.Min >= underlying.Min && type.Max <= underlying.Max);
         return isSame ? Qualified(_names.OfEnum(known.Name)) : null;
     }
 
@@ -63,8 +63,8 @@ public sealed class ExistingTypes
         List<EnumEntry> shared = definition.Entries.Where(entry => values.ContainsKey(entry.Name)).ToList();
         WireType underlying = EnumUnderlyingType.Of(known, _dialect);
         bool isExtended = shared.Count != 0 && shared.All(entry => values[entry.Name] == entry.Value)
-            && definition.Entries.All(entry => entry.Value >= underlying.Minimum && entry.Value <= underlying.Maximum)
-            && fieldTypes.All(type => type.Minimum >= underlying.Minimum && type.Maximum <= underlying.Maximum);
+            && definition.Entries.All(entry => entry.Value >= underlying.Min && entry.Value <= underlying.Max)
+            && fieldTypes.All(type => type.Min >= underlying.Min && type.Max <= underlying.Max);
         return isExtended ? Qualified(_names.OfEnum(known.Name)) : null;
     }
 

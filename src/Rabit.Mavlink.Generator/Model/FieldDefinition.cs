@@ -25,7 +25,7 @@ public sealed record FieldDefinition(string Name, WireType Type, int ArrayLength
     /// <summary>Largest allowed value.</summary>
     public string? MaxValue { get; init; }
 
-    /// <summary>Whether it tells several instances of one message apart.</summary>
+    /// <summary>Whether it distinguishes several instances of one message.</summary>
     public bool IsInstance { get; init; }
 
     /// <summary>The definition's own words.</summary>

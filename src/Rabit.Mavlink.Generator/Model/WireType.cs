@@ -9,9 +9,9 @@ namespace Rabit.Mavlink.Generator.Model;
 /// <param name="Size">Bytes of one element.</param>
 /// <param name="CSharpName">The C# keyword of the type that holds it.</param>
 /// <param name="ClrName">The short CLR name that readers, writers and arrays are called by.</param>
-/// <param name="Minimum">Smallest value; 0 for floating point, which no enum uses.</param>
-/// <param name="Maximum">Largest value; 0 for floating point.</param>
-public sealed record WireType(string Name, int Size, string CSharpName, string ClrName, decimal Minimum, decimal Maximum)
+/// <param name="Min">Smallest value; 0 for floating point, which no enum uses.</param>
+/// <param name="Max">Largest value; 0 for floating point.</param>
+public sealed record WireType(string Name, int Size, string CSharpName, string ClrName, decimal Min, decimal Max)
 {
     private static readonly Dictionary<string, WireType> ByName = new WireType[]
     {
@@ -28,8 +28,8 @@ public sealed record WireType(string Name, int Size, string CSharpName, string C
         new("double", 8, "double", "Double", 0, 0),
     }.ToDictionary(type => type.Name, StringComparer.Ordinal);
 
-    /// <summary>Whether it counts, so that it can carry an enum.</summary>
-    public bool IsInteger => Maximum != 0;
+    /// <summary>Whether it is an integer, so that it can carry an enum.</summary>
+    public bool IsInteger => Max != 0;
 
     /// <summary>Whether it is a character, so that an array of it is a text.</summary>
     public bool IsCharacter => Name == "char";

@@ -95,7 +95,7 @@ internal sealed class TypeNames
         return name is not null;
     }
 
-    // Compared without case: file names are made of type names, and not every file system tells case apart.
+    // Compared without case: file names are made of type names, and not every file system distinguishes case.
     private string Take(string name, string suffix, string last)
     {
         if (_used.Add(name))

@@ -6,7 +6,7 @@ using Rabit.Mavlink.Generator.Model;
 
 namespace Rabit.Mavlink.Generator.Reading;
 
-/// <summary>An XML element together with its file, so that whatever is wrong with it can be said where it is.</summary>
+/// <summary>An XML element together with its file, so that a fault is reported where it is.</summary>
 internal readonly struct DefinitionElement(XElement element, string path, FaultList faults)
 {
     public XElement Element => element;

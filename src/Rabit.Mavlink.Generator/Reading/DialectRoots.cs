@@ -6,12 +6,12 @@ using System.Xml;
 
 namespace Rabit.Mavlink.Generator.Reading;
 
-/// <summary>Tells which of some definition files stand for a dialect of their own: those that none of the others includes.</summary>
+/// <summary>Finds the definition files that stand for a dialect of their own: those that none of the others includes.</summary>
 public static class DialectRoots
 {
-    /// <summary>Finds the roots. Broken files are no reason to fail: reading them tells what is wrong.</summary>
+    /// <summary>Finds the roots. Broken files are no reason to fail: reading them as definitions reports what is wrong.</summary>
     /// <param name="files">The files of a project.</param>
-    /// <returns>The roots, in the order of the files. Where all files include each other in a circle, the first: reading it shows the circle.</returns>
+    /// <returns>The roots, in the order of the files. Where all files include each other in a cycle, the first: reading it shows the cycle.</returns>
     public static IReadOnlyList<DialectFile> Of(IReadOnlyList<DialectFile> files)
     {
         if (files is null)
@@ -22,7 +22,7 @@ public static class DialectRoots
         HashSet<DialectFile> included = [.. includes.SelectMany(pair => pair.Value.Where(target => target != pair.Key))];
         foreach (DialectFile file in includes.Keys.OrderBy(file => included.Contains(file)))
         {
-            // After those that nobody includes only circles are left that no root leads to: each gives its first file.
+            // After those that no file includes only cycles are left that no root leads to: each gives its first file.
             if (!reached.Contains(file))
             {
                 roots.Add(file);
@@ -57,7 +57,7 @@ public static class DialectRoots
         }
         catch (XmlException)
         {
-            // What was read up to there counts; the fault is told when the file is read as a definition.
+            // What was read up to there counts; the fault is reported when the file is read as a definition.
         }
 
         return includes;

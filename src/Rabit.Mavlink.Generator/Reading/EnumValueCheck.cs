@@ -39,7 +39,7 @@ internal sealed class EnumValueCheck(EnumReader enums, IReadOnlyList<EnumUse> us
         }
     }
 
-    private static bool Fits(EnumEntry entry, FieldDefinition field) => entry.Value >= field.Type.Minimum && entry.Value <= field.Type.Maximum;
+    private static bool Fits(EnumEntry entry, FieldDefinition field) => entry.Value >= field.Type.Min && entry.Value <= field.Type.Max;
 
     private static void CheckField(EnumUse use, List<EnumEntry> entries)
     {

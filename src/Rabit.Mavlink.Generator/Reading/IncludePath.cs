@@ -16,7 +16,7 @@ internal static class IncludePath
             ?? files.FirstOrDefault(file => string.Equals(FileName(file.Path), FileName(include), StringComparison.OrdinalIgnoreCase));
     }
 
-    // Windows and macOS do not tell case apart in names, and no two definition files differ only in case.
+    // Windows and macOS do not distinguish case in names, and no two definition files differ only in case.
     public static bool Same(string left, string right) => string.Equals(Normalize(left), Normalize(right), StringComparison.OrdinalIgnoreCase);
 
     public static string FileName(string path) => path.Substring(path.Replace('\\', '/').LastIndexOf('/') + 1);

@@ -8,7 +8,7 @@ namespace Rabit.Mavlink.Tests.Generator;
 public class DialectRootsTests
 {
     [Fact]
-    public void Of_FilesThatIncludeEachOther_AreThoseThatNobodyIncludes() =>
+    public void Of_FilesThatIncludeEachOther_AreThoseThatNoneIncludes() =>
         Assert.Equal(["top.xml", "alone.xml"], Roots(("base.xml", ""), ("top.xml", "common.xml middle.xml"), ("middle.xml", "base.xml"), ("alone.xml", "common.xml")));
 
     [Fact]
@@ -16,7 +16,7 @@ public class DialectRootsTests
         Assert.Equal(["one.xml", "two.xml"], Roots(("one.xml", "base.xml"), ("two.xml", "BASE.xml"), ("base.xml", "")));
 
     [Fact]
-    public void Of_Circles_GiveTheFirstOfEach() =>
+    public void Of_Cycles_GiveTheFirstOfEach() =>
         Assert.Equal(
             ["self.xml", "top.xml", "a.xml"],
             Roots(("a.xml", "b.xml"), ("b.xml", "a.xml"), ("self.xml", "self.xml"), ("top.xml", "c.xml"), ("c.xml", "d.xml"), ("d.xml", "c.xml")));

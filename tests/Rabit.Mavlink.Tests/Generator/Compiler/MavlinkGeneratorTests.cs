@@ -63,7 +63,7 @@ public class MavlinkGeneratorTests
         Assert.Empty(Run(new TestFile("/p/all.xml", Base, "package")).GeneratedTrees);
 
     [Fact]
-    public void Run_CircleOfIncludes_IsOneErrorAndNoCrash()
+    public void Run_IncludeCycle_IsOneErrorAndNoCrash()
     {
         GeneratorDriverRunResult result = Run(
             new TestFile("/d/a.xml", "<mavlink>\n<include>b.xml</include></mavlink>", "own"), new TestFile("/d/b.xml", "<mavlink>\n\n<include>a.xml</include></mavlink>", "own"));
@@ -72,7 +72,7 @@ public class MavlinkGeneratorTests
     }
 
     [Fact]
-    public void Run_FilesThatNobodyMarked_GeneratesNothing()
+    public void Run_FilesWithoutARole_GeneratesNothing()
     {
         GeneratorDriverRunResult result = Run(new TestFile("/d/base.xml", Base), new TestFile("/d/BannedSymbols.txt", "no XML at all"));
         Assert.Empty(result.Diagnostics);
