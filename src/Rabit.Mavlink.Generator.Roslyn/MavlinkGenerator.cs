@@ -61,7 +61,9 @@ public sealed class MavlinkGenerator : IIncrementalGenerator
         {
             DialectReadResult result = DialectReader.Read(root, files);
             // Two roots that include one bad file say so once.
-            IEnumerable<DialectFault> faults = packageDialect is null ? result.Faults : result.Faults.Concat(CommandNumbers.Check(result.Dialect, packageDialect));
+            IEnumerable<DialectFault> faults = result.Faults;
+            if (packageDialect is not null)
+                faults = faults.Concat(CommandNumbers.Check(result.Dialect, packageDialect));
             foreach (DialectFault fault in faults.Where(reported.Add))
                 context.ReportDiagnostic(DialectDiagnostics.From(fault));
             // Two dialects may both have their form of a type, so each gets a namespace of its own.

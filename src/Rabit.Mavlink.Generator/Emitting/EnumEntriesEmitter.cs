@@ -25,10 +25,11 @@ internal sealed class EnumEntriesEmitter(Dialect dialect, TypeNames names, Sourc
         string className = names.OfAddedEntries(definition.Name);
         IReadOnlyDictionary<string, string> entryNames = EntryNames.Of(definition);
         IReadOnlyList<EnumEntry> added = names.AddedEntries(definition);
+        string files = $"{DocComment.Escape(dialect.Name)}.xml and the files it includes";
         DocComment.Summary(
-            writer,
-            $"What {DocComment.Escape(dialect.Name)}.xml and the files it includes add to {DocComment.Code(definition.Name)}: values of <see cref=\"{type}\"/>.");
-        DocComment.Remarks(writer, ["<c>ToString</c> of these values gives their number; <c>FindEnum</c> of the dialect knows their names."]);
+            writer, $"What {files} add to {DocComment.Code(definition.Name)}: values of <see cref=\"{type}\"/>.");
+        DocComment.Remarks(
+            writer, ["<c>ToString</c> of these values gives their number; <c>FindEnum</c> of the dialect knows their names."]);
         writer.Open($"public static class {className}");
         bool isFirst = true;
         foreach (EnumEntry entry in added)

@@ -51,15 +51,16 @@ public sealed class ExistingTypes
     }
 
     /// <summary>
-    /// The package's enum, if a dialect only adds entries to it: they have an entry in common, agree in all that both have, and the
-    /// package's enum can hold all the values of the given fields. A number that the package's enum gives to a message set that the
-    /// dialect does not include is no hindrance; it then has two names.
+    /// The package's enum, if a dialect only adds entries to it: they have an entry in common, agree in all that both have, and
+    /// the package's enum can hold all the values of the given fields. A number that the package's enum gives to an entry which
+    /// the dialect does not include is no hindrance; it then has two names.
     /// </summary>
     internal string? FindExtended(EnumDefinition definition, IEnumerable<WireType> fieldTypes)
     {
         if (!_enums.TryGetValue(definition.Name, out EnumDefinition? known) || known.IsBitmask != definition.IsBitmask)
             return null;
-        Dictionary<string, decimal> values = known.Entries.ToDictionary(entry => entry.Name, entry => entry.Value, StringComparer.Ordinal);
+        Dictionary<string, decimal> values =
+            known.Entries.ToDictionary(entry => entry.Name, entry => entry.Value, StringComparer.Ordinal);
         List<EnumEntry> shared = definition.Entries.Where(entry => values.ContainsKey(entry.Name)).ToList();
         WireType underlying = EnumUnderlyingType.Of(known, _dialect);
         bool isExtended = shared.Count != 0 && shared.All(entry => values[entry.Name] == entry.Value)
@@ -70,7 +71,8 @@ public sealed class ExistingTypes
 
     /// <summary>Whether the package's enum of this name has an entry of this name.</summary>
     internal bool HasEntry(string enumName, string entryName) =>
-        _enums.TryGetValue(enumName, out EnumDefinition? known) && known.Entries.Any(entry => string.Equals(entry.Name, entryName, StringComparison.Ordinal));
+        _enums.TryGetValue(enumName, out EnumDefinition? known)
+        && known.Entries.Any(entry => string.Equals(entry.Name, entryName, StringComparison.Ordinal));
 
     /// <summary>The package's value type for an array.</summary>
     internal string? Find(ArrayType array) => _arrays.Contains(array) ? Qualified(array.Name) : null;

@@ -38,7 +38,8 @@ internal sealed class TypeNames
             .Where(field => field.Enum is not null && field.Type.IsInteger).ToLookup(field => field.Enum, field => field.Type, StringComparer.Ordinal);
         OwnEnums = dialect.Enums.Where(definition => !Exists(_enums, definition.Name, existing?.Find(definition, typesByEnum[definition.Name]))).ToList();
 
-        ExtendedEnums = OwnEnums.Where(definition => Exists(_enums, definition.Name, existing?.FindExtended(definition, typesByEnum[definition.Name]))).ToList();
+        ExtendedEnums = OwnEnums.Where(definition =>
+            Exists(_enums, definition.Name, existing?.FindExtended(definition, typesByEnum[definition.Name]))).ToList();
         NewEnums = OwnEnums.Except(ExtendedEnums).ToList();
 
         string prefix = PascalCase.Of(dialect.Name);

@@ -5,8 +5,8 @@ using System.Linq;
 namespace Rabit.Mavlink.Generator.Reading;
 
 /// <summary>
-/// The elements and attributes that a definition may have (MAVLink guide, "MAVLink XML schema"; the schema of pymavlink says the
-/// same). Attributes that only other tools use, such as <c>print_format</c>, are in it too: they are right, though not read here.
+/// The elements and attributes that a definition may have (MAVLink guide, "MAVLink XML schema"; the schema of pymavlink says
+/// the same). Attributes that only other tools use, such as <c>print_format</c>, are in it too: they are right, though not read.
 /// </summary>
 internal static class DefinitionSchema
 {
@@ -20,11 +20,26 @@ internal static class DefinitionSchema
         new("dialect", [], []),
         new("enums", [], ["enum"]),
         new("enum", ["name", "bitmask"], [.. Ages, "description", "entry"]),
-        new("entry", ["name", "value", "hasLocation", "altitudeOnly", "isDestination", "missionOnly"], [.. Ages, "description", "param"]),
-        new("param", ["index", "label", "units", "multiplier", "instance", "enum", "decimalPlaces", "increment", "minValue", "maxValue", "reserved", "default"], []),
+        new(
+            "entry",
+            ["name", "value", "hasLocation", "altitudeOnly", "isDestination", "missionOnly"],
+            [.. Ages, "description", "param"]),
+        new(
+            "param",
+            [
+                "index", "label", "units", "multiplier", "instance", "enum", "decimalPlaces", "increment", "minValue", "maxValue",
+                "reserved", "default",
+            ],
+            []),
         new("messages", [], ["message"]),
         new("message", ["id", "name"], [.. Ages, "description", "field", "extensions"]),
-        new("field", ["type", "name", "print_format", "enum", "display", "units", "increment", "minValue", "maxValue", "multiplier", "default", "instance", "invalid"], ["description"]),
+        new(
+            "field",
+            [
+                "type", "name", "print_format", "enum", "display", "units", "increment", "minValue", "maxValue", "multiplier",
+                "default", "instance", "invalid",
+            ],
+            ["description"]),
         new("extensions", [], []),
         new("description", [], []),
         new("wip", ["since"], ["description"]),
@@ -33,7 +48,8 @@ internal static class DefinitionSchema
     }.ToDictionary(rule => rule.Name, StringComparer.Ordinal);
 
     /// <summary>What an element of this name may have, or null where there is none of that name.</summary>
-    public static DefinitionElementRule? Find(string element) => Rules.TryGetValue(element, out DefinitionElementRule? rule) ? rule : null;
+    public static DefinitionElementRule? Find(string element) =>
+        Rules.TryGetValue(element, out DefinitionElementRule? rule) ? rule : null;
 
     /// <summary>The elements that an element of this name may stand in.</summary>
     public static IEnumerable<string> ParentsOf(string element) =>

@@ -45,7 +45,9 @@ public enum DialectFaultKind
     /// <summary>Two entries of an enum have one value.</summary>
     DuplicateEnumValue = 14,
 
-    /// <summary>A command has a number that the package's MAV_CMD gives to another one; a warning, since the dialect does not include that one.</summary>
+    /// <summary>
+    /// A command has a number that the package's MAV_CMD gives to another one; a warning, since the dialect does not include it.
+    /// </summary>
     CommandOfPackage = 15,
 
     /// <summary>The value of an enum entry fits none of the fields that are of its enum.</summary>

@@ -44,9 +44,17 @@ internal sealed class EnumReader
         if (merged.TryAdd(ToEntry(name, value, element)) is not { } other)
             return;
         if (string.Equals(other.Name, name, StringComparison.Ordinal))
-            element.Fault(DialectFaultKind.ConflictingEnumValue, $"{name} of enum {merged.Name} is {value} here and {other.Value} elsewhere.");
+        {
+            element.Fault(
+                DialectFaultKind.ConflictingEnumValue,
+                $"{name} of enum {merged.Name} is {value} here and {other.Value} elsewhere.");
+        }
         else
-            element.Fault(DialectFaultKind.DuplicateEnumValue, $"{name} of enum {merged.Name} is {value}, which is {other.Name} in {other.Place!.FileName} already.");
+        {
+            element.Fault(
+                DialectFaultKind.DuplicateEnumValue,
+                $"{name} of enum {merged.Name} is {value}, which is {other.Name} in {other.Place!.FileName} already.");
+        }
     }
 
     private static EnumEntry ToEntry(string name, decimal value, DefinitionElement element) => new(name, value)
