@@ -8,8 +8,8 @@ using Rabit.Mavlink.Generator.Naming;
 namespace Rabit.Mavlink.Generator.Emitting;
 
 /// <summary>
-/// Writes the entries that a dialect adds to an enum of the package: constants of the package's type, so that an enum is one type
-/// and its values go into messages of both without a cast.
+/// Writes the entries that a dialect adds to an enum of the package: constants of the package's type, so that an enum
+/// is one type and its values go into messages of both without a cast.
 /// </summary>
 internal sealed class EnumEntriesEmitter(Dialect dialect, TypeNames names, SourceWriter writer)
 {
@@ -29,7 +29,8 @@ internal sealed class EnumEntriesEmitter(Dialect dialect, TypeNames names, Sourc
         DocComment.Summary(
             writer, $"What {files} add to {DocComment.Code(definition.Name)}: values of <see cref=\"{type}\"/>.");
         DocComment.Remarks(
-            writer, ["<c>ToString</c> of these values gives their number; <c>FindEnum</c> of the dialect knows their names."]);
+            writer,
+            ["<c>ToString</c> of these values gives their number; <c>FindEnum</c> of the dialect knows their names."]);
         writer.Open($"public static class {className}");
         bool isFirst = true;
         foreach (EnumEntry entry in added)
@@ -41,7 +42,8 @@ internal sealed class EnumEntriesEmitter(Dialect dialect, TypeNames names, Sourc
             string name = entryNames[entry.Name];
             if (Inherited.Contains(name) || name == className)
                 name += "Entry";
-            writer.Line($"public const {type} {name} = ({type})({entry.Value.ToString(CultureInfo.InvariantCulture)});");
+            string value = entry.Value.ToString(CultureInfo.InvariantCulture);
+            writer.Line($"public const {type} {name} = ({type})({value});");
         }
 
         writer.Close();

@@ -6,8 +6,9 @@ using Rabit.Mavlink.Generator.Model;
 namespace Rabit.Mavlink.Generator.Reading;
 
 /// <summary>
-/// Compares the commands of a dialect with those of the package that it does not include. Numbers of commands are one space for
-/// all vehicles: a command that ArduPilot takes for another one is dangerous, even where the dialect does not know ArduPilot's.
+/// Compares the commands of a dialect with those of the package that it does not include. Numbers of commands are one
+/// space for all vehicles: a command that ArduPilot takes for another one is dangerous, even where the dialect does
+/// not know ArduPilot's.
 /// </summary>
 public static class CommandNumbers
 {
@@ -27,8 +28,8 @@ public static class CommandNumbers
                 continue;
             yield return new DialectFault(
                 DialectFaultKind.CommandOfPackage, entry.Place.Path, entry.Place.Line, entry.Place.Column,
-                $"{entry.Name} of enum {Commands} is {entry.Value}, which is {other.Name} in {other.Place?.FileName} of the package; "
-                + "a vehicle that knows that one would carry it out.");
+                $"{entry.Name} of enum {Commands} is {entry.Value}, "
+                + $"which is {other.Name} in {other.Place?.FileName} of the package; a vehicle that knows that one would carry it out.");
         }
     }
 

@@ -5,8 +5,9 @@ using System.Linq;
 namespace Rabit.Mavlink.Generator.Reading;
 
 /// <summary>
-/// The elements and attributes that a definition may have (MAVLink guide, "MAVLink XML schema"; the schema of pymavlink says
-/// the same). Attributes that only other tools use, such as <c>print_format</c>, are in it too: they are right, though not read.
+/// The elements and attributes that a definition may have (MAVLink guide, "MAVLink XML schema"; the schema of
+/// pymavlink says the same). Attributes that only other tools use, such as <c>print_format</c>, are in it too: they
+/// are right, though not read.
 /// </summary>
 internal static class DefinitionSchema
 {
@@ -27,8 +28,8 @@ internal static class DefinitionSchema
         new(
             "param",
             [
-                "index", "label", "units", "multiplier", "instance", "enum", "decimalPlaces", "increment", "minValue", "maxValue",
-                "reserved", "default",
+                "index", "label", "units", "multiplier", "instance", "enum", "decimalPlaces", "increment", "minValue",
+                "maxValue", "reserved", "default",
             ],
             []),
         new("messages", [], ["message"]),
@@ -36,8 +37,8 @@ internal static class DefinitionSchema
         new(
             "field",
             [
-                "type", "name", "print_format", "enum", "display", "units", "increment", "minValue", "maxValue", "multiplier",
-                "default", "instance", "invalid",
+                "type", "name", "print_format", "enum", "display", "units", "increment", "minValue", "maxValue",
+                "multiplier", "default", "instance", "invalid",
             ],
             ["description"]),
         new("extensions", [], []),
@@ -57,5 +58,6 @@ internal static class DefinitionSchema
 
     /// <summary>The elements that may have an attribute of this name.</summary>
     public static IEnumerable<string> OwnersOf(string attribute) =>
-        Rules.Values.Where(rule => rule.Attributes.Contains(attribute, StringComparer.Ordinal)).Select(rule => rule.Name);
+        Rules.Values.Where(rule => rule.Attributes.Contains(attribute, StringComparer.Ordinal))
+            .Select(rule => rule.Name);
 }

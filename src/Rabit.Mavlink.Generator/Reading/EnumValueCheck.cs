@@ -6,10 +6,10 @@ using Rabit.Mavlink.Generator.Model;
 namespace Rabit.Mavlink.Generator.Reading;
 
 /// <summary>
-/// Checks the values of enums against the fields that carry them. What no field can send is an error. A field that is too
-/// narrow for some of the values is a warning, since its messages may never use these; it is none where another field of the
-/// same message takes them, as GIMBAL_DEVICE_INFORMATION has a second one for later flags. The parameters of commands are
-/// floats and carry all.
+/// Checks the values of enums against the fields that carry them. What no field can send is an error. A field that is
+/// too narrow for some of the values is a warning, since its messages may never use these; it is none where another
+/// field of the same message takes them, as GIMBAL_DEVICE_INFORMATION has a second one for later flags. The parameters
+/// of commands are floats and carry all.
 /// </summary>
 internal sealed class EnumValueCheck(EnumReader enums, IReadOnlyList<EnumUse> uses, FaultList faults)
 {
@@ -55,7 +55,8 @@ internal sealed class EnumValueCheck(EnumReader enums, IReadOnlyList<EnumUse> us
     private static void CheckField(EnumUse use, List<EnumEntry> entries)
     {
         List<FieldDefinition> carriers = use.Message.Fields
-            .Where(field => field.Type.IsInteger && string.Equals(field.Enum, use.Field.Enum, StringComparison.Ordinal)).ToList();
+            .Where(field => field.Type.IsInteger && string.Equals(field.Enum, use.Field.Enum, StringComparison.Ordinal))
+            .ToList();
         List<EnumEntry> tooLarge = entries.Where(entry => !carriers.Any(field => Fits(entry, field))).ToList();
         if (tooLarge.Count == 0)
             return;
@@ -75,8 +76,8 @@ internal sealed class EnumValueCheck(EnumReader enums, IReadOnlyList<EnumUse> us
             + $"{widest.Field.Name} of message {widest.Message.Name} is of type {widest.Field.Type.Name}.");
     }
 
-    // Two or more bits in one entry are a name for a combination, which upstream has too. A bit that has no name by itself is
-    // probably a mistake.
+    // Two or more bits in one entry are a name for a combination, which upstream has too. A bit that has no name by
+    // itself is probably a mistake.
     private void CheckBits(EnumDefinition definition)
     {
         if (!definition.IsBitmask)
@@ -88,10 +89,11 @@ internal sealed class EnumValueCheck(EnumReader enums, IReadOnlyList<EnumUse> us
         {
             faults.Add(
                 DialectFaultKind.UnnamedBits, entry.Place!,
-                $"{entry.Name} of bit mask {definition.Name} is {entry.Value}: a combination with bits that no entry names by itself. "
-                + "Bits are 1, 2, 4, 8 and so on.");
+                $"{entry.Name} of bit mask {definition.Name} is {entry.Value}: "
+                + "a combination with bits that no entry names by itself. Bits are 1, 2, 4, 8 and so on.");
         }
     }
 
-    private static ulong Bits(EnumEntry entry) => entry.Value < 0 ? unchecked((ulong)(long)entry.Value) : (ulong)entry.Value;
+    private static ulong Bits(EnumEntry entry) =>
+        entry.Value < 0 ? unchecked((ulong)(long)entry.Value) : (ulong)entry.Value;
 }

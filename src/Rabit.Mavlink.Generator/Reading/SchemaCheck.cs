@@ -6,9 +6,10 @@ using System.Xml.Linq;
 namespace Rabit.Mavlink.Generator.Reading;
 
 /// <summary>
-/// Reports elements and attributes that the schema does not have, which the reader would ignore. A name that is nearly a known
-/// one, or an element in the wrong place, is certainly a mistake. Another may come from a newer schema or a tool of the user's,
-/// so it is a warning. Names in an XML namespace of their own belong to another tool and are left alone.
+/// Reports elements and attributes that the schema does not have, which the reader would ignore. A name that is nearly
+/// a known one, or an element in the wrong place, is certainly a mistake. Another may come from a newer schema or a
+/// tool of the user's, so it is a warning. Names in an XML namespace of their own belong to another tool and are left
+/// alone.
 /// </summary>
 internal static class SchemaCheck
 {

@@ -8,8 +8,8 @@ namespace Rabit.Mavlink.Generator.Reading;
 internal static class Spelling
 {
     /// <summary>
-    /// The known word that is nearest to a misspelt one: at most two letters off, and by less than half of its own length, so that
-    /// <c>id</c> is not found in every word of two letters. Null where none is near.
+    /// The known word that is nearest to a misspelt one: at most two letters off, and by less than half of its own
+    /// length, so that <c>id</c> is not found in every word of two letters. Null where none is near.
     /// </summary>
     public static string? Nearest(string misspelt, IEnumerable<string> known)
     {
