@@ -18,8 +18,10 @@ internal sealed class MergedEnum(string name)
 
     public DefinitionMarks Marks { get; set; }
 
-    /// <summary>What an entry without a value gets: one more than the largest so far.</summary>
-    public decimal NextValue => _entries.Count == 0 ? 0 : _entries.Max(entry => entry.Value) + 1;
+    /// <summary>
+    /// What an entry without a value gets: one more than the largest so far, and 1 for the first, as mavgen counts.
+    /// </summary>
+    public decimal NextValue => Math.Max(0, _entries.Select(entry => entry.Value).DefaultIfEmpty().Max()) + 1;
 
     /// <summary>
     /// Adds an entry, or nothing where the same one is there already. Where one of its name has another value, or one of another

@@ -26,7 +26,7 @@ public class DefinitionFileTests
         {
             // Fields and the "extensions" between them may alternate.
             int[] order = element.Elements().Select(child => Math.Min(Array.IndexOf(Order, child.Name.LocalName), 6)).ToArray();
-            Assert.True(order.SequenceEqual(order.Order()), $"{name}: the children of {element.Attribute("name")?.Value} are out of order");
+            Assert.True(order.SequenceEqual(order.OrderBy(place => place)), $"{name}: the children of {element.Attribute("name")?.Value} are out of order");
         }
 
         foreach (XElement mark in root.Descendants().Where(element => element.Name.LocalName is "deprecated" or "superseded"))

@@ -72,10 +72,10 @@ public class DialectReaderTests
     }
 
     [Fact]
-    public void Read_EntryWithoutValue_CountsOn()
+    public void Read_EntryWithoutValue_CountsOnFromOneAsMavgenDoes()
     {
         EnumDefinition definition = Definitions.ReadEnums("""<enum name="E"><entry name="E_A"/><entry name="E_B" value="7"/><entry name="E_C"/></enum>""").Dialect.Enums.Single();
-        Assert.Equal(new[] { 0m, 7m, 8m }, definition.Entries.Select(entry => entry.Value));
+        Assert.Equal(new[] { 1m, 7m, 8m }, definition.Entries.Select(entry => entry.Value));
     }
 
     [Fact]

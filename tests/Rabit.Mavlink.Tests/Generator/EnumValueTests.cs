@@ -89,8 +89,9 @@ public class EnumValueTests
     {
         string fields = string.Concat(Enumerable.Range(0, count).Select(number => $"<field type='uint8_t' name='f{number}'/>"));
         DialectReadResult result = Definitions.ReadMessages($"<message id='1' name='M'>{fields}</message>");
-        Assert.Equal(faults, result.Faults.Count(fault => fault.Kind == DialectFaultKind.TooManyFields && fault.Reason.Contains("65 fields", System.StringComparison.Ordinal)));
         Assert.Equal(faults, result.Faults.Count);
+        Assert.All(result.Faults, fault => Assert.Equal(DialectFaultKind.TooManyFields, fault.Kind));
+        Assert.All(result.Faults, fault => Assert.Contains("65 fields", fault.Reason));
     }
 
     [Theory]
