@@ -56,7 +56,7 @@ public class DefinitionFileTests
         HashSet<string> known = [.. Definitions.All.Messages.Select(message => message.Name), .. Definitions.All.Enums.SelectMany(definition => definition.Entries).Select(entry => entry.Name)];
         IEnumerable<string?> replacements = Definitions.All.Messages.Select(message => message.ReplacedBy)
             .Concat(Definitions.All.Enums.SelectMany(definition => definition.Entries).Select(entry => entry.ReplacedBy));
-        Assert.Empty(replacements.Where(name => name is not null && !known.Contains(name)));
+        Assert.DoesNotContain(replacements, name => name is not null && !known.Contains(name));
     }
 
     [Fact]
