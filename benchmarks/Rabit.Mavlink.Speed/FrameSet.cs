@@ -58,7 +58,7 @@ internal sealed class FrameSet
 
     private static void CopyLog(string path, MemoryStream to)
     {
-        var wire = new byte[MavlinkFrame.MaximumWireLength];
+        var wire = new byte[MavlinkFrame.MaxWireLength];
         using FileStream file = File.OpenRead(path);
         var log = new TlogReader(file, MavlinkDialect.All);
         while (log.TryRead(out MavlinkFrame frame, out TlogRecord record))

@@ -14,7 +14,7 @@ internal sealed class SpeedTable
 
     private readonly FrameSet _set;
     private readonly byte[] _copy;
-    private readonly byte[] _wire = new byte[MavlinkFrame.MaximumWireLength];
+    private readonly byte[] _wire = new byte[MavlinkFrame.MaxWireLength];
     private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All);
     private readonly MavlinkSender _sender = new(1, 191);
     private readonly MavlinkSender _signingSender = new(1, 191);

@@ -28,7 +28,7 @@ int Write(string log)
 {
     using FileStream ours = File.Create(Path.Combine(folder, "ours.bin"));
     var sender = new MavlinkSender(7, 191);
-    var buffer = new byte[MavlinkFrame.MaximumWireLength];
+    var buffer = new byte[MavlinkFrame.MaxWireLength];
     for (int index = 0; index < 2 * Half; index++)
     {
         if (index == Half)

@@ -1,7 +1,7 @@
 using System;
 using System.Buffers.Binary;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Framing;
 
 /// <summary>
 /// Puts messages on the wire (MAVLink guide, "Packet serialization"), straight into the bytes they are sent from. Messages come by
@@ -30,10 +30,10 @@ internal static class FrameEncoder
         where T : struct, IMavlinkMessage
     {
         fields.Encode(payload);
-        int length = fields.MaximumLength;
+        int length = fields.MaxLength;
         if (version == MavlinkVersion.V1)
         {
-            int sent = fields.MinimumLength;
+            int sent = fields.MinLength;
             payload.Slice(sent, length - sent).Clear();
             return sent;
         }

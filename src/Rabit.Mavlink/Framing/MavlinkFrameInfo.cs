@@ -1,6 +1,6 @@
 namespace Rabit.Mavlink;
 
-/// <summary>What a reader knows of a frame beside its bytes. A plain value.</summary>
+/// <summary>What a <see cref="MavlinkFrameReader"/> found out about a frame beside its bytes. A plain value.</summary>
 public readonly struct MavlinkFrameInfo
 {
     internal MavlinkFrameInfo(long streamOffset, bool isChecked, in MavlinkMessageInfo message)

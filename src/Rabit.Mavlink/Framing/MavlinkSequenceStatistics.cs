@@ -1,6 +1,6 @@
 namespace Rabit.Mavlink;
 
-/// <summary>What the sequence numbers of one sender told on one link. A copy, taken at one moment.</summary>
+/// <summary>Frames, gaps and disorder of one sender on one link, from its sequence numbers. A copy, taken at one moment.</summary>
 public readonly struct MavlinkSequenceStatistics
 {
     internal MavlinkSequenceStatistics(byte systemId, byte componentId, byte lastSequence, long frames, long missing, long outOfOrder)
@@ -31,7 +31,7 @@ public readonly struct MavlinkSequenceStatistics
     /// </summary>
     public long Missing { get; }
 
-    /// <summary>Frames whose number was not ahead of the newest one: late, or sent twice, or the sender started anew.</summary>
+    /// <summary>Frames whose number was not ahead of the newest one: late, or sent twice, or the sender restarted.</summary>
     public long OutOfOrder { get; }
 
     internal MavlinkSequenceStatistics Next(byte sequence)

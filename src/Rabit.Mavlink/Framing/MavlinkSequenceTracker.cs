@@ -14,14 +14,14 @@ public sealed class MavlinkSequenceTracker
     private readonly Dictionary<int, int> _indexBySource;
 
     /// <summary>Makes a tracker.</summary>
-    /// <param name="maximumSources">How many senders it can tell apart, at least 1. Frames of others are counted in <see cref="UntrackedFrames"/>.</param>
+    /// <param name="maxSources">How many senders it can tell apart, at least 1. Frames of others are counted in <see cref="UntrackedFrames"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">Less than 1.</exception>
-    public MavlinkSequenceTracker(int maximumSources = 256)
+    public MavlinkSequenceTracker(int maxSources = 256)
     {
-        if (maximumSources < 1)
-            throw new ArgumentOutOfRangeException(nameof(maximumSources), maximumSources, "A tracker needs room for one sender at least.");
-        _sources = new MavlinkSequenceStatistics[maximumSources];
-        _indexBySource = new Dictionary<int, int>(maximumSources);
+        if (maxSources < 1)
+            throw new ArgumentOutOfRangeException(nameof(maxSources), maxSources, "A tracker needs room for one sender at least.");
+        _sources = new MavlinkSequenceStatistics[maxSources];
+        _indexBySource = new Dictionary<int, int>(maxSources);
     }
 
     /// <summary>How many senders were seen.</summary>
@@ -37,7 +37,7 @@ public sealed class MavlinkSequenceTracker
         ? _sources[index]
         : throw new ArgumentOutOfRangeException(nameof(index), index, $"There are {Count} senders.");
 
-    /// <summary>Looks a sender up.</summary>
+    /// <summary>Finds a sender.</summary>
     /// <param name="systemId">Its system id.</param>
     /// <param name="componentId">Its component id.</param>
     /// <param name="statistics">Its figures where it was seen.</param>

@@ -1,4 +1,4 @@
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Framing;
 
 /// <summary>Where the bytes of a frame are (MAVLink guide, "Packet serialization"), in one place.</summary>
 internal static class WireFormat

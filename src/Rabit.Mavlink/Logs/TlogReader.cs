@@ -1,5 +1,7 @@
 using System;
 using System.IO;
+using Rabit.Mavlink.Framing;
+using Rabit.Mavlink.Logs;
 
 namespace Rabit.Mavlink;
 
@@ -9,9 +11,16 @@ namespace Rabit.Mavlink;
 /// </summary>
 /// <example>
 /// <code>
+/// using FileStream file = File.OpenRead("flight.tlog");
+/// var log = new TlogReader(file, MavlinkDialect.All);
 /// while (log.TryRead(out MavlinkFrame frame, out TlogRecord record))
-///     if (frame.TryDecode(out Attitude attitude)) ...
-/// if (log.End == TlogEnd.NoRecord) ... // not a log
+/// {
+///     if (frame.TryDecode(out Attitude attitude))
+///         Console.WriteLine($"{record.TimeUtc:HH:mm:ss.fff} roll {attitude.Roll} rad");
+/// }
+///
+/// if (log.End == TlogEnd.NoRecord)
+///     Console.WriteLine("not a telemetry log");
 /// </code>
 /// </example>
 public sealed partial class TlogReader
@@ -56,7 +65,7 @@ public sealed partial class TlogReader
     /// <summary>File offset of the first of <see cref="LostBytes"/>; null while there are none.</summary>
     public long? FirstDamageOffset { get; private set; }
 
-    /// <summary>File offset behind the last byte judged: what a progress bar shows.</summary>
+    /// <summary>File offset behind the last byte processed, for a progress bar.</summary>
     public long Position => _bufferOffset + _start;
 
     /// <summary>How it ended, once <see cref="TryRead"/> returned false.</summary>
@@ -75,15 +84,15 @@ public sealed partial class TlogReader
         while (Fill())
         {
             ReadOnlySpan<byte> rest = _buffer.AsSpan(_start, _end - _start);
-            int toSkip = BytesBeforeNextCandidate(rest);
-            if (toSkip == 0 && TryJudge(rest, out FrameCandidate candidate, out long time))
+            int toSkip = BytesBeforeNextStart(rest);
+            if (toSkip == 0 && TryValidate(rest, out ParsedHeader header, out long time))
             {
-                if (Take(candidate, time, rest, out frame, out record))
+                if (Take(header, time, rest, out frame, out record))
                     return true;
             }
             else
             {
-                Lose(Math.Max(toSkip, 1));
+                Skip(Math.Max(toSkip, 1));
             }
         }
         _readToEnd = true;
@@ -92,21 +101,21 @@ public sealed partial class TlogReader
         return false;
     }
 
-    private bool Take(in FrameCandidate candidate, long time, ReadOnlySpan<byte> rest, out MavlinkFrame frame, out TlogRecord record)
+    private bool Take(in ParsedHeader header, long time, ReadOnlySpan<byte> rest, out MavlinkFrame frame, out TlogRecord record)
     {
         record = new TlogRecord(
-            Records + IncompatibleRecords, Position, time, candidate.Kind == CandidateKind.Checkable, _messages.At(candidate.MessageIndex));
-        MavlinkFrame.FromWire(rest.Slice(TlogFormat.TimeLength, candidate.Length), out frame);
-        _start += TlogFormat.TimeLength + candidate.Length;
+            Records + IncompatibleRecords, Position, time, header.Kind == HeaderKind.KnownMessage, _messages.At(header.MessageIndex));
+        MavlinkFrame.FromWire(rest.Slice(TlogFormat.TimeLength, header.Length), out frame);
+        _start += TlogFormat.TimeLength + header.Length;
         _lastTime = time;
-        if (candidate.HasUnknownFlags)
+        if (header.HasUnknownFlags)
             IncompatibleRecords++;
         else
             Records++;
-        return !candidate.HasUnknownFlags;
+        return !header.HasUnknownFlags;
     }
 
-    private void Lose(int count)
+    private void Skip(int count)
     {
         FirstDamageOffset ??= Position;
         LostBytes += count;

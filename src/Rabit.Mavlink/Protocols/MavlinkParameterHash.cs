@@ -4,7 +4,7 @@ namespace Rabit.Mavlink;
 
 /// <summary>
 /// The hash that PX4 sends in front of its list as _HASH_CHECK: CRC-32 over the names and the four bytes of all values, in the order of the names, without those that
-/// PX4 changes by itself (PX4, <c>param_hash_check</c>). It tells whether a list that is at hand is still the vehicle's. Any thread.
+/// PX4 changes by itself (PX4, <c>param_hash_check</c>). It shows whether a list that was kept is still the vehicle's. Any thread.
 /// </summary>
 public static class MavlinkParameterHash
 {
@@ -14,7 +14,7 @@ public static class MavlinkParameterHash
     private const int ValueLength = 4;
 
     /// <summary>Computes the hash of a list.</summary>
-    /// <param name="parameters">The list, as it came in; values byte by byte, as PX4 sends them.</param>
+    /// <param name="parameters">The list, as received; values byte by byte, as PX4 sends them.</param>
     /// <param name="isVolatile">Which parameters the vehicle leaves out; <see cref="IsVolatile"/> where null. Another firmware may have others.</param>
     /// <returns>The hash; it means nothing while parameters are missing.</returns>
     /// <exception cref="ArgumentNullException">No list.</exception>

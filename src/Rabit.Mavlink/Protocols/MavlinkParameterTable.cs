@@ -8,7 +8,7 @@ public sealed class MavlinkParameterTable
 {
     private MavlinkParameter[] _entries = [];
 
-    /// <summary>How many the vehicle says it has.</summary>
+    /// <summary>How many parameters the vehicle reports to have.</summary>
     public int Count { get; private set; }
 
     /// <summary>How many of them are not known yet.</summary>

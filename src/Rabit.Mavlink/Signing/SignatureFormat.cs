@@ -1,7 +1,7 @@
 using System;
 using System.Buffers.Binary;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Signing;
 
 /// <summary>
 /// The 13 bytes behind the checksum of a signed frame (MAVLink guide, "Message signing"): link id, time stamp of 48 bits, and
@@ -14,7 +14,7 @@ internal static class SignatureFormat
     public const int HashLength = 6;
 
     /// <summary>The largest time stamp: in the year 2104.</summary>
-    public const long LatestTimestamp = (1L << (8 * TimestampLength)) - 1;
+    public const long MaxTimestamp = (1L << (8 * TimestampLength)) - 1;
 
     private const int HashOffset = LinkIdLength + TimestampLength;
 

@@ -71,8 +71,8 @@ public sealed class CommunicationsOptions
             faults.Add($"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero");
         if (!(PositionRateHz >= 0 && PositionRateHz <= MaxPositionRate))
             faults.Add(FormattableString.Invariant($"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {MaxPositionRate}"));
-        if (VehicleMessageBytesPerSecond < MavlinkFrame.MaximumWireLength)
-            faults.Add($"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; it must be at least one frame, {MavlinkFrame.MaximumWireLength}");
+        if (VehicleMessageBytesPerSecond < MavlinkFrame.MaxWireLength)
+            faults.Add($"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; it must be at least one frame, {MavlinkFrame.MaxWireLength}");
         foreach (IGrouping<int, VehicleMessageRoute> twice in VehicleMessageRoutes.GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
             faults.Add($"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once");
         if (faults.Count > 0)

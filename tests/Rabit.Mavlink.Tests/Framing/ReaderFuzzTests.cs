@@ -40,7 +40,7 @@ public class ReaderFuzzTests(ITestOutputHelper output)
         {
             ReadOnlySpan<byte> one = bytes.AsSpan(i, 1);
             while (reader.TryRead(ref one, out _, out _)) { }
-            Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaximumWireLength);
+            Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaxWireLength);
         }
     }
 

@@ -26,9 +26,9 @@ public class ReaderWorkTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(MavlinkResync.NextByte, MostPerByte)]
-    [InlineData(MavlinkResync.SkipFrame, 1)]
-    public void ChecksumBytes_HostilePatterns_StayBounded(MavlinkResync resync, double mostPerByte)
+    [InlineData(MavlinkInvalidFramePolicy.NextByte, MostPerByte)]
+    [InlineData(MavlinkInvalidFramePolicy.SkipFrame, 1)]
+    public void ChecksumBytes_HostilePatterns_StayBounded(MavlinkInvalidFramePolicy resync, double mostPerByte)
     {
         double worst = 0;
         string pattern = "";
@@ -45,12 +45,12 @@ public class ReaderWorkTests(ITestOutputHelper output)
         Assert.InRange(worst, 0.9, mostPerByte);
     }
 
-    private static double WorkPerByte(byte[] pattern, MavlinkResync resync)
+    private static double WorkPerByte(byte[] pattern, MavlinkInvalidFramePolicy resync)
     {
         byte[] bytes = Enumerable.Range(0, 4000).Select(i => pattern[i % pattern.Length]).ToArray();
         var reader = new MavlinkFrameReader(MavlinkDialect.All, resync);
         FrameCollector.Read(bytes, 1500, reader, flush: false);
-        Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaximumWireLength);
+        Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaxWireLength);
         return (double)reader.Counters.ChecksumBytes / bytes.Length;
     }
 
@@ -63,8 +63,8 @@ public class ReaderWorkTests(ITestOutputHelper output)
             yield return [0xFE, 0xFF, (byte)id];
             yield return [0xFE, (byte)id];
             MavlinkDialect.All.TryGetMessage(id, out MavlinkMessageInfo info);
-            yield return [0xFE, info.MaximumLength, (byte)id];
-            yield return [0xFE, info.MaximumLength, 0xFE, info.MaximumLength, 0xFE, (byte)id];
+            yield return [0xFE, info.MaxLength, (byte)id];
+            yield return [0xFE, info.MaxLength, 0xFE, info.MaxLength, 0xFE, (byte)id];
         }
 
         var random = new Random(2026);

@@ -37,7 +37,7 @@ internal static class ReferenceScan
         int end = start + header + payload;
         if (end + 2 + signature > bytes.Length || !dialect.TryGetMessage(id, out MavlinkMessageInfo message))
             return 0;
-        if (isV1 && (payload < message.MinimumLength || payload > message.MaximumLength))
+        if (isV1 && (payload < message.MinLength || payload > message.MaxLength))
             return 0;
         ushort crc = MavlinkCrc.Add(MavlinkCrc.Initial, bytes.AsSpan(start + 1, end - start - 1));
         crc = MavlinkCrc.Add(crc, message.CrcExtra);

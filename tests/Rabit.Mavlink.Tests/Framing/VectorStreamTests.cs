@@ -76,7 +76,7 @@ public class VectorStreamTests
 
     private static void AssertSameBytes(byte[] stream, FoundFrame found)
     {
-        var wire = new byte[MavlinkFrame.MaximumWireLength];
+        var wire = new byte[MavlinkFrame.MaxWireLength];
         int length = found.Frame.WriteTo(wire);
         Assert.True(stream.AsSpan((int)found.Info.StreamOffset, length).SequenceEqual(wire.AsSpan(0, length)), found.ToString());
     }

@@ -107,13 +107,13 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
     public void Hear_OfAnotherClockOrWithoutAnswers_IsNotTaken()
     {
         var filter = new MavlinkTimesyncFilter();
-        filter.Hear(TimeSpan.FromSeconds(1), 500);
+        filter.AddOneWay(TimeSpan.FromSeconds(1), 500);
         Assert.True(double.IsNaN(filter.DriftError));
         for (int i = 0; i < 30; i++)
         {
-            filter.Take(TimeSpan.FromSeconds(i), TimeSpan.FromSeconds(i + 0.01), i + 100.005);
-            filter.Hear(TimeSpan.FromSeconds(i + 0.5), 7000 - i);
-            filter.Hear(TimeSpan.FromSeconds(i + 0.6), double.NaN);
+            filter.AddRoundTrip(TimeSpan.FromSeconds(i), TimeSpan.FromSeconds(i + 0.01), i + 100.005);
+            filter.AddOneWay(TimeSpan.FromSeconds(i + 0.5), 7000 - i);
+            filter.AddOneWay(TimeSpan.FromSeconds(i + 0.6), double.NaN);
         }
 
         Assert.Equal(0, filter.Drift, 1e-7);
@@ -137,8 +137,8 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
         {
             for (int i = 0; i < 1000; i++)
             {
-                filter.Take(TimeSpan.FromSeconds(i), TimeSpan.FromSeconds(i + 0.01), i + 0.005);
-                filter.Hear(TimeSpan.FromSeconds(i + 0.5), i + 0.48);
+                filter.AddRoundTrip(TimeSpan.FromSeconds(i), TimeSpan.FromSeconds(i + 0.01), i + 0.005);
+                filter.AddOneWay(TimeSpan.FromSeconds(i + 0.5), i + 0.48);
             }
         }));
     }

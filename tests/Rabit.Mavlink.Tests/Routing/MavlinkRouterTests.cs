@@ -205,7 +205,7 @@ public class MavlinkRouterTests
     [Fact]
     public void Route_TableFull_CountsWhomItCannotLearn()
     {
-        var router = new MavlinkRouter(1, 191, maximumSources: 1);
+        var router = new MavlinkRouter(1, 191, maxSources: 1);
         router.SetLink(63, MavlinkLinkRules.Live);
         foreach (byte component in new byte[] { 1, 2, 1, 2 })
             router.Route(63, MavlinkFrame.Create(default(Heartbeat), 1, component, 0), Wire.Info<Heartbeat>(), isChecked: true);
@@ -233,7 +233,7 @@ public class MavlinkRouterTests
     {
         Assert.Throws<ArgumentOutOfRangeException>("systemId", () => new MavlinkRouter(0, 1));
         Assert.Throws<ArgumentOutOfRangeException>("componentId", () => new MavlinkRouter(1, 0));
-        Assert.Throws<ArgumentOutOfRangeException>("maximumSources", () => new MavlinkRouter(1, 1, 0));
+        Assert.Throws<ArgumentOutOfRangeException>("maxSources", () => new MavlinkRouter(1, 1, 0));
         Assert.Throws<ArgumentOutOfRangeException>("link", () => _router.SetLink(64, MavlinkLinkRules.Live));
     }
 
@@ -249,7 +249,7 @@ public class MavlinkRouterTests
 
     private static string Links(ulong mask)
     {
-        IEnumerable<int> links = Enumerable.Range(0, MavlinkRouter.MaximumLinks).Where(link => (mask & (1UL << link)) != 0);
+        IEnumerable<int> links = Enumerable.Range(0, MavlinkRouter.MaxLinks).Where(link => (mask & (1UL << link)) != 0);
         return string.Join(" ", links);
     }
 }

@@ -108,7 +108,7 @@ public class MavlinkSignerTests
     {
         Assert.True(frame.TryDecode(out T message));
         var sender = new MavlinkSender(frame.SystemId, frame.ComponentId) { Signer = signer };
-        var buffer = new byte[MavlinkFrame.MaximumWireLength];
+        var buffer = new byte[MavlinkFrame.MaxWireLength];
         int length = sender.Write(message, buffer.AsSpan());
         return buffer.AsSpan(0, length).ToArray();
     }

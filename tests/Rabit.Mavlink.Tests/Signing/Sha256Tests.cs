@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using System.Text;
+using Rabit.Mavlink.Signing;
 using Xunit;
 
 namespace Rabit.Mavlink.Tests.Signing;
