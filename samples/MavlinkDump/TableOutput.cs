@@ -26,7 +26,7 @@ internal sealed class TableOutput(TextWriter output, string file) : IDumpOutput
         _firstTime = Math.Min(_firstTime, record.TimeMicroseconds);
         _lastTime = Math.Max(_lastTime, record.TimeMicroseconds);
 
-        // A frame that nobody could check is counted for a sender who is known to exist, since it used up a number of his.
+        // An unchecked frame is counted for a sender that is known to exist, since it used up one of its sequence numbers.
         if (record.IsChecked || _senders.TryGet(frame.SystemId, frame.ComponentId, out _))
             _senders.Track(frame);
         if (frame.TryDecode(out Heartbeat heartbeat))

@@ -152,15 +152,13 @@ public unsafe partial struct MavlinkFrame
     /// Makes it no frame. Only what makes it one is cleared, not the payload behind it, which no member shows any more: a reader that is fed
     /// byte by byte does this for every byte.
     /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void Clear(out MavlinkFrame frame)
     {
         Unsafe.SkipInit(out frame);
         frame._checksum = 0;
-        fixed (byte* wire = frame._wire)
-        {
-            Unsafe.WriteUnaligned(wire, 0UL);
-            Unsafe.WriteUnaligned(wire + sizeof(ulong), (ushort)0);
-        }
+        Unsafe.WriteUnaligned(ref frame._wire[0], 0UL);
+        Unsafe.WriteUnaligned(ref frame._wire[sizeof(ulong)], (ushort)0);
     }
 
     /// <summary>Computes CRC_EXTRA, the last byte of the checksum, from the checksum that the frame has.</summary>

@@ -56,9 +56,9 @@ public sealed partial class MavlinkFrameReader
 
     private bool SkipToStartByte()
     {
-        int skipped = _buffer.AsSpan(_start, _end - _start).IndexOfAny(WireFormat.MagicV2, WireFormat.MagicV1);
-        if (skipped == 0)
+        if (_start < _end && _buffer[_start] is WireFormat.MagicV2 or WireFormat.MagicV1)
             return true;
+        int skipped = _buffer.AsSpan(_start, _end - _start).IndexOfAny(WireFormat.MagicV2, WireFormat.MagicV1);
         if (skipped < 0)
             skipped = _end - _start;
         _skippedBytes += skipped;

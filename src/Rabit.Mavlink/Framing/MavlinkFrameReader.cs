@@ -1,5 +1,6 @@
 using System;
 using System.Buffers;
+using System.Runtime.CompilerServices;
 using Rabit.Mavlink.Framing;
 
 namespace Rabit.Mavlink;
@@ -41,6 +42,9 @@ public sealed partial class MavlinkFrameReader
     // With fewer bytes held nothing can be decided: the frame that seems to begin at _start has not arrived. Zero: not parsed yet.
     private int _needed;
 
+    // More bytes than this have to be appended before there is anything to decide; zero: unknown. For single bytes, which are the most calls.
+    private int _missing;
+
     private long _skippedBytes;
     private long _frames;
     private long _unknownFrames;
@@ -81,19 +85,20 @@ public sealed partial class MavlinkFrameReader
     /// <param name="frame">The frame; <c>default</c> where there is none.</param>
     /// <param name="info">Where it began, and whether it was checked.</param>
     /// <returns>Whether there was a frame.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryRead(ref ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
-        // The common case of single bytes and small chunks: the frame that has begun is still incomplete.
-        if (bytes.Length < _needed - (_end - _start) && bytes.Length <= BufferLength - _end && _start != _end)
-        {
-            Append(bytes);
-            bytes = default;
-            MavlinkFrame.Clear(out frame);
-            info = default;
-            return false;
-        }
+        if (bytes.Length >= _missing)
+            return TryReadNext(ref bytes, out frame, out info);
 
-        return TryReadNext(ref bytes, out frame, out info);
+        // The common case of single bytes and small chunks: the frame that has begun is still incomplete. Inlined, and apart from the rest,
+        // whose many variables would cost more than all of this.
+        _missing -= bytes.Length;
+        Append(bytes);
+        bytes = default;
+        MavlinkFrame.Clear(out frame);
+        info = default;
+        return false;
     }
 
     /// <summary>
@@ -127,6 +132,7 @@ public sealed partial class MavlinkFrameReader
     /// <returns>Whether there was a frame.</returns>
     public bool TryFlush(out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
+        _missing = 0;
         if (TryFind(isLast: true, out ParsedHeader header))
         {
             Take(header, out frame, out info);
@@ -139,8 +145,10 @@ public sealed partial class MavlinkFrameReader
         return false;
     }
 
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private bool TryReadNext(ref ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
+        _missing = 0;
         while (true)
         {
             bool hasBadChecksum = false;
@@ -171,6 +179,8 @@ public sealed partial class MavlinkFrameReader
                 _scanned = _start + 1;
         }
 
+        if (_start != _end)
+            _missing = Math.Min(_needed - (_end - _start), BufferLength - _end + 1);
         MavlinkFrame.Clear(out frame);
         info = default;
         return false;
@@ -216,6 +226,7 @@ public sealed partial class MavlinkFrameReader
         bytes = bytes.Slice(count);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Append(ReadOnlySpan<byte> bytes)
     {
         if (bytes.Length == 1)
@@ -227,7 +238,8 @@ public sealed partial class MavlinkFrameReader
 
     private void MoveToFront()
     {
-        Buffer.BlockCopy(_buffer, _start, _buffer, 0, _end - _start);
+        if (_start != _end)
+            Buffer.BlockCopy(_buffer, _start, _buffer, 0, _end - _start);
         _bufferOffset += _start;
         _scanned -= _start;
         _end -= _start;

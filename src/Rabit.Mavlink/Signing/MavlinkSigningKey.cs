@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using System.Runtime.CompilerServices;
 using System.Text;
 using Rabit.Mavlink.Framing;
 using Rabit.Mavlink.Messages;
@@ -60,6 +61,7 @@ public sealed class MavlinkSigningKey : IDisposable
     /// <param name="frame">Any frame.</param>
     /// <returns>False also where it is not signed.</returns>
     /// <exception cref="ObjectDisposedException">The key was disposed of.</exception>
+    [SkipLocalsInit]
     public bool Matches(in MavlinkFrame frame)
     {
         if (!frame.IsSigned)
@@ -124,23 +126,32 @@ public sealed class MavlinkSigningKey : IDisposable
     /// <param name="linkId">Which link.</param>
     /// <param name="timestamp">When.</param>
     /// <param name="signature">13 bytes.</param>
+    [SkipLocalsInit]
     internal void Sign(ReadOnlySpan<byte> wire, byte linkId, long timestamp, Span<byte> signature)
     {
         Span<byte> buffer = stackalloc byte[MaxPaddedLength];
         wire.CopyTo(buffer.Slice(Length));
-        SignatureFormat.WriteLinkAndTimestamp(signature, linkId, timestamp);
-        signature.Slice(0, SignatureFormat.LinkIdLength + SignatureFormat.TimestampLength).CopyTo(buffer.Slice(Length + wire.Length));
-        SignatureFormat.WriteHash(signature, Hash(buffer, wire.Length + SignatureFormat.LinkIdLength + SignatureFormat.TimestampLength));
+        Sign(buffer, wire.Length, linkId, timestamp, signature);
     }
 
     /// <summary>Signs a frame that is prepared for it.</summary>
+    [SkipLocalsInit]
     internal void Sign(ref MavlinkFrame frame, byte linkId, long timestamp)
     {
-        Span<byte> buffer = stackalloc byte[WireFormat.MaxFrameLength];
+        Span<byte> buffer = stackalloc byte[MaxPaddedLength];
         Span<byte> signature = stackalloc byte[WireFormat.SignatureLength];
-        int length = frame.WriteTo(buffer) - WireFormat.SignatureLength;
-        Sign(buffer.Slice(0, length), linkId, timestamp, signature);
+        int length = frame.WriteTo(buffer.Slice(Length)) - WireFormat.SignatureLength;
+        Sign(buffer, length, linkId, timestamp, signature);
         frame.SetSignature(signature);
+    }
+
+    // The frame is in the buffer already, behind the room for the key.
+    private void Sign(Span<byte> buffer, int wireLength, byte linkId, long timestamp, Span<byte> signature)
+    {
+        SignatureFormat.WriteLinkAndTimestamp(buffer.Slice(Length + wireLength), linkId, timestamp);
+        ulong hash = Hash(buffer, wireLength + SignatureFormat.LinkIdLength + SignatureFormat.TimestampLength);
+        SignatureFormat.WriteLinkAndTimestamp(signature, linkId, timestamp);
+        SignatureFormat.WriteHash(signature, hash);
     }
 
     // The key goes before the bytes in the buffer, and does not stay there.

@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace Rabit.Mavlink.Signing;
 
-// The compression function for the compiler of .NET: all in variables, which it keeps in registers as far as there are any. 1.5 times as fast as the
-// loops of the twin, and as OpenSSL by way of System.Security.Cryptography for the two blocks of a usual frame (measured).
+// The compression function for the compiler of .NET: all in variables, which it keeps in registers as far as there are any. For the two blocks of a
+// usual frame it takes 0.65 of the time of the loops in the twin, and 0.8 of that of OpenSSL behind System.Security.Cryptography (measured).
 internal static unsafe partial class Sha256
 {
     private static void CompressBlocks(uint* state, byte* bytes, int length)

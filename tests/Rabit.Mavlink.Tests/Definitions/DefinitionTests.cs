@@ -17,7 +17,7 @@ namespace Rabit.Mavlink.Tests.Definitions;
 public class DefinitionTests
 {
     [Fact]
-    public void FindDefinition_EveryMessage_SaysWhatTheFilesSay()
+    public void FindDefinition_EveryMessage_AgreesWithTheFiles()
     {
         foreach (MessageDefinition message in Generator.Definitions.All.Messages)
         {
@@ -31,7 +31,7 @@ public class DefinitionTests
     }
 
     [Fact]
-    public void FindEnum_EveryEnum_SaysWhatTheFilesSay()
+    public void FindEnum_EveryEnum_AgreesWithTheFiles()
     {
         foreach (EnumDefinition definition in Generator.Definitions.All.Enums)
         {

@@ -60,10 +60,10 @@ public class FuzzTests(ITestOutputHelper output)
     }
 
     // Returns how many bytes were frames: with the bytes skipped and dropped they are all.
-    private long Read(byte[] bytes, int seed, MavlinkInvalidFramePolicy resync, out MavlinkReaderCounters counters)
+    private long Read(byte[] bytes, int seed, MavlinkInvalidFramePolicy policy, out MavlinkReaderCounters counters)
     {
         var random = new Random(seed);
-        var reader = new MavlinkFrameReader(MavlinkDialect.All, resync);
+        var reader = new MavlinkFrameReader(MavlinkDialect.All, policy);
         var verifier = new MavlinkVerifier(Keys.One, Keys.ClockAt(Keys.Noon), maxStreams: 4);
         var router = new MavlinkRouter(1, 191, maxSources: 16);
         router.SetLink(0, MavlinkLinkRules.Live);

@@ -32,7 +32,7 @@ public class ReaderFuzzTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void TryRead_AnyBytes_HoldsBackTwoFramesAtMost()
+    public void TryRead_AnyBytes_HoldsBackNoMoreThanTwoFrames()
     {
         byte[] bytes = FuzzBytes.Make(99, BytesPerSeed);
         var reader = new MavlinkFrameReader(MavlinkDialect.All);

@@ -10,8 +10,8 @@ namespace Rabit.Mavlink.Tests.Framing;
 public class ReaderWorkTests(ITestOutputHelper output)
 {
     // Every place is put through the checksum once at most, so that a byte costs as many steps as claims cover it: fewer than 280 by the
-    // length of a frame, and as yet nobody found a pattern whose claims lie closer together than every third byte.
-    private const int MostPerByte = 90;
+    // length of a frame, and no pattern is known whose headers lie closer together than every third byte.
+    private const int MaxPerByte = 90;
 
     [Fact]
     public void ChecksumBytes_SoundFlight_AreNoMoreThanTheBytes()
@@ -26,29 +26,29 @@ public class ReaderWorkTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(MavlinkInvalidFramePolicy.NextByte, MostPerByte)]
+    [InlineData(MavlinkInvalidFramePolicy.NextByte, MaxPerByte)]
     [InlineData(MavlinkInvalidFramePolicy.SkipFrame, 1)]
-    public void ChecksumBytes_HostilePatterns_StayBounded(MavlinkInvalidFramePolicy resync, double mostPerByte)
+    public void ChecksumBytes_HostilePatterns_StayBounded(MavlinkInvalidFramePolicy policy, double mostPerByte)
     {
         double worst = 0;
         string pattern = "";
-        foreach (byte[] candidate in Patterns())
+        foreach (byte[] bytes in Patterns())
         {
-            double perByte = WorkPerByte(candidate, resync);
+            double perByte = WorkPerByte(bytes, policy);
             if (perByte <= worst)
                 continue;
             worst = perByte;
-            pattern = TestData.ToHex(candidate, candidate.Length);
+            pattern = TestData.ToHex(bytes, bytes.Length);
         }
 
         output.WriteLine($"worst {worst:0.0} per byte: {pattern}");
         Assert.InRange(worst, 0.9, mostPerByte);
     }
 
-    private static double WorkPerByte(byte[] pattern, MavlinkInvalidFramePolicy resync)
+    private static double WorkPerByte(byte[] pattern, MavlinkInvalidFramePolicy policy)
     {
         byte[] bytes = Enumerable.Range(0, 4000).Select(i => pattern[i % pattern.Length]).ToArray();
-        var reader = new MavlinkFrameReader(MavlinkDialect.All, resync);
+        var reader = new MavlinkFrameReader(MavlinkDialect.All, policy);
         FrameCollector.Read(bytes, 1500, reader, flush: false);
         Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaxWireLength);
         return (double)reader.Counters.ChecksumBytes / bytes.Length;

@@ -30,7 +30,7 @@ public class ResyncTests
         byte[] unknown = Wire.V2(Wire.UnknownId, Inner);
 
         Assert.Equal([Heartbeat.MavlinkId, Wire.UnknownId, Attitude.MavlinkId], Ids(Wire.Join(Inner, unknown, Behind)));
-        // The other mode believes what is proved.
+        // The other policy delivers what the checksum proves.
         Assert.DoesNotContain(Wire.UnknownId, Ids(Wire.Join(Inner, unknown, Behind), new MavlinkFrameReader(MavlinkDialect.All)));
     }
 

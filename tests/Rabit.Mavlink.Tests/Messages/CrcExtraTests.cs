@@ -23,7 +23,7 @@ public class CrcExtraTests
     }
 
     [Fact]
-    public void All_EveryMessageStruct_SaysTheSameOfItself()
+    public void All_EveryMessageStruct_AgreesWithTheDialect()
     {
         Assert.Equal(MavlinkDialect.All.Count, MessageTypes.ById.Count);
         foreach (MavlinkMessageInfo info in MavlinkDialect.All.Messages)

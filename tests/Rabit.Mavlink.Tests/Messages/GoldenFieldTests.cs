@@ -55,7 +55,7 @@ public class GoldenFieldTests
 
     private static Dictionary<string, PropertyInfo> PropertiesOf(int id, Type type)
     {
-        MessageDefinition definition = Generator.Definitions.All.Messages.Single(candidate => candidate.Id == id);
+        MessageDefinition definition = Generator.Definitions.All.Messages.Single(message => message.Id == id);
         return PropertyNames.Of(definition, type.Name).ToDictionary(pair => pair.Key.Name, pair => type.GetProperty(pair.Value)!);
     }
 

@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>Single exchanges, by hand.</summary>
+/// <summary>Single exchanges, frame by frame.</summary>
 public class MavlinkCommandClientTests
 {
     private static readonly TimeSpan Start = TimeSpan.FromSeconds(10);
@@ -49,7 +49,7 @@ public class MavlinkCommandClientTests
     [InlineData(MavResult.CommandLongOnly)]
     [InlineData(MavResult.CommandUnsupportedMavFrame)]
     [InlineData(MavResult.Unsupported)]
-    public void Place_RefusedAsInt_GoesOutAsLong(MavResult result)
+    public void Location_RefusedAsInt_IsSentAsLong(MavResult result)
     {
         Begin(MavlinkCommand.AtLocation(ScriptedVehicle.Address, MavCmd.DoReposition, MavFrame.GlobalRelativeAlt, 473_000_000, 85_000_000, 30, -1, 1, 0, float.NaN));
         Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandInt place) && place.X == 473_000_000 && place.Frame == MavFrame.GlobalRelativeAlt);
@@ -62,7 +62,7 @@ public class MavlinkCommandClientTests
     }
 
     [Fact]
-    public void Place_IntOnlyAndUnsupported_IsRefused()
+    public void Location_IntOnlyAndUnsupported_IsRefused()
     {
         Begin(MavlinkCommand.AtLocation(ScriptedVehicle.Address, MavCmd.DoOrbit, MavFrame.Global, 1, 2, 3) with { Forms = MavlinkCommandForms.IntOnly });
         Assert.True(_client.TryTakeFrame(_now, out _));
@@ -89,7 +89,7 @@ public class MavlinkCommandClientTests
     }
 
     [Fact]
-    public void Cancel_UnderWay_AsksAndReportsWhatTheVehicleSays()
+    public void Cancel_UnderWay_RequestsItAndReportsTheAnswer()
     {
         int handle = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.PreflightCalibration));
         Assert.True(_client.TryTakeFrame(_now, out _));
@@ -139,7 +139,7 @@ public class MavlinkCommandClientTests
     }
 
     [Fact]
-    public void SameCommandAgain_LinkThatDoesNotDouble_WaitsForAnswersThatAreStillToCome()
+    public void SameCommandAgain_LinkThatDoesNotDuplicate_WaitsForOutstandingAnswers()
     {
         _client = new MavlinkCommandClient(ScriptedVehicle.Companion(), new MavlinkCommandOptions { AnswersMayBeDuplicated = false });
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
@@ -159,7 +159,7 @@ public class MavlinkCommandClientTests
     }
 
     [Fact]
-    public void Abandon_SentOrNot_SaysNothingToTheVehicleAndItsLateAnswerIsNotTheNextOnes()
+    public void StopTracking_SentOrNot_SendsNothingAndItsLateAnswerIsNotThatOfTheNext()
     {
         int sent = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
         Assert.True(_client.TryTakeFrame(_now, out _));

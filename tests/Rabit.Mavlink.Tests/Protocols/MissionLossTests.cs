@@ -12,16 +12,16 @@ public class MissionLossTests(ITestOutputHelper output)
 {
     private const int Count = 100;
 
-    // On a link that loses 40 % the retries of the guide are too few for a hundred items; who has such a link says so.
-    private static readonly MavlinkMissionOptions Patient = new() { Retries = 25 };
+    // On a link that loses 40 % the retries of the guide are too few for a hundred items; such a link needs other options.
+    private static readonly MavlinkMissionOptions ManyRetries = new() { Retries = 25 };
 
     [Theory]
     [MemberData(nameof(Cases))]
-    public void UpDownClear_FewSeeds_CompletesOrFailsCleanly(int lossPercent, bool isArduPilot, bool isPatient) => Run(lossPercent, isArduPilot, isPatient, 5);
+    public void UpDownClear_FewSeeds_CompletesOrFailsCleanly(int lossPercent, bool isArduPilot, bool hasManyRetries) => Run(lossPercent, isArduPilot, hasManyRetries, 5);
 
     [Theory, Trait("Category", "Long")]
     [MemberData(nameof(Cases))]
-    public void UpDownClear_AllSeeds_CompletesOrFailsCleanly(int lossPercent, bool isArduPilot, bool isPatient) => Run(lossPercent, isArduPilot, isPatient, 200);
+    public void UpDownClear_AllSeeds_CompletesOrFailsCleanly(int lossPercent, bool isArduPilot, bool hasManyRetries) => Run(lossPercent, isArduPilot, hasManyRetries, 200);
 
     public static TheoryData<int, bool, bool> Cases()
     {
@@ -37,7 +37,7 @@ public class MissionLossTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Upload_Refused_SaysWhy()
+    public void Upload_Refused_HasTheReason()
     {
         var vehicle = new MissionVehicle(isArduPilot: false) { Refuses = MavMissionResult.NoSpace };
         var world = new ProtocolWorld(vehicle, 0, 1);
@@ -50,7 +50,7 @@ public class MissionLossTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Cancel_HalfWay_TellsTheVehicle()
+    public void Cancel_HalfWay_NotifiesTheVehicle()
     {
         var vehicle = new MissionVehicle(isArduPilot: false);
         var world = new ProtocolWorld(vehicle, 0, 1);
@@ -74,7 +74,7 @@ public class MissionLossTests(ITestOutputHelper output)
         return items;
     }
 
-    private void Run(int lossPercent, bool isArduPilot, bool isPatient, int seeds)
+    private void Run(int lossPercent, bool isArduPilot, bool hasManyRetries, int seeds)
     {
         var statuses = new Dictionary<string, int>(StringComparer.Ordinal);
         double longest = 0;
@@ -82,7 +82,7 @@ public class MissionLossTests(ITestOutputHelper output)
         {
             var vehicle = new MissionVehicle(isArduPilot);
             var world = new ProtocolWorld(vehicle, lossPercent, seed);
-            var client = new MavlinkMissionClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, isPatient ? Patient : null);
+            var client = new MavlinkMissionClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, hasManyRetries ? ManyRetries : null);
             string context = world.Context;
             TimeSpan start = world.Now;
             var type = (MavMissionType)(seed % 3);
@@ -115,9 +115,9 @@ public class MissionLossTests(ITestOutputHelper output)
             longest = Math.Max(longest, (world.Now - start).TotalSeconds);
         }
 
-        output.WriteLine($"loss {lossPercent} %, {(isArduPilot ? "ArduPilot" : "PX4")}, {(isPatient ? "25" : "5")} retries, seeds 1 to {seeds}: "
+        output.WriteLine($"loss {lossPercent} %, {(isArduPilot ? "ArduPilot" : "PX4")}, {(hasManyRetries ? "25" : "5")} retries, seeds 1 to {seeds}: "
             + $"{string.Join(", ", statuses.OrderBy(pair => pair.Key, StringComparer.Ordinal).Select(pair => $"{pair.Key} {pair.Value}"))}; longest {longest:F0} s");
-        Assert.False(isPatient && statuses.Keys.Any(key => key.StartsWith("down", StringComparison.Ordinal) && key != "down Done"), "a patient download fails never");
+        Assert.False(hasManyRetries && statuses.Keys.Any(key => key.StartsWith("down", StringComparison.Ordinal) && key != "down Done"), "a download with 25 retries never fails");
     }
 
     // A vehicle that has given the transfer up answers the next item with an error; INVALID_SEQUENCE to a copy is no refusal.

@@ -77,7 +77,7 @@ internal sealed class MissionVehicle(bool isArduPilot) : ScriptedVehicle
             return;
         }
 
-        // A copy of the count must not begin anew what has begun.
+        // A copy of the count must not restart what has begun.
         if (_incoming is { Count: > 0 } && count.MissionType == _type && count.Count == _count)
             return;
         _type = count.MissionType;

@@ -12,7 +12,7 @@ internal sealed class ProtocolWorld(ScriptedVehicle vehicle, int lossPercent, ul
 
     public delegate bool TakeFrame(TimeSpan now, out MavlinkFrame frame);
 
-    /// <summary>For whoever reads why a test failed.</summary>
+    /// <summary>For the message of a failed test.</summary>
     public string Context => $"loss {lossPercent} %, seed {seed}";
 
     public TimeSpan Now { get; set; } = TimeSpan.FromSeconds(100);

@@ -46,7 +46,7 @@ public class RecordedCommandTests
     [Theory]
     [InlineData("ardupilot-flight")]
     [InlineData("px4-flight")]
-    public void Replay_Heartbeats_NobodyIsLostOrRebooted(string name)
+    public void Replay_Heartbeats_NoneIsLostOrRebooted(string name)
     {
         var recording = new RecordedExchange(name);
         var tracker = new MavlinkHeartbeatTracker();

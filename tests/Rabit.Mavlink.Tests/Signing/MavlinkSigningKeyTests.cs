@@ -95,7 +95,7 @@ public class MavlinkSigningKeyTests
     }
 
     [Fact]
-    public void CreateSetup_ForEverybody_IsRefused() =>
+    public void CreateSetup_Broadcast_IsRefused() =>
         Assert.Throws<ArgumentOutOfRangeException>(() => Keys.One.CreateSetup(0, 0, Keys.Noon));
 
     [Fact]
