@@ -60,8 +60,8 @@ public sealed class CommunicationsOptions
             throw new ArgumentException("Communications: the lists of links, recorded files and mail routes may be empty, but not null.", parameter);
         if (Count == 0)
             faults.Add("there is no link");
-        if (Count > MavlinkRouter.MaximumLinks)
-            faults.Add($"there are {Count} links; at most {MavlinkRouter.MaximumLinks} are possible");
+        if (Count > MavlinkRouter.MaxLinks)
+            faults.Add($"there are {Count} links; at most {MavlinkRouter.MaxLinks} are possible");
         faults.AddRange(Signing?.FindFaults(Links.Count) ?? []);
         if (FramesWaitingIn < 1)
             faults.Add($"{nameof(FramesWaitingIn)} is {FramesWaitingIn}; it must be at least 1");
