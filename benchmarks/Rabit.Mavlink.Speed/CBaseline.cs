@@ -6,7 +6,9 @@ using System.IO;
 
 namespace Rabit.Mavlink.Speed;
 
-/// <summary>The C baseline (c/baseline.c) over the same messages, as a process of its own; the best of its runs counts.</summary>
+/// <summary>
+/// The C baseline (c/baseline.c) over the same messages, as a process of its own; the best of its runs counts.
+/// </summary>
 internal sealed class CBaseline
 {
     private readonly string _program;

@@ -6,7 +6,9 @@ using System.Text.Json;
 
 namespace Rabit.Mavlink.Speed;
 
-/// <summary>The frames of a file one after another, as a link would carry them, and what is needed to make them again.</summary>
+/// <summary>
+/// The frames of a file one after another, as a link would carry them, and what is needed to make them again.
+/// </summary>
 internal sealed class FrameSet
 {
     private FrameSet(string name, byte[] stream)

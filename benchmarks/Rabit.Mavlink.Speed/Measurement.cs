@@ -5,12 +5,14 @@ using System.Reflection;
 namespace Rabit.Mavlink.Speed;
 
 /// <summary>
-/// Measures one operation: the best time of several passes, and what they allocated together. The passes of all that is compared are made
-/// in turn, so that a machine that is slow for a while, or runs at another clock rate, is so for all of them.
+/// Measures one operation: the best time of several passes, and what they allocated together. The passes of all that is
+/// compared are made in turn, so that a machine that is slow for a while, or runs at another clock rate, is so for all
+/// of them.
 /// </summary>
 internal sealed class Measurement(string name, int frames, int bytesOnWire, Action work)
 {
-    // A pass is long enough for the stopwatch, and so short that the best one was not interrupted, even on a busy machine.
+    // A pass is long enough for the stopwatch, and so short that the best one was not interrupted, even on a busy
+    // machine.
     private const double SecondsPerPass = 0.002;
 
     private const double Gain = 0.98;
@@ -27,7 +29,9 @@ internal sealed class Measurement(string name, int frames, int bytesOnWire, Acti
     /// <summary>What the C baseline calls the same.</summary>
     public string? CName { get; init; }
 
-    /// <summary>By which factor it may be slower than copy and checksum before it counts as a regression, on .NET and on Mono.</summary>
+    /// <summary>
+    /// By which factor it may be slower than copy and checksum before it counts as a regression, on .NET and on Mono.
+    /// </summary>
     public (double Net, double Mono) MaxRatio { get; init; } = (double.PositiveInfinity, double.PositiveInfinity);
 
     public double SecondsPerFrame => _bestSeconds / _callsPerPass / frames;
@@ -40,7 +44,9 @@ internal sealed class Measurement(string name, int frames, int bytesOnWire, Acti
     /// <summary>Allocated in all passes, where the runtime counts it.</summary>
     public long AllocatedBytes { get; private set; }
 
-    /// <summary>Works until the runtime has made its best code of it, and measures how many calls fit into a pass.</summary>
+    /// <summary>
+    /// Works until the runtime has made its best code of it, and measures how many calls fit into a pass.
+    /// </summary>
     public void Warm(double secondsWithoutGain)
     {
         var watch = Stopwatch.StartNew();

@@ -22,10 +22,13 @@ internal static class Allocated
         }
     }
 
-    /// <summary>Bytes allocated by a piece of work that has run before, so that the runtime has loaded what it needs; 0 where it does not count them.</summary>
+    /// <summary>
+    /// Bytes allocated by a piece of work that has run before, so that the runtime has loaded what it needs; 0 where it
+    /// does not count them.
+    /// </summary>
     /// <remarks>
-    /// A collection in between, which any test beside this one may cause, closes this thread's allocation buffer and counts what was
-    /// left of it. Such a measurement says nothing and is made again.
+    /// A collection in between, which any test beside this one may cause, closes this thread's allocation buffer and
+    /// counts what was left of it. Such a measurement says nothing and is made again.
     /// </remarks>
     /// <param name="work">The work; it may be done several times.</param>
     /// <param name="prepare">What must be done before each time, outside the measurement.</param>

@@ -2,7 +2,10 @@ using System.Text;
 
 namespace Rabit.Mavlink.Definitions;
 
-/// <summary>Reads what the generator's <c>DefinitionDataWriter</c> wrote: bytes, two in a character; numbers of 7 bits a byte, texts with their length in front.</summary>
+/// <summary>
+/// Reads what the generator's <c>DefinitionDataWriter</c> wrote: bytes, two in a character; numbers of 7 bits a byte,
+/// texts with their length in front.
+/// </summary>
 internal struct DefinitionCursor(string data, int position)
 {
     public int Position { get; set; } = position;

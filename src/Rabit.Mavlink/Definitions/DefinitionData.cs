@@ -5,9 +5,9 @@ using System.Text;
 namespace Rabit.Mavlink.Definitions;
 
 /// <summary>
-/// The definitions of a generated dialect, packed into one string literal: what receivers need is read at once, fields and
-/// enums when they are first requested. Thousands of objects made by generated code would cost more, and most programs never
-/// use them. Immutable from outside, safe from any thread.
+/// The definitions of a generated dialect, packed into one string literal: what receivers need is read at once, fields
+/// and enums when they are first requested. Thousands of objects made by generated code would cost more, and most
+/// programs never use them. Immutable from outside, safe from any thread.
 /// </summary>
 internal sealed class DefinitionData
 {

@@ -8,8 +8,8 @@ using System.Text;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// What generated arrays are made of: a struct of 64-bit words, seen as so many elements. Bytes behind the last element are
-/// always zero, so that words can be compared. Only generated types of that shape may be given.
+/// What generated arrays are made of: a struct of 64-bit words, seen as so many elements. Bytes behind the last element
+/// are always zero, so that words can be compared. Only generated types of that shape may be given.
 /// </summary>
 [EditorBrowsable(EditorBrowsableState.Never)]
 public static class MavlinkArray

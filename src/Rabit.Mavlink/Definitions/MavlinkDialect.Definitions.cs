@@ -25,13 +25,15 @@ public sealed partial class MavlinkDialect
 
     /// <summary>
     /// Puts dialects together: what one link carries may come from several definitions, for example <c>Combine("mine",
-    /// MavlinkDialect.Common, MineDialect.Instance)</c>. A message that several have is there once, in its longest form: extension
-    /// fields are added behind the others over the years.
+    /// MavlinkDialect.Common, MineDialect.Instance)</c>. A message that several have is there once, in its longest
+    /// form: extension fields are added behind the others over the years.
     /// </summary>
     /// <param name="name">What to call the whole.</param>
     /// <param name="dialects">The parts; none gives a dialect that knows no message.</param>
     /// <returns>A new dialect.</returns>
-    /// <exception cref="ArgumentException">Two parts have one id for different messages; the text names both.</exception>
+    /// <exception cref="ArgumentException">
+    /// Two parts have one id for different messages; the text names both.
+    /// </exception>
     public static MavlinkDialect Combine(string name, params MavlinkDialect[] dialects)
     {
         if (dialects is null)
@@ -51,7 +53,9 @@ public sealed partial class MavlinkDialect
         return new MavlinkDialect(name, messages.Values, dialects.SelectMany(dialect => dialect._sources).Distinct().ToArray());
     }
 
-    /// <summary>Looks a message up by name, one by one: for command lines and configuration, not for the path of every frame.</summary>
+    /// <summary>
+    /// Looks a message up by name, one by one: for command lines and configuration, not for the path of every frame.
+    /// </summary>
     /// <param name="name">Name as the definition writes it, for example <c>ATTITUDE</c>; case does not count.</param>
     /// <param name="message">The description where found.</param>
     /// <returns>Whether the dialect has a message of that name.</returns>
@@ -70,15 +74,24 @@ public sealed partial class MavlinkDialect
         return false;
     }
 
-    /// <summary>The fields of a message, with their units and enums. The first call for an id reads them, every later one gives the same object.</summary>
+    /// <summary>
+    /// The fields of a message, with their units and enums. The first call for an id reads them, every later one gives
+    /// the same object.
+    /// </summary>
     /// <param name="messageId">Any number.</param>
-    /// <returns>The definition; null where the dialect does not know the id, or knows no more of it than a <see cref="MavlinkMessageInfo"/>.</returns>
+    /// <returns>
+    /// The definition; null where the dialect does not know the id, or knows no more of it than a
+    /// <see cref="MavlinkMessageInfo"/>.
+    /// </returns>
     public MavlinkMessageDefinition? FindDefinition(int messageId) =>
         _definitions.TryGetValue(messageId, out MavlinkMessageDefinition? known) ? known
         : TryGetMessage(messageId, out MavlinkMessageInfo message) ? _definitions.GetOrAdd(messageId, ReadDefinition(message))
         : null;
 
-    /// <summary>An enum with the entries that all definitions of the dialect give it. Of definitions that come with this package, these are those of <see cref="All"/>.</summary>
+    /// <summary>
+    /// An enum with the entries that all definitions of the dialect give it. Of definitions that come with this
+    /// package, these are those of <see cref="All"/>.
+    /// </summary>
     /// <param name="name">Name as the definition writes it, for example <c>MAV_CMD</c>.</param>
     /// <returns>The enum; null where there is none of that name.</returns>
     public MavlinkEnumDefinition? FindEnum(string name)

@@ -5,8 +5,9 @@ using Rabit.Mavlink.Framing;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The set of messages that a receiver knows: message id to CRC_EXTRA, lengths and target fields. Immutable, safe from any thread. Those that come with
-/// the package are <see cref="All"/>, <see cref="Common"/>, <see cref="ArduPilotMega"/> and others; <see cref="Combine"/> puts several together.
+/// The set of messages that a receiver knows: message id to CRC_EXTRA, lengths and target fields. Immutable, safe from
+/// any thread. Those that come with the package are <see cref="All"/>, <see cref="Common"/>,
+/// <see cref="ArduPilotMega"/> and others; <see cref="Combine"/> puts several together.
 /// </summary>
 /// <example>
 /// <code>
@@ -24,7 +25,9 @@ public sealed partial class MavlinkDialect
     /// <summary>Makes a dialect of the given messages.</summary>
     /// <param name="name">What to call it in errors and tools.</param>
     /// <param name="messages">Its messages; no id may come twice.</param>
-    /// <exception cref="ArgumentException">Two messages have one id, and the text names both; or an id is outside 0 to 16 777 215.</exception>
+    /// <exception cref="ArgumentException">
+    /// Two messages have one id, and the text names both; or an id is outside 0 to 16 777 215.
+    /// </exception>
     public MavlinkDialect(string name, IReadOnlyCollection<MavlinkMessageInfo> messages)
     {
         Name = name ?? throw new ArgumentNullException(nameof(name));

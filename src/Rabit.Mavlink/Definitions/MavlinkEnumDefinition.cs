@@ -7,7 +7,9 @@ using Rabit.Mavlink.Definitions;
 
 namespace Rabit.Mavlink;
 
-/// <summary>An enum as its definition has it, for tools that learn of it at run time. Immutable, safe from any thread.</summary>
+/// <summary>
+/// An enum as its definition has it, for tools that learn of it at run time. Immutable, safe from any thread.
+/// </summary>
 public sealed class MavlinkEnumDefinition
 {
     private readonly MavlinkEnumEntry[] _entries;
@@ -47,7 +49,10 @@ public sealed class MavlinkEnumDefinition
         return low < _entries.Length && _entries[low].Value == value ? _entries[low].Name : null;
     }
 
-    /// <summary>Writes a value as a person reads it: its name, the names of its bits joined by <c>|</c>, or the number where it has no name.</summary>
+    /// <summary>
+    /// Writes a value as a person reads it: its name, the names of its bits joined by <c>|</c>, or the number where it
+    /// has no name.
+    /// </summary>
     /// <param name="text">Where to write.</param>
     /// <param name="value">The number.</param>
     public void AppendTo(StringBuilder text, long value)

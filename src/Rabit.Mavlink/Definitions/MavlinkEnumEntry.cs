@@ -12,6 +12,8 @@ public readonly struct MavlinkEnumEntry
     /// <summary>Name as the definition writes it, for example <c>MAV_TYPE_QUADROTOR</c>.</summary>
     public string Name { get; }
 
-    /// <summary>The number. One above <see cref="long.MaxValue"/>, which only a flag of bit 63 is, has the same 64 bits here.</summary>
+    /// <summary>
+    /// The number. One above <see cref="long.MaxValue"/>, which only a flag of bit 63 is, has the same 64 bits here.
+    /// </summary>
     public long Value { get; }
 }

@@ -4,8 +4,8 @@ using System.Text;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// A field of a message as its definition has it, and the way to its value in a frame without knowing the message at compile
-/// time. Immutable, safe from any thread. What the definition does not say is null.
+/// A field of a message as its definition has it, and the way to its value in a frame without knowing the message at
+/// compile time. Immutable, safe from any thread. What the definition does not say is null.
 /// </summary>
 public sealed class MavlinkFieldDefinition
 {
@@ -51,7 +51,9 @@ public sealed class MavlinkFieldDefinition
     /// <summary>What one count stands for, in <see cref="Units"/>, for example <c>1E-2</c>.</summary>
     public string? Multiplier { get; internal set; }
 
-    /// <summary>The value that means "not known", for example <c>UINT16_MAX</c>; <c>[NaN:]</c> and the like for arrays.</summary>
+    /// <summary>
+    /// The value that means "not known", for example <c>UINT16_MAX</c>; <c>[NaN:]</c> and the like for arrays.
+    /// </summary>
     public string? Invalid { get; internal set; }
 
     /// <summary>Smallest allowed value.</summary>
@@ -77,7 +79,9 @@ public sealed class MavlinkFieldDefinition
         return Read(frame, index);
     }
 
-    /// <summary>Reads the text up to its first zero, one character per byte (Latin-1, of which ASCII is part).</summary>
+    /// <summary>
+    /// Reads the text up to its first zero, one character per byte (Latin-1, of which ASCII is part).
+    /// </summary>
     /// <param name="frame">A frame that carries the message.</param>
     /// <returns>A new string.</returns>
     /// <exception cref="ArgumentException">The frame carries another message.</exception>
@@ -94,7 +98,10 @@ public sealed class MavlinkFieldDefinition
         return characters.Slice(0, length).ToString();
     }
 
-    /// <summary>Writes the value as a person reads it: names of enum entries, texts in quotes with control characters as dots, arrays in brackets.</summary>
+    /// <summary>
+    /// Writes the value as a person reads it: names of enum entries, texts in quotes with control characters as dots,
+    /// arrays in brackets.
+    /// </summary>
     /// <param name="text">Where to write.</param>
     /// <param name="frame">A frame that carries the message.</param>
     /// <exception cref="ArgumentException">The frame carries another message.</exception>

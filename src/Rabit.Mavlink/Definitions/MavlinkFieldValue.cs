@@ -5,7 +5,10 @@ using Rabit.Mavlink.Definitions;
 
 namespace Rabit.Mavlink;
 
-/// <summary>One element of a field as it is in a frame: a number of the field's type, bit for bit. A plain value; nothing is boxed.</summary>
+/// <summary>
+/// One element of a field as it is in a frame: a number of the field's type, bit for bit. A plain value; nothing is
+/// boxed.
+/// </summary>
 public readonly struct MavlinkFieldValue : IEquatable<MavlinkFieldValue>
 {
     // Integers sign-extended, floating point as its bits.
@@ -35,7 +38,9 @@ public readonly struct MavlinkFieldValue : IEquatable<MavlinkFieldValue>
     /// <returns>Whether they do.</returns>
     public static bool operator !=(MavlinkFieldValue left, MavlinkFieldValue right) => !left.Equals(right);
 
-    /// <summary>The integer. An <c>uint64_t</c> keeps its bits, so one above <see cref="long.MaxValue"/> is negative here.</summary>
+    /// <summary>
+    /// The integer. An <c>uint64_t</c> keeps its bits, so one above <see cref="long.MaxValue"/> is negative here.
+    /// </summary>
     /// <returns>The integer.</returns>
     /// <exception cref="InvalidOperationException">It is floating point.</exception>
     public long ToInt64() => IsFloatingPoint ? throw NotAnInteger() : unchecked((long)_bits);
@@ -55,7 +60,9 @@ public readonly struct MavlinkFieldValue : IEquatable<MavlinkFieldValue>
         _ => unchecked((long)_bits),
     };
 
-    /// <summary>Writes the number: shortest text that is read back as the same one, with a point, whatever the culture.</summary>
+    /// <summary>
+    /// Writes the number: shortest text that is read back as the same one, with a point, whatever the culture.
+    /// </summary>
     /// <param name="text">Where to write.</param>
     public void AppendTo(StringBuilder text)
     {

@@ -47,7 +47,9 @@ public sealed class MavlinkMessageDefinition
         return null;
     }
 
-    /// <summary>Writes the message as a person reads it, on one line: <c>ATTITUDE time_boot_ms=1200 ms, roll=0.5 rad, ...</c></summary>
+    /// <summary>
+    /// Writes the message as a person reads it, on one line: <c>ATTITUDE time_boot_ms=1200 ms, roll=0.5 rad, ...</c>
+    /// </summary>
     /// <param name="text">Where to write.</param>
     /// <param name="frame">A frame that carries the message.</param>
     /// <exception cref="ArgumentException">The frame carries another message.</exception>

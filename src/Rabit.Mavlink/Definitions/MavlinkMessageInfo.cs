@@ -1,6 +1,8 @@
 namespace Rabit.Mavlink;
 
-/// <summary>The description of a message that a receiver needs to check and route it. A plain value, immutable.</summary>
+/// <summary>
+/// The description of a message that a receiver needs to check and route it. A plain value, immutable.
+/// </summary>
 public readonly struct MavlinkMessageInfo
 {
     /// <summary>Describes one message of a dialect.</summary>
@@ -9,8 +11,12 @@ public readonly struct MavlinkMessageInfo
     /// <param name="crcExtra">CRC_EXTRA; see <see cref="IMavlinkMessage.CrcExtra"/>.</param>
     /// <param name="minLength">Payload bytes without extension fields.</param>
     /// <param name="maxLength">Payload bytes with extension fields.</param>
-    /// <param name="targetSystemOffset">Payload offset of <c>target_system</c>, or -1 where the message has none.</param>
-    /// <param name="targetComponentOffset">Payload offset of <c>target_component</c>, or -1 where the message has none.</param>
+    /// <param name="targetSystemOffset">
+    /// Payload offset of <c>target_system</c>, or -1 where the message has none.
+    /// </param>
+    /// <param name="targetComponentOffset">
+    /// Payload offset of <c>target_component</c>, or -1 where the message has none.
+    /// </param>
     public MavlinkMessageInfo(
         int id, string name, byte crcExtra, byte minLength, byte maxLength, short targetSystemOffset, short targetComponentOffset)
     {
@@ -38,7 +44,9 @@ public readonly struct MavlinkMessageInfo
     /// <summary>Payload bytes with extension fields.</summary>
     public byte MaxLength { get; }
 
-    /// <summary>Payload offset of the <c>target_system</c> byte, or -1 where the message is a broadcast by its definition.</summary>
+    /// <summary>
+    /// Payload offset of the <c>target_system</c> byte, or -1 where the message is a broadcast by its definition.
+    /// </summary>
     public short TargetSystemOffset { get; }
 
     /// <summary>Payload offset of the <c>target_component</c> byte, or -1 where the message has none.</summary>

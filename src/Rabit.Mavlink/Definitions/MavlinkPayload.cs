@@ -6,8 +6,8 @@ using System.Runtime.CompilerServices;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// How generated messages read and write single values: little endian on every CPU. Floating point goes through variables, by
-/// reference, because a runtime may change the bits of a NaN that it passes by value.
+/// How generated messages read and write single values: little endian on every CPU. Floating point goes through
+/// variables, by reference, because a runtime may change the bits of a NaN that it passes by value.
 /// </summary>
 [EditorBrowsable(EditorBrowsableState.Never)]
 public static class MavlinkPayload

@@ -5,8 +5,8 @@ using System.Runtime.CompilerServices;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// What generated texts can do beyond arrays of bytes. A byte is the character of the same number (Latin-1), so that every
-/// byte can be shown and nothing is lost; MAVLink itself only promises ASCII, which is the same.
+/// What generated texts can do beyond arrays of bytes. A byte is the character of the same number (Latin-1), so that
+/// every byte can be shown and nothing is lost; MAVLink itself only promises ASCII, which is the same.
 /// </summary>
 [EditorBrowsable(EditorBrowsableState.Never)]
 public static class MavlinkText

@@ -5,8 +5,9 @@ using System.Text;
 namespace Rabit.Mavlink.Definitions;
 
 /// <summary>
-/// Floating point numbers with the fewest digits that are read back as the same number, and of these the closest (Burger and Dybvig, "Printing Floating-Point Numbers
-/// Quickly and Accurately", 1996). Exactly what .NET writes with "R", for runtimes whose own formats differ in the last digit: .NET Framework and Mono.
+/// Floating point numbers with the fewest digits that are read back as the same number, and of these the closest
+/// (Burger and Dybvig, "Printing Floating-Point Numbers Quickly and Accurately", 1996). Exactly what .NET writes with
+/// "R", for runtimes whose own formats differ in the last digit: .NET Framework and Mono.
 /// </summary>
 internal static class ShortestNumber
 {

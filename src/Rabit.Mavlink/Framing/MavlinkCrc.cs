@@ -5,15 +5,16 @@ using System.Runtime.InteropServices;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The checksum of MAVLink, without its last byte CRC_EXTRA: CRC-16/MCRF4XX, that is X.25 without the final inversion: polynomial 0x1021 reflected
-/// (0x8408), start value 0xFFFF (MAVLink guide, "Checksum"; ITU-T X.25, 2.2.7.4). Safe from any thread.
+/// The checksum of MAVLink, without its last byte CRC_EXTRA: CRC-16/MCRF4XX, that is X.25 without the final inversion:
+/// polynomial 0x1021 reflected (0x8408), start value 0xFFFF (MAVLink guide, "Checksum"; ITU-T X.25, 2.2.7.4). Safe from
+/// any thread.
 /// </summary>
 public static class MavlinkCrc
 {
     private const int ReflectedPolynomial = 0x8408;
 
-    // Bytes added at once ("slicing by 8"): a checksum is linear, so that the contribution of each byte of a block is looked up
-    // separately, and the look-ups do not wait for one another as they do byte by byte.
+    // Bytes added at once ("slicing by 8"): a checksum is linear, so that the contribution of each byte of a block is
+    // looked up separately, and the look-ups do not wait for one another as they do byte by byte.
     private const int Block = 8;
     private const int TableLength = 256;
 
@@ -46,7 +47,10 @@ public static class MavlinkCrc
         return position == bytes.Length ? (ushort)sum : AddLast(sum, LastOf(ref start, bytes.Length, position), 8 * (bytes.Length - position));
     }
 
-    /// <summary>The checksum of a frame: its bytes without the start byte, then CRC_EXTRA, the byte that is computed from the fields of its message.</summary>
+    /// <summary>
+    /// The checksum of a frame: its bytes without the start byte, then CRC_EXTRA, the byte that is computed from the
+    /// fields of its message.
+    /// </summary>
     /// <param name="bytes">From the payload length to the end of the payload.</param>
     /// <param name="crcExtra">See <see cref="IMavlinkMessage.CrcExtra"/>.</param>
     internal static ushort OfFrame(ReadOnlySpan<byte> bytes, byte crcExtra)
@@ -103,7 +107,8 @@ public static class MavlinkCrc
         return position;
     }
 
-    // The 0 to 7 bytes behind the last whole block, as a number: read together with those before them, which are shifted out.
+    // The 0 to 7 bytes behind the last whole block, as a number: read together with those before them, which are
+    // shifted out.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ulong LastOf(ref byte start, int length, int position) =>
         (Unsafe.ReadUnaligned<ulong>(ref Unsafe.Add(ref start, length - Block)) >> 1) >> (63 - (8 * (length - position)));

@@ -8,7 +8,10 @@ namespace Rabit.Mavlink;
 // The wire form: from bytes, to bytes, and from a message.
 public unsafe partial struct MavlinkFrame
 {
-    /// <summary>Makes a frame of a message, with its checksum, unsigned. Allocates nothing. <see cref="MavlinkSender"/> does this and counts.</summary>
+    /// <summary>
+    /// Makes a frame of a message, with its checksum, unsigned. Allocates nothing. <see cref="MavlinkSender"/> does
+    /// this and counts.
+    /// </summary>
     /// <typeparam name="T">The message.</typeparam>
     /// <param name="message">The fields to send.</param>
     /// <param name="systemId">Our system id, 1 to 255.</param>
@@ -16,7 +19,8 @@ public unsafe partial struct MavlinkFrame
     /// <param name="sequence">Our frame counter: one more than in the frame before, modulo 256, per sender.</param>
     /// <param name="version">
     /// <see cref="MavlinkVersion.V2"/> sends extension fields and cuts trailing zeros, but keeps one byte;
-    /// <see cref="MavlinkVersion.V1"/> sends exactly the fields that are no extensions (MAVLink guide, "Packet serialization").
+    /// <see cref="MavlinkVersion.V1"/> sends exactly the fields that are no extensions (MAVLink guide, "Packet
+    /// serialization").
     /// </param>
     /// <returns>The frame.</returns>
     /// <exception cref="ArgumentException">The version is MAVLink 1 and the message id is above 255.</exception>
@@ -38,14 +42,25 @@ public unsafe partial struct MavlinkFrame
         return frame;
     }
 
-    /// <summary>The same message with another sequence number, with the checksum for it, unsigned. For numbering frames of our own.</summary>
-    /// <remarks>CRC_EXTRA needs no dialect: it follows from the checksum that the frame has, which is valid unless the id is unknown.</remarks>
+    /// <summary>
+    /// The same message with another sequence number, with the checksum for it, unsigned. For numbering frames of our
+    /// own.
+    /// </summary>
+    /// <remarks>
+    /// CRC_EXTRA needs no dialect: it follows from the checksum that the frame has, which is valid unless the id is
+    /// unknown.
+    /// </remarks>
     /// <param name="sequence">The number.</param>
     /// <returns>The frame; a signature, which would not be valid any more, is removed.</returns>
-    /// <exception cref="InvalidOperationException">The checksum of the frame is wrong, or it is <c>default</c>.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The checksum of the frame is wrong, or it is <c>default</c>.
+    /// </exception>
     public readonly MavlinkFrame WithSequence(byte sequence) => WithSequence(sequence, FindCrcExtra());
 
-    /// <summary>The same message with another sequence number, with the checksum for it, unsigned. For numbering frames of our own.</summary>
+    /// <summary>
+    /// The same message with another sequence number, with the checksum for it, unsigned. For numbering frames of our
+    /// own.
+    /// </summary>
     /// <param name="sequence">The number.</param>
     /// <param name="crcExtra">CRC_EXTRA of the message; see <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
     /// <returns>The frame; a signature, which would not be valid any more, is removed.</returns>
@@ -57,12 +72,18 @@ public unsafe partial struct MavlinkFrame
         return frame;
     }
 
-    /// <summary>The same frame unsigned, with the checksum for it: the form that the MAVLink guide ("Message signing", Logging) wants in a log.</summary>
+    /// <summary>
+    /// The same frame unsigned, with the checksum for it: the form that the MAVLink guide ("Message signing", Logging)
+    /// wants in a log.
+    /// </summary>
     /// <returns>The frame.</returns>
     /// <exception cref="InvalidOperationException">The frame is signed and its checksum is wrong.</exception>
     public readonly MavlinkFrame WithoutSignature() => IsSigned ? WithoutSignature(FindCrcExtra()) : this;
 
-    /// <summary>The same frame unsigned, with the checksum for it: the form that the MAVLink guide ("Message signing", Logging) wants in a log.</summary>
+    /// <summary>
+    /// The same frame unsigned, with the checksum for it: the form that the MAVLink guide ("Message signing", Logging)
+    /// wants in a log.
+    /// </summary>
     /// <param name="crcExtra">CRC_EXTRA of the message; see <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
     /// <returns>The frame.</returns>
     public readonly MavlinkFrame WithoutSignature(byte crcExtra)
@@ -149,8 +170,8 @@ public unsafe partial struct MavlinkFrame
     }
 
     /// <summary>
-    /// Makes it no frame. Only what makes it one is cleared, not the payload behind it, which no member shows any more: a reader that is fed
-    /// byte by byte does this for every byte.
+    /// Makes it no frame. Only what makes it one is cleared, not the payload behind it, which no member shows any more:
+    /// a reader that is fed byte by byte does this for every byte.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void Clear(out MavlinkFrame frame)

@@ -14,8 +14,8 @@ public readonly struct MavlinkFrameInfo
     public long StreamOffset { get; }
 
     /// <summary>
-    /// Whether the dialect knows the id, so that the checksum was checked and is right. A frame that is not checked may be
-    /// forwarded, nothing more: neither its content nor its source is certain.
+    /// Whether the dialect knows the id, so that the checksum was checked and is right. A frame that is not checked may
+    /// be forwarded, nothing more: neither its content nor its source is certain.
     /// </summary>
     public bool IsChecked { get; }
 

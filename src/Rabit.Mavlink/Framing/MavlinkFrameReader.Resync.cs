@@ -3,7 +3,8 @@ using Rabit.Mavlink.Framing;
 
 namespace Rabit.Mavlink;
 
-// Resynchronisation: how the reader finds the next frame among the bytes held, and where it continues after an invalid one.
+// Resynchronisation: how the reader finds the next frame among the bytes held, and where it continues after an invalid
+// one.
 public sealed partial class MavlinkFrameReader
 {
     // Stream offset right behind the last frame: a frame that begins here needs no other evidence.

@@ -13,8 +13,8 @@ public sealed partial class MavlinkFrameReader
         Invalid,
     }
 
-    // No checked frame begins in [_start, _scanned); one begins at _scanned where _frameFound is true. Thanks to these two
-    // no position is put through the checksum more than once, whatever a hostile stream contains.
+    // No checked frame begins in [_start, _scanned); one begins at _scanned where _frameFound is true. Thanks to these
+    // two no position is put through the checksum more than once, whatever a hostile stream contains.
     private int _scanned;
     private bool _frameFound;
 

@@ -6,9 +6,9 @@ using Rabit.Mavlink.Framing;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Finds the frames in a byte stream, however it is divided into chunks, and resynchronises after damage without losing an intact frame: a
-/// false start byte costs one byte, not the frames behind it. Fixed memory, nothing allocated per frame, bounded work per byte
-/// (docs/decisions/0003-frame-reader.md). One reader per link; one thread at a time.
+/// Finds the frames in a byte stream, however it is divided into chunks, and resynchronises after damage without losing
+/// an intact frame: a false start byte costs one byte, not the frames behind it. Fixed memory, nothing allocated per
+/// frame, bounded work per byte (docs/decisions/0003-frame-reader.md). One reader per link; one thread at a time.
 /// </summary>
 /// <example>
 /// <code>
@@ -26,8 +26,8 @@ namespace Rabit.Mavlink;
 /// </example>
 public sealed partial class MavlinkFrameReader
 {
-    // A frame that cannot be checked waits for all that could begin inside it: two frames of maximal length are the most ever held
-    // back. The rest of the buffer is there so that what is held back is moved to its front seldom.
+    // A frame that cannot be checked waits for all that could begin inside it: two frames of maximal length are the
+    // most ever held back. The rest of the buffer is there so that what is held back is moved to its front seldom.
     private const int BufferLength = 4096;
 
     private readonly MessageTable _messages;
@@ -39,10 +39,12 @@ public sealed partial class MavlinkFrameReader
     private int _end;
     private long _bufferOffset;
 
-    // With fewer bytes held nothing can be decided: the frame that seems to begin at _start has not arrived. Zero: not parsed yet.
+    // With fewer bytes held nothing can be decided: the frame that seems to begin at _start has not arrived. Zero: not
+    // parsed yet.
     private int _needed;
 
-    // More bytes than this have to be appended before there is anything to decide; zero: unknown. For single bytes, which are the most calls.
+    // More bytes than this have to be appended before there is anything to decide; zero: unknown. For single bytes,
+    // which are the most calls.
     private int _missing;
 
     private long _skippedBytes;
@@ -80,7 +82,9 @@ public sealed partial class MavlinkFrameReader
     /// <summary>How many bytes are held back until more arrive; at most 560.</summary>
     public int PendingBytes => _end - _start;
 
-    /// <summary>Reads the next frame of the stream. Call it until it returns false: then all bytes given have been consumed.</summary>
+    /// <summary>
+    /// Reads the next frame of the stream. Call it until it returns false: then all bytes given have been consumed.
+    /// </summary>
     /// <param name="bytes">The next bytes of the stream; moved behind those that were consumed.</param>
     /// <param name="frame">The frame; <c>default</c> where there is none.</param>
     /// <param name="info">Where it began, and whether it was checked.</param>
@@ -91,8 +95,8 @@ public sealed partial class MavlinkFrameReader
         if (bytes.Length >= _missing)
             return TryReadNext(ref bytes, out frame, out info);
 
-        // The common case of single bytes and small chunks: the frame that has begun is still incomplete. Inlined, and apart from the rest,
-        // whose many variables would cost more than all of this.
+        // The common case of single bytes and small chunks: the frame that has begun is still incomplete. Inlined, and
+        // apart from the rest, whose many variables would cost more than all of this.
         _missing -= bytes.Length;
         Append(bytes);
         bytes = default;
@@ -102,8 +106,9 @@ public sealed partial class MavlinkFrameReader
     }
 
     /// <summary>
-    /// Reads the next frame of a stream whose bytes lie in several segments, such as the buffer of a <c>PipeReader</c>. Call it until it
-    /// returns false: then all bytes given have been consumed, and the pipe may be advanced to the end of its buffer.
+    /// Reads the next frame of a stream whose bytes lie in several segments, such as the buffer of a <c>PipeReader</c>.
+    /// Call it until it returns false: then all bytes given have been consumed, and the pipe may be advanced to the end
+    /// of its buffer.
     /// </summary>
     /// <param name="bytes">The next bytes of the stream; moved behind those that were consumed.</param>
     /// <param name="frame">The frame; <c>default</c> where there is none.</param>
@@ -123,9 +128,10 @@ public sealed partial class MavlinkFrameReader
     }
 
     /// <summary>
-    /// Validates the pending bytes as if the stream ended here, and reads the next frame of them. Call it until it returns false: then no
-    /// bytes are pending any more. For the end of a file, or a link that was closed or is silent; without it, what looks like the start of
-    /// a long frame holds back what is behind it until enough bytes have arrived.
+    /// Validates the pending bytes as if the stream ended here, and reads the next frame of them. Call it until it
+    /// returns false: then no bytes are pending any more. For the end of a file, or a link that was closed or is
+    /// silent; without it, what looks like the start of a long frame holds back what is behind it until enough bytes
+    /// have arrived.
     /// </summary>
     /// <param name="frame">The frame; <c>default</c> where there is none.</param>
     /// <param name="info">Where it began, and whether it was checked.</param>
@@ -186,8 +192,9 @@ public sealed partial class MavlinkFrameReader
         return false;
     }
 
-    // The common case, while nothing is held back: a whole valid frame in the caller's bytes, which need no copy to be validated.
-    // Everything else is copied to the buffer first; 'hasBadChecksum': the checksum there is known to be wrong.
+    // The common case, while nothing is held back: a whole valid frame in the caller's bytes, which need no copy to be
+    // validated. Everything else is copied to the buffer first; 'hasBadChecksum': the checksum there is known to be
+    // wrong.
     private bool TryFindInPlace(ref ReadOnlySpan<byte> bytes, out ParsedHeader header, out bool hasBadChecksum)
     {
         hasBadChecksum = false;

@@ -5,8 +5,9 @@ using Rabit.Mavlink.Framing;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Sends the messages of one component: gives them their source and sequence numbers, and signs them where it has a signer.
-/// Allocates nothing per frame. One per component and link, or per component where all its links carry all its frames; one thread at a time.
+/// Sends the messages of one component: gives them their source and sequence numbers, and signs them where it has a
+/// signer. Allocates nothing per frame. One per component and link, or per component where all its links carry all its
+/// frames; one thread at a time.
 /// </summary>
 /// <example>
 /// <code>
@@ -90,9 +91,13 @@ public sealed class MavlinkSender
     /// <summary>Writes the next frame. With room for all fields it is made in place.</summary>
     /// <typeparam name="T">The message.</typeparam>
     /// <param name="message">The fields to send.</param>
-    /// <param name="destination">Room for the frame; <see cref="MavlinkFrame.MaxWireLength"/> is enough for any.</param>
+    /// <param name="destination">
+    /// Room for the frame; <see cref="MavlinkFrame.MaxWireLength"/> is enough for any.
+    /// </param>
     /// <returns>How many bytes were written.</returns>
-    /// <exception cref="ArgumentException">The span is too short; no sequence number is used up then. Or MAVLink 1, and the message id is above 255.</exception>
+    /// <exception cref="ArgumentException">
+    /// The span is too short; no sequence number is used up then. Or MAVLink 1, and the message id is above 255.
+    /// </exception>
     /// <exception cref="InvalidOperationException">The clock of the signer was never advanced.</exception>
     public int Write<T>(in T message, Span<byte> destination)
         where T : struct, IMavlinkMessage

@@ -4,9 +4,9 @@ using System.Collections.Generic;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Counts frames, gaps and disorder per sender (system, component) of one link. Means something on a direct link only: what a
-/// router passes on selectively looks like loss (MAVLink guide, "Packet loss"). Fixed memory; allocates nothing after it was
-/// made; one thread at a time.
+/// Counts frames, gaps and disorder per sender (system, component) of one link. Means something on a direct link only:
+/// what a router passes on selectively looks like loss (MAVLink guide, "Packet loss"). Fixed memory; allocates nothing
+/// after it was made; one thread at a time.
 /// </summary>
 public sealed class MavlinkSequenceTracker
 {
@@ -14,7 +14,9 @@ public sealed class MavlinkSequenceTracker
     private readonly Dictionary<int, int> _indexBySource;
 
     /// <summary>Makes a tracker.</summary>
-    /// <param name="maxSources">How many senders it can tell apart, at least 1. Frames of others are counted in <see cref="UntrackedFrames"/>.</param>
+    /// <param name="maxSources">
+    /// How many senders it can tell apart, at least 1. Frames of others are counted in <see cref="UntrackedFrames"/>.
+    /// </param>
     /// <exception cref="ArgumentOutOfRangeException">Less than 1.</exception>
     public MavlinkSequenceTracker(int maxSources = 256)
     {
@@ -49,7 +51,10 @@ public sealed class MavlinkSequenceTracker
         return isKnown;
     }
 
-    /// <summary>Counts a frame, in the order of arrival. Give it checked frames only: the source of an unchecked one is not certain.</summary>
+    /// <summary>
+    /// Counts a frame, in the order of arrival. Give it checked frames only: the source of an unchecked one is not
+    /// certain.
+    /// </summary>
     /// <param name="frame">The frame.</param>
     public void Track(in MavlinkFrame frame)
     {

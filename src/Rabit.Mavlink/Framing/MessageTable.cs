@@ -3,8 +3,8 @@ using System.Collections.Generic;
 namespace Rabit.Mavlink.Framing;
 
 /// <summary>
-/// Message descriptions by id, found in two steps without a branch on what the id is: the 256 ids that share their upper bits
-/// are a page; only pages with messages take room. Immutable, safe from any thread.
+/// Message descriptions by id, found in two steps without a branch on what the id is: the 256 ids that share their
+/// upper bits are a page; only pages with messages take room. Immutable, safe from any thread.
 /// </summary>
 internal sealed class MessageTable
 {

@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Mavlink.Framing;
 
-/// <summary>The header at one position of a byte stream, not validated. Parsing it takes the same time whatever the bytes are.</summary>
+/// <summary>
+/// The header at one position of a byte stream, not validated. Parsing it takes the same time whatever the bytes are.
+/// </summary>
 internal readonly struct ParsedHeader
 {
     private ParsedHeader(HeaderKind kind, int length, bool hasUnknownFlags, int messageIndex, byte crcExtra)
@@ -16,7 +18,9 @@ internal readonly struct ParsedHeader
 
     public HeaderKind Kind { get; }
 
-    /// <summary>Length of the whole frame on the wire, as the header states it; of the header where it is incomplete.</summary>
+    /// <summary>
+    /// Length of the whole frame on the wire, as the header states it; of the header where it is incomplete.
+    /// </summary>
     public int Length { get; }
 
     /// <summary>Whether an incompatibility flag is set that is unknown here.</summary>

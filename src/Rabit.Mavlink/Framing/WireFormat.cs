@@ -21,6 +21,9 @@ internal static class WireFormat
     public const int MaxMessageIdV1 = 0xFF;
     public const int MaxMessageIdV2 = 0xFFFFFF;
 
-    /// <summary>The only incompatibility flag defined so far. A frame with any other must be dropped (MAVLink guide, "Incompatibility flags").</summary>
+    /// <summary>
+    /// The only incompatibility flag defined so far. A frame with any other must be dropped (MAVLink guide,
+    /// "Incompatibility flags").
+    /// </summary>
     public const byte SignedFlag = 0x01;
 }

@@ -5,8 +5,8 @@ using Rabit.Mavlink.Framing;
 namespace Rabit.Mavlink.Logs;
 
 /// <summary>
-/// A telemetry log as all ground stations write it: records one after another, each 8 bytes of time (microseconds since 1970
-/// UTC, big endian) and one frame as it was on the wire. No header, no index.
+/// A telemetry log as all ground stations write it: records one after another, each 8 bytes of time (microseconds since
+/// 1970 UTC, big endian) and one frame as it was on the wire. No header, no index.
 /// </summary>
 internal static class TlogFormat
 {

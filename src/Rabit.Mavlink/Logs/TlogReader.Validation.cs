@@ -4,14 +4,15 @@ using Rabit.Mavlink.Logs;
 
 namespace Rabit.Mavlink;
 
-// What makes bytes a record: a time that fits its neighbours, and a frame that its checksum proves. A frame of an unknown id
-// proves nothing; it is accepted only where another record, or the end of the file, is right behind it (fewer bytes than a time: a record cut at the end).
+// What makes bytes a record: a time that fits its neighbours, and a frame that its checksum proves. A frame of an
+// unknown id proves nothing; it is accepted only where another record, or the end of the file, is right behind it
+// (fewer bytes than a time: a record cut at the end).
 public sealed partial class TlogReader
 {
     private const int Lookahead = TlogFormat.MaxRecordLength + TlogFormat.TimeLength + 1;
 
-    // How far a time may be from its neighbour's and still confirm it. Longer gaps and clock steps are accepted when the
-    // record behind agrees; without a limit one flipped bit would send a replay years ahead.
+    // How far a time may be from its neighbour's and still confirm it. Longer gaps and clock steps are accepted when
+    // the record behind agrees; without a limit one flipped bit would send a replay years ahead.
     private const long NearMicroseconds = 3_600_000_000;
 
     private static int BytesBeforeNextStart(ReadOnlySpan<byte> rest)

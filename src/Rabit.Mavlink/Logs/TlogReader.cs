@@ -6,8 +6,9 @@ using Rabit.Mavlink.Logs;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Reads a telemetry log (.tlog) record by record: constant memory, nothing allocated per record, no seeking. Damage does not
-/// end it: every intact record is delivered, what lies between is counted and its first place named. One thread at a time.
+/// Reads a telemetry log (.tlog) record by record: constant memory, nothing allocated per record, no seeking. Damage
+/// does not end it: every intact record is delivered, what lies between is counted and its first place named. One
+/// thread at a time.
 /// </summary>
 /// <example>
 /// <code>
@@ -41,7 +42,9 @@ public sealed partial class TlogReader
     private long? _lastTime;
 
     /// <summary>Makes a reader.</summary>
-    /// <param name="stream">The log, from its beginning or from the start of any record. It stays the caller's to close.</param>
+    /// <param name="stream">
+    /// The log, from its beginning or from the start of any record. It stays the caller's to close.
+    /// </param>
     /// <param name="dialect">The messages whose checksum can be checked.</param>
     /// <exception cref="ArgumentNullException">No stream or no dialect.</exception>
     /// <exception cref="ArgumentException">The stream cannot be read.</exception>
@@ -56,7 +59,10 @@ public sealed partial class TlogReader
     /// <summary>Records delivered so far.</summary>
     public long Records { get; private set; }
 
-    /// <summary>Intact records that were passed over because their frame has an incompatibility flag not known here. They count in <see cref="TlogRecord.Index"/>.</summary>
+    /// <summary>
+    /// Intact records that were passed over because their frame has an incompatibility flag not known here. They count
+    /// in <see cref="TlogRecord.Index"/>.
+    /// </summary>
     public long IncompatibleRecords { get; private set; }
 
     /// <summary>Bytes so far that belong to no intact record, the rest of a record cut at the end included.</summary>

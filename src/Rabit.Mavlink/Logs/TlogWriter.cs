@@ -5,9 +5,10 @@ using Rabit.Mavlink.Logs;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Writes a telemetry log (.tlog). A frame is written as it is, signature included, so that a log can be checked and compared
-/// byte for byte; the MAVLink guide ("Message signing", Logging) would rather have signatures removed, which is for the caller
-/// to do before (<see cref="MavlinkFrame.WithoutSignature()"/>). One thread at a time; allocates nothing per record.
+/// Writes a telemetry log (.tlog). A frame is written as it is, signature included, so that a log can be checked and
+/// compared byte for byte; the MAVLink guide ("Message signing", Logging) would rather have signatures removed, which
+/// is for the caller to do before (<see cref="MavlinkFrame.WithoutSignature()"/>). One thread at a time; allocates
+/// nothing per record.
 /// </summary>
 /// <example>
 /// <code>
@@ -43,7 +44,9 @@ public sealed class TlogWriter
     public long OmittedRecords { get; private set; }
 
     /// <summary>Writes one record, in one write to the stream.</summary>
-    /// <param name="timeMicroseconds">When the frame was seen: microseconds since 1970-01-01 UTC, up to the year 2100. Should never decrease.</param>
+    /// <param name="timeMicroseconds">
+    /// When the frame was seen: microseconds since 1970-01-01 UTC, up to the year 2100. Should never decrease.
+    /// </param>
     /// <param name="frame">The frame.</param>
     /// <returns>Whether it was written; false for SETUP_SIGNING, which is left out and counted.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The time is negative or beyond the year 2100.</exception>

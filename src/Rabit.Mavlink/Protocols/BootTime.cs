@@ -1,9 +1,12 @@
 namespace Rabit.Mavlink.Protocols;
 
-/// <summary>Watches a time since boot: where it goes back, the system has rebooted (MAVLink guide, "Routing").</summary>
+/// <summary>
+/// Watches a time since boot: where it goes back, the system has rebooted (MAVLink guide, "Routing").
+/// </summary>
 internal struct BootTime
 {
-    // The 32-bit milliseconds start again after 49.7 days; a jump from the last minute to the first is that and no reboot.
+    // The 32-bit milliseconds start again after 49.7 days; a jump from the last minute to the first is that and no
+    // reboot.
     private const uint WrapWindowMs = 60_000;
 
     private uint _newest;

@@ -3,7 +3,10 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Mavlink.Protocols;
 
-/// <summary>One command from its first sending to its outcome (MAVLink guide, "Command Protocol"). Reused for one command after another.</summary>
+/// <summary>
+/// One command from its first sending to its outcome (MAVLink guide, "Command Protocol"). Reused for one command after
+/// another.
+/// </summary>
 internal sealed class CommandExchange(MavlinkCommandOptions options)
 {
     private MavlinkCommand _command;
@@ -60,7 +63,9 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
     /// <summary>The caller has taken the outcome; late answers may still arrive.</summary>
     public void MarkOutcomeTaken() => Phase = CommandPhase.OutcomeTaken;
 
-    /// <summary>Whether an acknowledgement of the one could be mistaken for one of the other: same command, same target.</summary>
+    /// <summary>
+    /// Whether an acknowledgement of the one could be mistaken for one of the other: same command, same target.
+    /// </summary>
     public bool IsSameKindAs(CommandExchange other) =>
         _command.Command == other._command.Command && _command.Target.SystemId == other._command.Target.SystemId
         && (_command.Target.ComponentId == other._command.Target.ComponentId || _command.Target.ComponentId == 0 || other._command.Target.ComponentId == 0);
@@ -158,7 +163,8 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
             case MavResult.Unsupported when Phase == CommandPhase.Pausing:
                 return;
 
-            // The vehicle may be busy with an earlier copy of this very command: that is no refusal, and gives no new tries either.
+            // The vehicle may be busy with an earlier copy of this very command: that is no refusal, and gives no new
+            // tries either.
             case MavResult.TemporarilyRejected when _mayBeRunning:
                 Phase = CommandPhase.Pausing;
                 Due = now + options.RejectionPause;
@@ -177,7 +183,8 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
                 Switch(now);
                 return;
 
-            // An autopilot that knows the command in one form only may answer with the plain result, which must not count for the other form.
+            // An autopilot that knows the command in one form only may answer with the plain result, which must not
+            // count for the other form.
             case MavResult.Unsupported when _command.HasLocation && !_hasSwitched:
                 Switch(_lastSentAt + options.LateAnswerTime);
                 return;
@@ -222,7 +229,8 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
     {
         Phase = CommandPhase.Completed;
 
-        // Of the final answer, too, a duplicate may be in flight, long after the last sending of a command that took long.
+        // Of the final answer, too, a duplicate may be in flight, long after the last sending of a command that took
+        // long.
         LateUntil = (_sent > 0 && _lastAnswerAt > _lastSentAt ? _lastAnswerAt : _lastSentAt) + options.LateAnswerTime;
         if (status == MavlinkCommandStatus.Unknown && LateUntil < _lastSentAt + options.UnknownLateTime)
             LateUntil = _lastSentAt + options.UnknownLateTime;

@@ -7,7 +7,10 @@ namespace Rabit.Mavlink;
 /// A command with its target and parameters, for COMMAND_LONG and COMMAND_INT alike. A plain value. Make it with
 /// <see cref="Create"/>, or with <see cref="AtLocation"/> where it has a latitude, a longitude or an altitude.
 /// </summary>
-/// <remarks>Of a location the parameters 5, 6 and 7 of COMMAND_LONG are <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> of COMMAND_INT.</remarks>
+/// <remarks>
+/// Of a location the parameters 5, 6 and 7 of COMMAND_LONG are <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> of
+/// COMMAND_INT.
+/// </remarks>
 /// <example>
 /// <code>
 /// var vehicle = new MavlinkAddress(1, 1);
@@ -31,8 +34,8 @@ public readonly record struct MavlinkCommand
     public MavlinkCommandForms Forms { get; init; }
 
     /// <summary>
-    /// Whether <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> are a location in <see cref="Frame"/>: <c>hasLocation</c> in the
-    /// definition of the command.
+    /// Whether <see cref="X"/>, <see cref="Y"/> and <see cref="Z"/> are a location in <see cref="Frame"/>:
+    /// <c>hasLocation</c> in the definition of the command.
     /// </summary>
     public bool HasLocation { get; init; }
 
@@ -57,7 +60,9 @@ public readonly record struct MavlinkCommand
     /// <summary>Parameter 6 of a command without a location; <see cref="Y"/> of one that has it.</summary>
     public float Param6 { get; init; }
 
-    /// <summary>Parameter 7, in the unit of the command; of a location its altitude, which is <see cref="Z"/>.</summary>
+    /// <summary>
+    /// Parameter 7, in the unit of the command; of a location its altitude, which is <see cref="Z"/>.
+    /// </summary>
     public float Param7 { get; init; }
 
     /// <summary>Of a location (parameter 5): latitude in 1e-7 degrees, or metres * 1e4 in a local frame.</summary>
@@ -66,7 +71,10 @@ public readonly record struct MavlinkCommand
     /// <summary>Of a location (parameter 6): longitude in 1e-7 degrees, or metres * 1e4 in a local frame.</summary>
     public int Y { get; init; }
 
-    /// <summary>Of a location: altitude in metres, in its frame. Another name of <see cref="Param7"/>, which COMMAND_INT calls z.</summary>
+    /// <summary>
+    /// Of a location: altitude in metres, in its frame. Another name of <see cref="Param7"/>, which COMMAND_INT calls
+    /// z.
+    /// </summary>
     public float Z
     {
         get => Param7;
@@ -99,7 +107,10 @@ public readonly record struct MavlinkCommand
             Param7 = param7,
         };
 
-    /// <summary>A command with a location, as COMMAND_INT first: the single-precision degrees of COMMAND_LONG are no better than a metre.</summary>
+    /// <summary>
+    /// A command with a location, as COMMAND_INT first: the single-precision degrees of COMMAND_LONG are no better than
+    /// a metre.
+    /// </summary>
     /// <param name="target">Who is to execute it.</param>
     /// <param name="command">Which command.</param>
     /// <param name="frame">What <paramref name="z"/> counts from.</param>

@@ -5,20 +5,24 @@ using Rabit.Mavlink.Protocols;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Sends commands and reports how they ended (MAVLink guide, "Command Protocol"): several at once, each with exactly one outcome, whatever
-/// the link loses, duplicates or reorders. No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame
-/// or command.
+/// Sends commands and reports how they ended (MAVLink guide, "Command Protocol"): several at once, each with exactly
+/// one outcome, whatever the link loses, duplicates or reorders. No I/O, no clock: frames in, frames out, time as
+/// argument. One thread; nothing is allocated per frame or command.
 /// </summary>
 /// <remarks>
-/// An acknowledgement is matched by command, sender and addressee. It does not say which sending of a command it is for; so two commands of the same kind
-/// to the same component are never under way together, and the second waits until late answers to the first can arrive no more
-/// (<see cref="MavlinkCommandOptions.LateAnswerTime"/>). TEMPORARILY_REJECTED counts as a refusal only while every sending was answered: after an
-/// unanswered one the vehicle may be busy with that very copy, and the command ends as <see cref="MavlinkCommandStatus.Unknown"/>.
+/// An acknowledgement is matched by command, sender and addressee. It does not say which sending of a command it is
+/// for; so two commands of the same kind to the same component are never under way together, and the second waits until
+/// late answers to the first can arrive no more (<see cref="MavlinkCommandOptions.LateAnswerTime"/>).
+/// TEMPORARILY_REJECTED counts as a refusal only while every sending was answered: after an unanswered one the vehicle
+/// may be busy with that very copy, and the command ends as <see cref="MavlinkCommandStatus.Unknown"/>.
 /// </remarks>
 /// <example>
 /// <code>
-/// static void Arm(MavlinkCommandClient client, TimeSpan now) =>
-///     client.TryStart(MavlinkCommand.Create(new MavlinkAddress(1, 1), MavCmd.ComponentArmDisarm, param1: 1), now, out int handle);
+/// static void Arm(MavlinkCommandClient client, TimeSpan now)
+/// {
+///     var vehicle = new MavlinkAddress(SystemId: 1, ComponentId: 1);
+///     client.TryStart(MavlinkCommand.Create(vehicle, MavCmd.ComponentArmDisarm, param1: 1), now, out int handle);
+/// }
 ///
 /// // For every frame that arrives: client.Handle(frame, now). After that, and at client.NextDue at the latest:
 /// static void Step(MavlinkCommandClient client, TimeSpan now, Stream link, byte[] buffer)
@@ -57,7 +61,10 @@ public sealed class MavlinkCommandClient
     /// <summary>Acknowledgements for us that no open command was waiting for: late ones, and duplicates.</summary>
     public long StrayAnswers { get; private set; }
 
-    /// <summary>When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to wait for. A time in the past means at once.</summary>
+    /// <summary>
+    /// When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to
+    /// wait for. A time in the past means at once.
+    /// </summary>
     public TimeSpan NextDue
     {
         get
@@ -76,12 +83,17 @@ public sealed class MavlinkCommandClient
         }
     }
 
-    /// <summary>Starts a command. It is sent with the next <see cref="TryTakeFrame"/>, or later while one of the same kind is under way.</summary>
+    /// <summary>
+    /// Starts a command. It is sent with the next <see cref="TryTakeFrame"/>, or later while one of the same kind is
+    /// under way.
+    /// </summary>
     /// <param name="command">The command, to one system.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
     /// <param name="handle">Identifies it in its outcome; above 0.</param>
     /// <returns>Whether there was room; otherwise the command is not started and gets no outcome.</returns>
-    /// <exception cref="ArgumentException">The target system is 0: a broadcast command has no one to acknowledge it.</exception>
+    /// <exception cref="ArgumentException">
+    /// The target system is 0: a broadcast command has no one to acknowledge it.
+    /// </exception>
     public bool TryStart(in MavlinkCommand command, TimeSpan now, out int handle)
     {
         if (command.Target.SystemId == 0)
@@ -100,7 +112,10 @@ public sealed class MavlinkCommandClient
         return false;
     }
 
-    /// <summary>Cancels a command: at once where it was not sent yet, otherwise by COMMAND_CANCEL; the outcome reports the result.</summary>
+    /// <summary>
+    /// Cancels a command: at once where it was not sent yet, otherwise by COMMAND_CANCEL; the outcome reports the
+    /// result.
+    /// </summary>
     /// <param name="handle">What <see cref="TryStart"/> gave.</param>
     /// <param name="now">The time.</param>
     /// <returns>Whether it was still open.</returns>
@@ -111,10 +126,16 @@ public sealed class MavlinkCommandClient
         return exchange is not null;
     }
 
-    /// <summary>Stops tracking a command without sending anything to the vehicle, which may still execute it: for one that was superseded by another.</summary>
+    /// <summary>
+    /// Stops tracking a command without sending anything to the vehicle, which may still execute it: for one that was
+    /// superseded by another.
+    /// </summary>
     /// <param name="handle">What <see cref="TryStart"/> gave.</param>
     /// <param name="now">The time.</param>
-    /// <returns>Whether it was still open. Its outcome is <see cref="MavlinkCommandStatus.Unknown"/>, or <see cref="MavlinkCommandStatus.Cancelled"/> where it was never sent.</returns>
+    /// <returns>
+    /// Whether it was still open. Its outcome is <see cref="MavlinkCommandStatus.Unknown"/>, or
+    /// <see cref="MavlinkCommandStatus.Cancelled"/> where it was never sent.
+    /// </returns>
     public bool StopTracking(int handle, TimeSpan now)
     {
         CommandExchange? exchange = Find(handle);

@@ -15,6 +15,8 @@ public enum MavlinkCommandStatus
     /// <summary>Cancelled before it was sent, or by the vehicle, at any sender's request.</summary>
     Cancelled,
 
-    /// <summary>All tries were used up without a final answer. The vehicle may have executed it, or may still do so.</summary>
+    /// <summary>
+    /// All tries were used up without a final answer. The vehicle may have executed it, or may still do so.
+    /// </summary>
     Unknown,
 }

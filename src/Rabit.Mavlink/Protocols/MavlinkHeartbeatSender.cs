@@ -4,18 +4,20 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Sends the heartbeat of our component at a fixed period (MAVLink guide, "Heartbeat/Connection Protocol"). No I/O, no clock: frames out, time as
-/// argument. One thread; nothing is allocated per frame. The other direction is <see cref="MavlinkHeartbeatTracker"/>.
+/// Sends the heartbeat of our component at a fixed period (MAVLink guide, "Heartbeat/Connection Protocol"). No I/O, no
+/// clock: frames out, time as argument. One thread; nothing is allocated per frame. The other direction is
+/// <see cref="MavlinkHeartbeatTracker"/>.
 /// </summary>
 /// <remarks>
-/// The guide wants no heartbeat of a component that has failed: call <see cref="TryTakeFrame"/> from the loop that does the work, so that heartbeats
-/// stop with it, and set <see cref="Enabled"/> to false where the component finds itself unable to work.
+/// The guide wants no heartbeat of a component that has failed: call <see cref="TryTakeFrame"/> from the loop that does
+/// the work, so that heartbeats stop with it, and set <see cref="Enabled"/> to false where the component finds itself
+/// unable to work.
 /// </remarks>
 /// <example>
 /// <code>
 /// var sender = new MavlinkSender(systemId: 1, componentId: 191);
 /// var heartbeats = new MavlinkHeartbeatSender(
-///     sender, new Heartbeat { Type = MavType.OnboardController, Autopilot = MavAutopilot.Invalid, MavlinkVersion = 3 });
+///     sender, new Heartbeat { Type = MavType.OnboardController, MavlinkVersion = 3 });
 ///
 /// // In the loop, and at heartbeats.NextDue at the latest:
 /// static void Step(MavlinkHeartbeatSender heartbeats, TimeSpan now, Stream link, byte[] buffer)
@@ -50,13 +52,18 @@ public sealed class MavlinkHeartbeatSender
         Heartbeat = heartbeat;
     }
 
-    /// <summary>The message: set it when the state or the mode of the component changes. It is sent when it is due, not at once.</summary>
+    /// <summary>
+    /// The message: set it when the state or the mode of the component changes. It is sent when it is due, not at once.
+    /// </summary>
     public Heartbeat Heartbeat { get; set; }
 
     /// <summary>Whether heartbeats are sent; true at first.</summary>
     public bool Enabled { get; set; } = true;
 
-    /// <summary>When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while disabled. A time in the past means at once.</summary>
+    /// <summary>
+    /// When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while disabled. A time in
+    /// the past means at once.
+    /// </summary>
     public TimeSpan NextDue => Enabled ? _due : TimeSpan.MaxValue;
 
     /// <summary>Takes the heartbeat to send, if it is due. Call it until there is none.</summary>

@@ -5,8 +5,9 @@ using Rabit.Mavlink.Protocols;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Tracks which components are connected (MAVLink guide, "Heartbeat/Connection Protocol"): by their heartbeats, their loss and return, and their
-/// reboots by a time since boot that goes back. No I/O, no clock. One thread; nothing is allocated per frame.
+/// Tracks which components are connected (MAVLink guide, "Heartbeat/Connection Protocol"): by their heartbeats, their
+/// loss and return, and their reboots by a time since boot that goes back. No I/O, no clock. One thread; nothing is
+/// allocated per frame.
 /// </summary>
 /// <example>
 /// <code>
@@ -21,9 +22,9 @@ namespace Rabit.Mavlink;
 /// </code>
 /// </example>
 /// <remarks>
-/// The time since boot is that of SYSTEM_TIME, ATTITUDE, ATTITUDE_QUATERNION, LOCAL_POSITION_NED and GLOBAL_POSITION_INT. It may fall back by
-/// <see cref="ReorderTolerance"/>, since frames overtake each other, and wraps to zero after 49.7 days; neither is a reboot. So a reboot within
-/// the first seconds after another is not detected.
+/// The time since boot is that of SYSTEM_TIME, ATTITUDE, ATTITUDE_QUATERNION, LOCAL_POSITION_NED and
+/// GLOBAL_POSITION_INT. It may fall back by <see cref="ReorderTolerance"/>, since frames overtake each other, and wraps
+/// to zero after 49.7 days; neither is a reboot. So a reboot within the first seconds after another is not detected.
 /// </remarks>
 public sealed class MavlinkHeartbeatTracker
 {
@@ -39,8 +40,12 @@ public sealed class MavlinkHeartbeatTracker
     private readonly TimeSpan _lossTimeout;
 
     /// <summary>Makes a tracker.</summary>
-    /// <param name="capacity">How many components it holds; the heartbeats of others are counted in <see cref="Overflow"/>.</param>
-    /// <param name="lossTimeout">How long without a heartbeat a component counts as lost; null for <see cref="DefaultLossTimeout"/>.</param>
+    /// <param name="capacity">
+    /// How many components it holds; the heartbeats of others are counted in <see cref="Overflow"/>.
+    /// </param>
+    /// <param name="lossTimeout">
+    /// How long without a heartbeat a component counts as lost; null for <see cref="DefaultLossTimeout"/>.
+    /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The capacity is below 1.</exception>
     public MavlinkHeartbeatTracker(int capacity = 64, TimeSpan? lossTimeout = null)
     {
@@ -64,7 +69,10 @@ public sealed class MavlinkHeartbeatTracker
         ? _entries[index].Value
         : throw new ArgumentOutOfRangeException(nameof(index), index, $"{Count} components are known.");
 
-    /// <summary>When to call <see cref="TryTakeEvent"/> at the latest, unless a frame comes before; <see cref="TimeSpan.MaxValue"/> while none can be lost.</summary>
+    /// <summary>
+    /// When to call <see cref="TryTakeEvent"/> at the latest, unless a frame comes before;
+    /// <see cref="TimeSpan.MaxValue"/> while none can be lost.
+    /// </summary>
     public TimeSpan NextDue
     {
         get

@@ -89,7 +89,8 @@ public sealed partial class MavlinkMissionClient
             return;
         }
 
-        // PX4 1.14 sends the items of fences and rally points without their type: accepted, unless they may be left from a mission.
+        // PX4 1.14 sends the items of fences and rally points without their type: accepted, unless they may be left
+        // from a mission.
         bool hasNoType = item.MissionType == MavMissionType.Mission
             && (frame.Version == MavlinkVersion.V1 || _lastPlainAt == TimeSpan.MinValue || now > _lastPlainAt + _options.LateAnswerTime);
         if (_operation != Operation.Download || _step != Step.Request || item.Seq != _seq || (item.MissionType != _type && !hasNoType))
@@ -119,7 +120,8 @@ public sealed partial class MavlinkMissionClient
                 _result = answer.Type;
                 return;
 
-            // To a second copy of the last item, perhaps: then the transfer is over, and its answer lost or still in flight.
+            // To a second copy of the last item, perhaps: then the transfer is over, and its answer lost or still in
+            // flight.
             case Operation.Upload when answer.Type == MavMissionResult.Error && IsAllSent:
                 _result = answer.Type;
                 _tries = _options.Retries + 1;

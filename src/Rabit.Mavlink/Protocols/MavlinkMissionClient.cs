@@ -4,20 +4,21 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Uploads, downloads and clears missions, fences and rally points of one component (MAVLink guide, "Mission Protocol"), one transfer after another,
-/// each with exactly one outcome. No I/O, no clock: frames in, frames out, time as argument. One thread; allocates for a transfer longer than any
-/// before, nothing per frame.
+/// Uploads, downloads and clears missions, fences and rally points of one component (MAVLink guide, "Mission
+/// Protocol"), one transfer after another, each with exactly one outcome. No I/O, no clock: frames in, frames out, time
+/// as argument. One thread; allocates for a transfer longer than any before, nothing per frame.
 /// </summary>
 /// <remarks>
-/// Items are sent as MISSION_ITEM_INT, also where the vehicle requests them with the old MISSION_REQUEST. On ArduPilot item 0 of a mission is home:
-/// it is returned as the autopilot has it, and an upload that failed half way may have changed what it had.
+/// Items are sent as MISSION_ITEM_INT, also where the vehicle requests them with the old MISSION_REQUEST. On ArduPilot
+/// item 0 of a mission is home: it is returned as the autopilot has it, and an upload that failed half way may have
+/// changed what it had.
 /// </remarks>
 /// <example>
 /// <code>
 /// static void Upload(MavlinkMissionClient client, TimeSpan now)
 /// {
 ///     var items = new MissionItemInt[2];
-///     items[0] = new MissionItemInt { Command = MavCmd.NavTakeoff, Frame = MavFrame.GlobalRelativeAltInt, Z = 30, Autocontinue = 1 };
+///     items[0] = new MissionItemInt { Command = MavCmd.NavTakeoff, Frame = MavFrame.GlobalRelativeAlt, Z = 30 };
 ///     items[1] = new MissionItemInt { Command = MavCmd.NavReturnToLaunch, Autocontinue = 1 };
 ///     client.TryStartUpload(MavMissionType.Mission, items, now);
 /// }
@@ -106,10 +107,16 @@ public sealed partial class MavlinkMissionClient
     /// <summary>How many items are done: received, or requested by the vehicle.</summary>
     public int ItemsDone => _operation == Operation.Upload ? _highest + 1 : _seq;
 
-    /// <summary>What was downloaded last, until the next transfer begins; of a download that failed, the items received in order.</summary>
+    /// <summary>
+    /// What was downloaded last, until the next transfer begins; of a download that failed, the items received in
+    /// order.
+    /// </summary>
     public ReadOnlySpan<MissionItemInt> Items => _isDownloadOver ? _items.AsSpan(0, _seq) : default;
 
-    /// <summary>When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to wait for.</summary>
+    /// <summary>
+    /// When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to
+    /// wait for.
+    /// </summary>
     public TimeSpan NextDue => _finalAck is not null ? TimeSpan.Zero : _operation == Operation.None ? TimeSpan.MaxValue : _due;
 
     /// <summary>Starts an upload. The items are copied; sequence numbers, target and type are filled in.</summary>
@@ -149,7 +156,9 @@ public sealed partial class MavlinkMissionClient
     /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     public bool TryStartClear(MavMissionType type, TimeSpan now) => TryStart(Operation.Clear, Step.Clear, type, now);
 
-    /// <summary>Ends the transfer, with the outcome <see cref="MavlinkMissionStatus.Cancelled"/>, and notifies the vehicle.</summary>
+    /// <summary>
+    /// Ends the transfer, with the outcome <see cref="MavlinkMissionStatus.Cancelled"/>, and notifies the vehicle.
+    /// </summary>
     /// <param name="now">The time.</param>
     public void Cancel(TimeSpan now)
     {
@@ -233,7 +242,8 @@ public sealed partial class MavlinkMissionClient
             Count = (ushort)_count,
             MissionType = _type,
         }),
-        // A request may be a late duplicate; what is sent again without a request is the item after the last one received.
+        // A request may be a late duplicate; what is sent again without a request is the item after the last one
+        // received.
         Step.Item => _sender.Create(_items[_tries > 0 ? _highest : _seq]),
         Step.List => _sender.Create(new MissionRequestList { TargetSystem = _target.SystemId, TargetComponent = _target.ComponentId, MissionType = _type }),
         Step.Request => _sender.Create(new MissionRequestInt

@@ -12,7 +12,9 @@ public enum MavlinkMissionStatus
     /// <summary>The vehicle refused it; <see cref="MavlinkMissionOutcome.Result"/> says why.</summary>
     Refused,
 
-    /// <summary>All tries were used up without a final answer. Of an upload or a clear: what the vehicle has now is not known.</summary>
+    /// <summary>
+    /// All tries were used up without a final answer. Of an upload or a clear: what the vehicle has now is not known.
+    /// </summary>
     Unknown,
 
     /// <summary>Cancelled by the caller or by the vehicle.</summary>

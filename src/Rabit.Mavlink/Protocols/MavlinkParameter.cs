@@ -8,7 +8,9 @@ namespace Rabit.Mavlink;
 /// <param name="Name">At most 16 characters, zero behind them.</param>
 /// <param name="Type">What the vehicle keeps it as.</param>
 /// <param name="Bits">The four bytes of the value field.</param>
-/// <param name="Index">Its place in the vehicle's list, which may shift on ArduPilot; 65535 where the vehicle gave none.</param>
+/// <param name="Index">
+/// Its place in the vehicle's list, which may shift on ArduPilot; 65535 where the vehicle gave none.
+/// </param>
 public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, uint Bits, int Index)
 {
     /// <summary>The index that means none.</summary>
@@ -42,7 +44,9 @@ public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, u
     /// <param name="type">The type of the parameter.</param>
     /// <param name="encoding">How the vehicle packs integers.</param>
     /// <returns>Its four bytes.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The type cannot hold the number, or the float on the wire cannot hold the integer exactly.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The type cannot hold the number, or the float on the wire cannot hold the integer exactly.
+    /// </exception>
     public static uint Encode(double value, MavParamType type, MavlinkParameterEncoding encoding)
     {
         (double min, double max) = RangeOf(type);
@@ -68,7 +72,10 @@ public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, u
         return (capabilities & (MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.ParamEncodeCCast)) != 0;
     }
 
-    /// <summary>The encoding by the kind of autopilot, where its capabilities include none: ArduPilot casts, all others keep the bits.</summary>
+    /// <summary>
+    /// The encoding by the kind of autopilot, where its capabilities include none: ArduPilot casts, all others keep the
+    /// bits.
+    /// </summary>
     /// <param name="autopilot">Of its HEARTBEAT.</param>
     /// <returns>The encoding.</returns>
     public static MavlinkParameterEncoding EncodingOf(MavAutopilot autopilot) =>

@@ -19,8 +19,9 @@ public sealed partial class MavlinkParameterClient
     /// <summary>Starts to read all parameters.</summary>
     /// <param name="now">The time, by a clock that never goes back.</param>
     /// <param name="knownHash">
-    /// The <see cref="Hash"/> that the vehicle sent with a list that the caller has kept: where it sends the same again, the list is stopped
-    /// and the outcome is <see cref="MavlinkParameterStatus.Unchanged"/>; <see cref="Parameters"/> stays as it is. Null: read in any case.
+    /// The <see cref="Hash"/> that the vehicle sent with a list that the caller has kept: where it sends the same
+    /// again, the list is stopped and the outcome is <see cref="MavlinkParameterStatus.Unchanged"/>;
+    /// <see cref="Parameters"/> stays as it is. Null: read in any case.
     /// </param>
     /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     public bool TryStartList(TimeSpan now, uint? knownHash = null)

@@ -4,13 +4,15 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Lists, reads and sets the parameters of one component (MAVLink guide, "Parameter Protocol"), one operation after another, each with exactly one
-/// outcome. No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
+/// Lists, reads and sets the parameters of one component (MAVLink guide, "Parameter Protocol"), one operation after
+/// another, each with exactly one outcome. No I/O, no clock: frames in, frames out, time as argument. One thread;
+/// nothing is allocated per frame.
 /// </summary>
 /// <remarks>
-/// A list is streamed by the vehicle; what is missing when the stream stops is requested by index, some at a time, until all are received or
-/// <see cref="MavlinkParameterOptions.EmptyRounds"/> rounds brought nothing. A set has succeeded when the vehicle reports the value; a different value
-/// counts once the request was sent twice, since an older report may still be in flight.
+/// A list is streamed by the vehicle; what is missing when the stream stops is requested by index, some at a time,
+/// until all are received or <see cref="MavlinkParameterOptions.EmptyRounds"/> rounds brought nothing. A set has
+/// succeeded when the vehicle reports the value; a different value counts once the request was sent twice, since an
+/// older report may still be in flight.
 /// </remarks>
 /// <example>
 /// <code>
@@ -21,8 +23,9 @@ namespace Rabit.Mavlink;
 /// {
 ///     while (client.TryTakeFrame(now, out MavlinkFrame frame))
 ///         link.Write(buffer, 0, frame.WriteTo(buffer));
-///     if (!client.TryTakeOutcome(out MavlinkParameterOutcome outcome) || outcome.Status != MavlinkParameterStatus.Done)
+///     if (!client.TryTakeOutcome(out MavlinkParameterOutcome outcome))
 ///         return;
+///     Console.WriteLine($"{outcome.Status}, {outcome.Missing} missing");
 ///     for (int i = 0; i &lt; client.Parameters.Count; i++)
 ///         Console.WriteLine($"{client.Parameters[i].Name} = {client.Parameters[i].ToDouble(client.Encoding)}");
 /// }
@@ -84,16 +87,25 @@ public sealed partial class MavlinkParameterClient
     /// <summary>How the vehicle packs integers.</summary>
     public MavlinkParameterEncoding Encoding { get; }
 
-    /// <summary>The parameters known: filled by a list, kept up to date by every PARAM_VALUE of the vehicle, whatever requested it.</summary>
+    /// <summary>
+    /// The parameters known: filled by a list, kept up to date by every PARAM_VALUE of the vehicle, whatever requested
+    /// it.
+    /// </summary>
     public MavlinkParameterTable Parameters { get; } = new();
 
-    /// <summary>The last hash that the vehicle sent (PX4); null where there is none. Keep it with the list, for <see cref="TryStartList"/>.</summary>
+    /// <summary>
+    /// The last hash that the vehicle sent (PX4); null where there is none. Keep it with the list, for
+    /// <see cref="TryStartList"/>.
+    /// </summary>
     public uint? Hash { get; private set; }
 
     /// <summary>Whether an operation is under way, or its outcome not taken yet: nothing else can start.</summary>
     public bool IsBusy => _operation != Operation.None || _hasOutcome;
 
-    /// <summary>When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to wait for.</summary>
+    /// <summary>
+    /// When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to
+    /// wait for.
+    /// </summary>
     public TimeSpan NextDue => _operation == Operation.None && !_mustStopList ? TimeSpan.MaxValue : _due;
 
     /// <summary>Starts to read one parameter by its name.</summary>
@@ -130,7 +142,10 @@ public sealed partial class MavlinkParameterClient
         return true;
     }
 
-    /// <summary>Cancels what is under way, with the outcome <see cref="MavlinkParameterStatus.Cancelled"/>. A set may have been done.</summary>
+    /// <summary>
+    /// Cancels what is under way, with the outcome <see cref="MavlinkParameterStatus.Cancelled"/>. A set may have been
+    /// done.
+    /// </summary>
     /// <param name="now">The time.</param>
     public void Cancel(TimeSpan now)
     {

@@ -23,6 +23,9 @@ public sealed class MavlinkParameterOptions
     /// <summary>How often a list may turn out to have changed while it is read, before it is given up; 5.</summary>
     public int Restarts { get; init; } = 5;
 
-    /// <summary>How long after a sending its answer may still arrive; 1 s. The next operation on the same parameter waits that long.</summary>
+    /// <summary>
+    /// How long after a sending its answer may still arrive; 1 s. The next operation on the same parameter waits that
+    /// long.
+    /// </summary>
     public TimeSpan LateAnswerTime { get; init; } = TimeSpan.FromSeconds(1);
 }

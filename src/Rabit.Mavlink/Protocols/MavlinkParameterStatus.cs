@@ -15,7 +15,10 @@ public enum MavlinkParameterStatus
     /// <summary>The vehicle refused, or kept another value.</summary>
     Refused,
 
-    /// <summary>All tries were used up without an answer. There may be no such parameter: many autopilots do not answer then. A value may have been set all the same.</summary>
+    /// <summary>
+    /// All tries were used up without an answer. There may be no such parameter: many autopilots do not answer then. A
+    /// value may have been set all the same.
+    /// </summary>
     Unknown,
 
     /// <summary>Of a list: some are missing, or it changed too often while it was read.</summary>

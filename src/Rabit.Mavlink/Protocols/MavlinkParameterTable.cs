@@ -3,7 +3,10 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Mavlink;
 
-/// <summary>The parameters of a vehicle, by their place in its list. One thread; allocates only where the list is longer than any before.</summary>
+/// <summary>
+/// The parameters of a vehicle, by their place in its list. One thread; allocates only where the list is longer than
+/// any before.
+/// </summary>
 public sealed class MavlinkParameterTable
 {
     private MavlinkParameter[] _entries = [];

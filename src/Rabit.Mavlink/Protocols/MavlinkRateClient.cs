@@ -4,12 +4,14 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Requests message rates from one component (MAV_CMD_SET_MESSAGE_INTERVAL, one message after another), measures the rates at which they arrive, and
-/// requests again where these are off: a ground station may have changed them. No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
+/// Requests message rates from one component (MAV_CMD_SET_MESSAGE_INTERVAL, one message after another), measures the
+/// rates at which they arrive, and requests again where these are off: a ground station may have changed them. No I/O,
+/// no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
 /// </summary>
 /// <remarks>
-/// An acknowledgement does not name the message it is for, and waiting until no late one can arrive would take a second per message. So an answer
-/// counts for the last request, a late one perhaps for the wrong message; the measured rate is what counts.
+/// An acknowledgement does not name the message it is for, and waiting until no late one can arrive would take a second
+/// per message. So an answer counts for the last request, a late one perhaps for the wrong message; the measured rate
+/// is what counts.
 /// </remarks>
 /// <example>
 /// <code>
@@ -174,7 +176,10 @@ public sealed class MavlinkRateClient
         return true;
     }
 
-    /// <summary>Takes the next message that was answered, or given up, since the last call. Call it until there is none; not calling it costs nothing.</summary>
+    /// <summary>
+    /// Takes the next message that was answered, or given up, since the last call. Call it until there is none; not
+    /// calling it costs nothing.
+    /// </summary>
     /// <param name="rate">The message with its answer.</param>
     /// <returns>Whether there is one.</returns>
     public bool TryTakeAnswer(out MavlinkStreamRate rate)

@@ -4,8 +4,9 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Synchronises with the clock of one component by TIMESYNC, and answers requests for ours (MAVLink guide, "Time Synchronization Protocol v2").
-/// No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
+/// Synchronises with the clock of one component by TIMESYNC, and answers requests for ours (MAVLink guide, "Time
+/// Synchronization Protocol v2"). No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is
+/// allocated per frame.
 /// </summary>
 public sealed class MavlinkTimesyncClient
 {
@@ -44,7 +45,9 @@ public sealed class MavlinkTimesyncClient
 
     /// <summary>Handles a received frame; all but TIMESYNC are ignored.</summary>
     /// <param name="frame">The frame, checked by the reader.</param>
-    /// <param name="now">When it was received, by our clock: the nearer to the link this is measured, the better.</param>
+    /// <param name="now">
+    /// When it was received, by our clock: the nearer to the link this is measured, the better.
+    /// </param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
     {
         if (!frame.TryDecode(out Timesync message) || !_own.IsTargetOf(message.TargetSystem, message.TargetComponent))

@@ -4,17 +4,19 @@ using Rabit.Mavlink.Protocols;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Estimates how far the autopilot's clock is ahead of ours, and how fast it drifts: a weighted line through the last 256 answers, four
-/// minutes at one a second, and through the arrival times of its other messages. No I/O, one thread, allocates nothing.
+/// Estimates how far the autopilot's clock is ahead of ours, and how fast it drifts: a weighted line through the last
+/// 256 answers, four minutes at one a second, and through the arrival times of its other messages. No I/O, one thread,
+/// allocates nothing.
 /// </summary>
 /// <remarks>
-/// An answer whose way took longer than the shortest one by e is wrong by up to e/2 either way: where the two ways are alike, evenly
-/// spread, with variance e^2/12. Such answers weigh little, so that queues on the way do not bend the line; those that took much
-/// longer are left out. How short the way can be at best is not known either: of n answers whose ways vary by J the quickest took about
-/// J sqrt(2/n) longer, which is added to every e. The drift is held near 0 by what crystals do, which matters while the answers are few.
-/// One-way messages (<see cref="AddOneWay"/>) contain nothing about the offset, but much about the drift, since there are so many of them.
-/// The filter states its own errors: <see cref="OffsetErrorSecondsAt"/>, <see cref="DriftError"/>. The MAVLink documentation (docs/mavlink/protocols.md)
-/// has what was measured.
+/// An answer whose way took longer than the shortest one by e is wrong by up to e/2 either way: where the two ways are
+/// alike, evenly spread, with variance e^2/12. Such answers weigh little, so that queues on the way do not bend the
+/// line; those that took much longer are left out. How short the way can be at best is not known either: of n answers
+/// whose ways vary by J the quickest took about J sqrt(2/n) longer, which is added to every e. The drift is held near 0
+/// by what crystals do, which matters while the answers are few. One-way messages (<see cref="AddOneWay"/>) contain
+/// nothing about the offset, but much about the drift, since there are so many of them. The filter states its own
+/// errors: <see cref="OffsetErrorSecondsAt"/>, <see cref="DriftError"/>. The MAVLink documentation
+/// (docs/mavlink/protocols.md) has what was measured.
 /// </remarks>
 public sealed class MavlinkTimesyncFilter
 {
@@ -33,7 +35,8 @@ public sealed class MavlinkTimesyncFilter
     private const double MinErrorSeconds = 0.2e-3;
     private const double TypicalDrift = 30e-6;
 
-    // No delay can make the error of an answer, or of the line, larger than half a round trip; beyond this margin the clock has jumped.
+    // No delay can make the error of an answer, or of the line, larger than half a round trip; beyond this margin the
+    // clock has jumped.
     private const double JumpSeconds = 5e-3;
 
     // Which messages were fast depends on the drift, and the drift on them.
@@ -65,7 +68,9 @@ public sealed class MavlinkTimesyncFilter
     /// <summary>Drift of the autopilot's clock against ours, seconds per second.</summary>
     public double Drift => _drift;
 
-    /// <summary>One standard deviation of <see cref="Drift"/>, seconds per second; NaN while there is no answer.</summary>
+    /// <summary>
+    /// One standard deviation of <see cref="Drift"/>, seconds per second; NaN while there is no answer.
+    /// </summary>
     public double DriftError => _count == 0 ? double.NaN : Math.Sqrt(_driftVariance);
 
     /// <summary>Forgets everything.</summary>
@@ -112,8 +117,9 @@ public sealed class MavlinkTimesyncFilter
     }
 
     /// <summary>
-    /// Adds any other message that carries the autopilot's time: how its delay changes shows the drift, from the next answer on. Counts only
-    /// once there is an answer, and not if it is more than a second late: then it is not of this clock.
+    /// Adds any other message that carries the autopilot's time: how its delay changes shows the drift, from the next
+    /// answer on. Counts only once there is an answer, and not if it is more than a second late: then it is not of this
+    /// clock.
     /// </summary>
     /// <param name="arrival">When it was received, by our clock.</param>
     /// <param name="theirSeconds">The autopilot's time in it, by the same clock as in the answers, seconds.</param>
@@ -139,7 +145,9 @@ public sealed class MavlinkTimesyncFilter
     public double OffsetSecondsAt(double ourSeconds) => _offsetAtNewest + (_drift * (ourSeconds - _origin - _newest));
 
     /// <summary>One standard deviation of <see cref="OffsetSecondsAt"/>. Only once there is an answer.</summary>
-    /// <remarks>Without what no exchange can show: half of the constant difference between the two directions.</remarks>
+    /// <remarks>
+    /// Without what no exchange can show: half of the constant difference between the two directions.
+    /// </remarks>
     /// <param name="ourSeconds">A time by our clock, seconds.</param>
     /// <returns>Seconds; it grows with the time since the answers.</returns>
     public double OffsetErrorSecondsAt(double ourSeconds)
@@ -177,7 +185,8 @@ public sealed class MavlinkTimesyncFilter
             FitLine(best);
     }
 
-    // Weighted min squares about the newest answer, with an observation of no drift that is as sure as crystals are good.
+    // Weighted min squares about the newest answer, with an observation of no drift that is as sure as crystals are
+    // good.
     private void FitLine(double best)
     {
         double reference = _offset[(_next + Capacity - 1) % Capacity];

@@ -4,8 +4,9 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Requests the autopilot's time, five times a second for two seconds and once a second from then on, and recognises its own requests
-/// in the answers (MAVLink guide, "Time Synchronization Protocol v2"). A state machine: time comes in, requests go out.
+/// Requests the autopilot's time, five times a second for two seconds and once a second from then on, and recognises
+/// its own requests in the answers (MAVLink guide, "Time Synchronization Protocol v2"). A state machine: time comes in,
+/// requests go out.
 /// </summary>
 public sealed class MavlinkTimesyncRequester
 {
@@ -32,7 +33,9 @@ public sealed class MavlinkTimesyncRequester
     /// <returns>Whether it does.</returns>
     public bool IsFast(TimeSpan now) => IsStarted && now - _startedAt < FastFor;
 
-    /// <summary>When to call <see cref="TryNext"/> again; <see cref="TimeSpan.MaxValue"/> while it is stopped.</summary>
+    /// <summary>
+    /// When to call <see cref="TryNext"/> again; <see cref="TimeSpan.MaxValue"/> while it is stopped.
+    /// </summary>
     public TimeSpan NextDue => IsStarted ? _due : TimeSpan.MaxValue;
 
     /// <summary>Starts, or starts over: open requests are discarded.</summary>
@@ -70,7 +73,9 @@ public sealed class MavlinkTimesyncRequester
         return true;
     }
 
-    /// <summary>Whether a TIMESYNC answers a request of ours that is still open, and when that was made. True once for each.</summary>
+    /// <summary>
+    /// Whether a TIMESYNC answers a request of ours that is still open, and when that was made. True once for each.
+    /// </summary>
     /// <param name="message">The received message.</param>
     /// <param name="askedAt">When the request was sent, by our clock.</param>
     /// <returns>Whether it answers one of our requests.</returns>

@@ -3,15 +3,17 @@ using System;
 namespace Rabit.Mavlink.Protocols;
 
 /// <summary>
-/// The drift as one-way messages show it that carry the other clock's time: the fastest of every two seconds, for the last four
-/// minutes. The delay of even the fastest is not observable, only how it changes. No I/O, one thread, allocates nothing.
+/// The drift as one-way messages show it that carry the other clock's time: the fastest of every two seconds, for the
+/// last four minutes. The delay of even the fastest is not observable, only how it changes. No I/O, one thread,
+/// allocates nothing.
 /// </summary>
 internal sealed class TimesyncArrivals
 {
     private const int Capacity = 128;
     private const double BucketSeconds = 2;
 
-    // Chosen over seeds of delays of gamma, exponential and even distribution: the min error of the drift that is also stated rightly.
+    // Chosen over seeds of delays of gamma, exponential and even distribution: the min error of the drift that is also
+    // stated rightly.
     private const double MinErrorSeconds = 0.4e-3;
     private const double ErrorOfExcess = 0.5;
 
@@ -27,7 +29,9 @@ internal sealed class TimesyncArrivals
         _newest = -1;
     }
 
-    /// <summary>Adds one: when it arrived, and the other clock's time in it less that; the greatest is the fastest.</summary>
+    /// <summary>
+    /// Adds one: when it arrived, and the other clock's time in it less that; the greatest is the fastest.
+    /// </summary>
     public void Add(double arrival, double offset)
     {
         if (_count == 0 || arrival >= _bucketEnd)

@@ -6,7 +6,9 @@ public enum MavlinkRouteReason
     /// <summary>Broadcast: no target system, or target system 0.</summary>
     Broadcast,
 
-    /// <summary>Its id is unknown, so that its address cannot be read: treated as broadcast, but not for local use.</summary>
+    /// <summary>
+    /// Its id is unknown, so that its address cannot be read: treated as broadcast, but not for local use.
+    /// </summary>
     UnknownMessage,
 
     /// <summary>For us alone.</summary>
@@ -24,6 +26,8 @@ public enum MavlinkRouteReason
     /// <summary>The message concerns one link only and never leaves it: SETUP_SIGNING, RADIO_STATUS, RADIO.</summary>
     LinkLocal,
 
-    /// <summary>It carries our own address: an echo, or our part of a recorded log. Neither routed nor learned.</summary>
+    /// <summary>
+    /// It carries our own address: an echo, or our part of a recorded log. Neither routed nor learned.
+    /// </summary>
     OurOwn,
 }

@@ -4,10 +4,10 @@ using Rabit.Mavlink.Routing;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The routing rules of MAVLink (guide, "Routing", "Routing in detail"), without any I/O: it learns which component is on which link and
-/// returns where a frame goes. It never changes a frame. One difference from the guide: a frame addressed to a component of our system that
-/// was not seen on any link is not ours; the guide would have every component act on it. One thread at a time; allocates nothing after it
-/// was made.
+/// The routing rules of MAVLink (guide, "Routing", "Routing in detail"), without any I/O: it learns which component is
+/// on which link and returns where a frame goes. It never changes a frame. One difference from the guide: a frame
+/// addressed to a component of our system that was not seen on any link is not ours; the guide would have every
+/// component act on it. One thread at a time; allocates nothing after it was made.
 /// </summary>
 /// <example>
 /// <code>
@@ -15,9 +15,10 @@ namespace Rabit.Mavlink;
 /// router.SetLink(0, MavlinkLinkRules.Live);
 /// router.SetLink(1, MavlinkLinkRules.Live);
 ///
-/// static void Forward(MavlinkRouter router, int from, in MavlinkFrame frame, in MavlinkFrameInfo info, Stream[] links, byte[] buffer)
+/// // For every frame that arrives: Forward(router.Route(link, frame, info), frame, links, buffer)
+///
+/// static void Forward(MavlinkRoute route, in MavlinkFrame frame, Stream[] links, byte[] buffer)
 /// {
-///     MavlinkRoute route = router.Route(from, frame, info);
 ///     for (int link = 0; link &lt; links.Length; link++)
 ///     {
 ///         if (route.GoesTo(link))
@@ -33,7 +34,8 @@ public sealed class MavlinkRouter
 
     private const int DefaultSources = 1024;
 
-    // Secrets and the state of one radio: never leave the link (MAVLink guide, "Message signing"; ArduPilot, "MAVLink routing").
+    // Secrets and the state of one radio: never leave the link (MAVLink guide, "Message signing"; ArduPilot, "MAVLink
+    // routing").
     private const int SetupSigning = 256;
     private const int RadioStatus = 109;
     private const int Radio = 166;
@@ -52,7 +54,10 @@ public sealed class MavlinkRouter
     private long _linkLocal;
     private long _sourcesRefused;
 
-    /// <summary>Makes a router without links and without an address of our own, until <see cref="SetOwnAddress"/> gives it one: only broadcasts are for us.</summary>
+    /// <summary>
+    /// Makes a router without links and without an address of our own, until <see cref="SetOwnAddress"/> gives it one:
+    /// only broadcasts are for us.
+    /// </summary>
     public MavlinkRouter() => _table = new RouteTable(DefaultSources);
 
     /// <summary>Makes a router without links.</summary>
@@ -74,7 +79,10 @@ public sealed class MavlinkRouter
     /// <summary>How many senders (system, component) it remembers.</summary>
     public int Sources => _table.Count;
 
-    /// <summary>Changes our own address, for example when the system id of the vehicle that carries us becomes known. What was learned stays.</summary>
+    /// <summary>
+    /// Changes our own address, for example when the system id of the vehicle that carries us becomes known. What was
+    /// learned stays.
+    /// </summary>
     /// <param name="systemId">Our system id, 1 to 255.</param>
     /// <param name="componentId">Our component id, 1 to 255.</param>
     /// <exception cref="ArgumentOutOfRangeException">An id is 0.</exception>
@@ -140,7 +148,9 @@ public sealed class MavlinkRouter
     /// <param name="link">The link it was received on.</param>
     /// <param name="frame">The frame.</param>
     /// <param name="message">The description of its message.</param>
-    /// <param name="isChecked">Whether its id is known and its checksum right. Only then is it learned from and its address read.</param>
+    /// <param name="isChecked">
+    /// Whether its id is known and its checksum right. Only then is it learned from and its address read.
+    /// </param>
     /// <returns>Where it goes; never back to its link.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
     public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkMessageInfo message, bool isChecked)
@@ -162,12 +172,14 @@ public sealed class MavlinkRouter
     }
 
     /// <summary>
-    /// Returns the links that a frame of our own goes to: to all if it is a broadcast, else where its target was seen. SETUP_SIGNING,
-    /// which carries the key, goes nowhere without a target.
+    /// Returns the links that a frame of our own goes to: to all if it is a broadcast, else where its target was seen.
+    /// SETUP_SIGNING, which carries the key, goes nowhere without a target.
     /// </summary>
     /// <param name="frame">The frame.</param>
     /// <param name="message">The description of its message.</param>
-    /// <returns>Bit n is link n; 0 where the target was not seen on any link that may be sent to, which is counted.</returns>
+    /// <returns>
+    /// Bit n is link n; 0 where the target was not seen on any link that may be sent to, which is counted.
+    /// </returns>
     public ulong RouteOwn(in MavlinkFrame frame, in MavlinkMessageInfo message)
     {
         byte system = frame.TargetSystem(message);

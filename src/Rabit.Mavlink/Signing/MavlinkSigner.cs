@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Signs the frames sent by one link (MAVLink guide, "Message signing"). Allocates nothing. One thread at a time, together with its clock.
-/// Set it as <see cref="MavlinkSender.Signer"/>; the receiver has a <see cref="MavlinkVerifier"/>.
+/// Signs the frames sent by one link (MAVLink guide, "Message signing"). Allocates nothing. One thread at a time,
+/// together with its clock. Set it as <see cref="MavlinkSender.Signer"/>; the receiver has a
+/// <see cref="MavlinkVerifier"/>.
 /// </summary>
 /// <example>
 /// <code>
@@ -42,7 +43,9 @@ public sealed class MavlinkSigner
     /// <param name="frame">The frame, MAVLink 2. A signature that it has is replaced.</param>
     /// <returns>The signed frame.</returns>
     /// <exception cref="ArgumentException">It is not a MAVLink 2 frame: MAVLink 1 has no signatures.</exception>
-    /// <exception cref="InvalidOperationException">The clock was never advanced, or the checksum of the frame is wrong.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The clock was never advanced, or the checksum of the frame is wrong.
+    /// </exception>
     /// <exception cref="ObjectDisposedException">The key was disposed of.</exception>
     public MavlinkFrame Sign(in MavlinkFrame frame)
     {
@@ -53,7 +56,8 @@ public sealed class MavlinkSigner
     /// <summary>Signs a frame of our own. Never sign what others sent: forward it unchanged.</summary>
     /// <param name="frame">The frame, MAVLink 2. A signature that it has is replaced.</param>
     /// <param name="crcExtra">
-    /// CRC_EXTRA of the message: the flag for a signature is part of the checksum. See <see cref="MavlinkMessageInfo.CrcExtra"/>.
+    /// CRC_EXTRA of the message: the flag for a signature is part of the checksum. See
+    /// <see cref="MavlinkMessageInfo.CrcExtra"/>.
     /// </param>
     /// <returns>The signed frame.</returns>
     /// <exception cref="ArgumentException">It is not a MAVLink 2 frame: MAVLink 1 has no signatures.</exception>

@@ -4,13 +4,14 @@ using Rabit.Mavlink.Signing;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The time that signatures carry: tens of microseconds since 2015-01-01 UTC (MAVLink guide, "Message signing"). It never goes
-/// back and never gives a value twice, although wall clocks step and computers restart. One clock per process and key, shared by all its signers
-/// and its verifier; it has no time of its own: <see cref="Advance"/> it once per cycle. One thread at a time.
+/// The time that signatures carry: tens of microseconds since 2015-01-01 UTC (MAVLink guide, "Message signing"). It
+/// never goes back and never gives a value twice, although wall clocks step and computers restart. One clock per
+/// process and key, shared by all its signers and its verifier; it has no time of its own: <see cref="Advance"/> it
+/// once per cycle. One thread at a time.
 /// </summary>
 /// <remarks>
-/// A wall clock that is ahead is followed at once. One that is behind, because it was set back or a computer without a clock
-/// has just started, is waited for: until it has caught up, the signing clock continues at half its speed.
+/// A wall clock that is ahead is followed at once. One that is behind, because it was set back or a computer without a
+/// clock has just started, is waited for: until it has caught up, the signing clock continues at half its speed.
 /// </remarks>
 public sealed class MavlinkSigningClock
 {
@@ -40,7 +41,9 @@ public sealed class MavlinkSigningClock
     private long _last;
     private long _saveAt;
 
-    /// <summary>Makes a clock that nothing is stored of: for a computer whose wall clock can be relied on, and for tests.</summary>
+    /// <summary>
+    /// Makes a clock that nothing is stored of: for a computer whose wall clock can be relied on, and for tests.
+    /// </summary>
     /// <param name="earliest">It does not give a time stamp before this one.</param>
     /// <exception cref="ArgumentOutOfRangeException">Not a number of 48 bits.</exception>
     public MavlinkSigningClock(long earliest = 0)
@@ -91,12 +94,17 @@ public sealed class MavlinkSigningClock
             Store(Timestamp + ReservedTicks, Timestamp + ReservedTicks - RenewBeforeTicks);
     }
 
-    /// <summary>Stores the exact state of the clock. For an orderly shutdown; after it, a restart begins here and not up to 40 s ahead.</summary>
+    /// <summary>
+    /// Stores the exact state of the clock. For an orderly shutdown; after it, a restart begins here and not up to 40 s
+    /// ahead.
+    /// </summary>
     /// <returns>Whether it was stored; false also where there is no store.</returns>
     public bool Save() => _slots is not null && Store(Timestamp + 1, Timestamp);
 
     /// <summary>A time stamp for a frame of ours: later than all before it.</summary>
-    /// <exception cref="InvalidOperationException">The clock was never advanced, or has reached the end of its 48 bits.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The clock was never advanced, or has reached the end of its 48 bits.
+    /// </exception>
     internal long Next()
     {
         if (!_isSet)

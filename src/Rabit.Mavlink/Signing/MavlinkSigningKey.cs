@@ -10,7 +10,8 @@ namespace Rabit.Mavlink;
 
 /// <summary>
 /// The secret that both ends of a signed link know: 32 bytes. They leave it through <see cref="CopyTo"/> and
-/// <see cref="CreateSetup"/> only; no text, exception or debugger view contains them. Safe from any thread until <see cref="Dispose"/>.
+/// <see cref="CreateSetup"/> only; no text, exception or debugger view contains them. Safe from any thread until
+/// <see cref="Dispose"/>.
 /// </summary>
 [DebuggerDisplay("MAVLink signing key")]
 public sealed class MavlinkSigningKey : IDisposable
@@ -27,7 +28,10 @@ public sealed class MavlinkSigningKey : IDisposable
     private bool _isDisposed;
 
     /// <summary>Takes a copy of a key.</summary>
-    /// <param name="secret">32 bytes, not all of them zero: zero is what a key that was never set looks like, and what MAVLink calls "no signing".</param>
+    /// <param name="secret">
+    /// 32 bytes, not all of them zero: zero is what a key that was never set looks like, and what MAVLink calls "no
+    /// signing".
+    /// </param>
     /// <exception cref="ArgumentException">Another length, or all zero.</exception>
     public MavlinkSigningKey(ReadOnlySpan<byte> secret)
     {
@@ -38,7 +42,10 @@ public sealed class MavlinkSigningKey : IDisposable
             throw new ArgumentException("A signing key of zeros is no key.", nameof(secret));
     }
 
-    /// <summary>The key that ground stations make of a pass phrase: SHA-256 of its UTF-8 bytes. No better than the phrase is long.</summary>
+    /// <summary>
+    /// The key that ground stations make of a pass phrase: SHA-256 of its UTF-8 bytes. No better than the phrase is
+    /// long.
+    /// </summary>
     /// <param name="passphrase">The phrase, exactly as given to the other end.</param>
     /// <returns>The key.</returns>
     /// <exception cref="ArgumentException">No phrase.</exception>
@@ -57,7 +64,10 @@ public sealed class MavlinkSigningKey : IDisposable
         return key;
     }
 
-    /// <summary>Whether a frame was signed with this key. Its age is not checked, so a replayed frame matches; <see cref="MavlinkVerifier"/> checks both.</summary>
+    /// <summary>
+    /// Whether a frame was signed with this key. Its age is not checked, so a replayed frame matches;
+    /// <see cref="MavlinkVerifier"/> checks both.
+    /// </summary>
     /// <param name="frame">Any frame.</param>
     /// <returns>False also where it is not signed.</returns>
     /// <exception cref="ObjectDisposedException">The key was disposed of.</exception>
@@ -87,12 +97,15 @@ public sealed class MavlinkSigningKey : IDisposable
     }
 
     /// <summary>
-    /// The message that gives this key to a vehicle. It holds the secret in clear: send it over a cable or another link that cannot be
-    /// intercepted, to one system, and write it into no log. <see cref="MavlinkRouter"/> never forwards it, <see cref="TlogWriter"/> never writes it.
+    /// The message that gives this key to a vehicle. It holds the secret in clear: send it over a cable or another link
+    /// that cannot be intercepted, to one system, and write it into no log. <see cref="MavlinkRouter"/> never forwards
+    /// it, <see cref="TlogWriter"/> never writes it.
     /// </summary>
     /// <param name="targetSystem">The vehicle, 1 to 255.</param>
     /// <param name="targetComponent">Its component, 0 for all of them.</param>
-    /// <param name="initialTimestamp">Where its signing clock begins: <see cref="MavlinkSigningClock.Timestamp"/>.</param>
+    /// <param name="initialTimestamp">
+    /// Where its signing clock begins: <see cref="MavlinkSigningClock.Timestamp"/>.
+    /// </param>
     /// <returns>The message.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The system is 0, which would be a broadcast.</exception>
     /// <exception cref="ObjectDisposedException">The key was disposed of.</exception>
@@ -110,7 +123,9 @@ public sealed class MavlinkSigningKey : IDisposable
         };
     }
 
-    /// <summary>Overwrites the key. Signing or verifying with it afterwards throws an <see cref="ObjectDisposedException"/>.</summary>
+    /// <summary>
+    /// Overwrites the key. Signing or verifying with it afterwards throws an <see cref="ObjectDisposedException"/>.
+    /// </summary>
     public void Dispose()
     {
         _isDisposed = true;

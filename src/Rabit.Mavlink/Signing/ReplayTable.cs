@@ -1,8 +1,9 @@
 namespace Rabit.Mavlink.Signing;
 
 /// <summary>
-/// The newest time stamp of each stream, that is of each system, component and link id. Only frames with a right signature get
-/// in, so that it cannot be filled without the key. Fixed memory; hashed with open addresses; nothing is ever taken out.
+/// The newest time stamp of each stream, that is of each system, component and link id. Only frames with a right
+/// signature get in, so that it cannot be filled without the key. Fixed memory; hashed with open addresses; nothing is
+/// ever taken out.
 /// </summary>
 internal sealed class ReplayTable
 {

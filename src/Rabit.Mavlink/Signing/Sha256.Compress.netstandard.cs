@@ -4,7 +4,8 @@ using System.Runtime.CompilerServices;
 
 namespace Rabit.Mavlink.Signing;
 
-// The compression function for the compilers of .NET Framework and Mono, which do better with loops than with many variables.
+// The compression function for the compilers of .NET Framework and Mono, which do better with loops than with many
+// variables.
 internal static unsafe partial class Sha256
 {
     private const int Rounds = 64;

@@ -5,8 +5,9 @@ using System.Runtime.CompilerServices;
 namespace Rabit.Mavlink.Signing;
 
 /// <summary>
-/// SHA-256 (FIPS 180-4) over bytes in memory, because netstandard2.0 has none without an allocation per call, and the one of .NET calls the
-/// operating system, which takes longer for the two blocks of a usual frame. Constant time: no branch and no look-up depends on the bytes.
+/// SHA-256 (FIPS 180-4) over bytes in memory, because netstandard2.0 has none without an allocation per call, and the
+/// one of .NET calls the operating system, which takes longer for the two blocks of a usual frame. Constant time: no
+/// branch and no look-up depends on the bytes.
 /// </summary>
 internal static unsafe partial class Sha256
 {
@@ -26,7 +27,9 @@ internal static unsafe partial class Sha256
     /// <summary>How much room a message needs with its padding.</summary>
     public static int PaddedLength(int length) => (length + 1 + LengthBytes + BlockLength - 1) / BlockLength * BlockLength;
 
-    /// <summary>Hashes a message that lies at the start of a buffer; what is behind it is overwritten with the padding.</summary>
+    /// <summary>
+    /// Hashes a message that lies at the start of a buffer; what is behind it is overwritten with the padding.
+    /// </summary>
     /// <param name="buffer">At least <see cref="PaddedLength"/> bytes.</param>
     /// <param name="length">Length of the message.</param>
     /// <param name="hash">32 bytes.</param>
@@ -38,7 +41,9 @@ internal static unsafe partial class Sha256
             BinaryPrimitives.WriteUInt32BigEndian(hash.Slice(word * sizeof(uint)), state[word]);
     }
 
-    /// <summary>The same; the first 48 bits of the hash as they would lie in memory, little endian: what MAVLink signs with.</summary>
+    /// <summary>
+    /// The same; the first 48 bits of the hash as they would lie in memory, little endian: what MAVLink signs with.
+    /// </summary>
     public static ulong HashFirst48(Span<byte> buffer, int length)
     {
         uint* state = stackalloc uint[Words];

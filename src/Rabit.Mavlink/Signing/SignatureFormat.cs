@@ -4,8 +4,8 @@ using System.Buffers.Binary;
 namespace Rabit.Mavlink.Signing;
 
 /// <summary>
-/// The 13 bytes behind the checksum of a signed frame (MAVLink guide, "Message signing"): link id, time stamp of 48 bits, and
-/// the first 48 bits of SHA-256 over key, header, payload, checksum, link id and time stamp. Little endian.
+/// The 13 bytes behind the checksum of a signed frame (MAVLink guide, "Message signing"): link id, time stamp of 48
+/// bits, and the first 48 bits of SHA-256 over key, header, payload, checksum, link id and time stamp. Little endian.
 /// </summary>
 internal static class SignatureFormat
 {
@@ -28,7 +28,10 @@ internal static class SignatureFormat
         BinaryPrimitives.WriteUInt16LittleEndian(signature.Slice(LinkIdLength + 4), (ushort)(timestamp >> 32));
     }
 
-    /// <summary>The truncated hash as one number, so that two are compared in one step, which takes the same time wherever they differ.</summary>
+    /// <summary>
+    /// The truncated hash as one number, so that two are compared in one step, which takes the same time wherever they
+    /// differ.
+    /// </summary>
     public static ulong ReadHash(ReadOnlySpan<byte> signature) =>
         BinaryPrimitives.ReadUInt32LittleEndian(signature.Slice(HashOffset)) | ((ulong)BinaryPrimitives.ReadUInt16LittleEndian(signature.Slice(HashOffset + 4)) << 32);
 

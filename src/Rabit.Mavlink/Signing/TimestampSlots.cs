@@ -3,7 +3,10 @@ using System.Buffers.Binary;
 
 namespace Rabit.Mavlink.Signing;
 
-/// <summary>The two stored places of a signing clock: a mark, a time stamp of 48 bits, a number that counts the writes, a check. The newer one that is whole counts.</summary>
+/// <summary>
+/// The two stored places of a signing clock: a mark, a time stamp of 48 bits, a number that counts the writes, a check.
+/// The newer one that is whole counts.
+/// </summary>
 internal sealed class TimestampSlots
 {
     public const int RecordLength = 12;

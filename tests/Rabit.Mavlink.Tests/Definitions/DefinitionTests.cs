@@ -13,7 +13,9 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Definitions;
 
-/// <summary>What a program can learn of messages at run time, against the definition files and against golden.jsonl.</summary>
+/// <summary>
+/// What a program can learn of messages at run time, against the definition files and against golden.jsonl.
+/// </summary>
 public class DefinitionTests
 {
     [Fact]

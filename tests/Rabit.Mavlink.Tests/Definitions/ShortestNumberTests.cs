@@ -61,7 +61,8 @@ public class ShortestNumberTests
         }
     }
 
-    // Mono 6.8 itself reads some texts as the number beside the right one: there the texts are shown to be right by .NET, which writes and reads the same.
+    // Mono 6.8 itself reads some texts as the number beside the right one: there the texts are shown to be right by
+    // .NET, which writes and reads the same.
     private static bool IsReadBack(string text, double value)
     {
         double read = double.Parse(text, CultureInfo.InvariantCulture);
@@ -70,7 +71,8 @@ public class ShortestNumberTests
             || (mayBeTheNeighbour && Math.Abs(BitConverter.DoubleToInt64Bits(read) - BitConverter.DoubleToInt64Bits(value)) == 1);
     }
 
-    // Any bits at all, small whole numbers and short fractions, powers of two (below which the next number is closer), and what is next to them.
+    // Any bits at all, small whole numbers and short fractions, powers of two (below which the next number is closer),
+    // and what is next to them.
     private static IEnumerable<long> DoubleBits(ProtocolRandom random)
     {
         for (int i = 0; i < 20_000; i++)

@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Docs;
 
-/// <summary>The examples in the documentation comments compile, and the types that a user starts from have one.</summary>
+/// <summary>
+/// The examples in the documentation comments compile, and the types that a user starts from have one.
+/// </summary>
 public class ExampleTests
 {
     private static readonly Type[] StartingPoints =

@@ -11,8 +11,9 @@ using Xunit.Abstractions;
 namespace Rabit.Mavlink.Tests.Framing;
 
 /// <summary>
-/// Whatever comes in, the whole way: framing in both modes, signatures, decoding, routing, log reading. No exception, bounded memory and
-/// work, an end. Eleven million bytes in every run; as many more as RABIT_FUZZ_MEGABYTES says (200 if it says nothing) in the longer tests.
+/// Whatever comes in, the whole way: framing in both modes, signatures, decoding, routing, log reading. No exception,
+/// bounded memory and work, an end. Eleven million bytes in every run; as many more as RABIT_FUZZ_MEGABYTES says (200
+/// if it says nothing) in the longer tests.
 /// </summary>
 public class FuzzTests(ITestOutputHelper output)
 {

@@ -6,11 +6,14 @@ using Xunit.Abstractions;
 
 namespace Rabit.Mavlink.Tests.Framing;
 
-/// <summary>The work per byte is bounded, whatever is sent: counted in bytes put through the checksum, not in time.</summary>
+/// <summary>
+/// The work per byte is bounded, whatever is sent: counted in bytes put through the checksum, not in time.
+/// </summary>
 public class ReaderWorkTests(ITestOutputHelper output)
 {
-    // Every place is put through the checksum once at most, so that a byte costs as many steps as claims cover it: fewer than 280 by the
-    // length of a frame, and no pattern is known whose headers lie closer together than every third byte.
+    // Every place is put through the checksum once at most, so that a byte costs as many steps as claims cover it:
+    // fewer than 280 by the length of a frame, and no pattern is known whose headers lie closer together than every
+    // third byte.
     private const int MaxPerByte = 90;
 
     [Fact]
@@ -54,7 +57,8 @@ public class ReaderWorkTests(ITestOutputHelper output)
         return (double)reader.Counters.ChecksumBytes / bytes.Length;
     }
 
-    // Every start byte, length and id of MAVLink 1 in every way to come again soon; and patterns by chance of bytes that mean something in a header.
+    // Every start byte, length and id of MAVLink 1 in every way to come again soon; and patterns by chance of bytes
+    // that mean something in a header.
     private static IEnumerable<byte[]> Patterns()
     {
         int[] ids = MavlinkDialect.All.Messages.Select(message => message.Id).Where(id => id < 256).ToArray();

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Rabit.Mavlink.Tests.Framing;
 
 /// <summary>
-/// The rule written down as plainly as can be, over a whole buffer and without regard to speed: at each byte, is there a frame of
-/// a known id with the right checksum? Then skip it whole, else try the next byte.
+/// The rule written down as plainly as can be, over a whole buffer and without regard to speed: at each byte, is there
+/// a frame of a known id with the right checksum? Then skip it whole, else try the next byte.
 /// </summary>
 internal static class ReferenceScan
 {

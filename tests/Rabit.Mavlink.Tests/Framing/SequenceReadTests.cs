@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Framing;
 
-/// <summary>Bytes in several segments, as a PipeReader has them, give the frames of the same bytes in one piece.</summary>
+/// <summary>
+/// Bytes in several segments, as a PipeReader has them, give the frames of the same bytes in one piece.
+/// </summary>
 public class SequenceReadTests
 {
     [Theory]

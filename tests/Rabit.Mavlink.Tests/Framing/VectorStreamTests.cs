@@ -7,7 +7,10 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Framing;
 
-/// <summary>Streams with damage, garbage, unknown ids and flags: exactly the frames listed beside them, however the bytes are cut.</summary>
+/// <summary>
+/// Streams with damage, garbage, unknown ids and flags: exactly the frames listed beside them, however the bytes are
+/// cut.
+/// </summary>
 public class VectorStreamTests
 {
     private static readonly int[] ChunkLengths = [1, 7, 64, 1000, int.MaxValue];

@@ -192,7 +192,8 @@ public class MavlinkCommandClientTests
         AssertOutcome(MavlinkCommandStatus.Refused, MavResult.TemporarilyRejected);
     }
 
-    // The vehicle executes the first copy, whose IN_PROGRESS was lost, and is busy with it when the later copies arrive.
+    // The vehicle executes the first copy, whose IN_PROGRESS was lost, and is busy with it when the later copies
+    // arrive.
     [Fact]
     public void TemporarilyRejected_FirstSendingUnanswered_IsUnknown()
     {

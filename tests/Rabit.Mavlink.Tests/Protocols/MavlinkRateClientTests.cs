@@ -49,8 +49,9 @@ public class MavlinkRateClientTests
         Assert.InRange(client[0].MeasuredHertz, 9.5, 10.5);
     }
 
-    // What happens: s a restart, a/r/t/p an answer (accepted, refused, temporarily rejected, in progress), w a wait of 0.7 s, . of half of that.
-    // What is sent: message id and confirmation; g and the id for one that was given up, f and the id for one that was refused.
+    // What happens: s a restart, a/r/t/p an answer (accepted, refused, temporarily rejected, in progress), w a wait of
+    // 0.7 s, . of half of that. What is sent: message id and confirmation; g and the id for one that was given up, f
+    // and the id for one that was refused.
     [Theory]
     [InlineData("", "30/0", 0, 0, 0)]
     [InlineData("aaa", "30/0 33/0 1/0", 3, 0, 0)]

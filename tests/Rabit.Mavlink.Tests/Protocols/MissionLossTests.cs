@@ -12,7 +12,8 @@ public class MissionLossTests(ITestOutputHelper output)
 {
     private const int Count = 100;
 
-    // On a link that loses 40 % the retries of the guide are too few for a hundred items; such a link needs other options.
+    // On a link that loses 40 % the retries of the guide are too few for a hundred items; such a link needs other
+    // options.
     private static readonly MavlinkMissionOptions ManyRetries = new() { Retries = 25 };
 
     [Theory]
@@ -120,7 +121,8 @@ public class MissionLossTests(ITestOutputHelper output)
         Assert.False(hasManyRetries && statuses.Keys.Any(key => key.StartsWith("down", StringComparison.Ordinal) && key != "down Done"), "a download with 25 retries never fails");
     }
 
-    // A vehicle that has given the transfer up answers the next item with an error; INVALID_SEQUENCE to a copy is no refusal.
+    // A vehicle that has given the transfer up answers the next item with an error; INVALID_SEQUENCE to a copy is no
+    // refusal.
     private static void AssertFailsCleanly(in MavlinkMissionOutcome up, int lossPercent, string context)
     {
         bool isGivenUp = up.Status == MavlinkMissionStatus.Refused && up.Result == MavMissionResult.Error;

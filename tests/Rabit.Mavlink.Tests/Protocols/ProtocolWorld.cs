@@ -19,7 +19,9 @@ internal sealed class ProtocolWorld(ScriptedVehicle vehicle, int lossPercent, ul
 
     public long FramesUp => _up.Sent;
 
-    /// <summary>Runs until a condition holds. A limit of virtual time and of steps is what "never hangs" means.</summary>
+    /// <summary>
+    /// Runs until a condition holds. A limit of virtual time and of steps is what "never hangs" means.
+    /// </summary>
     /// <returns>Whether it held in time.</returns>
     public bool RunUntil(Func<bool> isOver, HandleFrame handle, TakeFrame take, Func<TimeSpan> nextDue, TimeSpan limit)
     {

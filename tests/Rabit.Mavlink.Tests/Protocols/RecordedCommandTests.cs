@@ -7,7 +7,10 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>The commands of the recorded flights: the results that were acknowledged are the outcomes; heartbeats and clocks as recorded.</summary>
+/// <summary>
+/// The commands of the recorded flights: the results that were acknowledged are the outcomes; heartbeats and clocks as
+/// recorded.
+/// </summary>
 public class RecordedCommandTests
 {
     [Theory]

@@ -8,7 +8,10 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>The recorded transfers of ArduPilot and PX4: the client at their companion's end sends what they asked for and receives what they sent.</summary>
+/// <summary>
+/// The recorded transfers of ArduPilot and PX4: the client at their companion's end sends what they asked for and
+/// receives what they sent.
+/// </summary>
 public class RecordedMissionTests
 {
     [Theory]

@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>Two clocks and a link between them whose delays have a min value and a long tail (a sum of exponentials), each way its own.</summary>
+/// <summary>
+/// Two clocks and a link between them whose delays have a min value and a long tail (a sum of exponentials), each way
+/// its own.
+/// </summary>
 internal sealed class TwoClocks(ulong seed)
 {
     private const double Offset = 7.092;

@@ -8,8 +8,8 @@ using Xunit;
 namespace Rabit.Mavlink.Tests.Routing;
 
 /// <summary>
-/// One row per clause of the guide's "Routing in detail". We are 1/191. Links: 0 autopilot 1/1, 1 ground 255/190, 2 other vehicle
-/// 2/1 and our camera 1/100, 3 a log (receive only, 9/1 was seen on it), 4 quiet.
+/// One row per clause of the guide's "Routing in detail". We are 1/191. Links: 0 autopilot 1/1, 1 ground 255/190, 2
+/// other vehicle 2/1 and our camera 1/100, 3 a log (receive only, 9/1 was seen on it), 4 quiet.
 /// </summary>
 public class MavlinkRouterTests
 {

@@ -36,7 +36,8 @@ public class MavlinkSignerTests
             MavlinkFrame frame = Wire.Single(vector.V2, out _);
             byte[] written = RemakeOf(MessageTypes.ById[vector.Id])(frame, SignerOf(vector));
 
-            // A sender counts from 0, and the lines do not: the sequence number is put right, and the bytes that depend on it are left out.
+            // A sender counts from 0, and the lines do not: the sequence number is put right, and the bytes that depend
+            // on it are left out.
             Assert.Equal(vector.V2Signed.Length, written.Length);
             MavlinkFrame.FromWire(written, out MavlinkFrame signed);
             using MavlinkSigningKey key = Keys.Of(vector.Signing.GetProperty("key"));

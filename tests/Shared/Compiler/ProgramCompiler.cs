@@ -8,8 +8,8 @@ using Microsoft.CodeAnalysis.CSharp;
 namespace Rabit.Tests.Shared;
 
 /// <summary>
-/// Compiles small programs against the assemblies under test, without running them. For projects that reference Microsoft.CodeAnalysis.CSharp: they
-/// compile this file beside <c>tests/Shared/*.cs</c>.
+/// Compiles small programs against the assemblies under test, without running them. For projects that reference
+/// Microsoft.CodeAnalysis.CSharp: they compile this file beside <c>tests/Shared/*.cs</c>.
 /// </summary>
 /// <param name="usings">Namespaces that every program sees.</param>
 /// <param name="assemblies">One type of each assembly that programs may use beside the runtime's own.</param>
