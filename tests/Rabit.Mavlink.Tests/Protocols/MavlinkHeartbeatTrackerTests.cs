@@ -6,46 +6,46 @@ using Xunit;
 namespace Rabit.Mavlink.Tests.Protocols;
 
 /// <summary>Components that are connected, lost, and rebooted.</summary>
-public class MavlinkReceivetbeatTrackerTests
+public class MavlinkHeartbeatTrackerTests
 {
-    private readonly MavlinkReceivetbeatTracker _tracker = new(capacity: 2);
+    private readonly MavlinkHeartbeatTracker _tracker = new(capacity: 2);
     private readonly MavlinkSender _vehicle = new(1, 1);
     private readonly List<MavlinkComponentEvent> _events = [];
 
     [Fact]
     public void Silence_IsALossAfterFiveSecondsAndAReturnLater()
     {
-        Receive(0, new Receivetbeat());
-        Receive(1, new Receivetbeat());
+        Receive(0, new Heartbeat());
+        Receive(1, new Heartbeat());
         Assert.Equal(TimeSpan.FromSeconds(6), _tracker.NextDue);
         Poll(5.9);
         Assert.Equal([MavlinkComponentEvent.Appeared], _events);
         Poll(6);
         Poll(100);
-        Receive(101, new Receivetbeat { CustomMode = 4 });
+        Receive(101, new Heartbeat { CustomMode = 4 });
         Assert.Equal([MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Lost, MavlinkComponentEvent.Returned], _events);
-        Assert.Equal((4u, 3L, false), (_tracker[0].Receivetbeat.CustomMode, _tracker[0].Receivetbeats, _tracker[0].IsLost));
+        Assert.Equal((4u, 3L, false), (_tracker[0].Heartbeat.CustomMode, _tracker[0].Heartbeats, _tracker[0].IsLost));
     }
 
     [Fact]
     public void LossBetweenTwoCalls_IsStillReported()
     {
-        Receive(0, new Receivetbeat());
-        Receive(20, new Receivetbeat());
+        Receive(0, new Heartbeat());
+        Receive(20, new Heartbeat());
         Assert.Equal([MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Lost, MavlinkComponentEvent.Returned], _events);
     }
 
     [Fact]
     public void BootTime_GoesDown_IsAReboot_OvertakingAndTurningRoundAreNot()
     {
-        Receive(0, new Receivetbeat());
+        Receive(0, new Heartbeat());
         Receive(1, new SystemTime { TimeBootMs = uint.MaxValue - 500 });
         Receive(2, new SystemTime { TimeBootMs = 500 });   // 49.7 days are over
-        Receive(4, new Receivetbeat());
-        Receive(8, new Receivetbeat());
+        Receive(4, new Heartbeat());
+        Receive(8, new Heartbeat());
         Receive(10, new Attitude { TimeBootMs = 8500 });
         Receive(10.1, new GlobalPositionInt { TimeBootMs = 7000 });   // overtaken
-        Receive(11, new Receivetbeat());
+        Receive(11, new Heartbeat());
         Receive(11, new SystemTime { TimeUnixUsec = 77, TimeBootMs = 9500 });
         Assert.Equal([MavlinkComponentEvent.Appeared], _events);
         Receive(14, new LocalPositionNed { TimeBootMs = 1200 });
@@ -66,7 +66,7 @@ public class MavlinkReceivetbeatTrackerTests
     [InlineData(0, new uint[] { 0, 0, 0 })]
     public void BootTimes_InTurn_CountTheBoots(int boots, uint[] times)
     {
-        Receive(0, new Receivetbeat());
+        Receive(0, new Heartbeat());
         foreach (uint time in times)
             Receive(1, new SystemTime { TimeBootMs = time });
         Assert.Equal(boots, _tracker[0].Reboots);
@@ -77,7 +77,7 @@ public class MavlinkReceivetbeatTrackerTests
     public void MoreComponentsThanRoom_AreCounted()
     {
         for (byte component = 1; component <= 4; component++)
-            _tracker.Handle(MavlinkFrame.Create(default(Receivetbeat), 1, component, 0), TimeSpan.Zero);
+            _tracker.Handle(MavlinkFrame.Create(default(Heartbeat), 1, component, 0), TimeSpan.Zero);
         Assert.Equal((2, 2L), (_tracker.Count, _tracker.Overflow));
     }
 
