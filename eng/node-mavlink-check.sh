@@ -25,4 +25,4 @@ check() {
 }
 check write "$work" "$golden" tests/data/mavlink/px4-flight.tlog
 (cd "$work" && node check.mjs "$work" "$golden")
-check judge "$work" "$golden"
+check compare "$work" "$golden"

@@ -6,7 +6,9 @@ using System.Text.Json;
 
 namespace Rabit.Mavlink.Speed;
 
-/// <summary>The frames of a file one after another, as a link would carry them, and what is needed to make them again.</summary>
+/// <summary>
+/// The frames of a file one after another, as a link would carry them, and what is needed to make them again.
+/// </summary>
 internal sealed class FrameSet
 {
     private FrameSet(string name, byte[] stream)
@@ -58,7 +60,7 @@ internal sealed class FrameSet
 
     private static void CopyLog(string path, MemoryStream to)
     {
-        var wire = new byte[MavlinkFrame.MaximumWireLength];
+        var wire = new byte[MavlinkFrame.MaxWireLength];
         using FileStream file = File.OpenRead(path);
         var log = new TlogReader(file, MavlinkDialect.All);
         while (log.TryRead(out MavlinkFrame frame, out TlogRecord record))

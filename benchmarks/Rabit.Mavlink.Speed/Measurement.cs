@@ -5,19 +5,16 @@ using System.Reflection;
 namespace Rabit.Mavlink.Speed;
 
 /// <summary>
-/// Measures one thing: the best time of several passes, and what they allocated together. The passes of all that is compared are made
-/// in turn, so that a machine that is slow for a while, or runs at another clock rate, is so for all of them.
+/// Measures one operation: the best time of several passes, and what they allocated together. The passes of all that is
+/// compared are made in turn, so that a machine that is slow for a while, or runs at another clock rate, is so for all
+/// of them.
 /// </summary>
 internal sealed class Measurement(string name, int frames, int bytesOnWire, Action work)
 {
-    public const int Passes = 300;
-
-    // A pass is long enough for the stopwatch, and so short that the best one was not interrupted, even on a busy machine.
+    // A pass is long enough for the stopwatch, and so short that the best one was not interrupted, even on a busy
+    // machine.
     private const double SecondsPerPass = 0.002;
 
-    // The runtime makes its best code aside, for every kind of message by itself: for 300 kinds that has taken 15 s on a busy machine.
-    // So nothing is measured before this long has passed without a gain worth the name.
-    private const double SecondsWithoutGain = 3;
     private const double Gain = 0.98;
 
     // Not in the reference assemblies of net472.
@@ -29,6 +26,14 @@ internal sealed class Measurement(string name, int frames, int bytesOnWire, Acti
 
     public string Name { get; } = name;
 
+    /// <summary>What the C baseline calls the same.</summary>
+    public string? CName { get; init; }
+
+    /// <summary>
+    /// By which factor it may be slower than copy and checksum before it counts as a regression, on .NET and on Mono.
+    /// </summary>
+    public (double Net, double Mono) MaxRatio { get; init; } = (double.PositiveInfinity, double.PositiveInfinity);
+
     public double SecondsPerFrame => _bestSeconds / _callsPerPass / frames;
 
     public double BytesPerSecond => bytesOnWire / (SecondsPerFrame * frames);
@@ -36,18 +41,20 @@ internal sealed class Measurement(string name, int frames, int bytesOnWire, Acti
     /// <summary>Collections of the youngest generation in all passes.</summary>
     public int Collections { get; private set; }
 
-    /// <summary>Allocated in all passes, where the runtime tells.</summary>
+    /// <summary>Allocated in all passes, where the runtime counts it.</summary>
     public long AllocatedBytes { get; private set; }
 
-    /// <summary>Works until the runtime has made its best code of it, and finds out how many calls a pass has time for.</summary>
-    public void Warm()
+    /// <summary>
+    /// Works until the runtime has made its best code of it, and measures how many calls fit into a pass.
+    /// </summary>
+    public void Warm(double secondsWithoutGain)
     {
         var watch = Stopwatch.StartNew();
         int done = 0;
         double best = double.MaxValue;
         double bestAtGain = double.MaxValue;
         double lastGain = 0;
-        while (watch.Elapsed.TotalSeconds < lastGain + SecondsWithoutGain || done < 200)
+        while (watch.Elapsed.TotalSeconds < lastGain + secondsWithoutGain || done < 200)
         {
             double before = watch.Elapsed.TotalSeconds;
             work();

@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Rabit.Mavlink.Speed;
 
-/// <summary>A message of a type that is known at run time only: what a program writes down as a case of a switch.</summary>
+/// <summary>
+/// A message of a type that is known at run time only: what a program writes down as a case of a switch.
+/// </summary>
 internal abstract class SampleMessage
 {
     private static readonly Dictionary<int, Type> Types = typeof(MavlinkFrame).Assembly.GetTypes()

@@ -1,6 +1,6 @@
 // Our side of eng/node-mavlink-check.sh.
 //   NodeMavlinkCheck write FOLDER GOLDEN LOG     writes ours.bin (1000 frames, half of them signed) and flight.bin (the frames of a .tlog)
-//   NodeMavlinkCheck judge FOLDER GOLDEN         reads theirs.bin and node.json, and prints what agrees and how fast each side is
+//   NodeMavlinkCheck compare FOLDER GOLDEN       reads theirs.bin and node.json, and prints what agrees and how fast each side is
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
@@ -22,13 +22,13 @@ JsonElement[] lines = [.. File.ReadLines(args[2])
     .Select(line => JsonDocument.Parse(line).RootElement)
     .Where(line => line.GetProperty("peer").GetString() == "agree")];
 MavlinkFrame[] golden = [.. lines.Select(line => Frames(Convert.FromHexString(line.GetProperty("v2").GetString()!))[0])];
-return args[0] == "write" ? Write(args[3]) : Judge();
+return args[0] == "write" ? Write(args[3]) : Compare();
 
 int Write(string log)
 {
     using FileStream ours = File.Create(Path.Combine(folder, "ours.bin"));
     var sender = new MavlinkSender(7, 191);
-    var buffer = new byte[MavlinkFrame.MaximumWireLength];
+    var buffer = new byte[MavlinkFrame.MaxWireLength];
     for (int index = 0; index < 2 * Half; index++)
     {
         if (index == Half)
@@ -48,7 +48,7 @@ int Write(string log)
     return 0;
 }
 
-int Judge()
+int Compare()
 {
     var faults = new List<string>();
     List<MavlinkFrame> theirs = Frames(File.ReadAllBytes(Path.Combine(folder, "theirs.bin")));

@@ -14,7 +14,7 @@ namespace PackCheck
         {
             MavlinkDialect orchard = OrchardDialect.Instance;
             Require(OrchardFruit.MavlinkId == 70001 && CompanyState.MavlinkId == 70000, "ids above 65535");
-            Require(OrchardFruit.MavlinkMinimumLength == 51 && OrchardFruit.MavlinkMaximumLength == 53, "an extension behind the other fields");
+            Require(OrchardFruit.MavlinkMinLength == 51 && OrchardFruit.MavlinkMaxLength == 53, "an extension behind the other fields");
             Require(orchard.Count == MavlinkDialect.Common.Count + 2 && orchard.Name == "orchard", "two include levels");
 
             // Only what the package does not have is made here.

@@ -6,8 +6,8 @@ using Rabit.Mavlink;
 namespace MavlinkDump;
 
 /// <summary>
-/// Rows for a spreadsheet or a script (RFC 4180): time, system, component, sequence, then a column per field and per element of
-/// an array. Numbers as they are on the wire, without units and names; texts in quotes where they need them.
+/// Rows for a spreadsheet or a script (RFC 4180): time, system, component, sequence, then a column per field and per
+/// element of an array. Numbers as they are on the wire, without units and names; texts in quotes where they need them.
 /// </summary>
 internal sealed class CsvOutput : IDumpOutput
 {

@@ -1,6 +1,6 @@
 namespace MavlinkDump;
 
-/// <summary>What the program tells the shell.</summary>
+/// <summary>The exit codes of the program.</summary>
 internal static class ExitCodes
 {
     /// <summary>The log was read to its end and what was asked for was there.</summary>

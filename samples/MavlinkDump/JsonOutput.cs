@@ -6,8 +6,8 @@ using Rabit.Mavlink;
 namespace MavlinkDump;
 
 /// <summary>
-/// One object per line: time, sender, name, fields as they are on the wire. NaN and the infinities, which JSON does not have,
-/// are null. Of an unknown message the payload is given in hexadecimal digits.
+/// One object per line: time, sender, name, fields as they are on the wire. NaN and the infinities, which JSON does not
+/// have, are null. Of an unknown message the payload is given in hexadecimal digits.
 /// </summary>
 internal sealed class JsonOutput(Stream output) : IDumpOutput
 {

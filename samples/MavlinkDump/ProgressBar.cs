@@ -6,7 +6,7 @@ using Spectre.Console;
 namespace MavlinkDump;
 
 /// <summary>
-/// How far reading has come, on the error output so that the output stays clean: shown for large files, where somebody watches,
+/// How far reading has come, on the error output so that the output stays clean: shown for large files, on a terminal,
 /// and where no lines of ours run over the same screen.
 /// </summary>
 internal sealed class ProgressBar : IDisposable

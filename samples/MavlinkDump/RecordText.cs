@@ -10,7 +10,10 @@ internal static class RecordText
 {
     private const int TicksPerMicrosecond = 10;
 
-    /// <summary>ISO 8601 in UTC, to the microsecond: <c>2026-09-21T14:13:20.000000Z</c>. Written digit by digit, since there are millions.</summary>
+    /// <summary>
+    /// ISO 8601 in UTC, to the microsecond: <c>2026-09-21T14:13:20.000000Z</c>. Written digit by digit, since there are
+    /// millions.
+    /// </summary>
     public static void AppendTime(StringBuilder text, DateTime time)
     {
         AppendNumber(text, time.Year, 4);

@@ -8,7 +8,10 @@ using Rabit.Mavlink.Messages;
 
 namespace MavlinkDump;
 
-/// <summary>Who sent what, how often, and what was lost: the picture of a log on one screen. Its memory grows with the kinds of messages, not with the log.</summary>
+/// <summary>
+/// Who sent what, how often, and what was lost: the picture of a log on one screen. Its memory grows with the kinds of
+/// messages, not with the log.
+/// </summary>
 internal sealed class TableOutput(TextWriter output, string file) : IDumpOutput
 {
     private readonly Dictionary<long, MessageCount> _messages = [];
@@ -26,7 +29,8 @@ internal sealed class TableOutput(TextWriter output, string file) : IDumpOutput
         _firstTime = Math.Min(_firstTime, record.TimeMicroseconds);
         _lastTime = Math.Max(_lastTime, record.TimeMicroseconds);
 
-        // A frame that nobody could check is counted for a sender who is known to exist, since it used up a number of his.
+        // An unchecked frame is counted for a sender that is known to exist, since it used up one of its sequence
+        // numbers.
         if (record.IsChecked || _senders.TryGet(frame.SystemId, frame.ComponentId, out _))
             _senders.Track(frame);
         if (frame.TryDecode(out Heartbeat heartbeat))

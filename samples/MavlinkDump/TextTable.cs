@@ -5,7 +5,10 @@ using System.Linq;
 
 namespace MavlinkDump;
 
-/// <summary>Columns of text, each as wide as its widest cell. Plain characters, so that it may go into a file or another program.</summary>
+/// <summary>
+/// Columns of text, each as wide as its widest cell. Plain characters, so that it may go into a file or another
+/// program.
+/// </summary>
 internal sealed class TextTable
 {
     private const string Gap = "  ";

@@ -84,8 +84,8 @@ public sealed class UavOptions
         if (Links.Contains(null!))
             throw new ArgumentException("A link is null.", parameter);
         int links = Links.Count + OpenLinks.Count;
-        if (links > MavlinkRouter.MaximumLinks)
-            faults.Add($"there are {links} links; at most {MavlinkRouter.MaximumLinks} are possible");
+        if (links > MavlinkRouter.MaxLinks)
+            faults.Add($"there are {links} links; at most {MavlinkRouter.MaxLinks} are possible");
         if (SystemId == 0)
             faults.Add($"{nameof(SystemId)} is 0; it must be 1 to 255");
         if (ComponentId == 0)

@@ -2,7 +2,9 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests;
 
-/// <summary>Tests that count what the whole process does, such as collections: they run when no other test does.</summary>
+/// <summary>
+/// Tests that count what the whole process does, such as collections: they run when no other test does.
+/// </summary>
 [CollectionDefinition(Name, DisableParallelization = true)]
 public sealed class AloneCollection
 {

@@ -4,7 +4,10 @@ using System.Text.Json;
 
 namespace Rabit.Mavlink.Tests;
 
-/// <summary>A dialect made from crc-extra.json alone, so that framing is tested without the generated messages. It knows no address fields.</summary>
+/// <summary>
+/// A dialect made from crc-extra.json alone, so that framing is tested without the generated messages. It knows no
+/// address fields.
+/// </summary>
 internal static class CrcExtraDialect
 {
     public static MavlinkDialect All { get; } = Read();

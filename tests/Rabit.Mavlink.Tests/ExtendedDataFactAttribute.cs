@@ -4,7 +4,10 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests;
 
-/// <summary>A test that needs the larger vectors, which are not part of the repository: a folder shared/vectors/mavlink beside it.</summary>
+/// <summary>
+/// A test that needs the larger vectors, which are not part of the repository: a folder shared/vectors/mavlink beside
+/// it.
+/// </summary>
 [AttributeUsage(AttributeTargets.Method)]
 internal sealed class ExtendedDataFactAttribute : FactAttribute
 {

@@ -76,7 +76,7 @@ internal sealed class Ground : IDisposable
     public void Send<T>(in T message, byte system = SystemId, byte component = ComponentId)
         where T : struct, IMavlinkMessage
     {
-        byte[] bytes = new byte[MavlinkFrame.MaximumWireLength];
+        byte[] bytes = new byte[MavlinkFrame.MaxWireLength];
         int length = MavlinkFrame.Create(message, system, component, _sequence++).WriteTo(bytes);
         _pair.B.Write(bytes, 0, length);
     }

@@ -11,7 +11,7 @@ internal static class Allocated
         .GetMethod("GetAllocatedBytesForCurrentThread", BindingFlags.Public | BindingFlags.Static)?
         .CreateDelegate(typeof(Func<long>));
 
-    /// <summary>Whether this runtime can tell.</summary>
+    /// <summary>Whether this runtime counts the bytes of a thread.</summary>
     public static bool CanTell
     {
         get
@@ -22,10 +22,13 @@ internal static class Allocated
         }
     }
 
-    /// <summary>Bytes allocated by a piece of work that has run before, so that the runtime has loaded what it needs; 0 where it cannot tell.</summary>
+    /// <summary>
+    /// Bytes allocated by a piece of work that has run before, so that the runtime has loaded what it needs; 0 where it
+    /// does not count them.
+    /// </summary>
     /// <remarks>
-    /// A collection in between, which any test beside this one may cause, closes this thread's allocation buffer and books what was
-    /// left of it. Such a measurement says nothing and is made again.
+    /// A collection in between, which any test beside this one may cause, closes this thread's allocation buffer and
+    /// counts what was left of it. Such a measurement says nothing and is made again.
     /// </remarks>
     /// <param name="work">The work; it may be done several times.</param>
     /// <param name="prepare">What must be done before each time, outside the measurement.</param>

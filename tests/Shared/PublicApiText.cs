@@ -11,8 +11,8 @@ using Xunit;
 namespace Rabit.Tests.Shared;
 
 /// <summary>
-/// The public surface of an assembly as text, one line for each type and member, so that a change of it is seen in review. The
-/// text is the same for every target framework.
+/// The public surface of an assembly as text, one line for each type and member, so that a change of it is seen in
+/// review. The text is the same for every target framework.
 /// </summary>
 internal static class PublicApiText
 {

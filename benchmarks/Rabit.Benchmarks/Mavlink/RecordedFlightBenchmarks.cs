@@ -21,7 +21,7 @@ public class RecordedFlightBenchmarks
     public void MakeStream()
     {
         using var stream = new MemoryStream();
-        var wire = new byte[MavlinkFrame.MaximumWireLength];
+        var wire = new byte[MavlinkFrame.MaxWireLength];
         var log = new TlogReader(new MemoryStream(_log), MavlinkDialect.All);
         while (log.TryRead(out MavlinkFrame frame, out _))
             stream.Write(wire, 0, frame.WriteTo(wire));

@@ -9,7 +9,7 @@ internal sealed class WireMessage<T>
 {
     private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All);
     private readonly byte[] _wire;
-    private readonly byte[] _buffer = new byte[MavlinkFrame.MaximumWireLength];
+    private readonly byte[] _buffer = new byte[MavlinkFrame.MaxWireLength];
     private readonly T _message;
     private byte _sequence;
 

@@ -48,8 +48,8 @@ internal sealed class MessageEmitter
         Constant("int", "MavlinkId", Number(_message.Id), $"Message id: {_message.Id}.");
         Constant("string", "MavlinkName", $"\"{_message.Name}\"", "Name in the definition.");
         Constant("byte", "MavlinkCrcExtra", Number(_message.CrcExtra), "The byte that ends the checksum.");
-        Constant("byte", "MavlinkMinimumLength", Number(_message.MinimumLength), "Payload bytes without extension fields.");
-        Constant("byte", "MavlinkMaximumLength", Number(_message.MaximumLength), "Payload bytes with extension fields.");
+        Constant("byte", "MavlinkMinLength", Number(_message.MinimumLength), "Payload bytes without extension fields.");
+        Constant("byte", "MavlinkMaxLength", Number(_message.MaximumLength), "Payload bytes with extension fields.");
     }
 
     private void Constant(string type, string name, string value, string doc)
@@ -74,8 +74,8 @@ internal sealed class MessageEmitter
         _writer.Blank();
         _writer.Line("int IMavlinkMessage.MessageId { get { return MavlinkId; } }");
         _writer.Line("byte IMavlinkMessage.CrcExtra { get { return MavlinkCrcExtra; } }");
-        _writer.Line("int IMavlinkMessage.MinimumLength { get { return MavlinkMinimumLength; } }");
-        _writer.Line("int IMavlinkMessage.MaximumLength { get { return MavlinkMaximumLength; } }");
+        _writer.Line("int IMavlinkMessage.MinLength { get { return MavlinkMinLength; } }");
+        _writer.Line("int IMavlinkMessage.MaxLength { get { return MavlinkMaxLength; } }");
     }
 
     private void EmitEncode()
@@ -102,8 +102,8 @@ internal sealed class MessageEmitter
 
     private void EmitLengthCheck()
     {
-        _writer.Line("if (payload.Length < MavlinkMaximumLength)");
-        _writer.Line("    MavlinkPayload.ThrowTooShort(nameof(payload), MavlinkName, MavlinkMaximumLength, payload.Length);");
+        _writer.Line("if (payload.Length < MavlinkMaxLength)");
+        _writer.Line("    MavlinkPayload.ThrowTooShort(nameof(payload), MavlinkName, MavlinkMaxLength, payload.Length);");
     }
 
     private string Write(FieldDefinition field, int offset)

@@ -13,7 +13,7 @@ internal static class PropertyNames
 {
     private static readonly HashSet<string> Reserved = new(StringComparer.Ordinal)
     {
-        "MavlinkId", "MavlinkName", "MavlinkCrcExtra", "MavlinkMinimumLength", "MavlinkMaximumLength", "Encode", "Decode",
+        "MavlinkId", "MavlinkName", "MavlinkCrcExtra", "MavlinkMinLength", "MavlinkMaxLength", "Encode", "Decode",
         "Equals", "GetHashCode", "GetType", "ToString", "Finalize", "MemberwiseClone", "ReferenceEquals",
     };
 

@@ -1,11 +1,11 @@
 using System;
 using System.Buffers.Binary;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Framing;
 
 /// <summary>
-/// Puts messages on the wire (MAVLink guide, "Packet serialization"), straight into the bytes they are sent from. Messages come by
-/// reference, though they are only read: a call on one that must not change would copy it first.
+/// Puts messages on the wire (MAVLink guide, "Packet serialization"), straight into the bytes they are sent from.
+/// Messages come by reference, though they are only read: a call on one that must not change would copy it first.
 /// </summary>
 internal static class FrameEncoder
 {
@@ -23,17 +23,19 @@ internal static class FrameEncoder
 
     /// <summary>Writes the payload.</summary>
     /// <param name="fields">The message.</param>
-    /// <param name="version">MAVLink 2 cuts trailing zeros but keeps one byte; MAVLink 1 sends what is no extension, in full.</param>
+    /// <param name="version">
+    /// MAVLink 2 cuts trailing zeros but keeps one byte; MAVLink 1 sends what is no extension, in full.
+    /// </param>
     /// <param name="payload">Room for all fields; zero behind those that are sent.</param>
     /// <returns>How many bytes are sent.</returns>
     public static int EncodePayload<T>(ref T fields, MavlinkVersion version, Span<byte> payload)
         where T : struct, IMavlinkMessage
     {
         fields.Encode(payload);
-        int length = fields.MaximumLength;
+        int length = fields.MaxLength;
         if (version == MavlinkVersion.V1)
         {
-            int sent = fields.MinimumLength;
+            int sent = fields.MinLength;
             payload.Slice(sent, length - sent).Clear();
             return sent;
         }

@@ -1,8 +1,8 @@
 using System;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Framing;
 
-/// <summary>What stands in the header of a frame of our own beside the message.</summary>
+/// <summary>The fields of the header of a frame of our own, without those of the message.</summary>
 internal readonly struct FrameHeader(MavlinkVersion version, byte systemId, byte componentId, byte sequence)
 {
     public MavlinkVersion Version { get; } = version;

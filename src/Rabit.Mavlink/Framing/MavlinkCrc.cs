@@ -5,31 +5,35 @@ using System.Runtime.InteropServices;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The checksum of MAVLink: CRC-16/MCRF4XX, that is X.25 without the final inversion: polynomial 0x1021 reflected
-/// (0x8408), start value 0xFFFF (MAVLink guide, "Checksum"; ITU-T X.25, 2.2.7.4). Safe from any thread.
+/// The checksum of MAVLink, without its last byte CRC_EXTRA: CRC-16/MCRF4XX, that is X.25 without the final inversion:
+/// polynomial 0x1021 reflected (0x8408), start value 0xFFFF (MAVLink guide, "Checksum"; ITU-T X.25, 2.2.7.4). Safe from
+/// any thread.
 /// </summary>
 public static class MavlinkCrc
 {
     private const int ReflectedPolynomial = 0x8408;
 
-    // Bytes taken in at once: a checksum is linear, so that what each byte of a block adds to it is looked up by itself
-    // ("slicing"), and the look-ups do not wait for one another as they do byte by byte.
+    // Bytes added at once ("slicing by 8"): a checksum is linear, so that the contribution of each byte of a block is
+    // looked up separately, and the look-ups do not wait for one another as they do byte by byte.
     private const int Block = 8;
     private const int TableLength = 256;
 
-    // [256 n + b]: what byte b adds when n bytes follow it in its block.
+    // [256 n + b]: the contribution of byte b when n bytes follow it in its block.
     private static readonly ushort[] Tables = MakeTables();
+
+    // The byte whose table entry has this upper byte; the upper bytes are all different.
+    private static readonly byte[] ByteOfUpperByte = InvertTable();
 
     /// <summary>What a checksum starts from.</summary>
     public const ushort Initial = 0xFFFF;
 
-    /// <summary>Takes one more byte into a checksum.</summary>
+    /// <summary>Adds a byte to a checksum.</summary>
     /// <param name="crc">The checksum so far; <see cref="Initial"/> at first.</param>
     /// <param name="value">The next byte.</param>
     /// <returns>The checksum with the byte.</returns>
     public static ushort Add(ushort crc, byte value) => (ushort)((crc >> 8) ^ Tables[(byte)(crc ^ value)]);
 
-    /// <summary>Takes more bytes into a checksum.</summary>
+    /// <summary>Adds bytes to a checksum.</summary>
     /// <param name="crc">The checksum so far; <see cref="Initial"/> at first.</param>
     /// <param name="bytes">The next bytes, in wire order.</param>
     /// <returns>The checksum with the bytes.</returns>
@@ -43,7 +47,10 @@ public static class MavlinkCrc
         return position == bytes.Length ? (ushort)sum : AddLast(sum, LastOf(ref start, bytes.Length, position), 8 * (bytes.Length - position));
     }
 
-    /// <summary>The checksum of a frame: its bytes without the magic, then the byte that stands for the fields of its message.</summary>
+    /// <summary>
+    /// The checksum of a frame: its bytes without the start byte, then CRC_EXTRA, the byte that is computed from the
+    /// fields of its message.
+    /// </summary>
     /// <param name="bytes">From the payload length to the end of the payload.</param>
     /// <param name="crcExtra">See <see cref="IMavlinkMessage.CrcExtra"/>.</param>
     internal static ushort OfFrame(ReadOnlySpan<byte> bytes, byte crcExtra)
@@ -59,6 +66,27 @@ public static class MavlinkCrc
         return AddLast(sum, LastOf(ref start, bytes.Length, position) | ((ulong)crcExtra << left), left + 8);
     }
 
+    /// <summary>Finds CRC_EXTRA, the last byte that gave a checksum.</summary>
+    /// <param name="before">The checksum without it.</param>
+    /// <param name="checksum">The checksum with it.</param>
+    /// <param name="crcExtra">The byte.</param>
+    /// <returns>False where no byte gives that checksum.</returns>
+    internal static bool TryFindExtra(ushort before, ushort checksum, out byte crcExtra)
+    {
+        int entry = checksum ^ (before >> 8);
+        byte index = ByteOfUpperByte[entry >> 8];
+        crcExtra = (byte)(index ^ before);
+        return Tables[index] == entry;
+    }
+
+    private static byte[] InvertTable()
+    {
+        var inverse = new byte[TableLength];
+        for (int value = 0; value < TableLength; value++)
+            inverse[Tables[value] >> 8] = (byte)value;
+        return inverse;
+    }
+
     private static ushort AddByByte(ushort crc, ReadOnlySpan<byte> bytes)
     {
         foreach (byte value in bytes)
@@ -66,7 +94,7 @@ public static class MavlinkCrc
         return crc;
     }
 
-    // Takes in whole blocks, and says how far it came.
+    // Adds whole blocks, and returns the position behind them.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int AddBlocks(ref byte start, int length, ref uint sum)
     {
@@ -79,12 +107,13 @@ public static class MavlinkCrc
         return position;
     }
 
-    // The 0 to 7 bytes behind the last whole block, as a number: read together with those before them, which are shifted out.
+    // The 0 to 7 bytes behind the last whole block, as a number: read together with those before them, which are
+    // shifted out.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ulong LastOf(ref byte start, int length, int position) =>
         (Unsafe.ReadUnaligned<ulong>(ref Unsafe.Add(ref start, length - Block)) >> 1) >> (63 - (8 * (length - position)));
 
-    // Takes in 1 to 8 bytes: put to the end of a block, since zeros before them add nothing.
+    // Adds 1 to 8 bytes: moved to the end of a block, since zeros before them contribute nothing.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ushort AddLast(uint sum, ulong last, int bits)
     {

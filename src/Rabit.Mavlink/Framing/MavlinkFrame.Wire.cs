@@ -1,13 +1,17 @@
 using System;
 using System.Buffers;
 using System.Runtime.CompilerServices;
+using Rabit.Mavlink.Framing;
 
 namespace Rabit.Mavlink;
 
 // The wire form: from bytes, to bytes, and from a message.
 public unsafe partial struct MavlinkFrame
 {
-    /// <summary>Makes a frame of a message, with its checksum, unsigned. Allocates nothing. <see cref="MavlinkSender"/> does this and counts.</summary>
+    /// <summary>
+    /// Makes a frame of a message, with its checksum, unsigned. Allocates nothing. <see cref="MavlinkSender"/> does
+    /// this and counts.
+    /// </summary>
     /// <typeparam name="T">The message.</typeparam>
     /// <param name="message">The fields to send.</param>
     /// <param name="systemId">Our system id, 1 to 255.</param>
@@ -15,10 +19,11 @@ public unsafe partial struct MavlinkFrame
     /// <param name="sequence">Our frame counter: one more than in the frame before, modulo 256, per sender.</param>
     /// <param name="version">
     /// <see cref="MavlinkVersion.V2"/> sends extension fields and cuts trailing zeros, but keeps one byte;
-    /// <see cref="MavlinkVersion.V1"/> sends exactly the fields that are no extensions (MAVLink guide, "Packet serialization").
+    /// <see cref="MavlinkVersion.V1"/> sends exactly the fields that are no extensions (MAVLink guide, "Packet
+    /// serialization").
     /// </param>
     /// <returns>The frame.</returns>
-    /// <exception cref="ArgumentException">MAVLink 1 was asked for and the message id is above 255.</exception>
+    /// <exception cref="ArgumentException">The version is MAVLink 1 and the message id is above 255.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The version is neither 1 nor 2.</exception>
     public static MavlinkFrame Create<T>(in T message, byte systemId, byte componentId, byte sequence, MavlinkVersion version = MavlinkVersion.V2)
         where T : struct, IMavlinkMessage
@@ -37,10 +42,28 @@ public unsafe partial struct MavlinkFrame
         return frame;
     }
 
-    /// <summary>The same message with another sequence number, with the checksum for it, unsigned. For whoever gives frames of our own their numbers.</summary>
+    /// <summary>
+    /// The same message with another sequence number, with the checksum for it, unsigned. For numbering frames of our
+    /// own.
+    /// </summary>
+    /// <remarks>
+    /// CRC_EXTRA needs no dialect: it follows from the checksum that the frame has, which is valid unless the id is
+    /// unknown.
+    /// </remarks>
     /// <param name="sequence">The number.</param>
-    /// <param name="crcExtra">The checksum byte of the message; see <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
-    /// <returns>The frame; a signature, which would not hold any more, is dropped.</returns>
+    /// <returns>The frame; a signature, which would not be valid any more, is removed.</returns>
+    /// <exception cref="InvalidOperationException">
+    /// The checksum of the frame is wrong, or it is <c>default</c>.
+    /// </exception>
+    public readonly MavlinkFrame WithSequence(byte sequence) => WithSequence(sequence, FindCrcExtra());
+
+    /// <summary>
+    /// The same message with another sequence number, with the checksum for it, unsigned. For numbering frames of our
+    /// own.
+    /// </summary>
+    /// <param name="sequence">The number.</param>
+    /// <param name="crcExtra">CRC_EXTRA of the message; see <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
+    /// <returns>The frame; a signature, which would not be valid any more, is removed.</returns>
     public readonly MavlinkFrame WithSequence(byte sequence, byte crcExtra)
     {
         MavlinkFrame frame = this;
@@ -49,8 +72,19 @@ public unsafe partial struct MavlinkFrame
         return frame;
     }
 
-    /// <summary>The same frame unsigned, with the checksum for it: what the MAVLink guide ("Message signing", Logging) wants in a log.</summary>
-    /// <param name="crcExtra">The checksum byte of the message; see <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
+    /// <summary>
+    /// The same frame unsigned, with the checksum for it: the form that the MAVLink guide ("Message signing", Logging)
+    /// wants in a log.
+    /// </summary>
+    /// <returns>The frame.</returns>
+    /// <exception cref="InvalidOperationException">The frame is signed and its checksum is wrong.</exception>
+    public readonly MavlinkFrame WithoutSignature() => IsSigned ? WithoutSignature(FindCrcExtra()) : this;
+
+    /// <summary>
+    /// The same frame unsigned, with the checksum for it: the form that the MAVLink guide ("Message signing", Logging)
+    /// wants in a log.
+    /// </summary>
+    /// <param name="crcExtra">CRC_EXTRA of the message; see <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
     /// <returns>The frame.</returns>
     public readonly MavlinkFrame WithoutSignature(byte crcExtra)
     {
@@ -60,7 +94,7 @@ public unsafe partial struct MavlinkFrame
         return frame;
     }
 
-    /// <summary>Writes the frame as it goes over the wire; a received frame gives the bytes that came in.</summary>
+    /// <summary>Writes the frame as it is on the wire; of a received frame these are the bytes received.</summary>
     /// <param name="destination">At least <see cref="WireLength"/> bytes.</param>
     /// <returns>How many bytes were written: <see cref="WireLength"/>.</returns>
     /// <exception cref="ArgumentException">The span is too short.</exception>
@@ -80,7 +114,7 @@ public unsafe partial struct MavlinkFrame
         return length;
     }
 
-    /// <summary>Writes the frame as it goes over the wire into a buffer that grows.</summary>
+    /// <summary>Writes the frame as it is on the wire into a buffer that grows.</summary>
     /// <param name="destination">The buffer, moved on behind the frame.</param>
     /// <returns>How many bytes were written: <see cref="WireLength"/>.</returns>
     /// <exception cref="ArgumentNullException">No buffer.</exception>
@@ -96,7 +130,7 @@ public unsafe partial struct MavlinkFrame
         return length;
     }
 
-    /// <summary>Takes a frame from its bytes, which the caller has judged to be one.</summary>
+    /// <summary>Makes a frame of its bytes, which the caller has validated.</summary>
     /// <param name="wire">The whole frame and nothing else.</param>
     /// <param name="frame">The frame.</param>
     internal static void FromWire(ReadOnlySpan<byte> wire, out MavlinkFrame frame)
@@ -133,6 +167,30 @@ public unsafe partial struct MavlinkFrame
             else
                 Unsafe.InitBlockUnaligned(signature, 0, WireFormat.SignatureLength);
         }
+    }
+
+    /// <summary>
+    /// Makes it no frame. Only what makes it one is cleared, not the payload behind it, which no member shows any more:
+    /// a reader that is fed byte by byte does this for every byte.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void Clear(out MavlinkFrame frame)
+    {
+        Unsafe.SkipInit(out frame);
+        frame._checksum = 0;
+        Unsafe.WriteUnaligned(ref frame._wire[0], 0UL);
+        Unsafe.WriteUnaligned(ref frame._wire[sizeof(ulong)], (ushort)0);
+    }
+
+    /// <summary>Computes CRC_EXTRA, the last byte of the checksum, from the checksum that the frame has.</summary>
+    /// <exception cref="InvalidOperationException">No value of CRC_EXTRA gives that checksum: it is wrong.</exception>
+    internal readonly byte FindCrcExtra()
+    {
+        if (_wire[0] == 0)
+            throw new InvalidOperationException("The frame is empty: it has no message.");
+        if (!MavlinkCrc.TryFindExtra(ChecksumBeforeExtra(), _checksum, out byte crcExtra))
+            throw new InvalidOperationException($"The checksum of the frame is wrong, so that its CRC_EXTRA is unknown: {this}.");
+        return crcExtra;
     }
 
     /// <summary>Makes room for a signature: sets the flag, and the checksum with it.</summary>
@@ -193,16 +251,18 @@ public unsafe partial struct MavlinkFrame
         }
     }
 
-    private readonly ushort ComputeChecksum(byte crcExtra)
+    private readonly ushort ComputeChecksum(byte crcExtra) => MavlinkCrc.Add(ChecksumBeforeExtra(), crcExtra);
+
+    private readonly ushort ChecksumBeforeExtra()
     {
         if (_wire[0] == WireFormat.MagicV2)
         {
             fixed (byte* wire = _wire)
-                return MavlinkCrc.OfFrame(new ReadOnlySpan<byte>(wire + 1, WireFormat.HeaderLengthV2 - 1 + wire[1]), crcExtra);
+                return MavlinkCrc.Add(MavlinkCrc.Initial, new ReadOnlySpan<byte>(wire + 1, WireFormat.HeaderLengthV2 - 1 + wire[1]));
         }
 
         Span<byte> bytes = stackalloc byte[WireFormat.HeaderLengthV1 + WireFormat.MaxPayloadLength];
         int length = WriteHeaderAndPayload(bytes);
-        return MavlinkCrc.OfFrame(bytes.Slice(1, length - 1), crcExtra);
+        return MavlinkCrc.Add(MavlinkCrc.Initial, bytes.Slice(1, length - 1));
     }
 }

@@ -1,6 +1,6 @@
 namespace Rabit.Mavlink;
 
-/// <summary>What a reader knows of a frame beside its bytes. A plain value.</summary>
+/// <summary>What a <see cref="MavlinkFrameReader"/> found out about a frame beside its bytes. A plain value.</summary>
 public readonly struct MavlinkFrameInfo
 {
     internal MavlinkFrameInfo(long streamOffset, bool isChecked, in MavlinkMessageInfo message)
@@ -14,8 +14,8 @@ public readonly struct MavlinkFrameInfo
     public long StreamOffset { get; }
 
     /// <summary>
-    /// Whether the dialect knows the id, so that the checksum was checked and is right. A frame that is not checked may be
-    /// forwarded, nothing more: neither its content nor its source is certain.
+    /// Whether the dialect knows the id, so that the checksum was checked and is right. A frame that is not checked may
+    /// be forwarded, nothing more: neither its content nor its source is certain.
     /// </summary>
     public bool IsChecked { get; }
 

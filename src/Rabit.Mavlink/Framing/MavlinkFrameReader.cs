@@ -1,27 +1,37 @@
 using System;
+using System.Buffers;
+using System.Runtime.CompilerServices;
+using Rabit.Mavlink.Framing;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Finds the frames in a byte stream, however it is cut into chunks, and loses none that is intact: a place that only looked
-/// like a frame costs one byte, not the frames behind it. Fixed memory, nothing allocated per frame, bounded work per byte
-/// (docs/decisions/0003-frame-reader.md says how). One reader per link; one thread at a time.
+/// Finds the frames in a byte stream, however it is divided into chunks, and resynchronises after damage without losing
+/// an intact frame: a false start byte costs one byte, not the frames behind it. Fixed memory, nothing allocated per
+/// frame, bounded work per byte (docs/decisions/0003-frame-reader.md). One reader per link; one thread at a time.
 /// </summary>
 /// <example>
 /// <code>
-/// ReadOnlySpan&lt;byte&gt; bytes = received;
-/// while (reader.TryRead(ref bytes, out MavlinkFrame frame, out MavlinkFrameInfo info))
-///     if (info.IsChecked &amp;&amp; frame.TryDecode(out Heartbeat heartbeat)) ...
+/// var reader = new MavlinkFrameReader(MavlinkDialect.Common);
+///
+/// static void Receive(MavlinkFrameReader reader, ReadOnlySpan&lt;byte&gt; bytes)
+/// {
+///     while (reader.TryRead(ref bytes, out MavlinkFrame frame, out MavlinkFrameInfo info))
+///     {
+///         if (info.IsChecked &amp;&amp; frame.TryDecode(out Heartbeat heartbeat))
+///             Console.WriteLine($"{frame.SystemId}/{frame.ComponentId}: {heartbeat.SystemStatus}");
+///     }
+/// }
 /// </code>
 /// </example>
 public sealed partial class MavlinkFrameReader
 {
-    // A frame that cannot be checked waits for all that could begin inside it: two longest frames are the most ever held
-    // back. The rest of the buffer is there so that what is held back is moved to its front seldom.
+    // A frame that cannot be checked waits for all that could begin inside it: two frames of maximal length are the
+    // most ever held back. The rest of the buffer is there so that what is held back is moved to its front seldom.
     private const int BufferLength = 4096;
 
     private readonly MessageTable _messages;
-    private readonly MavlinkResync _resync;
+    private readonly MavlinkInvalidFramePolicy _policy;
     private readonly byte[] _buffer = new byte[BufferLength];
 
     // The bytes held: [_start, _end). _bufferOffset is the stream offset of _buffer[0].
@@ -29,11 +39,13 @@ public sealed partial class MavlinkFrameReader
     private int _end;
     private long _bufferOffset;
 
-    // Stream offset right behind the last frame: what begins here needs no other sign that it is one.
-    private long _boundary;
-
-    // With fewer bytes held there is nothing to judge: the frame that seems to begin here has not arrived. Zero: have a look.
+    // With fewer bytes held nothing can be decided: the frame that seems to begin at _start has not arrived. Zero: not
+    // parsed yet.
     private int _needed;
+
+    // More bytes than this have to be appended before there is anything to decide; zero: unknown. For single bytes,
+    // which are the most calls.
+    private int _missing;
 
     private long _skippedBytes;
     private long _frames;
@@ -45,15 +57,16 @@ public sealed partial class MavlinkFrameReader
 
     /// <summary>Makes a reader.</summary>
     /// <param name="dialect">The messages it can check. Ids outside it are delivered unchecked.</param>
-    /// <param name="resync">Where it goes on after bytes that only looked like a frame.</param>
+    /// <param name="invalidFrames">Where it continues after an invalid frame.</param>
     /// <exception cref="ArgumentNullException">No dialect.</exception>
-    public MavlinkFrameReader(MavlinkDialect dialect, MavlinkResync resync = MavlinkResync.NextByte)
+    public MavlinkFrameReader(
+        MavlinkDialect dialect, MavlinkInvalidFramePolicy invalidFrames = MavlinkInvalidFramePolicy.NextByte)
     {
         _messages = (dialect ?? throw new ArgumentNullException(nameof(dialect))).Table;
-        _resync = resync;
+        _policy = invalidFrames;
     }
 
-    /// <summary>What it has seen so far.</summary>
+    /// <summary>What it has read so far.</summary>
     public MavlinkReaderCounters Counters => new()
     {
         Bytes = _bufferOffset + _end,
@@ -66,95 +79,142 @@ public sealed partial class MavlinkFrameReader
         ChecksumBytes = _checksumBytes,
     };
 
-    /// <summary>How many bytes wait for more before they can be judged; at most 560.</summary>
+    /// <summary>How many bytes are held back until more arrive; at most 560.</summary>
     public int PendingBytes => _end - _start;
 
-    /// <summary>Takes the next frame out of the stream. Call it until it returns false: then all bytes given have been taken in.</summary>
-    /// <param name="bytes">The next bytes of the stream; moved on behind those that were taken in.</param>
+    /// <summary>
+    /// Reads the next frame of the stream. Call it until it returns false: then all bytes given have been consumed.
+    /// </summary>
+    /// <param name="bytes">The next bytes of the stream; moved behind those that were consumed.</param>
     /// <param name="frame">The frame; <c>default</c> where there is none.</param>
     /// <param name="info">Where it began, and whether it was checked.</param>
     /// <returns>Whether there was a frame.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryRead(ref ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
-        while (true)
-        {
-            bool isFalse = false;
-            FrameCandidate candidate;
-            if (_start == _end)
-            {
-                if (TryFindInPlace(ref bytes, out candidate, out isFalse))
-                {
-                    Deliver(candidate, bytes, out frame, out info);
-                    PassInPlace(ref bytes, candidate.Length);
-                    _boundary = _bufferOffset + _start;
-                    return true;
-                }
+        if (bytes.Length >= _missing)
+            return TryReadNext(ref bytes, out frame, out info);
 
-                _needed = NeededToJudge(candidate);
-            }
-
-            if (_end - _start >= _needed && TryFind(isLast: false, out candidate))
-            {
-                Take(candidate, out frame, out info);
-                return true;
-            }
-
-            if (bytes.IsEmpty)
-                break;
-            Fill(ref bytes);
-            if (isFalse)
-                _probed = _start + 1;
-        }
-
-        frame = default;
+        // The common case of single bytes and small chunks: the frame that has begun is still incomplete. Inlined, and
+        // apart from the rest, whose many variables would cost more than all of this.
+        _missing -= bytes.Length;
+        Append(bytes);
+        bytes = default;
+        MavlinkFrame.Clear(out frame);
         info = default;
         return false;
     }
 
     /// <summary>
-    /// Judges what still waits as if the stream ended here, and takes the next frame out of it. Call it until it returns false:
-    /// then nothing waits any more. For the end of a file or datagram, or a link that was closed or fell silent; without it, what
-    /// looks like the start of a long frame holds back what is behind it until enough bytes have come.
+    /// Reads the next frame of a stream whose bytes lie in several segments, such as the buffer of a <c>PipeReader</c>.
+    /// Call it until it returns false: then all bytes given have been consumed, and the pipe may be advanced to the end
+    /// of its buffer.
+    /// </summary>
+    /// <param name="bytes">The next bytes of the stream; moved behind those that were consumed.</param>
+    /// <param name="frame">The frame; <c>default</c> where there is none.</param>
+    /// <param name="info">Where it began, and whether it was checked.</param>
+    /// <returns>Whether there was a frame.</returns>
+    public bool TryRead(ref ReadOnlySequence<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
+    {
+        while (true)
+        {
+            ReadOnlySpan<byte> segment = bytes.First.Span;
+            int length = segment.Length;
+            bool hasFrame = TryRead(ref segment, out frame, out info);
+            bytes = bytes.Slice(length - segment.Length);
+            if (hasFrame || bytes.IsEmpty)
+                return hasFrame;
+        }
+    }
+
+    /// <summary>
+    /// Validates the pending bytes as if the stream ended here, and reads the next frame of them. Call it until it
+    /// returns false: then no bytes are pending any more. For the end of a file, or a link that was closed or is
+    /// silent; without it, what looks like the start of a long frame holds back what is behind it until enough bytes
+    /// have arrived.
     /// </summary>
     /// <param name="frame">The frame; <c>default</c> where there is none.</param>
     /// <param name="info">Where it began, and whether it was checked.</param>
     /// <returns>Whether there was a frame.</returns>
     public bool TryFlush(out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
-        if (TryFind(isLast: true, out FrameCandidate candidate))
+        _missing = 0;
+        if (TryFind(isLast: true, out ParsedHeader header))
         {
-            Take(candidate, out frame, out info);
+            Take(header, out frame, out info);
             return true;
         }
 
         _boundary = _bufferOffset + _start;
-        frame = default;
+        MavlinkFrame.Clear(out frame);
         info = default;
         return false;
     }
 
-    // The common case, while nothing is held back: a whole sound frame in the caller's bytes, which need no copy to be judged.
-    // Everything else is copied and judged by the book; 'isFalse' says that the checksum there is known to be wrong.
-    private bool TryFindInPlace(ref ReadOnlySpan<byte> bytes, out FrameCandidate candidate, out bool isFalse)
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private bool TryReadNext(ref ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
-        isFalse = false;
+        _missing = 0;
+        while (true)
+        {
+            bool hasBadChecksum = false;
+            ParsedHeader header;
+            if (_start == _end)
+            {
+                if (TryFindInPlace(ref bytes, out header, out hasBadChecksum))
+                {
+                    Deliver(header, bytes, out frame, out info);
+                    ConsumeInPlace(ref bytes, header.Length);
+                    _boundary = _bufferOffset + _start;
+                    return true;
+                }
+
+                _needed = BytesNeededFor(header);
+            }
+
+            if (_end - _start >= _needed && TryFind(isLast: false, out header))
+            {
+                Take(header, out frame, out info);
+                return true;
+            }
+
+            if (bytes.IsEmpty)
+                break;
+            Fill(ref bytes);
+            if (hasBadChecksum)
+                _scanned = _start + 1;
+        }
+
+        if (_start != _end)
+            _missing = Math.Min(_needed - (_end - _start), BufferLength - _end + 1);
+        MavlinkFrame.Clear(out frame);
+        info = default;
+        return false;
+    }
+
+    // The common case, while nothing is held back: a whole valid frame in the caller's bytes, which need no copy to be
+    // validated. Everything else is copied to the buffer first; 'hasBadChecksum': the checksum there is known to be
+    // wrong.
+    private bool TryFindInPlace(ref ReadOnlySpan<byte> bytes, out ParsedHeader header, out bool hasBadChecksum)
+    {
+        hasBadChecksum = false;
         if (!bytes.IsEmpty && bytes[0] is not (WireFormat.MagicV2 or WireFormat.MagicV1))
         {
             int skipped = bytes.IndexOfAny(WireFormat.MagicV2, WireFormat.MagicV1);
             skipped = skipped < 0 ? bytes.Length : skipped;
             _skippedBytes += skipped;
-            PassInPlace(ref bytes, skipped);
+            ConsumeInPlace(ref bytes, skipped);
         }
 
-        candidate = FrameCandidate.At(bytes, _messages);
-        if (candidate.Kind != CandidateKind.Checkable || candidate.Length > bytes.Length || candidate.HasUnknownFlags)
+        header = ParsedHeader.Parse(bytes, _messages);
+        if (header.Kind != HeaderKind.KnownMessage || header.Length > bytes.Length || header.HasUnknownFlags)
             return false;
-        isFalse = !Checks(candidate, bytes);
-        return !isFalse;
+        hasBadChecksum = !ChecksumMatches(header, bytes);
+        return !hasBadChecksum;
     }
 
-    // While nothing is held back, the empty buffer stands for the place in the stream.
-    private void PassInPlace(ref ReadOnlySpan<byte> bytes, int count)
+    // While nothing is held back, the empty buffer is the position in the stream.
+    private void ConsumeInPlace(ref ReadOnlySpan<byte> bytes, int count)
     {
         bytes = bytes.Slice(count);
         _bufferOffset += count;
@@ -164,106 +224,50 @@ public sealed partial class MavlinkFrameReader
     {
         if (_start == _end || _end == BufferLength)
             MoveToFront();
+
         // No more than is needed: what is not held back can be read in place.
         int held = _end - _start;
         int wanted = held < _needed ? _needed - held : WireFormat.MaxFrameLength;
         int count = Math.Min(Math.Min(bytes.Length, wanted), BufferLength - _end);
-        bytes.Slice(0, count).CopyTo(_buffer.AsSpan(_end));
+        Append(bytes.Slice(0, count));
         bytes = bytes.Slice(count);
-        _end += count;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Append(ReadOnlySpan<byte> bytes)
+    {
+        if (bytes.Length == 1)
+            _buffer[_end] = bytes[0];
+        else
+            bytes.CopyTo(_buffer.AsSpan(_end));
+        _end += bytes.Length;
     }
 
     private void MoveToFront()
     {
-        Buffer.BlockCopy(_buffer, _start, _buffer, 0, _end - _start);
+        if (_start != _end)
+            Buffer.BlockCopy(_buffer, _start, _buffer, 0, _end - _start);
         _bufferOffset += _start;
-        _probed -= _start;
+        _scanned -= _start;
         _end -= _start;
         _start = 0;
     }
 
-    // Finds the next frame among the bytes held; it begins at _start then.
-    private bool TryFind(bool isLast, out FrameCandidate candidate)
+    private void Take(in ParsedHeader header, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
-        while (SkipToMagic())
-        {
-            ReadOnlySpan<byte> rest = _buffer.AsSpan(_start, _end - _start);
-            candidate = FrameCandidate.At(rest, _messages);
-            Verdict verdict = Judge(candidate, rest, isLast);
-            if (verdict == Verdict.Accept && !candidate.HasUnknownFlags)
-                return true;
-            if (verdict == Verdict.Wait)
-            {
-                _needed = NeededToJudge(candidate);
-                return false;
-            }
-
-            if (verdict == Verdict.Accept)
-                Drop(candidate);
-            else
-                Skip(candidate, rest.Length);
-        }
-
-        candidate = default;
-        return false;
-    }
-
-    // A frame of an unknown id gives way to a frame inside it, which may be there long before the whole of it is.
-    private static int NeededToJudge(in FrameCandidate candidate) => candidate.Kind == CandidateKind.Uncheckable ? 0 : candidate.Length;
-
-    // A frame with an incompatibility flag that is not known may mean anything: it is dropped whole.
-    private void Drop(in FrameCandidate candidate)
-    {
-        _incompatibleFrames++;
-        Advance(candidate.Length);
+        Deliver(header, _buffer.AsSpan(_start), out frame, out info);
+        Advance(header.Length);
         _boundary = _bufferOffset + _start;
     }
 
-    private void Skip(in FrameCandidate candidate, int bytesHeld)
+    private void Deliver(in ParsedHeader header, ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
-        bool isWhole = _resync == MavlinkResync.SkipFrame && candidate.Kind != CandidateKind.NotAFrame;
-        int count = isWhole ? Math.Min(candidate.Length, bytesHeld) : 1;
-        _skippedBytes += count;
-        Advance(count);
-    }
-
-    private void Take(in FrameCandidate candidate, out MavlinkFrame frame, out MavlinkFrameInfo info)
-    {
-        Deliver(candidate, _buffer.AsSpan(_start), out frame, out info);
-        Advance(candidate.Length);
-        _boundary = _bufferOffset + _start;
-    }
-
-    private void Deliver(in FrameCandidate candidate, ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
-    {
-        bool isChecked = candidate.Kind == CandidateKind.Checkable;
+        bool isChecked = header.Kind == HeaderKind.KnownMessage;
         if (isChecked)
             _frames++;
         else
             _unknownFrames++;
-        MavlinkFrame.FromWire(bytes.Slice(0, candidate.Length), out frame);
-        info = new MavlinkFrameInfo(_bufferOffset + _start, isChecked, _messages.At(candidate.MessageIndex));
-    }
-
-    private bool SkipToMagic()
-    {
-        int skipped = _buffer.AsSpan(_start, _end - _start).IndexOfAny(WireFormat.MagicV2, WireFormat.MagicV1);
-        if (skipped == 0)
-            return true;
-        if (skipped < 0)
-            skipped = _end - _start;
-        _skippedBytes += skipped;
-        Advance(skipped);
-        return _start < _end;
-    }
-
-    private void Advance(int count)
-    {
-        _start += count;
-        _needed = 0;
-        if (_probed >= _start)
-            return;
-        _probed = _start;
-        _frameProbed = false;
+        MavlinkFrame.FromWire(bytes.Slice(0, header.Length), out frame);
+        info = new MavlinkFrameInfo(_bufferOffset + _start, isChecked, _messages.At(header.MessageIndex));
     }
 }

@@ -1,12 +1,21 @@
 using System;
 using System.Buffers;
+using Rabit.Mavlink.Framing;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Sends the messages of one component: gives them their source and sequence numbers, and signs them where it has a signer.
-/// Allocates nothing per frame. One per component and link, or per component where all its links carry all its frames; one thread at a time.
+/// Sends the messages of one component: gives them their source and sequence numbers, and signs them where it has a
+/// signer. Allocates nothing per frame. One per component and link, or per component where all its links carry all its
+/// frames; one thread at a time.
 /// </summary>
+/// <example>
+/// <code>
+/// var sender = new MavlinkSender(systemId: 1, componentId: 191);
+/// var wire = new byte[MavlinkFrame.MaxWireLength];
+/// int length = sender.Write(new Heartbeat { Type = MavType.OnboardController, MavlinkVersion = 3 }, wire);
+/// </code>
+/// </example>
 public sealed class MavlinkSender
 {
     private MavlinkVersion _version = MavlinkVersion.V2;
@@ -15,7 +24,7 @@ public sealed class MavlinkSender
     /// <summary>Makes a sender of MAVLink 2 frames.</summary>
     /// <param name="systemId">Our system id, 1 to 255.</param>
     /// <param name="componentId">Our component id, 1 to 255.</param>
-    /// <exception cref="ArgumentOutOfRangeException">An id is 0, which is nobody's.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">An id is 0, which means all.</exception>
     public MavlinkSender(byte systemId, byte componentId)
     {
         if (systemId == 0)
@@ -67,7 +76,7 @@ public sealed class MavlinkSender
     /// <param name="message">The fields to send.</param>
     /// <returns>The frame.</returns>
     /// <exception cref="ArgumentException">MAVLink 1, and the message id is above 255.</exception>
-    /// <exception cref="InvalidOperationException">The clock of the signer was never told the time.</exception>
+    /// <exception cref="InvalidOperationException">The clock of the signer was never advanced.</exception>
     public MavlinkFrame Create<T>(in T message)
         where T : struct, IMavlinkMessage
     {
@@ -82,18 +91,22 @@ public sealed class MavlinkSender
     /// <summary>Writes the next frame. With room for all fields it is made in place.</summary>
     /// <typeparam name="T">The message.</typeparam>
     /// <param name="message">The fields to send.</param>
-    /// <param name="destination">Room for the frame; <see cref="MavlinkFrame.MaximumWireLength"/> is enough for any.</param>
+    /// <param name="destination">
+    /// Room for the frame; <see cref="MavlinkFrame.MaxWireLength"/> is enough for any.
+    /// </param>
     /// <returns>How many bytes were written.</returns>
-    /// <exception cref="ArgumentException">The span is too short; no sequence number is used up then. Or MAVLink 1, and the message id is above 255.</exception>
-    /// <exception cref="InvalidOperationException">The clock of the signer was never told the time.</exception>
+    /// <exception cref="ArgumentException">
+    /// The span is too short; no sequence number is used up then. Or MAVLink 1, and the message id is above 255.
+    /// </exception>
+    /// <exception cref="InvalidOperationException">The clock of the signer was never advanced.</exception>
     public int Write<T>(in T message, Span<byte> destination)
         where T : struct, IMavlinkMessage
     {
         T fields = message;
         FrameEncoder.CheckVersion(ref fields, _version);
         var header = new FrameHeader(_version, SystemId, ComponentId, NextSequence);
-        int longest = header.Length + fields.MaximumLength + WireFormat.ChecksumLength + (_signer is null ? 0 : WireFormat.SignatureLength);
-        if (destination.Length < longest)
+        int maxLength = header.Length + fields.MaxLength + WireFormat.ChecksumLength + (_signer is null ? 0 : WireFormat.SignatureLength);
+        if (destination.Length < maxLength)
             return WriteCut(fields, destination);
 
         int length = FrameEncoder.Write(ref fields, header, _signer is null ? (byte)0 : WireFormat.SignedFlag, destination);
@@ -114,13 +127,13 @@ public sealed class MavlinkSender
     /// <returns>How many bytes were written.</returns>
     /// <exception cref="ArgumentNullException">No buffer.</exception>
     /// <exception cref="ArgumentException">MAVLink 1, and the message id is above 255.</exception>
-    /// <exception cref="InvalidOperationException">The clock of the signer was never told the time.</exception>
+    /// <exception cref="InvalidOperationException">The clock of the signer was never advanced.</exception>
     public int Write<T>(in T message, IBufferWriter<byte> destination)
         where T : struct, IMavlinkMessage
     {
         if (destination is null)
             throw new ArgumentNullException(nameof(destination));
-        int length = Write(message, destination.GetSpan(MavlinkFrame.MaximumWireLength));
+        int length = Write(message, destination.GetSpan(MavlinkFrame.MaxWireLength));
         destination.Advance(length);
         return length;
     }
@@ -129,7 +142,7 @@ public sealed class MavlinkSender
     private int WriteCut<T>(in T message, Span<byte> destination)
         where T : struct, IMavlinkMessage
     {
-        Span<byte> buffer = stackalloc byte[MavlinkFrame.MaximumWireLength];
+        Span<byte> buffer = stackalloc byte[MavlinkFrame.MaxWireLength];
         byte sequence = NextSequence;
         int length = Write(message, buffer);
         if (length > destination.Length)

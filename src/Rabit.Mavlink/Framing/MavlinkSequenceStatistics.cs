@@ -1,6 +1,8 @@
 namespace Rabit.Mavlink;
 
-/// <summary>What the sequence numbers of one sender told on one link. A copy, taken at one moment.</summary>
+/// <summary>
+/// Frames, gaps and disorder of one sender on one link, from its sequence numbers. A copy, taken at one moment.
+/// </summary>
 public readonly struct MavlinkSequenceStatistics
 {
     internal MavlinkSequenceStatistics(byte systemId, byte componentId, byte lastSequence, long frames, long missing, long outOfOrder)
@@ -26,12 +28,15 @@ public readonly struct MavlinkSequenceStatistics
     public long Frames { get; }
 
     /// <summary>
-    /// Sequence numbers that were jumped over: a step of n+1 instead of 1 adds n. Of more than 127 lost in a row the count is wrong, since the number has 8 bits, and
-    /// a frame that arrives late after all is not taken off again: it is in <see cref="OutOfOrder"/>.
+    /// Sequence numbers that were jumped over: a step of n+1 instead of 1 adds n. Of more than 127 lost in a row the
+    /// count is wrong, since the number has 8 bits, and a frame that arrives late after all is not taken off again: it
+    /// is in <see cref="OutOfOrder"/>.
     /// </summary>
     public long Missing { get; }
 
-    /// <summary>Frames whose number was not ahead of the newest one: late, or sent twice, or the sender started anew.</summary>
+    /// <summary>
+    /// Frames whose number was not ahead of the newest one: late, or sent twice, or the sender restarted.
+    /// </summary>
     public long OutOfOrder { get; }
 
     internal MavlinkSequenceStatistics Next(byte sequence)

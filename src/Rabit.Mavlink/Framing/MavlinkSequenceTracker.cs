@@ -4,9 +4,9 @@ using System.Collections.Generic;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Counts frames, gaps and disorder per sender (system, component) of one link. Means something on a direct link only: what a
-/// router passes on selectively looks like loss (MAVLink guide, "Packet loss"). Fixed memory; allocates nothing after it was
-/// made; one thread at a time.
+/// Counts frames, gaps and disorder per sender (system, component) of one link. Means something on a direct link only:
+/// what a router passes on selectively looks like loss (MAVLink guide, "Packet loss"). Fixed memory; allocates nothing
+/// after it was made; one thread at a time.
 /// </summary>
 public sealed class MavlinkSequenceTracker
 {
@@ -14,14 +14,16 @@ public sealed class MavlinkSequenceTracker
     private readonly Dictionary<int, int> _indexBySource;
 
     /// <summary>Makes a tracker.</summary>
-    /// <param name="maximumSources">How many senders it can tell apart, at least 1. Frames of others are counted in <see cref="UntrackedFrames"/>.</param>
+    /// <param name="maxSources">
+    /// How many senders it can tell apart, at least 1. Frames of others are counted in <see cref="UntrackedFrames"/>.
+    /// </param>
     /// <exception cref="ArgumentOutOfRangeException">Less than 1.</exception>
-    public MavlinkSequenceTracker(int maximumSources = 256)
+    public MavlinkSequenceTracker(int maxSources = 256)
     {
-        if (maximumSources < 1)
-            throw new ArgumentOutOfRangeException(nameof(maximumSources), maximumSources, "A tracker needs room for one sender at least.");
-        _sources = new MavlinkSequenceStatistics[maximumSources];
-        _indexBySource = new Dictionary<int, int>(maximumSources);
+        if (maxSources < 1)
+            throw new ArgumentOutOfRangeException(nameof(maxSources), maxSources, "A tracker needs room for one sender at least.");
+        _sources = new MavlinkSequenceStatistics[maxSources];
+        _indexBySource = new Dictionary<int, int>(maxSources);
     }
 
     /// <summary>How many senders were seen.</summary>
@@ -37,7 +39,7 @@ public sealed class MavlinkSequenceTracker
         ? _sources[index]
         : throw new ArgumentOutOfRangeException(nameof(index), index, $"There are {Count} senders.");
 
-    /// <summary>Looks a sender up.</summary>
+    /// <summary>Finds a sender.</summary>
     /// <param name="systemId">Its system id.</param>
     /// <param name="componentId">Its component id.</param>
     /// <param name="statistics">Its figures where it was seen.</param>
@@ -49,7 +51,10 @@ public sealed class MavlinkSequenceTracker
         return isKnown;
     }
 
-    /// <summary>Counts a frame, in the order of arrival. Give it checked frames only: the source of an unchecked one is not certain.</summary>
+    /// <summary>
+    /// Counts a frame, in the order of arrival. Give it checked frames only: the source of an unchecked one is not
+    /// certain.
+    /// </summary>
     /// <param name="frame">The frame.</param>
     public void Track(in MavlinkFrame frame)
     {

@@ -1,17 +1,17 @@
 using System.Collections.Generic;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Framing;
 
 /// <summary>
-/// Message descriptions by id, found in two steps without a branch on what the id is: the 256 ids that share their upper bits
-/// are a page; only pages with messages take room. Immutable, safe from any thread.
+/// Message descriptions by id, found in two steps without a branch on what the id is: the 256 ids that share their
+/// upper bits are a page; only pages with messages take room. Immutable, safe from any thread.
 /// </summary>
 internal sealed class MessageTable
 {
     private const int PageBits = 8;
     private const int PageLength = 1 << PageBits;
 
-    // Page 0 and description 0 are those of ids that nobody knows.
+    // Page 0 and description 0 are those of unknown ids.
     private readonly ushort[] _pages;
     private readonly ushort[] _indexes;
     private readonly MavlinkMessageInfo[] _messages;

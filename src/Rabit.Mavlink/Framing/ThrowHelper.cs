@@ -1,6 +1,6 @@
 using System;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Framing;
 
 /// <summary>Cold paths, so that the hot ones stay small enough to be inlined.</summary>
 internal static class ThrowHelper

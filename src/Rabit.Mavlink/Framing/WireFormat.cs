@@ -1,4 +1,4 @@
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Framing;
 
 /// <summary>Where the bytes of a frame are (MAVLink guide, "Packet serialization"), in one place.</summary>
 internal static class WireFormat
@@ -21,6 +21,9 @@ internal static class WireFormat
     public const int MaxMessageIdV1 = 0xFF;
     public const int MaxMessageIdV2 = 0xFFFFFF;
 
-    /// <summary>The only incompatibility flag defined so far. A frame with any other must be dropped (MAVLink guide, "Incompatibility flags").</summary>
+    /// <summary>
+    /// The only incompatibility flag defined so far. A frame with any other must be dropped (MAVLink guide,
+    /// "Incompatibility flags").
+    /// </summary>
     public const byte SignedFlag = 0x01;
 }

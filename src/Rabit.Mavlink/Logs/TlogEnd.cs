@@ -6,7 +6,10 @@ public enum TlogEnd
     /// <summary>There is more to read.</summary>
     NotReached,
 
-    /// <summary>All of the file was read and it holds at least one intact record. Damage, if any, is told apart: <see cref="TlogReader.LostBytes"/>.</summary>
+    /// <summary>
+    /// All of the file was read and it holds at least one intact record. Damage, if any, is told apart:
+    /// <see cref="TlogReader.LostBytes"/>.
+    /// </summary>
     Complete,
 
     /// <summary>The file has no bytes: a log of nothing.</summary>

@@ -1,11 +1,12 @@
 using System;
 using System.Buffers.Binary;
+using Rabit.Mavlink.Framing;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Logs;
 
 /// <summary>
-/// A telemetry log as all ground stations write it: records one after another, each 8 bytes of time (microseconds since 1970
-/// UTC, big endian) and one frame as it was on the wire. No header, no index.
+/// A telemetry log as all ground stations write it: records one after another, each 8 bytes of time (microseconds since
+/// 1970 UTC, big endian) and one frame as it was on the wire. No header, no index.
 /// </summary>
 internal static class TlogFormat
 {
@@ -13,7 +14,7 @@ internal static class TlogFormat
     public const int MaxRecordLength = TimeLength + WireFormat.MaxFrameLength;
 
     /// <summary>2100-01-01 UTC: a later time is damage.</summary>
-    public const long LatestTime = 4_102_444_800_000_000;
+    public const long MaxTime = 4_102_444_800_000_000;
 
     private const int TicksPerMicrosecond = 10;
 
@@ -23,7 +24,7 @@ internal static class TlogFormat
     public static long ReadTime(ReadOnlySpan<byte> record)
     {
         ulong time = BinaryPrimitives.ReadUInt64BigEndian(record);
-        return time <= LatestTime ? (long)time : -1;
+        return time <= MaxTime ? (long)time : -1;
     }
 
     public static void WriteTime(Span<byte> record, long timeMicroseconds) => BinaryPrimitives.WriteInt64BigEndian(record, timeMicroseconds);

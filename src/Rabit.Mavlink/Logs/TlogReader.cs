@@ -1,17 +1,27 @@
 using System;
 using System.IO;
+using Rabit.Mavlink.Framing;
+using Rabit.Mavlink.Logs;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Reads a telemetry log (.tlog) record by record: constant memory, nothing allocated per record, no seeking. Damage does not
-/// end it: every intact record is delivered, what lies between is counted and its first place named. One thread at a time.
+/// Reads a telemetry log (.tlog) record by record: constant memory, nothing allocated per record, no seeking. Damage
+/// does not end it: every intact record is delivered, what lies between is counted and its first place named. One
+/// thread at a time.
 /// </summary>
 /// <example>
 /// <code>
+/// using FileStream file = File.OpenRead("flight.tlog");
+/// var log = new TlogReader(file, MavlinkDialect.All);
 /// while (log.TryRead(out MavlinkFrame frame, out TlogRecord record))
-///     if (frame.TryDecode(out Attitude attitude)) ...
-/// if (log.End == TlogEnd.NoRecord) ... // not a log
+/// {
+///     if (frame.TryDecode(out Attitude attitude))
+///         Console.WriteLine($"{record.TimeUtc:HH:mm:ss.fff} roll {attitude.Roll} rad");
+/// }
+///
+/// if (log.End == TlogEnd.NoRecord)
+///     Console.WriteLine("not a telemetry log");
 /// </code>
 /// </example>
 public sealed partial class TlogReader
@@ -32,7 +42,9 @@ public sealed partial class TlogReader
     private long? _lastTime;
 
     /// <summary>Makes a reader.</summary>
-    /// <param name="stream">The log, from its beginning or from the start of any record. It stays the caller's to close.</param>
+    /// <param name="stream">
+    /// The log, from its beginning or from the start of any record. It stays the caller's to close.
+    /// </param>
     /// <param name="dialect">The messages whose checksum can be checked.</param>
     /// <exception cref="ArgumentNullException">No stream or no dialect.</exception>
     /// <exception cref="ArgumentException">The stream cannot be read.</exception>
@@ -47,7 +59,10 @@ public sealed partial class TlogReader
     /// <summary>Records delivered so far.</summary>
     public long Records { get; private set; }
 
-    /// <summary>Intact records that were passed over because their frame has an incompatibility flag not known here. They count in <see cref="TlogRecord.Index"/>.</summary>
+    /// <summary>
+    /// Intact records that were passed over because their frame has an incompatibility flag not known here. They count
+    /// in <see cref="TlogRecord.Index"/>.
+    /// </summary>
     public long IncompatibleRecords { get; private set; }
 
     /// <summary>Bytes so far that belong to no intact record, the rest of a record cut at the end included.</summary>
@@ -56,7 +71,7 @@ public sealed partial class TlogReader
     /// <summary>File offset of the first of <see cref="LostBytes"/>; null while there are none.</summary>
     public long? FirstDamageOffset { get; private set; }
 
-    /// <summary>File offset behind the last byte judged: what a progress bar shows.</summary>
+    /// <summary>File offset behind the last byte processed, for a progress bar.</summary>
     public long Position => _bufferOffset + _start;
 
     /// <summary>How it ended, once <see cref="TryRead"/> returned false.</summary>
@@ -75,15 +90,15 @@ public sealed partial class TlogReader
         while (Fill())
         {
             ReadOnlySpan<byte> rest = _buffer.AsSpan(_start, _end - _start);
-            int toSkip = BytesBeforeNextCandidate(rest);
-            if (toSkip == 0 && TryJudge(rest, out FrameCandidate candidate, out long time))
+            int toSkip = BytesBeforeNextStart(rest);
+            if (toSkip == 0 && TryValidate(rest, out ParsedHeader header, out long time))
             {
-                if (Take(candidate, time, rest, out frame, out record))
+                if (Take(header, time, rest, out frame, out record))
                     return true;
             }
             else
             {
-                Lose(Math.Max(toSkip, 1));
+                Skip(Math.Max(toSkip, 1));
             }
         }
         _readToEnd = true;
@@ -92,21 +107,21 @@ public sealed partial class TlogReader
         return false;
     }
 
-    private bool Take(in FrameCandidate candidate, long time, ReadOnlySpan<byte> rest, out MavlinkFrame frame, out TlogRecord record)
+    private bool Take(in ParsedHeader header, long time, ReadOnlySpan<byte> rest, out MavlinkFrame frame, out TlogRecord record)
     {
         record = new TlogRecord(
-            Records + IncompatibleRecords, Position, time, candidate.Kind == CandidateKind.Checkable, _messages.At(candidate.MessageIndex));
-        MavlinkFrame.FromWire(rest.Slice(TlogFormat.TimeLength, candidate.Length), out frame);
-        _start += TlogFormat.TimeLength + candidate.Length;
+            Records + IncompatibleRecords, Position, time, header.Kind == HeaderKind.KnownMessage, _messages.At(header.MessageIndex));
+        MavlinkFrame.FromWire(rest.Slice(TlogFormat.TimeLength, header.Length), out frame);
+        _start += TlogFormat.TimeLength + header.Length;
         _lastTime = time;
-        if (candidate.HasUnknownFlags)
+        if (header.HasUnknownFlags)
             IncompatibleRecords++;
         else
             Records++;
-        return !candidate.HasUnknownFlags;
+        return !header.HasUnknownFlags;
     }
 
-    private void Lose(int count)
+    private void Skip(int count)
     {
         FirstDamageOffset ??= Position;
         LostBytes += count;

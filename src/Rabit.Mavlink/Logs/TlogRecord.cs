@@ -1,8 +1,9 @@
 using System;
+using Rabit.Mavlink.Logs;
 
 namespace Rabit.Mavlink;
 
-/// <summary>What a log says of one frame, beside its bytes. A plain value.</summary>
+/// <summary>One record of a telemetry log without its frame: its time, and where it is. A plain value.</summary>
 public readonly struct TlogRecord
 {
     internal TlogRecord(long index, long offset, long timeMicroseconds, bool isChecked, in MavlinkMessageInfo message)

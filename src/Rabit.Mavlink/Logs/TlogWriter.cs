@@ -1,13 +1,23 @@
 using System;
 using System.IO;
+using Rabit.Mavlink.Logs;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Writes a telemetry log (.tlog). A frame is written as it is, signature included, so that a log can be checked and compared
-/// byte for byte; the MAVLink guide ("Message signing", Logging) would rather have signatures removed, which is for the caller
-/// to do before. One thread at a time; allocates nothing per record.
+/// Writes a telemetry log (.tlog). A frame is written as it is, signature included, so that a log can be checked and
+/// compared byte for byte; the MAVLink guide ("Message signing", Logging) would rather have signatures removed, which
+/// is for the caller to do before (<see cref="MavlinkFrame.WithoutSignature()"/>). One thread at a time; allocates
+/// nothing per record.
 /// </summary>
+/// <example>
+/// <code>
+/// using FileStream file = File.Create("flight.tlog");
+/// var log = new TlogWriter(file);
+/// MavlinkFrame frame = new MavlinkSender(systemId: 1, componentId: 191).Create(new Heartbeat { MavlinkVersion = 3 });
+/// log.Write((DateTime.UtcNow - DateTime.UnixEpoch).Ticks / 10, frame);   // microseconds since 1970
+/// </code>
+/// </example>
 public sealed class TlogWriter
 {
     // It carries the secret key (MAVLink guide, "Message signing", Logging: omit it from logs).
@@ -34,7 +44,9 @@ public sealed class TlogWriter
     public long OmittedRecords { get; private set; }
 
     /// <summary>Writes one record, in one write to the stream.</summary>
-    /// <param name="timeMicroseconds">When the frame was seen: microseconds since 1970-01-01 UTC, up to the year 2100. Should never decrease.</param>
+    /// <param name="timeMicroseconds">
+    /// When the frame was seen: microseconds since 1970-01-01 UTC, up to the year 2100. Should never decrease.
+    /// </param>
     /// <param name="frame">The frame.</param>
     /// <returns>Whether it was written; false for SETUP_SIGNING, which is left out and counted.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The time is negative or beyond the year 2100.</exception>
@@ -42,7 +54,7 @@ public sealed class TlogWriter
     /// <exception cref="IOException">The stream failed; whatever the stream throws passes through.</exception>
     public bool Write(long timeMicroseconds, in MavlinkFrame frame)
     {
-        if (timeMicroseconds is < 0 or > TlogFormat.LatestTime)
+        if (timeMicroseconds is < 0 or > TlogFormat.MaxTime)
             throw new ArgumentOutOfRangeException(nameof(timeMicroseconds), timeMicroseconds, "A record's time lies between 1970 and 2100.");
         if (frame.Version == MavlinkVersion.None)
             throw new ArgumentException("The frame is empty: nothing was ever put into it.", nameof(frame));

@@ -1,14 +1,17 @@
 using System;
 using Rabit.Mavlink.Messages;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Protocols;
 
-/// <summary>One command from its first sending to its outcome (MAVLink guide, "Command Protocol"). Used again and again.</summary>
+/// <summary>
+/// One command from its first sending to its outcome (MAVLink guide, "Command Protocol"). Reused for one command after
+/// another.
+/// </summary>
 internal sealed class CommandExchange(MavlinkCommandOptions options)
 {
     private MavlinkCommand _command;
     private TimeSpan _lastSentAt;
-    private TimeSpan _lastHeardAt;
+    private TimeSpan _lastAnswerAt;
     private int _tries;
     private int _sent;
     private int _answers;
@@ -17,16 +20,19 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
     private bool _hasSwitched;
     private bool _isInProgress;
 
+    // A sending got no answer in time: the vehicle may have received it and be at work on it.
+    private bool _mayBeRunning;
+
     public CommandPhase Phase { get; private set; }
 
     public int Handle { get; private set; }
 
     public byte Progress { get; private set; }
 
-    /// <summary>When the next thing is to be done, while it is open.</summary>
+    /// <summary>When it has to act next, while it is open.</summary>
     public TimeSpan Due { get; private set; }
 
-    /// <summary>Until when an answer to it may still come in, once it is over.</summary>
+    /// <summary>Until when a late answer to it may still arrive, once it has ended.</summary>
     public TimeSpan LateUntil { get; private set; }
 
     public MavlinkCommandOutcome Outcome { get; private set; }
@@ -41,8 +47,8 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         _tries = _sent = _answers = _rejections = 0;
         _isInt = command.Forms is MavlinkCommandForms.IntThenLong or MavlinkCommandForms.IntOnly;
         _hasSwitched = command.Forms is MavlinkCommandForms.IntOnly or MavlinkCommandForms.LongOnly;
-        _isInProgress = false;
-        _lastHeardAt = TimeSpan.MinValue;
+        _isInProgress = _mayBeRunning = false;
+        _lastAnswerAt = TimeSpan.MinValue;
         Progress = byte.MaxValue;
     }
 
@@ -52,24 +58,26 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         Due = now;
     }
 
-    public void Free() => Phase = CommandPhase.Free;
+    public void Release() => Phase = CommandPhase.Free;
 
-    /// <summary>The outcome is with the caller; answers may still come.</summary>
-    public void Settle() => Phase = CommandPhase.Settled;
+    /// <summary>The caller has taken the outcome; late answers may still arrive.</summary>
+    public void MarkOutcomeTaken() => Phase = CommandPhase.OutcomeTaken;
 
-    /// <summary>Whether an answer to the one could be taken for an answer to the other.</summary>
-    public bool IsLike(CommandExchange other) =>
+    /// <summary>
+    /// Whether an acknowledgement of the one could be mistaken for one of the other: same command, same target.
+    /// </summary>
+    public bool IsSameKindAs(CommandExchange other) =>
         _command.Command == other._command.Command && _command.Target.SystemId == other._command.Target.SystemId
         && (_command.Target.ComponentId == other._command.Target.ComponentId || _command.Target.ComponentId == 0 || other._command.Target.ComponentId == 0);
 
     public bool IsAnswered(in MavlinkFrame frame, in CommandAck answer) =>
         IsOpen && _sent > 0 && answer.Command == _command.Command && _command.Target.IsSourceOf(frame);
 
-    /// <summary>Takes an answer that comes after the end: perhaps the last one that was still to come.</summary>
+    /// <summary>Handles an answer after the end: perhaps the last outstanding one.</summary>
     /// <returns>Whether it may have been for this command.</returns>
-    public bool TakeLate(in MavlinkFrame frame, in CommandAck answer, TimeSpan now)
+    public bool HandleLateAnswer(in MavlinkFrame frame, in CommandAck answer, TimeSpan now)
     {
-        if (Phase is not (CommandPhase.Over or CommandPhase.Settled) || now >= LateUntil || answer.Command != _command.Command || !_command.Target.IsSourceOf(frame))
+        if (Phase is not (CommandPhase.Completed or CommandPhase.OutcomeTaken) || now >= LateUntil || answer.Command != _command.Command || !_command.Target.IsSourceOf(frame))
             return false;
         CountAnswer(answer.Result);
         if (IsFullyAnswered)
@@ -82,10 +90,10 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         frame = default;
         if (!IsOpen || now < Due)
             return false;
-        bool isWaitedFor = _isInProgress && !options.RetriesInProgress && Phase != CommandPhase.Cancelling;
-        if (_tries > options.Retries || isWaitedFor)
+        bool mustNotRepeat = _isInProgress && !options.RetriesInProgress && Phase != CommandPhase.Cancelling;
+        if (_tries > options.Retries || mustNotRepeat)
         {
-            End(MavlinkCommandVerdict.Unknown, null, 0, now);
+            End(MavlinkCommandStatus.Unknown, null, 0, now);
             return false;
         }
 
@@ -100,6 +108,7 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         }
         else
         {
+            _mayBeRunning |= Phase == CommandPhase.Sending && _sent > 0;
             Phase = CommandPhase.Sending;
             frame = _isInt ? sender.Create(_command.ToInt()) : sender.Create(_command.ToLong((byte)Math.Min(_sent, byte.MaxValue)));
             _sent++;
@@ -115,7 +124,7 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
     {
         if (_sent == 0)
         {
-            End(MavlinkCommandVerdict.Cancelled, null, 0, now);
+            End(MavlinkCommandStatus.Cancelled, null, 0, now);
             LateUntil = now;
         }
         else if (Phase != CommandPhase.Cancelling)
@@ -126,17 +135,17 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         }
     }
 
-    /// <summary>Ends it without a word to the vehicle.</summary>
-    public void Abandon(TimeSpan now)
+    /// <summary>Ends it without sending anything to the vehicle.</summary>
+    public void StopTracking(TimeSpan now)
     {
-        End(_sent == 0 ? MavlinkCommandVerdict.Cancelled : MavlinkCommandVerdict.Unknown, null, 0, now);
+        End(_sent == 0 ? MavlinkCommandStatus.Cancelled : MavlinkCommandStatus.Unknown, null, 0, now);
         if (_sent == 0)
             LateUntil = now;
     }
 
-    public void Take(in CommandAck answer, TimeSpan now)
+    public void HandleAnswer(in CommandAck answer, TimeSpan now)
     {
-        _lastHeardAt = now;
+        _lastAnswerAt = now;
         CountAnswer(answer.Result);
         switch (answer.Result)
         {
@@ -149,9 +158,16 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
                 Due = now + options.ProgressTimeout;
                 return;
 
-            // To a second copy of it, while the first is at work or after this answer was taken already.
+            // To a second copy of it, while the first is being executed or after this answer was handled already.
             case MavResult.TemporarilyRejected when _isInProgress || Phase != CommandPhase.Sending:
             case MavResult.Unsupported when Phase == CommandPhase.Pausing:
+                return;
+
+            // The vehicle may be busy with an earlier copy of this very command: that is no refusal, and gives no new
+            // tries either.
+            case MavResult.TemporarilyRejected when _mayBeRunning:
+                Phase = CommandPhase.Pausing;
+                Due = now + options.RejectionPause;
                 return;
             case MavResult.TemporarilyRejected when _rejections < options.Rejections:
                 _rejections++;
@@ -167,30 +183,31 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
                 Switch(now);
                 return;
 
-            // An autopilot that knows the command in one form only may say so with the plain result. What it said of this form must not count for the other.
-            case MavResult.Unsupported when _command.HasPlace && !_hasSwitched:
+            // An autopilot that knows the command in one form only may answer with the plain result, which must not
+            // count for the other form.
+            case MavResult.Unsupported when _command.HasLocation && !_hasSwitched:
                 Switch(_lastSentAt + options.LateAnswerTime);
                 return;
             case MavResult.Accepted:
-                End(MavlinkCommandVerdict.Accepted, answer.Result, answer.ResultParam2, now);
+                End(MavlinkCommandStatus.Accepted, answer.Result, answer.ResultParam2, now);
                 return;
             case MavResult.Cancelled:
-                End(MavlinkCommandVerdict.Cancelled, answer.Result, answer.ResultParam2, now);
+                End(MavlinkCommandStatus.Cancelled, answer.Result, answer.ResultParam2, now);
                 return;
             default:
-                End(MavlinkCommandVerdict.Refused, answer.Result, answer.ResultParam2, now);
+                End(MavlinkCommandStatus.Refused, answer.Result, answer.ResultParam2, now);
                 return;
         }
     }
 
-    // "In progress" is a word in between; the answer is still to come.
+    // IN_PROGRESS is not final: the final answer is still outstanding.
     private void CountAnswer(MavResult result)
     {
         if (result != MavResult.InProgress)
             _answers++;
     }
 
-    private bool IsFullyAnswered => !options.AnswersMayDouble && _answers >= _sent;
+    private bool IsFullyAnswered => !options.AnswersMayBeDuplicated && _answers >= _sent;
 
     private void Switch(TimeSpan due)
     {
@@ -208,16 +225,17 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         Due = due;
     }
 
-    private void End(MavlinkCommandVerdict verdict, MavResult? result, int resultParam2, TimeSpan now)
+    private void End(MavlinkCommandStatus status, MavResult? result, int resultParam2, TimeSpan now)
     {
-        Phase = CommandPhase.Over;
+        Phase = CommandPhase.Completed;
 
-        // Also of the last word there may be a copy under way, long after the last sending of what took long.
-        LateUntil = (_sent > 0 && _lastHeardAt > _lastSentAt ? _lastHeardAt : _lastSentAt) + options.LateAnswerTime;
-        if (verdict == MavlinkCommandVerdict.Unknown && LateUntil < _lastSentAt + options.UnknownLateTime)
+        // Of the final answer, too, a duplicate may be in flight, long after the last sending of a command that took
+        // long.
+        LateUntil = (_sent > 0 && _lastAnswerAt > _lastSentAt ? _lastAnswerAt : _lastSentAt) + options.LateAnswerTime;
+        if (status == MavlinkCommandStatus.Unknown && LateUntil < _lastSentAt + options.UnknownLateTime)
             LateUntil = _lastSentAt + options.UnknownLateTime;
         if (IsFullyAnswered)
             LateUntil = now;
-        Outcome = new MavlinkCommandOutcome(Handle, _command, verdict, result, resultParam2, _sent, now);
+        Outcome = new MavlinkCommandOutcome(Handle, _command, status, result, resultParam2, _sent, now);
     }
 }

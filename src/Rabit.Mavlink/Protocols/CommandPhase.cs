@@ -1,12 +1,12 @@
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Protocols;
 
-/// <summary>Where a command is.</summary>
+/// <summary>How far the exchange of a command is.</summary>
 internal enum CommandPhase
 {
     /// <summary>No command.</summary>
     Free,
 
-    /// <summary>Not sent yet: one like it is not done with.</summary>
+    /// <summary>Not sent yet: one of the same kind is still under way.</summary>
     Queued,
 
     /// <summary>Sent, or to be sent at once.</summary>
@@ -15,12 +15,12 @@ internal enum CommandPhase
     /// <summary>To be sent again later.</summary>
     Pausing,
 
-    /// <summary>Asked for to be cancelled.</summary>
+    /// <summary>Its cancellation was requested.</summary>
     Cancelling,
 
-    /// <summary>The outcome waits for the caller.</summary>
-    Over,
+    /// <summary>Ended; the caller has not taken the outcome yet.</summary>
+    Completed,
 
-    /// <summary>The caller has the outcome; late answers may come.</summary>
-    Settled,
+    /// <summary>Ended, and the outcome taken; late answers may arrive.</summary>
+    OutcomeTaken,
 }

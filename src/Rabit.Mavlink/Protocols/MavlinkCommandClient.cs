@@ -1,23 +1,37 @@
 using System;
 using Rabit.Mavlink.Messages;
+using Rabit.Mavlink.Protocols;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Sends commands and finds out what became of them (MAVLink guide, "Command Protocol"): several at once, each with exactly one outcome, whatever
-/// the link loses, doubles or turns round. No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame or command.
+/// Sends commands and reports how they ended (MAVLink guide, "Command Protocol"): several at once, each with exactly
+/// one outcome, whatever the link loses, duplicates or reorders. No I/O, no clock: frames in, frames out, time as
+/// argument. One thread; nothing is allocated per frame or command.
 /// </summary>
 /// <remarks>
-/// An acknowledgement is matched by command, sender and addressee. It does not say which sending of a command it is for; so two commands of the same kind
-/// to the same component are never under way together, and the second waits until late answers to the first are out of the way
-/// (<see cref="MavlinkCommandOptions.LateAnswerTime"/>).
+/// An acknowledgement is matched by command, sender and addressee. It does not say which sending of a command it is
+/// for; so two commands of the same kind to the same component are never under way together, and the second waits until
+/// late answers to the first can arrive no more (<see cref="MavlinkCommandOptions.LateAnswerTime"/>).
+/// TEMPORARILY_REJECTED counts as a refusal only while every sending was answered: after an unanswered one the vehicle
+/// may be busy with that very copy, and the command ends as <see cref="MavlinkCommandStatus.Unknown"/>.
 /// </remarks>
 /// <example>
 /// <code>
-/// client.TryStart(MavlinkCommand.Create(vehicle, MavCmd.ComponentArmDisarm, 1), out int handle);
-/// // for every frame that comes in:          client.Handle(frame, now);
-/// // after that, and at client.NextDue:      while (client.TryTakeFrame(now, out MavlinkFrame frame)) Send(frame);
-/// //                                         while (client.TryTakeOutcome(out MavlinkCommandOutcome outcome)) ...
+/// static void Arm(MavlinkCommandClient client, TimeSpan now)
+/// {
+///     var vehicle = new MavlinkAddress(SystemId: 1, ComponentId: 1);
+///     client.TryStart(MavlinkCommand.Create(vehicle, MavCmd.ComponentArmDisarm, param1: 1), now, out int handle);
+/// }
+///
+/// // For every frame that arrives: client.Handle(frame, now). After that, and at client.NextDue at the latest:
+/// static void Step(MavlinkCommandClient client, TimeSpan now, Stream link, byte[] buffer)
+/// {
+///     while (client.TryTakeFrame(now, out MavlinkFrame frame))
+///         link.Write(buffer, 0, frame.WriteTo(buffer));
+///     while (client.TryTakeOutcome(out MavlinkCommandOutcome outcome))
+///         Console.WriteLine($"{outcome.Command.Command}: {outcome.Status} {outcome.Result}");
+/// }
 /// </code>
 /// </example>
 public sealed class MavlinkCommandClient
@@ -29,7 +43,7 @@ public sealed class MavlinkCommandClient
 
     /// <summary>Makes a client.</summary>
     /// <param name="sender">Gives the frames their source, sequence numbers and signatures.</param>
-    /// <param name="options">How patient it is; null for the usual.</param>
+    /// <param name="options">Time-outs and retries; null for the defaults.</param>
     /// <exception cref="ArgumentNullException">No sender.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The capacity is below 1.</exception>
     public MavlinkCommandClient(MavlinkSender sender, MavlinkCommandOptions? options = null)
@@ -37,17 +51,20 @@ public sealed class MavlinkCommandClient
         _sender = sender ?? throw new ArgumentNullException(nameof(sender));
         options ??= new MavlinkCommandOptions();
         if (options.Capacity < 1)
-            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, "The capacity is at least 1.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, "The capacity is at min 1.");
         _own = new MavlinkAddress(sender.SystemId, sender.ComponentId);
         _exchanges = new CommandExchange[options.Capacity];
         for (int i = 0; i < _exchanges.Length; i++)
             _exchanges[i] = new CommandExchange(options);
     }
 
-    /// <summary>Acknowledgements for us that no open command was waiting for: late ones, and copies.</summary>
+    /// <summary>Acknowledgements for us that no open command was waiting for: late ones, and duplicates.</summary>
     public long StrayAnswers { get; private set; }
 
-    /// <summary>When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to wait for. A time in the past means now.</summary>
+    /// <summary>
+    /// When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to
+    /// wait for. A time in the past means at once.
+    /// </summary>
     public TimeSpan NextDue
     {
         get
@@ -66,12 +83,17 @@ public sealed class MavlinkCommandClient
         }
     }
 
-    /// <summary>Takes a command. It goes out with the next <see cref="TryTakeFrame"/>, or later where one like it is not done with.</summary>
+    /// <summary>
+    /// Starts a command. It is sent with the next <see cref="TryTakeFrame"/>, or later while one of the same kind is
+    /// under way.
+    /// </summary>
     /// <param name="command">The command, to one system.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
-    /// <param name="handle">Names it in its outcome; above 0.</param>
-    /// <returns>Whether there was room; otherwise the command is not taken and gets no outcome.</returns>
-    /// <exception cref="ArgumentException">The target system is 0: commands to everybody are acknowledged by nobody in particular.</exception>
+    /// <param name="handle">Identifies it in its outcome; above 0.</param>
+    /// <returns>Whether there was room; otherwise the command is not started and gets no outcome.</returns>
+    /// <exception cref="ArgumentException">
+    /// The target system is 0: a broadcast command has no one to acknowledge it.
+    /// </exception>
     public bool TryStart(in MavlinkCommand command, TimeSpan now, out int handle)
     {
         if (command.Target.SystemId == 0)
@@ -90,7 +112,10 @@ public sealed class MavlinkCommandClient
         return false;
     }
 
-    /// <summary>Asks for a command to be cancelled: at once where it was not sent yet, otherwise by COMMAND_CANCEL; the outcome tells what became of it.</summary>
+    /// <summary>
+    /// Cancels a command: at once where it was not sent yet, otherwise by COMMAND_CANCEL; the outcome reports the
+    /// result.
+    /// </summary>
     /// <param name="handle">What <see cref="TryStart"/> gave.</param>
     /// <param name="now">The time.</param>
     /// <returns>Whether it was still open.</returns>
@@ -101,51 +126,57 @@ public sealed class MavlinkCommandClient
         return exchange is not null;
     }
 
-    /// <summary>Ends a command without a word to the vehicle, which may still do it: for one that another has taken the place of.</summary>
+    /// <summary>
+    /// Stops tracking a command without sending anything to the vehicle, which may still execute it: for one that was
+    /// superseded by another.
+    /// </summary>
     /// <param name="handle">What <see cref="TryStart"/> gave.</param>
     /// <param name="now">The time.</param>
-    /// <returns>Whether it was still open. Its outcome is <see cref="MavlinkCommandVerdict.Unknown"/>, or <see cref="MavlinkCommandVerdict.Cancelled"/> where it was never sent.</returns>
-    public bool Abandon(int handle, TimeSpan now)
+    /// <returns>
+    /// Whether it was still open. Its outcome is <see cref="MavlinkCommandStatus.Unknown"/>, or
+    /// <see cref="MavlinkCommandStatus.Cancelled"/> where it was never sent.
+    /// </returns>
+    public bool StopTracking(int handle, TimeSpan now)
     {
         CommandExchange? exchange = Find(handle);
-        exchange?.Abandon(now);
+        exchange?.StopTracking(now);
         return exchange is not null;
     }
 
-    /// <summary>How far a command is, by the vehicle's own word.</summary>
+    /// <summary>The progress of a command, as the vehicle reports it.</summary>
     /// <param name="handle">What <see cref="TryStart"/> gave.</param>
     /// <param name="percent">0 to 100.</param>
-    /// <returns>Whether it is open and the vehicle said so.</returns>
+    /// <returns>Whether it is open and the vehicle reported its progress.</returns>
     public bool TryGetProgress(int handle, out int percent)
     {
         percent = Find(handle)?.Progress ?? byte.MaxValue;
         return percent != byte.MaxValue;
     }
 
-    /// <summary>Takes a frame that came in; all but COMMAND_ACK for us are none of its business.</summary>
+    /// <summary>Handles a received frame; all but COMMAND_ACK for us are ignored.</summary>
     /// <param name="frame">The frame, checked by the reader.</param>
     /// <param name="now">The time.</param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
     {
-        if (!frame.TryDecode(out CommandAck answer) || !_own.IsMeantBy(answer.TargetSystem, answer.TargetComponent))
+        if (!frame.TryDecode(out CommandAck answer) || !_own.IsTargetOf(answer.TargetSystem, answer.TargetComponent))
             return;
         foreach (CommandExchange exchange in _exchanges)
         {
             if (!exchange.IsAnswered(frame, answer))
                 continue;
-            exchange.Take(answer, now);
+            exchange.HandleAnswer(answer, now);
             return;
         }
 
         StrayAnswers++;
         foreach (CommandExchange exchange in _exchanges)
         {
-            if (exchange.TakeLate(frame, answer, now))
+            if (exchange.HandleLateAnswer(frame, answer, now))
                 return;
         }
     }
 
-    /// <summary>Gives the next frame to send. Call it until there is none.</summary>
+    /// <summary>Takes the next frame to send. Call it until there is none.</summary>
     /// <param name="now">The time.</param>
     /// <param name="frame">The frame.</param>
     /// <returns>Whether there is one.</returns>
@@ -164,17 +195,17 @@ public sealed class MavlinkCommandClient
         return false;
     }
 
-    /// <summary>Gives the next outcome. Call it until there is none; each comes once.</summary>
-    /// <param name="outcome">What became of a command.</param>
+    /// <summary>Takes the next outcome. Call it until there is none; each is returned once.</summary>
+    /// <param name="outcome">How a command ended.</param>
     /// <returns>Whether there is one.</returns>
     public bool TryTakeOutcome(out MavlinkCommandOutcome outcome)
     {
         foreach (CommandExchange exchange in _exchanges)
         {
-            if (exchange.Phase != CommandPhase.Over)
+            if (exchange.Phase != CommandPhase.Completed)
                 continue;
             outcome = exchange.Outcome;
-            exchange.Settle();
+            exchange.MarkOutcomeTaken();
             return true;
         }
 
@@ -197,22 +228,22 @@ public sealed class MavlinkCommandClient
     {
         foreach (CommandExchange exchange in _exchanges)
         {
-            if (exchange.Phase == CommandPhase.Settled && now >= exchange.LateUntil)
-                exchange.Free();
+            if (exchange.Phase == CommandPhase.OutcomeTaken && now >= exchange.LateUntil)
+                exchange.Release();
         }
     }
 
-    // When a queued command may go out: after all that are like it, and after their late answers.
+    // When a queued command may be sent: after all of the same kind, and after their late answers.
     private TimeSpan BeginOf(CommandExchange queued)
     {
         TimeSpan begin = TimeSpan.Zero;
         foreach (CommandExchange other in _exchanges)
         {
-            if (ReferenceEquals(other, queued) || other.Phase == CommandPhase.Free || !other.IsLike(queued))
+            if (ReferenceEquals(other, queued) || other.Phase == CommandPhase.Free || !other.IsSameKindAs(queued))
                 continue;
             if (other.IsOpen || (other.Phase == CommandPhase.Queued && other.Handle < queued.Handle))
                 return TimeSpan.MaxValue;
-            if (other.Phase is CommandPhase.Over or CommandPhase.Settled && other.LateUntil > begin)
+            if (other.Phase is CommandPhase.Completed or CommandPhase.OutcomeTaken && other.LateUntil > begin)
                 begin = other.LateUntil;
         }
 

@@ -1,17 +1,17 @@
 namespace Rabit.Mavlink;
 
-/// <summary>In which of its two messages a command may go out.</summary>
+/// <summary>Which of the two command messages, COMMAND_LONG and COMMAND_INT, may carry a command.</summary>
 public enum MavlinkCommandForms
 {
-    /// <summary>COMMAND_LONG; COMMAND_INT where the vehicle wants that.</summary>
+    /// <summary>COMMAND_LONG; COMMAND_INT where the vehicle asks for it.</summary>
     LongThenInt,
 
-    /// <summary>COMMAND_INT; COMMAND_LONG, which loses the frame of the place, where the vehicle wants that.</summary>
+    /// <summary>COMMAND_INT; COMMAND_LONG, which has no coordinate frame, where the vehicle asks for it.</summary>
     IntThenLong,
 
     /// <summary>COMMAND_LONG and nothing else.</summary>
     LongOnly,
 
-    /// <summary>COMMAND_INT and nothing else: right where a vehicle that guessed the frame of an altitude would do harm.</summary>
+    /// <summary>COMMAND_INT and nothing else: for vehicles that would take the altitude in another frame.</summary>
     IntOnly,
 }

@@ -4,12 +4,12 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>A component that sends heartbeats. A plain value.</summary>
-/// <param name="Address">Who it is.</param>
+/// <param name="Address">Its address.</param>
 /// <param name="Heartbeat">Its last heartbeat.</param>
-/// <param name="FirstAt">When its first heartbeat came.</param>
-/// <param name="LastAt">When its last heartbeat came.</param>
-/// <param name="Heartbeats">How many came.</param>
-/// <param name="IsLost">Whether they stay away.</param>
-/// <param name="Reboots">How often it was seen to begin anew.</param>
+/// <param name="FirstAt">When its first heartbeat was received.</param>
+/// <param name="LastAt">When its last heartbeat was received.</param>
+/// <param name="Heartbeats">How many were received.</param>
+/// <param name="IsLost">Whether it counts as lost.</param>
+/// <param name="Reboots">How many reboots were detected.</param>
 public readonly record struct MavlinkComponent(
     MavlinkAddress Address, Heartbeat Heartbeat, TimeSpan FirstAt, TimeSpan LastAt, long Heartbeats, bool IsLost, int Reboots);

@@ -1,17 +1,17 @@
 namespace Rabit.Mavlink;
 
-/// <summary>What happened to a component.</summary>
+/// <summary>A change in the connection of a component.</summary>
 public enum MavlinkComponentEvent
 {
     /// <summary>Its first heartbeat.</summary>
     Appeared,
 
-    /// <summary>Its heartbeats stay away.</summary>
+    /// <summary>No heartbeat within the time-out.</summary>
     Lost,
 
     /// <summary>A heartbeat after it was lost.</summary>
     Returned,
 
-    /// <summary>Its system began anew: ask again for whatever it was asked for, and forget what it is no longer bound to.</summary>
+    /// <summary>Its system rebooted: message rates and the like have to be requested again.</summary>
     Rebooted,
 }

@@ -1,21 +1,35 @@
 using System;
 using Rabit.Mavlink.Messages;
+using Rabit.Mavlink.Protocols;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Knows who is there (MAVLink guide, "Heartbeat/Connection Protocol"): components by their heartbeats, their loss, their return, and reboots by the time since
-/// boot that goes down. No I/O, no clock. One thread; nothing is allocated per frame.
+/// Tracks which components are connected (MAVLink guide, "Heartbeat/Connection Protocol"): by their heartbeats, their
+/// loss and return, and their reboots by a time since boot that goes back. No I/O, no clock. One thread; nothing is
+/// allocated per frame.
 /// </summary>
+/// <example>
+/// <code>
+/// var tracker = new MavlinkHeartbeatTracker();
+///
+/// // For every checked frame: tracker.Handle(frame, now). After that, and at tracker.NextDue at the latest:
+/// static void Report(MavlinkHeartbeatTracker tracker, TimeSpan now)
+/// {
+///     while (tracker.TryTakeEvent(now, out MavlinkComponentEvent happened, out MavlinkComponent component))
+///         Console.WriteLine($"{component.Address}: {happened}");
+/// }
+/// </code>
+/// </example>
 /// <remarks>
-/// The time since boot is that of SYSTEM_TIME, ATTITUDE, ATTITUDE_QUATERNION, LOCAL_POSITION_NED and GLOBAL_POSITION_INT. It may fall back by
-/// <see cref="ReorderTolerance"/>, since frames overtake each other, and starts again at zero after 49.7 days; neither is a reboot. So one within
-/// the first seconds after another is not seen by its time.
+/// The time since boot is that of SYSTEM_TIME, ATTITUDE, ATTITUDE_QUATERNION, LOCAL_POSITION_NED and
+/// GLOBAL_POSITION_INT. It may fall back by <see cref="ReorderTolerance"/>, since frames overtake each other, and wraps
+/// to zero after 49.7 days; neither is a reboot. So a reboot within the first seconds after another is not detected.
 /// </remarks>
 public sealed class MavlinkHeartbeatTracker
 {
-    /// <summary>How long heartbeats may stay away: five at 1 Hz.</summary>
-    public static readonly TimeSpan UsualLossTimeout = TimeSpan.FromSeconds(5);
+    /// <summary>How long without a heartbeat a component counts as lost: five heartbeats at 1 Hz.</summary>
+    public static readonly TimeSpan DefaultLossTimeout = TimeSpan.FromSeconds(5);
 
     /// <summary>How far the time since boot may fall back without a reboot.</summary>
     public static readonly TimeSpan ReorderTolerance = TimeSpan.FromMilliseconds(ReorderToleranceMs);
@@ -26,15 +40,19 @@ public sealed class MavlinkHeartbeatTracker
     private readonly TimeSpan _lossTimeout;
 
     /// <summary>Makes a tracker.</summary>
-    /// <param name="capacity">How many components it holds; the heartbeats of others are counted in <see cref="Overflow"/>.</param>
-    /// <param name="lossTimeout">How long heartbeats may stay away; null for <see cref="UsualLossTimeout"/>.</param>
+    /// <param name="capacity">
+    /// How many components it holds; the heartbeats of others are counted in <see cref="Overflow"/>.
+    /// </param>
+    /// <param name="lossTimeout">
+    /// How long without a heartbeat a component counts as lost; null for <see cref="DefaultLossTimeout"/>.
+    /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The capacity is below 1.</exception>
     public MavlinkHeartbeatTracker(int capacity = 64, TimeSpan? lossTimeout = null)
     {
         if (capacity < 1)
-            throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "The capacity is at least 1.");
+            throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "The capacity is at min 1.");
         _entries = new Entry[capacity];
-        _lossTimeout = lossTimeout ?? UsualLossTimeout;
+        _lossTimeout = lossTimeout ?? DefaultLossTimeout;
     }
 
     /// <summary>How many components are known; lost ones stay.</summary>
@@ -51,7 +69,10 @@ public sealed class MavlinkHeartbeatTracker
         ? _entries[index].Value
         : throw new ArgumentOutOfRangeException(nameof(index), index, $"{Count} components are known.");
 
-    /// <summary>When to call <see cref="TryTakeEvent"/> at the latest, unless a frame comes before; <see cref="TimeSpan.MaxValue"/> while nobody can be lost.</summary>
+    /// <summary>
+    /// When to call <see cref="TryTakeEvent"/> at the latest, unless a frame comes before;
+    /// <see cref="TimeSpan.MaxValue"/> while none can be lost.
+    /// </summary>
     public TimeSpan NextDue
     {
         get
@@ -67,21 +88,21 @@ public sealed class MavlinkHeartbeatTracker
         }
     }
 
-    /// <summary>Takes a frame that came in.</summary>
+    /// <summary>Handles a received frame.</summary>
     /// <param name="frame">The frame, checked by the reader.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
     {
         if (frame.TryDecode(out Heartbeat heartbeat))
-            TakeHeartbeat(frame, heartbeat, now);
+            HandleHeartbeat(frame, heartbeat, now);
         else if (TryGetBootTime(frame, out uint milliseconds))
-            TakeBootTime(frame, milliseconds);
+            HandleBootTime(frame, milliseconds);
     }
 
-    /// <summary>Gives the next event. Call it until there is none, after frames and at <see cref="NextDue"/>.</summary>
+    /// <summary>Takes the next event. Call it until there is none, after frames and at <see cref="NextDue"/>.</summary>
     /// <param name="now">The time.</param>
-    /// <param name="happened">What happened.</param>
-    /// <param name="component">To whom, as it is now.</param>
+    /// <param name="happened">The event.</param>
+    /// <param name="component">The component, in its present state.</param>
     /// <returns>Whether there is one.</returns>
     public bool TryTakeEvent(TimeSpan now, out MavlinkComponentEvent happened, out MavlinkComponent component)
     {
@@ -127,7 +148,7 @@ public sealed class MavlinkHeartbeatTracker
         return milliseconds != 0;
     }
 
-    private void TakeHeartbeat(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan now)
+    private void HandleHeartbeat(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan now)
     {
         int index = IndexOf(frame);
         if (index < 0)
@@ -148,7 +169,7 @@ public sealed class MavlinkHeartbeatTracker
 
         ref Entry entry = ref _entries[index];
 
-        // Lost without anybody having asked since: it is still told.
+        // Lost since the last call of TryTakeEvent: the loss is still reported.
         if (!entry.Value.IsLost && now >= entry.Value.LastAt + _lossTimeout)
         {
             entry.Value = entry.Value with { IsLost = true };
@@ -160,7 +181,7 @@ public sealed class MavlinkHeartbeatTracker
         entry.Value = entry.Value with { Heartbeat = heartbeat, LastAt = now, Heartbeats = entry.Value.Heartbeats + 1, IsLost = false };
     }
 
-    private void TakeBootTime(in MavlinkFrame frame, uint milliseconds)
+    private void HandleBootTime(in MavlinkFrame frame, uint milliseconds)
     {
         int index = IndexOf(frame);
         if (index < 0)

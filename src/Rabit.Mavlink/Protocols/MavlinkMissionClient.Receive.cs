@@ -3,12 +3,12 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Mavlink;
 
-// What comes in.
+// Received frames.
 public sealed partial class MavlinkMissionClient
 {
-    private const int MaximumFarewells = 5;
+    private const int MaxFinalAckRepeats = 5;
 
-    /// <summary>Takes a frame that came in; all but the mission messages of the vehicle for us are none of its business.</summary>
+    /// <summary>Handles a received frame; all but the mission messages of the vehicle for us are ignored.</summary>
     /// <param name="frame">The frame, checked by the reader.</param>
     /// <param name="now">The time.</param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
@@ -43,7 +43,7 @@ public sealed partial class MavlinkMissionClient
 
     // MAVLink 1 has no place for the type of a mission.
     private bool IsOurs(in MavlinkFrame frame, byte system, byte component, MavMissionType type) =>
-        _sent > 0 && _own.IsMeantBy(system, component) && (type == _type || frame.Version == MavlinkVersion.V1);
+        _sent > 0 && _own.IsTargetOf(system, component) && (type == _type || frame.Version == MavlinkVersion.V1);
 
     private void TakeRequest(int seq, TimeSpan now)
     {
@@ -54,7 +54,7 @@ public sealed partial class MavlinkMissionClient
         _due = now;
         _tries = 0;
         if (seq <= _highest)
-            return;   // asked again: answered, but no progress
+            return;   // requested again: answered, but no progress
 
         _highest = seq;
         _result = null;
@@ -79,20 +79,21 @@ public sealed partial class MavlinkMissionClient
 
     private void TakeItem(in MavlinkFrame frame, in MissionItemInt item, TimeSpan now)
     {
-        if (!_own.IsMeantBy(item.TargetSystem, item.TargetComponent))
+        if (!_own.IsTargetOf(item.TargetSystem, item.TargetComponent))
             return;
         if (_operation == Operation.None && _isDownloadOver && item.Seq == _count - 1 && item.MissionType == _type && _seq == _count)
         {
-            // The vehicle did not hear the end.
-            if (_farewells++ < MaximumFarewells)
-                SayFarewell(MavMissionResult.Accepted);
+            // The vehicle did not receive the final acknowledgement.
+            if (_finalAckRepeats++ < MaxFinalAckRepeats)
+                QueueFinalAck(MavMissionResult.Accepted);
             return;
         }
 
-        // PX4 1.14 sends the items of fences and rally points without their type: taken, unless they may be left from a mission.
-        bool isUntyped = item.MissionType == MavMissionType.Mission
+        // PX4 1.14 sends the items of fences and rally points without their type: accepted, unless they may be left
+        // from a mission.
+        bool hasNoType = item.MissionType == MavMissionType.Mission
             && (frame.Version == MavlinkVersion.V1 || _lastPlainAt == TimeSpan.MinValue || now > _lastPlainAt + _options.LateAnswerTime);
-        if (_operation != Operation.Download || _step != Step.Request || item.Seq != _seq || (item.MissionType != _type && !isUntyped))
+        if (_operation != Operation.Download || _step != Step.Request || item.Seq != _seq || (item.MissionType != _type && !hasNoType))
             return;
         _items[_seq] = item;
         _seq++;
@@ -109,17 +110,18 @@ public sealed partial class MavlinkMissionClient
         bool isAccepted = answer.Type == MavMissionResult.Accepted;
         switch (_operation)
         {
-            // One that comes before everything was asked for is left from another transfer.
+            // One that arrives before everything was requested is left from another transfer.
             case Operation.Upload when isAccepted && _highest < _count - 1:
             case Operation.Download when isAccepted:
                 return;
 
-            // ArduPilot says so of a second copy of an item, and goes on.
+            // ArduPilot answers a second copy of an item so, and continues.
             case Operation.Upload or Operation.Download when answer.Type == MavMissionResult.InvalidSequence:
                 _result = answer.Type;
                 return;
 
-            // To a second copy of the last item, perhaps: then the transfer is over, and its answer lost or still to come.
+            // To a second copy of the last item, perhaps: then the transfer is over, and its answer lost or still in
+            // flight.
             case Operation.Upload when answer.Type == MavMissionResult.Error && IsAllSent:
                 _result = answer.Type;
                 _tries = _options.Retries + 1;
@@ -127,23 +129,23 @@ public sealed partial class MavlinkMissionClient
                 return;
             default:
                 _result = answer.Type;
-                End(VerdictOf(answer.Type), answer.OpaqueId, now);
+                End(StatusOf(answer.Type), answer.OpaqueId, now);
                 return;
         }
     }
 
     private bool IsAllSent => _count > 0 && _highest == _count - 1;
 
-    private static MavlinkMissionVerdict VerdictOf(MavMissionResult result) => result switch
+    private static MavlinkMissionStatus StatusOf(MavMissionResult result) => result switch
     {
-        MavMissionResult.Accepted => MavlinkMissionVerdict.Done,
-        MavMissionResult.OperationCancelled => MavlinkMissionVerdict.Cancelled,
-        _ => MavlinkMissionVerdict.Refused,
+        MavMissionResult.Accepted => MavlinkMissionStatus.Done,
+        MavMissionResult.OperationCancelled => MavlinkMissionStatus.Cancelled,
+        _ => MavlinkMissionStatus.Refused,
     };
 
     private void Complete(TimeSpan now)
     {
-        SayFarewell(MavMissionResult.Accepted);
-        End(MavlinkMissionVerdict.Done, 0, now);
+        QueueFinalAck(MavMissionResult.Accepted);
+        End(MavlinkMissionStatus.Done, 0, now);
     }
 }

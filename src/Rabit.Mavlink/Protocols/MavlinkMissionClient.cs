@@ -4,13 +4,35 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Uploads, downloads and clears missions, fences and rally points of one component (MAVLink guide, "Mission Protocol"), one transfer after another,
-/// each with exactly one outcome. No I/O, no clock: frames in, frames out, time as argument. One thread; allocates for a transfer longer than any before, nothing per frame.
+/// Uploads, downloads and clears missions, fences and rally points of one component (MAVLink guide, "Mission
+/// Protocol"), one transfer after another, each with exactly one outcome. No I/O, no clock: frames in, frames out, time
+/// as argument. One thread; allocates for a transfer longer than any before, nothing per frame.
 /// </summary>
 /// <remarks>
-/// Items travel as MISSION_ITEM_INT, also where the vehicle asks with the old MISSION_REQUEST. On ArduPilot item 0 of a mission is home: it comes back as the
-/// autopilot knows it, and an upload that failed half way may have changed what it had.
+/// Items are sent as MISSION_ITEM_INT, also where the vehicle requests them with the old MISSION_REQUEST. On ArduPilot
+/// item 0 of a mission is home: it is returned as the autopilot has it, and an upload that failed half way may have
+/// changed what it had.
 /// </remarks>
+/// <example>
+/// <code>
+/// static void Upload(MavlinkMissionClient client, TimeSpan now)
+/// {
+///     var items = new MissionItemInt[2];
+///     items[0] = new MissionItemInt { Command = MavCmd.NavTakeoff, Frame = MavFrame.GlobalRelativeAlt, Z = 30 };
+///     items[1] = new MissionItemInt { Command = MavCmd.NavReturnToLaunch, Autocontinue = 1 };
+///     client.TryStartUpload(MavMissionType.Mission, items, now);
+/// }
+///
+/// // For every frame that arrives: client.Handle(frame, now). After that, and at client.NextDue at the latest:
+/// static void Step(MavlinkMissionClient client, TimeSpan now, Stream link, byte[] buffer)
+/// {
+///     while (client.TryTakeFrame(now, out MavlinkFrame frame))
+///         link.Write(buffer, 0, frame.WriteTo(buffer));
+///     if (client.TryTakeOutcome(out MavlinkMissionOutcome outcome))
+///         Console.WriteLine($"{outcome.Status}, {outcome.Items} items");
+/// }
+/// </code>
+/// </example>
 public sealed partial class MavlinkMissionClient
 {
     private readonly MavlinkSender _sender;
@@ -24,13 +46,13 @@ public sealed partial class MavlinkMissionClient
     private MavlinkMissionOutcome _outcome;
     private bool _hasOutcome;
 
-    // What goes out next, and when.
+    // What is sent next, and when.
     private Step _step;
     private TimeSpan _due;
     private int _tries;
     private int _sent;
 
-    // Of an upload: the item asked for last, and the highest asked for so far. Of a download: the item wanted.
+    // Of an upload: the item requested last, and the highest requested so far. Of a download: the item wanted.
     private int _seq;
     private int _highest;
     private TimeSpan _giveUpAt;
@@ -38,15 +60,15 @@ public sealed partial class MavlinkMissionClient
 
     private TimeSpan _lastSentAt = TimeSpan.MinValue;
     private TimeSpan _lastPlainAt = TimeSpan.MinValue;
-    private MavMissionResult? _farewell;
-    private MavMissionType _farewellType;
-    private int _farewells;
+    private MavMissionResult? _finalAck;
+    private MavMissionType _finalAckType;
+    private int _finalAckRepeats;
     private bool _isDownloadOver;
 
     /// <summary>Makes a client.</summary>
     /// <param name="sender">Gives the frames their source, sequence numbers and signatures.</param>
     /// <param name="target">Whose missions.</param>
-    /// <param name="options">How patient it is; null for the usual.</param>
+    /// <param name="options">Time-outs and retries; null for the defaults.</param>
     /// <exception cref="ArgumentNullException">No sender.</exception>
     /// <exception cref="ArgumentException">The target is not one component.</exception>
     public MavlinkMissionClient(MavlinkSender sender, MavlinkAddress target, MavlinkMissionOptions? options = null)
@@ -76,26 +98,32 @@ public sealed partial class MavlinkMissionClient
         Clear,
     }
 
-    /// <summary>Whether a transfer is under way, or its outcome not taken yet: nothing else can start.</summary>
+    /// <summary>Whether a transfer is under way, or its outcome not taken yet: no other can start.</summary>
     public bool IsBusy => _operation != Operation.None || _hasOutcome;
 
     /// <summary>How many items the transfer has; 0 while a download does not know it yet.</summary>
     public int Count => _count;
 
-    /// <summary>How many items are over: received, or asked for by the vehicle.</summary>
+    /// <summary>How many items are done: received, or requested by the vehicle.</summary>
     public int ItemsDone => _operation == Operation.Upload ? _highest + 1 : _seq;
 
-    /// <summary>What was downloaded last, until the next transfer begins; of a download that failed, the items received in order.</summary>
+    /// <summary>
+    /// What was downloaded last, until the next transfer begins; of a download that failed, the items received in
+    /// order.
+    /// </summary>
     public ReadOnlySpan<MissionItemInt> Items => _isDownloadOver ? _items.AsSpan(0, _seq) : default;
 
-    /// <summary>When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to wait for.</summary>
-    public TimeSpan NextDue => _farewell is not null ? TimeSpan.Zero : _operation == Operation.None ? TimeSpan.MaxValue : _due;
+    /// <summary>
+    /// When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to
+    /// wait for.
+    /// </summary>
+    public TimeSpan NextDue => _finalAck is not null ? TimeSpan.Zero : _operation == Operation.None ? TimeSpan.MaxValue : _due;
 
-    /// <summary>Begins to upload. The items are copied; sequence numbers, addressee and type are filled in.</summary>
+    /// <summary>Starts an upload. The items are copied; sequence numbers, target and type are filled in.</summary>
     /// <param name="type">Mission, fence or rally points.</param>
     /// <param name="items">At most 65535; none clears what the vehicle has.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
-    /// <returns>Whether it has begun; false while <see cref="IsBusy"/>.</returns>
+    /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     /// <exception cref="ArgumentException">Too many items.</exception>
     public bool TryStartUpload(MavMissionType type, ReadOnlySpan<MissionItemInt> items, TimeSpan now)
     {
@@ -116,27 +144,29 @@ public sealed partial class MavlinkMissionClient
         return true;
     }
 
-    /// <summary>Begins to download.</summary>
+    /// <summary>Starts a download.</summary>
     /// <param name="type">Mission, fence or rally points.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
-    /// <returns>Whether it has begun; false while <see cref="IsBusy"/>.</returns>
+    /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     public bool TryStartDownload(MavMissionType type, TimeSpan now) => TryStart(Operation.Download, Step.List, type, now);
 
-    /// <summary>Begins to clear.</summary>
+    /// <summary>Starts to clear.</summary>
     /// <param name="type">Mission, fence, rally points, or all of them.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
-    /// <returns>Whether it has begun; false while <see cref="IsBusy"/>.</returns>
+    /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     public bool TryStartClear(MavMissionType type, TimeSpan now) => TryStart(Operation.Clear, Step.Clear, type, now);
 
-    /// <summary>Ends the transfer, with the outcome <see cref="MavlinkMissionVerdict.Cancelled"/>, and tells the vehicle.</summary>
+    /// <summary>
+    /// Ends the transfer, with the outcome <see cref="MavlinkMissionStatus.Cancelled"/>, and notifies the vehicle.
+    /// </summary>
     /// <param name="now">The time.</param>
     public void Cancel(TimeSpan now)
     {
         if (_operation != Operation.None)
-            GiveUp(MavlinkMissionVerdict.Cancelled, now);
+            GiveUp(MavlinkMissionStatus.Cancelled, now);
     }
 
-    /// <summary>Gives the outcome of the last transfer, once.</summary>
+    /// <summary>Takes the outcome of the last transfer; it is returned once.</summary>
     /// <param name="outcome">The outcome.</param>
     /// <returns>Whether there is one.</returns>
     public bool TryTakeOutcome(out MavlinkMissionOutcome outcome)
@@ -147,22 +177,22 @@ public sealed partial class MavlinkMissionClient
         return had;
     }
 
-    /// <summary>Gives the next frame to send. Call it until there is none.</summary>
+    /// <summary>Takes the next frame to send. Call it until there is none.</summary>
     /// <param name="now">The time.</param>
     /// <param name="frame">The frame.</param>
     /// <returns>Whether there is one.</returns>
     public bool TryTakeFrame(TimeSpan now, out MavlinkFrame frame)
     {
         frame = default;
-        if (_farewell is { } result)
+        if (_finalAck is { } result)
         {
-            _farewell = null;
+            _finalAck = null;
             frame = _sender.Create(new MissionAck
             {
                 TargetSystem = _target.SystemId,
                 TargetComponent = _target.ComponentId,
                 Type = result,
-                MissionType = _farewellType,
+                MissionType = _finalAckType,
             });
             _lastSentAt = now;
             return true;
@@ -172,8 +202,9 @@ public sealed partial class MavlinkMissionClient
             return false;
         if (_tries > _options.Retries || (_operation == Operation.Upload && _highest >= 0 && now >= _giveUpAt))
         {
-            bool isRefused = _result is not null && !(_operation == Operation.Upload && IsAllSent);
-            GiveUp(isRefused ? MavlinkMissionVerdict.Refused : MavlinkMissionVerdict.Unanswered, now);
+            // INVALID_SEQUENCE to a copy of an item is no refusal, and what an upload has changed is not known.
+            bool isRefused = _operation != Operation.Upload && _result is not null;
+            GiveUp(isRefused ? MavlinkMissionStatus.Refused : MavlinkMissionStatus.Unknown, now);
             return TryTakeFrame(now, out frame);
         }
 
@@ -211,7 +242,8 @@ public sealed partial class MavlinkMissionClient
             Count = (ushort)_count,
             MissionType = _type,
         }),
-        // What was asked for may have been asked by a late copy of a request; what is sent again unasked is what comes next.
+        // A request may be a late duplicate; what is sent again without a request is the item after the last one
+        // received.
         Step.Item => _sender.Create(_items[_tries > 0 ? _highest : _seq]),
         Step.List => _sender.Create(new MissionRequestList { TargetSystem = _target.SystemId, TargetComponent = _target.ComponentId, MissionType = _type }),
         Step.Request => _sender.Create(new MissionRequestInt
@@ -231,25 +263,25 @@ public sealed partial class MavlinkMissionClient
             _items = new MissionItemInt[count];
     }
 
-    private void GiveUp(MavlinkMissionVerdict verdict, TimeSpan now)
+    private void GiveUp(MavlinkMissionStatus status, TimeSpan now)
     {
-        // Whoever was spoken to may be left waiting: to idle, both of us.
+        // The vehicle may be left waiting: both sides return to idle.
         if (_sent > 0 && _operation != Operation.Clear)
-            SayFarewell(MavMissionResult.OperationCancelled);
-        End(verdict, 0, now);
+            QueueFinalAck(MavMissionResult.OperationCancelled);
+        End(status, 0, now);
     }
 
-    private void SayFarewell(MavMissionResult result)
+    private void QueueFinalAck(MavMissionResult result)
     {
-        _farewell = result;
-        _farewellType = _type;
+        _finalAck = result;
+        _finalAckType = _type;
     }
 
-    private void End(MavlinkMissionVerdict verdict, uint opaqueId, TimeSpan now)
+    private void End(MavlinkMissionStatus status, uint opaqueId, TimeSpan now)
     {
-        _outcome = new MavlinkMissionOutcome(verdict, _result, ItemsDone, opaqueId, _sent, now);
+        _outcome = new MavlinkMissionOutcome(status, _result, ItemsDone, opaqueId, _sent, now);
         _isDownloadOver = _operation == Operation.Download;
-        _farewells = 0;
+        _finalAckRepeats = 0;
         _operation = Operation.None;
         _hasOutcome = true;
     }

@@ -8,7 +8,9 @@ namespace Rabit.Mavlink;
 /// <param name="Name">At most 16 characters, zero behind them.</param>
 /// <param name="Type">What the vehicle keeps it as.</param>
 /// <param name="Bits">The four bytes of the value field.</param>
-/// <param name="Index">Its place in the vehicle's list, which may shift on ArduPilot; 65535 where the vehicle did not say.</param>
+/// <param name="Index">
+/// Its place in the vehicle's list, which may shift on ArduPilot; 65535 where the vehicle gave none.
+/// </param>
 public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, uint Bits, int Index)
 {
     /// <summary>The index that means none.</summary>
@@ -42,15 +44,17 @@ public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, u
     /// <param name="type">The type of the parameter.</param>
     /// <param name="encoding">How the vehicle packs integers.</param>
     /// <returns>Its four bytes.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The type cannot hold the number, or the float on the wire cannot hold the integer exactly.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The type cannot hold the number, or the float on the wire cannot hold the integer exactly.
+    /// </exception>
     public static uint Encode(double value, MavParamType type, MavlinkParameterEncoding encoding)
     {
-        (double least, double largest) = RangeOf(type);
-        if (least == largest)
+        (double min, double max) = RangeOf(type);
+        if (min == max)
             return FromFloat((float)value);
         double whole = Math.Round(value);
-        if (!(whole >= least && whole <= largest))
-            throw new ArgumentOutOfRangeException(nameof(value), value, $"{type} holds {least} to {largest}.");
+        if (!(whole >= min && whole <= max))
+            throw new ArgumentOutOfRangeException(nameof(value), value, $"{type} holds {min} to {max}.");
         if (encoding == MavlinkParameterEncoding.Bytewise)
             return unchecked((uint)(long)whole);
         if ((float)whole != whole)
@@ -58,17 +62,20 @@ public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, u
         return FromFloat((float)whole);
     }
 
-    /// <summary>The encoding by what an autopilot says of itself in AUTOPILOT_VERSION.</summary>
+    /// <summary>The encoding by the capabilities in AUTOPILOT_VERSION.</summary>
     /// <param name="capabilities">Its capabilities.</param>
     /// <param name="encoding">The encoding.</param>
-    /// <returns>Whether it says.</returns>
+    /// <returns>Whether the capabilities include one.</returns>
     public static bool TryGetEncoding(MavProtocolCapability capabilities, out MavlinkParameterEncoding encoding)
     {
         encoding = (capabilities & MavProtocolCapability.ParamEncodeBytewise) != 0 ? MavlinkParameterEncoding.Bytewise : MavlinkParameterEncoding.CCast;
         return (capabilities & (MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.ParamEncodeCCast)) != 0;
     }
 
-    /// <summary>The encoding by the make of the autopilot, where it does not say: ArduPilot casts, all others keep the bits.</summary>
+    /// <summary>
+    /// The encoding by the kind of autopilot, where its capabilities include none: ArduPilot casts, all others keep the
+    /// bits.
+    /// </summary>
     /// <param name="autopilot">Of its HEARTBEAT.</param>
     /// <returns>The encoding.</returns>
     public static MavlinkParameterEncoding EncodingOf(MavAutopilot autopilot) =>
@@ -89,7 +96,7 @@ public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, u
         return name;
     }
 
-    private static (double Least, double Largest) RangeOf(MavParamType type) => type switch
+    private static (double Min, double Max) RangeOf(MavParamType type) => type switch
     {
         MavParamType.Uint8 => (byte.MinValue, byte.MaxValue),
         MavParamType.Int8 => (sbyte.MinValue, sbyte.MaxValue),

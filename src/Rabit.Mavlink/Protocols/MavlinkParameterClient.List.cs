@@ -3,7 +3,7 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Mavlink;
 
-// The list.
+// Listing all parameters.
 public sealed partial class MavlinkParameterClient
 {
     private uint? _knownHash;
@@ -16,13 +16,14 @@ public sealed partial class MavlinkParameterClient
     private int _cursor;
     private TimeSpan _listenFrom;
 
-    /// <summary>Begins to read all parameters.</summary>
+    /// <summary>Starts to read all parameters.</summary>
     /// <param name="now">The time, by a clock that never goes back.</param>
     /// <param name="knownHash">
-    /// The <see cref="Hash"/> that the vehicle sent with a list that is at hand: where it sends the same again, the list is stopped
-    /// and the outcome is <see cref="MavlinkParameterVerdict.Unchanged"/>; <see cref="Parameters"/> stays as it is. Null: read in any case.
+    /// The <see cref="Hash"/> that the vehicle sent with a list that the caller has kept: where it sends the same
+    /// again, the list is stopped and the outcome is <see cref="MavlinkParameterStatus.Unchanged"/>;
+    /// <see cref="Parameters"/> stays as it is. Null: read in any case.
     /// </param>
-    /// <returns>Whether it has begun; false while <see cref="IsBusy"/>.</returns>
+    /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     public bool TryStartList(TimeSpan now, uint? knownHash = null)
     {
         if (IsBusy)
@@ -44,7 +45,7 @@ public sealed partial class MavlinkParameterClient
         {
             if (_tries > 0 && ++_emptyRounds > _options.EmptyRounds)
             {
-                End(MavlinkParameterVerdict.Incomplete, default, now);
+                End(MavlinkParameterStatus.Incomplete, default, now);
                 return false;
             }
 
@@ -104,7 +105,7 @@ public sealed partial class MavlinkParameterClient
         }
 
         if (Parameters.Missing == 0)
-            End(MavlinkParameterVerdict.Done, default, now);
+            End(MavlinkParameterStatus.Done, default, now);
         else if (isNew)
             GoOn(now);
     }
@@ -117,7 +118,7 @@ public sealed partial class MavlinkParameterClient
         _unansweredInRound--;
         _due = now + _options.GapTimeout;
 
-        // All that were asked for are here: the next ones at once. The stream itself is not hurried.
+        // All that were requested have arrived: the next round at once. The stream itself is not hurried.
         if (_unansweredInRound == 0 && _cursor > 0)
         {
             _due = now;
@@ -125,12 +126,12 @@ public sealed partial class MavlinkParameterClient
         }
     }
 
-    // Not before values of the list as it was can come in no more: they would look like the next change.
+    // Not before values of the old list can arrive no more: they would look like the next change.
     private void Restart(TimeSpan now)
     {
         if (++_restarts > _options.Restarts)
         {
-            End(MavlinkParameterVerdict.Incomplete, default, now);
+            End(MavlinkParameterStatus.Incomplete, default, now);
             return;
         }
 
@@ -146,7 +147,7 @@ public sealed partial class MavlinkParameterClient
             return;
         _mustStopList = true;
         _due = now;
-        End(MavlinkParameterVerdict.Unchanged, default, now);
+        End(MavlinkParameterStatus.Unchanged, default, now);
     }
 
     // PX4 stops the list when it gets the hash back.

@@ -4,14 +4,33 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Lists, reads and sets the parameters of one component (MAVLink guide, "Parameter Protocol"), one operation after another, each with exactly one
-/// outcome. No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
+/// Lists, reads and sets the parameters of one component (MAVLink guide, "Parameter Protocol"), one operation after
+/// another, each with exactly one outcome. No I/O, no clock: frames in, frames out, time as argument. One thread;
+/// nothing is allocated per frame.
 /// </summary>
 /// <remarks>
-/// A list is streamed by the vehicle; what is missing when it falls silent is asked for by index, some at a time, until all are there or
-/// <see cref="MavlinkParameterOptions.EmptyRounds"/> rounds brought nothing. A set has succeeded when the vehicle reports the value; a different value
-/// counts once the request was sent twice, since a report from before may still be under way.
+/// A list is streamed by the vehicle; what is missing when the stream stops is requested by index, some at a time,
+/// until all are received or <see cref="MavlinkParameterOptions.EmptyRounds"/> rounds brought nothing. A set has
+/// succeeded when the vehicle reports the value; a different value counts once the request was sent twice, since an
+/// older report may still be in flight.
 /// </remarks>
+/// <example>
+/// <code>
+/// static void ReadAll(MavlinkParameterClient client, TimeSpan now) =&gt; client.TryStartList(now);
+///
+/// // For every frame that arrives: client.Handle(frame, now). After that, and at client.NextDue at the latest:
+/// static void Step(MavlinkParameterClient client, TimeSpan now, Stream link, byte[] buffer)
+/// {
+///     while (client.TryTakeFrame(now, out MavlinkFrame frame))
+///         link.Write(buffer, 0, frame.WriteTo(buffer));
+///     if (!client.TryTakeOutcome(out MavlinkParameterOutcome outcome))
+///         return;
+///     Console.WriteLine($"{outcome.Status}, {outcome.Missing} missing");
+///     for (int i = 0; i &lt; client.Parameters.Count; i++)
+///         Console.WriteLine($"{client.Parameters[i].Name} = {client.Parameters[i].ToDouble(client.Encoding)}");
+/// }
+/// </code>
+/// </example>
 public sealed partial class MavlinkParameterClient
 {
     // PX4 sends this in front of a list: a checksum of names and values, which a receiver that kept the list compares.
@@ -43,7 +62,7 @@ public sealed partial class MavlinkParameterClient
     /// <param name="sender">Gives the frames their source, sequence numbers and signatures.</param>
     /// <param name="target">Whose parameters.</param>
     /// <param name="encoding">How the vehicle packs integers.</param>
-    /// <param name="options">How patient it is; null for the usual.</param>
+    /// <param name="options">Time-outs and retries; null for the defaults.</param>
     /// <exception cref="ArgumentNullException">No sender.</exception>
     /// <exception cref="ArgumentException">The target is not one component.</exception>
     public MavlinkParameterClient(MavlinkSender sender, MavlinkAddress target, MavlinkParameterEncoding encoding, MavlinkParameterOptions? options = null)
@@ -68,40 +87,49 @@ public sealed partial class MavlinkParameterClient
     /// <summary>How the vehicle packs integers.</summary>
     public MavlinkParameterEncoding Encoding { get; }
 
-    /// <summary>What is known: filled by a list, kept up to date by every PARAM_VALUE of the vehicle, whoever asked for it.</summary>
+    /// <summary>
+    /// The parameters known: filled by a list, kept up to date by every PARAM_VALUE of the vehicle, whatever requested
+    /// it.
+    /// </summary>
     public MavlinkParameterTable Parameters { get; } = new();
 
-    /// <summary>The last hash that the vehicle sent (PX4); null where there is none. Keep it with the list, for <see cref="TryStartList"/>.</summary>
+    /// <summary>
+    /// The last hash that the vehicle sent (PX4); null where there is none. Keep it with the list, for
+    /// <see cref="TryStartList"/>.
+    /// </summary>
     public uint? Hash { get; private set; }
 
     /// <summary>Whether an operation is under way, or its outcome not taken yet: nothing else can start.</summary>
     public bool IsBusy => _operation != Operation.None || _hasOutcome;
 
-    /// <summary>When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to wait for.</summary>
+    /// <summary>
+    /// When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to
+    /// wait for.
+    /// </summary>
     public TimeSpan NextDue => _operation == Operation.None && !_mustStopList ? TimeSpan.MaxValue : _due;
 
-    /// <summary>Begins to read one parameter by its name.</summary>
+    /// <summary>Starts to read one parameter by its name.</summary>
     /// <param name="name">At most 16 characters.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
-    /// <returns>Whether it has begun; false while <see cref="IsBusy"/>.</returns>
+    /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     /// <exception cref="ArgumentException">No name, or not one that fits.</exception>
     public bool TryStartRead(string name, TimeSpan now) => TryStartOne(Operation.Read, NameOf(name), -1, now);
 
-    /// <summary>Begins to read one parameter by its index.</summary>
+    /// <summary>Starts to read one parameter by its index.</summary>
     /// <param name="index">0 to 32767.</param>
     /// <param name="now">The time.</param>
-    /// <returns>Whether it has begun; false while <see cref="IsBusy"/>.</returns>
+    /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     /// <exception cref="ArgumentOutOfRangeException">No such index.</exception>
     public bool TryStartRead(int index, TimeSpan now) => index is >= 0 and <= short.MaxValue
         ? TryStartOne(Operation.Read, default, index, now)
         : throw new ArgumentOutOfRangeException(nameof(index), index, "0 to 32767.");
 
-    /// <summary>Begins to set a parameter.</summary>
+    /// <summary>Starts to set a parameter.</summary>
     /// <param name="name">Its name, at most 16 characters.</param>
     /// <param name="type">Its type on the vehicle; PX4 refuses another one.</param>
     /// <param name="value">The value.</param>
     /// <param name="now">The time.</param>
-    /// <returns>Whether it has begun; false while <see cref="IsBusy"/>.</returns>
+    /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
     /// <exception cref="ArgumentException">No name, or not one that fits.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The type or the encoding cannot hold the value.</exception>
     public bool TryStartSet(string name, MavParamType type, double value, TimeSpan now)
@@ -114,15 +142,18 @@ public sealed partial class MavlinkParameterClient
         return true;
     }
 
-    /// <summary>Ends what is under way, with the outcome <see cref="MavlinkParameterVerdict.Cancelled"/>. A set may have been done.</summary>
+    /// <summary>
+    /// Cancels what is under way, with the outcome <see cref="MavlinkParameterStatus.Cancelled"/>. A set may have been
+    /// done.
+    /// </summary>
     /// <param name="now">The time.</param>
     public void Cancel(TimeSpan now)
     {
         if (_operation != Operation.None)
-            End(MavlinkParameterVerdict.Cancelled, default, now);
+            End(MavlinkParameterStatus.Cancelled, default, now);
     }
 
-    /// <summary>Gives the outcome of what was started last, once.</summary>
+    /// <summary>Takes the outcome of what was started last; it is returned once.</summary>
     /// <param name="outcome">The outcome.</param>
     /// <returns>Whether there is one.</returns>
     public bool TryTakeOutcome(out MavlinkParameterOutcome outcome)
@@ -133,7 +164,7 @@ public sealed partial class MavlinkParameterClient
         return had;
     }
 
-    /// <summary>Takes a frame that came in; all but PARAM_VALUE and PARAM_ERROR of the vehicle are none of its business.</summary>
+    /// <summary>Handles a received frame; all but PARAM_VALUE and PARAM_ERROR of the vehicle are ignored.</summary>
     /// <param name="frame">The frame, checked by the reader.</param>
     /// <param name="now">The time.</param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
@@ -142,11 +173,11 @@ public sealed partial class MavlinkParameterClient
             return;
         if (frame.TryDecode(out ParamValue value))
             Take(MavlinkParameter.From(value), value.ParamCount, now);
-        else if (frame.TryDecode(out ParamError error) && _own.IsMeantBy(error.TargetSystem, error.TargetComponent))
+        else if (frame.TryDecode(out ParamError error) && _own.IsTargetOf(error.TargetSystem, error.TargetComponent))
             Take(error, now);
     }
 
-    /// <summary>Gives the next frame to send. Call it until there is none.</summary>
+    /// <summary>Takes the next frame to send. Call it until there is none.</summary>
     /// <param name="now">The time.</param>
     /// <param name="frame">The frame.</param>
     /// <returns>Whether there is one.</returns>
@@ -169,7 +200,7 @@ public sealed partial class MavlinkParameterClient
         if (IsBusy)
             return false;
 
-        // A late report of what was asked before must not be taken for the answer.
+        // A late report of an earlier request must not be mistaken for the answer.
         bool isAgain = _lastSentAt != TimeSpan.MinValue && name == _name && index == _index && now < _lastSentAt + _options.LateAnswerTime;
         _due = isAgain ? _lastSentAt + _options.LateAnswerTime : now;
         _operation = operation;
@@ -185,7 +216,7 @@ public sealed partial class MavlinkParameterClient
         frame = default;
         if (_tries > _options.Retries)
         {
-            End(_others > 0 ? MavlinkParameterVerdict.Refused : MavlinkParameterVerdict.Unanswered, _other, now);
+            End(_others > 0 ? MavlinkParameterStatus.Refused : MavlinkParameterStatus.Unknown, _other, now);
             return false;
         }
 
@@ -216,14 +247,14 @@ public sealed partial class MavlinkParameterClient
             return;
         if (_operation == Operation.Read || IsWanted(parameter))
         {
-            End(MavlinkParameterVerdict.Done, parameter, now);
+            End(MavlinkParameterStatus.Done, parameter, now);
             return;
         }
 
         _other = parameter;
         _others++;
         if (_others > 1 && _tries > 1)
-            End(MavlinkParameterVerdict.Refused, parameter, now);
+            End(MavlinkParameterStatus.Refused, parameter, now);
     }
 
     // ArduPilot answers with its own type, whatever the request said; then it is the number that counts.
@@ -236,7 +267,7 @@ public sealed partial class MavlinkParameterClient
             && (_index >= 0 ? error.ParamIndex == _index : MavlinkParameter.Clean(error.ParamId) == _name);
         if (!isOurs)
             return;
-        End(MavlinkParameterVerdict.Refused, _other, now);
+        End(MavlinkParameterStatus.Refused, _other, now);
         _outcome = _outcome with { Error = error.Error };
     }
 
@@ -265,11 +296,11 @@ public sealed partial class MavlinkParameterClient
         });
     }
 
-    private void End(MavlinkParameterVerdict verdict, in MavlinkParameter parameter, TimeSpan now)
+    private void End(MavlinkParameterStatus status, in MavlinkParameter parameter, TimeSpan now)
     {
         int missing = _operation != Operation.List ? 0 : _hasCount ? Parameters.Missing : -1;
         _operation = Operation.None;
-        _outcome = new MavlinkParameterOutcome(verdict, parameter, MavParamError.NoError, missing, _sent, now);
+        _outcome = new MavlinkParameterOutcome(status, parameter, MavParamError.NoError, missing, _sent, now);
         _hasOutcome = true;
     }
 }

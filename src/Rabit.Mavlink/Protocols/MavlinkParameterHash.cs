@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The hash that PX4 sends in front of its list as _HASH_CHECK: CRC-32 over the names and the four bytes of all values, in the order of the names, without those that
-/// PX4 changes by itself (PX4, <c>param_hash_check</c>). It tells whether a list that is at hand is still the vehicle's. Any thread.
+/// The hash that PX4 sends in front of its list as _HASH_CHECK: CRC-32 over the names and the four bytes of all values,
+/// in the order of the names, without those that PX4 changes by itself (PX4, <c>param_hash_check</c>). It shows whether
+/// a list that was kept is still the vehicle's. Any thread.
 /// </summary>
 public static class MavlinkParameterHash
 {
@@ -14,8 +15,10 @@ public static class MavlinkParameterHash
     private const int ValueLength = 4;
 
     /// <summary>Computes the hash of a list.</summary>
-    /// <param name="parameters">The list, as it came in; values byte by byte, as PX4 sends them.</param>
-    /// <param name="isVolatile">Which parameters the vehicle leaves out; <see cref="IsVolatile"/> where null. Another firmware may have others.</param>
+    /// <param name="parameters">The list, as received; values byte by byte, as PX4 sends them.</param>
+    /// <param name="isVolatile">
+    /// Which parameters the vehicle leaves out; <see cref="IsVolatile"/> where null. Another firmware may have others.
+    /// </param>
     /// <returns>The hash; it means nothing while parameters are missing.</returns>
     /// <exception cref="ArgumentNullException">No list.</exception>
     public static uint Compute(MavlinkParameterTable parameters, Predicate<string>? isVolatile = null)
@@ -38,7 +41,10 @@ public static class MavlinkParameterHash
         return hash;
     }
 
-    /// <summary>Whether PX4 leaves a parameter out, since it changes it by itself: what it measures of its sensors and of the flight. As of PX4 1.14.</summary>
+    /// <summary>
+    /// Whether PX4 leaves a parameter out, since it changes it by itself: what it measures of its sensors and of the
+    /// flight. As of PX4 1.14.
+    /// </summary>
     /// <param name="name">The name.</param>
     /// <returns>False also for names that PX4 does not have.</returns>
     /// <exception cref="ArgumentNullException">No name.</exception>

@@ -3,12 +3,15 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Mavlink;
 
-/// <summary>The parameters of a vehicle, by their place in its list. One thread; allocates only where the list is longer than any before.</summary>
+/// <summary>
+/// The parameters of a vehicle, by their place in its list. One thread; allocates only where the list is longer than
+/// any before.
+/// </summary>
 public sealed class MavlinkParameterTable
 {
     private MavlinkParameter[] _entries = [];
 
-    /// <summary>How many the vehicle says it has.</summary>
+    /// <summary>How many parameters the vehicle reports to have.</summary>
     public int Count { get; private set; }
 
     /// <summary>How many of them are not known yet.</summary>

@@ -1,9 +1,11 @@
 namespace Rabit.Mavlink;
 
-/// <summary>What a vehicle said to a request of a rate. It may say yes and send less: what counts is the measured rate.</summary>
+/// <summary>
+/// How a vehicle answered the request of a rate. It may accept and send less: what counts is the measured rate.
+/// </summary>
 public enum MavlinkRateAnswer
 {
-    /// <summary>Nothing yet.</summary>
+    /// <summary>No answer yet.</summary>
     None,
 
     /// <summary>Accepted.</summary>
@@ -12,6 +14,6 @@ public enum MavlinkRateAnswer
     /// <summary>Refused.</summary>
     Refused,
 
-    /// <summary>Nothing, to all tries.</summary>
+    /// <summary>No answer to any try.</summary>
     Unanswered,
 }

@@ -4,13 +4,31 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Asks one component for message rates (MAV_CMD_SET_MESSAGE_INTERVAL, one message after another), measures what really comes, and asks again where that is
-/// off: a ground station may have changed it. No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
+/// Requests message rates from one component (MAV_CMD_SET_MESSAGE_INTERVAL, one message after another), measures the
+/// rates at which they arrive, and requests again where these are off: a ground station may have changed them. No I/O,
+/// no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
 /// </summary>
 /// <remarks>
-/// An acknowledgement does not say which message it is for, and waiting until no late one can come would take a second per message. So an answer counts
-/// for what was asked last, a late one perhaps for the wrong message; the measured rate is the truth.
+/// An acknowledgement does not name the message it is for, and waiting until no late one can arrive would take a second
+/// per message. So an answer counts for the last request, a late one perhaps for the wrong message; the measured rate
+/// is what counts.
 /// </remarks>
+/// <example>
+/// <code>
+/// var sender = new MavlinkSender(systemId: 1, componentId: 191);
+/// var rates = new MavlinkRateClient(
+///     sender, new MavlinkAddress(1, 1), [(Attitude.MavlinkId, 20), (GlobalPositionInt.MavlinkId, 5)]);
+///
+/// // For every frame that arrives: rates.Handle(frame, now). After that, and at rates.NextDue at the latest:
+/// static void Step(MavlinkRateClient rates, TimeSpan now, Stream link, byte[] buffer)
+/// {
+///     while (rates.TryTakeFrame(now, out MavlinkFrame frame))
+///         link.Write(buffer, 0, frame.WriteTo(buffer));
+///     for (int i = 0; i &lt; rates.Count; i++)
+///         Console.WriteLine($"{rates[i].MessageId}: {rates[i].MeasuredHertz:F1} of {rates[i].WantedHertz} Hz");
+/// }
+/// </code>
+/// </example>
 public sealed class MavlinkRateClient
 {
     /// <summary>How long one try waits for an answer.</summary>
@@ -19,17 +37,17 @@ public sealed class MavlinkRateClient
     /// <summary>Over how long a rate is measured.</summary>
     public static readonly TimeSpan Window = TimeSpan.FromSeconds(5);
 
-    /// <summary>How long after a request the same message is not asked for again, whatever its rate.</summary>
+    /// <summary>How long after a request the same message is not requested again, whatever its rate.</summary>
     public static readonly TimeSpan RepeatAfter = TimeSpan.FromSeconds(30);
 
-    /// <summary>By which share the measured rate must be off to ask again.</summary>
+    /// <summary>By which share the measured rate must be off to be requested again.</summary>
     public const double Tolerance = 0.2;
 
-    /// <summary>How often a message is asked for without an answer before the next one is.</summary>
-    public const int MaximumTries = 3;
+    /// <summary>How often a message is requested without an answer before the next one is.</summary>
+    public const int MaxTries = 3;
 
-    /// <summary>How often, at most, a message is asked for again because of its rate.</summary>
-    public const int MaximumRepeats = 3;
+    /// <summary>How often, at most, a message is requested again because of its rate.</summary>
+    public const int MaxRepeats = 3;
 
     private readonly MavlinkSender _sender;
     private readonly MavlinkAddress _own;
@@ -40,9 +58,9 @@ public sealed class MavlinkRateClient
     private TimeSpan _due;
     private TimeSpan? _windowStart;
 
-    /// <summary>Makes a client, which asks from the first call of <see cref="TryTakeFrame"/> on.</summary>
+    /// <summary>Makes a client, which sends requests from the first call of <see cref="TryTakeFrame"/> on.</summary>
     /// <param name="sender">Gives the frames their source, sequence numbers and signatures.</param>
-    /// <param name="target">Who is to send.</param>
+    /// <param name="target">The component that sends the messages.</param>
     /// <param name="wanted">Message ids and rates, hertz; 0 turns a message off.</param>
     /// <exception cref="ArgumentNullException">No sender.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A rate is negative or no number.</exception>
@@ -81,7 +99,7 @@ public sealed class MavlinkRateClient
 
     /// <summary>One of the wanted messages.</summary>
     /// <param name="index">0 to <see cref="Count"/> - 1, as given.</param>
-    /// <returns>What became of it.</returns>
+    /// <returns>Its wanted and measured rate, and the answer.</returns>
     public MavlinkStreamRate this[int index]
     {
         get
@@ -91,7 +109,7 @@ public sealed class MavlinkRateClient
         }
     }
 
-    /// <summary>Begins anew: the vehicle has, for example after a reboot, forgotten what it was asked for.</summary>
+    /// <summary>Starts over: after a reboot, for example, the vehicle has lost what was requested.</summary>
     public void Restart()
     {
         _current = -1;
@@ -103,7 +121,7 @@ public sealed class MavlinkRateClient
         }
     }
 
-    /// <summary>Takes a frame that came in: every frame, since it counts them.</summary>
+    /// <summary>Handles a received frame: every frame, since it counts them.</summary>
     /// <param name="frame">The frame, checked by the reader.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
@@ -116,11 +134,11 @@ public sealed class MavlinkRateClient
                 _entries[i].InWindow++;
         }
 
-        if (_current >= 0 && frame.TryDecode(out CommandAck answer) && answer.Command == MavCmd.SetMessageInterval && _own.IsMeantBy(answer.TargetSystem, answer.TargetComponent))
-            Take(answer.Result, now);
+        if (_current >= 0 && frame.TryDecode(out CommandAck answer) && answer.Command == MavCmd.SetMessageInterval && _own.IsTargetOf(answer.TargetSystem, answer.TargetComponent))
+            HandleAnswer(answer.Result, now);
     }
 
-    /// <summary>Gives the next frame to send. Call it until there is none.</summary>
+    /// <summary>Takes the next frame to send. Call it until there is none.</summary>
     /// <param name="now">The time.</param>
     /// <param name="frame">The frame.</param>
     /// <returns>Whether there is one.</returns>
@@ -130,7 +148,7 @@ public sealed class MavlinkRateClient
         Measure(now);
         if (_current >= 0 && now < _due)
             return false;
-        if (_current >= 0 && _tries >= MaximumTries)
+        if (_current >= 0 && _tries >= MaxTries)
             Finish(MavlinkRateAnswer.Unanswered);
         if (_current < 0)
         {
@@ -152,22 +170,25 @@ public sealed class MavlinkRateClient
         });
         entry.Requests++;
         Requests++;
-        entry.AskedAt = now;
+        entry.RequestedAt = now;
         _tries++;
         _due = now + AnswerTimeout;
         return true;
     }
 
-    /// <summary>Gives the next message that was answered, or given up, since the last call. Call it until there is none; not calling it costs nothing.</summary>
-    /// <param name="rate">The message, and what became of it.</param>
+    /// <summary>
+    /// Takes the next message that was answered, or given up, since the last call. Call it until there is none; not
+    /// calling it costs nothing.
+    /// </summary>
+    /// <param name="rate">The message with its answer.</param>
     /// <returns>Whether there is one.</returns>
     public bool TryTakeAnswer(out MavlinkStreamRate rate)
     {
         for (int i = 0; i < _entries.Length; i++)
         {
-            if (!_entries[i].IsNews)
+            if (!_entries[i].IsAnswerPending)
                 continue;
-            _entries[i].IsNews = false;
+            _entries[i].IsAnswerPending = false;
             rate = this[i];
             return true;
         }
@@ -176,7 +197,7 @@ public sealed class MavlinkRateClient
         return false;
     }
 
-    private void Take(MavResult result, TimeSpan now)
+    private void HandleAnswer(MavResult result, TimeSpan now)
     {
         switch (result)
         {
@@ -187,7 +208,7 @@ public sealed class MavlinkRateClient
                 _due = now + AnswerTimeout;
                 return;
             case MavResult.TemporarilyRejected:
-                return;   // the time-out asks again
+                return;   // requested again after the time-out
             default:
                 Finish(MavlinkRateAnswer.Refused);
                 return;
@@ -198,7 +219,7 @@ public sealed class MavlinkRateClient
     {
         _entries[_current].Answer = answer;
         _entries[_current].IsWaiting = false;
-        _entries[_current].IsNews = true;
+        _entries[_current].IsAnswerPending = true;
         _current = -1;
     }
 
@@ -221,12 +242,12 @@ public sealed class MavlinkRateClient
         {
             ref Entry entry = ref _entries[i];
 
-            // A window in which it was asked for has both rates in it.
-            if (_windowStart is { } from && entry.Requests > 0 && entry.AskedAt < from)
+            // A window in which it was requested has both rates in it.
+            if (_windowStart is { } from && entry.Requests > 0 && entry.RequestedAt < from)
                 entry.Measured = entry.InWindow / (now - from).TotalSeconds;
             entry.InWindow = 0;
-            bool isOff = this[i].IsOffBy(Tolerance) && entry.Answer != MavlinkRateAnswer.Refused && entry.Repeats < MaximumRepeats;
-            if (!isOff || entry.IsWaiting || now < entry.AskedAt + RepeatAfter)
+            bool isOff = this[i].IsOffBy(Tolerance) && entry.Answer != MavlinkRateAnswer.Refused && entry.Repeats < MaxRepeats;
+            if (!isOff || entry.IsWaiting || now < entry.RequestedAt + RepeatAfter)
                 continue;
             entry.Repeats++;
             entry.IsWaiting = true;
@@ -243,9 +264,9 @@ public sealed class MavlinkRateClient
         public MavlinkRateAnswer Answer;
         public int Requests;
         public int Repeats;
-        public TimeSpan AskedAt;
+        public TimeSpan RequestedAt;
         public long InWindow;
         public bool IsWaiting;
-        public bool IsNews;
+        public bool IsAnswerPending;
     }
 }

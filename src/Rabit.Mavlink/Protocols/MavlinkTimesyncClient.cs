@@ -4,24 +4,25 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Keeps the clock of one component in step with ours by TIMESYNC, and answers those who ask for ours (MAVLink guide, "Time Synchronization Protocol v2").
-/// No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is allocated per frame.
+/// Synchronises with the clock of one component by TIMESYNC, and answers requests for ours (MAVLink guide, "Time
+/// Synchronization Protocol v2"). No I/O, no clock: frames in, frames out, time as argument. One thread; nothing is
+/// allocated per frame.
 /// </summary>
 public sealed class MavlinkTimesyncClient
 {
     private const double SecondsPerNanosecond = 1e-9;
     private const int NanosecondsPerTick = 100;
-    private const int Questions = 4;
+    private const int MaxOpenAnswers = 4;
 
     private readonly MavlinkSender _sender;
     private readonly MavlinkAddress _own;
     private readonly MavlinkAddress _target;
-    private readonly Timesync[] _answers = new Timesync[Questions];
+    private readonly Timesync[] _answers = new Timesync[MaxOpenAnswers];
     private int _answerCount;
 
-    /// <summary>Makes a client, which asks from the first call of <see cref="TryTakeFrame"/> on.</summary>
+    /// <summary>Makes a client, which sends requests from the first call of <see cref="TryTakeFrame"/> on.</summary>
     /// <param name="sender">Gives the frames their source, sequence numbers and signatures.</param>
-    /// <param name="target">Whose clock.</param>
+    /// <param name="target">The component whose clock is estimated.</param>
     /// <exception cref="ArgumentNullException">No sender.</exception>
     public MavlinkTimesyncClient(MavlinkSender sender, MavlinkAddress target)
     {
@@ -33,29 +34,31 @@ public sealed class MavlinkTimesyncClient
     /// <summary>The estimate.</summary>
     public MavlinkTimesyncFilter Filter { get; } = new();
 
-    /// <summary>Questions of others that came too fast to be answered.</summary>
+    /// <summary>Requests of other components that arrived too fast to be answered.</summary>
     public long Unanswered { get; private set; }
 
-    /// <summary>When and whether to ask.</summary>
+    /// <summary>When and whether requests are sent.</summary>
     public MavlinkTimesyncRequester Requests { get; } = new();
 
     /// <summary>When to call <see cref="TryTakeFrame"/> at the latest.</summary>
     public TimeSpan NextDue => _answerCount > 0 || !Requests.IsStarted ? TimeSpan.Zero : Requests.NextDue;
 
-    /// <summary>Takes a frame that came in; all but TIMESYNC are none of its business.</summary>
+    /// <summary>Handles a received frame; all but TIMESYNC are ignored.</summary>
     /// <param name="frame">The frame, checked by the reader.</param>
-    /// <param name="now">When it came in, by our clock: the nearer to the link this is taken, the better.</param>
+    /// <param name="now">
+    /// When it was received, by our clock: the nearer to the link this is measured, the better.
+    /// </param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
     {
-        if (!frame.TryDecode(out Timesync message) || !_own.IsMeantBy(message.TargetSystem, message.TargetComponent))
+        if (!frame.TryDecode(out Timesync message) || !_own.IsTargetOf(message.TargetSystem, message.TargetComponent))
             return;
         if (message.Tc1 == 0)
             Answer(frame, message, now);
-        else if (_target.IsSourceOf(frame) && Requests.IsAnswer(message, out TimeSpan askedAt) && Filter.Take(askedAt, now, message.Tc1 * SecondsPerNanosecond))
+        else if (_target.IsSourceOf(frame) && Requests.IsAnswer(message, out TimeSpan askedAt) && Filter.AddRoundTrip(askedAt, now, message.Tc1 * SecondsPerNanosecond))
             Requests.Start(now);
     }
 
-    /// <summary>Gives the next frame to send. Call it until there is none.</summary>
+    /// <summary>Takes the next frame to send. Call it until there is none.</summary>
     /// <param name="now">The time.</param>
     /// <param name="frame">The frame.</param>
     /// <returns>Whether there is one.</returns>
@@ -78,18 +81,18 @@ public sealed class MavlinkTimesyncClient
         return true;
     }
 
-    private void Answer(in MavlinkFrame frame, Timesync question, TimeSpan now)
+    private void Answer(in MavlinkFrame frame, Timesync request, TimeSpan now)
     {
-        if (_answerCount == Questions)
+        if (_answerCount == MaxOpenAnswers)
         {
             Unanswered++;
             return;
         }
 
-        // Never zero, which would be a question.
-        question.Tc1 = (now.Ticks * NanosecondsPerTick) + 1;
-        question.TargetSystem = frame.SystemId;
-        question.TargetComponent = frame.ComponentId;
-        _answers[_answerCount++] = question;
+        // Never zero, which would be a request.
+        request.Tc1 = (now.Ticks * NanosecondsPerTick) + 1;
+        request.TargetSystem = frame.SystemId;
+        request.TargetComponent = frame.ComponentId;
+        _answers[_answerCount++] = request;
     }
 }

@@ -1,41 +1,45 @@
 using System;
+using Rabit.Mavlink.Protocols;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Estimates how far the autopilot's clock is ahead of ours, and how fast it drifts: a weighted line through the last 256 answers, four
-/// minutes at one a second, and through when its other messages come in. No I/O, one thread, allocates nothing.
+/// Estimates how far the autopilot's clock is ahead of ours, and how fast it drifts: a weighted line through the last
+/// 256 answers, four minutes at one a second, and through the arrival times of its other messages. No I/O, one thread,
+/// allocates nothing.
 /// </summary>
 /// <remarks>
-/// An answer whose way took longer than the shortest one by e is wrong by up to e/2 either way: where the two ways are alike, evenly
-/// spread, with variance e^2/12. Such answers weigh little, so that queues on the way do not bend the line; those that took much
-/// longer are left out. How short the way can be at best is not known either: of n answers whose ways vary by J the quickest took about
-/// J sqrt(2/n) longer, which is added to every e. The drift is held near 0 by what crystals do, which matters while the answers are few.
-/// Messages that come one way (<see cref="Hear"/>) tell nothing of the offset, but much of the drift, since there are so many of them.
-/// What it does not know it says: <see cref="OffsetErrorSecondsAt"/>, <see cref="DriftError"/>. The MAVLink documentation (docs/mavlink/protocols.md)
-/// has what was measured.
+/// An answer whose way took longer than the shortest one by e is wrong by up to e/2 either way: where the two ways are
+/// alike, evenly spread, with variance e^2/12. Such answers weigh little, so that queues on the way do not bend the
+/// line; those that took much longer are left out. How short the way can be at best is not known either: of n answers
+/// whose ways vary by J the quickest took about J sqrt(2/n) longer, which is added to every e. The drift is held near 0
+/// by what crystals do, which matters while the answers are few. One-way messages (<see cref="AddOneWay"/>) contain
+/// nothing about the offset, but much about the drift, since there are so many of them. The filter states its own
+/// errors: <see cref="OffsetErrorSecondsAt"/>, <see cref="DriftError"/>. The MAVLink documentation
+/// (docs/mavlink/protocols.md) has what was measured.
 /// </remarks>
 public sealed class MavlinkTimesyncFilter
 {
-    /// <summary>How many answers it takes before the clock counts as known.</summary>
-    public const int AnswersNeeded = 5;
+    /// <summary>From how many answers on the clock counts as known.</summary>
+    public const int MinAnswers = 5;
 
     // Four minutes at 1 Hz; over that a crystal's drift is a straight line.
     private const int Capacity = 256;
 
-    // Without an answer for that long the line is not drawn on any further.
+    // After that long without an answer the line is not extrapolated any further.
     private static readonly TimeSpan ValidFor = TimeSpan.FromSeconds(60);
 
     // Slower than this and a link is not fit for it.
-    private const double LongestRoundTripSeconds = 1;
-    private const double LargestExcessSeconds = 0.05;
-    private const double LeastErrorSeconds = 0.2e-3;
+    private const double MaxRoundTripSeconds = 1;
+    private const double MaxExcessSeconds = 0.05;
+    private const double MinErrorSeconds = 0.2e-3;
     private const double TypicalDrift = 30e-6;
 
-    // No delay can make an answer, or the line, more wrong than half a round trip; what is by more than this is another clock than before.
+    // No delay can make the error of an answer, or of the line, larger than half a round trip; beyond this margin the
+    // clock has jumped.
     private const double JumpSeconds = 5e-3;
 
-    // Which messages were quick depends on the drift, and the drift on them.
+    // Which messages were fast depends on the drift, and the drift on them.
     private const int Passes = 3;
 
     private readonly TimesyncArrivals _arrivals = new();
@@ -52,10 +56,10 @@ public sealed class MavlinkTimesyncFilter
     private double _driftVariance;
     private double _covariance;
 
-    /// <summary>Answers that were left out, because their way took too long.</summary>
+    /// <summary>Answers that were rejected because of their round-trip time.</summary>
     public long Rejected { get; private set; }
 
-    /// <summary>How often the autopilot's clock was found to be another than before.</summary>
+    /// <summary>How often the autopilot's clock jumped.</summary>
     public long Jumps { get; private set; }
 
     /// <summary>The shortest round trip of those that are kept, seconds; NaN while there are none.</summary>
@@ -64,7 +68,9 @@ public sealed class MavlinkTimesyncFilter
     /// <summary>Drift of the autopilot's clock against ours, seconds per second.</summary>
     public double Drift => _drift;
 
-    /// <summary>One standard deviation of <see cref="Drift"/>, seconds per second; NaN while there is no answer.</summary>
+    /// <summary>
+    /// One standard deviation of <see cref="Drift"/>, seconds per second; NaN while there is no answer.
+    /// </summary>
     public double DriftError => _count == 0 ? double.NaN : Math.Sqrt(_driftVariance);
 
     /// <summary>Forgets everything.</summary>
@@ -77,21 +83,21 @@ public sealed class MavlinkTimesyncFilter
         ShortestRoundTripSeconds = double.NaN;
     }
 
-    /// <summary>Takes an answer.</summary>
-    /// <param name="askedAt">When we asked, by our clock.</param>
-    /// <param name="heardAt">When the answer came in, by our clock.</param>
-    /// <param name="theirSeconds">What the autopilot's clock said in between.</param>
-    /// <returns>True where it shows that the autopilot's clock has jumped: all that was known before is forgotten.</returns>
-    public bool Take(TimeSpan askedAt, TimeSpan heardAt, double theirSeconds)
+    /// <summary>Adds an answer of the request and answer exchange.</summary>
+    /// <param name="askedAt">When the request was sent, by our clock.</param>
+    /// <param name="receivedAt">When the answer was received, by our clock.</param>
+    /// <param name="theirSeconds">The autopilot's clock in between, seconds.</param>
+    /// <returns>True where it shows that the autopilot's clock has jumped: all earlier answers are discarded.</returns>
+    public bool AddRoundTrip(TimeSpan askedAt, TimeSpan receivedAt, double theirSeconds)
     {
-        double roundTrip = (heardAt - askedAt).TotalSeconds;
-        if (!(roundTrip >= 0 && roundTrip <= LongestRoundTripSeconds))
+        double roundTrip = (receivedAt - askedAt).TotalSeconds;
+        if (!(roundTrip >= 0 && roundTrip <= MaxRoundTripSeconds))
         {
             Rejected++;
             return false;
         }
 
-        double middle = (askedAt.TotalSeconds + heardAt.TotalSeconds) / 2;
+        double middle = (askedAt.TotalSeconds + receivedAt.TotalSeconds) / 2;
         double offset = theirSeconds - middle;
         bool hasJumped = _count > 0 && Math.Abs(offset - OffsetSecondsAt(middle)) > ((roundTrip + ShortestRoundTripSeconds) / 2) + JumpSeconds;
         if (hasJumped)
@@ -99,7 +105,7 @@ public sealed class MavlinkTimesyncFilter
             Jumps++;
             Clear();
         }
-        else if (_count >= AnswersNeeded && roundTrip > ShortestRoundTripSeconds + LargestExcessSeconds)
+        else if (_count >= MinAnswers && roundTrip > ShortestRoundTripSeconds + MaxExcessSeconds)
         {
             Rejected++;
             return false;
@@ -111,26 +117,27 @@ public sealed class MavlinkTimesyncFilter
     }
 
     /// <summary>
-    /// Takes any other message that carries the autopilot's time: how its delay changes tells the drift, from the next answer on. Counts only
-    /// once there is an answer, and not if it is more than a second late: then it is none of this clock.
+    /// Adds any other message that carries the autopilot's time: how its delay changes shows the drift, from the next
+    /// answer on. Counts only once there is an answer, and not if it is more than a second late: then it is not of this
+    /// clock.
     /// </summary>
-    /// <param name="arrival">When it came in, by our clock.</param>
-    /// <param name="theirSeconds">What the autopilot's clock says in it, the same clock as in the answers.</param>
-    public void Hear(TimeSpan arrival, double theirSeconds)
+    /// <param name="arrival">When it was received, by our clock.</param>
+    /// <param name="theirSeconds">The autopilot's time in it, by the same clock as in the answers, seconds.</param>
+    public void AddOneWay(TimeSpan arrival, double theirSeconds)
     {
         if (_count == 0)
             return;
         double ours = arrival.TotalSeconds;
         double offset = theirSeconds - ours;
         double late = OffsetSecondsAt(ours) - offset;
-        if (late >= -LongestRoundTripSeconds && late <= LongestRoundTripSeconds)
-            _arrivals.Take(ours - _origin, offset);
+        if (late >= -MaxRoundTripSeconds && late <= MaxRoundTripSeconds)
+            _arrivals.Add(ours - _origin, offset);
     }
 
-    /// <summary>Whether enough answers came, and lately.</summary>
+    /// <summary>Whether enough answers were received, and recently.</summary>
     /// <param name="now">The time, by our clock.</param>
-    /// <returns>Whether the offset is good.</returns>
-    public bool IsKnown(TimeSpan now) => _count >= AnswersNeeded && now.TotalSeconds - (_origin + _newest) <= ValidFor.TotalSeconds;
+    /// <returns>Whether the offset is valid.</returns>
+    public bool IsKnown(TimeSpan now) => _count >= MinAnswers && now.TotalSeconds - (_origin + _newest) <= ValidFor.TotalSeconds;
 
     /// <summary>How far the autopilot's clock is ahead of ours. Only once there is an answer.</summary>
     /// <param name="ourSeconds">A time by our clock, seconds.</param>
@@ -138,7 +145,9 @@ public sealed class MavlinkTimesyncFilter
     public double OffsetSecondsAt(double ourSeconds) => _offsetAtNewest + (_drift * (ourSeconds - _origin - _newest));
 
     /// <summary>One standard deviation of <see cref="OffsetSecondsAt"/>. Only once there is an answer.</summary>
-    /// <remarks>Without what no request and answer can tell: half of what one way is always longer than the other.</remarks>
+    /// <remarks>
+    /// Without what no exchange can show: half of the constant difference between the two directions.
+    /// </remarks>
     /// <param name="ourSeconds">A time by our clock, seconds.</param>
     /// <returns>Seconds; it grows with the time since the answers.</returns>
     public double OffsetErrorSecondsAt(double ourSeconds)
@@ -176,7 +185,8 @@ public sealed class MavlinkTimesyncFilter
             FitLine(best);
     }
 
-    // Weighted least squares about the newest answer, with an observation of no drift that is as sure as crystals are good.
+    // Weighted min squares about the newest answer, with an observation of no drift that is as sure as crystals are
+    // good.
     private void FitLine(double best)
     {
         double reference = _offset[(_next + Capacity - 1) % Capacity];
@@ -188,7 +198,7 @@ public sealed class MavlinkTimesyncFilter
         for (int i = 0; i < _count; i++)
         {
             double excess = _roundTrip[i] - best;
-            double weight = 1 / ((LeastErrorSeconds * LeastErrorSeconds) + (excess * excess / 12));
+            double weight = 1 / ((MinErrorSeconds * MinErrorSeconds) + (excess * excess / 12));
             double x = _time[i] - _newest;
             double y = _offset[i] - reference;
             w += weight;

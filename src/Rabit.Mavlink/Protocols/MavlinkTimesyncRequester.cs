@@ -4,8 +4,9 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// Asks the autopilot for its time, five times a second for two seconds and once a second from then on, and knows its own requests
-/// again in the answers (MAVLink guide, "Time Synchronization Protocol v2"). A state machine: time comes in, requests go out.
+/// Requests the autopilot's time, five times a second for two seconds and once a second from then on, and recognises
+/// its own requests in the answers (MAVLink guide, "Time Synchronization Protocol v2"). A state machine: time comes in,
+/// requests go out.
 /// </summary>
 public sealed class MavlinkTimesyncRequester
 {
@@ -24,18 +25,20 @@ public sealed class MavlinkTimesyncRequester
     private TimeSpan _startedAt;
     private TimeSpan _due;
 
-    /// <summary>Whether it asks.</summary>
+    /// <summary>Whether it sends requests.</summary>
     public bool IsStarted { get; private set; }
 
-    /// <summary>Whether it asks often, because the answers are still few.</summary>
+    /// <summary>Whether it sends requests at the fast rate, because the answers are still few.</summary>
     /// <param name="now">The time.</param>
     /// <returns>Whether it does.</returns>
     public bool IsFast(TimeSpan now) => IsStarted && now - _startedAt < FastFor;
 
-    /// <summary>When to call <see cref="TryNext"/> again; <see cref="TimeSpan.MaxValue"/> while it asks for nothing.</summary>
+    /// <summary>
+    /// When to call <see cref="TryNext"/> again; <see cref="TimeSpan.MaxValue"/> while it is stopped.
+    /// </summary>
     public TimeSpan NextDue => IsStarted ? _due : TimeSpan.MaxValue;
 
-    /// <summary>Begins, or begins anew: what was asked before is forgotten.</summary>
+    /// <summary>Starts, or starts over: open requests are discarded.</summary>
     /// <param name="now">The time, by a clock that never goes back.</param>
     public void Start(TimeSpan now)
     {
@@ -45,10 +48,10 @@ public sealed class MavlinkTimesyncRequester
         Array.Clear(_open, 0, _open.Length);
     }
 
-    /// <summary>Asks for nothing until the next start.</summary>
+    /// <summary>Sends no requests until the next start.</summary>
     public void Stop() => IsStarted = false;
 
-    /// <summary>Says what to send now, if anything; the target is the caller's to fill in.</summary>
+    /// <summary>Returns the request to send now, if any; the caller fills in the target.</summary>
     /// <param name="now">The time.</param>
     /// <param name="request">The request; it has our time.</param>
     /// <returns>Whether to send it.</returns>
@@ -58,7 +61,7 @@ public sealed class MavlinkTimesyncRequester
         if (!IsStarted || now < _due)
             return false;
 
-        // On a grid, so that late wake-ups do not slow it down; what was missed is not made up for.
+        // On a grid, so that late calls do not slow it down; missed requests are not made up for.
         TimeSpan period = IsFast(now) ? FastPeriod : SlowPeriod;
         _due += period;
         if (_due <= now)
@@ -70,10 +73,12 @@ public sealed class MavlinkTimesyncRequester
         return true;
     }
 
-    /// <summary>Whether a TIMESYNC answers a request of ours that is still open, and when that was made. True once for each.</summary>
-    /// <param name="message">What came in.</param>
-    /// <param name="askedAt">When we asked, by our clock.</param>
-    /// <returns>Whether it is an answer to us.</returns>
+    /// <summary>
+    /// Whether a TIMESYNC answers a request of ours that is still open, and when that was made. True once for each.
+    /// </summary>
+    /// <param name="message">The received message.</param>
+    /// <param name="askedAt">When the request was sent, by our clock.</param>
+    /// <returns>Whether it answers one of our requests.</returns>
     public bool IsAnswer(in Timesync message, out TimeSpan askedAt)
     {
         askedAt = TimeSpan.Zero;
@@ -91,6 +96,6 @@ public sealed class MavlinkTimesyncRequester
         return false;
     }
 
-    // Never zero, which marks a free place.
+    // Never zero, which marks a free slot.
     private static long NanosecondsOf(TimeSpan time) => (time.Ticks * NanosecondsPerTick) + 1;
 }

@@ -1,18 +1,20 @@
 using System;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Protocols;
 
 /// <summary>
-/// What messages tell of a drift that carry the other clock's time and come one way: the quickest of every two seconds, for the last four
-/// minutes. How long even the quickest was on its way is not seen, only how that changes. No I/O, one thread, allocates nothing.
+/// The drift as one-way messages show it that carry the other clock's time: the fastest of every two seconds, for the
+/// last four minutes. The delay of even the fastest is not observable, only how it changes. No I/O, one thread,
+/// allocates nothing.
 /// </summary>
 internal sealed class TimesyncArrivals
 {
     private const int Capacity = 128;
     private const double BucketSeconds = 2;
 
-    // Chosen over seeds of delays of gamma, exponential and even distribution: the least error of the drift that is also stated rightly.
-    private const double LeastErrorSeconds = 0.4e-3;
+    // Chosen over seeds of delays of gamma, exponential and even distribution: the min error of the drift that is also
+    // stated rightly.
+    private const double MinErrorSeconds = 0.4e-3;
     private const double ErrorOfExcess = 0.5;
 
     private readonly double[] _time = new double[Capacity];
@@ -27,8 +29,10 @@ internal sealed class TimesyncArrivals
         _newest = -1;
     }
 
-    /// <summary>Takes one: when it came, and the other clock's time in it less that; the greatest is the quickest.</summary>
-    public void Take(double arrival, double offset)
+    /// <summary>
+    /// Adds one: when it arrived, and the other clock's time in it less that; the greatest is the fastest.
+    /// </summary>
+    public void Add(double arrival, double offset)
     {
         if (_count == 0 || arrival >= _bucketEnd)
         {
@@ -48,29 +52,29 @@ internal sealed class TimesyncArrivals
     /// <summary>Adds to the normal equations of a drift; the unknown delay is eliminated.</summary>
     /// <param name="at">Where the line is measured from.</param>
     /// <param name="reference">Taken from every offset, so that no digits are lost.</param>
-    /// <param name="drift">As it is known so far: it tells which were quick.</param>
+    /// <param name="drift">As it is known so far: it shows which were fast.</param>
     /// <param name="wxx">Sum of weight and time squared.</param>
     /// <param name="wxy">Sum of weight, time and offset.</param>
     public void AddTo(double at, double reference, double drift, ref double wxx, ref double wxy)
     {
         if (_count < 2)
             return;
-        (double quickest, double mean) = (double.NegativeInfinity, 0);
+        (double fastest, double mean) = (double.NegativeInfinity, 0);
         for (int i = 0; i < _count; i++)
         {
             double level = _offset[i] - reference - (drift * (_time[i] - at));
-            quickest = Math.Max(quickest, level);
+            fastest = Math.Max(fastest, level);
             mean += level / _count;
         }
 
-        double best = quickest + ((quickest - mean) * Math.Sqrt(2.0 / _count));
+        double best = fastest + ((fastest - mean) * Math.Sqrt(2.0 / _count));
         (double w, double sx, double sy, double sxx, double sxy) = (0, 0, 0, 0, 0);
         for (int i = 0; i < _count; i++)
         {
             double x = _time[i] - at;
             double y = _offset[i] - reference;
             double excess = ErrorOfExcess * (best - y + (drift * x));
-            double weight = 1 / ((LeastErrorSeconds * LeastErrorSeconds) + (excess * excess));
+            double weight = 1 / ((MinErrorSeconds * MinErrorSeconds) + (excess * excess));
             w += weight;
             sx += weight * x;
             sy += weight * y;

@@ -6,7 +6,7 @@ namespace Rabit.Mavlink;
 [Flags]
 public enum MavlinkLinkRules
 {
-    /// <summary>Frames come in for local use and go nowhere: a recorded log beside live links.</summary>
+    /// <summary>Received frames are for local use only: a recorded log beside live links.</summary>
     ReceiveOnly = 0,
 
     /// <summary>Frames may be sent into the link.</summary>

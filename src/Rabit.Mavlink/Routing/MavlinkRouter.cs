@@ -1,21 +1,41 @@
 using System;
+using Rabit.Mavlink.Routing;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The address rules of MAVLink (guide, "Routing", "Routing in detail"), without any I/O: it learns who was seen on which link and
-/// says where a frame goes. It never changes a frame. One difference from the guide: what is addressed to a component of our
-/// system that nobody has seen is not ours; the guide would have every component act on it. One thread at a time; allocates
-/// nothing after it was made.
+/// The routing rules of MAVLink (guide, "Routing", "Routing in detail"), without any I/O: it learns which component is
+/// on which link and returns where a frame goes. It never changes a frame. One difference from the guide: a frame
+/// addressed to a component of our system that was not seen on any link is not ours; the guide would have every
+/// component act on it. One thread at a time; allocates nothing after it was made.
 /// </summary>
+/// <example>
+/// <code>
+/// var router = new MavlinkRouter(systemId: 1, componentId: 191);
+/// router.SetLink(0, MavlinkLinkRules.Live);
+/// router.SetLink(1, MavlinkLinkRules.Live);
+///
+/// // For every frame that arrives: Forward(router.Route(link, frame, info), frame, links, buffer)
+///
+/// static void Forward(MavlinkRoute route, in MavlinkFrame frame, Stream[] links, byte[] buffer)
+/// {
+///     for (int link = 0; link &lt; links.Length; link++)
+///     {
+///         if (route.GoesTo(link))
+///             links[link].Write(buffer, 0, frame.WriteTo(buffer));
+///     }
+/// }
+/// </code>
+/// </example>
 public sealed class MavlinkRouter
 {
-    /// <summary>How many links a router can tell apart: the bits of a mask.</summary>
-    public const int MaximumLinks = 64;
+    /// <summary>How many links a router can have: the bits of a mask.</summary>
+    public const int MaxLinks = 64;
 
     private const int DefaultSources = 1024;
 
-    // Secrets and the state of one radio: never leave the link (MAVLink guide, "Message signing"; ArduPilot, "MAVLink routing").
+    // Secrets and the state of one radio: never leave the link (MAVLink guide, "Message signing"; ArduPilot, "MAVLink
+    // routing").
     private const int SetupSigning = 256;
     private const int RadioStatus = 109;
     private const int Radio = 166;
@@ -34,29 +54,35 @@ public sealed class MavlinkRouter
     private long _linkLocal;
     private long _sourcesRefused;
 
-    /// <summary>Makes a router without links and without an address of our own, until <see cref="SetOwnAddress"/> gives it one: nothing is for us but broadcasts.</summary>
+    /// <summary>
+    /// Makes a router without links and without an address of our own, until <see cref="SetOwnAddress"/> gives it one:
+    /// only broadcasts are for us.
+    /// </summary>
     public MavlinkRouter() => _table = new RouteTable(DefaultSources);
 
     /// <summary>Makes a router without links.</summary>
     /// <param name="systemId">Our system id, 1 to 255.</param>
     /// <param name="componentId">Our component id, 1 to 255.</param>
-    /// <param name="maximumSources">How many senders (system, component) it can remember, at least 1.</param>
+    /// <param name="maxSources">How many senders (system, component) it can remember, at least 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">An id is 0, or there is room for no sender.</exception>
-    public MavlinkRouter(byte systemId, byte componentId, int maximumSources = DefaultSources)
+    public MavlinkRouter(byte systemId, byte componentId, int maxSources = DefaultSources)
     {
-        if (maximumSources < 1)
-            throw new ArgumentOutOfRangeException(nameof(maximumSources), maximumSources, "A router needs room for one sender at least.");
+        if (maxSources < 1)
+            throw new ArgumentOutOfRangeException(nameof(maxSources), maxSources, "A router needs room for one sender at least.");
         SetOwnAddress(systemId, componentId);
-        _table = new RouteTable(maximumSources);
+        _table = new RouteTable(maxSources);
     }
 
-    /// <summary>What it has decided so far.</summary>
+    /// <summary>The decisions so far.</summary>
     public MavlinkRouterCounters Counters => new(_delivered, _forwarded, _unknownTargets, _ourOwn, _linkLocal, _sourcesRefused);
 
     /// <summary>How many senders (system, component) it remembers.</summary>
     public int Sources => _table.Count;
 
-    /// <summary>Changes our own address, for example when the system id of the vehicle that carries us becomes known. What was learned stays.</summary>
+    /// <summary>
+    /// Changes our own address, for example when the system id of the vehicle that carries us becomes known. What was
+    /// learned stays.
+    /// </summary>
     /// <param name="systemId">Our system id, 1 to 255.</param>
     /// <param name="componentId">Our component id, 1 to 255.</param>
     /// <exception cref="ArgumentOutOfRangeException">An id is 0.</exception>
@@ -94,7 +120,7 @@ public sealed class MavlinkRouter
         _table.ForgetLinks(bit);
     }
 
-    /// <summary>Forgets where a system was seen, as the guide asks for when it has rebooted.</summary>
+    /// <summary>Forgets where a system was seen, as the guide requires after its reboot.</summary>
     /// <param name="systemId">The system.</param>
     public void ForgetSystem(byte systemId)
     {
@@ -109,20 +135,22 @@ public sealed class MavlinkRouter
     public ulong LinksOf(byte systemId, byte componentId) =>
         componentId == 0 ? _table.LinksOf(systemId) : _table.LinksOf(systemId, componentId);
 
-    /// <summary>Says where a frame goes that came in, and learns from it.</summary>
-    /// <param name="link">The link it came from.</param>
+    /// <summary>Returns where a received frame goes, and learns from it.</summary>
+    /// <param name="link">The link it was received on.</param>
     /// <param name="frame">The frame.</param>
-    /// <param name="info">What the reader said of it.</param>
+    /// <param name="info">What the reader found out about it.</param>
     /// <returns>Where it goes; never back to its link.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
     public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkFrameInfo info) =>
         Route(link, frame, info.Message, info.IsChecked);
 
-    /// <summary>Says where a frame goes that came in, and learns from it.</summary>
-    /// <param name="link">The link it came from.</param>
+    /// <summary>Returns where a received frame goes, and learns from it.</summary>
+    /// <param name="link">The link it was received on.</param>
     /// <param name="frame">The frame.</param>
     /// <param name="message">The description of its message.</param>
-    /// <param name="isChecked">Whether its id is known and its checksum right. Only then is it learned from and its address read.</param>
+    /// <param name="isChecked">
+    /// Whether its id is known and its checksum right. Only then is it learned from and its address read.
+    /// </param>
     /// <returns>Where it goes; never back to its link.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
     public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkMessageInfo message, bool isChecked)
@@ -144,12 +172,14 @@ public sealed class MavlinkRouter
     }
 
     /// <summary>
-    /// Says to which links a frame of our own goes: to all if it is a broadcast, else where its target was seen. SETUP_SIGNING,
-    /// which carries the key, goes nowhere without a target.
+    /// Returns the links that a frame of our own goes to: to all if it is a broadcast, else where its target was seen.
+    /// SETUP_SIGNING, which carries the key, goes nowhere without a target.
     /// </summary>
     /// <param name="frame">The frame.</param>
     /// <param name="message">The description of its message.</param>
-    /// <returns>Bit n is link n; 0 where the target was not seen on any link that may be sent to, which is counted.</returns>
+    /// <returns>
+    /// Bit n is link n; 0 where the target was not seen on any link that may be sent to, which is counted.
+    /// </returns>
     public ulong RouteOwn(in MavlinkFrame frame, in MavlinkMessageInfo message)
     {
         byte system = frame.TargetSystem(message);
@@ -190,7 +220,7 @@ public sealed class MavlinkRouter
 
     private static bool IsLinkLocal(int messageId) => messageId is SetupSigning or RadioStatus or Radio;
 
-    // 0 is nobody's address; a sender that uses it is heard but cannot be answered.
+    // 0 is no component's address; frames of a sender that uses it are delivered, but it cannot be answered.
     private void Learn(in MavlinkFrame frame, ulong link)
     {
         if (frame.SystemId != 0 && frame.ComponentId != 0 && !_table.TryLearn(frame.SystemId, frame.ComponentId, link))
@@ -210,7 +240,7 @@ public sealed class MavlinkRouter
         return route;
     }
 
-    private static ulong Bit(int link) => (uint)link < MaximumLinks
+    private static ulong Bit(int link) => (uint)link < MaxLinks
         ? 1UL << link
         : throw new ArgumentOutOfRangeException(nameof(link), link, "Links are numbered 0 to 63.");
 }

@@ -1,6 +1,6 @@
 namespace Rabit.Mavlink;
 
-/// <summary>What a router has decided since it was made. A copy, taken at one moment.</summary>
+/// <summary>The decisions of a router since it was made. A copy, taken at one moment.</summary>
 public readonly struct MavlinkRouterCounters
 {
     internal MavlinkRouterCounters(long delivered, long forwarded, long unknownTargets, long ourOwn, long linkLocal, long sourcesRefused)
@@ -16,13 +16,13 @@ public readonly struct MavlinkRouterCounters
     /// <summary>Frames for local use.</summary>
     public long Delivered { get; }
 
-    /// <summary>Frames that came in and go on to one other link or more.</summary>
+    /// <summary>Received frames that are forwarded to one other link or more.</summary>
     public long Forwarded { get; }
 
-    /// <summary>Frames, incoming or ours, for somebody who was not seen on any link.</summary>
+    /// <summary>Frames, received or ours, for a component that was not seen on any link.</summary>
     public long UnknownTargets { get; }
 
-    /// <summary>Frames that came in with our own address.</summary>
+    /// <summary>Received frames with our own address.</summary>
     public long OurOwn { get; }
 
     /// <summary>Frames of messages that never leave their link.</summary>

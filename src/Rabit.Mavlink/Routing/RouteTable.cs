@@ -1,8 +1,8 @@
 using System.Collections.Generic;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Routing;
 
-/// <summary>Who was seen on which links. Bounded; allocates nothing after it was made.</summary>
+/// <summary>Which component was seen on which links. Bounded; allocates nothing after it was made.</summary>
 internal sealed class RouteTable
 {
     private readonly int _capacity;
@@ -42,13 +42,13 @@ internal sealed class RouteTable
         return true;
     }
 
-    /// <summary>Forgets who was seen on these links.</summary>
+    /// <summary>Forgets what was seen on these links.</summary>
     public void ForgetLinks(ulong links) => Keep(0, ~links);
 
     /// <summary>Forgets where a system was seen.</summary>
     public void ForgetSystem(byte systemId) => Keep(systemId, 0);
 
-    // System 0 stands for every system.
+    // System 0 is every system.
     private void Keep(byte systemId, ulong mask)
     {
         int kept = 0;

@@ -2,7 +2,19 @@ using System;
 
 namespace Rabit.Mavlink;
 
-/// <summary>Signs the frames that leave by one link (MAVLink guide, "Message signing"). Allocates nothing. One thread at a time, together with its clock.</summary>
+/// <summary>
+/// Signs the frames sent by one link (MAVLink guide, "Message signing"). Allocates nothing. One thread at a time,
+/// together with its clock. Set it as <see cref="MavlinkSender.Signer"/>; the receiver has a
+/// <see cref="MavlinkVerifier"/>.
+/// </summary>
+/// <example>
+/// <code>
+/// using MavlinkSigningKey key = MavlinkSigningKey.FromPassphrase("a long phrase");
+/// var clock = new MavlinkSigningClock();
+/// clock.Advance(DateTime.UtcNow, elapsed: TimeSpan.Zero);   // again once per cycle, with the time since the start
+/// var sender = new MavlinkSender(systemId: 1, componentId: 191) { Signer = new MavlinkSigner(key, linkId: 0, clock) };
+/// </code>
+/// </example>
 public sealed class MavlinkSigner
 {
     private readonly MavlinkSigningKey _key;
@@ -10,7 +22,7 @@ public sealed class MavlinkSigner
 
     /// <summary>Makes a signer. There is none without a key.</summary>
     /// <param name="key">The secret; its owner disposes of it.</param>
-    /// <param name="linkId">Tells this link from our others; receivers remember the newest time stamp per link.</param>
+    /// <param name="linkId">Identifies this link among ours; receivers remember the newest time stamp per link.</param>
     /// <param name="clock">Where the time stamps come from.</param>
     /// <exception cref="ArgumentNullException">No key or no clock.</exception>
     public MavlinkSigner(MavlinkSigningKey key, byte linkId, MavlinkSigningClock clock)
@@ -26,22 +38,45 @@ public sealed class MavlinkSigner
     /// <summary>Frames signed so far.</summary>
     public long Frames { get; private set; }
 
-    /// <summary>Signs a frame of our own. Never sign again what others sent: forward it as it is.</summary>
+    /// <summary>Signs a frame of our own. Never sign what others sent: forward it unchanged.</summary>
+    /// <remarks>CRC_EXTRA needs no dialect: it follows from the checksum that the frame has.</remarks>
     /// <param name="frame">The frame, MAVLink 2. A signature that it has is replaced.</param>
-    /// <param name="crcExtra">The checksum byte of the message: the flag for a signature is part of the checksum. See <see cref="MavlinkMessageInfo.CrcExtra"/>.</param>
     /// <returns>The signed frame.</returns>
     /// <exception cref="ArgumentException">It is not a MAVLink 2 frame: MAVLink 1 has no signatures.</exception>
-    /// <exception cref="InvalidOperationException">The clock was never told the time.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The clock was never advanced, or the checksum of the frame is wrong.
+    /// </exception>
+    /// <exception cref="ObjectDisposedException">The key was disposed of.</exception>
+    public MavlinkFrame Sign(in MavlinkFrame frame)
+    {
+        CheckVersion(frame);
+        return Sign(frame, frame.FindCrcExtra());
+    }
+
+    /// <summary>Signs a frame of our own. Never sign what others sent: forward it unchanged.</summary>
+    /// <param name="frame">The frame, MAVLink 2. A signature that it has is replaced.</param>
+    /// <param name="crcExtra">
+    /// CRC_EXTRA of the message: the flag for a signature is part of the checksum. See
+    /// <see cref="MavlinkMessageInfo.CrcExtra"/>.
+    /// </param>
+    /// <returns>The signed frame.</returns>
+    /// <exception cref="ArgumentException">It is not a MAVLink 2 frame: MAVLink 1 has no signatures.</exception>
+    /// <exception cref="InvalidOperationException">The clock was never advanced.</exception>
     /// <exception cref="ObjectDisposedException">The key was disposed of.</exception>
     public MavlinkFrame Sign(in MavlinkFrame frame, byte crcExtra)
     {
-        if (frame.Version != MavlinkVersion.V2)
-            throw new ArgumentException($"Only MAVLink 2 has signatures; this is: {frame}.", nameof(frame));
+        CheckVersion(frame);
         MavlinkFrame signed = frame;
         signed.PrepareSignature(crcExtra);
         _key.Sign(ref signed, LinkId, _clock.Next());
         Frames++;
         return signed;
+    }
+
+    private static void CheckVersion(in MavlinkFrame frame)
+    {
+        if (frame.Version != MavlinkVersion.V2)
+            throw new ArgumentException($"Only MAVLink 2 has signatures; this is: {frame}.", nameof(frame));
     }
 
     /// <summary>Signs the bytes of a frame from its magic to its checksum, the flag for a signature set.</summary>

@@ -1,15 +1,17 @@
 using System;
+using Rabit.Mavlink.Signing;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The time that signatures carry: tens of microseconds since 2015-01-01 UTC (MAVLink guide, "Message signing"). It never goes
-/// back and never gives a value twice, although wall clocks step and computers restart. One clock per process and key, shared by all its signers
-/// and its verifier; it has no time of its own: <see cref="Advance"/> it once per cycle. One thread at a time.
+/// The time that signatures carry: tens of microseconds since 2015-01-01 UTC (MAVLink guide, "Message signing"). It
+/// never goes back and never gives a value twice, although wall clocks step and computers restart. One clock per
+/// process and key, shared by all its signers and its verifier; it has no time of its own: <see cref="Advance"/> it
+/// once per cycle. One thread at a time.
 /// </summary>
 /// <remarks>
-/// A wall clock that is ahead is followed at once. One that is behind, because it was set back or a computer without a clock
-/// has just started, is waited for: until it has caught up, the signing clock goes on at half its speed.
+/// A wall clock that is ahead is followed at once. One that is behind, because it was set back or a computer without a
+/// clock has just started, is waited for: until it has caught up, the signing clock continues at half its speed.
 /// </remarks>
 public sealed class MavlinkSigningClock
 {
@@ -39,17 +41,19 @@ public sealed class MavlinkSigningClock
     private long _last;
     private long _saveAt;
 
-    /// <summary>Makes a clock that nothing is stored of: for a computer whose wall clock can be relied on, and for tests.</summary>
+    /// <summary>
+    /// Makes a clock that nothing is stored of: for a computer whose wall clock can be relied on, and for tests.
+    /// </summary>
     /// <param name="earliest">It does not give a time stamp before this one.</param>
     /// <exception cref="ArgumentOutOfRangeException">Not a number of 48 bits.</exception>
     public MavlinkSigningClock(long earliest = 0)
     {
-        if (earliest is < 0 or > SignatureFormat.LatestTimestamp)
-            throw new ArgumentOutOfRangeException(nameof(earliest), earliest, $"A time stamp is 0 to {SignatureFormat.LatestTimestamp}.");
+        if (earliest is < 0 or > SignatureFormat.MaxTimestamp)
+            throw new ArgumentOutOfRangeException(nameof(earliest), earliest, $"A time stamp is 0 to {SignatureFormat.MaxTimestamp}.");
         Start(earliest);
     }
 
-    /// <summary>Makes a clock that goes on from what was stored.</summary>
+    /// <summary>Makes a clock that continues from what was stored.</summary>
     /// <param name="store">Read here, written by <see cref="Advance"/> and <see cref="Save"/>.</param>
     /// <exception cref="ArgumentNullException">No store.</exception>
     public MavlinkSigningClock(IMavlinkTimestampStore store)
@@ -74,7 +78,7 @@ public sealed class MavlinkSigningClock
     /// <returns>In UTC.</returns>
     public static DateTime ToUtc(long timestamp) => Epoch.AddTicks(timestamp * TimeSpanTicksPerTick);
 
-    /// <summary>Tells the clock the time. Stores how far it has come where that is due, about every 30 s.</summary>
+    /// <summary>Advances the clock to the present time. Stores its state where that is due, about every 30 s.</summary>
     /// <param name="utcNow">The wall clock, in UTC. It may step.</param>
     /// <param name="elapsed">Time since any fixed moment, from a clock that does not step.</param>
     /// <exception cref="ArgumentException">The time is local.</exception>
@@ -85,32 +89,37 @@ public sealed class MavlinkSigningClock
         long passed = _isSet ? Math.Max(0, (elapsed - _elapsed).Ticks) : 0;
         _isSet = true;
         _elapsed = elapsed;
-        _steady = Math.Max(WallOf(utcNow), Math.Min(_steady + (passed / 2), LatestSteady));
+        _steady = Math.Max(WallOf(utcNow), Math.Min(_steady + (passed / 2), MaxSteady));
         if (_slots is not null && Timestamp >= _saveAt)
             Store(Timestamp + ReservedTicks, Timestamp + ReservedTicks - RenewBeforeTicks);
     }
 
-    /// <summary>Stores where the clock stands, exactly. For an orderly end; after it, a restart begins here and not up to 40 s ahead.</summary>
+    /// <summary>
+    /// Stores the exact state of the clock. For an orderly shutdown; after it, a restart begins here and not up to 40 s
+    /// ahead.
+    /// </summary>
     /// <returns>Whether it was stored; false also where there is no store.</returns>
     public bool Save() => _slots is not null && Store(Timestamp + 1, Timestamp);
 
     /// <summary>A time stamp for a frame of ours: later than all before it.</summary>
-    /// <exception cref="InvalidOperationException">The clock was never told the time, or has come to the end of its 48 bits.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The clock was never advanced, or has reached the end of its 48 bits.
+    /// </exception>
     internal long Next()
     {
         if (!_isSet)
-            throw new InvalidOperationException("The signing clock does not know the time yet: call Advance first.");
-        if (_last >= SignatureFormat.LatestTimestamp)
-            throw new InvalidOperationException("The signing clock has come to its end: no later time stamp fits into 48 bits.");
+            throw new InvalidOperationException("The signing clock was not set yet: call Advance first.");
+        if (_last >= SignatureFormat.MaxTimestamp)
+            throw new InvalidOperationException("The signing clock has reached its end: no later time stamp fits into 48 bits.");
         return _last = Math.Max(_last + 1, _steady / TimeSpanTicksPerTick);
     }
 
     /// <summary>Takes note of the time stamp of a frame whose signature is right.</summary>
     internal void Accept(long timestamp) => _last = Math.Max(_last, timestamp);
 
-    private static long LatestSteady => SignatureFormat.LatestTimestamp * TimeSpanTicksPerTick;
+    private static long MaxSteady => SignatureFormat.MaxTimestamp * TimeSpanTicksPerTick;
 
-    private static long WallOf(DateTime utc) => Math.Min(Math.Max((utc - Epoch).Ticks, 0), LatestSteady);
+    private static long WallOf(DateTime utc) => Math.Min(Math.Max((utc - Epoch).Ticks, 0), MaxSteady);
 
     private void Start(long earliest)
     {
@@ -120,7 +129,7 @@ public sealed class MavlinkSigningClock
 
     private bool Store(long timestamp, long saveAt)
     {
-        bool isStored = _slots!.TryWrite(Math.Min(timestamp, SignatureFormat.LatestTimestamp));
+        bool isStored = _slots!.TryWrite(Math.Min(timestamp, SignatureFormat.MaxTimestamp));
         _saveAt = isStored ? saveAt : Timestamp + RetryTicks;
         if (!isStored)
             FailedSaves++;

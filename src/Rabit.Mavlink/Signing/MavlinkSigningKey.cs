@@ -1,13 +1,17 @@
 using System;
 using System.Diagnostics;
+using System.Runtime.CompilerServices;
 using System.Text;
+using Rabit.Mavlink.Framing;
 using Rabit.Mavlink.Messages;
+using Rabit.Mavlink.Signing;
 
 namespace Rabit.Mavlink;
 
 /// <summary>
-/// The secret that both ends of a signed link know: 32 bytes. It gives them away through <see cref="CopyTo"/> and
-/// <see cref="CreateSetup"/> only; no text, exception or debugger view has them. Safe from any thread until <see cref="Dispose"/>.
+/// The secret that both ends of a signed link know: 32 bytes. They leave it through <see cref="CopyTo"/> and
+/// <see cref="CreateSetup"/> only; no text, exception or debugger view contains them. Safe from any thread until
+/// <see cref="Dispose"/>.
 /// </summary>
 [DebuggerDisplay("MAVLink signing key")]
 public sealed class MavlinkSigningKey : IDisposable
@@ -16,7 +20,7 @@ public sealed class MavlinkSigningKey : IDisposable
     public const int Length = 32;
 
     // Key and longest frame but for the hash, with the padding of SHA-256.
-    private const int LongestPadded = 320;
+    private const int MaxPaddedLength = 320;
 
     [DebuggerBrowsable(DebuggerBrowsableState.Never)]
     private readonly byte[] _secret = new byte[Length];
@@ -24,7 +28,10 @@ public sealed class MavlinkSigningKey : IDisposable
     private bool _isDisposed;
 
     /// <summary>Takes a copy of a key.</summary>
-    /// <param name="secret">32 bytes, not all of them zero: zero is what a key that was never set looks like, and what MAVLink calls "no signing".</param>
+    /// <param name="secret">
+    /// 32 bytes, not all of them zero: zero is what a key that was never set looks like, and what MAVLink calls "no
+    /// signing".
+    /// </param>
     /// <exception cref="ArgumentException">Another length, or all zero.</exception>
     public MavlinkSigningKey(ReadOnlySpan<byte> secret)
     {
@@ -35,7 +42,10 @@ public sealed class MavlinkSigningKey : IDisposable
             throw new ArgumentException("A signing key of zeros is no key.", nameof(secret));
     }
 
-    /// <summary>The key that ground stations make of a pass phrase: SHA-256 of its UTF-8 bytes. No better than the phrase is long.</summary>
+    /// <summary>
+    /// The key that ground stations make of a pass phrase: SHA-256 of its UTF-8 bytes. No better than the phrase is
+    /// long.
+    /// </summary>
     /// <param name="passphrase">The phrase, exactly as given to the other end.</param>
     /// <returns>The key.</returns>
     /// <exception cref="ArgumentException">No phrase.</exception>
@@ -54,15 +64,19 @@ public sealed class MavlinkSigningKey : IDisposable
         return key;
     }
 
-    /// <summary>Whether a frame was signed with this key. Says nothing of its age: a replayed frame passes; <see cref="MavlinkVerifier"/> looks at that too.</summary>
+    /// <summary>
+    /// Whether a frame was signed with this key. Its age is not checked, so a replayed frame matches;
+    /// <see cref="MavlinkVerifier"/> checks both.
+    /// </summary>
     /// <param name="frame">Any frame.</param>
     /// <returns>False also where it is not signed.</returns>
     /// <exception cref="ObjectDisposedException">The key was disposed of.</exception>
+    [SkipLocalsInit]
     public bool Matches(in MavlinkFrame frame)
     {
         if (!frame.IsSigned)
             return false;
-        Span<byte> buffer = stackalloc byte[LongestPadded];
+        Span<byte> buffer = stackalloc byte[MaxPaddedLength];
         int length = frame.WriteTo(buffer.Slice(Length));
         ulong received = SignatureFormat.ReadHash(buffer.Slice(Length + length - WireFormat.SignatureLength));
 
@@ -83,20 +97,23 @@ public sealed class MavlinkSigningKey : IDisposable
     }
 
     /// <summary>
-    /// The message that gives this key to a vehicle. It holds the secret in clear: send it over a cable or another link that nobody
-    /// listens to, to one system, and write it into no log. <see cref="MavlinkRouter"/> never forwards it, <see cref="TlogWriter"/> never writes it.
+    /// The message that gives this key to a vehicle. It holds the secret in clear: send it over a cable or another link
+    /// that cannot be intercepted, to one system, and write it into no log. <see cref="MavlinkRouter"/> never forwards
+    /// it, <see cref="TlogWriter"/> never writes it.
     /// </summary>
     /// <param name="targetSystem">The vehicle, 1 to 255.</param>
     /// <param name="targetComponent">Its component, 0 for all of them.</param>
-    /// <param name="initialTimestamp">Where its signing clock begins: <see cref="MavlinkSigningClock.Timestamp"/>.</param>
+    /// <param name="initialTimestamp">
+    /// Where its signing clock begins: <see cref="MavlinkSigningClock.Timestamp"/>.
+    /// </param>
     /// <returns>The message.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The system is 0, which would be everybody.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The system is 0, which would be a broadcast.</exception>
     /// <exception cref="ObjectDisposedException">The key was disposed of.</exception>
     public SetupSigning CreateSetup(byte targetSystem, byte targetComponent, long initialTimestamp)
     {
         ThrowIfDisposed();
         if (targetSystem == 0)
-            throw new ArgumentOutOfRangeException(nameof(targetSystem), targetSystem, "A key is given to one system, never to everybody.");
+            throw new ArgumentOutOfRangeException(nameof(targetSystem), targetSystem, "A key is given to one system, never broadcast.");
         return new SetupSigning
         {
             TargetSystem = targetSystem,
@@ -106,14 +123,16 @@ public sealed class MavlinkSigningKey : IDisposable
         };
     }
 
-    /// <summary>Overwrites the key. Whoever still signs or verifies with it gets an <see cref="ObjectDisposedException"/>.</summary>
+    /// <summary>
+    /// Overwrites the key. Signing or verifying with it afterwards throws an <see cref="ObjectDisposedException"/>.
+    /// </summary>
     public void Dispose()
     {
         _isDisposed = true;
         Array.Clear(_secret, 0, Length);
     }
 
-    /// <summary>Says what it is, never what is in it.</summary>
+    /// <summary>A constant text without the key.</summary>
     /// <returns><c>MAVLink signing key</c>.</returns>
     public override string ToString() => "MAVLink signing key";
 
@@ -122,23 +141,32 @@ public sealed class MavlinkSigningKey : IDisposable
     /// <param name="linkId">Which link.</param>
     /// <param name="timestamp">When.</param>
     /// <param name="signature">13 bytes.</param>
+    [SkipLocalsInit]
     internal void Sign(ReadOnlySpan<byte> wire, byte linkId, long timestamp, Span<byte> signature)
     {
-        Span<byte> buffer = stackalloc byte[LongestPadded];
+        Span<byte> buffer = stackalloc byte[MaxPaddedLength];
         wire.CopyTo(buffer.Slice(Length));
-        SignatureFormat.WriteLinkAndTimestamp(signature, linkId, timestamp);
-        signature.Slice(0, SignatureFormat.LinkIdLength + SignatureFormat.TimestampLength).CopyTo(buffer.Slice(Length + wire.Length));
-        SignatureFormat.WriteHash(signature, Hash(buffer, wire.Length + SignatureFormat.LinkIdLength + SignatureFormat.TimestampLength));
+        Sign(buffer, wire.Length, linkId, timestamp, signature);
     }
 
     /// <summary>Signs a frame that is prepared for it.</summary>
+    [SkipLocalsInit]
     internal void Sign(ref MavlinkFrame frame, byte linkId, long timestamp)
     {
-        Span<byte> buffer = stackalloc byte[WireFormat.MaxFrameLength];
+        Span<byte> buffer = stackalloc byte[MaxPaddedLength];
         Span<byte> signature = stackalloc byte[WireFormat.SignatureLength];
-        int length = frame.WriteTo(buffer) - WireFormat.SignatureLength;
-        Sign(buffer.Slice(0, length), linkId, timestamp, signature);
+        int length = frame.WriteTo(buffer.Slice(Length)) - WireFormat.SignatureLength;
+        Sign(buffer, length, linkId, timestamp, signature);
         frame.SetSignature(signature);
+    }
+
+    // The frame is in the buffer already, behind the room for the key.
+    private void Sign(Span<byte> buffer, int wireLength, byte linkId, long timestamp, Span<byte> signature)
+    {
+        SignatureFormat.WriteLinkAndTimestamp(buffer.Slice(Length + wireLength), linkId, timestamp);
+        ulong hash = Hash(buffer, wireLength + SignatureFormat.LinkIdLength + SignatureFormat.TimestampLength);
+        SignatureFormat.WriteLinkAndTimestamp(signature, linkId, timestamp);
+        SignatureFormat.WriteHash(signature, hash);
     }
 
     // The key goes before the bytes in the buffer, and does not stay there.

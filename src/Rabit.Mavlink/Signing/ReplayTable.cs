@@ -1,8 +1,9 @@
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Signing;
 
 /// <summary>
-/// The newest time stamp of each stream, that is of each system, component and link id. Only frames with a right signature get
-/// in, so that nobody without the key can fill it. Fixed memory; hashed with open addresses; nothing is ever taken out.
+/// The newest time stamp of each stream, that is of each system, component and link id. Only frames with a right
+/// signature get in, so that it cannot be filled without the key. Fixed memory; hashed with open addresses; nothing is
+/// ever taken out.
 /// </summary>
 internal sealed class ReplayTable
 {
@@ -32,7 +33,7 @@ internal sealed class ReplayTable
 
     public bool IsFull => Count == _capacity;
 
-    /// <summary>Looks a stream up.</summary>
+    /// <summary>Finds a stream.</summary>
     /// <param name="stream">The stream.</param>
     /// <param name="place">Where it is, or where it would go.</param>
     /// <returns>Its newest time stamp; -1 where it is not known.</returns>

@@ -1,11 +1,11 @@
 using System;
 using System.Buffers.Binary;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Signing;
 
 /// <summary>
-/// The 13 bytes behind the checksum of a signed frame (MAVLink guide, "Message signing"): link id, time stamp of 48 bits, and
-/// the first 48 bits of SHA-256 over key, header, payload, checksum, link id and time stamp. Little endian.
+/// The 13 bytes behind the checksum of a signed frame (MAVLink guide, "Message signing"): link id, time stamp of 48
+/// bits, and the first 48 bits of SHA-256 over key, header, payload, checksum, link id and time stamp. Little endian.
 /// </summary>
 internal static class SignatureFormat
 {
@@ -14,7 +14,7 @@ internal static class SignatureFormat
     public const int HashLength = 6;
 
     /// <summary>The largest time stamp: in the year 2104.</summary>
-    public const long LatestTimestamp = (1L << (8 * TimestampLength)) - 1;
+    public const long MaxTimestamp = (1L << (8 * TimestampLength)) - 1;
 
     private const int HashOffset = LinkIdLength + TimestampLength;
 
@@ -28,7 +28,10 @@ internal static class SignatureFormat
         BinaryPrimitives.WriteUInt16LittleEndian(signature.Slice(LinkIdLength + 4), (ushort)(timestamp >> 32));
     }
 
-    /// <summary>The truncated hash as one number, so that two are compared in one step, which takes the same time wherever they differ.</summary>
+    /// <summary>
+    /// The truncated hash as one number, so that two are compared in one step, which takes the same time wherever they
+    /// differ.
+    /// </summary>
     public static ulong ReadHash(ReadOnlySpan<byte> signature) =>
         BinaryPrimitives.ReadUInt32LittleEndian(signature.Slice(HashOffset)) | ((ulong)BinaryPrimitives.ReadUInt16LittleEndian(signature.Slice(HashOffset + 4)) << 32);
 

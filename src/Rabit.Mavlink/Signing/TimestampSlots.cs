@@ -1,9 +1,12 @@
 using System;
 using System.Buffers.Binary;
 
-namespace Rabit.Mavlink;
+namespace Rabit.Mavlink.Signing;
 
-/// <summary>The two stored places of a signing clock: a mark, a time stamp of 48 bits, a number that counts the writes, a check. The newer one that is whole counts.</summary>
+/// <summary>
+/// The two stored places of a signing clock: a mark, a time stamp of 48 bits, a number that counts the writes, a check.
+/// The newer one that is whole counts.
+/// </summary>
 internal sealed class TimestampSlots
 {
     public const int RecordLength = 12;
@@ -26,7 +29,7 @@ internal sealed class TimestampSlots
         bool isFirst = true;
         for (int slot = 0; slot < SlotCount; slot++)
         {
-            // The time stamp does not tell which is newer: an orderly end goes back behind what was reserved.
+            // The time stamp does not show which is newer: an orderly shutdown goes back behind what was reserved.
             if (!TryRead(slot, out long timestamp, out ushort number) || (!isFirst && unchecked((short)(number - _number)) < 0))
                 continue;
             Newest = timestamp;
@@ -60,7 +63,7 @@ internal sealed class TimestampSlots
         bool isWhole = _store.Read(slot, _record) == RecordLength
             && BinaryPrimitives.ReadUInt16LittleEndian(_record) == Mark
             && BinaryPrimitives.ReadUInt16LittleEndian(_record.AsSpan(CheckOffset)) == Check();
-        timestamp = BinaryPrimitives.ReadInt64LittleEndian(_record.AsSpan(TimestampOffset)) & SignatureFormat.LatestTimestamp;
+        timestamp = BinaryPrimitives.ReadInt64LittleEndian(_record.AsSpan(TimestampOffset)) & SignatureFormat.MaxTimestamp;
         number = BinaryPrimitives.ReadUInt16LittleEndian(_record.AsSpan(NumberOffset));
         return isWhole;
     }

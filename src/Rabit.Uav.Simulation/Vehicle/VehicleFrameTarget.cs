@@ -8,7 +8,7 @@ namespace Rabit.Uav.Simulation;
 /// <summary>Writes the vehicle's frames to its link. Runs on the writer's thread.</summary>
 internal sealed class VehicleFrameTarget(IByteLink link) : IWriterTarget<MavlinkFrame>
 {
-    private readonly byte[] _buffer = new byte[MavlinkFrame.MaximumWireLength];
+    private readonly byte[] _buffer = new byte[MavlinkFrame.MaxWireLength];
     private long _lost;
 
     public bool Blocks => link.Blocks;

@@ -28,7 +28,7 @@ public sealed partial class CommunicationsManager
     {
         if (_signing is null || !_signing.IsSigned(port.Number))
             return true;
-        MavlinkSignatureVerdict verdict = _signing.Verify(frame, port.Number);
+        MavlinkSignatureResult verdict = _signing.Verify(frame, port.Number);
         port.Judged(verdict);
         return verdict.IsAccepted();
     }

@@ -60,8 +60,8 @@ public sealed class CommunicationsOptions
             throw new ArgumentException("Communications: the lists of links, recorded files and mail routes may be empty, but not null.", parameter);
         if (Count == 0)
             faults.Add("there is no link");
-        if (Count > MavlinkRouter.MaximumLinks)
-            faults.Add($"there are {Count} links; at most {MavlinkRouter.MaximumLinks} are possible");
+        if (Count > MavlinkRouter.MaxLinks)
+            faults.Add($"there are {Count} links; at most {MavlinkRouter.MaxLinks} are possible");
         faults.AddRange(Signing?.FindFaults(Links.Count) ?? []);
         if (FramesWaitingIn < 1)
             faults.Add($"{nameof(FramesWaitingIn)} is {FramesWaitingIn}; it must be at least 1");
@@ -71,8 +71,8 @@ public sealed class CommunicationsOptions
             faults.Add($"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero");
         if (!(PositionRateHz >= 0 && PositionRateHz <= MaxPositionRate))
             faults.Add(FormattableString.Invariant($"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {MaxPositionRate}"));
-        if (VehicleMessageBytesPerSecond < MavlinkFrame.MaximumWireLength)
-            faults.Add($"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; it must be at least one frame, {MavlinkFrame.MaximumWireLength}");
+        if (VehicleMessageBytesPerSecond < MavlinkFrame.MaxWireLength)
+            faults.Add($"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; it must be at least one frame, {MavlinkFrame.MaxWireLength}");
         foreach (IGrouping<int, VehicleMessageRoute> twice in VehicleMessageRoutes.GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
             faults.Add($"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once");
         if (faults.Count > 0)

@@ -8,7 +8,7 @@ namespace Rabit.Uav.Communications;
 /// <summary>Writes frames to a live link. Runs on the writer's thread.</summary>
 internal sealed class LinkFrameTarget(IByteLink link) : IWriterTarget<MavlinkFrame>
 {
-    private readonly byte[] _buffer = new byte[MavlinkFrame.MaximumWireLength];
+    private readonly byte[] _buffer = new byte[MavlinkFrame.MaxWireLength];
     private long _lost;
 
     public bool Blocks => link.Blocks;

@@ -36,7 +36,7 @@ internal sealed class LinkPort(
 
     public void Saw(in LinkFrame frame) => _lastFrameTime = frame.Time;
 
-    public void Judged(MavlinkSignatureVerdict verdict) => _signatures = _signatures.With(verdict);
+    public void Judged(MavlinkSignatureResult verdict) => _signatures = _signatures.With(verdict);
 
     /// <summary>Says how many frames were rejected since they were last told of; again only when they have doubled, so that a flood fills no log.</summary>
     public bool TakeNewRejections(out MavlinkSignatureCounters counts, out long rejected)

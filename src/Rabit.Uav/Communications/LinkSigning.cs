@@ -33,7 +33,7 @@ internal sealed class LinkSigning
     /// <summary>Recorded logs are numbered behind the live links, and never signed.</summary>
     public bool IsSigned(int link) => link < _signers.Length && _signers[link] is not null;
 
-    public MavlinkSignatureVerdict Verify(in MavlinkFrame frame, int link) => _verifier.Verify(frame, link);
+    public MavlinkSignatureResult Verify(in MavlinkFrame frame, int link) => _verifier.Verify(frame, link);
 
     /// <summary>A frame of ours as it goes out over a link. MAVLink 1 has no signatures.</summary>
     public MavlinkFrame Sign(in MavlinkFrame frame, byte crcExtra, int link)

@@ -21,7 +21,7 @@ public class AllocationTests(ITestOutputHelper output)
         var router = new MavlinkRouter(1, 191);
         router.SetLink(0, MavlinkLinkRules.Live);
         router.SetLink(1, MavlinkLinkRules.Live);
-        var wire = new byte[MavlinkFrame.MaximumWireLength];
+        var wire = new byte[MavlinkFrame.MaxWireLength];
         long written = 0;
 
         AssertAllocatesNothing(() =>
@@ -68,7 +68,7 @@ public class AllocationTests(ITestOutputHelper output)
         var sender = new MavlinkSender(1, 191) { Signer = new MavlinkSigner(Keys.One, 2, clock) };
         var reader = new MavlinkFrameReader(MavlinkDialect.All);
         var verifier = new MavlinkVerifier(Keys.One, clock);
-        var wire = new byte[MavlinkFrame.MaximumWireLength];
+        var wire = new byte[MavlinkFrame.MaxWireLength];
 
         AssertAllocatesNothing(() =>
         {
@@ -95,7 +95,7 @@ public class AllocationTests(ITestOutputHelper output)
         var signing = new MavlinkSender(1, 191) { Signer = new MavlinkSigner(Keys.One, 2, clock) };
         var reader = new MavlinkFrameReader(MavlinkDialect.All);
         var verifier = new MavlinkVerifier(Keys.One, clock);
-        var wire = new byte[MavlinkFrame.MaximumWireLength];
+        var wire = new byte[MavlinkFrame.MaxWireLength];
         int collections = 0;
         for (int attempt = 0; attempt < 5; attempt++)
         {

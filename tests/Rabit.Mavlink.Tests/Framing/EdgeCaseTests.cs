@@ -36,11 +36,11 @@ public class EdgeCaseTests
     {
         Assert.True(wire.AsSpan().SequenceEqual(Wire.Bytes(frame)), name);
         Assert.True(frame.MessageId == id, name);
-        var payload = new byte[MavlinkFrame.MaximumPayloadLength];
+        var payload = new byte[MavlinkFrame.MaxPayloadLength];
         frame.CopyPayloadTo(payload);
         IMavlinkMessage message = MessageTypes.New(MessageTypes.ById[id]);
         message.Decode(payload);
-        var encoded = new byte[message.MaximumLength];
+        var encoded = new byte[message.MaxLength];
         message.Encode(encoded);
         Assert.True(payload.AsSpan(0, encoded.Length).SequenceEqual(encoded), name);
     }

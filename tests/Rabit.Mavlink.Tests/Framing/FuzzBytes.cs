@@ -9,7 +9,10 @@ internal static class FuzzBytes
 {
     private static readonly byte[] SignedStream = MakeSigned();
 
-    /// <summary>Pieces of recorded flights, of damaged streams and of signed frames with bytes changed, cut out and put in; every tenth piece is noise.</summary>
+    /// <summary>
+    /// Pieces of recorded flights, of damaged streams and of signed frames with bytes changed, cut out and put in;
+    /// every tenth piece is noise.
+    /// </summary>
     public static byte[] Make(int seed, int length)
     {
         var random = new Random(seed);

@@ -11,8 +11,9 @@ using Xunit.Abstractions;
 namespace Rabit.Mavlink.Tests.Framing;
 
 /// <summary>
-/// Whatever comes in, the whole way: framing in both modes, signatures, decoding, routing, log reading. No exception, bounded memory and
-/// work, an end. Eleven million bytes in every run; as many more as RABIT_FUZZ_MEGABYTES says (200 if it says nothing) in the longer tests.
+/// Whatever comes in, the whole way: framing in both modes, signatures, decoding, routing, log reading. No exception,
+/// bounded memory and work, an end. Eleven million bytes in every run; as many more as RABIT_FUZZ_MEGABYTES says (200
+/// if it says nothing) in the longer tests.
 /// </summary>
 public class FuzzTests(ITestOutputHelper output)
 {
@@ -25,7 +26,7 @@ public class FuzzTests(ITestOutputHelper output)
             typeof(Decode),
             typeof(FuzzTests).GetMethod(nameof(DecodeAndEncode), BindingFlags.NonPublic | BindingFlags.Static)!.MakeGenericMethod(pair.Value)));
 
-    private readonly byte[] _wire = new byte[MavlinkFrame.MaximumWireLength];
+    private readonly byte[] _wire = new byte[MavlinkFrame.MaxWireLength];
 
     private delegate int Decode(in MavlinkFrame frame, byte[] buffer);
 
@@ -50,8 +51,8 @@ public class FuzzTests(ITestOutputHelper output)
     {
         output.WriteLine($"seed {seed}");
         byte[] bytes = FuzzBytes.Make(seed, BytesPerSeed);
-        long inFrames = Read(bytes, seed, MavlinkResync.NextByte, out MavlinkReaderCounters counters);
-        Read(bytes, seed, MavlinkResync.SkipFrame, out MavlinkReaderCounters skipping);
+        long inFrames = Read(bytes, seed, MavlinkInvalidFramePolicy.NextByte, out MavlinkReaderCounters counters);
+        Read(bytes, seed, MavlinkInvalidFramePolicy.SkipFrame, out MavlinkReaderCounters skipping);
         Assert.True(counters.ChecksumBytes <= 20L * bytes.Length, $"{counters.ChecksumBytes}");
         Assert.True(skipping.ChecksumBytes <= bytes.Length, $"{skipping.ChecksumBytes}");
         Assert.True(counters.Frames >= skipping.Frames, $"{counters.Frames} {skipping.Frames}");
@@ -60,12 +61,12 @@ public class FuzzTests(ITestOutputHelper output)
     }
 
     // Returns how many bytes were frames: with the bytes skipped and dropped they are all.
-    private long Read(byte[] bytes, int seed, MavlinkResync resync, out MavlinkReaderCounters counters)
+    private long Read(byte[] bytes, int seed, MavlinkInvalidFramePolicy policy, out MavlinkReaderCounters counters)
     {
         var random = new Random(seed);
-        var reader = new MavlinkFrameReader(MavlinkDialect.All, resync);
-        var verifier = new MavlinkVerifier(Keys.One, Keys.ClockAt(Keys.Noon), maximumStreams: 4);
-        var router = new MavlinkRouter(1, 191, maximumSources: 16);
+        var reader = new MavlinkFrameReader(MavlinkDialect.All, policy);
+        var verifier = new MavlinkVerifier(Keys.One, Keys.ClockAt(Keys.Noon), maxStreams: 4);
+        var router = new MavlinkRouter(1, 191, maxSources: 16);
         router.SetLink(0, MavlinkLinkRules.Live);
         router.SetLink(1, MavlinkLinkRules.Live);
         long inFrames = 0;
@@ -76,7 +77,7 @@ public class FuzzTests(ITestOutputHelper output)
             while (reader.TryRead(ref rest, out MavlinkFrame frame, out MavlinkFrameInfo info))
                 inFrames += Use(frame, info, bytes, verifier, router);
             Assert.True(rest.IsEmpty);
-            Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaximumWireLength);
+            Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaxWireLength);
             start += count;
         }
 
@@ -84,7 +85,7 @@ public class FuzzTests(ITestOutputHelper output)
             inFrames += Use(frame, info, bytes, verifier, router);
         counters = reader.Counters;
         Assert.Equal((bytes.Length, 0), (counters.Bytes, reader.PendingBytes));
-        Assert.InRange(bytes.Length - inFrames - counters.SkippedBytes, 0, counters.IncompatibleFrames * MavlinkFrame.MaximumWireLength);
+        Assert.InRange(bytes.Length - inFrames - counters.SkippedBytes, 0, counters.IncompatibleFrames * MavlinkFrame.MaxWireLength);
         return inFrames;
     }
 
@@ -95,7 +96,7 @@ public class FuzzTests(ITestOutputHelper output)
         verifier.Verify(frame);
         router.Route(0, frame, info);
         if (info.IsChecked)
-            Assert.InRange(Decoders[frame.MessageId](frame, _wire), 1, MavlinkFrame.MaximumWireLength);
+            Assert.InRange(Decoders[frame.MessageId](frame, _wire), 1, MavlinkFrame.MaxWireLength);
         return length;
     }
 

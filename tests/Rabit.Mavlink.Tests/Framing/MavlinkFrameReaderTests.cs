@@ -85,7 +85,7 @@ public class MavlinkFrameReaderTests
     }
 
     [Fact]
-    public void TryRead_UnknownIdWithStartOfKnownFrameInside_WaitsUntilItIsJudged()
+    public void TryRead_UnknownIdWithStartOfKnownFrameInside_WaitsUntilItIsValidated()
     {
         byte[] unknown = Wire.V2(Wire.UnknownId, Wire.Join(new byte[10], Known.Take(12).ToArray()));
 

@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using System.Runtime.InteropServices;
 using Rabit.Mavlink.Messages;
+using Rabit.Mavlink.Tests.Golden;
 using Xunit;
 
 namespace Rabit.Mavlink.Tests.Framing;
@@ -34,7 +35,7 @@ public class MavlinkFrameTests
 
         MavlinkFrame frame = MavlinkFrame.Create(ack, 1, 1, 0, MavlinkVersion.V1);
 
-        Assert.Equal(Wire.Info<CommandAck>().MinimumLength, frame.PayloadLength);
+        Assert.Equal(Wire.Info<CommandAck>().MinLength, frame.PayloadLength);
         Assert.True(frame.TryDecode(out CommandAck decoded));
         Assert.Equal((0, 0), (decoded.ResultParam2, decoded.TargetSystem));
     }
@@ -97,6 +98,69 @@ public class MavlinkFrameTests
     }
 
     [Fact]
+    public void Payload_EachVersion_IsWhatCopyPayloadToCopies()
+    {
+        foreach (MavlinkVersion version in new[] { MavlinkVersion.V1, MavlinkVersion.V2 })
+        {
+            MavlinkFrame frame = MavlinkFrame.Create(Sample, 1, 1, 0, version);
+            var copy = new byte[frame.PayloadLength];
+            frame.CopyPayloadTo(copy);
+            Assert.Equal(copy, frame.Payload.ToArray());
+        }
+
+        MavlinkFrame none = default;
+        Assert.Equal(0, none.Payload.Length);
+    }
+
+    [Fact]
+    public void TryRead_NoFrameIntoAnOldFrame_IsNoFrameInEveryMember()
+    {
+        var reader = new MavlinkFrameReader(MavlinkDialect.All);
+        ReadOnlySpan<byte> bytes = Wire.V2(0, [1, 2, 3, 4, 5, 6, 7, 8, 9], Wire.Info<Heartbeat>().CrcExtra, incompatibilityFlags: 1);
+        Assert.True(reader.TryRead(ref bytes, out MavlinkFrame frame, out MavlinkFrameInfo info));
+        bytes = new byte[] { 0xFD };
+        Assert.False(reader.TryRead(ref bytes, out frame, out info));
+        bytes = new byte[] { 9 };
+        Assert.False(reader.TryRead(ref bytes, out frame, out info));
+
+        Assert.Equal((MavlinkVersion.None, 0, 0, 0), (frame.Version, frame.WireLength, frame.PayloadLength, frame.MessageId));
+        Assert.Equal((0, 0, 0, 0), (frame.SystemId, frame.ComponentId, frame.Sequence, frame.Checksum));
+        Assert.Equal((0, 0, false, 0L), (frame.IncompatibilityFlags, frame.SignatureLinkId, frame.IsSigned, frame.SignatureTimestamp));
+        Assert.All(Enumerable.Range(0, 255), index => Assert.Equal(0, frame.PayloadByte(index)));
+        Assert.False(frame.TryDecode(out Heartbeat _));
+        Assert.Null(info.Message.Name);
+    }
+
+    [Fact]
+    public void WithSequence_WithoutCrcExtra_GivesTheSameOfEveryGoldenFrame()
+    {
+        foreach (GoldenVector vector in GoldenVectors.All)
+        {
+            foreach (byte[]? wire in new[] { vector.V2, vector.V2Signed, vector.V1 })
+            {
+                if (wire is null)
+                    continue;
+                MavlinkFrame frame = Wire.Single(wire, out MavlinkFrameInfo info);
+                byte crcExtra = info.Message.CrcExtra;
+                Assert.Equal(Wire.Bytes(frame.WithSequence(77, crcExtra)), Wire.Bytes(frame.WithSequence(77)));
+                Assert.Equal(Wire.Bytes(frame.WithoutSignature(crcExtra)), Wire.Bytes(frame.WithoutSignature()));
+            }
+        }
+    }
+
+    [Fact]
+    public void WithSequence_WrongChecksumOrNoFrame_Throws()
+    {
+        // Of an unknown id, which a reader cannot check: of 65536 checksums all but 256 are found out.
+        MavlinkFrame wrong = Wire.Single([0xFD, 1, 0, 0, 0, 1, 1, 0x34, 0x12, 0x56, 7, 0xAA, 0x55], out MavlinkFrameInfo info);
+        Assert.False(info.IsChecked);
+
+        Assert.Throws<InvalidOperationException>(() => wrong.WithSequence(1));
+        Assert.Throws<InvalidOperationException>(() => default(MavlinkFrame).WithSequence(1));
+        Assert.Equal(MavlinkVersion.None, default(MavlinkFrame).WithoutSignature().Version);
+    }
+
+    [Fact]
     public void CopySignatureTo_SignedAndUnsigned_GivesThirteenBytesOrNone()
     {
         MavlinkFrame signed = Wire.Single(Wire.V2(0, [1], Wire.Info<Heartbeat>().CrcExtra, incompatibilityFlags: 1), out _);
@@ -145,7 +209,7 @@ public class MavlinkFrameTests
     }
 
     [Fact]
-    public void Size_IsThatOfItsBytesNearly() => Assert.InRange(Marshal.SizeOf<MavlinkFrame>(), MavlinkFrame.MaximumWireLength, 288);
+    public void Size_IsThatOfItsBytesNearly() => Assert.InRange(Marshal.SizeOf<MavlinkFrame>(), MavlinkFrame.MaxWireLength, 288);
 
     [Fact]
     public void ToString_NamesIdSourceAndSequence() =>

@@ -13,7 +13,7 @@ public class MavlinkSenderTests
     private delegate byte[] Remake(in MavlinkFrame frame, MavlinkVersion version, int room);
 
     private readonly MavlinkSender _sender = new(7, 191);
-    private readonly byte[] _buffer = new byte[MavlinkFrame.MaximumWireLength];
+    private readonly byte[] _buffer = new byte[MavlinkFrame.MaxWireLength];
 
     [Fact]
     public void Write_EveryGoldenLine_GivesWhatCreateGivesInBothVersions()
@@ -28,7 +28,7 @@ public class MavlinkSenderTests
                 if (version == MavlinkVersion.V1 && vector.Id > 255)
                     continue;
                 byte[] expected = create(frame, version, 0);
-                Assert.Equal(expected, remake(frame, version, MavlinkFrame.MaximumWireLength));
+                Assert.Equal(expected, remake(frame, version, MavlinkFrame.MaxWireLength));
                 Assert.Equal(expected, remake(frame, version, expected.Length));
             }
         }

@@ -47,7 +47,7 @@ public class MavlinkSequenceTrackerTests
     [Fact]
     public void Track_MoreSourcesThanRoom_CountsTheirFramesApart()
     {
-        var tracker = new MavlinkSequenceTracker(maximumSources: 1);
+        var tracker = new MavlinkSequenceTracker(maxSources: 1);
         tracker.Track(Frame(1, 1, 0));
         tracker.Track(Frame(2, 1, 0));
         tracker.Track(Frame(1, 1, 1));
@@ -57,7 +57,7 @@ public class MavlinkSequenceTrackerTests
 
     [Fact]
     public void Constructor_NoRoom_Throws() =>
-        Assert.Throws<ArgumentOutOfRangeException>("maximumSources", () => new MavlinkSequenceTracker(0));
+        Assert.Throws<ArgumentOutOfRangeException>("maxSources", () => new MavlinkSequenceTracker(0));
 
     private static MavlinkFrame Frame(byte system, byte component, byte sequence) =>
         MavlinkFrame.Create(default(Heartbeat), system, component, sequence);

@@ -7,7 +7,10 @@ using Xunit.Abstractions;
 
 namespace Rabit.Mavlink.Tests.Framing;
 
-/// <summary>Random and mutated bytes, by fixed seeds: no exception, bounded memory and work, and the same frames as the plain rule finds.</summary>
+/// <summary>
+/// Random and mutated bytes, by fixed seeds: no exception, bounded memory and work, and the same frames as the plain
+/// rule finds.
+/// </summary>
 public class ReaderFuzzTests(ITestOutputHelper output)
 {
     private const int BytesPerSeed = 100_000;
@@ -32,7 +35,7 @@ public class ReaderFuzzTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void TryRead_AnyBytes_HoldsBackTwoFramesAtMost()
+    public void TryRead_AnyBytes_HoldsBackNoMoreThanTwoFrames()
     {
         byte[] bytes = FuzzBytes.Make(99, BytesPerSeed);
         var reader = new MavlinkFrameReader(MavlinkDialect.All);
@@ -40,7 +43,7 @@ public class ReaderFuzzTests(ITestOutputHelper output)
         {
             ReadOnlySpan<byte> one = bytes.AsSpan(i, 1);
             while (reader.TryRead(ref one, out _, out _)) { }
-            Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaximumWireLength);
+            Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaxWireLength);
         }
     }
 
@@ -56,8 +59,9 @@ public class ReaderFuzzTests(ITestOutputHelper output)
     [InlineData("fdff0001010101efcdab")]
     public void TryRead_HostilePattern_TakesBoundedTimePerByte(string patternHex)
     {
-        // The worst that a pattern can do is to claim a long frame every few bytes: "feff83" costs 87 checksum steps per byte. If every
-        // claim could cost the claims inside it again, this would take minutes instead of a second or two.
+        // The worst that a pattern can do is to claim a long frame every few bytes: "feff83" costs 87 checksum steps
+        // per byte. If every claim could cost the claims inside it again, this would take minutes instead of a second
+        // or two.
         byte[] pattern = TestData.FromHex(patternHex);
         byte[] bytes = Enumerable.Range(0, 300_000).Select(i => pattern[i % pattern.Length]).ToArray();
         var watch = Stopwatch.StartNew();

@@ -6,12 +6,15 @@ using Xunit.Abstractions;
 
 namespace Rabit.Mavlink.Tests.Framing;
 
-/// <summary>The work per byte is bounded, whatever is sent: counted in bytes put through the checksum, not in time.</summary>
+/// <summary>
+/// The work per byte is bounded, whatever is sent: counted in bytes put through the checksum, not in time.
+/// </summary>
 public class ReaderWorkTests(ITestOutputHelper output)
 {
-    // Every place is put through the checksum once at most, so that a byte costs as many steps as claims cover it: fewer than 280 by the
-    // length of a frame, and as yet nobody found a pattern whose claims lie closer together than every third byte.
-    private const int MostPerByte = 90;
+    // Every place is put through the checksum once at most, so that a byte costs as many steps as claims cover it:
+    // fewer than 280 by the length of a frame, and no pattern is known whose headers lie closer together than every
+    // third byte.
+    private const int MaxPerByte = 90;
 
     [Fact]
     public void ChecksumBytes_SoundFlight_AreNoMoreThanTheBytes()
@@ -26,35 +29,36 @@ public class ReaderWorkTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(MavlinkResync.NextByte, MostPerByte)]
-    [InlineData(MavlinkResync.SkipFrame, 1)]
-    public void ChecksumBytes_HostilePatterns_StayBounded(MavlinkResync resync, double mostPerByte)
+    [InlineData(MavlinkInvalidFramePolicy.NextByte, MaxPerByte)]
+    [InlineData(MavlinkInvalidFramePolicy.SkipFrame, 1)]
+    public void ChecksumBytes_HostilePatterns_StayBounded(MavlinkInvalidFramePolicy policy, double mostPerByte)
     {
         double worst = 0;
         string pattern = "";
-        foreach (byte[] candidate in Patterns())
+        foreach (byte[] bytes in Patterns())
         {
-            double perByte = WorkPerByte(candidate, resync);
+            double perByte = WorkPerByte(bytes, policy);
             if (perByte <= worst)
                 continue;
             worst = perByte;
-            pattern = TestData.ToHex(candidate, candidate.Length);
+            pattern = TestData.ToHex(bytes, bytes.Length);
         }
 
         output.WriteLine($"worst {worst:0.0} per byte: {pattern}");
         Assert.InRange(worst, 0.9, mostPerByte);
     }
 
-    private static double WorkPerByte(byte[] pattern, MavlinkResync resync)
+    private static double WorkPerByte(byte[] pattern, MavlinkInvalidFramePolicy policy)
     {
         byte[] bytes = Enumerable.Range(0, 4000).Select(i => pattern[i % pattern.Length]).ToArray();
-        var reader = new MavlinkFrameReader(MavlinkDialect.All, resync);
+        var reader = new MavlinkFrameReader(MavlinkDialect.All, policy);
         FrameCollector.Read(bytes, 1500, reader, flush: false);
-        Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaximumWireLength);
+        Assert.InRange(reader.PendingBytes, 0, 2 * MavlinkFrame.MaxWireLength);
         return (double)reader.Counters.ChecksumBytes / bytes.Length;
     }
 
-    // Every start byte, length and id of MAVLink 1 in every way to come again soon; and patterns by chance of bytes that mean something in a header.
+    // Every start byte, length and id of MAVLink 1 in every way to come again soon; and patterns by chance of bytes
+    // that mean something in a header.
     private static IEnumerable<byte[]> Patterns()
     {
         int[] ids = MavlinkDialect.All.Messages.Select(message => message.Id).Where(id => id < 256).ToArray();
@@ -63,8 +67,8 @@ public class ReaderWorkTests(ITestOutputHelper output)
             yield return [0xFE, 0xFF, (byte)id];
             yield return [0xFE, (byte)id];
             MavlinkDialect.All.TryGetMessage(id, out MavlinkMessageInfo info);
-            yield return [0xFE, info.MaximumLength, (byte)id];
-            yield return [0xFE, info.MaximumLength, 0xFE, info.MaximumLength, 0xFE, (byte)id];
+            yield return [0xFE, info.MaxLength, (byte)id];
+            yield return [0xFE, info.MaxLength, 0xFE, info.MaxLength, 0xFE, (byte)id];
         }
 
         var random = new Random(2026);

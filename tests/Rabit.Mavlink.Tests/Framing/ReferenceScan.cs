@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Rabit.Mavlink.Tests.Framing;
 
 /// <summary>
-/// The rule written down as plainly as can be, over a whole buffer and without regard to speed: at each byte, is there a frame of
-/// a known id with the right checksum? Then skip it whole, else try the next byte.
+/// The rule written down as plainly as can be, over a whole buffer and without regard to speed: at each byte, is there
+/// a frame of a known id with the right checksum? Then skip it whole, else try the next byte.
 /// </summary>
 internal static class ReferenceScan
 {
@@ -37,7 +37,7 @@ internal static class ReferenceScan
         int end = start + header + payload;
         if (end + 2 + signature > bytes.Length || !dialect.TryGetMessage(id, out MavlinkMessageInfo message))
             return 0;
-        if (isV1 && (payload < message.MinimumLength || payload > message.MaximumLength))
+        if (isV1 && (payload < message.MinLength || payload > message.MaxLength))
             return 0;
         ushort crc = MavlinkCrc.Add(MavlinkCrc.Initial, bytes.AsSpan(start + 1, end - start - 1));
         crc = MavlinkCrc.Add(crc, message.CrcExtra);

@@ -12,7 +12,7 @@ public class ResyncTests
     private static readonly byte[] Inner = Wire.Of(new Heartbeat { CustomMode = 5 });
     private static readonly byte[] Behind = Wire.Of(new Attitude { Yaw = 1 });
 
-    private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All, MavlinkResync.SkipFrame);
+    private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All, MavlinkInvalidFramePolicy.SkipFrame);
 
     [Fact]
     public void SkipFrame_DamagedFrameThatCarriesOne_DeliversOnlyWhatIsBehind()
@@ -30,7 +30,7 @@ public class ResyncTests
         byte[] unknown = Wire.V2(Wire.UnknownId, Inner);
 
         Assert.Equal([Heartbeat.MavlinkId, Wire.UnknownId, Attitude.MavlinkId], Ids(Wire.Join(Inner, unknown, Behind)));
-        // The other mode believes what is proved.
+        // The other policy delivers what the checksum proves.
         Assert.DoesNotContain(Wire.UnknownId, Ids(Wire.Join(Inner, unknown, Behind), new MavlinkFrameReader(MavlinkDialect.All)));
     }
 
@@ -73,7 +73,7 @@ public class ResyncTests
     public void SkipFrame_AnyChunks_FindsTheSame(int chunk)
     {
         byte[] stream = TestData.Bytes("c-garbage-part.bin");
-        var whole = new MavlinkFrameReader(MavlinkDialect.All, MavlinkResync.SkipFrame);
+        var whole = new MavlinkFrameReader(MavlinkDialect.All, MavlinkInvalidFramePolicy.SkipFrame);
         string[] expected = FrameCollector.Read(stream, stream.Length, whole).Select(frame => frame.ToString()).ToArray();
 
         Assert.Equal(expected, FrameCollector.Read(stream, chunk, _reader).Select(frame => frame.ToString()), StringComparer.Ordinal);

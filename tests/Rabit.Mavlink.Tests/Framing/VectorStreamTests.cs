@@ -7,7 +7,10 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Framing;
 
-/// <summary>Streams with damage, garbage, unknown ids and flags: exactly the frames listed beside them, however the bytes are cut.</summary>
+/// <summary>
+/// Streams with damage, garbage, unknown ids and flags: exactly the frames listed beside them, however the bytes are
+/// cut.
+/// </summary>
 public class VectorStreamTests
 {
     private static readonly int[] ChunkLengths = [1, 7, 64, 1000, int.MaxValue];
@@ -76,7 +79,7 @@ public class VectorStreamTests
 
     private static void AssertSameBytes(byte[] stream, FoundFrame found)
     {
-        var wire = new byte[MavlinkFrame.MaximumWireLength];
+        var wire = new byte[MavlinkFrame.MaxWireLength];
         int length = found.Frame.WriteTo(wire);
         Assert.True(stream.AsSpan((int)found.Info.StreamOffset, length).SequenceEqual(wire.AsSpan(0, length)), found.ToString());
     }

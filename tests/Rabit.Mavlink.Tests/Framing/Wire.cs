@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Rabit.Mavlink.Tests.Framing;
 
-/// <summary>Frames as bytes, also such as no sound sender would send.</summary>
+/// <summary>Frames as bytes, also such as no correct sender would send.</summary>
 internal static class Wire
 {
     /// <summary>An id that no dialect knows.</summary>

@@ -5,7 +5,9 @@ using System.Text.Json;
 
 namespace Rabit.Mavlink.Tests.Golden;
 
-/// <summary>One line of golden.jsonl: a message with its field values, and the frames that an independent library made of it.</summary>
+/// <summary>
+/// One line of golden.jsonl: a message with its field values, and the frames that an independent library made of it.
+/// </summary>
 internal sealed class GoldenVector(JsonElement line)
 {
     /// <summary>MAVLink 2: magic, length, two flag bytes, sequence, system, component, three bytes of id.</summary>
@@ -21,12 +23,14 @@ internal sealed class GoldenVector(JsonElement line)
     public byte CrcExtra { get; } = line.GetProperty("crc_extra").GetByte();
 
     /// <summary>Payload bytes without extensions, which every MAVLink 1 frame has.</summary>
-    public int MinimumLength { get; } = line.GetProperty("min_len").GetInt32();
+    public int MinLength { get; } = line.GetProperty("min_len").GetInt32();
 
     /// <summary>Payload bytes with the extensions that the making library knew; ours may know more.</summary>
-    public int MaximumLength { get; } = line.GetProperty("max_len").GetInt32();
+    public int MaxLength { get; } = line.GetProperty("max_len").GetInt32();
 
-    /// <summary>Values by field name, in the order of the definition. 64-bit integers, NaN and infinities are strings.</summary>
+    /// <summary>
+    /// Values by field name, in the order of the definition. 64-bit integers, NaN and infinities are strings.
+    /// </summary>
     public IReadOnlyList<KeyValuePair<string, JsonElement>> Fields { get; } =
         line.GetProperty("fields").EnumerateObject().Select(field => new KeyValuePair<string, JsonElement>(field.Name, field.Value)).ToList();
 

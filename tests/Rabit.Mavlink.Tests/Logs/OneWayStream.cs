@@ -4,7 +4,8 @@ using System.IO;
 namespace Rabit.Mavlink.Tests.Logs;
 
 /// <summary>
-/// A stream that cannot seek, as pipes and sockets are, and may give little at a time. Where it is longer than its bytes, they come over and over: a file of any size without a disk.
+/// A stream that cannot seek, as pipes and sockets are, and may give little at a time. Where it is longer than its
+/// bytes, they come over and over: a file of any size without a disk.
 /// </summary>
 internal sealed class OneWayStream(byte[] bytes, long length, int readLength = int.MaxValue) : Stream
 {

@@ -6,7 +6,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Mavlink.Tests.Logs;
 
-/// <summary>Copies of a flight with damage in many places, by fixed seeds: every record that was not touched is found.</summary>
+/// <summary>
+/// Copies of a flight with damage in many places, by fixed seeds: every record that was not touched is found.
+/// </summary>
 public class TlogDamageTests(ITestOutputHelper output)
 {
     private const int Damages = 200;

@@ -22,7 +22,7 @@ public class TlogReaderTests
     private readonly LogBuilder _log = new();
 
     [Fact]
-    public void TryRead_Empty_SaysEmpty()
+    public void TryRead_Empty_EndsAsEmpty()
     {
         TlogReader log = _log.Read(out List<ReadRecord> records);
 
@@ -31,7 +31,7 @@ public class TlogReaderTests
     }
 
     [Fact]
-    public void TryRead_NoLogAtAll_SaysNoRecord()
+    public void TryRead_NoLogAtAll_EndsAsNoRecord()
     {
         var noise = new byte[200_000];
         new Random(1).NextBytes(noise);
@@ -80,7 +80,7 @@ public class TlogReaderTests
     }
 
     [Fact]
-    public void TryRead_EveryByteDamagedInTurn_LosesThatRecordAtMost()
+    public void TryRead_EveryByteDamagedInTurn_LosesNoOtherRecord()
     {
         byte[] whole = new LogBuilder().Record(Start).Record(Start + 10).Record(Start + 20).Record(Start + 30).ToArray();
         LogBuilder.Read(whole, out List<ReadRecord> intact);
@@ -94,7 +94,7 @@ public class TlogReaderTests
                 new[] { intact[0], intact[2], intact[3] }.Select(record => record.ToString()),
                 records.Where(record => record.Record.IsChecked && record.Record.Offset != RecordLength).Select(record => record.ToString()),
                 StringComparer.Ordinal);
-            // Nobody can see a small error in a time, nor that an unknown id was another one.
+            // A small error in a time cannot be detected, nor that an unknown id was another one.
             if (records.Count == 3)
                 Assert.Equal((RecordLength, RecordLength), (log.LostBytes, log.FirstDamageOffset));
         }

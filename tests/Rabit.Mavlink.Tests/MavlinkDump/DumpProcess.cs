@@ -12,7 +12,7 @@ namespace Rabit.Mavlink.Tests.MavlinkDump;
 /// <summary>MavlinkDump as a user starts it: a process of its own, on the runtime that the tests run on.</summary>
 internal sealed class DumpProcess
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan TimeLimit = TimeSpan.FromSeconds(60);
     private static readonly string Folder = Path.GetDirectoryName(typeof(DumpProcess).Assembly.Location)!;
     private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
 
@@ -47,7 +47,7 @@ internal sealed class DumpProcess
         process.Start();
         Task<string> output = process.StandardOutput.ReadToEndAsync();
         Task<string> errors = process.StandardError.ReadToEndAsync();
-        if (!process.WaitForExit((int)Patience.TotalMilliseconds))
+        if (!process.WaitForExit((int)TimeLimit.TotalMilliseconds))
         {
             process.Kill();
             Assert.Fail("It does not end.");

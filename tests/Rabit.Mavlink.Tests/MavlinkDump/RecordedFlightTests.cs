@@ -9,7 +9,10 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.MavlinkDump;
 
-/// <summary>What MavlinkDump prints of the recorded flights, against the facts listed beside them and against the typed messages.</summary>
+/// <summary>
+/// What MavlinkDump prints of the recorded flights, against the facts listed beside them and against the typed
+/// messages.
+/// </summary>
 public class RecordedFlightTests
 {
     private static readonly string Flight = TestData.PathOf("ardupilot-flight.tlog");

@@ -16,22 +16,22 @@ public class CrcExtraTests
             $"{property.Name} {property.Value.GetProperty("name")} {property.Value.GetProperty("crc_extra")} {property.Value.GetProperty("min_len")} {property.Value.GetProperty("max_len")}")
             .OrderBy(line => line, StringComparer.Ordinal).ToArray();
         string[] actual = MavlinkDialect.All.Messages.Select(info =>
-            string.Format(CultureInfo.InvariantCulture, "{0} {1} {2} {3} {4}", info.Id, info.Name, info.CrcExtra, info.MinimumLength, info.MaximumLength))
+            string.Format(CultureInfo.InvariantCulture, "{0} {1} {2} {3} {4}", info.Id, info.Name, info.CrcExtra, info.MinLength, info.MaxLength))
             .OrderBy(line => line, StringComparer.Ordinal).ToArray();
         Assert.Equal(382, expected.Length);
         Assert.Equal(expected, actual);
     }
 
     [Fact]
-    public void All_EveryMessageStruct_SaysTheSameOfItself()
+    public void All_EveryMessageStruct_AgreesWithTheDialect()
     {
         Assert.Equal(MavlinkDialect.All.Count, MessageTypes.ById.Count);
         foreach (MavlinkMessageInfo info in MavlinkDialect.All.Messages)
         {
             IMavlinkMessage message = MessageTypes.New(MessageTypes.ById[info.Id]);
             Assert.Equal(
-                (info.Id, info.CrcExtra, (int)info.MinimumLength, (int)info.MaximumLength),
-                (message.MessageId, message.CrcExtra, message.MinimumLength, message.MaximumLength));
+                (info.Id, info.CrcExtra, (int)info.MinLength, (int)info.MaxLength),
+                (message.MessageId, message.CrcExtra, message.MinLength, message.MaxLength));
         }
     }
 

@@ -15,8 +15,8 @@ public class EnumTests
     [Fact]
     public void Enums_AllOfTheDefinitions_KeepNamesValuesAndFlags()
     {
-        var names = new TypeNames(Definitions.All);
-        foreach (EnumDefinition definition in Definitions.All.Enums)
+        var names = new TypeNames(Generator.Definitions.All);
+        foreach (EnumDefinition definition in Generator.Definitions.All.Enums)
         {
             Type type = typeof(MavType).Assembly.GetType("Rabit.Mavlink.Messages." + names.OfEnum(definition.Name), throwOnError: true)!;
             Assert.Equal(definition.IsBitmask, type.IsDefined(typeof(FlagsAttribute), false));

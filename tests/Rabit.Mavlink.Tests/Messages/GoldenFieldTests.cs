@@ -40,22 +40,22 @@ public class GoldenFieldTests
         foreach (GoldenVector vector in GoldenVectors.All)
         {
             IMavlinkMessage message = Decode(vector);
-            var encoded = new byte[message.MaximumLength];
+            var encoded = new byte[message.MaxLength];
             message.Encode(encoded);
-            Assert.Equal(vector.Payload(message.MaximumLength), encoded);
+            Assert.Equal(vector.Payload(message.MaxLength), encoded);
         }
     }
 
     private static IMavlinkMessage Decode(GoldenVector vector)
     {
         IMavlinkMessage message = MessageTypes.New(MessageTypes.ById[vector.Id]);
-        message.Decode(vector.Payload(message.MaximumLength));
+        message.Decode(vector.Payload(message.MaxLength));
         return message;
     }
 
     private static Dictionary<string, PropertyInfo> PropertiesOf(int id, Type type)
     {
-        MessageDefinition definition = Definitions.All.Messages.Single(candidate => candidate.Id == id);
+        MessageDefinition definition = Generator.Definitions.All.Messages.Single(message => message.Id == id);
         return PropertyNames.Of(definition, type.Name).ToDictionary(pair => pair.Key.Name, pair => type.GetProperty(pair.Value)!);
     }
 

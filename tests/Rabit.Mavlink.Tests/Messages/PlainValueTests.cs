@@ -27,7 +27,7 @@ public class PlainValueTests
             SystemStatus = MavState.Active,
             MavlinkVersion = 3,
         };
-        var payload = new byte[Heartbeat.MavlinkMaximumLength];
+        var payload = new byte[Heartbeat.MavlinkMaxLength];
         heartbeat.Encode(payload);
         Assert.Equal(new byte[] { 4, 0, 0, 0, 2, 3, 129, 4, 3 }, payload);
     }
@@ -36,7 +36,7 @@ public class PlainValueTests
     public void Enum_NarrowerOnTheWire_KeepsNumbersWithoutAName()
     {
         var message = default(WifiConfigAp);
-        var payload = new byte[WifiConfigAp.MavlinkMaximumLength];
+        var payload = new byte[WifiConfigAp.MavlinkMaxLength];
         payload[96] = 0xFF;
         message.Decode(payload);
         Assert.Equal(-1, (int)message.Mode);

@@ -17,10 +17,10 @@ public class RoundTripTests(ITestOutputHelper output)
             for (int round = 0; round < 20; round++)
             {
                 IMavlinkMessage message = MessageTypes.New(type);
-                var payload = new byte[message.MaximumLength];
+                var payload = new byte[message.MaxLength];
                 random.NextBytes(payload);
                 message.Decode(payload);
-                var encoded = new byte[message.MaximumLength];
+                var encoded = new byte[message.MaxLength];
                 message.Encode(encoded);
                 Assert.Equal(payload, encoded);
             }
@@ -34,11 +34,11 @@ public class RoundTripTests(ITestOutputHelper output)
         {
             // A float with these bytes is a signalling NaN wherever it begins, and so is a double.
             IMavlinkMessage message = MessageTypes.New(type);
-            var payload = new byte[message.MaximumLength];
+            var payload = new byte[message.MaxLength];
             for (int i = 0; i < payload.Length; i++)
                 payload[i] = (byte)(i % 4 == 3 ? 0x7F : i % 4 == 2 ? 0xA0 : i % 4);
             message.Decode(payload);
-            var encoded = new byte[message.MaximumLength];
+            var encoded = new byte[message.MaxLength];
             message.Encode(encoded);
             Assert.Equal(payload, encoded);
         }
@@ -50,14 +50,14 @@ public class RoundTripTests(ITestOutputHelper output)
         foreach (Type type in MessageTypes.ById.Values)
         {
             IMavlinkMessage message = MessageTypes.New(type);
-            var buffer = new byte[message.MaximumLength + 2];
+            var buffer = new byte[message.MaxLength + 2];
             for (int i = 0; i < buffer.Length; i++)
                 buffer[i] = 0xA5;
             message.Decode(buffer);
             var encoded = new byte[buffer.Length];
             message.Encode(encoded);
-            Assert.Equal(0xA5, encoded[message.MaximumLength - 1]);
-            Assert.Equal(0, encoded[message.MaximumLength]);
+            Assert.Equal(0xA5, encoded[message.MaxLength - 1]);
+            Assert.Equal(0, encoded[message.MaxLength]);
         }
     }
 
@@ -67,7 +67,7 @@ public class RoundTripTests(ITestOutputHelper output)
         foreach (Type type in MessageTypes.ById.Values)
         {
             IMavlinkMessage message = MessageTypes.New(type);
-            var tooShort = new byte[message.MaximumLength - 1];
+            var tooShort = new byte[message.MaxLength - 1];
             Assert.True(MavlinkDialect.All.TryGetMessage(message.MessageId, out MavlinkMessageInfo info));
             Assert.StartsWith(info.Name, Assert.Throws<ArgumentException>(() => message.Decode(tooShort)).Message, StringComparison.Ordinal);
             Assert.StartsWith(info.Name, Assert.Throws<ArgumentException>(() => message.Encode(tooShort)).Message, StringComparison.Ordinal);

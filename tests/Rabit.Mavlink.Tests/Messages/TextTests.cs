@@ -38,7 +38,7 @@ public class TextTests
     [Fact]
     public void Decode_BytesBehindTheFirstZero_AreKeptButNotRead()
     {
-        var payload = new byte[ParamRequestRead.MavlinkMaximumLength];
+        var payload = new byte[ParamRequestRead.MavlinkMaxLength];
         "AB\0CD".Select(character => (byte)character).ToArray().CopyTo(payload, 4);
         var message = default(ParamRequestRead);
         message.Decode(payload);

@@ -29,7 +29,7 @@ public class CommandLossTests(ITestOutputHelper output)
 
     private void Run(int lossPercent, int seeds)
     {
-        var verdicts = new Dictionary<MavlinkCommandVerdict, int>();
+        var statuses = new Dictionary<MavlinkCommandStatus, int>();
         int duplicates = 0;
         double longest = 0;
         for (ulong seed = 1; seed <= (ulong)seeds; seed++)
@@ -56,7 +56,7 @@ public class CommandLossTests(ITestOutputHelper output)
             foreach (MavlinkCommandOutcome outcome in outcomes.Values)
                 Check(outcome, tokens[outcome.Handle], vehicle, lossPercent, context);
             foreach (MavlinkCommandOutcome outcome in outcomes.Values)
-                verdicts[outcome.Verdict] = verdicts.TryGetValue(outcome.Verdict, out int count) ? count + 1 : 1;
+                statuses[outcome.Status] = statuses.TryGetValue(outcome.Status, out int count) ? count + 1 : 1;
 
             // What is still on its way changes nothing any more.
             world.RunUntil(() => false, client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(10));
@@ -65,7 +65,7 @@ public class CommandLossTests(ITestOutputHelper output)
             longest = Math.Max(longest, (world.Now - start).TotalSeconds);
         }
 
-        output.WriteLine($"loss {lossPercent} %, seeds 1 to {seeds}: {string.Join(", ", verdicts.OrderBy(pair => pair.Key).Select(pair => $"{pair.Key} {pair.Value}"))}; "
+        output.WriteLine($"loss {lossPercent} %, seeds 1 to {seeds}: {string.Join(", ", statuses.OrderBy(pair => pair.Key).Select(pair => $"{pair.Key} {pair.Value}"))}; "
             + $"{duplicates} copies reached the vehicle, longest {longest:F0} s");
     }
 
@@ -85,16 +85,15 @@ public class CommandLossTests(ITestOutputHelper output)
         // The vehicle hands the token back: no other command's answer was taken.
         if (outcome.Result is not null)
             Assert.True(outcome.ResultParam2 == token, context);
-        MavlinkCommandVerdict expected = outcome.Sent == 0 ? MavlinkCommandVerdict.Cancelled
-            : kind == 1 ? MavlinkCommandVerdict.Refused
-            : kind == 5 ? MavlinkCommandVerdict.Unknown
-            : MavlinkCommandVerdict.Accepted;
+        MavlinkCommandStatus expected = outcome.Sent == 0 ? MavlinkCommandStatus.Cancelled
+            : kind == 1 ? MavlinkCommandStatus.Refused
+            : kind == 5 ? MavlinkCommandStatus.Unknown
+            : MavlinkCommandStatus.Accepted;
         bool mayBeUnknown = lossPercent > 0 && outcome.Sent > 0;
-        bool mayBeRefused = lossPercent > 0 && outcome.Result == MavResult.TemporarilyRejected && kind == 2;
-        Assert.True(outcome.Verdict == expected || (mayBeUnknown && outcome.Verdict == MavlinkCommandVerdict.Unknown) || (mayBeRefused && outcome.Verdict == MavlinkCommandVerdict.Refused), context);
-        if (outcome.Verdict == MavlinkCommandVerdict.Accepted)
+        Assert.True(outcome.Status == expected || (mayBeUnknown && outcome.Status == MavlinkCommandStatus.Unknown), context);
+        if (outcome.Status == MavlinkCommandStatus.Accepted)
             Assert.True(vehicle.Executions.TryGetValue(token, out int times) && times == 1, context);
-        if (outcome.Verdict == MavlinkCommandVerdict.Cancelled)
+        if (outcome.Status == MavlinkCommandStatus.Cancelled)
             Assert.False(vehicle.Executions.ContainsKey(token), context);
     }
 }

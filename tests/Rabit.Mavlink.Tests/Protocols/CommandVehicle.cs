@@ -5,8 +5,9 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink.Tests.Protocols;
 
 /// <summary>
-/// Does commands. Parameter 1 is a token, which it hands back in result_param2, so that a test can tell whose answer it is; parameter 2 says what to do:
-/// 0 accept, 1 deny, 2 take two seconds with progress, 3 accept COMMAND_INT only, 4 reject once for now, 5 say nothing.
+/// Does commands. Parameter 1 is a token, which it returns in result_param2, so that a test knows whose answer it is;
+/// parameter 2 says what to do: 0 accept, 1 deny, 2 take two seconds with progress, 3 accept COMMAND_INT only, 4 reject
+/// once for now, 5 say nothing.
 /// </summary>
 internal sealed class CommandVehicle : ScriptedVehicle
 {
@@ -86,7 +87,7 @@ internal sealed class CommandVehicle : ScriptedVehicle
                 break;
         }
 
-        // The token tells a copy from a new command; that it was asked for twice is counted, not done.
+        // The token distinguishes a copy from a new command; a copy is counted, not executed.
         if (_executions.ContainsKey(token))
             Duplicates++;
         else

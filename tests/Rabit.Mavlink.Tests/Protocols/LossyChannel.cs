@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Rabit.Mavlink.Tests.Protocols;
 
 /// <summary>
-/// One direction of a link in virtual time: loses frames, doubles a tenth of them where it loses any, and delays each by 5 to 300 ms of its own, so that
-/// they overtake each other. Without loss a steady 20 ms.
+/// One direction of a link in virtual time: loses frames, doubles a tenth of them where it loses any, and delays each
+/// by 5 to 300 ms of its own, so that they overtake each other. Without loss a steady 20 ms.
 /// </summary>
 internal sealed class LossyChannel(double loss, ulong seed)
 {

@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>Single exchanges, by hand.</summary>
+/// <summary>Single exchanges, frame by frame.</summary>
 public class MavlinkCommandClientTests
 {
     private static readonly TimeSpan Start = TimeSpan.FromSeconds(10);
@@ -24,7 +24,7 @@ public class MavlinkCommandClientTests
         }
 
         Assert.False(_client.TryTakeFrame(_now, out _));
-        AssertOutcome(MavlinkCommandVerdict.Unknown, null);
+        AssertOutcome(MavlinkCommandStatus.Unknown, null);
         Assert.Equal(TimeSpan.FromSeconds(4 * 0.7), _now - Start);
     }
 
@@ -42,32 +42,32 @@ public class MavlinkCommandClientTests
         _client.Handle(MavlinkFrame.Create(answer, system, component, 0), _now);
         Assert.False(_client.TryTakeOutcome(out _));
         Answer(MavCmd.ComponentArmDisarm, MavResult.Accepted);
-        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
     }
 
     [Theory]
     [InlineData(MavResult.CommandLongOnly)]
     [InlineData(MavResult.CommandUnsupportedMavFrame)]
     [InlineData(MavResult.Unsupported)]
-    public void Place_RefusedAsInt_GoesOutAsLong(MavResult result)
+    public void Location_RefusedAsInt_IsSentAsLong(MavResult result)
     {
-        Begin(MavlinkCommand.AtPlace(ScriptedVehicle.Address, MavCmd.DoReposition, MavFrame.GlobalRelativeAlt, 473_000_000, 85_000_000, 30, -1, 1, 0, float.NaN));
+        Begin(MavlinkCommand.AtLocation(ScriptedVehicle.Address, MavCmd.DoReposition, MavFrame.GlobalRelativeAlt, 473_000_000, 85_000_000, 30, -1, 1, 0, float.NaN));
         Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandInt place) && place.X == 473_000_000 && place.Frame == MavFrame.GlobalRelativeAlt);
         Answer(MavCmd.DoReposition, result);
         Answer(MavCmd.DoReposition, result);   // a copy
         _now = _client.NextDue;
         Assert.True(_client.TryTakeFrame(_now, out frame) && frame.TryDecode(out CommandLong command) && command.Param5 == 47.3f && command.Param6 == 8.5f && command.Param7 == 30);
         Answer(MavCmd.DoReposition, MavResult.Accepted);
-        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
     }
 
     [Fact]
-    public void Place_IntOnlyAndUnsupported_IsRefused()
+    public void Location_IntOnlyAndUnsupported_IsRefused()
     {
-        Begin(MavlinkCommand.AtPlace(ScriptedVehicle.Address, MavCmd.DoOrbit, MavFrame.Global, 1, 2, 3) with { Forms = MavlinkCommandForms.IntOnly });
+        Begin(MavlinkCommand.AtLocation(ScriptedVehicle.Address, MavCmd.DoOrbit, MavFrame.Global, 1, 2, 3) with { Forms = MavlinkCommandForms.IntOnly });
         Assert.True(_client.TryTakeFrame(_now, out _));
         Answer(MavCmd.DoOrbit, MavResult.Unsupported);
-        AssertOutcome(MavlinkCommandVerdict.Refused, MavResult.Unsupported);
+        AssertOutcome(MavlinkCommandStatus.Refused, MavResult.Unsupported);
     }
 
     [Fact]
@@ -85,11 +85,11 @@ public class MavlinkCommandClientTests
 
         _now += TimeSpan.FromSeconds(5);
         Assert.False(_client.TryTakeFrame(_now, out _));
-        AssertOutcome(MavlinkCommandVerdict.Unknown, null);
+        AssertOutcome(MavlinkCommandStatus.Unknown, null);
     }
 
     [Fact]
-    public void Cancel_UnderWay_AsksAndReportsWhatTheVehicleSays()
+    public void Cancel_UnderWay_RequestsItAndReportsTheAnswer()
     {
         int handle = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.PreflightCalibration));
         Assert.True(_client.TryTakeFrame(_now, out _));
@@ -97,7 +97,7 @@ public class MavlinkCommandClientTests
         Assert.True(_client.Cancel(handle, _now));
         Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandCancel cancel) && cancel.Command == MavCmd.PreflightCalibration);
         Answer(MavCmd.PreflightCalibration, MavResult.Cancelled);
-        AssertOutcome(MavlinkCommandVerdict.Cancelled, MavResult.Cancelled);
+        AssertOutcome(MavlinkCommandStatus.Cancelled, MavResult.Cancelled);
         Assert.False(_client.Cancel(handle, _now));
     }
 
@@ -107,7 +107,7 @@ public class MavlinkCommandClientTests
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
         Assert.True(_client.TryTakeFrame(_now, out _));
         Answer(MavCmd.DoSetMode, MavResult.Accepted);
-        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 2));
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.NavTakeoff));
         Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong other) && other.Command == MavCmd.NavTakeoff);
@@ -135,19 +135,19 @@ public class MavlinkCommandClientTests
 
         _now = _client.NextDue;
         Assert.False(_client.TryTakeFrame(_now, out _));
-        AssertOutcome(MavlinkCommandVerdict.Unknown, null);
+        AssertOutcome(MavlinkCommandStatus.Unknown, null);
     }
 
     [Fact]
-    public void SameCommandAgain_LinkThatDoesNotDouble_WaitsForAnswersThatAreStillToCome()
+    public void SameCommandAgain_LinkThatDoesNotDuplicate_WaitsForOutstandingAnswers()
     {
-        _client = new MavlinkCommandClient(ScriptedVehicle.Companion(), new MavlinkCommandOptions { AnswersMayDouble = false });
+        _client = new MavlinkCommandClient(ScriptedVehicle.Companion(), new MavlinkCommandOptions { AnswersMayBeDuplicated = false });
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
         Assert.True(_client.TryTakeFrame(_now, out _));
         _now = _client.NextDue;
         Assert.True(_client.TryTakeFrame(_now, out _));
         Answer(MavCmd.DoSetMode, MavResult.Accepted);   // to one of the two
-        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 2));
         Assert.False(_client.TryTakeFrame(_now, out _));
         Answer(MavCmd.DoSetMode, MavResult.Denied);     // to the other
@@ -155,27 +155,81 @@ public class MavlinkCommandClientTests
 
         Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Param1 == 2);
         Answer(MavCmd.DoSetMode, MavResult.Accepted);
-        AssertOutcome(MavlinkCommandVerdict.Accepted, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
     }
 
     [Fact]
-    public void Abandon_SentOrNot_SaysNothingToTheVehicleAndItsLateAnswerIsNotTheNextOnes()
+    public void StopTracking_SentOrNot_SendsNothingAndItsLateAnswerIsNotThatOfTheNext()
     {
         int sent = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
         Assert.True(_client.TryTakeFrame(_now, out _));
         int queued = Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 2));
-        Assert.True(_client.Abandon(queued, _now));
-        AssertOutcome(MavlinkCommandVerdict.Cancelled, null);
-        Assert.True(_client.Abandon(sent, _now));
-        Assert.False(_client.Abandon(sent, _now));
+        Assert.True(_client.StopTracking(queued, _now));
+        AssertOutcome(MavlinkCommandStatus.Cancelled, null);
+        Assert.True(_client.StopTracking(sent, _now));
+        Assert.False(_client.StopTracking(sent, _now));
         Assert.False(_client.TryTakeFrame(_now, out _));
-        AssertOutcome(MavlinkCommandVerdict.Unknown, null);
+        AssertOutcome(MavlinkCommandStatus.Unknown, null);
 
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 3));
         Answer(MavCmd.DoSetMode, MavResult.Accepted);
         Assert.False(_client.TryTakeOutcome(out _));
         _now += TimeSpan.FromSeconds(5);
         Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Param1 == 3);
+    }
+
+    [Fact]
+    public void TemporarilyRejected_EverySendingAnswered_IsRefused()
+    {
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.PreflightCalibration));
+        for (int rejections = 1; rejections <= 4; rejections++)
+        {
+            Assert.True(_client.TryTakeFrame(_now, out _));
+            Answer(MavCmd.PreflightCalibration, MavResult.TemporarilyRejected);
+            _now = _client.NextDue;
+        }
+
+        AssertOutcome(MavlinkCommandStatus.Refused, MavResult.TemporarilyRejected);
+    }
+
+    // The vehicle executes the first copy, whose IN_PROGRESS was lost, and is busy with it when the later copies
+    // arrive.
+    [Fact]
+    public void TemporarilyRejected_FirstSendingUnanswered_IsUnknown()
+    {
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.PreflightCalibration));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        int sent = 1;
+        for (_now = _client.NextDue; _client.TryTakeFrame(_now, out MavlinkFrame copy); _now = _client.NextDue, sent++)
+        {
+            Assert.True(copy.TryDecode(out CommandLong command) && command.Confirmation == sent);
+            Answer(MavCmd.PreflightCalibration, MavResult.TemporarilyRejected);
+        }
+
+        AssertOutcome(MavlinkCommandStatus.Unknown, null);
+        Assert.Equal(4, sent);   // a rejection gives no new tries
+    }
+
+    [Fact]
+    public void TemporarilyRejected_FirstSendingUnanswered_TheFinalAnswerStillCounts()
+    {
+        Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.PreflightCalibration));
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        _now = _client.NextDue;
+        Assert.True(_client.TryTakeFrame(_now, out _));
+        Answer(MavCmd.PreflightCalibration, MavResult.TemporarilyRejected);
+        Answer(MavCmd.PreflightCalibration, MavResult.Accepted);
+        AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
+    }
+
+    [Fact]
+    public void Param7_IsZ_InBothForms()
+    {
+        MavlinkCommand command = MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.NavTakeoff, param7: 30);
+        Assert.Equal((30f, 30f), (command.Param7, command.Z));
+        Assert.Equal(40f, (command with { Param7 = 40 }).Z);
+        Assert.Equal(50f, (command with { Z = 50 }).Param7);
+        Assert.Equal(command with { Param7 = 40 }, command with { Z = 40 });
     }
 
     [Fact]
@@ -196,10 +250,10 @@ public class MavlinkCommandClientTests
     private void Answer(MavCmd command, MavResult result, byte progress = byte.MaxValue) => _client.Handle(
         Vehicle.Create(new CommandAck { Command = command, Result = result, Progress = progress, TargetSystem = 1, TargetComponent = 191 }), _now);
 
-    private void AssertOutcome(MavlinkCommandVerdict verdict, MavResult? result)
+    private void AssertOutcome(MavlinkCommandStatus status, MavResult? result)
     {
         Assert.True(_client.TryTakeOutcome(out MavlinkCommandOutcome outcome));
-        Assert.Equal((verdict, result), (outcome.Verdict, outcome.Result));
+        Assert.Equal((status, result), (outcome.Status, outcome.Result));
         Assert.False(_client.TryTakeOutcome(out _));
     }
 }

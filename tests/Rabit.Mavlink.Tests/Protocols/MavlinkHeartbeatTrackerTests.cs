@@ -5,7 +5,7 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>Who is there, who is lost, and who began anew.</summary>
+/// <summary>Components that are connected, lost, and rebooted.</summary>
 public class MavlinkHeartbeatTrackerTests
 {
     private readonly MavlinkHeartbeatTracker _tracker = new(capacity: 2);
@@ -15,41 +15,41 @@ public class MavlinkHeartbeatTrackerTests
     [Fact]
     public void Silence_IsALossAfterFiveSecondsAndAReturnLater()
     {
-        Hear(0, new Heartbeat());
-        Hear(1, new Heartbeat());
+        Receive(0, new Heartbeat());
+        Receive(1, new Heartbeat());
         Assert.Equal(TimeSpan.FromSeconds(6), _tracker.NextDue);
         Poll(5.9);
         Assert.Equal([MavlinkComponentEvent.Appeared], _events);
         Poll(6);
         Poll(100);
-        Hear(101, new Heartbeat { CustomMode = 4 });
+        Receive(101, new Heartbeat { CustomMode = 4 });
         Assert.Equal([MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Lost, MavlinkComponentEvent.Returned], _events);
         Assert.Equal((4u, 3L, false), (_tracker[0].Heartbeat.CustomMode, _tracker[0].Heartbeats, _tracker[0].IsLost));
     }
 
     [Fact]
-    public void LossThatNobodyAskedAbout_IsStillTold()
+    public void LossBetweenTwoCalls_IsStillReported()
     {
-        Hear(0, new Heartbeat());
-        Hear(20, new Heartbeat());
+        Receive(0, new Heartbeat());
+        Receive(20, new Heartbeat());
         Assert.Equal([MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Lost, MavlinkComponentEvent.Returned], _events);
     }
 
     [Fact]
     public void BootTime_GoesDown_IsAReboot_OvertakingAndTurningRoundAreNot()
     {
-        Hear(0, new Heartbeat());
-        Hear(1, new SystemTime { TimeBootMs = uint.MaxValue - 500 });
-        Hear(2, new SystemTime { TimeBootMs = 500 });   // 49.7 days are over
-        Hear(4, new Heartbeat());
-        Hear(8, new Heartbeat());
-        Hear(10, new Attitude { TimeBootMs = 8500 });
-        Hear(10.1, new GlobalPositionInt { TimeBootMs = 7000 });   // overtaken
-        Hear(11, new Heartbeat());
-        Hear(11, new SystemTime { TimeUnixUsec = 77, TimeBootMs = 9500 });
+        Receive(0, new Heartbeat());
+        Receive(1, new SystemTime { TimeBootMs = uint.MaxValue - 500 });
+        Receive(2, new SystemTime { TimeBootMs = 500 });   // 49.7 days are over
+        Receive(4, new Heartbeat());
+        Receive(8, new Heartbeat());
+        Receive(10, new Attitude { TimeBootMs = 8500 });
+        Receive(10.1, new GlobalPositionInt { TimeBootMs = 7000 });   // overtaken
+        Receive(11, new Heartbeat());
+        Receive(11, new SystemTime { TimeUnixUsec = 77, TimeBootMs = 9500 });
         Assert.Equal([MavlinkComponentEvent.Appeared], _events);
-        Hear(14, new LocalPositionNed { TimeBootMs = 1200 });
-        Hear(15, new AttitudeQuaternion { TimeBootMs = 2200 });
+        Receive(14, new LocalPositionNed { TimeBootMs = 1200 });
+        Receive(15, new AttitudeQuaternion { TimeBootMs = 2200 });
         Assert.Equal([MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Rebooted], _events);
         Assert.Equal(1, _tracker[0].Reboots);
     }
@@ -66,9 +66,9 @@ public class MavlinkHeartbeatTrackerTests
     [InlineData(0, new uint[] { 0, 0, 0 })]
     public void BootTimes_InTurn_CountTheBoots(int boots, uint[] times)
     {
-        Hear(0, new Heartbeat());
+        Receive(0, new Heartbeat());
         foreach (uint time in times)
-            Hear(1, new SystemTime { TimeBootMs = time });
+            Receive(1, new SystemTime { TimeBootMs = time });
         Assert.Equal(boots, _tracker[0].Reboots);
         Assert.Equal(boots, _events.FindAll(e => e == MavlinkComponentEvent.Rebooted).Count);
     }
@@ -81,7 +81,7 @@ public class MavlinkHeartbeatTrackerTests
         Assert.Equal((2, 2L), (_tracker.Count, _tracker.Overflow));
     }
 
-    private void Hear<T>(double seconds, T message)
+    private void Receive<T>(double seconds, T message)
         where T : struct, IMavlinkMessage
     {
         _tracker.Handle(_vehicle.Create(message), TimeSpan.FromSeconds(seconds));

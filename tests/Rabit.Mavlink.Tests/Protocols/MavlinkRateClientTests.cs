@@ -20,7 +20,7 @@ public class MavlinkRateClientTests
         {
             _intervals.Clear();
             var client = new MavlinkRateClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, [(Attitude.MavlinkId, 20), (GlobalPositionInt.MavlinkId, 5), (SysStatus.MavlinkId, 1)]);
-            Run(client, 0, 60, lossPercent, new ProtocolRandom(seed), largestHertz: 10);
+            Run(client, 0, 60, lossPercent, new ProtocolRandom(seed), maxHertz: 10);
             for (int i = 0; i < client.Count; i++)
             {
                 MavlinkStreamRate rate = client[i];
@@ -49,8 +49,9 @@ public class MavlinkRateClientTests
         Assert.InRange(client[0].MeasuredHertz, 9.5, 10.5);
     }
 
-    // What happens: s a restart, a/r/t/p an answer (accepted, refused, temporarily rejected, in progress), w a wait of 0.7 s, . of half of that.
-    // What is sent: message id and confirmation; g and the id for one that was given up, f and the id for one that was refused.
+    // What happens: s a restart, a/r/t/p an answer (accepted, refused, temporarily rejected, in progress), w a wait of
+    // 0.7 s, . of half of that. What is sent: message id and confirmation; g and the id for one that was given up, f
+    // and the id for one that was refused.
     [Theory]
     [InlineData("", "30/0", 0, 0, 0)]
     [InlineData("aaa", "30/0 33/0 1/0", 3, 0, 0)]
@@ -128,7 +129,7 @@ public class MavlinkRateClientTests
         _ => throw new ArgumentOutOfRangeException(nameof(step), step, "no such step"),
     };
 
-    private void Run(MavlinkRateClient client, int from, int to, int lossPercent, ProtocolRandom random, double largestHertz)
+    private void Run(MavlinkRateClient client, int from, int to, int lossPercent, ProtocolRandom random, double maxHertz)
     {
         var next = new Dictionary<int, double>();
         for (int millisecond = from * 1000; millisecond < to * 1000; millisecond += 10)
@@ -138,7 +139,7 @@ public class MavlinkRateClientTests
             {
                 if (random.NextDouble() * 100 < lossPercent || !frame.TryDecode(out CommandLong command))
                     continue;
-                _intervals[(int)command.Param1] = Math.Max(command.Param2 / 1e6, 1 / largestHertz);
+                _intervals[(int)command.Param1] = Math.Max(command.Param2 / 1e6, 1 / maxHertz);
                 if (random.NextDouble() * 100 >= lossPercent)
                     client.Handle(_vehicle.Create(new CommandAck { Command = MavCmd.SetMessageInterval, TargetSystem = 1, TargetComponent = 191 }), now);
             }

@@ -5,12 +5,15 @@ using Xunit.Abstractions;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>The offset and the drift of a clock behind a link with unequal delays, and what the filter says of its errors.</summary>
+/// <summary>
+/// The offset and the drift of a clock behind a link with unequal delays, and what the filter says of its errors.
+/// </summary>
 public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
 {
     private const double Drift = 20e-6;
 
-    // Two standard deviations, and with messages also the worst of all seeds. How long that takes is information, not method.
+    // Two standard deviations, and with messages also the worst of all seeds. How long that takes is information, not
+    // method.
     [Theory]
     [InlineData(256, 0, Drift)]
     [InlineData(256, 25, -50e-6)]
@@ -36,7 +39,8 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
         Assert.True(offset < 0.5e-3, $"{offset}");
     }
 
-    // The mean of 200 normalised squares is in 0.8 to 1.2 in 95 % where the statement is exact; it may be more cautious than that.
+    // The mean of 200 normalised squares is in 0.8 to 1.2 in 95 % where the statement is exact; it may be more cautious
+    // than that.
     [Theory]
     [InlineData(10)]
     [InlineData(30)]
@@ -107,13 +111,13 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
     public void Hear_OfAnotherClockOrWithoutAnswers_IsNotTaken()
     {
         var filter = new MavlinkTimesyncFilter();
-        filter.Hear(TimeSpan.FromSeconds(1), 500);
+        filter.AddOneWay(TimeSpan.FromSeconds(1), 500);
         Assert.True(double.IsNaN(filter.DriftError));
         for (int i = 0; i < 30; i++)
         {
-            filter.Take(TimeSpan.FromSeconds(i), TimeSpan.FromSeconds(i + 0.01), i + 100.005);
-            filter.Hear(TimeSpan.FromSeconds(i + 0.5), 7000 - i);
-            filter.Hear(TimeSpan.FromSeconds(i + 0.6), double.NaN);
+            filter.AddRoundTrip(TimeSpan.FromSeconds(i), TimeSpan.FromSeconds(i + 0.01), i + 100.005);
+            filter.AddOneWay(TimeSpan.FromSeconds(i + 0.5), 7000 - i);
+            filter.AddOneWay(TimeSpan.FromSeconds(i + 0.6), double.NaN);
         }
 
         Assert.Equal(0, filter.Drift, 1e-7);
@@ -137,8 +141,8 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
         {
             for (int i = 0; i < 1000; i++)
             {
-                filter.Take(TimeSpan.FromSeconds(i), TimeSpan.FromSeconds(i + 0.01), i + 0.005);
-                filter.Hear(TimeSpan.FromSeconds(i + 0.5), i + 0.48);
+                filter.AddRoundTrip(TimeSpan.FromSeconds(i), TimeSpan.FromSeconds(i + 0.01), i + 0.005);
+                filter.AddOneWay(TimeSpan.FromSeconds(i + 0.5), i + 0.48);
             }
         }));
     }

@@ -4,7 +4,10 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>Has a mission, a fence and rally points. As a receiver it asks again every 250 ms (PX4), or every second with MISSION_REQUEST, and says INVALID_SEQUENCE to copies (ArduPilot).</summary>
+/// <summary>
+/// Has a mission, a fence and rally points. As a receiver it asks again every 250 ms (PX4), or every second with
+/// MISSION_REQUEST, and says INVALID_SEQUENCE to copies (ArduPilot).
+/// </summary>
 internal sealed class MissionVehicle(bool isArduPilot) : ScriptedVehicle
 {
     private static readonly TimeSpan GiveUpAfter = TimeSpan.FromSeconds(8);
@@ -77,7 +80,7 @@ internal sealed class MissionVehicle(bool isArduPilot) : ScriptedVehicle
             return;
         }
 
-        // A copy of the count must not begin anew what has begun.
+        // A copy of the count must not restart what has begun.
         if (_incoming is { Count: > 0 } && count.MissionType == _type && count.Count == _count)
             return;
         _type = count.MissionType;

@@ -33,7 +33,7 @@ public class ParameterLossTests(ITestOutputHelper output)
     [InlineData(40)]
     public void ReadAndSet_ManySeeds_OneOutcomeEach(int lossPercent)
     {
-        var verdicts = new Dictionary<MavlinkParameterVerdict, int>();
+        var statuses = new Dictionary<MavlinkParameterStatus, int>();
         for (ulong seed = 1; seed <= 200; seed++)
         {
             var vehicle = new ParameterVehicle(20);
@@ -49,26 +49,26 @@ public class ParameterLossTests(ITestOutputHelper output)
                 Assert.True(client.TryStartSet(i < 2 ? name : vehicle.Parameters[0].Name, MavParamType.Real32, value, world.Now));
                 MavlinkParameterOutcome set = End(client, world, context);
                 Assert.True(set.Sent <= 6, context);
-                Count1(verdicts, set.Verdict);
-                if (set.Verdict == MavlinkParameterVerdict.Done)
+                Count1(statuses, set.Status);
+                if (set.Status == MavlinkParameterStatus.Done)
                     Assert.Equal(value, vehicle.Parameters[i < 2 ? i : 0].Value);
                 Assert.True(client.TryStartRead(name, world.Now));
                 MavlinkParameterOutcome read = End(client, world, context);
-                Count1(verdicts, read.Verdict);
-                if (read.Verdict == MavlinkParameterVerdict.Done)
+                Count1(statuses, read.Status);
+                if (read.Status == MavlinkParameterStatus.Done)
                     Assert.True(read.Parameter.Name.TextEquals(name) && read.Parameter.ToDouble(client.Encoding).Equals(vehicle.Parameters[i].Value), context);
             }
 
             Assert.True(client.TryStartSet(vehicle.Parameters[5].Name, MavParamType.Real32, 5000, world.Now));
             MavlinkParameterOutcome limited = End(client, world, context);
-            Assert.True(limited.Verdict is MavlinkParameterVerdict.Refused || (lossPercent > 0 && limited.Verdict is MavlinkParameterVerdict.Unanswered), $"{context}: {limited}");
+            Assert.True(limited.Status is MavlinkParameterStatus.Refused || (lossPercent > 0 && limited.Status is MavlinkParameterStatus.Unknown), $"{context}: {limited}");
             Assert.True(client.TryStartRead("NO_SUCH_PARAM", world.Now));
-            Assert.Equal(MavlinkParameterVerdict.Unanswered, End(client, world, context).Verdict);
+            Assert.Equal(MavlinkParameterStatus.Unknown, End(client, world, context).Status);
         }
 
-        output.WriteLine($"loss {lossPercent} %, seeds 1 to 200: {string.Join(", ", verdicts.OrderBy(pair => pair.Key).Select(pair => $"{pair.Key} {pair.Value}"))}");
+        output.WriteLine($"loss {lossPercent} %, seeds 1 to 200: {string.Join(", ", statuses.OrderBy(pair => pair.Key).Select(pair => $"{pair.Key} {pair.Value}"))}");
         if (lossPercent == 0)
-            Assert.Single(verdicts);
+            Assert.Single(statuses);
     }
 
     [Theory]
@@ -83,7 +83,7 @@ public class ParameterLossTests(ITestOutputHelper output)
             MavlinkParameterClient client = Client();
             Assert.True(client.TryStartList(world.Now));
             MavlinkParameterOutcome outcome = End(client, world, $"seed {seed}");
-            Assert.Equal(MavlinkParameterVerdict.Done, outcome.Verdict);
+            Assert.Equal(MavlinkParameterStatus.Done, outcome.Status);
             AssertSame(vehicle, client, $"seed {seed}");
         }
     }
@@ -95,17 +95,17 @@ public class ParameterLossTests(ITestOutputHelper output)
         var world = new ProtocolWorld(vehicle, 0, 1);
         MavlinkParameterClient client = Client();
         Assert.True(client.TryStartList(world.Now));
-        Assert.Equal(MavlinkParameterVerdict.Done, End(client, world, "").Verdict);
+        Assert.Equal(MavlinkParameterStatus.Done, End(client, world, "").Status);
         Assert.Equal(0x12345678u, client.Hash);
 
         Assert.True(client.TryStartList(world.Now, client.Hash));
-        Assert.Equal(MavlinkParameterVerdict.Unchanged, End(client, world, "").Verdict);
+        Assert.Equal(MavlinkParameterStatus.Unchanged, End(client, world, "").Status);
         world.RunUntil(() => false, client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(1));
         Assert.Equal(TimeSpan.MaxValue, vehicle.NextDue);   // it streams no more
         AssertSame(vehicle, client, "");
 
         Assert.True(client.TryStartList(world.Now, 1));
-        Assert.Equal(MavlinkParameterVerdict.Done, End(client, world, "").Verdict);
+        Assert.Equal(MavlinkParameterStatus.Done, End(client, world, "").Status);
     }
 
     private static MavlinkParameterClient Client() => new(ScriptedVehicle.Companion(), ScriptedVehicle.Address, MavlinkParameterEncoding.Bytewise);
@@ -126,14 +126,14 @@ public class ParameterLossTests(ITestOutputHelper output)
             MavlinkParameterOutcome outcome = End(client, world, context);
             longest = Math.Max(longest, (outcome.EndedAt - start).TotalSeconds);
             frames += world.FramesUp;
-            if (outcome.Verdict == MavlinkParameterVerdict.Done)
+            if (outcome.Status == MavlinkParameterStatus.Done)
             {
                 done++;
                 AssertSame(vehicle, client, context);
             }
             else
             {
-                Assert.True(outcome.Verdict == MavlinkParameterVerdict.Incomplete && outcome.Missing != 0, $"{context}: {outcome}");
+                Assert.True(outcome.Status == MavlinkParameterStatus.Incomplete && outcome.Missing != 0, $"{context}: {outcome}");
             }
         }
 
@@ -151,8 +151,8 @@ public class ParameterLossTests(ITestOutputHelper output)
         }
     }
 
-    private static void Count1(Dictionary<MavlinkParameterVerdict, int> verdicts, MavlinkParameterVerdict verdict) =>
-        verdicts[verdict] = verdicts.TryGetValue(verdict, out int count) ? count + 1 : 1;
+    private static void Count1(Dictionary<MavlinkParameterStatus, int> statuses, MavlinkParameterStatus status) =>
+        statuses[status] = statuses.TryGetValue(status, out int count) ? count + 1 : 1;
 
     private static MavlinkParameterOutcome End(MavlinkParameterClient client, ProtocolWorld world, string context)
     {

@@ -4,7 +4,9 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>Has parameters: streams them at 200 a second, answers reads and sets, says nothing of names it does not know.</summary>
+/// <summary>
+/// Has parameters: streams them at 200 a second, answers reads and sets, says nothing of names it does not know.
+/// </summary>
 internal sealed class ParameterVehicle : ScriptedVehicle
 {
     private static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(5);

@@ -63,12 +63,12 @@ public class ProtocolAllocationTests
             parameters.TryStartRead("A_PARAMETERA", now);
             parameters.TryTakeFrame(now, out _);
             parameters.Handle(vehicle.Create(Report(name, 'A', 0)), now);
-            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome read) && read.Verdict == MavlinkParameterVerdict.Done ? 1 : 0;
+            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome read) && read.Status == MavlinkParameterStatus.Done ? 1 : 0;
             now += TimeSpan.FromSeconds(10);
             parameters.TryStartSet("A_PARAMETERB", MavParamType.Real32, 7, now);
             parameters.TryTakeFrame(now, out _);
             parameters.Handle(vehicle.Create(Report(name, 'B', 7)), now);
-            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome set) && set.Verdict == MavlinkParameterVerdict.Done ? 1 : 0;
+            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome set) && set.Status == MavlinkParameterStatus.Done ? 1 : 0;
 
             missions.TryStartUpload(MavMissionType.Fence, items, now);
             missions.TryTakeFrame(now, out _);
@@ -79,12 +79,12 @@ public class ProtocolAllocationTests
             }
 
             missions.Handle(vehicle.Create(new MissionAck { MissionType = MavMissionType.Fence }), now);
-            done += missions.TryTakeOutcome(out MavlinkMissionOutcome upload) && upload.Verdict == MavlinkMissionVerdict.Done ? 1 : 0;
+            done += missions.TryTakeOutcome(out MavlinkMissionOutcome upload) && upload.Status == MavlinkMissionStatus.Done ? 1 : 0;
             now += TimeSpan.FromSeconds(10);
             missions.TryStartClear(MavMissionType.Rally, now);
             missions.TryTakeFrame(now, out _);
             missions.Handle(vehicle.Create(new MissionAck { MissionType = MavMissionType.Rally }), now);
-            done += missions.TryTakeOutcome(out MavlinkMissionOutcome clear) && clear.Verdict == MavlinkMissionVerdict.Done ? 1 : 0;
+            done += missions.TryTakeOutcome(out MavlinkMissionOutcome clear) && clear.Status == MavlinkMissionStatus.Done ? 1 : 0;
         };
         work();
         Assert.Equal(7, done);

@@ -12,14 +12,16 @@ internal sealed class ProtocolWorld(ScriptedVehicle vehicle, int lossPercent, ul
 
     public delegate bool TakeFrame(TimeSpan now, out MavlinkFrame frame);
 
-    /// <summary>For whoever reads why a test failed.</summary>
+    /// <summary>For the message of a failed test.</summary>
     public string Context => $"loss {lossPercent} %, seed {seed}";
 
     public TimeSpan Now { get; set; } = TimeSpan.FromSeconds(100);
 
     public long FramesUp => _up.Sent;
 
-    /// <summary>Runs until a condition holds. A limit of virtual time and of steps is what "never hangs" means.</summary>
+    /// <summary>
+    /// Runs until a condition holds. A limit of virtual time and of steps is what "never hangs" means.
+    /// </summary>
     /// <returns>Whether it held in time.</returns>
     public bool RunUntil(Func<bool> isOver, HandleFrame handle, TakeFrame take, Func<TimeSpan> nextDue, TimeSpan limit)
     {

@@ -7,7 +7,10 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>The commands of the recorded flights: the results that were acknowledged are the outcomes; heartbeats and clocks as recorded.</summary>
+/// <summary>
+/// The commands of the recorded flights: the results that were acknowledged are the outcomes; heartbeats and clocks as
+/// recorded.
+/// </summary>
 public class RecordedCommandTests
 {
     [Theory]
@@ -36,7 +39,7 @@ public class RecordedCommandTests
             Assert.Equal(PayloadOf(recording.Frames[first].Frame), PayloadOf(sent[0]));
             Assert.True(client.TryTakeOutcome(out MavlinkCommandOutcome outcome), $"{name} record {first}: no outcome");
             Assert.Equal((handle, (MavResult)answer.GetProperty("result").GetInt32()), (outcome.Handle, outcome.Result!.Value));
-            Assert.Equal(outcome.Result == MavResult.Accepted ? MavlinkCommandVerdict.Accepted : MavlinkCommandVerdict.Refused, outcome.Verdict);
+            Assert.Equal(outcome.Result == MavResult.Accepted ? MavlinkCommandStatus.Accepted : MavlinkCommandStatus.Refused, outcome.Status);
             checkedCommands++;
         }
 
@@ -46,7 +49,7 @@ public class RecordedCommandTests
     [Theory]
     [InlineData("ardupilot-flight")]
     [InlineData("px4-flight")]
-    public void Replay_Heartbeats_NobodyIsLostOrRebooted(string name)
+    public void Replay_Heartbeats_NoneIsLostOrRebooted(string name)
     {
         var recording = new RecordedExchange(name);
         var tracker = new MavlinkHeartbeatTracker();
@@ -67,14 +70,14 @@ public class RecordedCommandTests
             ScriptedVehicle.Address, command.Command, command.Param1, command.Param2, command.Param3, command.Param4, command.Param5, command.Param6, command.Param7) with
         { Forms = MavlinkCommandForms.LongOnly }
         : frame.TryDecode(out CommandInt place)
-            ? MavlinkCommand.AtPlace(
+            ? MavlinkCommand.AtLocation(
                 ScriptedVehicle.Address, place.Command, place.Frame, place.X, place.Y, place.Z, place.Param1, place.Param2, place.Param3, place.Param4) with
             { Forms = MavlinkCommandForms.IntOnly }
             : default;
 
     private static string PayloadOf(MavlinkFrame frame)
     {
-        var payload = new byte[MavlinkFrame.MaximumPayloadLength];
+        var payload = new byte[MavlinkFrame.MaxPayloadLength];
         return TestData.ToHex(payload, frame.CopyPayloadTo(payload));
     }
 }

@@ -17,7 +17,9 @@ internal sealed class RecordedExchange
 
     public List<(TimeSpan At, MavlinkFrame Frame)> Frames { get; } = [];
 
-    /// <summary>Gives what the vehicle sent, in a range of records, to a client, and collects what the client sends.</summary>
+    /// <summary>
+    /// Gives what the vehicle sent, in a range of records, to a client, and collects what the client sends.
+    /// </summary>
     public List<MavlinkFrame> Replay(int first, int last, ProtocolWorld.HandleFrame handle, ProtocolWorld.TakeFrame take)
     {
         var sent = new List<MavlinkFrame>();

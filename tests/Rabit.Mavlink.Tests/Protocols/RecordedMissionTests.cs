@@ -8,7 +8,10 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>The recorded transfers of ArduPilot and PX4: the client at their companion's end sends what they asked for and receives what they sent.</summary>
+/// <summary>
+/// The recorded transfers of ArduPilot and PX4: the client at their companion's end sends what they asked for and
+/// receives what they sent.
+/// </summary>
 public class RecordedMissionTests
 {
     [Theory]
@@ -32,7 +35,7 @@ public class RecordedMissionTests
             List<MavlinkFrame> sent = recording.Replay(first, last, client.Handle, client.TryTakeFrame);
 
             Assert.True(client.TryTakeOutcome(out MavlinkMissionOutcome outcome), $"{name} {kind} {type}: no outcome");
-            Assert.Equal(MavlinkMissionVerdict.Done, outcome.Verdict);
+            Assert.Equal(MavlinkMissionStatus.Done, outcome.Status);
             if (kind == "upload")
                 Assert.Equal(SentItems(recording, first, last), sent.Where(IsItem).Select(PayloadOf), StringComparer.Ordinal);
             if (kind == "download")
@@ -50,7 +53,7 @@ public class RecordedMissionTests
 
     private static string PayloadOf(MavlinkFrame frame)
     {
-        var payload = new byte[MavlinkFrame.MaximumPayloadLength];
+        var payload = new byte[MavlinkFrame.MaxPayloadLength];
         return TestData.ToHex(payload, frame.CopyPayloadTo(payload));
     }
 

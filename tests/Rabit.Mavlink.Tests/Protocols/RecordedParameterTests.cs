@@ -29,7 +29,7 @@ public class RecordedParameterTests
         Assert.True(client.TryStartList(recording.Frames[list].At));
         recording.Replay(list, end - 1, client.Handle, client.TryTakeFrame);
         Assert.True(client.TryTakeOutcome(out MavlinkParameterOutcome outcome));
-        Assert.Equal((MavlinkParameterVerdict.Done, 0), (outcome.Verdict, outcome.Missing));
+        Assert.Equal((MavlinkParameterStatus.Done, 0), (outcome.Status, outcome.Missing));
         Assert.Equal(facts.GetProperty("param_count").GetInt32(), client.Parameters.Count);
         Assert.Equal(Listed(facts, end), Known(client), StringComparer.Ordinal);
 
@@ -48,12 +48,12 @@ public class RecordedParameterTests
             Start(client, requests[i], parameter, isSet ? raw.GetString() : null, recording.Frames[first].At);
             List<MavlinkFrame> sent = recording.Replay(first, last, client.Handle, client.TryTakeFrame);
             Assert.Equal(PayloadOf(recording.Frames[first].Frame), PayloadOf(sent[0]));
-            if (client.TryTakeOutcome(out outcome) && outcome.Verdict == MavlinkParameterVerdict.Done)
+            if (client.TryTakeOutcome(out outcome) && outcome.Status == MavlinkParameterStatus.Done)
                 done++;
             client.Cancel(recording.Frames[last].At);
             client.TryTakeOutcome(out _);
             bool isAnswered = IsAnswered(facts, requests[i], parameter, first, last);
-            Assert.True(isAnswered == (outcome.Verdict == MavlinkParameterVerdict.Done), $"{parameter}: {outcome}");
+            Assert.True(isAnswered == (outcome.Status == MavlinkParameterStatus.Done), $"{parameter}: {outcome}");
         }
 
         Assert.InRange(done, 5, requests.Length);
@@ -82,7 +82,7 @@ public class RecordedParameterTests
 
     private static string PayloadOf(MavlinkFrame frame)
     {
-        var payload = new byte[MavlinkFrame.MaximumPayloadLength];
+        var payload = new byte[MavlinkFrame.MaxPayloadLength];
         return TestData.ToHex(payload, frame.CopyPayloadTo(payload));
     }
 

@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Mavlink.Tests.Protocols;
 
-/// <summary>Two clocks and a link between them whose delays have a least value and a long tail (a sum of exponentials), each way its own.</summary>
+/// <summary>
+/// Two clocks and a link between them whose delays have a min value and a long tail (a sum of exponentials), each way
+/// its own.
+/// </summary>
 internal sealed class TwoClocks(ulong seed)
 {
     private const double Offset = 7.092;
@@ -17,7 +20,7 @@ internal sealed class TwoClocks(ulong seed)
 
     public int MessagesPerSecond { get; set; } = 25;
 
-    /// <summary>The least delay of the messages, seconds.</summary>
+    /// <summary>The min delay of the messages, seconds.</summary>
     public double MessageDelay { get; set; } = 8e-3;
 
     public double Seconds { get; private set; } = 400;
@@ -28,12 +31,12 @@ internal sealed class TwoClocks(ulong seed)
         {
             double there = Seconds + 2e-3 + Tail(2, 1.85e-3);
             double back = there + 2e-3 + Tail(2, 1.85e-3);
-            Filter.Take(TimeSpan.FromSeconds(Seconds), TimeSpan.FromSeconds(back), Theirs(there));
+            Filter.AddRoundTrip(TimeSpan.FromSeconds(Seconds), TimeSpan.FromSeconds(back), Theirs(there));
             for (int k = 0; k < MessagesPerSecond; k++)
             {
                 // After the answer: what comes in is taken in its order.
                 double at = Seconds + 0.1 + (0.85 * k / MessagesPerSecond);
-                Filter.Hear(TimeSpan.FromSeconds(at + MessageDelay + Tail(3, 4e-3)), Theirs(at));
+                Filter.AddOneWay(TimeSpan.FromSeconds(at + MessageDelay + Tail(3, 4e-3)), Theirs(at));
             }
         }
     }

@@ -8,8 +8,8 @@ using Xunit;
 namespace Rabit.Mavlink.Tests.Routing;
 
 /// <summary>
-/// One row per clause of the guide's "Routing in detail". We are 1/191. Links: 0 autopilot 1/1, 1 ground 255/190, 2 other vehicle
-/// 2/1 and our camera 1/100, 3 a log (receive only, 9/1 was seen on it), 4 quiet.
+/// One row per clause of the guide's "Routing in detail". We are 1/191. Links: 0 autopilot 1/1, 1 ground 255/190, 2
+/// other vehicle 2/1 and our camera 1/100, 3 a log (receive only, 9/1 was seen on it), 4 quiet.
 /// </summary>
 public class MavlinkRouterTests
 {
@@ -26,11 +26,11 @@ public class MavlinkRouterTests
         foreach (int link in new[] { Autopilot, Ground, Other, Quiet })
             _router.SetLink(link, MavlinkLinkRules.Live);
         _router.SetLink(Log, MavlinkLinkRules.ReceiveOnly);
-        Hear(Autopilot, 1, 1);
-        Hear(Ground, 255, 190);
-        Hear(Other, 2, 1);
-        Hear(Other, 1, 100);
-        Hear(Log, 9, 1);
+        Receive(Autopilot, 1, 1);
+        Receive(Ground, 255, 190);
+        Receive(Other, 2, 1);
+        Receive(Other, 1, 100);
+        Receive(Log, 9, 1);
     }
 
     [Theory]
@@ -44,12 +44,12 @@ public class MavlinkRouterTests
     // Another component of our system: only where it was seen.
     [InlineData("for the autopilot", Ground, 255, 190, 1, 1, false, "0", MavlinkRouteReason.ForOthers)]
     [InlineData("for the camera", Autopilot, 1, 1, 1, 100, false, "2", MavlinkRouteReason.ForOthers)]
-    [InlineData("for a component of ours that nobody saw", Ground, 255, 190, 1, 154, false, "", MavlinkRouteReason.UnknownTarget)]
+    [InlineData("for a component of ours that was not seen", Ground, 255, 190, 1, 154, false, "", MavlinkRouteReason.UnknownTarget)]
     // Another system: where the system was seen, whichever component.
     [InlineData("for the ground station", Autopilot, 1, 1, 255, 190, false, "1", MavlinkRouteReason.ForOthers)]
     [InlineData("for another system, all components", Ground, 255, 190, 2, 0, false, "2", MavlinkRouteReason.ForOthers)]
     [InlineData("for another system, a component not seen", Ground, 255, 190, 2, 77, false, "2", MavlinkRouteReason.ForOthers)]
-    [InlineData("for a system nobody saw", Ground, 255, 190, 3, 1, false, "", MavlinkRouteReason.UnknownTarget)]
+    [InlineData("for a system that was not seen", Ground, 255, 190, 3, 1, false, "", MavlinkRouteReason.UnknownTarget)]
     [InlineData("for one who is only on the link it came from", Other, 1, 100, 2, 1, false, "", MavlinkRouteReason.ForOthers)]
     // A log is neither a source nor a target of forwarding.
     [InlineData("broadcast from a log stays here", Log, 9, 1, 0, 0, true, "", MavlinkRouteReason.Broadcast)]
@@ -58,7 +58,7 @@ public class MavlinkRouterTests
     // Our own address coming in.
     [InlineData("our echo", Ground, 1, 191, 0, 0, false, "", MavlinkRouteReason.OurOwn)]
     [InlineData("our part of a log", Log, 1, 191, 1, 1, false, "", MavlinkRouteReason.OurOwn)]
-    // A sender without an address is heard.
+    // A frame of a sender without an address is delivered.
     [InlineData("from system 0", Quiet, 0, 0, 0, 0, true, "0 1 2", MavlinkRouteReason.Broadcast)]
     public void Route_Clause(
         string clause, int link, byte system, byte component, byte targetSystem, byte targetComponent, bool isLocal, string links, MavlinkRouteReason reason)
@@ -73,10 +73,10 @@ public class MavlinkRouterTests
     [InlineData("broadcast", 0, 0, "0 1 2 4")]
     [InlineData("to the autopilot", 1, 1, "0")]
     [InlineData("to our whole system", 1, 0, "0 2")]
-    [InlineData("to a component of ours that nobody saw", 1, 154, "")]
+    [InlineData("to a component of ours that was not seen", 1, 154, "")]
     [InlineData("to another system", 2, 1, "2")]
     [InlineData("to another system, a component not seen", 2, 77, "2")]
-    [InlineData("to a system nobody saw", 3, 1, "")]
+    [InlineData("to a system that was not seen", 3, 1, "")]
     [InlineData("to one seen in a log only", 9, 1, "")]
     public void RouteOwn_Clause(string clause, byte targetSystem, byte targetComponent, string links)
     {
@@ -90,7 +90,7 @@ public class MavlinkRouterTests
     [Fact]
     public void Route_MessageWithoutTarget_IsABroadcast()
     {
-        MavlinkRoute route = Hear(Autopilot, 1, 1);
+        MavlinkRoute route = Receive(Autopilot, 1, 1);
 
         Assert.Equal((MavlinkRouteReason.Broadcast, true, "1 2 4"), (route.Reason, route.DeliverLocally, Links(route.ForwardTo)));
     }
@@ -153,7 +153,7 @@ public class MavlinkRouterTests
     [Fact]
     public void Route_TargetMovesToAnotherLink_GoesToBoth()
     {
-        Hear(Quiet, 2, 1);
+        Receive(Quiet, 2, 1);
 
         Assert.Equal("2 4", Links(_router.LinksOf(2, 1)));
         Assert.Equal("2 4", Links(_router.LinksOf(2, 0)));
@@ -167,8 +167,8 @@ public class MavlinkRouterTests
 
         Assert.Equal((0UL, 0UL, "0"), (_router.LinksOf(2, 1), _router.LinksOf(2, 0), Links(_router.LinksOf(1, 0))));
         Assert.Equal(before - 2, _router.Sources);
-        Assert.Equal("1 4", Links(Hear(Autopilot, 1, 1).ForwardTo));
-        Assert.Throws<ArgumentOutOfRangeException>("link", () => Hear(Other, 2, 1));
+        Assert.Equal("1 4", Links(Receive(Autopilot, 1, 1).ForwardTo));
+        Assert.Throws<ArgumentOutOfRangeException>("link", () => Receive(Other, 2, 1));
     }
 
     [Fact]
@@ -177,7 +177,7 @@ public class MavlinkRouterTests
         _router.ForgetSystem(1);
 
         Assert.Equal((0UL, 0UL, "2"), (_router.LinksOf(1, 1), _router.LinksOf(1, 0), Links(_router.LinksOf(2, 1))));
-        Hear(Autopilot, 1, 1);
+        Receive(Autopilot, 1, 1);
         Assert.Equal("0", Links(_router.LinksOf(1, 1)));
     }
 
@@ -188,7 +188,7 @@ public class MavlinkRouterTests
         MavlinkFrame command = MavlinkFrame.Create(new CommandLong { TargetSystem = 2, TargetComponent = 191 }, 255, 190, 0);
 
         Assert.Equal(MavlinkRouteReason.ForUs, _router.Route(Ground, command, Wire.Info<CommandLong>(), isChecked: true).Reason);
-        Assert.Equal(MavlinkRouteReason.OurOwn, Hear(Ground, 2, 191).Reason);
+        Assert.Equal(MavlinkRouteReason.OurOwn, Receive(Ground, 2, 191).Reason);
         Assert.Equal("2", Links(_router.LinksOf(2, 1)));
         Assert.Throws<ArgumentOutOfRangeException>("systemId", () => _router.SetOwnAddress(0, 1));
     }
@@ -198,14 +198,14 @@ public class MavlinkRouterTests
     {
         _router.SetLink(Log, MavlinkLinkRules.ForwardFrom);
 
-        Assert.Equal("0 1 2 4", Links(Hear(Log, 9, 1).ForwardTo));
-        Assert.Equal("1 2 4", Links(Hear(Autopilot, 1, 1).ForwardTo));
+        Assert.Equal("0 1 2 4", Links(Receive(Log, 9, 1).ForwardTo));
+        Assert.Equal("1 2 4", Links(Receive(Autopilot, 1, 1).ForwardTo));
     }
 
     [Fact]
     public void Route_TableFull_CountsWhomItCannotLearn()
     {
-        var router = new MavlinkRouter(1, 191, maximumSources: 1);
+        var router = new MavlinkRouter(1, 191, maxSources: 1);
         router.SetLink(63, MavlinkLinkRules.Live);
         foreach (byte component in new byte[] { 1, 2, 1, 2 })
             router.Route(63, MavlinkFrame.Create(default(Heartbeat), 1, component, 0), Wire.Info<Heartbeat>(), isChecked: true);
@@ -218,8 +218,8 @@ public class MavlinkRouterTests
     public void Counters_AfterFrames_TellWhatWasDecided()
     {
         MavlinkRouterCounters before = _router.Counters;
-        Hear(Autopilot, 1, 1);
-        Hear(Ground, 1, 191);
+        Receive(Autopilot, 1, 1);
+        Receive(Ground, 1, 191);
         _router.Route(Ground, MavlinkFrame.Create(new CommandLong { TargetSystem = 3 }, 255, 190, 0), Wire.Info<CommandLong>(), isChecked: true);
         AssertLinkLocal(new RadioStatus(), isLocal: true);
         MavlinkRouterCounters after = _router.Counters;
@@ -233,11 +233,11 @@ public class MavlinkRouterTests
     {
         Assert.Throws<ArgumentOutOfRangeException>("systemId", () => new MavlinkRouter(0, 1));
         Assert.Throws<ArgumentOutOfRangeException>("componentId", () => new MavlinkRouter(1, 0));
-        Assert.Throws<ArgumentOutOfRangeException>("maximumSources", () => new MavlinkRouter(1, 1, 0));
+        Assert.Throws<ArgumentOutOfRangeException>("maxSources", () => new MavlinkRouter(1, 1, 0));
         Assert.Throws<ArgumentOutOfRangeException>("link", () => _router.SetLink(64, MavlinkLinkRules.Live));
     }
 
-    private MavlinkRoute Hear(int link, byte system, byte component) =>
+    private MavlinkRoute Receive(int link, byte system, byte component) =>
         _router.Route(link, MavlinkFrame.Create(default(Heartbeat), system, component, 0), Wire.Info<Heartbeat>(), isChecked: true);
 
     private void AssertLinkLocal<T>(T message, bool isLocal)
@@ -249,7 +249,7 @@ public class MavlinkRouterTests
 
     private static string Links(ulong mask)
     {
-        IEnumerable<int> links = Enumerable.Range(0, MavlinkRouter.MaximumLinks).Where(link => (mask & (1UL << link)) != 0);
+        IEnumerable<int> links = Enumerable.Range(0, MavlinkRouter.MaxLinks).Where(link => (mask & (1UL << link)) != 0);
         return string.Join(" ", links);
     }
 }

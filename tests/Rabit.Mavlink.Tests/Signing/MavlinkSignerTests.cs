@@ -21,6 +21,7 @@ public class MavlinkSignerTests
             MavlinkFrame signed = SignerOf(vector).Sign(unsigned, info.Message.CrcExtra);
 
             Assert.True(vector.V2Signed.AsSpan().SequenceEqual(Wire.Bytes(signed)), vector.ToString());
+            Assert.True(vector.V2Signed.AsSpan().SequenceEqual(Wire.Bytes(SignerOf(vector).Sign(unsigned))), vector.ToString());
             Assert.True(vector.V2.AsSpan().SequenceEqual(Wire.Bytes(signed.WithoutSignature(info.Message.CrcExtra))), vector.ToString());
         }
     }
@@ -35,7 +36,8 @@ public class MavlinkSignerTests
             MavlinkFrame frame = Wire.Single(vector.V2, out _);
             byte[] written = RemakeOf(MessageTypes.ById[vector.Id])(frame, SignerOf(vector));
 
-            // A sender counts from 0, and the lines do not: the sequence number is put right, and the bytes that depend on it are left out.
+            // A sender counts from 0, and the lines do not: the sequence number is put right, and the bytes that depend
+            // on it are left out.
             Assert.Equal(vector.V2Signed.Length, written.Length);
             MavlinkFrame.FromWire(written, out MavlinkFrame signed);
             using MavlinkSigningKey key = Keys.Of(vector.Signing.GetProperty("key"));
@@ -108,7 +110,7 @@ public class MavlinkSignerTests
     {
         Assert.True(frame.TryDecode(out T message));
         var sender = new MavlinkSender(frame.SystemId, frame.ComponentId) { Signer = signer };
-        var buffer = new byte[MavlinkFrame.MaximumWireLength];
+        var buffer = new byte[MavlinkFrame.MaxWireLength];
         int length = sender.Write(message, buffer.AsSpan());
         return buffer.AsSpan(0, length).ToArray();
     }

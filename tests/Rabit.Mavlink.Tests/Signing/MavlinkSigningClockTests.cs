@@ -228,7 +228,7 @@ public class MavlinkSigningClockTests
     }
 
     [Fact]
-    public void Save_WithoutAStore_SaysSo() => Assert.False(Keys.ClockAt(Keys.Noon).Save());
+    public void Save_WithoutAStore_IsFalse() => Assert.False(Keys.ClockAt(Keys.Noon).Save());
 
     private static void Advance(MavlinkSigningClock clock, long wall, double elapsedSeconds) =>
         clock.Advance(MavlinkSigningClock.ToUtc(wall), TimeSpan.FromSeconds(elapsedSeconds));

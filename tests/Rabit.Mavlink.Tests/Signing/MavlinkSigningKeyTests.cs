@@ -70,7 +70,8 @@ public class MavlinkSigningKeyTests
         byte[] wire = Framing.Wire.Bytes(Keys.Signed(Keys.Noon, linkId: 3));
         for (int bit = 0; bit < wire.Length * 8; bit++)
         {
-            // The length, and the flag that there is a signature, say where the signature is: such bytes are another frame, or none.
+            // The length, and the flag that there is a signature, say where the signature is: such bytes are another
+            // frame, or none.
             if (bit / 8 is 0 or 1 || bit == 16)
                 continue;
             byte[] changed = (byte[])wire.Clone();
@@ -95,7 +96,7 @@ public class MavlinkSigningKeyTests
     }
 
     [Fact]
-    public void CreateSetup_ForEverybody_IsRefused() =>
+    public void CreateSetup_Broadcast_IsRefused() =>
         Assert.Throws<ArgumentOutOfRangeException>(() => Keys.One.CreateSetup(0, 0, Keys.Noon));
 
     [Fact]

@@ -37,11 +37,11 @@ public class MavlinkVerifierTests
             Assert.Equal(row.GetProperty("signing_ticks_before").GetInt64(), clock.Timestamp);
 
             // A wrong checksum never comes as far as the verifier.
-            string verdict = found.TryGetValue(row.GetProperty("offset").GetInt64(), out MavlinkFrame frame)
+            string result = found.TryGetValue(row.GetProperty("offset").GetInt64(), out MavlinkFrame frame)
                 ? TextOf(verifier.Verify(frame))
                 : "reject bad_checksum";
             string[] reasons = [.. row.GetProperty("reasons_all").EnumerateArray().Select(reason => $"{row.GetProperty("action")} {reason}")];
-            Assert.True(reasons.Contains(verdict, StringComparer.Ordinal), $"frame {row.GetProperty("i")}: {verdict}, listed {string.Join(" or ", reasons)}");
+            Assert.True(reasons.Contains(result, StringComparer.Ordinal), $"frame {row.GetProperty("i")}: {result}, listed {string.Join(" or ", reasons)}");
             listed++;
         }
 
@@ -57,9 +57,9 @@ public class MavlinkVerifierTests
     {
         MavlinkFrame frame = Keys.Signed(Keys.Noon);
 
-        Assert.Equal(MavlinkSignatureVerdict.ValidNewStream, _verifier.Verify(frame, link: 0));
-        Assert.Equal(MavlinkSignatureVerdict.OldTimestamp, _verifier.Verify(frame, link: 1));
-        Assert.Equal(MavlinkSignatureVerdict.Valid, _verifier.Verify(Keys.Signed(Keys.Noon + 1)));
+        Assert.Equal(MavlinkSignatureResult.ValidNewStream, _verifier.Verify(frame, link: 0));
+        Assert.Equal(MavlinkSignatureResult.OldTimestamp, _verifier.Verify(frame, link: 1));
+        Assert.Equal(MavlinkSignatureResult.Valid, _verifier.Verify(Keys.Signed(Keys.Noon + 1)));
     }
 
     [Theory]
@@ -70,15 +70,15 @@ public class MavlinkVerifierTests
     {
         _verifier.Verify(Keys.Signed(Keys.Noon));
 
-        Assert.Equal(MavlinkSignatureVerdict.ValidNewStream, _verifier.Verify(Keys.Signed(Keys.Noon - 10, null, systemId, componentId, linkId)));
+        Assert.Equal(MavlinkSignatureResult.ValidNewStream, _verifier.Verify(Keys.Signed(Keys.Noon - 10, null, systemId, componentId, linkId)));
         Assert.Equal(2, _verifier.Streams);
     }
 
     [Fact]
     public void Verify_NewStreamOneMinuteBehind_IsAcceptedAndOneTickMoreIsNot()
     {
-        Assert.Equal(MavlinkSignatureVerdict.ValidNewStream, _verifier.Verify(Keys.Signed(Keys.Noon - 6_000_000)));
-        Assert.Equal(MavlinkSignatureVerdict.NewStreamTooOld, _verifier.Verify(Keys.Signed(Keys.Noon - 6_000_001, systemId: 2)));
+        Assert.Equal(MavlinkSignatureResult.ValidNewStream, _verifier.Verify(Keys.Signed(Keys.Noon - 6_000_000)));
+        Assert.Equal(MavlinkSignatureResult.NewStreamTooOld, _verifier.Verify(Keys.Signed(Keys.Noon - 6_000_001, systemId: 2)));
         Assert.Equal(1, _verifier.Streams);
     }
 
@@ -88,42 +88,42 @@ public class MavlinkVerifierTests
         _verifier.Verify(Keys.Signed(Keys.Noon + 30_000_000));
 
         Assert.Equal(Keys.Noon + 30_000_000, _clock.Timestamp);
-        Assert.Equal(MavlinkSignatureVerdict.NewStreamTooOld, _verifier.Verify(Keys.Signed(Keys.Noon, systemId: 2)));
+        Assert.Equal(MavlinkSignatureResult.NewStreamTooOld, _verifier.Verify(Keys.Signed(Keys.Noon, systemId: 2)));
     }
 
     [Fact]
     public void Verify_ForgedFrameFromTheFuture_ChangesNothing()
     {
         using MavlinkSigningKey wrong = Keys.Of(66);
-        Assert.Equal(MavlinkSignatureVerdict.BadSignature, _verifier.Verify(Keys.Signed(Keys.Noon + 30_000_000, wrong)));
+        Assert.Equal(MavlinkSignatureResult.BadSignature, _verifier.Verify(Keys.Signed(Keys.Noon + 30_000_000, wrong)));
 
         Assert.Equal((Keys.Noon, 0), (_clock.Timestamp, _verifier.Streams));
-        Assert.Equal(MavlinkSignatureVerdict.ValidNewStream, _verifier.Verify(Keys.Signed(Keys.Noon)));
+        Assert.Equal(MavlinkSignatureResult.ValidNewStream, _verifier.Verify(Keys.Signed(Keys.Noon)));
     }
 
     [Fact]
     public void Verify_MoreStreamsThanThereIsRoomFor_RejectsTheNewOnesAndKeepsTheOld()
     {
-        var verifier = new MavlinkVerifier(Keys.One, _clock, maximumStreams: 2);
+        var verifier = new MavlinkVerifier(Keys.One, _clock, maxStreams: 2);
         verifier.Verify(Keys.Signed(Keys.Noon));
         verifier.Verify(Keys.Signed(Keys.Noon, systemId: 2));
 
-        Assert.Equal(MavlinkSignatureVerdict.TooManyStreams, verifier.Verify(Keys.Signed(Keys.Noon, systemId: 3)));
-        Assert.Equal(MavlinkSignatureVerdict.Valid, verifier.Verify(Keys.Signed(Keys.Noon + 1, systemId: 2)));
+        Assert.Equal(MavlinkSignatureResult.TooManyStreams, verifier.Verify(Keys.Signed(Keys.Noon, systemId: 3)));
+        Assert.Equal(MavlinkSignatureResult.Valid, verifier.Verify(Keys.Signed(Keys.Noon + 1, systemId: 2)));
         Assert.Equal((3, 1), (verifier.Counters.Valid, verifier.Counters.TooManyStreams));
     }
 
     [Fact]
     public void Verify_EveryStreamThereIs_RemembersEachOfThem()
     {
-        var verifier = new MavlinkVerifier(Keys.One, _clock, maximumStreams: 2000);
+        var verifier = new MavlinkVerifier(Keys.One, _clock, maxStreams: 2000);
         for (int round = 0; round < 2; round++)
         {
             for (int stream = 0; stream < 2000; stream++)
             {
                 MavlinkFrame frame = Keys.Signed(Keys.Noon + round, null, (byte)(1 + (stream % 200)), 1, (byte)(stream / 200));
-                Assert.Equal(round == 0 ? MavlinkSignatureVerdict.ValidNewStream : MavlinkSignatureVerdict.Valid, verifier.Verify(frame));
-                Assert.Equal(MavlinkSignatureVerdict.OldTimestamp, verifier.Verify(frame));
+                Assert.Equal(round == 0 ? MavlinkSignatureResult.ValidNewStream : MavlinkSignatureResult.Valid, verifier.Verify(frame));
+                Assert.Equal(MavlinkSignatureResult.OldTimestamp, verifier.Verify(frame));
             }
         }
     }
@@ -131,9 +131,9 @@ public class MavlinkVerifierTests
     [Fact]
     public void Verify_Unsigned_OnlyRadioStatusPasses()
     {
-        Assert.Equal(MavlinkSignatureVerdict.NotSigned, _verifier.Verify(Keys.Unsigned()));
-        Assert.Equal(MavlinkSignatureVerdict.UnsignedAllowed, _verifier.Verify(MavlinkFrame.Create(default(RadioStatus), 51, 68, 0)));
-        Assert.Equal(MavlinkSignatureVerdict.NotSigned, _verifier.Verify(default));
+        Assert.Equal(MavlinkSignatureResult.NotSigned, _verifier.Verify(Keys.Unsigned()));
+        Assert.Equal(MavlinkSignatureResult.UnsignedAllowed, _verifier.Verify(MavlinkFrame.Create(default(RadioStatus), 51, 68, 0)));
+        Assert.Equal(MavlinkSignatureResult.NotSigned, _verifier.Verify(default));
         Assert.Equal((2, 1), (_verifier.Counters.NotSigned, _verifier.Counters.UnsignedAllowed));
     }
 
@@ -142,9 +142,9 @@ public class MavlinkVerifierTests
     {
         var verifier = new MavlinkVerifier(Keys.One, _clock, (in MavlinkFrame frame, int link) => link == 3 && frame.SystemId == 1);
 
-        Assert.Equal(MavlinkSignatureVerdict.UnsignedAllowed, verifier.Verify(Keys.Unsigned(), link: 3));
-        Assert.Equal(MavlinkSignatureVerdict.NotSigned, verifier.Verify(Keys.Unsigned(), link: 2));
-        Assert.Equal(MavlinkSignatureVerdict.NotSigned, verifier.Verify(Keys.Unsigned(systemId: 2), link: 3));
+        Assert.Equal(MavlinkSignatureResult.UnsignedAllowed, verifier.Verify(Keys.Unsigned(), link: 3));
+        Assert.Equal(MavlinkSignatureResult.NotSigned, verifier.Verify(Keys.Unsigned(), link: 2));
+        Assert.Equal(MavlinkSignatureResult.NotSigned, verifier.Verify(Keys.Unsigned(systemId: 2), link: 3));
         Assert.Equal((0, Keys.Noon), (verifier.Streams, _clock.Timestamp));
     }
 
@@ -154,7 +154,7 @@ public class MavlinkVerifierTests
         using MavlinkSigningKey wrong = Keys.Of(66);
         var verifier = new MavlinkVerifier(Keys.One, _clock, (in MavlinkFrame _, int _) => true);
 
-        Assert.Equal(MavlinkSignatureVerdict.BadSignature, verifier.Verify(Keys.Signed(Keys.Noon, wrong)));
+        Assert.Equal(MavlinkSignatureResult.BadSignature, verifier.Verify(Keys.Signed(Keys.Noon, wrong)));
     }
 
     [Fact]
@@ -164,7 +164,7 @@ public class MavlinkVerifierTests
         MavlinkFrame frame = Wire.Single(Wire.V2(Wire.UnknownId, [1, 2, 3], crcExtra: 99), out _);
         MavlinkFrame signed = new MavlinkSigner(Keys.One, 0, _clock).Sign(frame, crcExtra: 99);
 
-        Assert.Equal(MavlinkSignatureVerdict.ValidNewStream, _verifier.Verify(signed));
+        Assert.Equal(MavlinkSignatureResult.ValidNewStream, _verifier.Verify(signed));
     }
 
     [Fact]
@@ -177,25 +177,25 @@ public class MavlinkVerifierTests
     }
 
     [Theory]
-    [InlineData(MavlinkSignatureVerdict.Valid, true)]
-    [InlineData(MavlinkSignatureVerdict.ValidNewStream, true)]
-    [InlineData(MavlinkSignatureVerdict.UnsignedAllowed, true)]
-    [InlineData(MavlinkSignatureVerdict.NotSigned, false)]
-    [InlineData(MavlinkSignatureVerdict.BadSignature, false)]
-    [InlineData(MavlinkSignatureVerdict.OldTimestamp, false)]
-    [InlineData(MavlinkSignatureVerdict.NewStreamTooOld, false)]
-    [InlineData(MavlinkSignatureVerdict.TooManyStreams, false)]
-    public void IsAccepted_EachVerdict_IsAsItSays(MavlinkSignatureVerdict verdict, bool expected) => Assert.Equal(expected, verdict.IsAccepted());
+    [InlineData(MavlinkSignatureResult.Valid, true)]
+    [InlineData(MavlinkSignatureResult.ValidNewStream, true)]
+    [InlineData(MavlinkSignatureResult.UnsignedAllowed, true)]
+    [InlineData(MavlinkSignatureResult.NotSigned, false)]
+    [InlineData(MavlinkSignatureResult.BadSignature, false)]
+    [InlineData(MavlinkSignatureResult.OldTimestamp, false)]
+    [InlineData(MavlinkSignatureResult.NewStreamTooOld, false)]
+    [InlineData(MavlinkSignatureResult.TooManyStreams, false)]
+    public void IsAccepted_EachResult_IsAsDocumented(MavlinkSignatureResult result, bool expected) => Assert.Equal(expected, result.IsAccepted());
 
-    private static string TextOf(MavlinkSignatureVerdict verdict) => verdict switch
+    private static string TextOf(MavlinkSignatureResult result) => result switch
     {
-        MavlinkSignatureVerdict.Valid => "accept ok",
-        MavlinkSignatureVerdict.ValidNewStream => "accept new_stream",
-        MavlinkSignatureVerdict.UnsignedAllowed => "accept unsigned_allowed",
-        MavlinkSignatureVerdict.NotSigned => "reject unsigned",
-        MavlinkSignatureVerdict.BadSignature => "reject bad_signature",
-        MavlinkSignatureVerdict.OldTimestamp => "reject old_timestamp",
-        MavlinkSignatureVerdict.NewStreamTooOld => "reject new_stream_too_old",
-        _ => ((int)verdict).ToString(CultureInfo.InvariantCulture),
+        MavlinkSignatureResult.Valid => "accept ok",
+        MavlinkSignatureResult.ValidNewStream => "accept new_stream",
+        MavlinkSignatureResult.UnsignedAllowed => "accept unsigned_allowed",
+        MavlinkSignatureResult.NotSigned => "reject unsigned",
+        MavlinkSignatureResult.BadSignature => "reject bad_signature",
+        MavlinkSignatureResult.OldTimestamp => "reject old_timestamp",
+        MavlinkSignatureResult.NewStreamTooOld => "reject new_stream_too_old",
+        _ => ((int)result).ToString(CultureInfo.InvariantCulture),
     };
 }

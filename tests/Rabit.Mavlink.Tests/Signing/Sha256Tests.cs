@@ -1,11 +1,15 @@
 using System;
 using System.Linq;
 using System.Text;
+using Rabit.Mavlink.Signing;
 using Xunit;
 
 namespace Rabit.Mavlink.Tests.Signing;
 
-/// <summary>The published examples of SHA-256 (NIST, FIPS 180-4 "Examples with intermediate values" and CAVP), and the runtime's own beside ours.</summary>
+/// <summary>
+/// The published examples of SHA-256 (NIST, FIPS 180-4 "Examples with intermediate values" and CAVP), and the runtime's
+/// own beside ours.
+/// </summary>
 public class Sha256Tests
 {
     [Theory]

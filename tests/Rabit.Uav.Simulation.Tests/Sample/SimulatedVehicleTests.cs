@@ -60,7 +60,7 @@ public class SimulatedVehicleTests
     private static void Send<T>(UdpListenLink link, T message)
         where T : struct, IMavlinkMessage
     {
-        byte[] bytes = new byte[MavlinkFrame.MaximumWireLength];
+        byte[] bytes = new byte[MavlinkFrame.MaxWireLength];
         link.Write(bytes, 0, MavlinkFrame.Create(message, 255, 190, 0).WriteTo(bytes));
     }
 

@@ -34,7 +34,7 @@ public sealed class SigningTests : IDisposable
         {
             List<MavlinkFrame> frames = rig.ReceivedFrames(link);
             Assert.Equal(3, frames.Count);
-            Assert.All(frames, f => Assert.True(verifier.Verify(f) is MavlinkSignatureVerdict.Valid or MavlinkSignatureVerdict.ValidNewStream));
+            Assert.All(frames, f => Assert.True(verifier.Verify(f) is MavlinkSignatureResult.Valid or MavlinkSignatureResult.ValidNewStream));
             Assert.All(frames, f => Assert.Equal(7 + link, f.SignatureLinkId));
         }
 

@@ -45,7 +45,7 @@ internal sealed class LiveFlight : IDisposable
         var log = new TlogReader(file, MavlinkDialect.All);
         using var pace = new ManualResetEvent(false);
         Stopwatch clock = Stopwatch.StartNew();
-        var buffer = new byte[MavlinkFrame.MaximumWireLength];
+        var buffer = new byte[MavlinkFrame.MaxWireLength];
         long? first = null;
         while (log.TryRead(out MavlinkFrame frame, out TlogRecord record))
         {

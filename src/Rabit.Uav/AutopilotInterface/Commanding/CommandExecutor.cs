@@ -27,7 +27,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         RetriesInProgress = true,
         LateAnswerTime = TimeSpan.FromSeconds(0.7),
         UnknownLateTime = TimeSpan.FromSeconds(0.7),
-        AnswersMayDouble = false,
+        AnswersMayBeDuplicated = false,
     };
 
     /// <summary>How long to wait for an autopilot to be heard at all: as long as for its answers.</summary>
@@ -195,7 +195,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         _phase = CommandPhase.Idle;
         _steps.Clear();
         _step = 0;
-        _client?.Abandon(_handle, now);
+        _client?.StopTracking(_handle, now);
     }
 
     private void Answer(in VehicleCommand command, VehicleCommandOutcome outcome, string? text)

@@ -107,7 +107,7 @@ internal abstract class VehicleProfile
             {
                 Command = MavCmd.DoReposition,
                 Forms = MavlinkCommandForms.IntOnly,
-                HasPlace = true,
+                HasLocation = true,
                 Frame = frame,
                 Param1 = double.IsNaN(command.SpeedMetresPerSecond) ? -1 : (float)command.SpeedMetresPerSecond,
                 Param2 = flags,

@@ -41,7 +41,7 @@ internal sealed class AutopilotClock
     {
         if (!Requests.IsAnswer(message, out TimeSpan askedAt))
             return;
-        if (_timesync.Take(askedAt, arrival, message.Tc1 * SecondsPerNanosecond))
+        if (_timesync.AddRoundTrip(askedAt, arrival, message.Tc1 * SecondsPerNanosecond))
             Requests.Start(arrival);
     }
 
@@ -54,7 +54,7 @@ internal sealed class AutopilotClock
             return arrival;
         TimeSpan theirs = new(timeBootMs * TimeSpan.TicksPerMillisecond);
         _arrival.Take(theirs, arrival);
-        _timesync.Hear(arrival, UnwrappedSeconds(theirs, arrival));
+        _timesync.AddOneWay(arrival, UnwrappedSeconds(theirs, arrival));
         TimeSpan ours = _timesync.IsKnown(arrival) ? ByTimesync(theirs, arrival) : theirs + _arrival.Offset;
         return ours < arrival ? ours : arrival;
     }

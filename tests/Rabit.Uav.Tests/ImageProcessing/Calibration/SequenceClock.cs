@@ -17,7 +17,7 @@ internal sealed class SequenceClock
     /// <returns>The rows of telemetry.</returns>
     public IEnumerable<double[]> RunTo(double untilMicroseconds)
     {
-        while (_answer < MavlinkTimesyncFilter.AnswersNeeded && _answer < _answers.Length)
+        while (_answer < MavlinkTimesyncFilter.MinAnswers && _answer < _answers.Length)
             TakeAnswer();
         while (true)
         {
@@ -32,7 +32,7 @@ internal sealed class SequenceClock
             }
 
             double[] row = _telemetry[_row++];
-            Filter.Hear(RecordedSequence.Microseconds(row[1]), row[0] * 1e-6);
+            Filter.AddOneWay(RecordedSequence.Microseconds(row[1]), row[0] * 1e-6);
             yield return row;
         }
     }
@@ -40,6 +40,6 @@ internal sealed class SequenceClock
     private void TakeAnswer()
     {
         double[] row = _answers[_answer++];
-        Filter.Take(RecordedSequence.Microseconds(row[1]), RecordedSequence.Microseconds(row[3]), row[2] * 1e-6);
+        Filter.AddRoundTrip(RecordedSequence.Microseconds(row[1]), RecordedSequence.Microseconds(row[3]), row[2] * 1e-6);
     }
 }

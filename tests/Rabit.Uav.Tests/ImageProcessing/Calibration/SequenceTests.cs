@@ -34,7 +34,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
         MavlinkTimesyncFilter filter = clock.Filter;
         double[] answers = [.. RecordedSequence.Rows("timesync.csv").Select(r => r[3])];
         (double worst, double worstSettling, double worstInSigmas) = (0, 0, 0);
-        for (int i = MavlinkTimesyncFilter.AnswersNeeded; i < answers.Length; i++)
+        for (int i = MavlinkTimesyncFilter.MinAnswers; i < answers.Length; i++)
         {
             int rows = clock.RunTo(answers[i] + 1).Count();
             Assert.True(rows > 0);

@@ -1,0 +1,19 @@
+using System;
+using System.Diagnostics.CodeAnalysis;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using Rabit.Mavlink.Framing;
+
+namespace Rabit.Mavlink;
+
+public unsafe partial struct MavlinkFrame
+{
+    /// <summary>
+    /// The payload as it is on the wire, without the zeros that the sender truncated: <see cref="PayloadLength"/>
+    /// bytes. On .NET it refers into the frame, and the compiler does not let it outlive the frame; on .NET Framework
+    /// and Mono, whose spans cannot do that, it is a new copy. <see cref="CopyPayloadTo"/> allocates on neither.
+    /// </summary>
+    [UnscopedRef]
+    public readonly ReadOnlySpan<byte> Payload =>
+        MemoryMarshal.CreateReadOnlySpan(ref Unsafe.AsRef(in _wire[WireFormat.HeaderLengthV2]), _wire[1]);
+}
