@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
-using Rabit.Core.Synchronization;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Tests.Exploration;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Core.Synchronization;
+using Rabit.Core.WakeUp;
 using Xunit;
 
 namespace Rabit.Core.Tests.Exploration;
