@@ -78,7 +78,7 @@ public sealed class ArchitectureTests
             .Select(s => s.Path));
 
     [Fact]
-    public void Sources_Each_HaveAtMost350Lines()
+    public void Sources_Each_HaveNoMoreThan350Lines()
         => Assert.Empty(Sources().Where(s => s.Lines.Length > 350).Select(s => $"{s.Path}: {s.Lines.Length} lines"));
 
     private static IEnumerable<(string Path, string[] Lines)> Sources()
