@@ -9,16 +9,7 @@ namespace Rabit.Core.WakeUp;
 internal readonly unsafe struct SyncPoints : ISyncPoints
 {
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Read(ref int location) => location;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Write(ref int location, int value) => location = value;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int VolatileRead(ref int location) => Volatile.Read(ref location);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void VolatileWrite(ref int location, int value) => Volatile.Write(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public long InterlockedRead(ref long location) => Interlocked.Read(ref location);
@@ -31,9 +22,6 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int CompareExchange(ref int location, int value, int comparand) => Interlocked.CompareExchange(ref location, value, comparand);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Fence() => Interlocked.MemoryBarrier();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set(AutoResetEvent signal) => signal.Set();
