@@ -2,7 +2,7 @@
 #pragma warning disable MA0048, MA0047, CA1050 // a program of one file, run as "dotnet run eng/mutation-run.cs", is named after what it does and needs no namespace
 #pragma warning disable MA0004 // a program has no synchronisation context
 
-// Runs the mutants of Managers/ and Messaging/ that Stryker made (eng/mutation.sh), each against the tests that reach it. All mutants are in one assembly and
+// Runs the mutants of Rabit.Core that Stryker made (eng/mutation.sh), each against the tests that reach it. All mutants are in one assembly and
 // one is switched on at a time, so a process that has started once tries hundreds of them; Stryker itself starts one for each few.
 // Usage: dotnet run eng/mutation-run.cs -- REPORT.json TESTS.dll SEED MINUTES
 // REPORT.json is Stryker's, TESTS.dll lies beside the mutated Rabit.Core.dll. The mutants are tried in an order drawn with SEED, and as many as
@@ -43,35 +43,35 @@ Mutant[] order = [.. mutants];
 new Random(int.Parse(args[2], CultureInfo.InvariantCulture)).Shuffle(order);
 var queue = new ConcurrentQueue<Mutant>(order);
 var begun = Stopwatch.StartNew();
-var most = TimeSpan.FromMinutes(double.Parse(args[3], CultureInfo.InvariantCulture));
+var limit = TimeSpan.FromMinutes(double.Parse(args[3], CultureInfo.InvariantCulture));
 await Task.WhenAll(Enumerable.Range(0, AtOnce).Select(_ => Task.Run(Try)));
-Mutant.WriteTables([.. order.Where(m => m.Fate.Length != 0)], mutants.Count);
+Mutant.WriteTables([.. order.Where(m => m.Outcome.Length != 0)], mutants.Count);
 return 0;
 
 void Try()
 {
     WorkerProcess? worker = null;
-    while (begun.Elapsed < most && queue.TryDequeue(out Mutant? mutant))
+    while (begun.Elapsed < limit && queue.TryDequeue(out Mutant? mutant))
     {
-        mutant.Fate = "NoCoverage";
+        mutant.Outcome = "NoCoverage";
         if (statics.Contains(mutant.Id))
         {
             // What is computed once per process is mutated only if the mutant is on from the beginning.
             using var own = new WorkerProcess(tests, mutant.Id);
-            mutant.Fate = Fate(own.Ask($"all {mutant.Id}"));
+            mutant.Outcome = Outcome(own.Ask($"all {mutant.Id}"));
         }
         else if (reached.TryGetValue(mutant.Id, out string[]? classes))
         {
             string question = $"test {mutant.Id} {string.Join(',', classes)}";
-            mutant.Fate = Fate((worker ??= new WorkerProcess(tests)).Ask(question));
-            if (mutant.Fate == "Dirty")
+            mutant.Outcome = Outcome((worker ??= new WorkerProcess(tests)).Ask(question));
+            if (mutant.Outcome == "Dirty")
             {
                 // It or one before it left something behind: the verdict of a new process counts.
                 worker.Dispose();
                 worker = new WorkerProcess(tests);
-                mutant.Fate = Fate(worker.Ask(question));
-                if (mutant.Fate == "Dirty")
-                    mutant.Fate = "Killed";
+                mutant.Outcome = Outcome(worker.Ask(question));
+                if (mutant.Outcome == "Dirty")
+                    mutant.Outcome = "Killed";
                 worker.Dispose();
                 worker = null;
             }
@@ -82,20 +82,20 @@ void Try()
             }
         }
 
-        Console.WriteLine($"{mutant.Fate} {mutant.Id} {mutant.File}:{mutant.Line} {mutant.What}");
+        Console.WriteLine($"{mutant.Outcome} {mutant.Id} {mutant.File}:{mutant.Line} {mutant.What}");
     }
 
     worker?.Dispose();
 }
 
 // A process that breaks off was ended by the mutant, by an overflow of the stack for one.
-static string Fate(string answer) => answer.Length == 0 ? "Killed" : answer;
+static string Outcome(string answer) => answer.Length == 0 ? "Killed" : answer;
 
 internal sealed record Mutant(int Id, string File, int Line, string What)
 {
-    private static readonly string[] Fates = ["Killed", "Timeout", "Survived", "NoCoverage"];
+    private static readonly string[] Outcomes = ["Killed", "Timeout", "Survived", "NoCoverage"];
 
-    public string Fate { get; set; } = "";
+    public string Outcome { get; set; } = "";
 
     public static List<Mutant> Read(string report)
     {
@@ -106,7 +106,7 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
             string name = Regex.Replace(file.Name, ".*/Rabit.Core/", "");
             foreach (JsonElement mutant in file.Value.GetProperty("mutants").EnumerateArray())
             {
-                if (mutant.GetProperty("status").GetString() is "Ignored" or "CompileError" || !Regex.IsMatch(name, "^(Managers|Messaging)/"))
+                if (mutant.GetProperty("status").GetString() is "Ignored" or "CompileError")
                     continue;
                 int line = mutant.GetProperty("location").GetProperty("start").GetProperty("line").GetInt32();
                 string replacement = Regex.Replace(mutant.GetProperty("replacement").GetString() ?? "", @"\s+", " ");
@@ -121,7 +121,7 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
     public static void WriteTables(List<Mutant> mutants, int all)
     {
         // 95 %: the normal approximation, with the correction for a sample that is a good part of the whole.
-        double share = mutants.Count(m => m.Fate is "Killed" or "Timeout") / (double)mutants.Count;
+        double share = mutants.Count(m => m.Outcome is "Killed" or "Timeout") / (double)mutants.Count;
         double error = 1.96 * Math.Sqrt(share * (1 - share) / mutants.Count * (all - mutants.Count) / Math.Max(all - 1, 1));
         Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{mutants.Count} of {all} mutants tried: {share:0.0 %} +- {error:0.0 %}"));
         Console.WriteLine("| where | mutants | killed | timeout | survived | not reached | score |\n|---|---|---|---|---|---|---|");
@@ -134,7 +134,7 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
 
     private static void WriteRow(string where, IEnumerable<Mutant> mutants)
     {
-        int[] counts = Fates.Select(fate => mutants.Count(m => m.Fate == fate)).ToArray();
+        int[] counts = Outcomes.Select(outcome => mutants.Count(m => m.Outcome == outcome)).ToArray();
         int all = mutants.Count();
         double score = 100.0 * (counts[0] + counts[1]) / all;
         Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {where} | {all} | {string.Join(" | ", counts)} | {score:0.0} % |"));
@@ -194,16 +194,16 @@ internal sealed class Worker
     public const string Mark = "answer: ";
 
     // Without threads of their own and fast: virtual time, models and units.
-    private const string Fast = "InVirtualTime$|ModelTests$|VirtualTimeTests$|Messaging.(BufferPool|MessageTypeCheck|SharedMessage)Tests$"
-        + "|Managers.(PeriodGrid|DurationStatistics|DurationHistogram|Watchdog|Policy|ManagerArgument|RestartWindow|WakeUpCounts)Tests$"
+    private const string Fast = "InVirtualTime$|ModelTests$|VirtualTimeTests$|(BufferPool|MessageTypeCheck|SharedMessage)Tests$"
+        + "|(PeriodGrid|DurationStatistics|DurationHistogram|Watchdog|Policy|ManagerArgument|RestartWindow|WakeUpStatistics)Tests$"
         + "|WiringTests$|Modelled(Duration|Hang)Tests$|EventLogTests$|RealTimeRequestTests$";
 
-    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan CheckInterval = TimeSpan.FromMilliseconds(100);
 
     // A test of these takes a few milliseconds. It hangs when it has used so much of a processor, or, where it waits, so much time; times in which
     // this process itself stood still do not count.
-    private static readonly TimeSpan MostWork = TimeSpan.FromSeconds(4);
-    private const int MostLooks = 250;
+    private static readonly TimeSpan MaxWork = TimeSpan.FromSeconds(4);
+    private const int MaxChecks = 250;
 
     private readonly Type _control;
     private readonly List<Type> _classes;
@@ -298,13 +298,13 @@ internal sealed class Worker
         int seen = -1;
         int looks = 0;
         TimeSpan worked = default;
-        while (!thread.Join(Look))
+        while (!thread.Join(CheckInterval))
         {
             self.Refresh();
             int begun = Volatile.Read(ref _testsBegun);
             if (begun != seen)
                 (seen, looks, worked) = (begun, 0, self.TotalProcessorTime);
-            else if (++looks > MostLooks || (looks > 40 && self.TotalProcessorTime - worked > MostWork))
+            else if (++looks > MaxChecks || (looks > 40 && self.TotalProcessorTime - worked > MaxWork))
                 return "Timeout";
         }
 

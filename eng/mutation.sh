@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Mutation testing of Managers/ and Messaging/ of Rabit.Core (docs/concepts/mutation-testing.md). Stryker makes the mutants and compiles them into
-# one assembly, which is kept; eng/mutation-run.cs runs them. Usage: eng/mutation.sh [SEED [MINUTES]]
+# Mutation testing of the managers, messages and queues of Rabit.Core (docs/concepts/mutation-testing.md; the folders are
+# in eng/stryker-config.json). Stryker makes the mutants and compiles them into one assembly, which is kept; eng/mutation-run.cs runs them. Usage: eng/mutation.sh [SEED [MINUTES]]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seed=${1:-1}
@@ -12,7 +12,7 @@ rm -rf "$out" && mkdir -p "$out"
 dotnet tool restore
 dotnet build tests/Rabit.Core.Tests
 
-# Stryker puts the assembly back when it ends, so it is taken while a few tests run that hardly reach these two folders.
+# Stryker puts the assembly back when it ends, so it is taken while a few tests run that hardly reach these folders.
 (cd tests/Rabit.Core.Tests && dotnet stryker -f ../../eng/stryker-config.json --skip-version-check -O "$out") > "$out/stryker.log" 2>&1 &
 stryker=$!
 until grep -q 'mutants will be tested' "$out/stryker.log"; do

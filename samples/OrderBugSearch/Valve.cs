@@ -27,7 +27,7 @@ internal sealed class Valve : RabitManager
 
     protected override void ExecuteUnitOfWork()
     {
-        _button.Fetch(out int missed);
+        _button.FetchAndCountMissed(out int missed);
         if (missed > 0)
             Log($"missed {missed} of what the button did");
         if (!_button.Value.IsPressed || IsOpen)

@@ -20,7 +20,7 @@ internal sealed class ObstacleManager : RabitManager
         while (_sensor.TryPop(out RangeReading reading))
         {
             _obstacle.Value.DistanceMetres = reading.DistanceMetres;
-            _obstacle.Post(reading.At);
+            _obstacle.PostStamped(reading.At);
         }
     }
 }

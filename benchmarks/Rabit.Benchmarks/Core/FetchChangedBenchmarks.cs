@@ -40,7 +40,7 @@ public class FetchChangedBenchmarks : MessageBenchmarks
         for (int i = 0; i < Operations; i++)
         {
             Manager.Pose.Value.TimeSeconds++;
-            Manager.Pose.Post(TimeSpan.Zero);
+            Manager.Pose.PostStamped(TimeSpan.Zero);
             if (Pose.Fetch())
                 _news++;
         }
@@ -52,7 +52,7 @@ public class FetchChangedBenchmarks : MessageBenchmarks
         for (int i = 0; i < Operations; i++)
         {
             Manager.Plan.Value = MessageManager.Plans[i & 1];
-            Manager.Plan.Post(TimeSpan.Zero);
+            Manager.Plan.PostStamped(TimeSpan.Zero);
             if (Plan.Fetch())
                 _news++;
         }
@@ -64,7 +64,7 @@ public class FetchChangedBenchmarks : MessageBenchmarks
         for (int i = 0; i < Operations; i++)
         {
             Manager.Scan.Value.Metres[0]++;
-            Manager.Scan.Post(TimeSpan.Zero);
+            Manager.Scan.PostStamped(TimeSpan.Zero);
             if (Scan.Fetch())
                 _news++;
         }

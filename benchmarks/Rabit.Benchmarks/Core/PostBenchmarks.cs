@@ -64,7 +64,7 @@ public class PostBenchmarks : MessageBenchmarks
         for (int i = 0; i < Operations; i++)
         {
             Manager.Pose.Value.TimeSeconds++;
-            Manager.Pose.Post(TimeSpan.Zero);
+            Manager.Pose.PostStamped(TimeSpan.Zero);
         }
     });
 
@@ -74,7 +74,7 @@ public class PostBenchmarks : MessageBenchmarks
         for (int i = 0; i < Operations; i++)
         {
             OutsidePose.Value.TimeSeconds++;
-            OutsidePose.Post(TimeSpan.Zero);
+            OutsidePose.PostStamped(TimeSpan.Zero);
         }
     });
 }

@@ -15,10 +15,10 @@ public class QueuePushPopBenchmarks<T>
     private readonly LockedQueue<T> _locked = new(Capacity);
     private readonly Channel<T> _channel = Channels.Queue<T>(Capacity);
     private readonly PushPopManager<T> _manager = new(Capacity, PerInvocation);
-    private VirtualTurns _turns = null!;
+    private VirtualSteps _turns = null!;
 
     [GlobalSetup]
-    public void Start() => _turns = new VirtualTurns(_manager);
+    public void Start() => _turns = new VirtualSteps(_manager);
 
     [GlobalCleanup]
     public void Stop() => _turns.Dispose();

@@ -4,12 +4,12 @@ using Rabit.Core;
 namespace Rabit.Benchmarks.Core;
 
 /// <summary>Gives a manager one unit of work at a time, on the calling thread, in virtual time.</summary>
-internal sealed class VirtualTurns : IDisposable
+internal sealed class VirtualSteps : IDisposable
 {
     private readonly RabitManager _manager;
     private readonly RabitReactor _reactor;
 
-    public VirtualTurns(RabitManager manager)
+    public VirtualSteps(RabitManager manager)
     {
         _manager = manager;
         _reactor = new RabitReactor(new VirtualTime()) { manager };

@@ -61,7 +61,7 @@ internal sealed class CallManager : FlatOutManager<CallJob>
         for (int i = 0; i < calls; i++)
         {
             _publisher.Value.TimeSeconds++;
-            _publisher.Post(new TimeSpan(++_time));
+            _publisher.PostStamped(new TimeSpan(++_time));
             if (!_outside.Fetch())
                 throw new InvalidOperationException("A post was not seen.");
             _poses.Take(_outside.Value);

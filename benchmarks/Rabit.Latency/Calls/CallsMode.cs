@@ -46,8 +46,8 @@ internal static class CallsMode
         Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
         var table = new Table(
             "calls", $"{what}; one thread, {calls} a round", [new Column("ns"), new Column("collections", "0", hasRatio: false)], subjects, byHand, "by hand");
-        table.RequireAtMost(rabit, Nanoseconds, limit.Required, byHand, limit.ByHandThere);
-        table.RequireAtMost(rabit, Collections, 0);
+        table.RequireMax(rabit, Nanoseconds, limit.Required, byHand, limit.ByHandThere);
+        table.RequireMax(rabit, Collections, 0);
         return table;
     }
 }

@@ -61,7 +61,7 @@ internal sealed class RabitDuel<T> : IDisposable
         protected override void Work(Duel duel) => duel.Post(() =>
         {
             _fill(_message);
-            _message.Post(new TimeSpan(++_time));
+            _message.PostStamped(new TimeSpan(++_time));
         });
     }
 

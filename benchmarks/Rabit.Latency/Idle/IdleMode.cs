@@ -42,8 +42,8 @@ internal static class IdleMode
             [new Column("% of a core", "0.00")],
             subjects,
             byFutex);
-        table.RequireAtMost(futex, 0, limit);
-        table.RequireAtMost(byEvent, 0, limit);
+        table.RequireMax(futex, 0, limit);
+        table.RequireMax(byEvent, 0, limit);
         return table;
     }
 

@@ -16,7 +16,7 @@ internal sealed class LatencyHistogram
 
     public long Count { get; private set; }
 
-    public long Maximum { get; private set; }
+    public long Max { get; private set; }
 
     /// <summary>Records a duration in nanoseconds; a negative one counts as zero.</summary>
     public void Record(long nanoseconds)
@@ -24,7 +24,7 @@ internal sealed class LatencyHistogram
         nanoseconds = Math.Max(0, nanoseconds);
         _counts[Math.Min(IndexOf(nanoseconds), _counts.Length - 1)]++;
         Count++;
-        Maximum = Math.Max(Maximum, nanoseconds);
+        Max = Math.Max(Max, nanoseconds);
     }
 
     /// <summary>The duration in nanoseconds that a part of all does not exceed: the middle of its bucket.</summary>
@@ -36,7 +36,7 @@ internal sealed class LatencyHistogram
         {
             seen += _counts[i];
             if (seen >= rank && seen > 0)
-                return Math.Min(MiddleOf(i), Maximum);
+                return Math.Min(MiddleOf(i), Max);
         }
 
         throw new InvalidOperationException("Nothing was recorded.");
@@ -46,7 +46,7 @@ internal sealed class LatencyHistogram
     {
         Array.Clear(_counts, 0, _counts.Length);
         Count = 0;
-        Maximum = 0;
+        Max = 0;
     }
 
     // Below 2^8 every value has a bucket of its own; each octave above has 2^7 of them.

@@ -37,7 +37,7 @@ internal static class PeriodMode
         table.RequireRatio(futex, limit, P50, 1.2);
         table.RequireRatio(futex, limit, P99, 1.2);
         if (!withEvents)
-            table.RequireAtLeast(futex, 2, 99);
+            table.RequireMin(futex, 2, 99);
     }
 
     private static Table Lateness(RunOptions options, TimeSpan period, string name, int samples, int rounds)
@@ -81,8 +81,8 @@ internal static class PeriodMode
             subjects);
         foreach (Subject row in subjects.Where(s => s.Name.StartsWith("Rabit", StringComparison.Ordinal)))
         {
-            table.RequireAtMost(row, 0, 10);
-            table.RequireAtLeast(row, 0, -10);
+            table.RequireMax(row, 0, 10);
+            table.RequireMin(row, 0, -10);
         }
 
         return table;

@@ -26,9 +26,9 @@ internal sealed class RabitPeriod : PeriodTarget
 
     public override void Run(TimeSpan period, DeadlineRecord record)
     {
-        long before = Slips();
+        long before = MissedDeadlines();
         _ticker.Run(period, record);
-        record.Missed = Slips() - before;
+        record.Missed = MissedDeadlines() - before;
     }
 
     public override void Dispose()
@@ -37,10 +37,10 @@ internal sealed class RabitPeriod : PeriodTarget
         _ticker.Dispose();
     }
 
-    private long Slips()
+    private long MissedDeadlines()
     {
         _status.Fetch();
-        return _status.Value.Slips;
+        return _status.Value.MissedDeadlines;
     }
 
     private sealed class Ticker : RabitManager, IDisposable

@@ -34,7 +34,7 @@ internal static class PingPongMode
             [new Column("both µs", "0.00"), new Column("one way µs", "0.00", hasRatio: false)],
             subjects,
             subjects[0]);
-        table.RequireAtMost(futex, BothWays, 8);
+        table.RequireMax(futex, BothWays, 8);
         table.RequireRatio(futex, subjects[0], BothWays, 1.4);
         return table;
     }

@@ -37,7 +37,7 @@ internal static class JsonReport
             json.WriteStartObject();
             json.WriteString("what", requirement.What);
             WriteNumber(json, "measured", requirement.Measured);
-            json.WriteNumber(requirement.AtLeast ? "atLeast" : "atMost", requirement.Limit);
+            json.WriteNumber(requirement.IsMin ? "atLeast" : "atMost", requirement.Limit);
             json.WriteBoolean("met", requirement.IsMet);
             json.WriteEndObject();
         }

@@ -12,7 +12,7 @@ internal sealed class Requirement(string what, double measured, double limit, st
     public string Unit => unit;
 
     /// <summary>Whether the limit is a least value; otherwise it is a largest.</summary>
-    public bool AtLeast => atLeast;
+    public bool IsMin => atLeast;
 
     public bool IsMet => atLeast ? measured >= limit : measured <= limit;
 }

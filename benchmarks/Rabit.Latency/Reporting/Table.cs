@@ -31,18 +31,18 @@ internal sealed class Table(string mode, string title, IReadOnlyList<Column> col
             $"{subject.Name} / {other.Name}, {columns[column].Name}", subject.Columns[column].RatioTo(other.Columns[column]), atMost, "x"));
 
     /// <summary>Requires that a figure is at least so many times another one, round by round.</summary>
-    public void RequireRatioAtLeast(Subject subject, Subject other, int column, double atLeast)
+    public void RequireMinRatio(Subject subject, Subject other, int column, double atLeast)
         => _requirements.Add(new Requirement(
             $"{subject.Name} / {other.Name}, {columns[column].Name}", subject.Columns[column].RatioTo(other.Columns[column]), atLeast, "x", atLeast: true));
 
-    public void RequireAtMost(Subject subject, int column, double limitValue)
+    public void RequireMax(Subject subject, int column, double limitValue)
         => _requirements.Add(new Requirement($"{subject.Name}, {columns[column].Name}", subject.Columns[column].Median, limitValue, string.Empty));
 
-    public void RequireAtLeast(Subject subject, int column, double limitValue)
+    public void RequireMin(Subject subject, int column, double limitValue)
         => _requirements.Add(new Requirement($"{subject.Name}, {columns[column].Name}", subject.Columns[column].Median, limitValue, string.Empty, atLeast: true));
 
     /// <summary>
-    /// As <see cref="RequireAtLeast(Subject, int, double)"/>, for a figure that was set on another machine beside one written by hand: where that
+    /// As <see cref="RequireMin(Subject, int, double)"/>, for a figure that was set on another machine beside one written by hand: where that
     /// one is slower here, the ratio of the two decides.
     /// </summary>
     /// <param name="subject">What must be fast.</param>
@@ -50,15 +50,15 @@ internal sealed class Table(string mode, string title, IReadOnlyList<Column> col
     /// <param name="limitValue">The least.</param>
     /// <param name="byHand">The one by hand, measured in the same rounds.</param>
     /// <param name="byHandThere">What that one reached where the least value was set.</param>
-    public void RequireAtLeast(Subject subject, int column, double limitValue, Subject byHand, double byHandThere)
+    public void RequireMin(Subject subject, int column, double limitValue, Subject byHand, double byHandThere)
     {
         double slowdown = Math.Min(1, byHand.Columns[column].Median / byHandThere);
         string what = FormattableString.Invariant($"{subject.Name}, {columns[column].Name}: {limitValue} where {byHand.Name} reaches {byHandThere}");
         _requirements.Add(new Requirement(what, subject.Columns[column].Median, limitValue * slowdown, string.Empty, atLeast: true));
     }
 
-    /// <summary>As <see cref="RequireAtLeast(Subject, int, double, Subject, double)"/>, for a figure that must be small.</summary>
-    public void RequireAtMost(Subject subject, int column, double limitValue, Subject byHand, double byHandThere)
+    /// <summary>As <see cref="RequireMin(Subject, int, double, Subject, double)"/>, for a figure that must be small.</summary>
+    public void RequireMax(Subject subject, int column, double limitValue, Subject byHand, double byHandThere)
     {
         double slowdown = Math.Max(1, byHand.Columns[column].Median / byHandThere);
         string what = FormattableString.Invariant($"{subject.Name}, {columns[column].Name}: {limitValue} where {byHand.Name} takes {byHandThere}");

@@ -36,7 +36,7 @@ internal static class TextReport
     public static string Figure(double value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
 
     public static string Limit(Requirement requirement)
-        => $"{(requirement.AtLeast ? ">=" : "<=")} {Figure(requirement.Limit, "0.###")}{requirement.Unit}";
+        => $"{(requirement.IsMin ? ">=" : "<=")} {Figure(requirement.Limit, "0.###")}{requirement.Unit}";
 
     private static void WriteRow(TextWriter output, Table table, Subject row)
     {

@@ -12,7 +12,7 @@ internal sealed class SoakWorkspace
     private const int Managers = 8;
 
     // A thread that is not given the CPU on a busy machine is no fault; a start that was lost is.
-    private static readonly TimeSpan LongestStart = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan MaxStart = TimeSpan.FromSeconds(20);
 
     private readonly RabitReactor _reactor;
     private readonly List<Hammer> _hammers = [];
@@ -29,7 +29,7 @@ internal sealed class SoakWorkspace
     public long Run(TimeSpan duration)
     {
         _reactor.Start();
-        while (_reactor.RunFor(duration) && !_hammers.TrueForAll(h => h.HasRun) && _reactor.Now < LongestStart)
+        while (_reactor.RunFor(duration) && !_hammers.TrueForAll(h => h.HasRun) && _reactor.Now < MaxStart)
         {
             // Once more: somebody has not run yet.
         }

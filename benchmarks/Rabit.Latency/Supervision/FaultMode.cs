@@ -29,7 +29,7 @@ internal static class FaultMode
             [new Column("% of a core", "0.00"), new Column("throws/s", "0.0")],
             subjects);
         foreach (Subject policy in policies)
-            table.RequireAtMost(policy, 0, 1);
+            table.RequireMax(policy, 0, 1);
         return table;
     }
 

@@ -22,8 +22,8 @@ internal static class StopMode
         List<Subject> subjects = [byHand, futex, byEvent];
         Rounds.Run(subjects, options.Pick(1, options.Rounds));
         var table = new Table("stop", "sixteen threads with timers of 10 s are stopped", [new Column("ms", "0.00")], subjects, byHand, "base");
-        table.RequireAtMost(futex, 0, 50);
-        table.RequireAtMost(byEvent, 0, 50);
+        table.RequireMax(futex, 0, 50);
+        table.RequireMax(byEvent, 0, 50);
         return table;
     }
 

@@ -47,8 +47,8 @@ internal static class ThroughputMode
             [new Column("M/s")],
             subjects,
             limit);
-        table.RequireAtLeast(rabit, 0, least, limit, byHand);
-        table.RequireRatioAtLeast(rabit, channel, 0, timesChannel);
+        table.RequireMin(rabit, 0, least, limit, byHand);
+        table.RequireMinRatio(rabit, channel, 0, timesChannel);
         return table;
     }
 

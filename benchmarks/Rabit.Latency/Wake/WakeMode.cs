@@ -36,7 +36,7 @@ internal static class WakeMode
             subjects[0]);
         table.RequireRatio(futex, subjects[0], P50, 1.3);
         table.RequireRatio(futex, subjects[0], P99, 1.3);
-        table.RequireAtMost(futex, P50, 10);
+        table.RequireMax(futex, P50, 10);
         table.RequireRatio(byEvent, subjects[1], P50, 1.15);
         table.RequireRatio(byEvent, subjects[1], P99, 1.15);
         return table;

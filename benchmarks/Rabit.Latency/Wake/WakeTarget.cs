@@ -33,7 +33,7 @@ internal abstract class WakeTarget : IDisposable
                 WaitFor(due);
             }
         });
-        return [_histogram.Percentile(0.5) / 1e3, _histogram.Percentile(0.99) / 1e3, _histogram.Maximum / 1e3];
+        return [_histogram.Percentile(0.5) / 1e3, _histogram.Percentile(0.99) / 1e3, _histogram.Max / 1e3];
     }
 
     /// <summary>Called by the sleeper, which read the clock first of all.</summary>

@@ -68,7 +68,7 @@ internal sealed class FlightMonitor
     /// <summary>How long the units of work of a manager really take: by its status in real time, beside it in virtual time.</summary>
     public DurationStatistics UnitOfWorkTimeOf(int manager)
     {
-        DurationStatistics real = _reactor.RealTurnTime(ManagerNames[manager]);
+        DurationStatistics real = _reactor.RealStepTime(ManagerNames[manager]);
         return real.Count > 0 ? real : Managers[manager].UnitOfWorkTime;
     }
 

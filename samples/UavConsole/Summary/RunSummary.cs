@@ -95,7 +95,7 @@ internal sealed class RunSummary
         Faults = manager.FaultCount,
         FirstFault = manager.Faults.Count == 0 ? null : manager.Faults[0].ToString(),
         MeanWork = work.Mean,
-        LongestWork = work.Maximum,
+        LongestWork = work.Max,
         TotalWork = work.Total,
     };
 }

@@ -79,10 +79,10 @@ internal sealed class EventLine
         }
     }
 
-    private EventLine AddDigits(ulong number, int atLeast)
+    private EventLine AddDigits(ulong number, int minDigits)
     {
-        if (number >= 10 || atLeast > 1)
-            AddDigits(number / 10, atLeast - 1);
+        if (number >= 10 || minDigits > 1)
+            AddDigits(number / 10, minDigits - 1);
         Add((char)('0' + (number % 10)));
         return this;
     }

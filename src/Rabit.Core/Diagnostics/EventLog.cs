@@ -2,7 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using Rabit.Core.Managers;
-using Rabit.Core.Messaging;
+using Rabit.Core.Queues;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
+using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Diagnostics;
 
@@ -12,8 +15,8 @@ namespace Rabit.Core.Diagnostics;
 /// compared to the byte.
 /// </summary>
 /// <remarks>
-/// Told by the engine, by handlers of posts and by the log of the run; nothing of it exists in a run without an event log. What
-/// a turn did to queues is seen in their books when it ends: that needs no hook in a push, and no kind of push can be forgotten.
+/// Called by the engine, by handlers of posts and by the log of the run; nothing of it exists in a run without an event
+/// log. What a step did to queues is seen in their counters when it ends: that needs no hook in a push, and no kind of push can be forgotten.
 /// </remarks>
 internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Exception> fail)
 {
@@ -24,22 +27,22 @@ internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Excepti
     private readonly EventLine _line = new();
     private readonly List<WatchedQueue> _queues = [];
     private readonly Dictionary<WakeUpCauses, string> _causes = [];
-    private string? _actor;       // whose turn it is, on the thread that runs
+    private string? _actor;       // whose step is running, on the thread of the run
     private int _actorThread;
     private bool _hasFailed;
 
-    /// <summary>An owner of handlers that is nobody's, so that it is told of every post.</summary>
-    public EndOwner Owner { get; } = new("event log", isManager: false, wakeUp: null);
+    /// <summary>An owner of handlers that is no manager, so that every post is reported to it.</summary>
+    public EndpointOwner Owner { get; } = new("event log", isManager: false, wakeUp: null);
 
-    /// <summary>Has a queue told of, in the order of the calls.</summary>
+    /// <summary>Has the changes of a queue written, queues in the order of the calls.</summary>
     public void Watch(IMessageQueue queue)
     {
         lock (_gate)
             _queues.Add(new WatchedQueue(queue));
     }
 
-    /// <summary>Tells what code outside the run did to queues, before the run goes on.</summary>
-    public void LookOutside()
+    /// <summary>Writes what code outside the run did to queues, before the run continues.</summary>
+    public void WriteOutsideChanges()
     {
         lock (_gate)
             WriteQueues(Outside);
@@ -55,8 +58,8 @@ internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Excepti
         }
     }
 
-    /// <summary>As <see cref="Enter"/>, for a turn.</summary>
-    public void EnterTurn(Activity activity, WakeUps wakes)
+    /// <summary>As <see cref="Enter"/>, for a step.</summary>
+    public void EnterStep(Activity activity, ConsumedWakeUps wakes)
     {
         lock (_gate)
         {
@@ -80,7 +83,7 @@ internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Excepti
         }
     }
 
-    /// <summary>A wake that ended a sleep. Those that merge with it are in the count of the turn that follows.</summary>
+    /// <summary>A wake that ended a sleep. Those that merge with it are in the count of the step that follows.</summary>
     public void Wakes(Activity sleeper)
     {
         WakeUpCauses causes = CausesOf(sleeper.WakeUp);
@@ -128,7 +131,7 @@ internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Excepti
         }
     }
 
-    // Only what this thread does is the doing of the activity whose turn it is.
+    // Only what this thread does is attributed to the activity whose step is running.
     private string Actor => _actor is not null && _actorThread == Environment.CurrentManagedThreadId ? _actor : Outside;
 
     private void SetActor(Activity activity)
@@ -142,7 +145,7 @@ internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Excepti
     {
         foreach (WatchedQueue queue in _queues)
         {
-            if (queue.TryTellChange(_line, clock.Now, actor))
+            if (queue.TryWriteChange(_line, clock.Now, actor))
                 Put(_line);
         }
     }
@@ -180,7 +183,7 @@ internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Excepti
         return causes;
     }
 
-    // Kept: the text of an enum is made anew each time.
+    // Kept: the text of an enum is allocated each time.
     private string TextOf(WakeUpCauses causes)
     {
         if (!_causes.TryGetValue(causes, out string? text))

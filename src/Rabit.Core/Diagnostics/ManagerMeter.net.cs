@@ -7,7 +7,7 @@ namespace Rabit.Core.Diagnostics;
 
 /// <summary>
 /// The meter "Rabit.Core" of one run: the figures of the statuses, for dotnet-counters and OpenTelemetry. All instruments are observable: they
-/// cost nothing until somebody asks, on the asking thread.
+/// cost nothing until they are collected, on the collecting thread.
 /// </summary>
 internal sealed class ManagerMeter : IDisposable
 {
@@ -25,7 +25,7 @@ internal sealed class ManagerMeter : IDisposable
         Gauge("rabit.manager.state", "Where the manager is in its life, as a number of ManagerState.", s => (int)s.State);
         Counter("rabit.manager.runs", "{run}", "Units of work.", s => s.Runs);
         Counter("rabit.manager.merged_wakeups", "{wakeup}", "Wake-ups that merged with one that waited.", s => s.WakeUps.Merged);
-        Counter("rabit.manager.slips", "{deadline}", "Deadlines of a period that passed before their unit of work began.", s => s.Slips);
+        Counter("rabit.manager.missed_deadlines", "{deadline}", "Deadlines of a period that passed before their unit of work began.", s => s.MissedDeadlines);
         Counter("rabit.manager.faults", "{fault}", "Exceptions that left the manager's code.", s => s.Faults);
         Counter("rabit.manager.restarts", "{restart}", "Start-ups after a fault.", s => s.Restarts);
         Counter("rabit.manager.hangs", "{hang}", "Times the watchdog found the manager hanging.", s => s.Hangs);
@@ -53,7 +53,7 @@ internal sealed class ManagerMeter : IDisposable
 
     private IEnumerable<Measurement<long>> CausesOf(ManagerStatus status, int i)
     {
-        WakeUpCounts counts = status.WakeUps;
+        WakeUpStatistics counts = status.WakeUps;
         yield return Of(WakeUpCauses.Timer, counts.Timer);
         yield return Of(WakeUpCauses.Post, counts.Post);
         yield return Of(WakeUpCauses.Push, counts.Push);
@@ -72,7 +72,7 @@ internal sealed class ManagerMeter : IDisposable
         yield return Of("0.5", times.Percentile50);
         yield return Of("0.99", times.Percentile99);
         yield return Of("0.999", times.Percentile999);
-        yield return Of("1", times.Maximum);
+        yield return Of("1", times.Max);
 
         Measurement<double> Of(string quantile, TimeSpan time) => new(time.TotalSeconds, Manager(i), new("quantile", quantile));
     }

@@ -1,8 +1,10 @@
 using System;
+using Rabit.Core.Time;
 
 namespace Rabit.Core.Diagnostics;
 
-/// <summary>Hands entries to the user's log and to the events, on the thread that has something to say. A log that throws harms nobody.</summary>
+/// <summary>Hands entries to the user's log and to the events, on the thread that writes the entry. Exceptions of the
+/// user's log are ignored.</summary>
 internal sealed class RabitLog(Action<RabitLogEntry>? sink, bool logRuns, RunClock clock, EventLog? events = null)
 {
     /// <summary>Whether the begin of every unit of work is logged.</summary>

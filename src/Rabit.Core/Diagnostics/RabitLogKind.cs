@@ -9,7 +9,7 @@ public enum RabitLogKind
     /// <summary>A unit of work begins; only with <see cref="ReactorOptions.LogRuns"/>.</summary>
     Run,
 
-    /// <summary>An exception left somebody's code.</summary>
+    /// <summary>An exception left user code.</summary>
     Fault,
 
     /// <summary>Something worth a look that is no fault.</summary>
@@ -18,6 +18,6 @@ public enum RabitLogKind
     /// <summary>A manager's own words, by <see cref="RabitManager.Log"/>.</summary>
     Manager,
 
-    /// <summary>A manager was found to hang, or has come back.</summary>
+    /// <summary>A manager was found to hang, or has return.</summary>
     Hang,
 }

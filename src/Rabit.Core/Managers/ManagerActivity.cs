@@ -1,7 +1,13 @@
 using System;
 using System.Diagnostics.Tracing;
 using System.Threading;
+using Rabit.Core.Devices;
 using Rabit.Core.Diagnostics;
+using Rabit.Core.Statistics;
+using Rabit.Core.Supervision;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
+using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Managers;
 
@@ -18,7 +24,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
     private bool _hasStoppedAlone;    // same
     private bool _isUp;               // a start-up that has no shutdown yet
     private ManagerState _state;      // as last posted
-    private WakeUps _kept;            // wakes that came before a restart, for the first run after it
+    private ConsumedWakeUps _kept;            // wakes that came before a restart, for the first run after it
     private bool _isFirstRun;         // after a restart
     private TimeSpan _lastEnd;        // when the last stage ended: read from the clock once, used for all
     private TimeSpan _due;            // when the timer is to wake, set with each run
@@ -34,7 +40,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
 
     public RabitManager Manager => manager;
 
-    public FirstFew<ManagerFault> Faults => _followUp.Faults;
+    public BoundedList<ManagerFault> Faults => _followUp.Faults;
 
     public HangWatch Hangs { get; } = new(manager, run);
 
@@ -51,18 +57,18 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
             AfterFault();
     }
 
-    public override NextTurn TakeTurn(WakeUps wakes, TimeSpan? wokenAt)
+    public override NextStep RunStep(ConsumedWakeUps wakes, TimeSpan? wokenAt)
     {
         ComeBack();
         if (_followUp.IsHalted)
-            return NextTurn.Never;
+            return NextStep.Never;
 
         TimeSpan begin = run.Clock.Now;
         if (_followUp.IsRestarting)
         {
             // The barrier opens for one whose start-up threw, too; its time comes later.
             _kept = _kept.With(wakes);
-            return begin < _followUp.ResumeAt ? NextTurn.OnlyAt(_followUp.ResumeAt) : Restart();
+            return begin < _followUp.ResumeAt ? NextStep.OnlyAt(_followUp.ResumeAt) : Restart();
         }
 
         if (_isFirstRun)
@@ -76,8 +82,8 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
             run.Log.Write(RabitLogKind.Run, Name, $"runs, woken by {wakes.Causes}");
         if (!Execute(ManagerStage.UnitOfWork, ManagerState.Running, begin, wakes, wokenAt))
             return AfterFault();
-        _followUp.OnSoundRun();
-        return NextTurn.At(_due, notBefore: _lastEnd);
+        _followUp.OnSuccessfulRun();
+        return NextStep.At(_due, notBefore: _lastEnd);
     }
 
     public override void End()
@@ -108,7 +114,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         Execute(ManagerStage.Shutdown, state, run.Clock.Now);
     }
 
-    private NextTurn Restart()
+    private NextStep Restart()
     {
         Restarts++;
         _followUp.Resume();
@@ -117,26 +123,26 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         if (!StartUp())
             return AfterFault();
 
-        // In a turn of its own: a stop that came meanwhile causes no extra run.
+        // In a step of its own: a stop that came meanwhile causes no extra run.
         _isFirstRun = true;
-        return NextTurn.At(_lastEnd);
+        return NextStep.At(_lastEnd);
     }
 
-    private NextTurn AfterFault()
+    private NextStep AfterFault()
     {
         _isOnGrid = false;
         switch (_followUp.Action)
         {
             case FaultAction.StopManager:
                 StopAlone();
-                return NextTurn.Never;
+                return NextStep.Never;
             case FaultAction.Restart:
                 ShutDown(ManagerState.Restarting);
-                return NextTurn.OnlyAt(_followUp.ResumeAt);
+                return NextStep.OnlyAt(_followUp.ResumeAt);
             case FaultAction.CarryOn:
-                return NextTurn.OnlyAt(_followUp.ResumeAt);
+                return NextStep.OnlyAt(_followUp.ResumeAt);
             default:
-                return NextTurn.Never;
+                return NextStep.Never;
         }
     }
 
@@ -149,12 +155,12 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         ShutDown(ManagerState.Faulted);
         foreach (DeviceActivity writer in manager.Writers)
             writer.StopAlone();
-        run.Log.Write(RabitLogKind.Lifecycle, Name, "is stopped alone; the others go on");
+        run.Log.Write(RabitLogKind.Lifecycle, Name, "is stopped alone; the others continue");
     }
 
-    private bool Execute(ManagerStage stage, ManagerState state, TimeSpan begin, WakeUps wakes = default, TimeSpan? wokenAt = null)
+    private bool Execute(ManagerStage stage, ManagerState state, TimeSpan begin, ConsumedWakeUps wakes = default, TimeSpan? wokenAt = null)
     {
-        EndOwner? outer = RunningManager.Current;
+        EndpointOwner? outer = RunningManager.Current;
         RunningManager.Current = manager.Owner;
         Hangs.Enter(stage, begin);
         Exception? thrown = null;
@@ -197,7 +203,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         }
     }
 
-    private void CountRun(ref ManagerStatus status, TimeSpan begin, WakeUps wakes, TimeSpan? wokenAt)
+    private void CountRun(ref ManagerStatus status, TimeSpan begin, ConsumedWakeUps wakes, TimeSpan? wokenAt)
     {
         if (run.TakeReset())
             _statistics.Reset(ref status);
@@ -213,7 +219,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
                 RabitEventSource.Instance.UnitOfWork(Name, Microseconds(_lastEnd - begin), wokenAt is { } at ? Microseconds(begin - at) : -1);
         }
 
-        status.Slips += SetTimer(begin);
+        status.MissedDeadlines += SetTimer(begin);
     }
 
     /// <returns>The deadlines that have passed.</returns>
@@ -228,13 +234,13 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         }
 
         _isOnGrid = true;
-        _due = _grid.Next(period, begin, _lastEnd, out long slips);
-        return slips;
+        _due = _grid.Next(period, begin, _lastEnd, out long missed);
+        return missed;
     }
 
     private void PostState(ManagerState state)
     {
-        EndOwner? outer = RunningManager.Current;
+        EndpointOwner? outer = RunningManager.Current;
         RunningManager.Current = manager.Owner;
         _lastEnd = run.Clock.Now;
         PostStatus(ref manager.StatusPublisher.Value, state);
@@ -247,7 +253,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         status.WakeUpDelay = manager.Period ?? manager.WakeUpDelay;
         status.Restarts = Restarts;
         Hangs.Describe(ref status);
-        manager.StatusPublisher.Post(_lastEnd);
+        manager.StatusPublisher.PostStamped(_lastEnd);
     }
 
     private static int Microseconds(TimeSpan time) => (int)Math.Min(int.MaxValue, time.Ticks / 10);

@@ -1,6 +1,8 @@
 using System;
 using System.Threading;
 using Rabit.Core.Diagnostics;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Managers;
 

@@ -21,6 +21,6 @@ public enum ManagerState
     /// <summary>Shut down after a fault, and waits for its next start-up; see the fault policy.</summary>
     Restarting,
 
-    /// <summary>Does not come back from its code; posted by the watchdog in its place.</summary>
+    /// <summary>Does not return from its code; posted by the watchdog in its place.</summary>
     Hanging,
 }

@@ -3,13 +3,13 @@ using System;
 namespace Rabit.Core;
 
 /// <summary>
-/// What a manager tells of itself: a message of its own (<see cref="RabitManager.SubscribeToStatus"/>), posted when its
+/// What a manager reports of itself: a message of its own (<see cref="RabitManager.SubscribeToStatus"/>), posted when its
 /// state changes and after every unit of work, and, when it hangs, by the watchdog in its place. A plain value.
 /// </summary>
 public struct ManagerStatus
 {
     // Counted up in place with every run, instead of copied there and back.
-    internal WakeUpCounts _wakeUps;
+    internal WakeUpStatistics _wakeUps;
     internal DurationStatistics _unitOfWorkTime;
     internal DurationStatistics _wakeLatency;
     internal DurationStatistics _periodError;
@@ -21,7 +21,7 @@ public struct ManagerStatus
     public long Runs { get; internal set; }
 
     /// <summary>Why they were run.</summary>
-    public readonly WakeUpCounts WakeUps => _wakeUps;
+    public readonly WakeUpStatistics WakeUps => _wakeUps;
 
     /// <summary>How long they took, by the clock of the run: in virtual time their modelled duration.</summary>
     public readonly DurationStatistics UnitOfWorkTime => _unitOfWorkTime;
@@ -47,11 +47,11 @@ public struct ManagerStatus
     /// <summary>The last time: stage, for how long, and what it was doing. Null when there was none.</summary>
     public string? LastHang { get; internal set; }
 
-    /// <summary>When it entered the code that it does not come back from, by <see cref="RabitManager.Now"/>; zero unless it is <see cref="ManagerState.Hanging"/>.</summary>
+    /// <summary>When it entered the code that it does not return from, by <see cref="RabitManager.Now"/>; zero unless it is <see cref="ManagerState.Hanging"/>.</summary>
     public TimeSpan HangingSince { get; internal set; }
 
     /// <summary>Deadlines of <see cref="RabitManager.Period"/> that passed before their unit of work could begin.</summary>
-    public long Slips { get; internal set; }
+    public long MissedDeadlines { get; internal set; }
 
     /// <summary>The wake-up delay or the period that holds now.</summary>
     public TimeSpan WakeUpDelay { get; internal set; }

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core.Time;
 
 namespace Rabit.Core.Managers;
 
@@ -12,10 +13,10 @@ internal struct PeriodGrid
     /// <param name="period">The period that holds now; another one than before begins a new grid.</param>
     /// <param name="begin">When the last unit of work began.</param>
     /// <param name="end">When it ended.</param>
-    /// <param name="slips">Deadlines that passed, since the last call, before their unit of work could begin.</param>
-    public TimeSpan Next(TimeSpan period, TimeSpan begin, TimeSpan end, out long slips)
+    /// <param name="missedDeadlines">Deadlines that passed, since the last call, before their unit of work could begin.</param>
+    public TimeSpan Next(TimeSpan period, TimeSpan begin, TimeSpan end, out long missedDeadlines)
     {
-        slips = 0;
+        missedDeadlines = 0;
         if (period != _period)
         {
             _period = period;
@@ -25,7 +26,7 @@ internal struct PeriodGrid
         {
             // The last run was for the newest deadline before it; older ones had none.
             long missed = (begin - _deadline).Ticks / period.Ticks;
-            slips += missed;
+            missedDeadlines += missed;
             _deadline = Times.Later(_deadline, new TimeSpan(period.Ticks * (missed + 1)));
         }
 
@@ -33,7 +34,7 @@ internal struct PeriodGrid
         {
             // The newest of those that passed meanwhile is run for at once, and is late.
             long passed = (end - _deadline).Ticks / period.Ticks;
-            slips += passed + 1;
+            missedDeadlines += passed + 1;
             _deadline += new TimeSpan(period.Ticks * passed);
         }
 

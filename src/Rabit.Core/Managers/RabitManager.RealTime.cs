@@ -37,7 +37,7 @@ public abstract partial class RabitManager
     /// <summary>
     /// Runs the computing of a unit of work on made-up values, so that its code is compiled and in the caches before the first deadline. Called
     /// <see cref="RealTimeRequest.WarmUpRuns"/> times on the manager's thread, before <see cref="Startup"/>: only what the constructor made is
-    /// there, and no end may be used, so nothing leaves a warm-up. What it throws is in the report and is no fault.
+    /// there, and no endpoint may be used, so nothing leaves a warm-up. What it throws is in the report and is no fault.
     /// </summary>
     protected virtual void WarmUp()
     {

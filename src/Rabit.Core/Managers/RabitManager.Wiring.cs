@@ -1,11 +1,13 @@
 using System;
-using Rabit.Core.Managers;
-using Rabit.Core.Messaging;
-using Rabit.Core.Workspaces;
+using Rabit.Core.Devices;
+using Rabit.Core.Messages;
+using Rabit.Core.Queues;
+using Rabit.Core.WakeUp;
+using Rabit.Core.Wiring;
 
 namespace Rabit.Core;
 
-/// <content>What a constructor records: the ends of messages and queues, the readers and writers.</content>
+/// <content>What a constructor records: the endpoints of messages and queues, the readers and writers.</content>
 public abstract partial class RabitManager
 {
     /// <summary>Records that this manager posts a message.</summary>
@@ -13,7 +15,7 @@ public abstract partial class RabitManager
     /// <param name="name">The name under which subscribers find it.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected MessagePublisher<T> Publish<T>(string name)
-        => new(Declare(new MessageBinding<T>(_owner, EndRole.Publish, MessageName(name))));
+        => new(Declare(new MessageBinding<T>(_owner, EndpointRole.Publish, MessageName(name))));
 
     /// <summary>Records that this manager posts a message, and what its value is before the first post.</summary>
     /// <typeparam name="T">A struct with value semantics, an immutable class, or a class that copies itself (<see cref="ISelfCopying{TSelf}"/>).</typeparam>
@@ -22,7 +24,7 @@ public abstract partial class RabitManager
     /// <param name="allowOtherPublishers">Whether others may publish it too; all of them must say so.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected MessagePublisher<T> Publish<T>(string name, T initial, bool allowOtherPublishers = false)
-        => new(Declare(new MessageBinding<T>(_owner, EndRole.Publish, MessageName(name))
+        => new(Declare(new MessageBinding<T>(_owner, EndpointRole.Publish, MessageName(name))
         {
             Initial = initial,
             StatesInitial = initial is not null,
@@ -33,10 +35,10 @@ public abstract partial class RabitManager
     /// <typeparam name="T">The type that its publisher posts.</typeparam>
     /// <param name="name">The name of the message.</param>
     /// <param name="wakeOnPost">Whether a post wakes this manager.</param>
-    /// <param name="optional">Whether it may be that nobody publishes it. Its value is the default then, null for a class; see <see cref="MessageSubscriber{T}.WasPosted"/>.</param>
+    /// <param name="optional">Whether it may have no publisher. Its value is the default then, null for a class; see <see cref="MessageSubscriber{T}.WasPosted"/>.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected MessageSubscriber<T> Subscribe<T>(string name, bool wakeOnPost = false, bool optional = false)
-        => new(Declare(new MessageBinding<T>(_owner, EndRole.Subscribe, MessageName(name)) { Wakes = wakeOnPost, IsOptional = optional }));
+        => new(Declare(new MessageBinding<T>(_owner, EndpointRole.Subscribe, MessageName(name)) { Wakes = wakeOnPost, IsOptional = optional }));
 
     /// <summary>Records that this manager fetches the status of a manager.</summary>
     /// <param name="managerName">The manager; it must be in the same reactor.</param>
@@ -51,11 +53,11 @@ public abstract partial class RabitManager
     /// <param name="capacity">How many values fit in; at least one.</param>
     /// <param name="whenFull">What happens to a push into a full queue.</param>
     /// <param name="wakeOnPush">Whether a push wakes this manager; its own pushes do too.</param>
-    /// <param name="waitAtMost">With <see cref="QueueFullMode.Wait"/> only: how long a push may wait for room. Without it: until there is some.</param>
+    /// <param name="maxWait">With <see cref="QueueFullMode.Wait"/> only: how long a push may wait for room. Without it: until there is some.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected QueueReceiver<T> Receive<T>(
-        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, bool wakeOnPush = true, TimeSpan? waitAtMost = null)
-        => new(DeclareReceiver<T>(_owner, QueueName(name), capacity, whenFull, wakeOnPush, waitAtMost));
+        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, bool wakeOnPush = true, TimeSpan? maxWait = null)
+        => new(DeclareReceiver<T>(_owner, QueueName(name), capacity, whenFull, wakeOnPush, maxWait));
 
     /// <summary>Records that this manager sends to a queue.</summary>
     /// <typeparam name="T">The type that its receiver pops.</typeparam>
@@ -63,7 +65,7 @@ public abstract partial class RabitManager
     /// <param name="wakeOnPop">Whether a pop wakes this manager.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected QueueSender<T> Send<T>(string name, bool wakeOnPop = false)
-        => new(Declare(new QueueBinding<T>(_owner, EndRole.Send, QueueName(name)) { Wakes = wakeOnPop }));
+        => new(Declare(new QueueBinding<T>(_owner, EndpointRole.Send, QueueName(name)) { Wakes = wakeOnPop }));
 
     /// <summary>Gives this manager a reader: a thread of the library's that reads a source and wakes the manager with what it read.</summary>
     /// <typeparam name="T">What one read gives.</typeparam>
@@ -71,7 +73,7 @@ public abstract partial class RabitManager
     /// <param name="source">What is read; used by one reader.</param>
     /// <param name="capacity">How many values that were read may wait for the manager.</param>
     /// <param name="whenFull">What happens when that many wait; <see cref="QueueFullMode.Wait"/> makes the reader wait and loses nothing.</param>
-    /// <param name="waitAtMost">With <see cref="QueueFullMode.Wait"/> only: how long the reader may wait for room; then what it read is rejected, and it reads on.</param>
+    /// <param name="maxWait">With <see cref="QueueFullMode.Wait"/> only: how long the reader may wait for room; then what it read is rejected, and it reads on.</param>
     /// <param name="reconnect">Whether the source is opened again after a fault; null for never.</param>
     /// <exception cref="InvalidOperationException">The reactor has started: what is wired stays wired.</exception>
     protected BlockingReader<T> AttachReader<T>(
@@ -79,12 +81,12 @@ public abstract partial class RabitManager
         IReaderSource<T> source,
         int capacity = 100,
         QueueFullMode whenFull = QueueFullMode.Wait,
-        TimeSpan? waitAtMost = null,
+        TimeSpan? maxWait = null,
         ReconnectPolicy? reconnect = null)
     {
-        EndOwner reader = DeviceOwner(name, "reader");
-        QueueBinding<T> receiver = DeclareReceiver<T>(_owner, reader.Name, capacity, whenFull, wakeOnPush: true, waitAtMost);
-        QueueBinding<T> sender = Declare(new QueueBinding<T>(reader, EndRole.Send, reader.Name));
+        EndpointOwner reader = DeviceOwner(name, "reader");
+        QueueBinding<T> receiver = DeclareReceiver<T>(_owner, reader.Name, capacity, whenFull, wakeOnPush: true, maxWait);
+        QueueBinding<T> sender = Declare(new QueueBinding<T>(reader, EndpointRole.Send, reader.Name));
         var health = new DeviceHealth();
         Readers.Add(new ReaderActivity<T>(
             reader.Name, reader.WakeUp!, _owner, health, reconnect ?? ReconnectPolicy.Never, Require.NotNull(source, nameof(source)), sender));
@@ -106,9 +108,9 @@ public abstract partial class RabitManager
         QueueFullMode whenFull = QueueFullMode.Reject,
         ReconnectPolicy? reconnect = null)
     {
-        EndOwner writer = DeviceOwner(name, "writer");
+        EndpointOwner writer = DeviceOwner(name, "writer");
         QueueBinding<T> receiver = DeclareReceiver<T>(writer, writer.Name, capacity, whenFull, wakeOnPush: true);
-        QueueBinding<T> sender = Declare(new QueueBinding<T>(_owner, EndRole.Send, writer.Name));
+        QueueBinding<T> sender = Declare(new QueueBinding<T>(_owner, EndpointRole.Send, writer.Name));
         var health = new DeviceHealth();
         Writers.Add(new WriterActivity<T>(
             writer.Name, writer.WakeUp!, _owner, health, reconnect ?? ReconnectPolicy.Never, Require.NotNull(target, nameof(target)), receiver));
@@ -116,17 +118,17 @@ public abstract partial class RabitManager
     }
 
     private QueueBinding<T> DeclareReceiver<T>(
-        EndOwner owner, string name, int capacity, QueueFullMode whenFull, bool wakeOnPush, TimeSpan? waitAtMost = null)
-        => Declare(new QueueBinding<T>(owner, EndRole.Receive, name)
+        EndpointOwner owner, string name, int capacity, QueueFullMode whenFull, bool wakeOnPush, TimeSpan? maxWait = null)
+        => Declare(new QueueBinding<T>(owner, EndpointRole.Receive, name)
         {
             Capacity = capacity,
             FullMode = whenFull,
             Wakes = wakeOnPush,
-            WaitAtMost = waitAtMost,
+            MaxWait = maxWait,
         });
 
     private TDeclaration Declare<TDeclaration>(TDeclaration declaration)
-        where TDeclaration : EndDeclaration
+        where TDeclaration : EndpointDeclaration
     {
         if (_run is not null)
             throw new InvalidOperationException($"Manager '{Name}' has started: '{declaration.Name}' can be declared in its constructor only.");
@@ -134,7 +136,7 @@ public abstract partial class RabitManager
         return declaration;
     }
 
-    private EndOwner DeviceOwner(string name, string what)
+    private EndpointOwner DeviceOwner(string name, string what)
         => new($"{Name}/{Require.Name(name, nameof(name), $"A {what} of manager '{Name}'")}", isManager: false, new WakeUpEvent());
 
     private string MessageName(string name) => Require.Name(name, nameof(name), $"A message of manager '{Name}'");

@@ -1,15 +1,17 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
+using Rabit.Core.Devices;
 using Rabit.Core.Managers;
-using Rabit.Core.Messaging;
-using Rabit.Core.Workspaces;
+using Rabit.Core.Messages;
+using Rabit.Core.WakeUp;
+using Rabit.Core.Wiring;
 
 namespace Rabit.Core;
 
 /// <summary>
 /// One of the things that a control program has going on at once. Derive from it, say in the constructor what it publishes,
-/// fetches, sends and receives, and write its unit of work. It runs on a thread of its own (a turn of its own in virtual time)
+/// fetches, sends and receives, and write its unit of work. It runs on a thread of its own (in steps of its own in virtual time)
 /// and meets others only through messages and queues.
 /// </summary>
 /// <remarks>
@@ -19,12 +21,12 @@ namespace Rabit.Core;
 /// </remarks>
 public abstract partial class RabitManager
 {
-    private readonly EndOwner _owner;
+    private readonly EndpointOwner _owner;
     private TimeSpan _wakeUpDelay = TimeSpan.FromSeconds(1);
     private TimeSpan? _period;
     private FaultPolicy _faultPolicy = FaultPolicy.StopSystem;
     private TimeSpan? _stopTimeout;
-    private string? _doing;   // written by the manager's thread, read by whoever reports that it hangs
+    private string? _doing;   // written by the manager's thread, read by the watchdog
     private ManagerRun? _run;
 
     /// <summary>Names the manager. Derived constructors record what it posts, fetches, sends and receives; nothing runs yet.</summary>
@@ -34,9 +36,9 @@ public abstract partial class RabitManager
     {
         Name = Require.Name(name, nameof(name), "A manager");
         WakeUpEvent = new WakeUpEvent();
-        _owner = new EndOwner(Name, isManager: true, WakeUpEvent);
+        _owner = new EndpointOwner(Name, isManager: true, WakeUpEvent);
         StatusPublisher = new MessagePublisher<ManagerStatus>(Declare(
-            new MessageBinding<ManagerStatus>(_owner, EndRole.Publish, StatusMessageName(Name)) { IsBuiltIn = true }));
+            new MessageBinding<ManagerStatus>(_owner, EndpointRole.Publish, StatusMessageName(Name)) { IsBuiltIn = true }));
     }
 
     /// <summary>The name, unique within its reactor.</summary>
@@ -62,7 +64,7 @@ public abstract partial class RabitManager
     /// <summary>
     /// A fixed period instead of <see cref="WakeUpDelay"/>: deadlines on a grid that begins with the unit of work that first runs with
     /// this period, so that they do not drift, however long the work takes and whatever else wakes the manager. A deadline that passes
-    /// during a unit of work is a slip (<see cref="ManagerStatus.Slips"/>): one run follows at once, and the grid goes on; there is never
+    /// during a unit of work is missed (<see cref="ManagerStatus.MissedDeadlines"/>): one run follows at once, and the grid continues; there is never
     /// a burst. Null, the default, for <see cref="WakeUpDelay"/>. The unit of work may change it; the change holds from the next sleep.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Zero or negative.</exception>
@@ -84,7 +86,7 @@ public abstract partial class RabitManager
         set => _faultPolicy = Require.NotNull(value, nameof(value));
     }
 
-    /// <summary>How long this manager may be in its code, and what follows when it does not come back. Set before the start.</summary>
+    /// <summary>How long this manager may be in its code, and what follows when it does not return. Set before the start.</summary>
     /// <value>Null, the default, for that of the reactor (<see cref="ReactorOptions.HangPolicy"/>).</value>
     public HangPolicy? HangPolicy { get; set; }
 
@@ -98,7 +100,7 @@ public abstract partial class RabitManager
     }
 
     /// <summary>
-    /// What the manager is doing, in a few words, for the report that it hangs: set it before something that may take long. It costs a
+    /// What the manager is doing, in a few words, for the report of a hang: set it before something that may take long. It costs a
     /// field; a constant text costs no more. Forgotten when the manager next enters its code. Set on the manager's thread, read on any.
     /// </summary>
     protected internal string? Doing
@@ -107,7 +109,7 @@ public abstract partial class RabitManager
         protected set => Volatile.Write(ref _doing, value);
     }
 
-    /// <summary>Why the running unit of work runs. By default everything is done on every wake, and nobody needs to ask.</summary>
+    /// <summary>Why the running unit of work runs. By default everything is done on every wake, and the code need not ask.</summary>
     protected WakeUpCauses WakeUpCauses { get; private set; }
 
     /// <summary>Time since the reactor was made, on the monotonic clock of the run: the time of all stamps. Any thread.</summary>
@@ -120,11 +122,11 @@ public abstract partial class RabitManager
 
     internal WakeUpEvent WakeUpEvent { get; }
 
-    internal EndOwner Owner => _owner;
+    internal EndpointOwner Owner => _owner;
 
     internal MessagePublisher<ManagerStatus> StatusPublisher { get; }
 
-    internal List<EndDeclaration> Declarations { get; } = [];
+    internal List<EndpointDeclaration> Declarations { get; } = [];
 
     internal List<DeviceActivity> Readers { get; } = [];
 
@@ -132,14 +134,14 @@ public abstract partial class RabitManager
 
     private ManagerRun Run => _run ?? throw new InvalidOperationException($"Manager '{Name}' is not in a reactor that has started.");
 
-    /// <summary>The name of the message by which a manager tells its <see cref="ManagerStatus"/>.</summary>
+    /// <summary>The name of the message by which a manager reports its <see cref="ManagerStatus"/>.</summary>
     /// <param name="managerName">The manager.</param>
     public static string StatusMessageName(string managerName) => managerName + "/status";
 
     /// <summary>Wakes the manager: a unit of work that starts after this call sees what the caller did before it. Any thread, never waits.</summary>
     public void WakeUp() => WakeUpEvent.Wake(WakeUpCauses.Request);
 
-    /// <summary>Starts the figures of <see cref="ManagerStatus"/> anew with the next unit of work. Any thread.</summary>
+    /// <summary>Resets the figures of <see cref="ManagerStatus"/> with the next unit of work. Any thread.</summary>
     public void ResetStatistics() => _run?.ResetStatistics();
 
     /// <summary>Called once, before the first unit of work of any manager.</summary>
@@ -159,7 +161,7 @@ public abstract partial class RabitManager
     /// <param name="text">One line.</param>
     protected void Log(string text) => Run.Log.Write(RabitLogKind.Manager, Name, text);
 
-    /// <summary>Asks the reactor to stop all managers in order; comes back at once. Any thread.</summary>
+    /// <summary>Asks the reactor to stop all managers in order; returns at once. Any thread.</summary>
     /// <param name="reason">For the result of the run.</param>
     protected void StopSystem(string reason) => Run.RequestStop($"{Name}: {reason}");
 

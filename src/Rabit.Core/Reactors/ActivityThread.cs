@@ -1,11 +1,13 @@
 using System;
 using System.Threading;
 using Rabit.Core.Managers;
-using Rabit.Core.Synchronization;
+using Rabit.Core.RealTimeKit;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Reactors;
 
-/// <summary>The thread of one activity: begin, sleep until the barrier opens, turns, end.</summary>
+/// <summary>The thread of one activity: begin, sleep until the barrier opens, steps, end.</summary>
 internal sealed class ActivityThread : IDisposable
 {
     private readonly Activity _activity;
@@ -48,7 +50,7 @@ internal sealed class ActivityThread : IDisposable
         _activity.Begin();
         Announce(ref _hasBegun);
 
-        new TurnLoop<SyncPoints>(_activity.WakeUp, _signal, _clock).Run(NextTurn.AtStart(), _activity.TakeTurn);
+        new StepLoop<SyncPoints>(_activity.WakeUp, _signal, _clock).Run(NextStep.AtStart(), _activity.RunStep);
 
         _activity.End();
         Announce(ref _hasEnded);

@@ -1,5 +1,6 @@
 using System;
 using Rabit.Core.Diagnostics;
+using Rabit.Core.Time;
 
 namespace Rabit.Core.Reactors;
 

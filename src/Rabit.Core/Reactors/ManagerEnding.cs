@@ -1,8 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Core.Devices;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
+using Rabit.Core.Supervision;
+using Rabit.Core.Time;
 
 namespace Rabit.Core.Reactors;
 
@@ -35,16 +38,16 @@ internal sealed class ManagerEnding(ReactorEngine engine, RunClock clock, RabitL
     {
         if (!_isLate && clock.Now >= _deadline)
             AskAllToEnd(left);
-        TimeSpan atMost = activity.Manager.StopTimeout ?? options.StopTimeout;
+        TimeSpan timeout = activity.Manager.StopTimeout ?? options.StopTimeout;
         var notStopped = new List<string>();
         foreach (DeviceActivity reader in activity.Manager.Readers)
-            End(reader, atMost, notStopped);
+            End(reader, timeout, notStopped);
 
-        // Whoever was given a thread, even if a stop came before it took its first step; the engine knows.
-        End(activity, atMost, notStopped);
+        // Every activity that was given a thread, even if a stop came before its first step; the engine knows.
+        End(activity, timeout, notStopped);
         foreach (DeviceActivity writer in activity.Manager.Writers)
         {
-            End(writer, atMost, notStopped);
+            End(writer, timeout, notStopped);
             if (!writer.HasBegun)
                 writer.Abandon();
         }
@@ -86,9 +89,9 @@ internal sealed class ManagerEnding(ReactorEngine engine, RunClock clock, RabitL
         };
     }
 
-    private void End(Activity activity, TimeSpan atMost, List<string> notStopped)
+    private void End(Activity activity, TimeSpan timeout, List<string> notStopped)
     {
-        if (!engine.TryEnd(activity, atMost, _deadline))
+        if (!engine.TryEnd(activity, timeout, _deadline))
             notStopped.Add($"{activity.Name}: {activity.Doing}");
     }
 }

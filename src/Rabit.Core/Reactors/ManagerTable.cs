@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text;
+using Rabit.Core.Time;
 
 namespace Rabit.Core.Reactors;
 
@@ -11,7 +12,7 @@ internal static class ManagerTable
 {
     private static readonly string[] Heads =
     [
-        "manager", "state", "runs", "merged", "slips", "faults", "restarts", "hangs",
+        "manager", "state", "runs", "merged", "missed", "faults", "restarts", "hangs",
         "work p50", "p99", "p99.9", "max", "wake p50", "p99", "p99.9", "max", "period p50", "p99", "p99.9", "max",
     ];
 
@@ -39,7 +40,7 @@ internal static class ManagerTable
         state,
         Number(status.Runs),
         Number(status.WakeUps.Merged),
-        Number(status.Slips),
+        Number(status.MissedDeadlines),
         Number(status.Faults),
         Number(status.Restarts),
         Number(status.Hangs),
@@ -50,7 +51,7 @@ internal static class ManagerTable
 
     private static string[] Times(DurationStatistics times) => times.Count == 0
         ? ["-", "-", "-", "-"]
-        : [Milliseconds(times.Percentile50), Milliseconds(times.Percentile99), Milliseconds(times.Percentile999), Milliseconds(times.Maximum)];
+        : [Milliseconds(times.Percentile50), Milliseconds(times.Percentile99), Milliseconds(times.Percentile999), Milliseconds(times.Max)];
 
     private static string Milliseconds(TimeSpan time) => time.TotalMilliseconds.ToString("0.000", CultureInfo.InvariantCulture);
 

@@ -14,7 +14,7 @@ public sealed class QueueResult
     /// <summary>The queue.</summary>
     public string Name { get; }
 
-    /// <summary>Its books when all managers, readers and writers had ended.</summary>
+    /// <summary>Its counters when all managers, readers and writers had ended.</summary>
     public QueueCounters Counters { get; }
 
     /// <summary>One line.</summary>

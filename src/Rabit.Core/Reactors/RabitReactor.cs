@@ -4,15 +4,18 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
+using Rabit.Core.Devices;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
 using Rabit.Core.Reactors;
+using Rabit.Core.Supervision;
+using Rabit.Core.Time;
 
 namespace Rabit.Core;
 
 /// <summary>
-/// Runs managers: checks their wiring, starts them in order, waits until all have started up, lets them work until somebody
-/// stops the run, stops them in reverse order, and tells how each ended. For one run.
+/// Runs managers: checks their wiring, starts them in order, waits until all have started up, lets them work until the
+/// run is stopped, stops them in reverse order, and returns how each ended. For one run.
 /// </summary>
 public sealed class RabitReactor : IEnumerable<RabitManager>
 {
@@ -59,14 +62,14 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         _engine = options.Time.CreateEngine(new EngineContext(_clock, _log, Fail));
     }
 
-    /// <summary>Where the managers meet; also gives ends to code outside managers.</summary>
+    /// <summary>Where the managers meet; also gives endpoints to code outside managers.</summary>
     public RabitWorkspace Workspace { get; } = new();
 
     /// <summary>Time since the reactor was made, on the monotonic clock of the run; the same as <see cref="RabitManager.Now"/>. Any thread.</summary>
     public TimeSpan Now => _clock.Now;
 
     /// <summary>
-    /// Whether the managers are wired: from now on the ends that <see cref="Workspace"/> made may be used. Any thread.
+    /// Whether the managers are wired: from now on the endpoints that <see cref="Workspace"/> made may be used. Any thread.
     /// </summary>
     public bool IsWired
     {
@@ -93,7 +96,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         }
     }
 
-    /// <summary>Runs until somebody stops it, on the calling thread and those of the managers (virtual time: the calling thread alone).</summary>
+    /// <summary>Runs until it is stopped, on the calling thread and those of the managers (virtual time: the calling thread alone).</summary>
     /// <returns>How each manager ended.</returns>
     /// <exception cref="RabitWiringException">The managers do not fit together; nothing was started.</exception>
     /// <exception cref="InvalidOperationException">The reactor was started before.</exception>
@@ -118,7 +121,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
             }
             catch (Exception e)
             {
-                // It belongs to whoever awaits the task.
+                // It is for the caller that awaits the task.
                 ended.SetException(e);
             }
         })
@@ -134,7 +137,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     }
 
     /// <summary>
-    /// The first half of <see cref="Run"/>: wires, starts all managers and comes back. For tests and programs that have a thread
+    /// The first half of <see cref="Run"/>: wires, starts all managers and returns. For tests and programs that have a thread
     /// of their own to keep. Go on with <see cref="Finish"/>, in virtual time with <see cref="RunFor"/> before it.
     /// </summary>
     /// <exception cref="RabitWiringException">The managers do not fit together; nothing was started.</exception>
@@ -164,9 +167,9 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
             OpenBarrier();
     }
 
-    /// <summary>Lets the managers work for a while and comes back, or comes back early when the run is stopped.</summary>
+    /// <summary>Lets the managers work for a while and returns, or returns early when the run is stopped.</summary>
     /// <param name="duration">By the clock of the run. Zero runs what is due now (in virtual time).</param>
-    /// <returns>False when the run is stopped: go on with <see cref="Finish"/>.</returns>
+    /// <returns>False when the run is stopped: continue with <see cref="Finish"/>.</returns>
     /// <exception cref="ArgumentOutOfRangeException">Negative: time does not go back.</exception>
     /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
     public bool RunFor(TimeSpan duration)
@@ -179,7 +182,7 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         return !IsStopping;
     }
 
-    /// <summary>The second half of <see cref="Run"/>: waits for a stop, stops all managers in reverse order, and tells how each ended.</summary>
+    /// <summary>The second half of <see cref="Run"/>: waits for a stop, stops all managers in reverse order, and returns how each ended.</summary>
     /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
     public ReactorResult Finish()
     {
@@ -201,24 +204,24 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         return new ReactorResult(reason, _failure, duration, results, queues);
     }
 
-    /// <summary>Asks for a stop and comes back at once. Any thread; the first reason counts.</summary>
+    /// <summary>Asks for a stop and returns at once. Any thread; the first reason counts.</summary>
     /// <param name="reason">For the result.</param>
     public void Stop(string reason = "asked to stop") => RequestStop(reason, failure: null);
 
     /// <summary>
-    /// How long the turns of a manager took in real time. In virtual time, where the status holds virtual durations, it is
+    /// How long the steps of a manager took in real time. In virtual time, where the status holds virtual durations, it is
     /// measured beside them and is never posted or logged. Any thread.
     /// </summary>
     /// <param name="managerName">The manager.</param>
-    /// <returns>Zero turns in real time, where <see cref="ManagerStatus.UnitOfWorkTime"/> says it.</returns>
+    /// <returns>No steps in real time, where <see cref="ManagerStatus.UnitOfWorkTime"/> has it.</returns>
     /// <exception cref="ArgumentException">There is no manager of that name, or the managers are not wired yet.</exception>
-    public DurationStatistics RealTurnTime(string managerName)
+    public DurationStatistics RealStepTime(string managerName)
     {
         if (!IsWired)
             throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
         ManagerActivity activity = _activities.Find(a => string.Equals(a.Name, managerName, StringComparison.Ordinal))
             ?? throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
-        return _engine.RealTurnTime(activity);
+        return _engine.RealStepTime(activity);
     }
 
     /// <summary>What all managers do and their figures up to now, as a table of text, one line each. Any thread.</summary>

@@ -3,10 +3,11 @@ using Rabit.Core.Managers;
 
 namespace Rabit.Core.Reactors;
 
-/// <summary>Gives activities their turns. The reactor decides what begins and ends when; the engine knows how, in its kind of time.</summary>
+/// <summary>Dispatches the steps of activities. The reactor decides what begins and ends when; the engine knows how, in its kind
+/// of time.</summary>
 internal abstract class ReactorEngine : IDisposable
 {
-    /// <summary>Lets an activity begin and comes back when it has, or when a stop was requested.</summary>
+    /// <summary>Lets an activity begin and returns when it has, or when a stop was requested.</summary>
     public abstract void Begin(Activity activity);
 
     /// <summary>Comes back when a stop was requested, or at the given time.</summary>
@@ -17,16 +18,16 @@ internal abstract class ReactorEngine : IDisposable
 
     /// <summary>Asks an activity to stop and lets it end.</summary>
     /// <param name="activity">Perhaps one that never began.</param>
-    /// <param name="atMost">How long to wait; twice as long for one that has work left at its end.</param>
+    /// <param name="timeout">How long to wait; twice as long for one that has work left at its end.</param>
     /// <param name="deadline">When to stop waiting, by the clock of the run.</param>
     /// <returns>False when it did not within the time limit; it then keeps its thread, which does not keep the process.</returns>
-    public abstract bool TryEnd(Activity activity, TimeSpan atMost, TimeSpan deadline);
+    public abstract bool TryEnd(Activity activity, TimeSpan timeout, TimeSpan deadline);
 
-    /// <summary>From any thread: <see cref="Begin"/> and <see cref="RunUntil"/> come back soon.</summary>
+    /// <summary>From any thread: <see cref="Begin"/> and <see cref="RunUntil"/> return soon.</summary>
     public abstract void RequestStop();
 
-    /// <summary>How long the turns of an activity took in real time, whatever the clock of the run says.</summary>
-    public abstract DurationStatistics RealTurnTime(Activity activity);
+    /// <summary>How long the steps of an activity took in real time, whatever the clock of the run says.</summary>
+    public abstract DurationStatistics RealStepTime(Activity activity);
 
     public abstract void Dispose();
 }

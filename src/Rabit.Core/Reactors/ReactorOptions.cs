@@ -10,11 +10,12 @@ public sealed class ReactorOptions
     /// <value>The default is <see cref="RealTime"/>.</value>
     public RabitTime Time { get; set; } = new RealTime();
 
-    /// <summary>Where the log goes; called on the thread that has something to say, so it must be safe from any. A log that throws harms nobody.</summary>
+    /// <summary>Where the log goes; called on the thread that writes the entry, so it must be thread-safe. An exception that it
+    /// throws is ignored.</summary>
     /// <value>The default is none; faults are in the result all the same.</value>
     public Action<RabitLogEntry>? Log { get; set; }
 
-    /// <summary>Whether the log also tells of every unit of work, and why it runs.</summary>
+    /// <summary>Whether every unit of work is logged too, with its wake-up causes.</summary>
     /// <value>The default is false.</value>
     public bool LogRuns { get; set; }
 
@@ -22,7 +23,7 @@ public sealed class ReactorOptions
     /// <value>The default is "rabit".</value>
     public string Name { get; set; } = "rabit";
 
-    /// <summary>Whether the status tells how long units of work take and how late they begin. It costs well below a microsecond per run.</summary>
+    /// <summary>Whether the status holds how long units of work take and how late they begin. It costs well below a microsecond per run.</summary>
     /// <value>The default is true.</value>
     public bool KeepsStatistics { get; set; } = true;
 

@@ -29,7 +29,7 @@ public sealed class ReactorResult
     /// <summary>How each manager ended, in the order of the start.</summary>
     public IReadOnlyList<ManagerResult> Managers { get; }
 
-    /// <summary>The books of each queue when all managers had ended; what is resident in one is what nobody took out.</summary>
+    /// <summary>The counters of each queue when all managers had ended; values still resident were never popped.</summary>
     public IReadOnlyList<QueueResult> Queues { get; }
 
     /// <summary>0; or 1 if a manager faulted or did not stop, or the run itself failed.</summary>

@@ -2,13 +2,16 @@ using System;
 using System.Collections.Generic;
 using System.Threading;
 using Rabit.Core.Managers;
+using Rabit.Core.RealTimeKit;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Reactors;
 
 /// <summary>Real time: one thread per activity.</summary>
 internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine) : ReactorEngine
 {
-    private static readonly TimeSpan LastLook = TimeSpan.FromMilliseconds(20);
+    private static readonly TimeSpan FinalGrace = TimeSpan.FromMilliseconds(20);
 
     private readonly Dictionary<Activity, ActivityThread> _threads = [];
     private readonly RealTimeSetup _realTime = RealTimeSetup.ForThreads(context.Log);
@@ -33,17 +36,17 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
             activity.WakeUp.RequestStop();
     }
 
-    public override bool TryEnd(Activity activity, TimeSpan atMost, TimeSpan deadline)
+    public override bool TryEnd(Activity activity, TimeSpan timeout, TimeSpan deadline)
     {
         // One that has ended already has closed its device: there is nothing to unblock.
         if (!_threads.TryGetValue(activity, out ActivityThread? thread) || thread.HasEnded)
             return true;
 
         activity.WakeUp.RequestStop();
-        if (activity.DrainsAtEnd && TryWaitForEnd(thread, atMost, deadline))
+        if (activity.DrainsAtEnd && TryWaitForEnd(thread, timeout, deadline))
             return true;
         activity.Unblock();
-        return TryWaitForEnd(thread, atMost, deadline);
+        return TryWaitForEnd(thread, timeout, deadline);
     }
 
     public override void RequestStop()
@@ -55,7 +58,7 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
         }
     }
 
-    public override DurationStatistics RealTurnTime(Activity activity) => default;
+    public override DurationStatistics RealStepTime(Activity activity) => default;
 
     public override void Dispose()
     {
@@ -63,12 +66,12 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
             thread.Dispose();
     }
 
-    private bool TryWaitForEnd(ActivityThread thread, TimeSpan atMost, TimeSpan deadline)
+    private bool TryWaitForEnd(ActivityThread thread, TimeSpan timeout, TimeSpan deadline)
     {
         // Past the deadline it gets a last look: it was asked a while ago, and may be about to end.
         TimeSpan now = context.Clock.Now;
-        TimeSpan until = Times.Earlier(Times.Later(now, atMost), deadline);
-        WaitFor(() => thread.HasEnded, until > now + LastLook ? until : now + LastLook);
+        TimeSpan until = Times.Earlier(Times.Later(now, timeout), deadline);
+        WaitFor(() => thread.HasEnded, until > now + FinalGrace ? until : now + FinalGrace);
         return thread.HasEnded;
     }
 

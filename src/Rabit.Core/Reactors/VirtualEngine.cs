@@ -5,12 +5,16 @@ using System.Linq;
 using System.Threading;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
+using Rabit.Core.RealTimeKit;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Reactors;
 
 /// <summary>
-/// Virtual time: all activities take turns on the thread that runs the engine. A turn goes to one, drawn by the seed, of
-/// those that are due or woken at this instant; when there is none the clock moves to the next due time.
+/// Virtual time (discrete-event simulation): the steps of all activities are dispatched on the thread that runs the engine.
+/// Next comes one, chosen by the seed, of those that are due or woken at this instant; when there is none the clock moves
+/// to the next due time.
 /// </summary>
 internal sealed class VirtualEngine : ReactorEngine
 {
@@ -22,7 +26,7 @@ internal sealed class VirtualEngine : ReactorEngine
     private readonly List<VirtualSlot> _slots = [];
     private readonly List<VirtualSlot> _candidates = [];
 
-    // Guards the woken marks, the real turn times, and the list of slots for those who read it on other threads; pulsed by a
+    // Guards the woken marks, the real step times, and the list of slots for those who read it on other threads; pulsed by a
     // wake or a stop from another thread while the pacer waits.
     private readonly object _gate = new();
     private SplitMix64 _random;
@@ -55,13 +59,13 @@ internal sealed class VirtualEngine : ReactorEngine
         _events?.Enter(activity, "begins");
         activity.Begin();
         _events?.Leave();
-        Sleep(slot, NextTurn.AtStart());
+        Sleep(slot, NextStep.AtStart());
     }
 
     public override void RunUntil(TimeSpan end)
     {
         _time.CloseManagers();
-        _events?.LookOutside();
+        _events?.WriteOutsideChanges();
         while (!IsStopRequested())
         {
             TimeSpan now = _context.Clock.Now;
@@ -70,7 +74,7 @@ internal sealed class VirtualEngine : ReactorEngine
             {
                 if (!TryCountRun())
                     return;
-                GiveTurn(_candidates[_random.Next(_candidates.Count)], now);
+                Dispatch(_candidates[_random.Next(_candidates.Count)], now);
             }
             else if (next == TimeSpan.MaxValue && end == TimeSpan.MaxValue)
             {
@@ -93,7 +97,7 @@ internal sealed class VirtualEngine : ReactorEngine
     {
     }
 
-    public override bool TryEnd(Activity activity, TimeSpan atMost, TimeSpan deadline)
+    public override bool TryEnd(Activity activity, TimeSpan timeout, TimeSpan deadline)
     {
         VirtualSlot? slot = _slots.Find(s => s.Activity == activity);
         if (slot is not null && !slot.HasEnded)
@@ -110,10 +114,10 @@ internal sealed class VirtualEngine : ReactorEngine
         }
     }
 
-    public override DurationStatistics RealTurnTime(Activity activity)
+    public override DurationStatistics RealStepTime(Activity activity)
     {
         lock (_gate)
-            return _slots.Find(s => s.Activity == activity)?.RealTurnTime ?? default;
+            return _slots.Find(s => s.Activity == activity)?.RealStepTime ?? default;
     }
 
     public override void Dispose()
@@ -144,7 +148,8 @@ internal sealed class VirtualEngine : ReactorEngine
             return _stopRequested;
     }
 
-    /// <summary>Collects who can take a turn now, in the order in which they began, and says when the next one can.</summary>
+    /// <summary>Collects the activities that can run a step now, in the order in which they began.</summary>
+    /// <returns>When the next one can.</returns>
     private TimeSpan FindCandidates(TimeSpan now)
     {
         _candidates.Clear();
@@ -155,7 +160,7 @@ internal sealed class VirtualEngine : ReactorEngine
             {
                 if (slot.HasEnded)
                     continue;
-                TimeSpan at = slot.NextTurnAt(now);
+                TimeSpan at = slot.NextStepAt(now);
                 if (at <= now)
                     _candidates.Add(slot);
                 else if (at < next)
@@ -166,15 +171,15 @@ internal sealed class VirtualEngine : ReactorEngine
         return next;
     }
 
-    private void GiveTurn(VirtualSlot slot, TimeSpan now)
+    private void Dispatch(VirtualSlot slot, TimeSpan now)
     {
         bool timer = slot.Due <= now;
         TimeSpan? wokenAt;
-        WakeUps wakes = slot.Activity.WakeUp.Take();
+        ConsumedWakeUps wakes = slot.Activity.WakeUp.Consume();
         lock (_gate)
         {
-            // Nobody sleeps on while there is a turn for him, so the wake is now, even if it came from outside while the clock
-            // was held back. One that came while a modelled unit of work kept him busy ended no sleep.
+            // No activity sleeps on while it has a step to run, so the wake is now, even if it came from outside while the
+            // clock was held back. One that came during a modelled unit of work ended no sleep.
             wokenAt = timer ? slot.Due : slot.WokenAt >= slot.NotBefore ? now : null;
             slot.IsWoken = false;
         }
@@ -192,37 +197,37 @@ internal sealed class VirtualEngine : ReactorEngine
         }
         else if (wakes.Causes == WakeUpCauses.None)
         {
-            // A wake from another thread whose cause an earlier turn took already.
+            // A wake from another thread whose cause an earlier step consumed already.
             SleepOn(slot);
             return;
         }
 
         if (slot.Durations is { } durations)
             slot.Activity.ModelledDuration = durations.TakeNext(now);
-        _events?.EnterTurn(slot.Activity, wakes);
+        _events?.EnterStep(slot.Activity, wakes);
         long mark = _pacer.Mark();
         slot.RunsAtInstant++;
-        NextTurn next = slot.Activity.TakeTurn(wakes, wokenAt);
+        NextStep next = slot.Activity.RunStep(wakes, wokenAt);
         TimeSpan took = _pacer.Since(mark);
         lock (_gate)
-            slot.RealTurnTime = slot.RealTurnTime.With(took);
+            slot.RealStepTime = slot.RealStepTime.With(took);
         _events?.Leave();
         Sleep(slot, next);
     }
 
     private void End(VirtualSlot slot)
     {
-        slot.Activity.WakeUp.Take();
+        slot.Activity.WakeUp.Consume();
         _events?.Enter(slot.Activity, "ends");
         slot.Activity.End();
         _events?.Leave();
         slot.HasEnded = true;
     }
 
-    private void Sleep(VirtualSlot slot, NextTurn next)
+    private void Sleep(VirtualSlot slot, NextStep next)
     {
         if (next.IsNever)
-            next = NextTurn.OnlyAt(TimeSpan.MaxValue);
+            next = NextStep.OnlyAt(TimeSpan.MaxValue);
         slot.Due = next.Due;
         slot.NotBefore = Max(next.NotBefore, next.Wanted == WakeUpEvent.Stop ? next.Due : default);
         slot.Wanted = next.Wanted;
@@ -232,11 +237,11 @@ internal sealed class VirtualEngine : ReactorEngine
     private void SleepOn(VirtualSlot slot)
     {
         slot.WokenAt = null;
-        if (!slot.Activity.WakeUp.TryFallAsleep(slot.Wanted))
+        if (!slot.Activity.WakeUp.TryPrepareToWait(slot.Wanted))
             MarkWoken(slot, at: null);
     }
 
-    /// <summary>Moves the clock to a time, held back by the pacer; comes back early when somebody outside wakes or stops.</summary>
+    /// <summary>Moves the clock to a time, held back by the pacer; returns early at a wake or a stop from outside.</summary>
     private void MoveTowards(TimeSpan next, TimeSpan now)
     {
         TimeSpan reached = next;
@@ -259,21 +264,21 @@ internal sealed class VirtualEngine : ReactorEngine
             slot.RunsAtInstant = 0;
     }
 
-    private void WaitForOutside(TimeSpan atMost)
+    private void WaitForOutside(TimeSpan timeout)
     {
         lock (_gate)
         {
             if (_stopRequested || _slots.Exists(s => s.IsWoken && !s.HasEnded && s.NotBefore <= _context.Clock.Now))
                 return;
             _waiting = true;
-            Monitor.Wait(_gate, (int)Math.Min(Math.Ceiling(atMost.TotalMilliseconds), 3_600_000));
+            Monitor.Wait(_gate, (int)Math.Min(Math.Ceiling(timeout.TotalMilliseconds), 3_600_000));
             _waiting = false;
         }
     }
 
     private bool TryCountRun()
     {
-        if (++_runsAtInstant <= _time.MaximumRunsPerInstant)
+        if (++_runsAtInstant <= _time.MaxRunsPerInstant)
             return true;
 
         FailStandingStill();
@@ -291,9 +296,9 @@ internal sealed class VirtualEngine : ReactorEngine
             .Select(s => string.Format(CultureInfo.InvariantCulture, "{0} ({1})", s.Activity.Name, s.RunsAtInstant)));
         _context.Fail(new InvalidOperationException(string.Format(
             CultureInfo.InvariantCulture,
-            "Virtual time stands still at {0}: more than {1} runs at one instant, by {2}. Do they wake each other for ever?",
+            "Virtual time stands still at {0}: more than {1} runs at one instant, by {2}. Do they wake each other forever?",
             _context.Clock.Now,
-            _time.MaximumRunsPerInstant,
+            _time.MaxRunsPerInstant,
             names)));
     }
 

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace Rabit.Core;
+namespace Rabit.Core.RealTimeKit;
 
 /// <summary>What an operating system can do for the calling thread. Each call gives 0 or the number of the error (errno).</summary>
 internal interface IThreadControl

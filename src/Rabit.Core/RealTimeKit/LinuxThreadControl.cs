@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Runtime.InteropServices;
 
-namespace Rabit.Core;
+namespace Rabit.Core.RealTimeKit;
 
 /// <summary>The calling thread's settings on Linux: x64, arm64 and arm, glibc and musl.</summary>
 /// <remarks>The scheduler is set through syscall(2): musl's sched_setscheduler refuses always (its pthreads and POSIX's processes disagree).</remarks>

@@ -6,6 +6,6 @@ public enum RealTimePolicy
     /// <summary>SCHED_FIFO: the thread runs until it sleeps or one of a higher priority wants the CPU.</summary>
     Fifo,
 
-    /// <summary>SCHED_RR: as FIFO, but takes turns with others of its priority.</summary>
+    /// <summary>SCHED_RR: as FIFO, but time-sliced with others of its priority.</summary>
     RoundRobin,
 }

@@ -5,29 +5,31 @@ using System.Text;
 
 namespace Rabit.Core;
 
-/// <summary>What became of a <see cref="RealTimeRequest"/>: asked, granted, why not. Immutable.</summary>
+/// <summary>The outcome of a <see cref="RealTimeRequest"/>: requested, granted, reason. Immutable.</summary>
 public sealed class RealTimeReport
 {
+    private const string Head = "requested";
+
     internal RealTimeReport(IReadOnlyList<RealTimeGrant> grants) => Grants = grants;
 
-    /// <summary>Nothing was asked for, or it is not time yet.</summary>
+    /// <summary>Nothing was requested, or nothing yet.</summary>
     public static RealTimeReport Empty { get; } = new([]);
 
-    /// <summary>What was asked for, part by part.</summary>
+    /// <summary>What was requested, part by part.</summary>
     public IReadOnlyList<RealTimeGrant> Grants { get; }
 
-    /// <summary>Whether everything that was asked for was granted.</summary>
+    /// <summary>Whether everything that was requested was granted.</summary>
     public bool IsGranted => Grants.All(g => g.IsGranted);
 
-    /// <summary>The table as text, a line for each part; empty when nothing was asked for.</summary>
+    /// <summary>The table as text, a line for each part; empty when nothing was requested.</summary>
     public override string ToString()
     {
         if (Grants.Count == 0)
             return string.Empty;
-        int width = Math.Max(5, Grants.Max(g => g.Asked.Length)) + 2;
-        StringBuilder text = new StringBuilder("asked".PadRight(width)).Append("granted  why not");
+        int width = Math.Max(Head.Length, Grants.Max(g => g.Requested.Length)) + 2;
+        StringBuilder text = new StringBuilder(Head.PadRight(width)).Append("granted  reason");
         foreach (RealTimeGrant grant in Grants)
-            text.Append('\n').Append(grant.Asked.PadRight(width)).Append(grant.IsGranted ? "yes" : "no       " + grant.WhyNot);
+            text.Append('\n').Append(grant.Requested.PadRight(width)).Append(grant.IsGranted ? "yes" : "no       " + grant.Reason);
         return text.ToString();
     }
 }

@@ -5,15 +5,15 @@ using System.Linq;
 namespace Rabit.Core;
 
 /// <summary>
-/// What a manager asks of the machine for its thread; see <see cref="RabitManager.RequestRealTime"/>. What is left as it is, is not asked for.
+/// What a manager asks of the machine for its thread; see <see cref="RabitManager.RequestRealTime"/>. Options left at their defaults are not requested.
 /// Only Linux grants any of it, and each part by itself.
 /// </summary>
 public sealed class RealTimeRequest
 {
-    private const int HighestPriority = 99;   // sched_get_priority_max of SCHED_FIFO and SCHED_RR on Linux
-    private const int HighestCpu = 1023;      // the set of CPUs that libc's calls take
-    private const int MostWarmUpRuns = 1_000_000;
-    private static readonly TimeSpan LongestSlack = TimeSpan.FromSeconds(1);
+    private const int MaxPriority = 99;   // sched_get_priority_max of SCHED_FIFO and SCHED_RR on Linux
+    private const int MaxCpu = 1023;      // the set of CPUs that libc's calls take
+    private const int MaxWarmUpRuns = 1_000_000;
+    private static readonly TimeSpan MaxTimerSlack = TimeSpan.FromSeconds(1);
 
     private IReadOnlyList<int> _cpus = [];
 
@@ -22,9 +22,9 @@ public sealed class RealTimeRequest
     public int? Priority
     {
         get;
-        set => field = value is null or (>= 1 and <= HighestPriority)
+        set => field = value is null or (>= 1 and <= MaxPriority)
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, $"A real-time priority is from 1 to {HighestPriority}.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, $"A real-time priority is from 1 to {MaxPriority}.");
     }
 
     /// <summary>How threads of one priority share a CPU; it counts with a <see cref="Priority"/> only.</summary>
@@ -41,7 +41,7 @@ public sealed class RealTimeRequest
     /// <summary>
     /// Whether a unit of work may busy-wait. Nothing in Rabit spins by itself; a manager whose own code does says so here. Its priority is
     /// refused if the spinning managers of the run could then occupy every CPU: the collector, and whatever else the machine does, would
-    /// stand still.
+    /// stop.
     /// </summary>
     public bool Spins { get; set; }
 
@@ -53,8 +53,8 @@ public sealed class RealTimeRequest
         set
         {
             int[] cpus = [.. Require.NotNull(value, nameof(value)).Distinct().OrderBy(cpu => cpu)];
-            if (cpus.Length > 0 && (cpus[0] < 0 || cpus[cpus.Length - 1] > HighestCpu))
-                throw new ArgumentOutOfRangeException(nameof(value), string.Join(", ", cpus), $"The number of a CPU is from 0 to {HighestCpu}.");
+            if (cpus.Length > 0 && (cpus[0] < 0 || cpus[cpus.Length - 1] > MaxCpu))
+                throw new ArgumentOutOfRangeException(nameof(value), string.Join(", ", cpus), $"The number of a CPU is from 0 to {MaxCpu}.");
             _cpus = cpus;
         }
     }
@@ -65,13 +65,13 @@ public sealed class RealTimeRequest
     public bool LocksMemory { get; set; }
 
     /// <summary>
-    /// How late the kernel may make the timer of the thread to save power: 50 µs if not asked for. A thread with a real-time priority has none.
+    /// How late the kernel may make the timer of the thread to save power: 50 µs by default. A thread with a real-time priority has none.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Zero or negative, or longer than a second.</exception>
     public TimeSpan? TimerSlack
     {
         get;
-        set => field = value is null || (value > TimeSpan.Zero && value <= LongestSlack)
+        set => field = value is null || (value > TimeSpan.Zero && value <= MaxTimerSlack)
             ? value
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The timer slack must be longer than zero and at most a second.");
     }
@@ -84,9 +84,9 @@ public sealed class RealTimeRequest
     public int WarmUpRuns
     {
         get;
-        set => field = value is >= 0 and <= MostWarmUpRuns
+        set => field = value is >= 0 and <= MaxWarmUpRuns
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, $"The number of warm-up runs is from 0 to {MostWarmUpRuns}.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, $"The number of warm-up runs is from 0 to {MaxWarmUpRuns}.");
     }
 
     internal RealTimeRequest Copy() => (RealTimeRequest)MemberwiseClone();

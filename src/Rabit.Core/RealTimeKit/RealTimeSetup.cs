@@ -8,20 +8,20 @@ using System.Runtime.CompilerServices;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
 
-namespace Rabit.Core;
+namespace Rabit.Core.RealTimeKit;
 
 /// <summary>
-/// Asks the operating system for what a manager requested, on the manager's thread, and tells what became of it. One of a run.
+/// Asks the operating system for what a manager requested, on the manager's thread, and reports the outcome. One of a run.
 /// </summary>
 /// <param name="log">Every part is a note in it.</param>
 /// <param name="control">The operating system; null where there is nothing to ask.</param>
-/// <param name="whyNothing">Why there is nothing to ask.</param>
-internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, string whyNothing)
+/// <param name="unavailable">Why there is nothing to ask.</param>
+internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, string unavailable)
 {
     private const string OnlyLinux = "only Linux has it";
 
     private readonly SpinGuard _spinGuard = new();
-    private IReadOnlyList<int>? _allCpus;   // asked once, before the first thread is pinned
+    private IReadOnlyList<int>? _allCpus;   // read once, before the first thread is pinned
 
     /// <summary>For threads of this machine.</summary>
     public static RealTimeSetup ForThreads(RabitLog log)
@@ -63,61 +63,61 @@ internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, strin
             grants.Add(Raise(request, priority));
     }
 
-    private RealTimeGrant Refuse(string asked) => new(asked, whyNothing);
+    private RealTimeGrant Refuse(string requested) => new(requested, unavailable);
 
-    private RealTimeGrant Ask(string asked, Func<IThreadControl, int> ask, Func<int, string?> help)
+    private RealTimeGrant Ask(string requested, Func<IThreadControl, int> call, Func<int, string?> help)
     {
         if (control is null)
-            return Refuse(asked);
-        int error = ask(control);
+            return Refuse(requested);
+        int error = call(control);
         if (error == 0)
-            return new RealTimeGrant(asked, whyNot: null);
+            return new RealTimeGrant(requested, reason: null);
         string? needs = help(error);
-        return new RealTimeGrant(asked, SystemErrors.Name(error) + (needs is null ? string.Empty : ": " + needs));
+        return new RealTimeGrant(requested, SystemErrors.Name(error) + (needs is null ? string.Empty : ": " + needs));
     }
 
     private RealTimeGrant Pin(IReadOnlyList<int> cpus)
     {
         _allCpus ??= control?.Cpus;
-        string asked = "CPUs " + string.Join(", ", cpus);
-        RealTimeGrant grant = Ask(asked, c => c.SetCpus(cpus), NeedsForCpus);
+        string requested = "CPUs " + string.Join(", ", cpus);
+        RealTimeGrant grant = Ask(requested, c => c.SetCpus(cpus), NeedsForCpus);
 
         // The kernel leaves out, in silence, those that the process may not use.
         if (!grant.IsGranted || control!.Cpus is not { } own || own.SequenceEqual(cpus))
             return grant;
-        return new RealTimeGrant(asked, "the process may use only " + string.Join(", ", own) + " of them");
+        return new RealTimeGrant(requested, "the process may use only " + string.Join(", ", own) + " of them");
     }
 
     private RealTimeGrant Raise(RealTimeRequest request, int priority)
     {
-        string asked = Text($"priority {(request.Policy == RealTimePolicy.Fifo ? "FIFO" : "round robin")} {priority}");
+        string requested = Text($"priority {(request.Policy == RealTimePolicy.Fifo ? "FIFO" : "round robin")} {priority}");
         if (control is null)
-            return Refuse(asked);
+            return Refuse(requested);
         bool throttles = control.ThrottlesRealTime;
         _allCpus ??= control.Cpus;
         if ((request.Spins || !throttles) && !_spinGuard.TryAdmit(control.Cpus, _allCpus))
         {
-            return new RealTimeGrant(asked, "refused by Rabit: threads that may spin at real-time priority could occupy every CPU"
+            return new RealTimeGrant(requested, "refused by Rabit: threads that may spin at real-time priority could occupy every CPU"
                 + (throttles ? string.Empty : " (the kernel's throttling is off, so every one may)"));
         }
 
-        return Ask(asked, c => c.SetPriority(request.Policy, priority), error => NeedsForPriority(error, priority));
+        return Ask(requested, c => c.SetPriority(request.Policy, priority), error => NeedsForPriority(error, priority));
     }
 
     private static RealTimeGrant WarmUp(RabitManager manager, RealTimeRequest request)
     {
-        string asked = WarmUpText(request);
+        string requested = WarmUpText(request);
         try
         {
             Compile(manager.GetType());
             for (int i = 0; i < request.WarmUpRuns; i++)
                 manager.RunWarmUp();
-            return new RealTimeGrant(asked, whyNot: null);
+            return new RealTimeGrant(requested, reason: null);
         }
         catch (Exception e)
         {
             // The user's code: it goes to the report, since nothing of the manager has begun yet.
-            return new RealTimeGrant(asked, $"{e.GetType().Name}: {e.Message}");
+            return new RealTimeGrant(requested, $"{e.GetType().Name}: {e.Message}");
         }
     }
 

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Rabit.Core;
+namespace Rabit.Core.RealTimeKit;
 
 /// <summary>
 /// Keeps one CPU free of threads with real-time priority that may never sleep. One of a run; the engine lets managers start one after the

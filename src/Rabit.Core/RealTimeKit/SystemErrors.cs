@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Rabit.Core;
+namespace Rabit.Core.RealTimeKit;
 
 /// <summary>The names of the system's errors that a request for real time meets (errno; the same numbers on x64, arm64 and arm).</summary>
 internal static class SystemErrors

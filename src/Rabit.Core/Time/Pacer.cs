@@ -1,8 +1,8 @@
 using System;
 
-namespace Rabit.Core;
+namespace Rabit.Core.Time;
 
-/// <summary>Holds virtual time back to a multiple of real time, and measures what turns really take.</summary>
+/// <summary>Holds virtual time back to a multiple of real time, and measures what steps take in real time.</summary>
 internal sealed class Pacer(VirtualTime time)
 {
     private readonly TimeProvider _real = TimeProvider.System;

@@ -1,11 +1,12 @@
 using System;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Reactors;
+using Rabit.Core.Time;
 
 namespace Rabit.Core;
 
 /// <summary>
-/// The one seam through which anything in Rabit tells the time or waits. Give one to the reactor: <see cref="RealTime"/>
+/// The one seam through which anything in Rabit reads the time or waits. Give one to the reactor: <see cref="RealTime"/>
 /// (threads and the machine's clock) or <see cref="VirtualTime"/> (one thread, a clock that jumps, an order fixed by a seed).
 /// Manager code cannot tell the difference.
 /// </summary>

@@ -1,5 +1,6 @@
 using System;
 using Rabit.Core.Reactors;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core;
 

@@ -1,6 +1,6 @@
 using System;
 
-namespace Rabit.Core;
+namespace Rabit.Core.Time;
 
 /// <summary>The clock of one reactor: time since the reactor was made, monotonic, in <see cref="TimeSpan"/> ticks of 100 ns.</summary>
 internal sealed class RunClock
@@ -11,7 +11,7 @@ internal sealed class RunClock
     private readonly long _origin;
 
     // Every stamp of a post is taken here. Nanoseconds, what .NET on Linux counts, are divided by a constant, which compilers turn into
-    // a multiplication; anything else is multiplied: exact to a tick up to 2^53 counts, monotonic for ever.
+    // a multiplication; anything else is multiplied: exact to a tick up to 2^53 counts, monotonic forever.
     private readonly bool _countsNanoseconds;
     private readonly double _ticksPerCount;
 

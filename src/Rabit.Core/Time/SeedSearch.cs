@@ -12,12 +12,12 @@ namespace Rabit.Core;
 /// </remarks>
 public static class SeedSearch
 {
-    /// <summary>Runs the seeds one after the other, on the calling thread, and comes back with the first that fails.</summary>
+    /// <summary>Runs the seeds one after the other, on the calling thread, and returns with the first that fails.</summary>
     /// <param name="firstSeed">The first seed.</param>
     /// <param name="count">How many seeds at most; above zero.</param>
     /// <param name="run">
     /// Makes new managers and a reactor in the virtual time that it is given, runs it, and throws when something went wrong: an
-    /// assertion of a test will do. Called anew for each seed; it must depend on nothing else.
+    /// assertion of a test will do. Called once for each seed; it must depend on nothing else.
     /// </param>
     /// <returns>The first seed that failed, and how; null when none did.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The count is not above zero.</exception>

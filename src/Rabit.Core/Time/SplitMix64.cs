@@ -1,4 +1,4 @@
-namespace Rabit.Core;
+namespace Rabit.Core.Time;
 
 /// <summary>
 /// A small seeded generator, the same on every runtime (Steele, Lea, Flood: "Fast splittable pseudorandom number

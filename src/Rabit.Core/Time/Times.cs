@@ -1,6 +1,6 @@
 using System;
 
-namespace Rabit.Core;
+namespace Rabit.Core.Time;
 
 /// <summary>Sums of times that may be "never".</summary>
 internal static class Times

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Rabit.Core;
+namespace Rabit.Core.Time;
 
 /// <summary>
 /// How long the units of work of one manager are modelled to take: the usual duration, drawn from a range, and single longer ones.

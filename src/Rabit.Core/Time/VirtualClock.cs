@@ -1,7 +1,7 @@
 using System;
 using System.Threading;
 
-namespace Rabit.Core;
+namespace Rabit.Core.Time;
 
 /// <summary>A clock that stands still until the virtual-time engine moves it. Read from any thread.</summary>
 internal sealed class VirtualClock(DateTimeOffset startUtc) : TimeProvider
@@ -17,7 +17,7 @@ internal sealed class VirtualClock(DateTimeOffset startUtc) : TimeProvider
     public override DateTimeOffset GetUtcNow() => startUtc.AddTicks(GetTimestamp());
 
     public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
-        => throw new NotSupportedException("Virtual time has no timers beside the wake-up delays of its managers: a timer's thread would not wait for its turn.");
+        => throw new NotSupportedException("Virtual time has no timers beside the wake-up delays of its managers: a timer's thread would run beside the steps of the run.");
 
     public void MoveTo(TimeSpan now) => Interlocked.Exchange(ref _ticks, now.Ticks);
 }

@@ -3,23 +3,24 @@ using System.Collections.Generic;
 using System.IO;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Reactors;
+using Rabit.Core.Time;
 
 namespace Rabit.Core;
 
 /// <summary>
-/// Virtual time: the same managers, unchanged, take turns on one thread under a clock that jumps to the next thing to do.
+/// Virtual time: the same managers, unchanged, run in steps on one thread under a clock that jumps to the next event.
 /// Who goes first among equals is fixed by the seed: one seed, one run, to the byte; another seed, another legal order.
 /// </summary>
 /// <remarks>
 /// Configure before the start; after that read only, but for modelled durations. A wake, post, push or stop from a thread that is not the run's own is
-/// taken between turns and lies outside that promise. One instance serves one reactor.
+/// taken between steps and lies outside that promise. One instance serves one reactor.
 /// </remarks>
 public sealed class VirtualTime : RabitTime
 {
     private readonly VirtualClock _clock;
     private readonly Dictionary<string, UnitOfWorkDurations> _durations = new(StringComparer.Ordinal);
     private double _pace = double.PositiveInfinity;
-    private int _maximumRunsPerInstant = 10_000;
+    private int _maxRunsPerInstant = 10_000;
     private bool _isUsed;
     private bool _hasManagers;
 
@@ -51,26 +52,26 @@ public sealed class VirtualTime : RabitTime
     }
 
     /// <summary>
-    /// How many turns may be taken at one instant before the run stops with an error that names the managers: two that
-    /// wake each other for ever would freeze the clock. 10 000 by default.
+    /// How many steps may run at one instant before the run stops with an error that names the managers: two that
+    /// wake each other forever would freeze the clock. 10 000 by default.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Not above zero.</exception>
-    public int MaximumRunsPerInstant
+    public int MaxRunsPerInstant
     {
-        get => _maximumRunsPerInstant;
-        set => _maximumRunsPerInstant = value > 0
+        get => _maxRunsPerInstant;
+        set => _maxRunsPerInstant = value > 0
             ? value
             : throw new ArgumentOutOfRangeException(nameof(value), value, "At least one run must be allowed at an instant.");
     }
 
     /// <summary>
-    /// Where the run writes its event log: one line for each turn (who, why, after how many merged wakes, its modelled duration),
-    /// wake from sleep, post (with its version), change of a queue during a turn, manager's own line, fault, start and stop. The
+    /// Where the run writes its event log: one line for each step (who, why, after how many merged wakes, its modelled duration),
+    /// wake from sleep, post (with its version), change of a queue during a step, manager's own line, fault, start and stop. The
     /// same seed gives the same text to the byte, on .NET and on Mono. Null, the default, for none, which costs nothing.
     /// </summary>
     /// <remarks>
     /// Set before the reactor is made. Lines end in a line feed; times are seconds, exact to the tick. Flushed when the run ends,
-    /// not disposed. A writer that throws fails the run. What comes from code outside managers is told as by "outside"; the texts
+    /// not disposed. A writer that throws fails the run. What comes from code outside managers is logged as by "outside"; the texts
     /// of exceptions that the runtime itself throws may differ between runtimes.
     /// </remarks>
     public TextWriter? EventLog { get; set; }
@@ -95,7 +96,7 @@ public sealed class VirtualTime : RabitTime
     public void SetUnitOfWorkDuration(string managerName, TimeSpan duration) => SetUnitOfWorkDuration(managerName, duration, duration);
 
     /// <summary>
-    /// As <see cref="SetUnitOfWorkDuration(string, TimeSpan)"/>, with a duration drawn anew for each unit of work, all between the
+    /// As <see cref="SetUnitOfWorkDuration(string, TimeSpan)"/>, with a random duration for each unit of work, uniform between the
     /// two alike. The draws come from the seed, apart from those of the order and of other managers.
     /// </summary>
     /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
@@ -118,7 +119,7 @@ public sealed class VirtualTime : RabitTime
     /// </summary>
     /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
     /// <param name="at">When, by the clock of the run.</param>
-    /// <param name="duration">How long it takes; <see cref="TimeSpan.MaxValue"/> for one that never comes back.</param>
+    /// <param name="duration">How long it takes; <see cref="TimeSpan.MaxValue"/> for one that never returns.</param>
     /// <exception cref="ArgumentOutOfRangeException">A time is negative.</exception>
     /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
     public void AddLongUnitOfWork(string managerName, TimeSpan at, TimeSpan duration)
@@ -133,7 +134,7 @@ public sealed class VirtualTime : RabitTime
     /// <summary>Whose units of work take time.</summary>
     internal IEnumerable<string> ModelledManagers => _durations.Keys;
 
-    internal TimeSpan LongestUnitOfWork(string managerName) => _durations.TryGetValue(managerName, out UnitOfWorkDurations? found) ? found.Longest : TimeSpan.Zero;
+    internal TimeSpan MaxUnitOfWorkDuration(string managerName) => _durations.TryGetValue(managerName, out UnitOfWorkDurations? found) ? found.Longest : TimeSpan.Zero;
 
     /// <summary>All managers have begun: from now on a name that none of them has is an error at once.</summary>
     internal void CloseManagers() => _hasManagers = true;

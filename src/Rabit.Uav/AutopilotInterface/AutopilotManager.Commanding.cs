@@ -56,7 +56,7 @@ public sealed partial class AutopilotManager
         if (posted.State == _executor.Authority.State)
             return;
         posted = _executor.Authority;
-        _authority.Post(posted.Since);
+        _authority.PostStamped(posted.Since);
     }
 
     private void TakeHeartbeat(in LinkFrame frame, VehicleEvents events)

@@ -78,7 +78,7 @@ public sealed partial class AutopilotManager : RabitManager
         if ((events & VehicleEvents.Changed) != 0)
         {
             _vehicle.Value = _tracker.State;
-            _vehicle.Post(_tracker.NewestTime);
+            _vehicle.PostStamped(_tracker.NewestTime);
         }
 
         RequestRates();
@@ -110,9 +110,9 @@ public sealed partial class AutopilotManager : RabitManager
         }
 
         if (!ReferenceEquals(texts, _statusTexts.Value))
-            _statusTexts.Post(_statusTexts.Value.Newest!.Time);
+            _statusTexts.PostStamped(_statusTexts.Value.Newest!.Time);
         if (!ReferenceEquals(acknowledgements, _acknowledgements.Value))
-            _acknowledgements.Post(_acknowledgements.Value.Newest!.Time);
+            _acknowledgements.PostStamped(_acknowledgements.Value.Newest!.Time);
         return all;
     }
 

@@ -196,6 +196,6 @@ public sealed class SensorFusionManager : RabitManager
         if (_frame is not { } frame)
             return;
         _tracks.Value = new TrackList(_newest, _tracker.Tracks.Select(t => t.ToMessage(frame)));
-        _tracks.Post(_newest);
+        _tracks.PostStamped(_newest);
     }
 }

@@ -75,7 +75,7 @@ public abstract class FaultContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.7")]
-    public void CarryOn_EveryUnitThrows_BacksOffByDoublingUpToTheLongest()
+    public void CarryOn_EveryUnitThrows_BacksOffByDoublingUpToTheMaxDelay()
     {
         var begins = new List<TimeSpan>();
         using TestRun run = NewRun();

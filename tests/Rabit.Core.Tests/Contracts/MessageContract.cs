@@ -33,6 +33,62 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
         });
     }
 
+    [Fact, Trait("Clause", "2.2")]
+    public void PostOfAValue_AndFetchOfAValue_GoThroughTheLocalCopies()
+    {
+        using MessagePair pair = Connect();
+        pair.Run.On(pair.Poster, () =>
+        {
+            pair.Publisher.Post(new Sample { Number = 7 });
+            Assert.Equal(7, pair.Publisher.Value.Number);
+        });
+        pair.Run.On(pair.Fetcher, () =>
+        {
+            Assert.True(pair.Subscriber.Fetch(out Sample news));
+            Assert.False(pair.Subscriber.Fetch(out Sample same));
+            Assert.Equal((7, 7, 7), (news.Number, same.Number, pair.Subscriber.Value.Number));
+
+            news.Number = 8;
+            Assert.Equal(7, pair.Subscriber.Value.Number);
+        });
+    }
+
+    [Fact, Trait("Clause", "2.2"), Trait("Clause", "2.3")]
+    public void PostStampedOfAValue_Always_HasValueAndTime()
+    {
+        using MessagePair pair = Connect();
+        pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(new Sample { Number = 7 }, TimeSpan.FromSeconds(-5)));
+        pair.Run.On(pair.Fetcher, () =>
+        {
+            Assert.True(pair.Subscriber.Fetch(out Sample news));
+            Assert.Equal((7, TimeSpan.FromSeconds(-5)), (news.Number, pair.Subscriber.Stamp.Time));
+        });
+    }
+
+    // The overloads must not be mistaken for those that take a time or return a count.
+    [Fact, Trait("Clause", "2.2")]
+    public void PostAndFetchOfAValue_NumbersAndTimes_AreTheValue()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        MessagePublisher<int> number = manager.Publish<int>("number");
+        MessagePublisher<TimeSpan> time = manager.Publish<TimeSpan>("time");
+        MessageSubscriber<int> numbers = run.Reactor.Workspace.Subscribe<int>("number");
+        MessageSubscriber<TimeSpan> times = run.Reactor.Workspace.Subscribe<TimeSpan>("time");
+
+        run.StartAndSettle();
+        run.On(manager, () =>
+        {
+            number.Post(42);
+            time.Post(TimeSpan.FromHours(3));
+        });
+
+        Assert.True(numbers.Fetch(out int fetchedNumber));
+        Assert.True(times.Fetch(out TimeSpan fetchedTime));
+        Assert.Equal((42, TimeSpan.FromHours(3)), (fetchedNumber, fetchedTime));
+        Assert.InRange(times.Stamp.Time, TimeSpan.Zero, run.Reactor.Now);
+    }
+
     [Fact, Trait("Clause", "2.1")]
     public void BothEnds_OneManager_ShareOneLocalCopy()
     {
@@ -108,7 +164,7 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
         run.On(both, () =>
         {
             publisher.Post();
-            Assert.False(subscriber.Fetch(out int missed));
+            Assert.False(subscriber.FetchAndCountMissed(out int missed));
             Assert.Equal(0, missed);
             Assert.False(subscriber.ForceFetch());
             Assert.True(subscriber.WasPosted);
@@ -162,12 +218,12 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
         using MessagePair pair = Connect();
         pair.Run.On(pair.Poster, () =>
         {
-            pair.Publisher.Post(TimeSpan.FromSeconds(5));
-            pair.Publisher.Post(TimeSpan.FromSeconds(5));
+            pair.Publisher.PostStamped(TimeSpan.FromSeconds(5));
+            pair.Publisher.PostStamped(TimeSpan.FromSeconds(5));
         });
         pair.Run.On(pair.Fetcher, () =>
         {
-            Assert.True(pair.Subscriber.Fetch(out int missed));
+            Assert.True(pair.Subscriber.FetchAndCountMissed(out int missed));
             Assert.Equal(1, missed);
             Assert.Equal(2, pair.Subscriber.Stamp.Version);
         });
@@ -180,15 +236,15 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
         pair.Run.On(pair.Poster, () => Post(pair.Publisher, 4));
         pair.Run.On(pair.Fetcher, () =>
         {
-            Assert.True(pair.Subscriber.Fetch(out int missed));
+            Assert.True(pair.Subscriber.FetchAndCountMissed(out int missed));
             Assert.Equal(3, missed);
         });
         pair.Run.On(pair.Poster, pair.Publisher.Post);
         pair.Run.On(pair.Fetcher, () =>
         {
-            Assert.True(pair.Subscriber.Fetch(out int missed));
+            Assert.True(pair.Subscriber.FetchAndCountMissed(out int missed));
             Assert.Equal(0, missed);
-            Assert.False(pair.Subscriber.Fetch(out missed));
+            Assert.False(pair.Subscriber.FetchAndCountMissed(out missed));
             Assert.Equal(0, missed);
         });
     }
@@ -208,13 +264,13 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
         run.On(both, () =>
         {
             publisher.Post();
-            Assert.False(subscriber.Fetch(out int missed));
+            Assert.False(subscriber.FetchAndCountMissed(out int missed));
             Assert.Equal(0, missed);
         });
         run.On(other, others.Post);
         run.On(both, () =>
         {
-            Assert.True(subscriber.Fetch(out int missed));
+            Assert.True(subscriber.FetchAndCountMissed(out int missed));
             Assert.Equal(2, missed);
         });
     }
@@ -246,7 +302,7 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
         foreach (int seconds in new[] { 10, 3, 10, -5 })
         {
             var trueAt = TimeSpan.FromSeconds(seconds);
-            pair.Run.On(pair.Poster, () => pair.Publisher.Post(trueAt));
+            pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(trueAt));
             pair.Run.On(pair.Fetcher, () =>
             {
                 Assert.True(pair.Subscriber.Fetch());
@@ -260,7 +316,7 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
     {
         using MessagePair pair = Connect();
         pair.Run.On(pair.Fetcher, () => Assert.False(pair.Subscriber.IsFresh(TimeSpan.MaxValue)));
-        pair.Run.On(pair.Poster, () => pair.Publisher.Post(pair.Poster.Time - TimeSpan.FromSeconds(5)));
+        pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(pair.Poster.Time - TimeSpan.FromSeconds(5)));
         pair.Run.On(pair.Fetcher, () =>
         {
             Assert.False(pair.Subscriber.IsFresh(TimeSpan.MaxValue));
@@ -271,7 +327,7 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
             string told = Assert.Throws<ArgumentOutOfRangeException>(() => pair.Subscriber.IsFresh(TimeSpan.FromTicks(-1))).Message;
             Assert.Contains("'sample'", told, StringComparison.Ordinal);
         });
-        pair.Run.On(pair.Poster, () => pair.Publisher.Post(pair.Poster.Time + TimeSpan.FromHours(1)));
+        pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(pair.Poster.Time + TimeSpan.FromHours(1)));
         pair.Run.On(pair.Fetcher, () =>
         {
             Assert.False(pair.Subscriber.IsFresh(TimeSpan.Zero));

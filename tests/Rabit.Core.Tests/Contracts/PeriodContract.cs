@@ -94,7 +94,7 @@ public sealed class PeriodContractInRealTime() : PeriodContract(TimeKind.Real)
         run.Finish();
 
         // Four deadlines passed: one run at once, and then the grid again.
-        Assert.True(run.StatusOf(manager).Slips >= 4, $"{run.StatusOf(manager).Slips} slips");
+        Assert.True(run.StatusOf(manager).MissedDeadlines >= 4, $"{run.StatusOf(manager).MissedDeadlines} slips");
         Assert.True(begins[3] - begins[1] >= TimeSpan.FromTicks(period.Ticks * 4), "the deadlines that passed were caught up on");
     }
 }
@@ -122,6 +122,6 @@ public sealed class PeriodContractInVirtualTime() : PeriodContract(TimeKind.Virt
         // 0 to 25 passes 10 and 20; 25 to 50 is for 20 and passes 30, 40 and 50; 50 to 75 is for 50 and passes 60 and 70; the
         // last, to 100, is for 70 and passes 80, 90 and 100.
         Assert.Equal([0, 25, 50, 75], begins.Select(b => (int)b.TotalMilliseconds));
-        Assert.Equal(2 + 3 + 2 + 3, status.Value.Slips);
+        Assert.Equal(2 + 3 + 2 + 3, status.Value.MissedDeadlines);
     }
 }

@@ -25,7 +25,7 @@ public abstract class PostHandlerContract(TimeKind kind) : ContractTests(kind)
         pair.Run.On(pair.Poster, () =>
         {
             posterThread = Environment.CurrentManagedThreadId;
-            pair.Publisher.Post(TimeSpan.FromSeconds(9));
+            pair.Publisher.PostStamped(TimeSpan.FromSeconds(9));
             Assert.Equal(1, Assert.Single(stamps).Version);
         });
 

@@ -124,7 +124,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [Theory, Trait("Clause", "3.1")]
     [InlineData(QueueFullMode.Reject)]
     [InlineData(QueueFullMode.DropOldest)]
-    public void Counters_HighWater_IsTheMostThatWasInAtOnce(QueueFullMode whenFull)
+    public void Counters_HighWater_IsThePeakOccupancy(QueueFullMode whenFull)
     {
         using Pair pair = Connect(capacity: 8, whenFull);
         int[] marks = [0, 0, 0, 0];
@@ -190,8 +190,8 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager sink = run.Add("sink");
-        sink.Receive<int>("never", whenFull: QueueFullMode.Reject, waitAtMost: TimeSpan.FromSeconds(1));
-        sink.Receive<int>("at once", whenFull: QueueFullMode.Wait, waitAtMost: TimeSpan.Zero);
+        sink.Receive<int>("never", whenFull: QueueFullMode.Reject, maxWait: TimeSpan.FromSeconds(1));
+        sink.Receive<int>("at once", whenFull: QueueFullMode.Wait, maxWait: TimeSpan.Zero);
 
         IReadOnlyList<string> faults = Assert.Throws<RabitWiringException>(run.Start).Faults;
 

@@ -45,7 +45,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager sink = run.Add("sink");
-        QueueReceiver<int> receiver = sink.Receive<int>("queue", 1, QueueFullMode.Wait, wakeOnPush: false, waitAtMost: Limit);
+        QueueReceiver<int> receiver = sink.Receive<int>("queue", 1, QueueFullMode.Wait, wakeOnPush: false, maxWait: Limit);
         QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
         run.StartAndSettle();
 
@@ -150,7 +150,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
         var source = new ScriptedSource(run.Board, TimeSpan.Zero, 1, 2, 3);
-        BlockingReader<int> reader = manager.AttachReader("line", source, capacity: 1, QueueFullMode.Wait, waitAtMost: Limit);
+        BlockingReader<int> reader = manager.AttachReader("line", source, capacity: 1, QueueFullMode.Wait, maxWait: Limit);
         TimeSpan begin = run.Reactor.Now;
 
         run.Start();
@@ -218,7 +218,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
     public async Task ChannelWriter_QueueWithATimeLimit_ThrowsWhenItIsUp()
     {
         using TestRun run = NewRun();
-        run.Add("sink").Receive<int>("queue", 1, QueueFullMode.Wait, wakeOnPush: false, waitAtMost: Limit);
+        run.Add("sink").Receive<int>("queue", 1, QueueFullMode.Wait, wakeOnPush: false, maxWait: Limit);
         ChannelWriter<int> writer = run.Reactor.Workspace.Send<int>("queue").AsChannelWriter();
         run.StartAndSettle();
 

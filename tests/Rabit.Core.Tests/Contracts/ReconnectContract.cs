@@ -88,7 +88,7 @@ public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
         ScriptedManager manager = run.Add("m");
         var source = new ScriptedSource(run.Board, TimeSpan.Zero, 1) { OnRead = () => throw new IOException("unplugged") };
         BlockingReader<int> reader = manager.AttachReader(
-            "line", source, reconnect: ReconnectPolicy.After(TimeSpan.FromMilliseconds(1), TimeSpan.FromMilliseconds(1), mostAttempts: 3));
+            "line", source, reconnect: ReconnectPolicy.After(TimeSpan.FromMilliseconds(1), TimeSpan.FromMilliseconds(1), maxAttempts: 3));
 
         run.StartAndSettle();
         run.Until(() => reader.State == DeviceState.Faulted, "it gives up");
@@ -165,7 +165,7 @@ public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
         TimeSpan one = TimeSpan.FromSeconds(1);
         Assert.Throws<ArgumentOutOfRangeException>(() => ReconnectPolicy.After(TimeSpan.Zero, one));
         Assert.Throws<ArgumentOutOfRangeException>(() => ReconnectPolicy.After(one + one, one));
-        Assert.Throws<ArgumentOutOfRangeException>(() => ReconnectPolicy.After(one, one, mostAttempts: 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => ReconnectPolicy.After(one, one, maxAttempts: 0));
     }
 }
 

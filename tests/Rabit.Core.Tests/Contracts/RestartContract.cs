@@ -162,7 +162,7 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         using TestRun run = NewRun();
         ScriptedManager faulty = run.Add("faulty");
         var window = TimeSpan.FromMilliseconds(4);
-        faulty.FaultPolicy = FaultPolicy.RestartAfter(window, window, mostRestarts: 1, window);
+        faulty.FaultPolicy = FaultPolicy.RestartAfter(window, window, maxRestarts: 1, window);
         faulty.OnUnit = () => throw new InvalidOperationException("boom");
 
         run.Start();

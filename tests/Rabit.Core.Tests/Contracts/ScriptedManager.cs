@@ -84,8 +84,8 @@ internal sealed class ScriptedManager : RabitManager
         => base.SubscribeToStatus(managerName, wakeOnPost);
 
     public new QueueReceiver<T> Receive<T>(
-        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, bool wakeOnPush = true, TimeSpan? waitAtMost = null)
-        => base.Receive<T>(name, capacity, whenFull, wakeOnPush, waitAtMost);
+        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, bool wakeOnPush = true, TimeSpan? maxWait = null)
+        => base.Receive<T>(name, capacity, whenFull, wakeOnPush, maxWait);
 
     public new QueueSender<T> Send<T>(string name, bool wakeOnPop = false) => base.Send<T>(name, wakeOnPop);
 
@@ -94,9 +94,9 @@ internal sealed class ScriptedManager : RabitManager
         IReaderSource<T> source,
         int capacity = 100,
         QueueFullMode whenFull = QueueFullMode.Wait,
-        TimeSpan? waitAtMost = null,
+        TimeSpan? maxWait = null,
         ReconnectPolicy? reconnect = null)
-        => base.AttachReader(name, source, capacity, whenFull, waitAtMost, reconnect);
+        => base.AttachReader(name, source, capacity, whenFull, maxWait, reconnect);
 
     public new BlockingWriter<T> AttachWriter<T>(
         string name,

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Core.Tests.Messaging;
+using Rabit.Core.Tests.Messages;
 using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
@@ -46,6 +46,48 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
         });
     }
 
+    [Fact, Trait("Clause", "2.2"), Trait("Clause", "2.5")]
+    public void PostOfAValue_SelfCopyingClass_CopiesTheInstanceThatStaysTheCallers()
+    {
+        using Pair pair = Connect();
+        TestScan scan = TestScan.Filled(7);
+        pair.Run.On(pair.Poster, () =>
+        {
+            pair.Publisher.Post(scan);
+            Assert.NotSame(scan, pair.Publisher.Value);
+            scan.Fill(8);
+            Assert.Equal(7, pair.Publisher.Value.Number);
+
+            pair.Publisher.Value.Fill(9);
+            pair.Publisher.Post(pair.Publisher.Value);
+        });
+        pair.Run.On(pair.Fetcher, () =>
+        {
+            Assert.True(pair.Subscriber.Fetch(out TestScan fetched));
+            Assert.Same(pair.Subscriber.Value, fetched);
+            Assert.Equal(9, fetched.Number);
+            Assert.True(fetched.IsWhole);
+        });
+    }
+
+    [Fact, Trait("Clause", "2.4"), Trait("Clause", "2.5")]
+    public void PostOfAValue_CopyMethodThrows_LeavesTheLocalCopyWholeAndPostsNothing()
+    {
+        using Pair pair = Connect();
+        TestScan scan = TestScan.Filled(7);
+        scan.OnCopy = () => throw new FormatException("bad point");
+        pair.Run.On(pair.Poster, () =>
+        {
+            InvalidOperationException error = Assert.Throws<InvalidOperationException>(() => pair.Publisher.Post(scan));
+
+            AssertNames(error, "'scan'", "TestScan.CopyTo", "posted", "FormatException", "bad point");
+            AssertNames(Assert.Throws<InvalidOperationException>(() => pair.Publisher.Post(null!)), "'scan'", "null");
+            Assert.Equal((3, 0), (pair.Publisher.Value.Number, pair.Publisher.Stamp.Version));
+            Assert.True(pair.Publisher.Value.IsWhole);
+        });
+        pair.Run.On(pair.Fetcher, () => Assert.False(pair.Subscriber.Fetch()));
+    }
+
     [Fact, Trait("Clause", "2.5")]
     public void Initial_ChangedByItsMakerAfterTheStart_ChangesNoCopy()
     {
@@ -75,7 +117,7 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
         });
         pair.Run.On(pair.Fetcher, () =>
         {
-            Assert.True(pair.Subscriber.Fetch(out int missed));
+            Assert.True(pair.Subscriber.FetchAndCountMissed(out int missed));
             Assert.Equal(0, missed);
             Assert.Equal(7, pair.Subscriber.Value.Number);
             Assert.True(pair.Subscriber.Value.IsWhole);

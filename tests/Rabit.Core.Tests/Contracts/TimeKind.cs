@@ -53,7 +53,7 @@ public abstract class TimeKind
 
     private sealed class VirtualKind : TimeKind
     {
-        private const int MostSteps = 100_000;
+        private const int MaxSteps = 100_000;
         private static readonly TimeSpan Step = TimeSpan.FromMilliseconds(1);
 
         public override bool HasThreads => false;
@@ -65,7 +65,7 @@ public abstract class TimeKind
             if (condition())
                 return true;
             bool goesOn = reactor.RunFor(TimeSpan.Zero);
-            for (int step = 0; goesOn && step < MostSteps && !condition(); step++)
+            for (int step = 0; goesOn && step < MaxSteps && !condition(); step++)
                 goesOn = reactor.RunFor(Step);
             return condition();
         }

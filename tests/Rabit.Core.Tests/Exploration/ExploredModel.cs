@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Core.Time;
 
 namespace Rabit.Core.Tests.Exploration;
 

@@ -1,11 +1,11 @@
 using System;
 using System.Threading;
-using Rabit.Core.Synchronization;
+using Rabit.Core.Time;
 
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>The points as the explorer sees them: each asks the recorder what the memory, the kernel or the clock answers.</summary>
-internal readonly unsafe struct ExploredSyncPoints : ISyncPoints
+internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
 {
     public int Read(ref int location) => Perform(SyncKind.Read, ref location);
 

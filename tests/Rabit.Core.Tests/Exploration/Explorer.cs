@@ -16,7 +16,7 @@ namespace Rabit.Core.Tests.Exploration;
 internal sealed class Explorer
 {
     private const int Time = -1;
-    private const int MostSteps = 1000;
+    private const int MaxSteps = 1000;
 
     private readonly ExploredModel _model;
     private readonly ExploredMachine _machine;
@@ -67,8 +67,8 @@ internal sealed class Explorer
         if (_known.TryGet(key, out double interleavings))
             return interleavings;
 
-        if (depth == MostSteps)
-            throw new InvalidOperationException($"No end after {MostSteps} steps; the first: {string.Join("; ", _steps.GetRange(0, 40).ConvertAll(Describe))}");
+        if (depth == MaxSteps)
+            throw new InvalidOperationException($"No end after {MaxSteps} steps; the first: {string.Join("; ", _steps.GetRange(0, 40).ConvertAll(Describe))}");
         interleavings = FreeThread(state) is { } free ? InterleavingsOf(free, depth, out _) : InterleavingsOfAll(depth);
         if (_fault is not null)
             return 0;

@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
-using Rabit.Core.Managers;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Tests.Exploration;
 
@@ -45,13 +46,13 @@ internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUn
             Sync.Set(_event);
     }
 
-    public override void Run(NextTurn next, Func<WakeUps, TimeSpan?, NextTurn> takeTurn)
+    public override void Run(NextStep next, Func<ConsumedWakeUps, TimeSpan?, NextStep> runStep)
     {
         while (true)
         {
             if (fault == SeededFault.FlagClearedAfterTheWork && next.Wanted == Any)
                 Sync.Exchange(ref _state, 0);
-            while (TryFallAsleep(next.Wanted))
+            while (TryPrepareToWait(next.Wanted))
             {
                 TimeSpan left = next.Due - clock.Now;
                 if (left <= TimeSpan.Zero)
@@ -68,7 +69,7 @@ internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUn
                 return;
             if (fault == SeededFault.WakeDroppedDuringStartup && (taken & (int)WakeUpCauses.Start) != 0)
                 Sync.VolatileWrite(ref _isOpen, 1);
-            next = takeTurn(new WakeUps((WakeUpCauses)(taken & Any & ~Stop), taken / OneWake, stop: false), null);
+            next = runStep(new ConsumedWakeUps((WakeUpCauses)(taken & Any & ~Stop), taken / OneWake, stop: false), null);
         }
     }
 
@@ -85,7 +86,7 @@ internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUn
         }
     }
 
-    private bool TryFallAsleep(int wanted)
+    private bool TryPrepareToWait(int wanted)
     {
         int seen = Sync.VolatileRead(ref _state);
         while ((seen & wanted) == 0 || fault == SeededFault.WaitWithoutRecheck)

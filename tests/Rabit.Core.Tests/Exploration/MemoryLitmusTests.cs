@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Core.Synchronization;
 using Xunit;
 
 namespace Rabit.Core.Tests.Exploration;
@@ -12,7 +11,7 @@ namespace Rabit.Core.Tests.Exploration;
 /// </summary>
 public sealed class MemoryLitmusTests
 {
-    private static readonly ISyncPoints P = default(ExploredSyncPoints);
+    private static readonly ILitmusPoints P = default(ExploredSyncPoints);
 
     private readonly int[] _x = new int[1];
     private readonly int[] _y = new int[1];

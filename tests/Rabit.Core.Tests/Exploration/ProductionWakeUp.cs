@@ -1,6 +1,6 @@
 using System;
-using Rabit.Core.Managers;
-using Rabit.Core.Reactors;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Tests.Exploration;
 
@@ -8,12 +8,12 @@ namespace Rabit.Core.Tests.Exploration;
 internal sealed class ProductionWakeUp : WakeUpUnderTest
 {
     private readonly WakeUpEvent<ExploredSyncPoints> _wakeUp = new();
-    private readonly TurnLoop<ExploredSyncPoints> _loop;
+    private readonly StepLoop<ExploredSyncPoints> _loop;
 
     public ProductionWakeUp(IWaitSignal signal, RunClock clock)
     {
         _wakeUp.Connect(signal, clock);
-        _loop = new TurnLoop<ExploredSyncPoints>(_wakeUp, signal, clock);
+        _loop = new StepLoop<ExploredSyncPoints>(_wakeUp, signal, clock);
     }
 
     public static WakeUpUnderTest OnEvent(RunClock clock) => new ProductionWakeUp(new EventWaitSignal<ExploredSyncPoints>(clock), clock);
@@ -31,5 +31,5 @@ internal sealed class ProductionWakeUp : WakeUpUnderTest
 
     public override void RequestStop() => _wakeUp.RequestStop();
 
-    public override void Run(NextTurn next, Func<WakeUps, TimeSpan?, NextTurn> takeTurn) => _loop.Run(next, takeTurn);
+    public override void Run(NextStep next, Func<ConsumedWakeUps, TimeSpan?, NextStep> runStep) => _loop.Run(next, runStep);
 }

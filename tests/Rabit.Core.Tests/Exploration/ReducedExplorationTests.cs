@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.Linq;
-using Rabit.Core.Managers;
 using Xunit;
 using Xunit.Abstractions;
 

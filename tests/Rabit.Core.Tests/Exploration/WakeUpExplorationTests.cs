@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Rabit.Core.Managers;
 using Xunit;
 using Xunit.Abstractions;
 

@@ -1,5 +1,5 @@
 using System;
-using Rabit.Core.Managers;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Tests.Exploration;
 
@@ -57,7 +57,7 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
     }
 
     /// <summary>A turn begins: it has all wakes that have returned, none that was not called, and their causes.</summary>
-    public void BeginTurn(ExploredState s, NextTurn planned, WakeUps wakes, TimeSpan? wokenAt)
+    public void BeginStep(ExploredState s, NextStep planned, ConsumedWakeUps wakes, TimeSpan? wokenAt)
     {
         bool isTimer = (wakes.Causes & WakeUpCauses.Timer) != 0;
         bool isWanted = (planned.Wanted & (int)WakeUpCauses.Post) != 0 || (wakes.Causes & WakeUpCauses.Start) != 0;
@@ -70,7 +70,7 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
         s.Require(!scenario.ChecksCounts || taken >= s.Note(StartReturned) + Sum(s, Returned), "a wake that had returned is not in the turn");
         s.Require(taken <= s.Note(StartCalled) + Sum(s, Called), "a wake is in two turns");
         for (int waker = 0; waker < scenario.Wakers; waker++)
-            BeginTurn(s, waker, (wakes.Causes & Causes[waker]) != 0);
+            BeginStep(s, waker, (wakes.Causes & Causes[waker]) != 0);
     }
 
     /// <summary>The turn reads what a waker wrote plainly.</summary>
@@ -103,7 +103,7 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
             s.Require(s.Note(Of(waker, Seen)) == s.Note(Of(waker, Returned)), "a post was lost: the last turn saw an older one");
     }
 
-    private void BeginTurn(ExploredState s, int waker, bool isCause)
+    private void BeginStep(ExploredState s, int waker, bool isCause)
     {
         int called = s.Note(Of(waker, Called));
         int returned = s.Note(Of(waker, Returned));

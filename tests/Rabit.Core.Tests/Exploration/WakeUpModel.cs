@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
-using Rabit.Core.Managers;
-using Rabit.Core.Synchronization;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Tests.Exploration;
 
@@ -81,9 +81,9 @@ internal sealed class WakeUpModel : ExploredModel
         ExploredSyncPoints.Note("woken", s => WakeUpHistory.Return(s, waker, number));
     }
 
-    private NextTurn TakeTurn(NextTurn planned, WakeUps wakes, TimeSpan? wokenAt)
+    private NextStep RunStep(NextStep planned, ConsumedWakeUps wakes, TimeSpan? wokenAt)
     {
-        ExploredSyncPoints.Note((planned, wakes, wokenAt), s => _history.BeginTurn(s, planned, wakes, wokenAt));
+        ExploredSyncPoints.Note((planned, wakes, wokenAt), s => _history.BeginStep(s, planned, wakes, wokenAt));
         for (int i = 0; i < _scenario.Wakers; i++)
         {
             int waker = i;
@@ -94,9 +94,9 @@ internal sealed class WakeUpModel : ExploredModel
         }
 
         if (_scenario.Ticks == 0)
-            return NextTurn.At(TimeSpan.MaxValue);
+            return NextStep.At(TimeSpan.MaxValue);
         TimeSpan due = _clock.Now + Delay;
-        return _scenario.BacksOff ? NextTurn.OnlyAt(due) : NextTurn.At(due);
+        return _scenario.BacksOff ? NextStep.OnlyAt(due) : NextStep.At(due);
     }
 
     private sealed class Reactor(WakeUpModel model) : ExploredThread("reactor")
@@ -130,12 +130,12 @@ internal sealed class WakeUpModel : ExploredModel
 
     private sealed class Sleeper(WakeUpModel model) : ExploredThread("sleeper")
     {
-        public override object Begin => model._scenario.Starts || model._scenario.Stops ? NextTurn.AtStart() : NextTurn.At(TimeSpan.MaxValue);
+        public override object Begin => model._scenario.Starts || model._scenario.Stops ? NextStep.AtStart() : NextStep.At(TimeSpan.MaxValue);
 
         public override object? Run(object from)
         {
-            var planned = (NextTurn)from;
-            model._wakeUp.Run(planned, (wakes, wokenAt) => throw Recorder.End(model.TakeTurn(planned, wakes, wokenAt)));
+            var planned = (NextStep)from;
+            model._wakeUp.Run(planned, (wakes, wokenAt) => throw Recorder.End(model.RunStep(planned, wakes, wokenAt)));
             ExploredSyncPoints.Note("ended", model._history.End);
             return null;
         }

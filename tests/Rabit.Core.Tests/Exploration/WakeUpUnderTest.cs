@@ -1,5 +1,5 @@
 using System;
-using Rabit.Core.Managers;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Tests.Exploration;
 
@@ -11,5 +11,5 @@ internal abstract class WakeUpUnderTest
     public abstract void RequestStop();
 
     /// <summary>Sleeps and takes turns until it is stopped.</summary>
-    public abstract void Run(NextTurn next, Func<WakeUps, TimeSpan?, NextTurn> takeTurn);
+    public abstract void Run(NextStep next, Func<ConsumedWakeUps, TimeSpan?, NextStep> runStep);
 }

@@ -67,7 +67,7 @@ public sealed class PeriodGridTests
         Assert.Equal((131, 0), Next(period: 20, begin: 111, end: 112));
     }
 
-    private (int Due, int Slips) Next(int period, int begin, int end)
+    private (int Due, int MissedDeadlines) Next(int period, int begin, int end)
     {
         TimeSpan due = _grid.Next(Milliseconds(period), Milliseconds(begin), Milliseconds(end), out long slips);
         return ((int)due.TotalMilliseconds, (int)slips);

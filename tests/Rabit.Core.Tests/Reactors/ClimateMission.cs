@@ -40,7 +40,7 @@ internal static class ClimateMission
         protected override void ExecuteUnitOfWork()
         {
             _cabin.Value -= 0.3;
-            _cabin.Post(Now - TimeSpan.FromMilliseconds(1));
+            _cabin.PostStamped(Now - TimeSpan.FromMilliseconds(1));
             _readings.Push(_cabin.Value);
         }
     }

@@ -86,7 +86,7 @@ internal sealed class Mission : IDisposable
 
         protected override void ExecuteUnitOfWork()
         {
-            if (_neighbour.Fetch(out int missed))
+            if (_neighbour.FetchAndCountMissed(out int missed))
                 Sum = unchecked((Sum * 31) + _neighbour.Value.Sum + missed + _neighbour.Value.At.Ticks);
             while (_inbox.TryPop(out long value))
                 Sum = unchecked((Sum * 17) + value);

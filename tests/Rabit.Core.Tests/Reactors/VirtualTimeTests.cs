@@ -76,7 +76,7 @@ public sealed class VirtualTimeTests
         var time = new VirtualTime();
         Assert.Throws<ArgumentOutOfRangeException>(() => time.Pace = 0);
         Assert.Throws<ArgumentOutOfRangeException>(() => time.Pace = double.NaN);
-        Assert.Throws<ArgumentOutOfRangeException>(() => time.MaximumRunsPerInstant = 0);
+        Assert.Throws<ArgumentOutOfRangeException>(() => time.MaxRunsPerInstant = 0);
         var error = Assert.Throws<ArgumentOutOfRangeException>(() => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(-1)));
         Assert.Contains("'slow'", error.Message, StringComparison.Ordinal);
         error = Assert.Throws<ArgumentOutOfRangeException>(() => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(2), TimeSpan.FromTicks(1)));
@@ -94,7 +94,7 @@ public sealed class VirtualTimeTests
     [Fact, Trait("Clause", "5.2")]
     public void StandStill_TwoThatWakeEachOther_StopsWithAnErrorThatNamesThem()
     {
-        using TestRun run = NewRun(new VirtualTime { MaximumRunsPerInstant = 500 });
+        using TestRun run = NewRun(new VirtualTime { MaxRunsPerInstant = 500 });
         ScriptedManager ping = run.Add("ping");
         ScriptedManager pong = run.Add("pong");
         ScriptedManager innocent = run.Add("innocent");
@@ -118,7 +118,7 @@ public sealed class VirtualTimeTests
     [Fact, Trait("Clause", "5.2")]
     public void StandStill_ManyRunsButTheClockMoves_IsNone()
     {
-        using TestRun run = NewRun(new VirtualTime { MaximumRunsPerInstant = 3 });
+        using TestRun run = NewRun(new VirtualTime { MaxRunsPerInstant = 3 });
         ScriptedManager manager = run.Add("m");
         manager.WakeUpDelay = TimeSpan.FromTicks(1);
 
@@ -194,14 +194,14 @@ public sealed class VirtualTimeTests
 
         Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Request], manager.Causes);
         Assert.True(run.Reactor.Now > TimeSpan.Zero);
-        Assert.Equal(TimeSpan.Zero, run.StatusOf(manager).WakeLatency.Maximum);
+        Assert.Equal(TimeSpan.Zero, run.StatusOf(manager).WakeLatency.Max);
     }
 
     [Fact, Trait("Clause", "5.2")]
     public void OtherThreads_ThatPushWhileItRuns_LoseNothing()
     {
         const int Each = 20_000;
-        using TestRun run = NewRun(new VirtualTime { MaximumRunsPerInstant = int.MaxValue });
+        using TestRun run = NewRun(new VirtualTime { MaxRunsPerInstant = int.MaxValue });
         ScriptedManager sink = run.Add("sink");
         ScriptedManager ticker = run.Add("ticker");
         ticker.WakeUpDelay = TimeSpan.FromMilliseconds(1);
@@ -242,10 +242,10 @@ public sealed class VirtualTimeTests
         run.Start();
         run.Reactor.RunFor(TimeSpan.FromHours(3));
 
-        Assert.Equal(manager.Units, run.Reactor.RealTurnTime("m").Count);
-        Assert.True(run.Reactor.RealTurnTime("m").Total > TimeSpan.Zero);
+        Assert.Equal(manager.Units, run.Reactor.RealStepTime("m").Count);
+        Assert.True(run.Reactor.RealStepTime("m").Total > TimeSpan.Zero);
         Assert.Equal(TimeSpan.Zero, run.StatusOf(manager).UnitOfWorkTime.Total);
-        Assert.Contains("'ghost'", Assert.Throws<ArgumentException>(() => run.Reactor.RealTurnTime("ghost")).Message, StringComparison.Ordinal);
+        Assert.Contains("'ghost'", Assert.Throws<ArgumentException>(() => run.Reactor.RealStepTime("ghost")).Message, StringComparison.Ordinal);
     }
 
     private static TestRun NewRun(VirtualTime time) => new(TimeKind.Virtual, options => options.Time = time);

@@ -28,13 +28,13 @@ public sealed class WorkspaceStressTests
     public void Workspaces_AHundredAtOnceAgainAndAgain_LeaveNothingBehind(WaitEngine engine)
     {
         var reactors = new List<WeakReference>();
-        int mostThreads = 0;
+        int maxThreads = 0;
         for (int round = 0; round < 5; round++)
-            mostThreads = Math.Max(mostThreads, RunAll(engine, reactors));
+            maxThreads = Math.Max(maxThreads, RunAll(engine, reactors));
 
         // That the threads can be seen at all, where the system tells of threads.
         if (Directory.Exists("/proc/self/task"))
-            Assert.Equal(2 * Workspaces, mostThreads);
+            Assert.Equal(2 * Workspaces, maxThreads);
         WaitUntil(() => ThreadsAlive() == 0, () => $"{ThreadsAlive()} threads are left");
 
         // Mono's collector takes what looks like a reference on a stack for one, so that some may be found alive.

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Core.RealTimeKit;
 
 namespace Rabit.Core.Tests.RealTimeKit;
 

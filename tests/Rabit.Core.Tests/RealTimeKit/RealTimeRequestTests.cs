@@ -64,11 +64,11 @@ public sealed class RealTimeRequestTests
         Assert.Same(manager.RealTimeReport, report);
         Assert.Equal(4, report.Grants.Count);
         Assert.Equal(4, log.Count(line => line.StartsWith("real time: ", StringComparison.Ordinal)));
-        Assert.All(report.Grants, grant => Assert.Equal(grant.IsGranted, grant.WhyNot is null));
+        Assert.All(report.Grants, grant => Assert.Equal(grant.IsGranted, grant.Reason is null));
         Assert.Equal(OnLinux(2), manager.WarmUpsAtStartup);
 
         // No system refuses a thread an exacter timer.
-        Assert.Equal(OperatingSystem.IsLinux(), report.Grants.Single(g => g.Asked.StartsWith("timer slack", StringComparison.Ordinal)).IsGranted);
+        Assert.Equal(OperatingSystem.IsLinux(), report.Grants.Single(g => g.Requested.StartsWith("timer slack", StringComparison.Ordinal)).IsGranted);
     }
 
     [Fact]
@@ -78,7 +78,7 @@ public sealed class RealTimeRequestTests
         ReactorResult result = Run(new RabitReactor(new VirtualTime(seed: 1)), manager);
 
         Assert.Equal(0, manager.WarmUps);
-        Assert.All(Assert.Single(result.Managers).RealTime.Grants, g => Assert.Equal("virtual time has no threads", g.WhyNot));
+        Assert.All(Assert.Single(result.Managers).RealTime.Grants, g => Assert.Equal("virtual time has no threads", g.Reason));
     }
 
     [Fact]

@@ -3,6 +3,8 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
+using Rabit.Core.RealTimeKit;
+using Rabit.Core.Time;
 using Xunit;
 
 namespace Rabit.Core.Tests.RealTimeKit;
@@ -60,7 +62,7 @@ public sealed class RealTimeSetupTests
         Assert.Equal(
             ["EPERM: it needs CAP_IPC_LOCK or a limit of locked memory (ulimit -l) above zero",
                 "EPERM: it needs CAP_SYS_NICE or a limit of real-time priority (ulimit -r) of at least 20"],
-            report.Grants.Select(g => g.WhyNot));
+            report.Grants.Select(g => g.Reason));
     }
 
     [Theory]
@@ -70,7 +72,7 @@ public sealed class RealTimeSetupTests
     public void Apply_MemoryNotLocked_SaysWhy(int error, string expected)
     {
         _system.Error = error;
-        Assert.StartsWith(expected, Assert.Single(Apply(new RealTimeRequest { LocksMemory = true }).Grants).WhyNot, StringComparison.Ordinal);
+        Assert.StartsWith(expected, Assert.Single(Apply(new RealTimeRequest { LocksMemory = true }).Grants).Reason, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -82,7 +84,7 @@ public sealed class RealTimeSetupTests
 
     [Fact]
     public void Apply_NoCpuThatTheProcessMayUse_SaysSo()
-        => Assert.Equal("EINVAL: the process may use none of them", Assert.Single(Apply(new RealTimeRequest { Cpus = [7] }).Grants).WhyNot);
+        => Assert.Equal("EINVAL: the process may use none of them", Assert.Single(Apply(new RealTimeRequest { Cpus = [7] }).Grants).Reason);
 
     [Fact]
     public void Apply_NoSystem_GrantsNothingAndSaysWhy()
@@ -92,7 +94,7 @@ public sealed class RealTimeSetupTests
         RealTimeReport report = Apply(new RealTimeRequest { Priority = 1, Cpus = [0], LocksMemory = true, TimerSlack = TimeSpan.FromTicks(1), WarmUpRuns = 1 });
 
         Assert.Equal(5, report.Grants.Count);
-        Assert.All(report.Grants, g => Assert.Equal("only on a Tuesday", g.WhyNot));
+        Assert.All(report.Grants, g => Assert.Equal("only on a Tuesday", g.Reason));
         Assert.Equal(5, _log.Count);
     }
 
@@ -127,7 +129,7 @@ public sealed class RealTimeSetupTests
 
         RealTimeReport report = Apply(new RealTimeRequest { Priority = 1, Spins = true }, "second");
 
-        Assert.Contains("could occupy every CPU", Assert.Single(report.Grants).WhyNot, StringComparison.Ordinal);
+        Assert.Contains("could occupy every CPU", Assert.Single(report.Grants).Reason, StringComparison.Ordinal);
         Assert.DoesNotContain("throttling", report.ToString(), StringComparison.Ordinal);
         Assert.Single(_system.Asked, "Fifo 1");
 
@@ -147,7 +149,7 @@ public sealed class RealTimeSetupTests
     {
         _system.ThrottlesRealTime = false;
         Assert.True(Apply(new RealTimeRequest { Priority = 1 }).IsGranted);
-        Assert.Contains("throttling is off", Assert.Single(Apply(new RealTimeRequest { Priority = 1 }, "second").Grants).WhyNot, StringComparison.Ordinal);
+        Assert.Contains("throttling is off", Assert.Single(Apply(new RealTimeRequest { Priority = 1 }, "second").Grants).Reason, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -173,7 +175,7 @@ public sealed class RealTimeSetupTests
     {
         _system.Error = 3;
         string[] lines = Apply(new RealTimeRequest { Cpus = [0], TimerSlack = TimeSpan.FromTicks(10) }).ToString().Split('\n');
-        Assert.Equal(["asked             granted  why not", "timer slack 1 µs  no       ESRCH", "CPUs 0            yes"], lines);
+        Assert.Equal(["requested         granted  reason", "timer slack 1 µs  no       ESRCH", "CPUs 0            yes"], lines);
     }
 
     private RealTimeReport Apply(RealTimeRequest? request, string name = "m")

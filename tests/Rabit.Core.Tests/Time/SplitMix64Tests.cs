@@ -1,4 +1,5 @@
 using System.Linq;
+using Rabit.Core.Time;
 using Xunit;
 
 namespace Rabit.Core.Tests.Time;

@@ -8,13 +8,13 @@ internal sealed class RabitOneThread<T> : IContender
     where T : struct
 {
     private readonly PushPop _manager;
-    private readonly VirtualTurns _turns;
+    private readonly VirtualSteps _turns;
 
     public RabitOneThread(string name, int capacity, QueueFullMode whenFull)
     {
         Name = name;
         _manager = new PushPop(capacity, whenFull);
-        _turns = new VirtualTurns(_manager);
+        _turns = new VirtualSteps(_manager);
     }
 
     public string Name { get; }

@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.CompilerServices;
+using Rabit.Core.Diagnostics;
+using Rabit.Core.Managers;
+using Rabit.Core.Time;
+using Rabit.Core.Wiring;
+
+namespace Rabit.Core.Messages;
+
+/// <summary>
+/// What an owner declared of a message, and, once wired, the hidden global copy. Written by the thread that wires;
+/// then read by the owner's thread.
+/// </summary>
+internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, string name) : EndpointDeclaration(owner, role, name, typeof(T))
+{
+    // Whether T is a class that copies itself. The same for all messages of a type, and known without reflection on members.
+    private static readonly bool IsSelfCopying = !typeof(T).IsValueType && typeof(ISelfCopying<T>).IsAssignableFrom(typeof(T));
+
+    // Who must run on the thread that uses this endpoint: null outside managers.
+    private readonly EndpointOwner? _mustRun = owner.IsManager ? owner : null;
+
+    private List<Action<MessageStamp>>? _handlers;
+    private LocalCopy<T>? _copy;
+
+    /// <summary>The value before the first post, where this endpoint states one.</summary>
+    public T Initial { get; init; } = default!;
+
+    public SharedMessage<T>? Shared { get; private set; }
+
+    public override bool IsWired => Shared is not null;
+
+    public override bool CopiesItself => IsSelfCopying;
+
+    /// <summary>The local copy, after the check that the owner may use it: the hot path of every endpoint.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public LocalCopy<T> Copy()
+    {
+        LocalCopy<T>? copy = _copy;
+        if (copy is null || (_mustRun is not null && RunningManager.Current != _mustRun))
+            ThrowMisuse();
+        return copy!;
+    }
+
+    public void AddHandler(Action<MessageStamp> handler)
+    {
+        if (Shared is null)
+            (_handlers ??= []).Add(handler);
+        else
+            Shared.AddTarget(new PostTarget(Owner, wakeUp: null, handler));
+    }
+
+    public override string? FindFaultOfInitial()
+    {
+        if (!IsSelfCopying || Initial is null)
+            return null;
+        string method = $"{TypeNames.Of(typeof(T))}.{nameof(ISelfCopying<>.Clone)}";
+        try
+        {
+            T clone = ((ISelfCopying<T>)Initial).Clone();
+            if (clone is null)
+                return $"{method} gives null.";
+            return ReferenceEquals(clone, Initial) ? $"{method} gives the same instance, which copies would share." : null;
+        }
+        catch (Exception e)
+        {
+            // The user's method; reported with all other faults of the wiring.
+            return $"{method} threw {e.GetType().Name}: {e.Message}";
+        }
+    }
+
+    public override IConnector CreateConnector(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
+    {
+        T initial = default!;
+        int publishers = 0;
+        bool areManagers = true;
+        foreach (EndpointDeclaration endpoint in endpoints)
+        {
+            if (endpoint.StatesInitial)
+                initial = ((MessageBinding<T>)endpoint).Initial;
+            if (endpoint.Role != EndpointRole.Publish)
+                continue;
+            publishers++;
+            areManagers &= endpoint.Owner.IsManager;
+        }
+
+        var place = new MessagePlace(Name, clock, log);
+        if (IsSelfCopying && initial is not null)
+            return new SharedObject<T>(place, initial);
+        return new SharedValue<T>(place, initial, isAlone: publishers == 1 && areManagers);
+    }
+
+    public override void Watch(IConnector connector, EventLog events)
+    {
+        // A manager posts its status after every run, which is in the log already.
+        if (!IsBuiltIn)
+            ((SharedMessage<T>)connector).AddTarget(new PostTarget(events.Owner, wakeUp: null, stamp => events.Posted(Name, stamp)));
+    }
+
+    public override void Bind(IConnector connector, EndpointDeclaration? firstOfOwner)
+    {
+        Shared = (SharedMessage<T>)connector;
+
+        // All endpoints of a manager for one message share its local copy; endpoints outside managers have one each.
+        _copy = Owner.IsManager && firstOfOwner is MessageBinding<T> first ? first._copy! : Shared.CreateCopy();
+        if (Role != EndpointRole.Subscribe)
+            return;
+        if (Wakes)
+            Shared.AddTarget(new PostTarget(Owner, Owner.WakeUp, handler: null));
+        if (_handlers is null)
+            return;
+        foreach (Action<MessageStamp> handler in _handlers)
+            Shared.AddTarget(new PostTarget(Owner, wakeUp: null, handler));
+    }
+}

@@ -1,0 +1,19 @@
+using System.Threading;
+
+namespace Rabit.Core.Messages;
+
+/// <summary>What it takes to read without a lock what a poster may be writing; see <see cref="SharedValue{T}"/>.</summary>
+internal static class OptimisticRead
+{
+    /// <summary>How often a fetcher tries before it takes the lock.</summary>
+    public const int Tries = 4;
+
+    /// <summary>How many posts are kept: a power of two. A fetcher's value is overwritten if one post less comes during one copy.</summary>
+    public const int Slots = 8;
+
+    /// <summary>No store behind it is seen before one in front of it.</summary>
+    public static void StoreBarrier() => Volatile.WriteBarrier();
+
+    /// <summary>No load behind it is made before one in front of it.</summary>
+    public static void LoadBarrier() => Volatile.ReadBarrier();
+}

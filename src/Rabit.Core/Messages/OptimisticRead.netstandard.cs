@@ -1,0 +1,22 @@
+using System.Threading;
+
+namespace Rabit.Core.Messages;
+
+/// <summary>
+/// netstandard2.0 has no barriers that are cheap enough, and some older runtimes that use it, Mono among them, have had faults in
+/// those they have: posters and fetchers take the lock.
+/// </summary>
+internal static class OptimisticRead
+{
+    /// <summary>How often a fetcher tries before it takes the lock: never.</summary>
+    public const int Tries = 0;
+
+    /// <summary>How many posts are kept where a test makes a fetcher try all the same.</summary>
+    public const int Slots = 8;
+
+    /// <summary>No store behind it is seen before one in front of it.</summary>
+    public static void StoreBarrier() => Interlocked.MemoryBarrier();
+
+    /// <summary>No load behind it is made before one in front of it.</summary>
+    public static void LoadBarrier() => Interlocked.MemoryBarrier();
+}

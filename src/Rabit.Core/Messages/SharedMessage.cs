@@ -1,0 +1,126 @@
+using System;
+using System.Threading;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
+using Rabit.Core.Wiring;
+
+namespace Rabit.Core.Messages;
+
+/// <summary>The hidden global copy that joins the local copies of a message: its versions, and the subscribers to notify of a post.</summary>
+/// <remarks>
+/// The version is all that a fetch without news looks at: one volatile read. It is 32 bits wide, because wider reads are
+/// not atomic on 32-bit boards. How the value is kept whole is for the derived classes.
+/// </remarks>
+internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) : IConnector
+{
+    private readonly object _targetsGate = new();
+    private int _version = firstVersion;    // written by one poster at a time, which the derived class sees to; read by all; 0: nothing posted yet
+    private PostTarget[] _targets = []; // replaced whole under _targetsGate, read by posters
+
+    public string Name { get; } = place.Name;
+
+    public RunClock Clock { get; } = place.Clock;
+
+    public int Version => Volatile.Read(ref _version);
+
+    public abstract LocalCopy<T> CreateCopy();
+
+    public void AddTarget(PostTarget target)
+    {
+        lock (_targetsGate)
+        {
+            var targets = new PostTarget[_targets.Length + 1];
+            Array.Copy(_targets, targets, _targets.Length);
+            targets[_targets.Length] = target;
+            Volatile.Write(ref _targets, targets);
+        }
+    }
+
+    /// <summary>Copies a value that the owner of a local copy gives to that local copy.</summary>
+    public virtual void Assign(LocalCopy<T> copy, in T value) => copy.Value = value;
+
+    /// <summary>Copies a local copy to the global one, and wakes the subscribers and calls the handlers that asked for it.</summary>
+    /// <param name="copy">What is posted.</param>
+    /// <param name="poster">Who posts.</param>
+    /// <param name="time">The stamp.</param>
+    /// <param name="now">The time now, where the poster has just read it: the woken manager need not read the clock again.</param>
+    public void Post(LocalCopy<T> copy, EndpointOwner poster, TimeSpan time, TimeSpan? now = null)
+    {
+        int version = Store(copy, time);
+        int covered = PostsBetween(copy.SeenVersion, version) - 1;
+        if (covered != 0)
+            copy.CoveredPosts += covered;
+        copy.SeenVersion = version;
+        copy.Time = time;
+
+        foreach (PostTarget target in Volatile.Read(ref _targets))
+        {
+            // One's own post is not news to oneself.
+            if (target.Owner == poster)
+                continue;
+            if (target.WakeUp is { } sleeper)
+                Wake(sleeper, now);
+            if (target.Handler is { } handler)
+            {
+                Call(handler, target, copy.Stamp);
+                now = null;   // it took its time
+            }
+        }
+    }
+
+    /// <summary>Copies the global to a local copy.</summary>
+    /// <returns>How many posts the owner had not seen, the fetched one included.</returns>
+    public int Fetch(LocalCopy<T> copy)
+    {
+        int version = Load(copy);
+        int news = PostsBetween(copy.SeenVersion, version);
+        copy.SeenVersion = version;
+        if (news == 0)
+            return 0;
+        news += copy.CoveredPosts;
+        copy.CoveredPosts = 0;
+        return news;
+    }
+
+    /// <summary>Copies a local copy's value to the global one, as the next version.</summary>
+    /// <returns>That version.</returns>
+    protected abstract int Store(LocalCopy<T> copy, TimeSpan time);
+
+    /// <summary>Copies value and time of the latest version, whole, to a local copy.</summary>
+    /// <returns>That version.</returns>
+    protected abstract int Load(LocalCopy<T> copy);
+
+    /// <summary>The version of the post after this one. For the one poster at a time.</summary>
+    /// <remarks>Zero is kept for "nothing posted yet", so the counter jumps over it when it wraps around.</remarks>
+    protected int NextVersion() => unchecked(_version + 1) is var next && next == 0 ? 1 : next;
+
+    /// <summary>Makes a post news: all that was written before is visible to every thread that reads this version. For the one poster at a time.</summary>
+    protected void Announce(int version) => Volatile.Write(ref _version, version);
+
+    private static void Wake(WakeUpEvent sleeper, TimeSpan? now)
+    {
+        if (now is { } time)
+            sleeper.Wake(WakeUpCauses.Post, time);
+        else
+            sleeper.Wake(WakeUpCauses.Post);
+    }
+
+    private void Call(Action<MessageStamp> handler, PostTarget target, MessageStamp stamp)
+    {
+        try
+        {
+            handler(stamp);
+        }
+        catch (Exception e)
+        {
+            // A handler is the subscriber's code on the poster's thread: it may not harm the poster.
+            place.Log.Write(RabitLogKind.Fault, target.Owner.Name, $"the post handler of message '{Name}' threw {e.GetType().Name}: {e.Message}", e);
+        }
+    }
+
+    private static int PostsBetween(int seen, int version)
+    {
+        int posts = unchecked(version - seen);
+        return seen < 0 && version > 0 ? posts - 1 : posts;
+    }
+}

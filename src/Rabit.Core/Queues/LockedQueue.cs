@@ -1,0 +1,264 @@
+using System;
+using System.Diagnostics.CodeAnalysis;
+using System.Threading;
+using Rabit.Core.Diagnostics;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
+
+namespace Rabit.Core.Queues;
+
+/// <summary>
+/// The queue for every rule and every endpoint: a ring under a lock. Wakes go out, and what was dropped is disposed, after the lock is
+/// released.
+/// </summary>
+/// <remarks>
+/// A push looks inside the lock whether a wake is pending, and skips its own if so. No wake is lost by that: the receiver takes its
+/// wake-ups before it pops. Had it popped in a section of the lock before ours, its take would have come before our look, and we would
+/// not have seen the old wake; so its next pop comes in a section after ours and sees the value.
+/// </remarks>
+internal sealed partial class LockedQueue<T>(
+    string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait, RunClock clock, RabitLog log)
+    : MessageQueue<T>(name, capacity, fullMode, receiverWakeUp, maxWait)
+{
+    private readonly object _gate = new();
+    private readonly T[] _ring = new T[capacity];
+
+    // All under _gate.
+    private int _head;
+    private int _count;
+    private int _highWater;
+    private long _pushed;
+    private long _popped;
+    private long _dropped;
+    private long _rejected;
+    private bool _isClosed;
+
+    public override int Count
+    {
+        get
+        {
+            lock (_gate)
+                return _count;
+        }
+    }
+
+    public override QueueCounters Counters
+    {
+        get
+        {
+            lock (_gate)
+                return new QueueCounters(_pushed, _popped, _dropped, _rejected, _count, _highWater, Capacity);
+        }
+    }
+
+    public override PushResult Push(in T value)
+    {
+        if (Discarded<T>.Matters)
+            return PushAndDispose(value);
+        PushResult result;
+        var announcement = default(Announcement);
+        lock (_gate)
+            result = Admit(value, ref announcement);
+        Announce(announcement);
+        return result;
+    }
+
+    public override int PushFrom(ReadOnlySpan<T> values)
+    {
+        int pushed = 0;
+        var announcement = default(Announcement);
+        if (Discarded<T>.Matters)
+        {
+            // One by one, since what is dropped must be disposed outside the lock.
+            while (pushed < values.Length && PushAndDispose(values[pushed]) != PushResult.Rejected)
+                pushed++;
+            if (pushed < values.Length)
+                CountRejected(values.Length - pushed - 1);
+            return pushed;
+        }
+
+        lock (_gate)
+        {
+            while (pushed < values.Length && Admit(values[pushed], ref announcement) != PushResult.Rejected)
+                pushed++;
+            if (pushed < values.Length)
+                _rejected += values.Length - pushed - 1;
+        }
+
+        Announce(announcement);
+        return pushed;
+    }
+
+    public override bool TryPop([MaybeNullWhen(false)] out T value)
+    {
+        bool serves;
+        lock (_gate)
+        {
+            if (_count == 0)
+            {
+                value = default;
+                return false;
+            }
+
+            value = TakeOut();
+            _popped++;
+            serves = _hasWaiters;
+        }
+
+        if (serves)
+            ServeWaiting();
+        if (WakesSenders)
+            WakeSenders();
+        return true;
+    }
+
+    public override int PopInto(Span<T> target)
+    {
+        int popped = 0;
+        bool serves;
+        lock (_gate)
+        {
+            serves = _hasWaiters;
+            while (!serves && popped < target.Length && _count > 0)
+                target[popped++] = TakeOut();
+            _popped += popped;
+        }
+
+        // Each of those who wait is served by a pop.
+        while (serves && popped < target.Length && TryPop(out T? value))
+            target[popped++] = value;
+        if (popped > 0 && WakesSenders)
+            WakeSenders();
+        return popped;
+    }
+
+    /// <summary>Releases all waiters, disposes what is left, if it is disposable, and rejects all later pushes.</summary>
+    public override void Close()
+    {
+        EndWaiting();
+        while (Discarded<T>.Matters && TryDropOldest(out T value))
+            Discarded<T>.Dispose(value, Name, log);
+    }
+
+    private bool TryDropOldest(out T value)
+    {
+        lock (_gate)
+        {
+            if (_count == 0)
+            {
+                value = default!;
+                return false;
+            }
+
+            value = TakeOut();
+            _dropped++;
+            return true;
+        }
+    }
+
+    // Apart from Push, which for all other types needs no room for what was dropped.
+    private PushResult PushAndDispose(in T value)
+    {
+        PushResult result;
+        T dropped = default!;
+        var announcement = default(Announcement);
+        lock (_gate)
+        {
+            if (_count == _ring.Length)
+                dropped = _ring[FullMode == QueueFullMode.DropOldest ? _head : Place(_count - 1)];
+            result = Admit(value, ref announcement);
+        }
+
+        Announce(announcement);
+        if (result is PushResult.QueuedDroppedOldest or PushResult.QueuedDroppedNewest)
+            Discarded<T>.Dispose(dropped, Name, log);
+        return result;
+    }
+
+    private PushResult Admit(in T value, ref Announcement announcement)
+    {
+        PushResult result = PushResult.Queued;
+        if (_count == _ring.Length || _isClosed || _pending is not null)
+        {
+            result = MakeRoom();
+            if (result == PushResult.Rejected)
+                return result;
+        }
+
+        PutIn(value, ref announcement);
+        return result;
+    }
+
+    // By the rule for a full queue.
+    private PushResult MakeRoom()
+    {
+        switch (FullMode)
+        {
+            case QueueFullMode.DropOldest when !_isClosed:
+                RemoveOldest();
+                _dropped++;
+                return PushResult.QueuedDroppedOldest;
+            case QueueFullMode.DropNewest when !_isClosed:
+                // The value goes into its place.
+                _count--;
+                _dropped++;
+                return PushResult.QueuedDroppedNewest;
+            default:
+                _rejected++;
+                return PushResult.Rejected;
+        }
+    }
+
+    private void CountRejected(int more)
+    {
+        lock (_gate)
+            _rejected += more;
+    }
+
+    private void PutIn(in T value, ref Announcement announcement)
+    {
+        _ring[Place(_count)] = value;
+        if (++_count > _highWater)
+            _highWater = _count;
+        _pushed++;
+        announcement.WakesReceiver = ReceiverWakeUp is not null && !IsPending(ReceiverWakeUp, WakeUpCauses.Push);
+        if (_news is not null)
+            announcement.News = TakeNews();
+    }
+
+    // Outside the lock.
+    private void Announce(in Announcement announcement)
+    {
+        if (announcement.WakesReceiver)
+            ReceiverWakeUp!.Wake(WakeUpCauses.Push);
+        announcement.News?.Release(true);
+    }
+
+    private int Place(int index)
+    {
+        int place = _head + index;
+        return place < _ring.Length ? place : place - _ring.Length;
+    }
+
+    private T TakeOut()
+    {
+        T value = _ring[_head];
+        RemoveOldest();
+        return value;
+    }
+
+    private void RemoveOldest()
+    {
+        _ring[_head] = default!;
+        if (++_head == _ring.Length)
+            _head = 0;
+        _count--;
+    }
+
+    /// <summary>The notifications of a push, sent after it has left the lock.</summary>
+    private struct Announcement
+    {
+        public bool WakesReceiver;
+        public AsyncWaiters? News;
+    }
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Diagnostics.CodeAnalysis;
+using System.Threading;
+using Rabit.Core.WakeUp;
+
+namespace Rabit.Core.Queues;
+
+/// <summary>
+/// A bounded first-in first-out queue: many senders, one receiver. What all kinds have in common; the wiring chooses the kind
+/// (<see cref="QueueBinding{T}"/>).
+/// </summary>
+internal abstract class MessageQueue<T>(
+    string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait = null) : IMessageQueue
+{
+    private WakeUpEvent[] _popTargets = [];   // written while wiring, then read only
+
+    public string Name { get; } = name;
+
+    public QueueFullMode FullMode { get; } = fullMode;
+
+    public int Capacity { get; } = capacity;
+
+    /// <summary>How long a push may wait for room; null: until there is some.</summary>
+    public TimeSpan? MaxWait { get; } = maxWait;
+
+    /// <summary>How many values are in it.</summary>
+    public abstract int Count { get; }
+
+    public abstract QueueCounters Counters { get; }
+
+    /// <summary>Whom a push wakes; null where the receiver did not ask for it.</summary>
+    protected WakeUpEvent? ReceiverWakeUp { get; } = receiverWakeUp;
+
+    protected bool WakesSenders => _popTargets.Length != 0;
+
+    public void AddPopTarget(WakeUpEvent sender) => _popTargets = [.. _popTargets, sender];
+
+    public abstract PushResult Push(in T value);
+
+    /// <summary>Pushes one after the other, as <see cref="Push"/> does each, until one is rejected; the rest is rejected with it.</summary>
+    /// <returns>How many were put in.</returns>
+    public abstract int PushFrom(ReadOnlySpan<T> values);
+
+    public abstract bool TryPop([MaybeNullWhen(false)] out T value);
+
+    /// <returns>How many were taken out.</returns>
+    public abstract int PopInto(Span<T> target);
+
+    public abstract void Close();
+
+    /// <summary>
+    /// Whether a wake for a push is on its way to the receiver already, so that one more would merge with it. Only after a full fence,
+    /// or inside the lock in which the receiver pops: see the two kinds of queue, which say why.
+    /// </summary>
+    protected static bool IsPending(WakeUpEvent wakeUp, WakeUpCauses cause) => wakeUp.Has((int)cause);
+
+    /// <summary>Wakes the senders that asked for it. After the pop, outside every lock.</summary>
+    protected void WakeSenders()
+    {
+        // The pop before the look: a sender that takes its wake-ups after our look sees the room.
+        Interlocked.MemoryBarrier();
+        foreach (WakeUpEvent sender in _popTargets)
+        {
+            if (!IsPending(sender, WakeUpCauses.Pop))
+                sender.Wake(WakeUpCauses.Pop);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Runtime.CompilerServices;
+using Rabit.Core.Diagnostics;
+using Rabit.Core.Managers;
+using Rabit.Core.Time;
+using Rabit.Core.WakeUp;
+using Rabit.Core.Wiring;
+
+namespace Rabit.Core.Queues;
+
+/// <summary>What an owner declared of a queue, and, once wired, the queue. Written by the thread that wires; then read by the
+/// owner's thread.</summary>
+internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, string name) : EndpointDeclaration(owner, role, name, typeof(T)), IQueueDeclaration
+{
+    /// <summary>Stated by the receiver.</summary>
+    public int Capacity { get; init; }
+
+    /// <summary>Stated by the receiver.</summary>
+    public QueueFullMode FullMode { get; init; }
+
+    /// <summary>Stated by the receiver: how long a push may wait for room.</summary>
+    public TimeSpan? MaxWait { get; init; }
+
+    /// <summary>Whether async code uses the endpoint as a channel, and so may wait for the queue. Stated before it is wired.</summary>
+    public bool IsChannel { get; private set; }
+
+    public MessageQueue<T>? Queue { get; private set; }
+
+    public override bool IsWired => Queue is not null;
+
+    /// <summary>The queue, after the check that the owner may use it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public MessageQueue<T> Use()
+    {
+        MessageQueue<T>? queue = Queue;
+        if (queue is null || (RunningManager.Current != Owner && Owner.IsManager))
+            ThrowMisuse();
+        return queue!;
+    }
+
+    /// <summary>The queue, for code that may wait for it.</summary>
+    public LockedQueue<T> UseWaiting() => (LockedQueue<T>)Use();
+
+    /// <summary>Async code will use the endpoint as a channel.</summary>
+    /// <exception cref="InvalidOperationException">It belongs to a manager, or is wired already.</exception>
+    public void BecomeChannel()
+    {
+        DemandOutside();
+        if (IsWired)
+            throw new InvalidOperationException($"The endpoint of queue '{Name}' must become a channel before the reactor starts.");
+        IsChannel = true;
+    }
+
+    /// <summary>Async code resumes on any thread, so it cannot use the endpoint of a manager.</summary>
+    public void DemandOutside()
+    {
+        if (!Owner.IsOutside)
+            throw new InvalidOperationException($"The endpoint of queue '{Name}' belongs to '{Owner.Name}': async code gets an endpoint of its own from the workspace.");
+    }
+
+    public override IConnector CreateConnector(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
+    {
+        var receiver = (QueueBinding<T>)endpoints.First(e => e.Role == EndpointRole.Receive);
+        WakeUpEvent? wakeUp = receiver.Wakes ? receiver.Owner.WakeUp : null;
+
+        // Lock-free where that is proved and pays; the other rules change more than one place at once, or have waiters.
+        // Disposable values are taken out by two threads: the receiver, and the one that closes the queue.
+        bool needsNoLock = receiver.FullMode == QueueFullMode.Reject && !Discarded<T>.Matters && !receiver.Owner.IsOutside
+            && !endpoints.Any(e => ((QueueBinding<T>)e).IsChannel);
+        EndpointOwner[] senders = endpoints.Where(e => e.Role == EndpointRole.Send).Select(e => e.Owner).Distinct().ToArray();
+        if (needsNoLock && senders.Length == 1 && !senders[0].IsOutside)
+            return new SingleProducerRing<T>(Name, receiver.Capacity, wakeUp, isOwnQueue: senders[0] == receiver.Owner);
+        if (needsNoLock)
+            return new MultiProducerRing<T>(Name, receiver.Capacity, wakeUp);
+        return new LockedQueue<T>(Name, receiver.Capacity, receiver.FullMode, wakeUp, receiver.MaxWait, clock, log);
+    }
+
+    public override void Watch(IConnector connector, EventLog events) => events.Watch((IMessageQueue)connector);
+
+    public override void Bind(IConnector connector, EndpointDeclaration? firstOfOwner)
+    {
+        Queue = (MessageQueue<T>)connector;
+        if (Role == EndpointRole.Send && Wakes && Owner.WakeUp is { } wakeUp)
+            Queue.AddPopTarget(wakeUp);
+    }
+}

@@ -1,0 +1,118 @@
+using System;
+using System.Diagnostics.CodeAnalysis;
+using System.Runtime.CompilerServices;
+using System.Threading;
+using Rabit.Core.WakeUp;
+
+namespace Rabit.Core.Queues;
+
+/// <summary>The queue that rejects when it is full, for one sender and one receiver, each a manager, reader or writer:
+/// a lock-free single-producer single-consumer (SPSC) ring.</summary>
+/// <remarks>
+/// Requirements: those of <see cref="MultiProducerRing{T}"/>, with one sender. Only the sender moves the
+/// tail, only the receiver moves the head; the check of who uses an endpoint enforces it.
+/// The sender writes a value before it moves the tail, the receiver reads the tail before the value; the receiver clears a slot before
+/// it moves the head, the sender reads the head before it writes into the slot: a release and an acquire each.
+/// The race it closes: a wake is skipped where one is pending. The tail is moved by an exchange, a full fence, so the look at the pending
+/// wake comes after it; taking wakes is an exchange too. If the look saw the old wake, the receiver takes it later, and what it reads after
+/// that includes the value. A manager that sends to itself needs no fence: its own thread looks, takes and pops, in the order of its program.
+/// </remarks>
+internal sealed class SingleProducerRing<T> : MessageQueue<T>
+{
+    private readonly T[] _slots;   // a power of two of them
+    private readonly bool _isFenced;
+    private RingPositions _state;
+
+    /// <param name="name">For errors.</param>
+    /// <param name="capacity">How many values fit in.</param>
+    /// <param name="receiverWakeUp">Whom a push wakes.</param>
+    /// <param name="isOwnQueue">Whether the sender is the receiver itself.</param>
+    /// <param name="start">The first position; tests let it wrap round soon.</param>
+    public SingleProducerRing(string name, int capacity, WakeUpEvent? receiverWakeUp, bool isOwnQueue = false, int start = 0)
+        : base(name, capacity, QueueFullMode.Reject, receiverWakeUp)
+    {
+        _slots = new T[RingPositions.SizeFor(capacity)];
+        _isFenced = receiverWakeUp is not null && !isOwnQueue;
+        _state = new RingPositions(start);
+    }
+
+    public override int Count => Counters.Resident;
+
+    public override QueueCounters Counters => _state.Counters(Capacity);
+
+    public override PushResult Push(in T value)
+    {
+        if (_state.Find(1, Capacity, out int position) == 0)
+            return PushResult.Rejected;
+        SlotAt(position) = value;
+        Publish(unchecked(position + 1));
+        return PushResult.Queued;
+    }
+
+    public override int PushFrom(ReadOnlySpan<T> values)
+    {
+        if (values.IsEmpty)
+            return 0;
+        int count = _state.Find(values.Length, Capacity, out int position);
+        for (int i = 0; i < count; i++)
+            SlotAt(unchecked(position + i)) = values[i];
+        if (count > 0)
+            Publish(unchecked(position + count));
+        return count;
+    }
+
+    public override bool TryPop([MaybeNullWhen(false)] out T value)
+    {
+        if (_state.Available(1) == 0)
+        {
+            value = default;
+            return false;
+        }
+
+        ref T slot = ref SlotAt(_state.Head);
+        value = slot;
+        if (References.In<T>())
+            slot = default!;
+        _state.MoveHead(1);
+        if (WakesSenders)
+            WakeSenders();
+        return true;
+    }
+
+    public override int PopInto(Span<T> target)
+    {
+        int popped = Math.Min(_state.Available(target.Length), target.Length);
+        for (int i = 0; i < popped; i++)
+        {
+            ref T slot = ref SlotAt(unchecked(_state.Head + i));
+            target[i] = slot;
+            if (References.In<T>())
+                slot = default!;
+        }
+
+        if (popped == 0)
+            return 0;
+        _state.MoveHead(popped);
+        if (WakesSenders)
+            WakeSenders();
+        return popped;
+    }
+
+    /// <summary>Takes nothing more. What is left stays: it need not be returned.</summary>
+    public override void Close() => _state.Close();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Publish(int next)
+    {
+        _state.MoveTail(next, _isFenced);
+        if (ReceiverWakeUp is { } receiver && !IsPending(receiver, WakeUpCauses.Push))
+            receiver.Wake(WakeUpCauses.Push);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private ref T SlotAt(int position)
+    {
+        T[] slots = _slots;
+        return ref slots[position & (slots.Length - 1)];
+    }
+}

@@ -1,0 +1,37 @@
+using System;
+using System.Runtime.CompilerServices;
+using System.Threading;
+using Rabit.Core.Time;
+
+namespace Rabit.Core.WakeUp;
+
+/// <summary>The points as they are on the machine: each is one inlined call of the API of the same name.</summary>
+internal readonly unsafe struct SyncPoints : ISyncPoints
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int VolatileRead(ref int location) => Volatile.Read(ref location);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public long InterlockedRead(ref long location) => Interlocked.Read(ref location);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void InterlockedWrite(ref long location, long value) => Interlocked.Exchange(ref location, value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int Exchange(ref int location, int value) => Interlocked.Exchange(ref location, value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int CompareExchange(ref int location, int value, int comparand) => Interlocked.CompareExchange(ref location, value, comparand);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Set(AutoResetEvent signal) => signal.Set();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Wait(AutoResetEvent signal, int milliseconds) => signal.WaitOne(milliseconds);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void FutexWake(int* word) => Futex.Wake(word);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void FutexWaitWhileZero(int* word, TimeSpan until, RunClock clock) => Futex.WaitWhileZero(word, until, clock);
+}

@@ -1,0 +1,17 @@
+
+using Rabit.Core.WakeUp;
+
+namespace Rabit.Core.Wiring;
+
+/// <summary>Who holds endpoints of messages and queues: a manager, a reader or writer of one, or code outside managers.</summary>
+internal sealed class EndpointOwner(string name, bool isManager, WakeUpEvent? wakeUp)
+{
+    public string Name { get; } = name;
+
+    public bool IsManager { get; } = isManager;
+
+    /// <summary>Code outside managers: it cannot be woken, and is on no thread of ours.</summary>
+    public bool IsOutside => !IsManager && WakeUp is null;
+
+    public WakeUpEvent? WakeUp { get; } = wakeUp;
+}

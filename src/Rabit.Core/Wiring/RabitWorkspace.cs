@@ -1,0 +1,270 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core.Diagnostics;
+using Rabit.Core.Messages;
+using Rabit.Core.Queues;
+using Rabit.Core.Supervision;
+using Rabit.Core.Time;
+using Rabit.Core.Wiring;
+
+namespace Rabit.Core;
+
+/// <summary>
+/// Where the managers of one reactor meet: its messages and queues, found by type and name. An object like any other: many in
+/// one process, in parallel. Code outside managers (a main program, a user interface, a test) gets endpoints of its own here.
+/// </summary>
+/// <remarks>An endpoint made here may be used by any one thread at a time; a manager's endpoints are made by the manager.</remarks>
+public sealed class RabitWorkspace
+{
+    private const string OutsideName = "outside";
+
+    // Guards the declarations and connectors: outside subscribers may come at any time, on any thread.
+    private readonly object _gate = new();
+    private readonly EndpointOwner _outside = new(OutsideName, isManager: false, wakeUp: null);
+    private readonly List<EndpointDeclaration> _outsideDeclarations = [];
+    private readonly Dictionary<string, IConnector> _messages = new(StringComparer.Ordinal);
+    private readonly List<IMessageQueue> _queues = [];
+    private readonly HashSet<Type> _trusted = [];
+    private readonly List<BufferPool> _pools = [];
+    private WiringGraph? _wiring;
+
+    internal RabitWorkspace()
+    {
+    }
+
+    /// <summary>
+    /// The wiring: every message and queue, who posts, fetches, pushes and pops it, who is woken by it, and, as text, notes on what looks
+    /// odd. Any thread; empty before the reactor has started.
+    /// </summary>
+    /// <param name="format">How it is written.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such format.</exception>
+    public string DescribeWiring(WiringFormat format = WiringFormat.Text)
+    {
+        lock (_gate)
+        {
+            return format switch
+            {
+                _ when format is < WiringFormat.Text or > WiringFormat.Dot => throw new ArgumentOutOfRangeException(nameof(format), format, "There is no such format."),
+                _ when _wiring is null => string.Empty,
+                WiringFormat.Mermaid => WiringDrawing.Mermaid(_wiring),
+                WiringFormat.Dot => WiringDrawing.Dot(_wiring),
+                _ => WiringText.Describe(_wiring),
+            };
+        }
+    }
+
+    /// <summary>
+    /// Vouches for a type that is not one's own, and cannot carry <see cref="TrustedImmutableAttribute"/>: messages of this workspace may
+    /// hold it as they hold a string. Before the start only; any thread.
+    /// </summary>
+    /// <param name="type">The type; <c>typeof(Matrix&lt;&gt;)</c> for all of a generic one, whose arguments are still checked.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public void TrustImmutable(Type type)
+    {
+        Require.NotNull(type, nameof(type));
+        lock (_gate)
+        {
+            if (_wiring is not null)
+                throw new InvalidOperationException($"The reactor has started: trust in {TypeNames.Of(type)} comes too late.");
+            _trusted.Add(type);
+        }
+    }
+
+    /// <summary>
+    /// Has the run look at the end, when all managers have shut down and the queues have returned what was left in them, whether every
+    /// buffer of a pool was returned. One that was not is in the log and in <see cref="ReactorResult.Failure"/>, with who has it. At any
+    /// time before the end, on any thread. The pool is to be used by this run alone.
+    /// </summary>
+    /// <param name="pool">The pool.</param>
+    public void Watch(BufferPool pool)
+    {
+        Require.NotNull(pool, nameof(pool));
+        lock (_gate)
+            _pools.Add(pool);
+    }
+
+    /// <summary>Makes an endpoint that posts, for code outside managers. Before the start only.</summary>
+    /// <typeparam name="T">As for <see cref="RabitManager.Publish{T}(string)"/>.</typeparam>
+    /// <param name="name">The name of the message.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public MessagePublisher<T> Publish<T>(string name)
+        => new(Declare(new MessageBinding<T>(NewOwner(), EndpointRole.Publish, MessageName(name))));
+
+    /// <summary>Makes an endpoint that posts, for code outside managers, and states the value before the first post. Before the start only.</summary>
+    /// <typeparam name="T">As for <see cref="RabitManager.Publish{T}(string, T, bool)"/>.</typeparam>
+    /// <param name="name">The name of the message.</param>
+    /// <param name="initial">What every local copy holds before the first post; never news.</param>
+    /// <param name="allowOtherPublishers">Whether others may publish it too; all of them must say so.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public MessagePublisher<T> Publish<T>(string name, T initial, bool allowOtherPublishers = false)
+        => new(Declare(new MessageBinding<T>(NewOwner(), EndpointRole.Publish, MessageName(name))
+        {
+            Initial = initial,
+            StatesInitial = initial is not null,
+            IsShared = allowOtherPublishers,
+        }));
+
+    /// <summary>Makes an endpoint that pushes, for code outside managers. Before the start only.</summary>
+    /// <typeparam name="T">The type that the receiver pops.</typeparam>
+    /// <param name="name">The name of the queue.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public QueueSender<T> Send<T>(string name)
+        => new(Declare(new QueueBinding<T>(_outside, EndpointRole.Send, Require.Name(name, nameof(name), "A queue"))));
+
+    /// <summary>Makes the endpoint that pops, for code outside managers: async code drains it through <see cref="QueueReceiver{T}.AsChannelReader"/>. Before the start only.</summary>
+    /// <typeparam name="T">The type that the senders push.</typeparam>
+    /// <param name="name">The name of the queue.</param>
+    /// <param name="capacity">How many values fit in; at least one.</param>
+    /// <param name="whenFull">What happens to a push into a full queue.</param>
+    /// <param name="maxWait">As for a manager's.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public QueueReceiver<T> Receive<T>(
+        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, TimeSpan? maxWait = null)
+        => new(Declare(new QueueBinding<T>(_outside, EndpointRole.Receive, Require.Name(name, nameof(name), "A queue"))
+        {
+            Capacity = capacity,
+            FullMode = whenFull,
+            MaxWait = maxWait,
+        }));
+
+    /// <summary>Makes an endpoint that fetches, for code outside managers. At any time, on any thread.</summary>
+    /// <typeparam name="T">The type that the publisher posts.</typeparam>
+    /// <param name="name">The name of the message.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started and no message of that name and type is published.</exception>
+    public MessageSubscriber<T> Subscribe<T>(string name)
+    {
+        var binding = new MessageBinding<T>(NewOwner(), EndpointRole.Subscribe, MessageName(name));
+        lock (_gate)
+        {
+            if (_wiring is null)
+                _outsideDeclarations.Add(binding);
+            else
+                BindLate(binding);
+        }
+
+        return new MessageSubscriber<T>(binding);
+    }
+
+    /// <summary>As <see cref="Subscribe{T}"/>, for the status of a manager.</summary>
+    /// <param name="managerName">The manager.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started and has no manager of that name.</exception>
+    public MessageSubscriber<ManagerStatus> SubscribeToStatus(string managerName)
+        => Subscribe<ManagerStatus>(RabitManager.StatusMessageName(managerName));
+
+    internal IReadOnlyList<string> Notes
+    {
+        get
+        {
+            lock (_gate)
+                return _wiring is null ? [] : WiringText.Notes(_wiring).ToList();
+        }
+    }
+
+    /// <summary>Checks what all managers declared and ties their endpoints together.</summary>
+    /// <exception cref="RabitWiringException">It does not fit together.</exception>
+    internal void Wire(IReadOnlyList<RabitManager> managers, RabitTime time, RunClock clock, RabitLog log)
+    {
+        lock (_gate)
+        {
+            var wiring = new WiringGraph(managers, _outsideDeclarations);
+            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time, _trusted);
+            if (faults.Count > 0)
+                throw new RabitWiringException(faults);
+
+            foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Messages.Values)
+                _messages.Add(endpoints[0].Name, Bind(endpoints, clock, log));
+            foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
+                _queues.Add(BindQueue(endpoints, clock, log));
+            _wiring = wiring;
+        }
+    }
+
+    /// <summary>What keeps the time of pushes that wait; null where the wiring has none.</summary>
+    internal QueueTimeKeeper? TimeKeeper { get; private set; }
+
+    /// <summary>The library's own endpoint of a status, once all is wired.</summary>
+    internal StatusEndpoint StatusEndpointOf(string managerName)
+    {
+        var binding = new MessageBinding<ManagerStatus>(NewOwner(), EndpointRole.Publish, RabitManager.StatusMessageName(managerName));
+        lock (_gate)
+            BindLate(binding);
+        return new StatusEndpoint(binding);
+    }
+
+    /// <summary>The run has ended: waiters of queues are released, and what is left and must be returned is returned.</summary>
+    /// <returns>The counters of all queues as they were.</returns>
+    internal IReadOnlyList<QueueResult> CloseQueues()
+    {
+        lock (_gate)
+        {
+            List<QueueResult> results = _queues.ConvertAll(queue => new QueueResult(queue.Name, queue.Counters));
+            foreach (IMessageQueue queue in _queues)
+                queue.Close();
+            return results;
+        }
+    }
+
+    /// <summary>The run has ended: the owners of buffers that were not returned to the watched pools, a line for each pool.</summary>
+    internal IReadOnlyList<string> FindLeaks()
+    {
+        lock (_gate)
+            return _pools.Distinct().Select(p => p.FindLeak()).OfType<string>().ToList();
+    }
+
+    private IMessageQueue BindQueue(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
+    {
+        IConnector queue = Bind(endpoints, clock, log);
+        bool mayTimeOut = endpoints.Any(e => ((IQueueDeclaration)e).MaxWait is not null) && endpoints.Any(e => e.Role == EndpointRole.Send && e.Owner.IsOutside);
+        if (mayTimeOut && queue is ITimeLimitedQueue limited)
+            (TimeKeeper ??= new QueueTimeKeeper(clock)).Watch(limited);
+        return (IMessageQueue)queue;
+    }
+
+    private static IConnector Bind(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
+    {
+        IConnector connector = endpoints[0].CreateConnector(endpoints, clock, log);
+        if (log.Events is { } events)
+            endpoints[0].Watch(connector, events);
+        var firsts = new Dictionary<EndpointOwner, EndpointDeclaration>();
+        foreach (EndpointDeclaration endpoint in endpoints)
+        {
+            firsts.TryGetValue(endpoint.Owner, out EndpointDeclaration? first);
+            endpoint.Bind(connector, first);
+            if (first is null)
+                firsts.Add(endpoint.Owner, endpoint);
+        }
+
+        return connector;
+    }
+
+    // Each outside endpoint is an owner of its own: two of them are news to each other, as two managers are.
+    private static EndpointOwner NewOwner() => new(OutsideName, isManager: false, wakeUp: null);
+
+    private static string MessageName(string name) => Require.Name(name, nameof(name), "A message");
+
+    private TDeclaration Declare<TDeclaration>(TDeclaration declaration)
+        where TDeclaration : EndpointDeclaration
+    {
+        lock (_gate)
+        {
+            if (_wiring is not null)
+                throw new InvalidOperationException($"The reactor has started: an endpoint for '{declaration.Name}' comes too late. Only subscribers may come later.");
+            _outsideDeclarations.Add(declaration);
+            return declaration;
+        }
+    }
+
+    private void BindLate<T>(MessageBinding<T> binding)
+    {
+        if (!_messages.TryGetValue(binding.Name, out IConnector? connector))
+        {
+            string known = string.Join(", ", _messages.Keys.OrderBy(n => n, StringComparer.Ordinal));
+            throw new InvalidOperationException($"There is no message '{binding.Name}'; there are: {known}.");
+        }
+
+        if (connector is not SharedMessage<T>)
+            throw new InvalidOperationException($"Message '{binding.Name}' is not of type {TypeNames.Of(typeof(T))}.");
+        binding.Bind(connector, firstOfOwner: null);
+    }
+}

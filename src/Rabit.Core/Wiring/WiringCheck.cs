@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core.Messages;
+using Rabit.Core.Queues;
+
+namespace Rabit.Core.Wiring;
+
+/// <summary>Finds everything that does not fit together, before any thread starts.</summary>
+internal static class WiringCheck
+{
+    // All places of a queue are there from the start. More than this is a mistake, or a wish for an unbounded queue.
+    private const int MaxCapacity = 1 << 24;
+
+    public static IReadOnlyList<string> FindFaults(WiringGraph wiring, RabitTime time, IReadOnlyCollection<Type> trusted)
+    {
+        var faults = new List<string>();
+        if (wiring.Managers.Count == 0)
+            faults.Add("The reactor has no manager.");
+        faults.AddRange(wiring.Managers
+            .GroupBy(m => m.Name, StringComparer.Ordinal)
+            .Where(g => g.Count() > 1)
+            .Select(g => $"{g.Count()} managers are named '{g.Key}'."));
+
+        foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Messages.Values)
+            CheckMessage(endpoints, trusted, faults);
+        foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
+            CheckQueue(endpoints, faults);
+
+        if (time is VirtualTime modelled)
+        {
+            faults.AddRange(modelled.ModelledManagers
+                .Where(name => !wiring.Managers.Any(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
+                .Select(name => $"Virtual time models the units of work of manager '{name}', which is not in the reactor."));
+        }
+
+        if (!time.AllowsBlocking)
+        {
+            faults.AddRange(wiring.Managers
+                .SelectMany(m => m.Readers.Concat(m.Writers))
+                .Where(d => d.Blocks)
+                .Select(d => $"'{d.Name}' uses a device that blocks: virtual time needs a scripted or simulated one."));
+        }
+
+        return faults;
+    }
+
+    private static void CheckMessage(IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyCollection<Type> trusted, List<string> faults)
+    {
+        string name = endpoints[0].Name;
+        if (!HaveOneType(endpoints, $"Message '{name}'", faults))
+            return;
+
+        List<EndpointDeclaration> publishers = endpoints.Where(e => e.Role == EndpointRole.Publish).ToList();
+        if (publishers.Count == 0)
+        {
+            faults.AddRange(endpoints
+                .Where(e => !e.IsOptional)
+                .Select(e => $"'{e.Owner.Name}' subscribes to message '{name}', but it has no publisher."));
+        }
+
+        if (publishers.Count > 1 && !publishers.All(p => p.IsShared))
+            faults.Add($"Message '{name}' has {publishers.Count} publishers ({Owners(publishers)}); all of them must allow others.");
+        if (publishers.Count(p => p.StatesInitial) > 1 && !publishers.All(p => p.IsShared))
+            faults.Add($"Message '{name}': more than one endpoint states the first value.");
+
+        if (MessageTypeCheck.FindFault(endpoints[0].ValueType, endpoints[0].CopiesItself, trusted) is { } why)
+            faults.Add($"Message '{name}': {why}");
+        else if (!endpoints[0].ValueType.IsValueType && !endpoints.Any(e => e.StatesInitial) && publishers.Count > 0)
+            faults.Add($"Message '{name}': {TypeNames.Of(endpoints[0].ValueType)} is a class, so its publisher ({Owners(publishers)}) must state a first value.");
+        else
+            faults.AddRange(endpoints.Select(e => e.FindFaultOfInitial()).OfType<string>().Select(f => $"Message '{name}': {f}"));
+    }
+
+    private static void CheckQueue(IReadOnlyList<EndpointDeclaration> endpoints, List<string> faults)
+    {
+        string name = endpoints[0].Name;
+        if (!HaveOneType(endpoints, $"Queue '{name}'", faults))
+            return;
+
+        List<EndpointDeclaration> receivers = endpoints.Where(e => e.Role == EndpointRole.Receive).ToList();
+        List<EndpointDeclaration> senders = endpoints.Where(e => e.Role == EndpointRole.Send).ToList();
+        if (receivers.Count == 0)
+            faults.Add($"Queue '{name}' has no receiver, but {Owners(senders)} sends to it.");
+        if (receivers.Count > 1)
+            faults.Add($"Queue '{name}' has {receivers.Count} receivers ({Owners(receivers)}); it can have one.");
+
+        foreach (EndpointDeclaration receiver in receivers)
+        {
+            var queue = (IQueueDeclaration)receiver;
+            if (queue.Capacity < 1)
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it needs at least 1.");
+            if (queue.Capacity > MaxCapacity)
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it can have {MaxCapacity}.");
+            if (queue.FullMode is < QueueFullMode.Reject or > QueueFullMode.Wait)
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has an unknown rule for a full queue: {(int)queue.FullMode}.");
+            if (queue.MaxWait <= TimeSpan.Zero)
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' lets a push wait for {queue.MaxWait}; it needs a time above zero.");
+            if (queue.MaxWait is not null && queue.FullMode != QueueFullMode.Wait)
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' says how long a push may wait, but by its rule ({queue.FullMode}) none does.");
+            if (queue.FullMode != QueueFullMode.Wait)
+                continue;
+            faults.AddRange(senders
+                .Where(s => s.Owner.IsManager)
+                .Select(s => $"Queue '{name}' makes its senders wait when it is full; a manager never waits, and '{s.Owner.Name}' is one."));
+        }
+    }
+
+    private static bool HaveOneType(IReadOnlyList<EndpointDeclaration> endpoints, string what, List<string> faults)
+    {
+        List<IGrouping<Type, EndpointDeclaration>> types = endpoints.GroupBy(e => e.ValueType).ToList();
+        if (types.Count == 1)
+            return true;
+        faults.Add($"{what} has {types.Count} types: " + string.Join("; ", types.Select(t => $"{TypeNames.Of(t.Key)} for {Owners(t)}")) + ".");
+        return false;
+    }
+
+    private static string Owners(IEnumerable<EndpointDeclaration> endpoints)
+        => string.Join(", ", endpoints.Select(e => $"'{e.Owner.Name}'").Distinct(StringComparer.Ordinal));
+}

@@ -1,7 +1,0 @@
-using System.ComponentModel;
-
-namespace System.Runtime.CompilerServices;
-
-/// <summary>Lets the compiler emit records on netstandard2.0.</summary>
-[EditorBrowsable(EditorBrowsableState.Never)]
-internal static class IsExternalInit;

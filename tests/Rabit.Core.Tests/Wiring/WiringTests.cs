@@ -1,0 +1,258 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core.Tests.Contracts;
+using Xunit;
+
+namespace Rabit.Core.Tests.Wiring;
+
+/// <summary>Contract 4.2: all wiring faults together, by name; the notes; the list of the wiring.</summary>
+public sealed class WiringTests
+{
+    [Fact, Trait("Clause", "4.2")]
+    public void Faults_AllKindsAtOnce_AreReportedTogetherWithNames()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager a = run.Add("a");
+        ScriptedManager b = run.Add("b");
+        run.Reactor.Add(new Namesake());
+        run.Reactor.Add(new Namesake());
+        a.Publish<int>("mixed type");
+        b.Subscribe<long>("mixed type");
+        a.Publish<int>("two publishers");
+        b.Publish<int>("two publishers");
+        a.Subscribe<int>("unposted");
+        b.Subscribe<int>("unposted", optional: true);
+        a.Publish<int[]>("array");
+        a.Publish<string>("class without a first value");
+        a.Send<int>("no receiver");
+        a.Receive<int>("two receivers");
+        b.Receive<int>("two receivers");
+        a.Receive<int>("mixed queue");
+        b.Send<byte>("mixed queue");
+        a.Receive<int>("no room", capacity: 0);
+        a.Receive<int>("odd rule", whenFull: (QueueFullMode)77);
+
+        var error = Assert.Throws<RabitWiringException>(run.Start);
+
+        string[][] expected =
+        [
+            ["2 managers", "'twin'"],
+            ["'mixed type'", "Int32 for 'a'", "Int64 for 'b'"],
+            ["'two publishers'", "'a'", "'b'"],
+            ["'a' subscribes to message 'unposted'"],
+            ["'array'", "Int32[]"],
+            ["'class without a first value'", "'a'", "first value"],
+            ["'no receiver'", "'a'"],
+            ["'two receivers'", "'a'", "'b'"],
+            ["'mixed queue'", "Int32 for 'a'", "Byte for 'b'"],
+            ["'no room'", "'a'", "capacity 0"],
+            ["'odd rule'", "'a'", "77"],
+        ];
+        foreach (string[] words in expected)
+            Assert.Single(error.Faults, fault => words.All(w => fault.Contains(w, StringComparison.Ordinal)));
+        Assert.All(error.Faults, fault => Assert.Contains(fault, error.Message, StringComparison.Ordinal));
+
+        // The twins' status is published twice; nothing else is said twice.
+        Assert.Equal(expected.Length + 1, error.Faults.Count);
+        Assert.DoesNotContain(error.Faults, fault => fault.StartsWith("'b' subscribes", StringComparison.Ordinal));
+    }
+
+    [Fact, Trait("Clause", "4.2")]
+    public void Faults_ReactorWithoutManagers_IsOne()
+        => Assert.Contains("no manager", Assert.Single(Assert.Throws<RabitWiringException>(new RabitReactor().Start).Faults), StringComparison.Ordinal);
+
+    [Fact, Trait("Clause", "4.2"), Trait("Clause", "2.2")]
+    public void Faults_TwoFirstValues_IsOne()
+    {
+        using TestRun run = NewRun();
+        run.Add("a").Publish("height", 1);
+        run.Add("b").Publish("height", 2);
+
+        Assert.Contains(Assert.Throws<RabitWiringException>(run.Start).Faults, f => f.Contains("first value", StringComparison.Ordinal));
+    }
+
+    [Theory, Trait("Clause", "4.2")]
+    [InlineData("")]
+    [InlineData("  ")]
+    [InlineData(null)]
+    public void Names_Empty_AreRefusedAtOnce(string? name)
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+
+        Assert.Throws<ArgumentException>(() => new ScriptedManager(name!, run.Board));
+        Assert.Throws<ArgumentException>(() => manager.Publish<int>(name!));
+        Assert.Throws<ArgumentException>(() => manager.Subscribe<int>(name!));
+        Assert.Throws<ArgumentException>(() => manager.Send<int>(name!));
+        Assert.Throws<ArgumentException>(() => manager.Receive<int>(name!));
+        Assert.Throws<ArgumentException>(() => manager.AttachWriter(name!, new ScriptedTarget(run.Board)));
+        Assert.Throws<ArgumentException>(() => run.Reactor.Workspace.Publish<int>(name!));
+        Assert.Throws<ArgumentException>(() => run.Reactor.Workspace.Send<int>(name!));
+        Assert.Throws<ArgumentException>(() => run.Reactor.Workspace.Subscribe<int>(name!));
+    }
+
+    [Fact, Trait("Clause", "4.2")]
+    public void Nulls_WhereAValueIsNeeded_AreRefusedAtOnce()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+
+        Assert.Throws<ArgumentNullException>(() => run.Reactor.Add(null!));
+        Assert.Throws<ArgumentNullException>(() => manager.AttachReader<int>("line", null!));
+        Assert.Throws<ArgumentNullException>(() => manager.AttachWriter<int>("radio", null!));
+        Assert.Throws<ArgumentNullException>(() => manager.Subscribe<int>("height").OnPost(null!));
+        Assert.Throws<ArgumentNullException>(() => manager.FaultPolicy = null!);
+        Assert.Throws<ArgumentNullException>(() => new RabitReactor((RabitTime)null!));
+        Assert.Throws<ArgumentNullException>(() => new RealTime(null!));
+    }
+
+    [Fact, Trait("Clause", "4.2")]
+    public void Notes_WhatLooksOdd_IsInTheLogAndNoFault()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        manager.Publish<int>("unread");
+        manager.Subscribe<int>("unposted", optional: true);
+        manager.Receive<int>("unpushed");
+
+        run.Start();
+        run.Finish();
+
+        Assert.Equal(
+            [
+                "no publisher for message 'unposted'; it is optional for all its subscribers",
+                "no subscriber for message 'unread' of 'm'",
+                "no sender for queue 'unpushed' of 'm'",
+            ],
+            run.Log.Where(e => e.Kind == RabitLogKind.Note).Select(e => e.Text).ToArray());
+    }
+
+    [Fact, Trait("Clause", "4.2")]
+    public void DescribeWiring_OfARun_ListsWhoPostsFetchesPushesPopsAndIsWoken()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager sensor = NewManager(run, "sensor");
+        ScriptedManager control = NewManager(run, "control");
+        sensor.Publish<double>("height");
+        sensor.Publish<(int, string)>("unread");
+        control.Subscribe<double>("height", wakeOnPost: true);
+        control.SubscribeToStatus("sensor");
+        run.Reactor.Workspace.Subscribe<double>("height");
+        control.Receive<int>("orders", capacity: 8, QueueFullMode.DropOldest);
+        sensor.Send<int>("orders", wakeOnPop: true);
+        control.AttachReader("line", new ScriptedSource(run.Board, TimeSpan.Zero), capacity: 4);
+        control.AttachWriter("radio", new ScriptedTarget(run.Board));
+
+        run.Start();
+
+        string[] expected =
+        [
+            "managers, in the order of their start",
+            "  sensor",
+            "  control",
+            "message height : Double",
+            "  posted by sensor",
+            "  fetched by control (wakes), outside",
+            "message sensor/status : ManagerStatus",
+            "  posted by sensor",
+            "  fetched by control",
+            "message unread : ValueTuple<Int32, String>",
+            "  posted by sensor",
+            "  fetched by none",
+            "queue control/line : Int32, 4 at most, when full Wait",
+            "  pushed by control/line",
+            "  popped by control (wakes)",
+            "queue control/radio : Int32, 100 at most, when full Reject",
+            "  pushed by control",
+            "  popped by control/radio (wakes)",
+            "queue orders : Int32, 8 at most, when full DropOldest",
+            "  pushed by sensor (wakes)",
+            "  popped by control (wakes)",
+            "note: no subscriber for message 'unread' of 'sensor'",
+        ];
+        Assert.Equal(string.Join("\n", expected) + "\n", run.Reactor.Workspace.DescribeWiring());
+    }
+
+    [Fact, Trait("Clause", "4.2")]
+    public void DescribeWiring_AsMermaid_DrawsWhoMeetsWhere()
+    {
+        using TestRun run = NewDrawnRun();
+        string[] expected =
+        [
+            "flowchart LR",
+            "  m0[\"sensor #quot;A#quot;\"]",
+            "  m1[\"control\"]",
+            "  c0([\"height\"])",
+            "  m0 --> c0",
+            "  c0 ==> m1",
+            "  c1[/\"orders\"/]",
+            "  c1 ==> m1",
+            "  m0 -- woken by pops --> c1",
+        ];
+        AssertSameLines(expected, run.Reactor.Workspace.DescribeWiring(WiringFormat.Mermaid));
+    }
+
+    [Fact, Trait("Clause", "4.2")]
+    public void DescribeWiring_AsDot_DrawsWhoMeetsWhere()
+    {
+        using TestRun run = NewDrawnRun();
+        string[] expected =
+        [
+            "digraph wiring {",
+            "  rankdir=LR;",
+            "  m0 [shape=box, label=\"sensor \\\"A\\\"\"];",
+            "  m1 [shape=box, label=\"control\"];",
+            "  c0 [shape=ellipse, label=\"height\"];",
+            "  m0 -> c0;",
+            "  c0 -> m1 [penwidth=2];",
+            "  c1 [shape=parallelogram, label=\"orders\"];",
+            "  c1 -> m1 [penwidth=2];",
+            "  m0 -> c1 [label=\"woken by pops\"];",
+            "}",
+        ];
+        AssertSameLines(expected, run.Reactor.Workspace.DescribeWiring(WiringFormat.Dot));
+    }
+
+    [Fact]
+    public void DescribeWiring_UnknownFormat_IsRefused()
+    {
+        using TestRun run = NewRun();
+        Assert.Throws<ArgumentOutOfRangeException>(() => run.Reactor.Workspace.DescribeWiring((WiringFormat)9));
+    }
+
+    // The order of ends of one name is that of their declaration or binding: not the drawing's matter.
+    private static void AssertSameLines(IEnumerable<string> expected, string drawing)
+        => Assert.Equal(
+            expected.OrderBy(l => l, StringComparer.Ordinal), drawing.TrimEnd('\n').Split('\n').OrderBy(l => l, StringComparer.Ordinal));
+
+    private static TestRun NewDrawnRun()
+    {
+        TestRun run = NewRun();
+        ScriptedManager sensor = NewManager(run, "sensor \"A\"");
+        ScriptedManager control = NewManager(run, "control");
+        sensor.Publish<double>("height");
+        control.Subscribe<double>("height", wakeOnPost: true);
+        control.Receive<int>("orders");
+        sensor.Send<int>("orders", wakeOnPop: true);
+        run.Start();
+        return run;
+    }
+
+    // Without the status subscription of the test, which would be in the list.
+    private static ScriptedManager NewManager(TestRun run, string name)
+    {
+        var manager = new ScriptedManager(name, run.Board);
+        run.Reactor.Add(manager);
+        return manager;
+    }
+
+    private static TestRun NewRun() => new(TimeKind.Virtual);
+
+    private sealed class Namesake() : RabitManager("twin")
+    {
+        protected override void ExecuteUnitOfWork()
+        {
+        }
+    }
+}
