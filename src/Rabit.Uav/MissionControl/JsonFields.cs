@@ -2,13 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Uav.ImageProcessing;
 
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// The properties of one JSON object, taken out one by one: what is not of the kind it should be is blamed with path and value, and so
-/// is what nobody asked for.
+/// The properties of one JSON object, read one by one. A value of the wrong kind, an unknown property and one of an old name are faults, each
+/// with its path; reading goes on, so that all faults are reported together.
 /// </summary>
 internal sealed class JsonFields
 {
@@ -18,6 +17,7 @@ internal sealed class JsonFields
     private readonly List<string> _faults;
     private readonly Dictionary<string, JsonElement> _values = new(StringComparer.Ordinal);
     private readonly List<string> _known = [];
+    private readonly Dictionary<string, string> _renamed = new(StringComparer.Ordinal);
 
     /// <param name="element">An object; anything else has no properties.</param>
     /// <param name="path">Where it is; empty for the root.</param>
@@ -31,10 +31,13 @@ internal sealed class JsonFields
         foreach (JsonProperty property in element.EnumerateObject())
         {
             if (_values.ContainsKey(property.Name))
-                _faults.Add($"{_prefix}{property.Name} is there twice");
+                _faults.Add($"{_prefix}{property.Name} is given twice");
             _values[property.Name] = property.Value;
         }
     }
+
+    /// <summary>States the name that a property had in an old form of the file: such a file is refused, with the new name.</summary>
+    public void Renamed(string oldName, string newName) => _renamed[oldName] = newName;
 
     public bool Has(string name)
     {
@@ -50,7 +53,7 @@ internal sealed class JsonFields
         JsonElement value = _values[name];
         if (value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) && !double.IsInfinity(number))
             return number;
-        Blame(name, value, "must be a number");
+        Fault(name, value, "must be a number");
         return double.NaN;
     }
 
@@ -61,7 +64,7 @@ internal sealed class JsonFields
         JsonElement value = _values[name];
         if (value.ValueKind is JsonValueKind.True or JsonValueKind.False)
             return value.GetBoolean();
-        Blame(name, value, "must be true or false");
+        Fault(name, value, "must be true or false");
         return null;
     }
 
@@ -72,7 +75,7 @@ internal sealed class JsonFields
         JsonElement value = _values[name];
         if (value.ValueKind == JsonValueKind.String)
             return value.GetString();
-        Blame(name, value, "must be a text");
+        Fault(name, value, "must be a string");
         return null;
     }
 
@@ -83,28 +86,28 @@ internal sealed class JsonFields
         JsonElement value = _values[name];
         if (value.ValueKind == JsonValueKind.Array)
             return value;
-        Blame(name, value, "must be a list, [ ... ]");
+        Fault(name, value, "must be a list, [ ... ]");
         return default(JsonElement?);
     }
 
-    /// <summary>The properties of an object in here; none where it is not there.</summary>
+    /// <summary>The properties of a nested object; none where it is missing.</summary>
     public JsonFields Object(string name)
     {
         JsonElement value = Has(name) ? _values[name] : default;
         if (value.ValueKind is not (JsonValueKind.Object or JsonValueKind.Undefined))
-            Blame(name, value, "must be an object, { ... }");
+            Fault(name, value, "must be an object, { ... }");
         return new JsonFields(value, _prefix + name, _faults);
     }
 
-    /// <summary>Blames that something is not there; one that was there and wrong is blamed already.</summary>
+    /// <summary>Reports that a property is missing, unless it is given, or under its old name, which is a fault of its own.</summary>
     public double Missing(string name)
     {
-        if (!Has(name))
+        if (!Has(name) && !_renamed.Any(r => r.Value == name && _values.ContainsKey(r.Key)))
             _faults.Add($"{_prefix}{name} is missing");
         return double.NaN;
     }
 
-    public void Blame(string name, JsonElement value, string text)
+    public void Fault(string name, JsonElement value, string text)
     {
         string shown = value.GetRawText().Replace("\r", string.Empty).Replace("\n", " ");
         if (shown.Length > MaxValueLength)
@@ -112,18 +115,25 @@ internal sealed class JsonFields
         _faults.Add($"{_prefix}{name} is {shown}; it {text}");
     }
 
-    /// <summary>Blames the properties that nobody asked for: a wrongly spelt one would silently be left to its default.</summary>
-    public void RefuseOthers()
+    /// <summary>Reports the properties that were not read: a misspelt one would otherwise keep its default in silence.</summary>
+    public void RejectOthers()
     {
         foreach (string name in _values.Keys.Where(n => !_known.Contains(n)))
         {
+            if (_renamed.TryGetValue(name, out string? newName))
+            {
+                _faults.Add($"{_prefix}{name} is a name of the old form; it is now {_prefix}{newName}");
+                continue;
+            }
+
             string? near = _known.FirstOrDefault(k => name.Length >= 3 && k.StartsWith(name, StringComparison.OrdinalIgnoreCase))
                 ?? _known.OrderBy(k => Distance(k, name)).FirstOrDefault(k => Distance(k, name) <= Math.Max(2, name.Length / 3));
-            _faults.Add($"{_prefix}{name} is unknown; " + (near is null ? "there are " + string.Join(", ", _known) : $"did you mean {near}?"));
+            _faults.Add($"{_prefix}{name} is unknown; "
+                + (near is null ? "there are " + string.Join(", ", _known) : $"did you mean {near}?"));
         }
     }
 
-    // How many characters must be put in, taken out or exchanged (Levenshtein), without regard to case.
+    // Levenshtein distance, without regard to case.
     private static int Distance(string a, string b)
     {
         int[] row = Enumerable.Range(0, b.Length + 1).ToArray();
