@@ -54,7 +54,7 @@ internal sealed class FlightPlan
             return null;
         var plan = new FlightPlan(mission, frame);
         if (plan.Lanes.Count > MaxLanes)
-            fault = $"it has {MissionText.Of(plan.Lanes.Count)} lanes; the limit is {MissionText.Of(MaxLanes)}";
+            fault = $"it has {MissionNumbers.Of(plan.Lanes.Count)} lanes; the limit is {MissionNumbers.Of(MaxLanes)}";
         return fault.Length > 0 ? null : plan;
     }
 
@@ -63,7 +63,7 @@ internal sealed class FlightPlan
         double far = mission.Area.Select(c => frame.ToNed(c)).Max(n => new PlanePoint(n.North, n.East).Length);
         if (!(far <= MaxAreaDistanceMetres))
         {
-            return $"the area extends {MissionText.Of(far)} m from the vehicle; the limit is {MissionText.Of(MaxAreaDistanceMetres)} m";
+            return $"the area extends {MissionNumbers.Of(far)} m from the vehicle; the limit is {MissionNumbers.Of(MaxAreaDistanceMetres)} m";
         }
 
         if (mission.Home is not { } home)
@@ -72,13 +72,13 @@ internal sealed class FlightPlan
             GeodeticPosition.FromRadians(home.LatitudeRadians, home.LongitudeRadians, frame.Origin.AltitudeAmslMetres));
         double distance = new PlanePoint(off.North, off.East).Length;
         if (!(distance <= MaxHomeDistanceMetres))
-            return $"the vehicle is {MissionText.Of(distance)} m from the mission's home; the limit is {MissionText.Of(MaxHomeDistanceMetres)} m";
+            return $"the vehicle is {MissionNumbers.Of(distance)} m from the mission's home; the limit is {MissionNumbers.Of(MaxHomeDistanceMetres)} m";
         double difference = Math.Abs(
             (home.GroundAltitudeAmslMetres ?? frame.Origin.AltitudeAmslMetres) - frame.Origin.AltitudeAmslMetres);
         return difference <= MaxAltitudeDifferenceMetres
             ? null
-            : $"the ground is at {MissionText.Of(frame.Origin.AltitudeAmslMetres)} m above mean sea level according to the vehicle, "
-                + $"at {MissionText.Of(home.GroundAltitudeAmslMetres!.Value)} m according to the mission";
+            : $"the ground is at {MissionNumbers.Of(frame.Origin.AltitudeAmslMetres)} m above mean sea level according to the vehicle, "
+                + $"at {MissionNumbers.Of(home.GroundAltitudeAmslMetres!.Value)} m according to the mission";
     }
 
     private SearchPlan ToMessage(MissionPlan mission) => new()

@@ -45,13 +45,13 @@ internal sealed class MissionFailsafes
         {
             flight.Text = "autopilot not connected";
             if (flight.Plan is not null && flight.Now - since > MaxDisconnection)
-                return new MissionStep(MissionEvent.Impossible, $"no autopilot for {MissionText.Seconds(MaxDisconnection)}");
+                return new MissionStep(MissionEvent.Impossible, $"no autopilot for {MissionNumbers.Seconds(MaxDisconnection)}");
         }
         else if (_noPositionSince is { } lost)
         {
             flight.Text = "no position";
             if (flight.Now - lost > MaxTimeWithoutPosition && flight.IsFlying)
-                return new MissionStep(MissionEvent.LandNow, $"no position for {MissionText.Seconds(MaxTimeWithoutPosition)}");
+                return new MissionStep(MissionEvent.LandNow, $"no position for {MissionNumbers.Seconds(MaxTimeWithoutPosition)}");
         }
 
         return MissionStep.Stay;
@@ -95,7 +95,7 @@ internal sealed class MissionFailsafes
         if (!flight.Vehicle.IsArmed && (!isLanding || flight.HeightMetres > LandedHeightMetres))
         {
             return new MissionStep(
-                MissionEvent.Impossible, $"the motors stopped at a height of {MissionText.Of(flight.HeightMetres)} m");
+                MissionEvent.Impossible, $"the motors stopped at a height of {MissionNumbers.Of(flight.HeightMetres)} m");
         }
 
         bool isOnGround = flight.Vehicle.LandedState == MavLandedState.OnGround && !isLanding;
@@ -110,7 +110,7 @@ internal sealed class MissionFailsafes
         double outside = -flight.Plan!.Fence.SignedDistance(flight.Position);
         _outsideSince = outside > 0 ? _outsideSince ?? flight.Now : null;
         return flight.Now - _outsideSince >= MaxTimeOutside
-            ? new MissionStep(MissionEvent.ReturnToLaunch, $"{MissionText.Of(outside)} m outside the fence")
+            ? new MissionStep(MissionEvent.ReturnToLaunch, $"{MissionNumbers.Of(outside)} m outside the fence")
             : MissionStep.Stay;
     }
 }

@@ -113,7 +113,7 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
             YawRadians = yawRadians,
         };
         if (!Commands.IsGoal(command))
-            Commands.SetGoal(command, $"go to {MissionText.Of(to)}, height {MissionText.Of(heightMetres)} m", RetryAfter);
+            Commands.SetGoal(command, $"go to {MissionNumbers.Of(to)}, height {MissionNumbers.Of(heightMetres)} m", RetryAfter);
     }
 
     /// <summary>Sets a goal that has no parameters.</summary>

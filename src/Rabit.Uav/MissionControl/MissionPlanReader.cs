@@ -5,6 +5,7 @@ using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Uav.Json;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
@@ -49,7 +50,7 @@ internal static class MissionPlanReader
             throw new MissionPlanException(name, ["it must be an object, { ... }"]);
         var fields = new JsonFields(root, string.Empty, faults);
         MissionPlan plan = ReadPlan(fields, name);
-        fields.RejectOthers();
+        fields.RefuseOthers();
 
         // A value that could not be read would be reported twice.
         if (faults.Count == 0)
@@ -62,8 +63,8 @@ internal static class MissionPlanReader
         JsonFields camera = fields.Object("camera");
         JsonFields limits = fields.Object("limits");
         JsonFields revisit = fields.Object("revisit");
-        fields.Renamed("secondLook", "revisit");
-        limits.Renamed("minBatteryToStart", "minBatteryFractionAtStart");
+        fields.Renamed(("secondLook", "revisit"));
+        limits.Renamed(("minBatteryToStart", "minBatteryFractionAtStart"));
         var plan = new MissionPlan
         {
             Name = fields.Text("name") ?? name,
@@ -86,9 +87,9 @@ internal static class MissionPlanReader
             HasGimbal = camera.Flag("gimbal") ?? false,
             MinBatteryFractionAtStart = limits.Number("minBatteryFractionAtStart") ?? 0.5,
         };
-        camera.RejectOthers();
-        limits.RejectOthers();
-        revisit.RejectOthers();
+        camera.RefuseOthers();
+        limits.RefuseOthers();
+        revisit.RefuseOthers();
         return plan;
     }
 
@@ -107,7 +108,7 @@ internal static class MissionPlanReader
             if (ReadCorner(corner) is { } position)
                 area.Add(position);
             else
-                fields.Fault(Item("area", index), corner, "must be [latitude, longitude] in degrees");
+                fields.Blame(Item("area", index), corner, "must be [latitude, longitude] in degrees");
             index++;
         }
 
@@ -138,12 +139,12 @@ internal static class MissionPlanReader
             if (name.ValueKind == JsonValueKind.String && ColourOf(name.GetString()!) is { } colour)
                 targets |= colour;
             else
-                fields.Fault(Item("targets", index), name, "must be one of " + string.Join(", ", Colours.Select(NameOf)));
+                fields.Blame(Item("targets", index), name, "must be one of " + string.Join(", ", Colours.Select(NameOf)));
             index++;
         }
 
         if (index == 0)
-            fields.Fault("targets", names, "must name at least one colour");
+            fields.Blame("targets", names, "must name at least one colour");
         return targets;
     }
 
@@ -168,15 +169,14 @@ internal static class MissionPlanReader
         if (!fields.Has("home"))
             return null;
         JsonFields home = fields.Object("home");
-        home.Renamed("lat", "latitudeDegrees");
-        home.Renamed("lon", "longitudeDegrees");
+        home.Renamed(("lat", "latitudeDegrees"), ("lon", "longitudeDegrees"));
         var read = new MissionHome
         {
             LatitudeRadians = ToRadians(home.Number("latitudeDegrees") ?? home.Missing("latitudeDegrees"))!.Value,
             LongitudeRadians = ToRadians(home.Number("longitudeDegrees") ?? home.Missing("longitudeDegrees"))!.Value,
             GroundAltitudeAmslMetres = home.Number("groundAltitudeAmslMetres"),
         };
-        home.RejectOthers();
+        home.RefuseOthers();
         return read;
     }
 

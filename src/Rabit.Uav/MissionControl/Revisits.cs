@@ -25,9 +25,9 @@ internal sealed class Revisits
         {
             if (track.State == TrackState.Confirmed && _known.Add(track.Id))
             {
-                flight.Log($"track {MissionText.Of(track.Id)} confirmed: {Name(track)} at "
-                    + $"{MissionText.Of(PositionOf(track, flight))}, "
-                    + $"95 % within {MissionText.Of(track.Covariance.HalfMajorAxis95Metres)} m");
+                flight.Log($"track {MissionNumbers.Of(track.Id)} confirmed: {Name(track)} at "
+                    + $"{MissionNumbers.Of(PositionOf(track, flight))}, "
+                    + $"95 % within {MissionNumbers.Of(track.Covariance.HalfMajorAxis95Metres)} m");
             }
         }
     }
@@ -46,7 +46,7 @@ internal sealed class Revisits
             if (flight.Plan!.Fence.SignedDistance(PositionOf(track, flight)) >= FenceReserveMetres)
                 return track;
             _finished.Add(track.Id);
-            flight.Log($"track {MissionText.Of(track.Id)} is at the fence or outside: no revisit");
+            flight.Log($"track {MissionNumbers.Of(track.Id)} is at the fence or outside: no revisit");
         }
 
         return null;

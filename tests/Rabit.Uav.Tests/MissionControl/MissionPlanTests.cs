@@ -42,8 +42,8 @@ public class MissionPlanTests
     [InlineData("\"camera\": 5", "camera is 5; it must be an object")]
     [InlineData("\"laneHeadingDegrees\": \"north\"", "laneHeadingDegrees is \"north\"; it must be a number")]
     [InlineData("\"laneHeadingDegrees\": 400", "laneHeadingDegrees is 400; it must be -360 to 360")]
-    [InlineData("\"heightMetres\": 40", "heightMetres is given twice")]
-    [InlineData("\"name\": 7", "name is 7; it must be a string")]
+    [InlineData("\"heightMetres\": 40", "heightMetres is there twice")]
+    [InlineData("\"name\": 7", "name is 7; it must be a text")]
     [InlineData("\"name\": \"\"", "name must be a line of 1 to 80 characters")]
     [InlineData("\"targets\": [\"red\", \"green\"]", "targets[1] is \"green\"; it must be one of red, orange, blue, yellow, magenta")]
     [InlineData("\"targets\": []", "targets is []; it must name at least one colour")]
@@ -73,12 +73,12 @@ public class MissionPlanTests
         MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(MissionRig.Text(Old), "test"));
         Assert.Equal(
             [
-                "home.lat is a name of the old form; it is now home.latitudeDegrees",
-                "home.lon is a name of the old form; it is now home.longitudeDegrees",
-                "limits.minBatteryToStart is a name of the old form; it is now limits.minBatteryFractionAtStart",
-                "secondLook is a name of the old form; it is now revisit",
+                "home.lat is of an older form of the file; it is home.latitudeDegrees now",
+                "home.lon is of an older form of the file; it is home.longitudeDegrees now",
+                "limits.minBatteryToStart is of an older form of the file; it is limits.minBatteryFractionAtStart now",
+                "secondLook is of an older form of the file; it is revisit now",
             ],
-            e.Faults);
+            e.Faults.OrderBy(f => f, StringComparer.Ordinal));
     }
 
     [Theory]

@@ -20,11 +20,11 @@ internal sealed class ArmingState() : MissionState(MissionPhase.Arming)
         if (flight.Commands.IsAccepted && flight.Vehicle.IsArmed)
         {
             flight.MeasureGround();
-            return new MissionStep(MissionEvent.Armed, $"ground at {MissionText.Of(flight.GroundAltitudeAmslMetres)} m above mean sea level");
+            return new MissionStep(MissionEvent.Armed, $"ground at {MissionNumbers.Of(flight.GroundAltitudeAmslMetres)} m above mean sea level");
         }
 
         if (inPhase > flight.Options.ArmTimeout)
-            return Impossible($"not armed within {MissionText.Seconds(flight.Options.ArmTimeout)}: {flight.Commands.LastFailure}");
+            return Impossible($"not armed within {MissionNumbers.Seconds(flight.Options.ArmTimeout)}: {flight.Commands.LastFailure}");
         if (flight.Commands.IsAccepted && flight.Now - flight.Commands.SentTime > AcceptedToArmedTimeout)
             flight.Commands.Resend();
         return MissionStep.Stay;

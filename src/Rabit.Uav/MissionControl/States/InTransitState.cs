@@ -20,7 +20,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         if (flight.Commands.Failures >= MaxFailures)
             return ReturnToLaunch(flight.Commands.LastFailure);
         if (inPhase > _limit)
-            return ReturnToLaunch($"not at the area within {MissionText.Seconds(_limit)}");
+            return ReturnToLaunch($"not at the area within {MissionNumbers.Seconds(_limit)}");
         if (!_isCameraPointed)
         {
             PointCamera(flight);
@@ -29,7 +29,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 
         LaneSegment lane = flight.Route!.Current!.Value;
         flight.SetGoalPosition(lane.Start, flight.Mission.HeightMetres, lane.HeadingRadians);
-        flight.Text = $"to the area: {MissionText.Of(flight.Position.DistanceTo(lane.Start))} m to go";
+        flight.Text = $"to the area: {MissionNumbers.Of(flight.Position.DistanceTo(lane.Start))} m to go";
         return PathFollower.HasArrived(flight, lane.Start, flight.Mission.HeightMetres)
             ? new MissionStep(MissionEvent.AtArea, "at the first lane")
             : MissionStep.Stay;

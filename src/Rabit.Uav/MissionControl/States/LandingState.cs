@@ -27,12 +27,12 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        flight.Text = $"landing: height {MissionText.Of(flight.HeightMetres)} m"
+        flight.Text = $"landing: height {MissionNumbers.Of(flight.HeightMetres)} m"
             + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (!flight.Vehicle.IsArmed)
-            return new MissionStep(MissionEvent.Landed, $"landed {MissionText.Of(flight.Position.Length)} m from home");
+            return new MissionStep(MissionEvent.Landed, $"landed {MissionNumbers.Of(flight.Position.Length)} m from home");
         if (inPhase > _limit)
-            return Impossible($"not landed within {MissionText.Seconds(_limit)}");
+            return Impossible($"not landed within {MissionNumbers.Seconds(_limit)}");
         if (flight.Vehicle.LandedState != MavLandedState.OnGround)
         {
             _onGround = null;

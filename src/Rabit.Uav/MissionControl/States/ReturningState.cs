@@ -34,16 +34,16 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
     {
         flight.SetGoal(VehicleCommandKind.Return, "return");
         double distance = flight.Position.Length;
-        flight.Text = $"returning: {MissionText.Of(distance)} m to go"
+        flight.Text = $"returning: {MissionNumbers.Of(distance)} m to go"
             + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (flight.Vehicle.LandedState is MavLandedState.Landing or MavLandedState.OnGround || !flight.Vehicle.IsArmed)
-            return new MissionStep(MissionEvent.Descending, $"{MissionText.Of(distance)} m from home");
+            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Of(distance)} m from home");
         if (distance < OverHomeMetres && flight.Vehicle.VelocityNed.Down > SinkingMetresPerSecond)
-            return new MissionStep(MissionEvent.Descending, $"{MissionText.Of(distance)} m from home");
+            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Of(distance)} m from home");
         if (flight.Commands.Failures >= MaxFailures)
             return new MissionStep(MissionEvent.LandNow, "return " + flight.Commands.LastFailure);
         if (inPhase > _limit)
-            return new MissionStep(MissionEvent.LandNow, $"not home within {MissionText.Seconds(_limit)}");
+            return new MissionStep(MissionEvent.LandNow, $"not home within {MissionNumbers.Seconds(_limit)}");
         return CheckProgress(flight, distance);
     }
 

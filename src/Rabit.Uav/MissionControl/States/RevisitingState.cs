@@ -41,7 +41,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
             return Finish(flight, wasObserved: _overhead is not null, "no longer confirmed");
         if (inPhase > _limit)
             return Finish(flight, wasObserved: false, "not reached in time");
-        flight.Text = $"revisiting track {MissionText.Of(_track)}, {Revisits.Name(track)}";
+        flight.Text = $"revisiting track {MissionNumbers.Of(_track)}, {Revisits.Name(track)}";
         return Fly(flight, track);
     }
 
@@ -81,11 +81,11 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     }
 
     private static string Accuracy(TargetTrack track, int reports)
-        => $"{MissionText.Of(reports)} more reports, 95 % within {MissionText.Of(track.Covariance.HalfMajorAxis95Metres)} m";
+        => $"{MissionNumbers.Of(reports)} more reports, 95 % within {MissionNumbers.Of(track.Covariance.HalfMajorAxis95Metres)} m";
 
     private MissionStep Finish(MissionFlight flight, bool wasObserved, string text)
     {
         flight.Revisits.Finish(_track, wasObserved);
-        return new MissionStep(MissionEvent.Revisited, $"track {MissionText.Of(_track)}: {text}");
+        return new MissionStep(MissionEvent.Revisited, $"track {MissionNumbers.Of(_track)}: {text}");
     }
 }

@@ -22,7 +22,7 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
         if (_laneEnd is { } end && flight.ActiveTime - end < ProcessingTime && flight.Route!.Current is null)
             return MissionStep.Stay;
         if (!_isOnLane && flight.Revisits.Next(flight) is { } track)
-            return new MissionStep(MissionEvent.TargetFound, $"track {MissionText.Of(track.Id)}");
+            return new MissionStep(MissionEvent.TargetFound, $"track {MissionNumbers.Of(track.Id)}");
         if (flight.Route!.Current is { } lane)
             return Fly(flight, lane);
         return Finish(flight);
@@ -34,20 +34,20 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
         if (!_isOnLane)
             _follower.Begin(flight, lane, flight.Mission.HeightMetres);
         _isOnLane = true;
-        flight.Text = $"searching: lane {MissionText.Of(route.Flown + 1)} of {MissionText.Of(route.Count)}, {Seen(route)}";
+        flight.Text = $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(route)}";
         bool isFlown = _follower.Tick(flight, out bool isLate);
         if (isLate)
-            return ReturnToLaunch($"lane {MissionText.Of(route.Flown + 1)} takes too long");
+            return ReturnToLaunch($"lane {MissionNumbers.Of(route.Flown + 1)} takes too long");
         if (!isFlown)
             return MissionStep.Stay;
         _isOnLane = false;
         _laneEnd = flight.ActiveTime;
         route.FinishLeg();
-        flight.Log($"lane {MissionText.Of(route.Flown)} of {MissionText.Of(route.Count)} flown, {Seen(route)}");
+        flight.Log($"lane {MissionNumbers.Of(route.Flown)} of {MissionNumbers.Of(route.Count)} flown, {Seen(route)}");
         return MissionStep.Stay;
     }
 
-    private static string Seen(SearchRoute route) => MissionText.Percent(route.Coverage.Fraction) + " seen";
+    private static string Seen(SearchRoute route) => MissionNumbers.Percent(route.Coverage.Fraction) + " seen";
 
     private static MissionStep Finish(MissionFlight flight)
     {
@@ -60,7 +60,7 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
         int legs = route.AddGapLegs(flight.Position);
         if (legs == 0)
             return new MissionStep(MissionEvent.Searched, seen + ", the gaps are too small to fly over");
-        flight.Log($"{seen}: {MissionText.Of(legs)} more legs over gaps");
+        flight.Log($"{seen}: {MissionNumbers.Of(legs)} more legs over gaps");
         return MissionStep.Stay;
     }
 }

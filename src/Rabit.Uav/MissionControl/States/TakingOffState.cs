@@ -31,27 +31,27 @@ internal sealed class TakingOffState() : MissionState(MissionPhase.TakingOff)
         _hasFlown |= flight.IsFlying;
         var command = new VehicleCommand { Kind = VehicleCommandKind.TakeOff, HeightAboveHomeMetres = height };
         if (!flight.Commands.IsGoal(command))
-            flight.Commands.SetGoal(command, $"take off to {MissionText.Of(height)} m", TimeSpan.FromSeconds(2));
-        flight.Text = $"taking off: {MissionText.Of(flight.HeightMetres)} of {MissionText.Of(height)} m";
+            flight.Commands.SetGoal(command, $"take off to {MissionNumbers.Of(height)} m", TimeSpan.FromSeconds(2));
+        flight.Text = $"taking off: {MissionNumbers.Of(flight.HeightMetres)} of {MissionNumbers.Of(height)} m";
 
         if (!flight.Vehicle.IsArmed)
         {
             if (_hasFlown)
-                return Impossible($"the motors stopped at a height of {MissionText.Of(flight.HeightMetres)} m");
+                return Impossible($"the motors stopped at a height of {MissionNumbers.Of(flight.HeightMetres)} m");
             return _starts < MaxStarts
                 ? new MissionStep(MissionEvent.Disarmed, "the autopilot stopped the motors on the ground")
-                : Impossible($"the autopilot stopped the motors on the ground {MissionText.Of(MaxStarts)} times");
+                : Impossible($"the autopilot stopped the motors on the ground {MissionNumbers.Of(MaxStarts)} times");
         }
 
         if (flight.HeightMetres >= height - HeightToleranceMetres || flight.HeightMetres >= HeightFraction * height)
-            return new MissionStep(MissionEvent.AtHeight, $"height {MissionText.Of(flight.HeightMetres)} m");
+            return new MissionStep(MissionEvent.AtHeight, $"height {MissionNumbers.Of(flight.HeightMetres)} m");
         if (flight.Commands.Failures >= MaxFailures)
             return GiveUp(flight, "take-off " + flight.Commands.LastFailure);
         if (inPhase > Seconds(TimeReserveSeconds + (height / MinClimbRate)))
         {
             return GiveUp(
                 flight,
-                $"only {MissionText.Of(flight.HeightMetres)} of {MissionText.Of(height)} m reached in {MissionText.Seconds(inPhase)}");
+                $"only {MissionNumbers.Of(flight.HeightMetres)} of {MissionNumbers.Of(height)} m reached in {MissionNumbers.Seconds(inPhase)}");
         }
 
         if (!_hasFlown && flight.Commands.IsAccepted && flight.Now - flight.Commands.SentTime > LiftOffTimeout)

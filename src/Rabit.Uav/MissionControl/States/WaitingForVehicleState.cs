@@ -23,7 +23,7 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         {
             _readySince = null;
             return inPhase > flight.Options.ReadyTimeout
-                ? Impossible($"not ready within {MissionText.Seconds(flight.Options.ReadyTimeout)}: {missing}")
+                ? Impossible($"not ready within {MissionNumbers.Seconds(flight.Options.ReadyTimeout)}: {missing}")
                 : MissionStep.Stay;
         }
 
@@ -34,7 +34,7 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         if (fault.Length > 0)
             return Impossible(fault);
         return new MissionStep(
-            MissionEvent.Ready, $"{MissionText.Of(flight.Route!.Count)} lanes over {MissionText.Of(flight.Plan!.Area.Area)} m2");
+            MissionEvent.Ready, $"{MissionNumbers.Of(flight.Route!.Count)} lanes over {MissionNumbers.Of(flight.Plan!.Area.Area)} m2");
     }
 
     private static string? FindMissing(MissionFlight flight)
@@ -50,8 +50,8 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
             return "no satellite fix";
         if (vehicle.BatteryRemaining < flight.Mission.MinBatteryFractionAtStart)
         {
-            return $"battery {MissionText.Percent(vehicle.BatteryRemaining)}; "
-                + $"{MissionText.Percent(flight.Mission.MinBatteryFractionAtStart)} are needed";
+            return $"battery {MissionNumbers.Percent(vehicle.BatteryRemaining)}; "
+                + $"{MissionNumbers.Percent(flight.Mission.MinBatteryFractionAtStart)} are needed";
         }
 
         if (flight.Options.RequiresCamera && !flight.Imaging.HasCamera)
