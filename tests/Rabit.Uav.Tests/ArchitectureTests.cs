@@ -21,7 +21,7 @@ public class ArchitectureTests
     private const string Root = "Rabit.Uav";
 
     // What every manager may use.
-    private static readonly string[] Shared = ["Messages", "CameraGeometry"];
+    private static readonly string[] Shared = ["Messages", "CameraGeometry", "Json"];
 
     private static readonly string[] Managers =
         ["Communications", "AutopilotInterface", "ImageProcessing", "SensorFusion", "MissionControl", "HealthMonitoring"];
@@ -81,6 +81,7 @@ public class ArchitectureTests
     private static bool MayUse(string from, string to) => from switch
     {
         _ when from == to || from == "root" || from.Length == 0 => true,
+        "Json" => false,
         "Messages" or "CameraGeometry" => Array.IndexOf(Shared, to) >= 0,
         _ => Managers.Contains(from, StringComparer.Ordinal) && Shared.Contains(to, StringComparer.Ordinal),
     };

@@ -4,7 +4,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// Keeps the gravest advice that was given in flight: it is not taken back, since what led to it may only seem to be over.
+/// Latches the most severe advice that was given in flight: it is not withdrawn, since its reason may only seem to be over.
 /// </summary>
 internal sealed class AdviceLatch
 {
@@ -12,13 +12,13 @@ internal sealed class AdviceLatch
 
     public HealthAdvice Advice { get; private set; }
 
-    /// <summary>What led to it, for people; null while there is none.</summary>
+    /// <summary>The reason, as text; null while there is none.</summary>
     public string? Text { get; private set; }
 
-    /// <summary>Takes what was found.</summary>
+    /// <summary>Updates the advice with what was found.</summary>
     /// <param name="findings">All that is wrong now.</param>
-    /// <param name="isFlying">Whether there is a mission that can be given up.</param>
-    public void Take(List<HealthFinding> findings, bool isFlying)
+    /// <param name="isFlying">Whether there is a mission in flight, which can be aborted.</param>
+    public void Update(List<HealthFinding> findings, bool isFlying)
     {
         if (!isFlying)
         {
@@ -31,7 +31,7 @@ internal sealed class AdviceLatch
         {
             if (!finding.IsAdvisedAfterwards)
             {
-                Give(finding);
+                Latch(finding);
                 continue;
             }
 
@@ -41,12 +41,12 @@ internal sealed class AdviceLatch
 
         if (_afterwards is { } over && !isStillThere)
         {
-            Give(over);
+            Latch(over);
             _afterwards = null;
         }
     }
 
-    private void Give(in HealthFinding finding)
+    private void Latch(in HealthFinding finding)
     {
         if (finding.Advice <= Advice)
             return;

@@ -3,11 +3,11 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>What the rules judge the camera by.</summary>
+/// <summary>Input of the rules for the camera.</summary>
 internal readonly struct CameraFacts(in ImagingStatus status, TimeSpan quietFor)
 {
     public ImagingStatus Status { get; } = status;
 
-    /// <summary>Since its last picture, or since it was told to search, whichever came later.</summary>
+    /// <summary>Since its last picture, or since the search began, whichever is later.</summary>
     public TimeSpan QuietFor { get; } = quietFor;
 }

@@ -4,12 +4,12 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>What is remembered of the camera between two looks.</summary>
+/// <summary>The state of the camera between two evaluations.</summary>
 internal sealed class CameraWatch(MessageSubscriber<ImagingStatus> status)
 {
     private TimeSpan? _searchSince;
 
-    public CameraFacts Look(TimeSpan now)
+    public CameraFacts Update(TimeSpan now)
     {
         status.Fetch();
         ref readonly ImagingStatus value = ref status.Value;

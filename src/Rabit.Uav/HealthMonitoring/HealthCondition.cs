@@ -1,4 +1,4 @@
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>Whether something is wrong.</summary>
+/// <summary>Whether a rule applies.</summary>
 internal delegate bool HealthCondition<T>(in T facts, HealthOptions options);

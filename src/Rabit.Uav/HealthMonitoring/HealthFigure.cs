@@ -1,4 +1,4 @@
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>The figure that people want to know with a finding.</summary>
+/// <summary>The figure that is reported with a finding.</summary>
 internal delegate long HealthFigure<T>(in T facts);

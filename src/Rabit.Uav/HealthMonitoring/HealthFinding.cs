@@ -3,9 +3,14 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>One thing that is wrong: what, how bad, with whom, and the figure that people want to know.</summary>
+/// <summary>One thing that is wrong: reason, severity, subject, and the figure that is reported with it.</summary>
 internal readonly struct HealthFinding(
-    HealthReasons reason, HealthLevel level, string? subject, long figure, HealthAdvice advice = HealthAdvice.None, bool isAdvisedAfterwards = false)
+    HealthReasons reason,
+    HealthLevel level,
+    string? subject,
+    long figure,
+    HealthAdvice advice = HealthAdvice.None,
+    bool isAdvisedAfterwards = false)
     : IEquatable<HealthFinding>
 {
     public HealthReasons Reason { get; } = reason;
@@ -15,17 +20,18 @@ internal readonly struct HealthFinding(
     /// <summary>A manager or a link; null where it is the vehicle.</summary>
     public string? Subject { get; } = subject;
 
-    /// <summary>Its meaning depends on the reason; chosen such that it is still while nothing of interest changes.</summary>
+    /// <summary>Its meaning depends on the reason; chosen such that it stays constant while nothing of interest changes.</summary>
     public long Figure { get; } = figure;
 
-    /// <summary>What is to be done about it in flight.</summary>
+    /// <summary>What Mission Control is advised to do in flight.</summary>
     public HealthAdvice Advice { get; } = advice;
 
-    /// <summary>Whether that can be done only once it is over.</summary>
+    /// <summary>Whether the advice can be followed only once the reason is over.</summary>
     public bool IsAdvisedAfterwards { get; } = isAdvisedAfterwards;
 
     public bool Equals(HealthFinding other)
-        => Reason == other.Reason && Level == other.Level && Figure == other.Figure && Advice == other.Advice && string.Equals(Subject, other.Subject, StringComparison.Ordinal);
+        => Reason == other.Reason && Level == other.Level && Figure == other.Figure && Advice == other.Advice
+            && string.Equals(Subject, other.Subject, StringComparison.Ordinal);
 
     public override bool Equals(object? obj) => obj is HealthFinding other && Equals(other);
 

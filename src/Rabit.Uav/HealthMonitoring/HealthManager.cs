@@ -9,17 +9,17 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// Watches the managers, the autopilot, the battery and the links, and says how well they are. It writes our MAVLink heartbeat,
-/// once a second and only while it is true: an unknown address, a manager that threw or that does not come back silences it. In flight it
-/// asks Mission Control to go home or to land where the rules say so.
+/// Monitors the managers, the autopilot, the battery and the links, and reports their health. It sends our MAVLink heartbeat, once a
+/// second and only while it is true: an unknown address, a manager that faulted or that hangs stops it. In flight it advises Mission Control
+/// to return to launch or to land, where a rule says so.
 /// </summary>
 public sealed class HealthManager : RabitManager
 {
     /// <summary>The name of the manager.</summary>
     public const string ManagerName = "health";
 
-    /// <summary>How often the rules are judged.</summary>
-    internal static readonly TimeSpan Cycle = TimeSpan.FromMilliseconds(250);
+    /// <summary>How often the rules are evaluated.</summary>
+    internal static readonly TimeSpan EvaluationPeriod = TimeSpan.FromMilliseconds(250);
 
     // MAVLink guide, "Heartbeat/Connection Protocol": 1 Hz.
     private static readonly TimeSpan HeartbeatPeriod = TimeSpan.FromSeconds(1);
@@ -36,19 +36,19 @@ public sealed class HealthManager : RabitManager
     private readonly CameraWatch _camera;
     private readonly WindWatch _wind = new();
     private readonly AdviceLatch _advice = new();
-    private readonly GroundTexts _texts;
+    private readonly StatusTextSender _texts;
     private readonly QueueSender<OutgoingFrame> _outgoing;
     private readonly MessagePublisher<HealthReport> _report;
-    private readonly HeartbeatSchedule _schedule = new(HeartbeatPeriod, Cycle);
+    private readonly HeartbeatSchedule _schedule = new(HeartbeatPeriod, EvaluationPeriod);
     private List<HealthFinding> _findings = [];
     private List<HealthFinding> _lastFindings = [];
     private HealthReport _next;
-    private TimeSpan? _watchedSince;
+    private TimeSpan? _monitoredSince;
     private TimeSpan _lastPost;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
-    /// <param name="managerNames">The managers to watch, which must be in the same reactor; this one is watched too, named or not.</param>
+    /// <param name="managerNames">The managers to monitor, which must be in the same reactor; this one is monitored too, named or not.</param>
     /// <param name="linkCount">How many links Communications has; their numbers are 0 to one less.</param>
     /// <exception cref="ArgumentException">Options are out of their range (the text names all of them), or a manager is named twice.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The number of links is negative.</exception>
@@ -58,25 +58,25 @@ public sealed class HealthManager : RabitManager
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         if (linkCount < 0)
             throw new ArgumentOutOfRangeException(nameof(linkCount), linkCount, "The number of links cannot be negative.");
-        _managers = NamesToWatch(managerNames).Select(name => new ManagerWatch(name, SubscribeToStatus(name))).ToArray();
+        _managers = NamesToMonitor(managerNames).Select(name => new ManagerWatch(name, SubscribeToStatus(name))).ToArray();
         _links = Enumerable.Range(0, linkCount)
             .Select(number => new LinkWatch(number, Subscribe<LinkStatus>(MessageNames.LinkStatus(number)))).ToArray();
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _mission = Subscribe<MissionStatus>(MessageNames.Mission);
         _camera = new CameraWatch(Subscribe<ImagingStatus>(MessageNames.Imaging));
-        _texts = new GroundTexts(_options.StatusTextPeriod);
+        _texts = new StatusTextSender(_options.StatusTextPeriod);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
         _report = Publish<HealthReport>(MessageNames.Health);
-        WakeUpDelay = Cycle;
+        WakeUpDelay = EvaluationPeriod;
     }
 
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
     {
         TimeSpan now = Now;
-        _watchedSince ??= now;
-        Judge(now, _watchedSince.Value);
+        _monitoredSince ??= now;
+        Evaluate(now, _monitoredSince.Value);
         if (_schedule.TakeBeat(now) && _next.SendsHeartbeat)
             SendHeartbeat();
         SendTexts(now);
@@ -84,7 +84,7 @@ public sealed class HealthManager : RabitManager
         WakeUpDelay = _schedule.UntilNext(now);
     }
 
-    private static List<string> NamesToWatch(IEnumerable<string> managerNames)
+    private static List<string> NamesToMonitor(IEnumerable<string> managerNames)
     {
         List<string> names = (managerNames ?? throw new ArgumentNullException(nameof(managerNames))).ToList();
         foreach (IGrouping<string, string> twice in names.GroupBy(n => n, StringComparer.Ordinal).Where(g => g.Count() > 1))
@@ -94,25 +94,25 @@ public sealed class HealthManager : RabitManager
         return names;
     }
 
-    private void Judge(TimeSpan now, TimeSpan watchedSince)
+    private void Evaluate(TimeSpan now, TimeSpan monitoredSince)
     {
         _findings.Clear();
-        bool areAllAlive = JudgeManagers(now, watchedSince);
-        JudgeVehicle(now, isReplayOver: JudgeLinks(now, watchedSince));
+        bool areAllAlive = EvaluateManagers(now, monitoredSince);
+        EvaluateVehicle(now, isReplayOver: EvaluateLinks(now, monitoredSince));
         _ownAddress.Fetch();
-        TakeAdvice();
+        UpdateAdvice();
         _next.SendsHeartbeat = areAllAlive && _ownAddress.Value.IsKnown;
-        TakeFindings();
+        UpdateReport();
     }
 
     /// <returns>Whether every manager works.</returns>
-    private bool JudgeManagers(TimeSpan now, TimeSpan watchedSince)
+    private bool EvaluateManagers(TimeSpan now, TimeSpan monitoredSince)
     {
         bool areAllAlive = true;
         foreach (ManagerWatch watch in _managers)
         {
-            ManagerFacts manager = watch.Look(now, watchedSince, _options);
-            HealthRules.Judge(manager, _options, _findings);
+            ManagerFacts manager = watch.Update(now, monitoredSince, _options);
+            HealthRules.Evaluate(manager, _options, _findings);
             areAllAlive &= HealthRules.IsAlive(manager, _options);
         }
 
@@ -120,40 +120,40 @@ public sealed class HealthManager : RabitManager
     }
 
     /// <returns>Whether all links are recorded logs that have ended.</returns>
-    private bool JudgeLinks(TimeSpan now, TimeSpan watchedSince)
+    private bool EvaluateLinks(TimeSpan now, TimeSpan monitoredSince)
     {
         bool isReplayOver = _links.Length > 0;
         foreach (LinkWatch watch in _links)
         {
-            LinkFacts link = watch.Look(now, watchedSince, _options);
-            HealthRules.Judge(link, _options, _findings);
+            LinkFacts link = watch.Update(now, monitoredSince, _options);
+            HealthRules.Evaluate(link, _options, _findings);
             isReplayOver &= link.IsRecorded && link.State == LinkState.Ended;
         }
 
         return isReplayOver;
     }
 
-    private void JudgeVehicle(TimeSpan now, bool isReplayOver)
+    private void EvaluateVehicle(TimeSpan now, bool isReplayOver)
     {
         _vehicle.Fetch();
-        TimeSpan? windHighFor = _wind.Look(_vehicle.Value, now, _options);
-        HealthRules.Judge(new VehicleFacts(_vehicle.Value, now, isReplayOver, windHighFor), _options, _findings);
-        HealthRules.Judge(_camera.Look(now), _options, _findings);
+        TimeSpan? windHighFor = _wind.Update(_vehicle.Value, now, _options);
+        HealthRules.Evaluate(new VehicleFacts(_vehicle.Value, now, isReplayOver, windHighFor), _options, _findings);
+        HealthRules.Evaluate(_camera.Update(now), _options, _findings);
     }
 
-    // Without a mission in flight there is nobody to give advice to.
-    private void TakeAdvice()
+    // Advice is for a mission in flight; otherwise findings are only reported.
+    private void UpdateAdvice()
     {
         _mission.Fetch();
         bool isFlying = _mission.Value.Phase is MissionPhase.Arming or MissionPhase.TakingOff or MissionPhase.InTransit
-            or MissionPhase.Searching or MissionPhase.Looking or MissionPhase.Returning or MissionPhase.Landing;
-        _advice.Take(_findings, isFlying);
+            or MissionPhase.Searching or MissionPhase.Revisiting or MissionPhase.Returning or MissionPhase.Landing;
+        _advice.Update(_findings, isFlying);
         _next.Advice = _advice.Advice;
         _next.AdviceText = _advice.Text;
     }
 
-    // The text is made anew only when a finding has: a cycle without news allocates nothing.
-    private void TakeFindings()
+    // The text is made only when a finding has changed: otherwise nothing is allocated.
+    private void UpdateReport()
     {
         if (AreEqual(_findings, _lastFindings) && _next.Level != HealthLevel.Unknown)
             return;
@@ -203,21 +203,21 @@ public sealed class HealthManager : RabitManager
         OwnAddress own = _ownAddress.Value;
         if (!own.IsKnown)
             return;
-        IReadOnlyList<Statustext> pieces = _texts.Take(_next, now);
-        for (int i = 0; i < pieces.Count; i++)
-            _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(pieces[i], own.SystemId, own.ComponentId, sequence: 0) });
+        IReadOnlyList<Statustext> chunks = _texts.NextChunks(_next, now);
+        for (int i = 0; i < chunks.Count; i++)
+            _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(chunks[i], own.SystemId, own.ComponentId, sequence: 0) });
     }
 
-    // At once when it is news, else once a second, so that its age tells that we live.
+    // At once when it has changed, else once a second, so that its age shows that we are alive.
     private void PostReport(TimeSpan now)
     {
         ref HealthReport posted = ref _report.Value;
-        bool isNews = posted.Level != _next.Level
+        bool isChanged = posted.Level != _next.Level
             || posted.Advice != _next.Advice
             || posted.SendsHeartbeat != _next.SendsHeartbeat
             || posted.HeartbeatsSent != _next.HeartbeatsSent
             || !ReferenceEquals(posted.Text, _next.Text);
-        if (!isNews && now - _lastPost < HeartbeatPeriod)
+        if (!isChanged && now - _lastPost < HeartbeatPeriod)
             return;
         posted = _next;
         _report.Post();

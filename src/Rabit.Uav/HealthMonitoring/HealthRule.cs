@@ -2,9 +2,14 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>One row of the table: the reason, how bad it is, what to do about it in flight, when it holds, and its figure.</summary>
+/// <summary>One row of the table: the reason, its severity, the advice in flight, the condition, and the figure.</summary>
 internal sealed class HealthRule<T>(
-    HealthReasons reason, HealthLevel level, HealthAdvice advice, HealthCondition<T> condition, HealthFigure<T> figure, bool isAdvisedAfterwards = false)
+    HealthReasons reason,
+    HealthLevel level,
+    HealthAdvice advice,
+    HealthCondition<T> condition,
+    HealthFigure<T> figure,
+    bool isAdvisedAfterwards = false)
     where T : struct
 {
     public HealthReasons Reason { get; } = reason;
@@ -13,7 +18,7 @@ internal sealed class HealthRule<T>(
 
     public HealthAdvice Advice { get; } = advice;
 
-    /// <summary>Whether the advice makes sense only once the reason is gone.</summary>
+    /// <summary>Whether the advice can be followed only once the reason is over.</summary>
     public bool IsAdvisedAfterwards { get; } = isAdvisedAfterwards;
 
     public HealthCondition<T> Condition { get; } = condition;

@@ -7,15 +7,15 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// All that Health Monitoring finds wrong, in one place: a table for managers, one for the vehicle, one for the camera, one for links. Each row
-/// says what to do about it in flight. Thresholds are in <see cref="HealthOptions"/>.
+/// The rules of Health Monitoring in one place: a table for managers, one for the vehicle, one for the camera, one for links. Each row has its
+/// failsafe action, the advice in flight: return to launch on a low battery, say. Thresholds are in <see cref="HealthOptions"/>.
 /// </summary>
 internal static class HealthRules
 {
     private static readonly HealthRule<ManagerFacts>[] OfManagers =
     [
         new(HealthReasons.ManagerFaulted, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
-            static (in ManagerFacts m, HealthOptions _) => m.State is ManagerState.Faulted or ManagerState.Restarting || m.HasFaultedLately,
+            static (in ManagerFacts m, HealthOptions _) => m.State is ManagerState.Faulted or ManagerState.Restarting || m.HasFaultedRecently,
             static (in ManagerFacts m) => m.Faults),
         new(HealthReasons.ManagerHangs, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
             static (in ManagerFacts m, HealthOptions _) => m.State == ManagerState.Hanging,
@@ -39,14 +39,15 @@ internal static class HealthRules
             static (in VehicleFacts v) => v.State.LastHeartbeatTime.Ticks,
             isAdvisedAfterwards: true),
         new(HealthReasons.AutopilotCritical, HealthLevel.Critical, HealthAdvice.None,
-            static (in VehicleFacts v, HealthOptions _) => v.State.SystemStatus is MavState.Critical or MavState.Emergency or MavState.FlightTermination,
+            static (in VehicleFacts v, HealthOptions _) => v.State.SystemStatus
+                is MavState.Critical or MavState.Emergency or MavState.FlightTermination,
             static (in VehicleFacts v) => (long)v.State.SystemStatus),
         new(HealthReasons.BatteryCritical, HealthLevel.Critical, HealthAdvice.Land,
-            static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null && v.State.BatteryRemaining <= o.BatteryCritical,
+            static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null && v.State.BatteryRemaining <= o.BatteryCriticalFraction,
             static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
         new(HealthReasons.BatteryLow, HealthLevel.Warning, HealthAdvice.ReturnToLaunch,
             static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null
-                && v.State.BatteryRemaining <= o.BatteryLow && v.State.BatteryRemaining > o.BatteryCritical,
+                && v.State.BatteryRemaining <= o.BatteryLowFraction && v.State.BatteryRemaining > o.BatteryCriticalFraction,
             static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
         new(HealthReasons.WindHigh, HealthLevel.Warning, HealthAdvice.ReturnToLaunch,
             static (in VehicleFacts v, HealthOptions o) => v.WindHighFor >= o.WindHighAfter,
@@ -56,7 +57,8 @@ internal static class HealthRules
     private static readonly HealthRule<CameraFacts>[] OfCamera =
     [
         new(HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.ReturnToLaunch,
-            static (in CameraFacts c, HealthOptions o) => c.Status.HasCamera && c.Status.Mode == ImagingMode.Search && c.QuietFor > o.CameraSilentAfter,
+            static (in CameraFacts c, HealthOptions o) => c.Status.HasCamera && c.Status.Mode == ImagingMode.Search
+                && c.QuietFor > o.CameraSilentAfter,
             static (in CameraFacts c) => c.Status.LastFrameTime?.Ticks ?? -1),
     ];
 
@@ -67,40 +69,44 @@ internal static class HealthRules
             static (in LinkFacts l) => (long)l.State),
         new(HealthReasons.LinkSilent, HealthLevel.Warning, HealthAdvice.None,
             static (in LinkFacts l, HealthOptions o) => l.State == LinkState.Silent
-                || (l.State == LinkState.Waiting && l.WatchedFor > o.FirstFrameWithin),
+                || (l.State == LinkState.Waiting && l.MonitoredFor > o.FirstFrameTimeout),
             static (in LinkFacts l) => (long)l.State),
         new(HealthReasons.FramesDropped, HealthLevel.Warning, HealthAdvice.None,
-            static (in LinkFacts l, HealthOptions _) => l.HasDroppedLately,
+            static (in LinkFacts l, HealthOptions _) => l.HasDroppedRecently,
             static (in LinkFacts l) => l.FramesDropped),
     ];
 
-    /// <summary>Whether a manager works, as our heartbeat claims: it runs, did not throw lately and comes back in time.</summary>
+    /// <summary>Whether a manager works, as our heartbeat claims: it runs, did not fault lately and begins its units of work in time.</summary>
     public static bool IsAlive(in ManagerFacts manager, HealthOptions options)
-        => IsAtWork(manager) && !Breaks(OfManagers, manager, options);
+        => IsRunning(manager) && !Matches(OfManagers, manager, options);
 
-    public static void Judge(in ManagerFacts manager, HealthOptions options, List<HealthFinding> findings)
-        => Judge(OfManagers, manager, manager.Name, options, findings);
+    public static void Evaluate(in ManagerFacts manager, HealthOptions options, List<HealthFinding> findings)
+        => Evaluate(OfManagers, manager, manager.Name, options, findings);
 
-    public static void Judge(in VehicleFacts vehicle, HealthOptions options, List<HealthFinding> findings)
-        => Judge(OfVehicle, vehicle, subject: null, options, findings);
+    public static void Evaluate(in VehicleFacts vehicle, HealthOptions options, List<HealthFinding> findings)
+        => Evaluate(OfVehicle, vehicle, subject: null, options, findings);
 
-    public static void Judge(in CameraFacts camera, HealthOptions options, List<HealthFinding> findings)
-        => Judge(OfCamera, camera, subject: null, options, findings);
+    public static void Evaluate(in CameraFacts camera, HealthOptions options, List<HealthFinding> findings)
+        => Evaluate(OfCamera, camera, subject: null, options, findings);
 
-    public static void Judge(in LinkFacts link, HealthOptions options, List<HealthFinding> findings)
-        => Judge(OfLinks, link, link.Name, options, findings);
+    public static void Evaluate(in LinkFacts link, HealthOptions options, List<HealthFinding> findings)
+        => Evaluate(OfLinks, link, link.Name, options, findings);
 
-    private static void Judge<T>(HealthRule<T>[] rules, in T facts, string? subject, HealthOptions options, List<HealthFinding> findings)
+    private static void Evaluate<T>(
+        HealthRule<T>[] rules, in T facts, string? subject, HealthOptions options, List<HealthFinding> findings)
         where T : struct
     {
         foreach (HealthRule<T> rule in rules)
         {
             if (rule.Condition(facts, options))
-                findings.Add(new HealthFinding(rule.Reason, rule.Level, subject, rule.Figure(facts), rule.Advice, rule.IsAdvisedAfterwards));
+            {
+                findings.Add(new HealthFinding(
+                    rule.Reason, rule.Level, subject, rule.Figure(facts), rule.Advice, rule.IsAdvisedAfterwards));
+            }
         }
     }
 
-    private static bool Breaks<T>(HealthRule<T>[] rules, in T facts, HealthOptions options)
+    private static bool Matches<T>(HealthRule<T>[] rules, in T facts, HealthOptions options)
         where T : struct
     {
         foreach (HealthRule<T> rule in rules)
@@ -112,11 +118,12 @@ internal static class HealthRules
         return false;
     }
 
-    private static bool IsQuietFor(in ManagerFacts manager, TimeSpan longer) => IsAtWork(manager) && manager.QuietFor > manager.WakeUpDelay + longer;
+    private static bool IsQuietFor(in ManagerFacts manager, TimeSpan longer)
+        => IsRunning(manager) && manager.QuietFor > manager.WakeUpDelay + longer;
 
-    // Before its first unit of work a manager is "starting"; that it does not get to it counts as stuck too.
-    private static bool IsAtWork(in ManagerFacts manager) => manager.State is ManagerState.Running or ManagerState.Starting;
+    // Before its first unit of work a manager is "starting"; one that never begins it counts as stuck too.
+    private static bool IsRunning(in ManagerFacts manager) => manager.State is ManagerState.Running or ManagerState.Starting;
 
-    // Never more than there is; autopilots tell whole per cents, and 0.29 * 100 is a hair less than 29.
+    // Rounded down; autopilots report whole per cent, and 0.29 * 100 is slightly less than 29.
     private static long Percent(double fraction) => (long)Math.Floor((fraction * 100) + 1e-9);
 }

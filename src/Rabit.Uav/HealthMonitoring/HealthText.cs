@@ -7,32 +7,34 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>Puts findings into words. Called only when they have changed.</summary>
+/// <summary>Findings as text. Called only when they have changed.</summary>
 internal static class HealthText
 {
     public static string? Of(IReadOnlyList<HealthFinding> findings)
-        => findings.Count == 0 ? null : string.Join("; ", findings.OrderByDescending(f => f.Level).ThenBy(f => f.Reason).Select(Describe));
+        => findings.Count == 0
+            ? null
+            : string.Join("; ", findings.OrderByDescending(f => f.Level).ThenBy(f => f.Reason).Select(Describe));
 
-    /// <summary>One finding in words.</summary>
+    /// <summary>One finding as text.</summary>
     public static string Of(in HealthFinding finding) => Describe(finding);
 
     private static string Describe(HealthFinding finding) => finding.Reason switch
     {
         HealthReasons.ManagerFaulted => Invariant($"manager {finding.Subject} faulted ({finding.Figure} faults so far)"),
-        HealthReasons.ManagerStuck => Invariant($"manager {finding.Subject} is stuck (it should work every {Seconds(finding.Figure)} s)"),
+        HealthReasons.ManagerStuck => Invariant($"manager {finding.Subject} is stuck (it should run every {Seconds(finding.Figure)} s)"),
         HealthReasons.ManagerHangs => Invariant($"manager {finding.Subject} hangs (since {Seconds(finding.Figure)} s)"),
-        HealthReasons.NoAutopilot => "no autopilot heard yet",
+        HealthReasons.NoAutopilot => "no autopilot detected yet",
         HealthReasons.AutopilotLost => Invariant($"autopilot lost (last heartbeat at {Seconds(finding.Figure)} s)"),
-        HealthReasons.AutopilotCritical => $"autopilot says {(MavState)finding.Figure}",
+        HealthReasons.AutopilotCritical => $"autopilot reports {(MavState)finding.Figure}",
         HealthReasons.BatteryCritical => Invariant($"battery nearly empty ({finding.Figure} %)"),
         HealthReasons.BatteryLow => Invariant($"battery low ({finding.Figure} %)"),
         HealthReasons.LinkDown when finding.Figure == (long)LinkState.Failed => $"link {finding.Subject} failed",
         HealthReasons.LinkDown => $"link {finding.Subject} was closed by the other end",
-        HealthReasons.LinkSilent when finding.Figure == (long)LinkState.Waiting => $"link {finding.Subject}: nothing came in yet",
+        HealthReasons.LinkSilent when finding.Figure == (long)LinkState.Waiting => $"link {finding.Subject}: nothing received yet",
         HealthReasons.LinkSilent => $"link {finding.Subject} is silent",
         HealthReasons.FramesDropped => Invariant($"link {finding.Subject} dropped frames ({finding.Figure} so far)"),
-        HealthReasons.CameraSilent when finding.Figure < 0 => "the camera has given no picture yet",
-        HealthReasons.CameraSilent => Invariant($"the camera gives no pictures (last at {Seconds(finding.Figure)} s)"),
+        HealthReasons.CameraSilent when finding.Figure < 0 => "the camera has delivered no picture yet",
+        HealthReasons.CameraSilent => Invariant($"the camera delivers no pictures (last at {Seconds(finding.Figure)} s)"),
         HealthReasons.WindHigh => Invariant($"wind too strong ({finding.Figure} m/s)"),
         _ => finding.Reason.ToString(),
     };

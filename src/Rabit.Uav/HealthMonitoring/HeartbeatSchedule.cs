@@ -3,10 +3,10 @@ using System;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// When the next heartbeat and the next look at the rules are due: on a grid that begins with the first unit of work, so that
-/// nothing drifts. What was missed is not made up for: a late heartbeat tells of now, not of then.
+/// When the next heartbeat and the next evaluation of the rules are due: on a grid that begins with the first unit of work, so that nothing
+/// drifts. Missed heartbeats are not sent later: each reports the present.
 /// </summary>
-internal sealed class HeartbeatSchedule(TimeSpan heartbeatPeriod, TimeSpan cycle)
+internal sealed class HeartbeatSchedule(TimeSpan heartbeatPeriod, TimeSpan evaluationPeriod)
 {
     private TimeSpan? _origin;
     private long _lastBeat = -1;
@@ -22,10 +22,10 @@ internal sealed class HeartbeatSchedule(TimeSpan heartbeatPeriod, TimeSpan cycle
         return true;
     }
 
-    /// <summary>How long to sleep until the next look; above zero.</summary>
+    /// <summary>How long to sleep until the next evaluation; above zero.</summary>
     public TimeSpan UntilNext(TimeSpan now)
     {
-        long sinceLast = (now - (_origin ??= now)).Ticks % cycle.Ticks;
-        return new TimeSpan(cycle.Ticks - sinceLast);
+        long sinceLast = (now - (_origin ??= now)).Ticks % evaluationPeriod.Ticks;
+        return new TimeSpan(evaluationPeriod.Ticks - sinceLast);
     }
 }

@@ -3,10 +3,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>What the rules judge a link by.</summary>
-internal readonly struct LinkFacts(string name, in LinkStatus status, long framesDropped, bool hasDroppedLately, TimeSpan watchedFor)
+/// <summary>Input of the rules for a link.</summary>
+internal readonly struct LinkFacts(string name, in LinkStatus status, long framesDropped, bool hasDroppedRecently, TimeSpan monitoredFor)
 {
-    /// <summary>Its URL; its number until Communications has told it.</summary>
+    /// <summary>Its URL; its number until Communications has reported it.</summary>
     public string Name { get; } = name;
 
     public LinkState State { get; } = status.State;
@@ -14,11 +14,11 @@ internal readonly struct LinkFacts(string name, in LinkStatus status, long frame
     /// <summary>Whether it is a recorded log, which may end.</summary>
     public bool IsRecorded { get; } = !double.IsNaN(status.Progress);
 
-    /// <summary>Frames for which there was no room, either way, since somebody was heard on the link.</summary>
+    /// <summary>Frames dropped for want of room in either direction since the first frame was received on the link.</summary>
     public long FramesDropped { get; } = framesDropped;
 
-    public bool HasDroppedLately { get; } = hasDroppedLately;
+    public bool HasDroppedRecently { get; } = hasDroppedRecently;
 
-    /// <summary>Since Health Monitoring began.</summary>
-    public TimeSpan WatchedFor { get; } = watchedFor;
+    /// <summary>Since Health Monitoring started.</summary>
+    public TimeSpan MonitoredFor { get; } = monitoredFor;
 }

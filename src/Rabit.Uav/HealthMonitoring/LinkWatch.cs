@@ -5,23 +5,23 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>What is remembered of one link between two looks.</summary>
+/// <summary>The state of one link between two evaluations.</summary>
 internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status)
 {
     private readonly string _number = number.ToString(CultureInfo.InvariantCulture);
     private readonly WindowedIncrease _dropped = new();
-    private long _droppedUnheard;
+    private long _droppedBeforeFirstFrame;
 
-    public LinkFacts Look(TimeSpan now, TimeSpan watchedSince, HealthOptions options)
+    public LinkFacts Update(TimeSpan now, TimeSpan monitoredSince, HealthOptions options)
     {
         status.Fetch();
         ref readonly LinkStatus value = ref status.Value;
 
-        // While nobody was heard on a link there is nobody to lose what we say.
+        // Until a link has received its first frame it has no peer that could lose what is sent.
         if (value.State == LinkState.Waiting)
-            _droppedUnheard = value.FramesDroppedOut;
-        long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedUnheard;
-        bool drops = _dropped.Take(dropped, now, options.RememberedFor);
-        return new LinkFacts(value.Url ?? _number, value, dropped, drops, now - watchedSince);
+            _droppedBeforeFirstFrame = value.FramesDroppedOut;
+        long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedBeforeFirstFrame;
+        bool drops = _dropped.Update(dropped, now, options.RecentWindow);
+        return new LinkFacts(value.Url ?? _number, value, dropped, drops, now - monitoredSince);
     }
 }

@@ -3,9 +3,15 @@ using Rabit.Core;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>What the rules judge a manager by.</summary>
+/// <summary>Input of the rules for a manager.</summary>
 internal readonly struct ManagerFacts(
-    string name, ManagerState state, TimeSpan wakeUpDelay, long faults, bool hasFaultedLately, TimeSpan quietFor, TimeSpan hangingSince = default)
+    string name,
+    ManagerState state,
+    TimeSpan wakeUpDelay,
+    long faults,
+    bool hasFaultedRecently,
+    TimeSpan quietFor,
+    TimeSpan hangingSince = default)
 {
     public string Name { get; } = name;
 
@@ -15,11 +21,11 @@ internal readonly struct ManagerFacts(
 
     public long Faults { get; } = faults;
 
-    public bool HasFaultedLately { get; } = hasFaultedLately;
+    public bool HasFaultedRecently { get; } = hasFaultedRecently;
 
     /// <summary>Since its last unit of work began; before its first, since ours.</summary>
     public TimeSpan QuietFor { get; } = quietFor;
 
-    /// <summary>When it entered the code that it does not come back from; see <see cref="ManagerState.Hanging"/>.</summary>
+    /// <summary>When it entered the code in which it hangs; see <see cref="ManagerState.Hanging"/>.</summary>
     public TimeSpan HangingSince { get; } = hangingSince;
 }

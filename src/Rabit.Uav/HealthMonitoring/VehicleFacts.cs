@@ -3,16 +3,16 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>What the rules judge the vehicle by.</summary>
+/// <summary>Input of the rules for the vehicle.</summary>
 internal readonly struct VehicleFacts(in VehicleState state, TimeSpan now, bool isReplayOver, TimeSpan? windHighFor = null)
 {
     public VehicleState State { get; } = state;
 
     public TimeSpan HeartbeatAge { get; } = now - state.LastHeartbeatTime;
 
-    /// <summary>Whether all links are recorded logs that have been played: then silence is what is to be expected.</summary>
+    /// <summary>Whether all links are recorded logs that have been played: then silence is expected.</summary>
     public bool IsReplayOver { get; } = isReplayOver;
 
-    /// <summary>For how long the wind has been stronger than it may be; null while it is not, or is not known.</summary>
+    /// <summary>For how long the wind has been above its limit; null while it is not, or is unknown.</summary>
     public TimeSpan? WindHighFor { get; } = windHighFor;
 }

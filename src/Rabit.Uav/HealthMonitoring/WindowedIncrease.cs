@@ -2,19 +2,19 @@ using System;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>Says of a count that only rises whether it rose lately.</summary>
+/// <summary>Whether a counter, which only increases, has increased within a time window.</summary>
 internal sealed class WindowedIncrease
 {
     private long _last;
-    private TimeSpan? _roseAt;
+    private TimeSpan? _increasedAt;
 
-    /// <summary>Takes the count as it is now.</summary>
-    /// <returns>Whether it rose within the time before now.</returns>
-    public bool Take(long count, TimeSpan now, TimeSpan within)
+    /// <summary>Updates it with the present value.</summary>
+    /// <returns>Whether it increased within the window before now.</returns>
+    public bool Update(long count, TimeSpan now, TimeSpan window)
     {
         if (count > _last)
-            _roseAt = now;
+            _increasedAt = now;
         _last = count;
-        return _roseAt is { } at && now - at < within;
+        return _increasedAt is { } at && now - at < window;
     }
 }

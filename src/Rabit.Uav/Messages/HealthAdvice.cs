@@ -1,14 +1,14 @@
 namespace Rabit.Uav.Messages;
 
-/// <summary>What Health Monitoring asks of Mission Control, the gravest last. It does not take back what it once asked.</summary>
+/// <summary>What Health Monitoring advises Mission Control to do, in order of severity, the most severe last. Advice given in flight is not withdrawn.</summary>
 public enum HealthAdvice
 {
     /// <summary>Carry on.</summary>
     None,
 
-    /// <summary>Give the search up and come home.</summary>
+    /// <summary>Abort the mission and return to launch (RTL).</summary>
     ReturnToLaunch,
 
-    /// <summary>Land where you are.</summary>
+    /// <summary>Land at the present position.</summary>
     Land,
 }

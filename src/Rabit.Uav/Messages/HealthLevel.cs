@@ -1,15 +1,15 @@
 namespace Rabit.Uav.Messages;
 
-/// <summary>How well the aircraft and its computer are, from best to worst.</summary>
+/// <summary>Health of the aircraft and its computer, in order of severity.</summary>
 public enum HealthLevel
 {
     /// <summary>Nothing is known yet.</summary>
     Unknown,
 
-    /// <summary>Nothing to tell.</summary>
+    /// <summary>Nothing is wrong.</summary>
     Good,
 
-    /// <summary>Worth a look.</summary>
+    /// <summary>Something is wrong that the operator should know.</summary>
     Warning,
 
     /// <summary>Something does not work that the mission needs.</summary>

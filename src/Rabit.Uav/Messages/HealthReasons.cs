@@ -2,17 +2,17 @@ using System;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>What is wrong. Several may be.</summary>
+/// <summary>What is wrong; several reasons can hold at a time.</summary>
 [Flags]
 public enum HealthReasons
 {
     /// <summary>Nothing.</summary>
     None = 0,
 
-    /// <summary>No autopilot was heard yet.</summary>
+    /// <summary>No autopilot was detected yet.</summary>
     NoAutopilot = 1,
 
-    /// <summary>The heartbeat of the autopilot stopped coming.</summary>
+    /// <summary>The heartbeats of the autopilot stopped.</summary>
     AutopilotLost = 2,
 
     /// <summary>The battery is low.</summary>
@@ -21,7 +21,7 @@ public enum HealthReasons
     /// <summary>The battery is nearly empty.</summary>
     BatteryCritical = 8,
 
-    /// <summary>The autopilot itself says that its state is critical or an emergency.</summary>
+    /// <summary>The autopilot reports that its state is critical or an emergency.</summary>
     AutopilotCritical = 16,
 
     /// <summary>A link is silent.</summary>
@@ -30,7 +30,7 @@ public enum HealthReasons
     /// <summary>A link failed or was closed by the other end.</summary>
     LinkDown = 64,
 
-    /// <summary>Frames were dropped for want of room.</summary>
+    /// <summary>Frames were dropped because a queue was full.</summary>
     FramesDropped = 128,
 
     /// <summary>A manager threw.</summary>
@@ -39,12 +39,12 @@ public enum HealthReasons
     /// <summary>A manager has not begun a unit of work for longer than it should.</summary>
     ManagerStuck = 512,
 
-    /// <summary>The camera gives no pictures, though it should search.</summary>
+    /// <summary>The camera delivers no pictures during a search.</summary>
     CameraSilent = 1024,
 
-    /// <summary>The wind is stronger than it may be, and has been for a while.</summary>
+    /// <summary>The wind has been above its limit for some time.</summary>
     WindHigh = 2048,
 
-    /// <summary>The watchdog found a manager hanging.</summary>
+    /// <summary>The watchdog detected a manager that hangs.</summary>
     ManagerHangs = 4096,
 }

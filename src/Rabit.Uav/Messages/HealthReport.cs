@@ -1,26 +1,33 @@
 namespace Rabit.Uav.Messages;
 
-/// <summary>What Health Monitoring found, at least once a second. A plain value.</summary>
+/// <summary>The state of health, posted at least once a second. A plain value.</summary>
+/// <example>
+/// <code>
+/// MessageSubscriber&lt;HealthReport&gt; health = reactor.Workspace.Subscribe&lt;HealthReport&gt;(MessageNames.Health);
+/// if (health.Fetch() &amp;&amp; health.Value.Level == HealthLevel.Critical)
+///     Console.WriteLine(health.Value.Text);   // "battery nearly empty (9 %); link udpin:0.0.0.0:14550 is silent"
+/// </code>
+/// </example>
 public struct HealthReport
 {
-    /// <summary>The worst of all reasons.</summary>
+    /// <summary>The most severe level of all reasons.</summary>
     public HealthLevel Level { get; set; }
 
     /// <summary>What is wrong.</summary>
     public HealthReasons Reasons { get; set; }
 
-    /// <summary>The same for people, with names and figures; null when nothing is wrong.</summary>
+    /// <summary>The reasons as text, with names and figures; null when nothing is wrong.</summary>
     public string? Text { get; set; }
 
-    /// <summary>What Mission Control is asked to do about it.</summary>
+    /// <summary>What Mission Control is advised to do.</summary>
     public HealthAdvice Advice { get; set; }
 
-    /// <summary>What led to the advice, for people, also when it is over; null while there is no advice.</summary>
+    /// <summary>The reason of the advice, as text, also when the reason no longer holds; null while there is no advice.</summary>
     public string? AdviceText { get; set; }
 
-    /// <summary>Whether our own heartbeat goes out: only while every manager works.</summary>
+    /// <summary>Whether our own heartbeat is sent: only while every manager works.</summary>
     public bool SendsHeartbeat { get; set; }
 
-    /// <summary>Heartbeats of ours that were handed to Communications.</summary>
+    /// <summary>Own heartbeats that were pushed to Communications.</summary>
     public long HeartbeatsSent { get; set; }
 }

@@ -1,18 +1,20 @@
 namespace Rabit.Uav.Messages;
 
-/// <summary>What Mission Control wants of Image Processing. A plain value.</summary>
+/// <summary>A command of Mission Control to Image Processing. A plain value.</summary>
 public struct ImagingCommand
 {
     /// <summary>What to do with pictures.</summary>
     public ImagingMode Mode { get; set; }
 
-    /// <summary>Camera pitch against the body, radians, up positive; -pi/2 looks straight down with the top of the picture forward.</summary>
+    /// <summary>
+    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down with the top of the picture forward.
+    /// </summary>
     public double CameraPitchRadians { get; set; }
 
-    /// <summary>Camera yaw against the body, radians, right positive.</summary>
+    /// <summary>Camera yaw relative to the body, radians, right positive.</summary>
     public double CameraYawRadians { get; set; }
 
-    /// <summary>Height of the ground, which is taken for flat, metres above mean sea level.</summary>
+    /// <summary>Altitude of the ground, taken as level, metres above mean sea level.</summary>
     public double GroundAltitudeAmslMetres { get; set; }
 
     /// <summary>The colours that targets may have.</summary>

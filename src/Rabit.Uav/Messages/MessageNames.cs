@@ -30,7 +30,7 @@ public static class MessageNames
     public const string CommandAuthority = "command authority";
 
     /// <summary>Message <see cref="Messages.ImagingCommand"/>, posted by Mission Control.</summary>
-    public const string ImagingCommand = "imaging order";
+    public const string ImagingCommand = "imaging command";
 
     /// <summary>Message <see cref="Messages.ImagingStatus"/>, posted by Image Processing.</summary>
     public const string Imaging = "imaging";
@@ -48,7 +48,7 @@ public static class MessageNames
     public const string VehicleCommands = "vehicle commands";
 
     /// <summary>Queue of <see cref="VehicleCommandResult"/>: from Autopilot Interface to Mission Control.</summary>
-    public const string VehicleCommandResults = "vehicle command answers";
+    public const string VehicleCommandResults = "vehicle command results";
 
     /// <summary>Queue of <see cref="TargetReport"/>: from Image Processing, and by mail from other vehicles, to Sensor Fusion.</summary>
     public const string TargetReports = "target reports";

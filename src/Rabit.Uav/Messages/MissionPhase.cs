@@ -1,18 +1,18 @@
 namespace Rabit.Uav.Messages;
 
-/// <summary>What Mission Control is doing.</summary>
+/// <summary>The phase of a mission.</summary>
 public enum MissionPhase
 {
     /// <summary>There is no mission to fly: we observe.</summary>
     NoMission,
 
-    /// <summary>Until the vehicle is heard, healthy and has a position.</summary>
+    /// <summary>Until the vehicle is connected, healthy and has a position.</summary>
     WaitingForVehicle,
 
     /// <summary>Arming.</summary>
     Arming,
 
-    /// <summary>Climbing to the height of the search.</summary>
+    /// <summary>Taking off and climbing to the height of the search.</summary>
     TakingOff,
 
     /// <summary>On the way to the area.</summary>
@@ -21,10 +21,10 @@ public enum MissionPhase
     /// <summary>Flying the lanes.</summary>
     Searching,
 
-    /// <summary>Off the lanes, for a second look at a new target.</summary>
-    Looking,
+    /// <summary>Off the lanes, revisiting a confirmed target.</summary>
+    Revisiting,
 
-    /// <summary>On the way home.</summary>
+    /// <summary>Return to launch.</summary>
     Returning,
 
     /// <summary>Landing.</summary>

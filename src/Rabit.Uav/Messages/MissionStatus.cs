@@ -2,30 +2,37 @@ using System;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>How far the mission is, at least once a second. A plain value.</summary>
+/// <summary>The progress of the mission, posted at least once a second. A plain value.</summary>
+/// <example>
+/// <code>
+/// MessageSubscriber&lt;MissionStatus&gt; mission = reactor.Workspace.Subscribe&lt;MissionStatus&gt;(MessageNames.Mission);
+/// if (mission.Fetch())
+///     Console.WriteLine($"{mission.Value.Phase}: {mission.Value.Text}");   // "Searching: lane 2 of 4, 38.1 % seen"
+/// </code>
+/// </example>
 public struct MissionStatus
 {
-    /// <summary>What is being done.</summary>
+    /// <summary>The phase.</summary>
     public MissionPhase Phase { get; set; }
 
-    /// <summary>Since when, by the clock of the run.</summary>
+    /// <summary>When the phase began, by the clock of the run.</summary>
     public TimeSpan Since { get; set; }
 
-    /// <summary>The same for people, with names and figures.</summary>
+    /// <summary>What is being done, as text with names and figures.</summary>
     public string? Text { get; set; }
 
-    /// <summary>Whether the search was given up before its end, and why; null where it was not.</summary>
+    /// <summary>Why the search was aborted before its end; null where it was not.</summary>
     public string? Aborted { get; set; }
 
     /// <summary>The lanes, the area and home; null before they are known.</summary>
     public SearchPlan? Plan { get; set; }
 
-    /// <summary>How many legs of the lanes have been flown.</summary>
+    /// <summary>How many legs of the search have been flown.</summary>
     public int LanesFlown { get; set; }
 
-    /// <summary>How much of the area has been looked at, 0 to 1.</summary>
+    /// <summary>Fraction of the area that the camera has seen, 0 to 1.</summary>
     public double Coverage { get; set; }
 
-    /// <summary>Tracks that had their second look.</summary>
+    /// <summary>Tracks that were revisited.</summary>
     public int Revisits { get; set; }
 }

@@ -3,7 +3,7 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>What is to be flown: where the search is, on which lanes, from where. Immutable.</summary>
+/// <summary>The plan of a search: area, geofence, lanes and home. Immutable.</summary>
 public sealed class SearchPlan
 {
     /// <summary>Name of the mission.</summary>
@@ -12,7 +12,7 @@ public sealed class SearchPlan
     /// <summary>Corners of the area to search, in order, the first not repeated; altitudes are those of the ground.</summary>
     public ImmutableArray<GeodeticPosition> Area { get; init; } = [];
 
-    /// <summary>Corners of what the vehicle may not leave, in order; altitudes are those of the ground.</summary>
+    /// <summary>Corners of the geofence, which the vehicle may not leave, in order; altitudes are those of the ground.</summary>
     public ImmutableArray<GeodeticPosition> Fence { get; init; } = [];
 
     /// <summary>Ends of the lanes: start of the first, its end, start of the second, and so on. Altitudes are those to be flown.</summary>

@@ -4,15 +4,15 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Sees to it that the vehicle has been told what is wanted of it now: one command at a time, again when it was refused or lost, never
-/// while nobody hears it. A phase says again and again what it wants; only what is new is sent.
+/// Sends the vehicle the command of the current goal: one at a time, again when it was refused or lost, never while no autopilot is
+/// connected. A phase sets its goal in every tick; only a new goal is sent.
 /// </summary>
 internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<string> log)
 {
-    // Autopilot Interface answers each command; should it not, the mission must not hang on it.
-    private static readonly TimeSpan AnswerWithin = TimeSpan.FromSeconds(20);
+    // Autopilot Interface reports the result of each command; a result that never comes must not stop the mission.
+    private static readonly TimeSpan ResultTimeout = TimeSpan.FromSeconds(20);
 
-    private VehicleCommand _wanted;
+    private VehicleCommand _goal;
     private string _text = string.Empty;
     private TimeSpan _retryAfter;
     private TimeSpan _sentTime;
@@ -28,68 +28,68 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
         Accepted,
     }
 
-    /// <summary>Whether the vehicle does what is wanted.</summary>
+    /// <summary>Whether the autopilot accepted the goal.</summary>
     public bool IsAccepted => _progress == Progress.Accepted;
 
-    /// <summary>When it was sent last.</summary>
+    /// <summary>When the goal was sent last.</summary>
     public TimeSpan SentTime => _sentTime;
 
-    /// <summary>How often in a row a command of the kind that is wanted was refused or not answered.</summary>
+    /// <summary>How often in a row a command of the kind of the goal was refused or timed out.</summary>
     public int Failures { get; private set; }
 
-    /// <summary>Why it failed last, for people; empty where it did not.</summary>
+    /// <summary>Why it failed last, as text; empty where it did not.</summary>
     public string LastFailure { get; private set; } = string.Empty;
 
-    /// <summary>Why we were told that we do not command; null where we were not.</summary>
+    /// <summary>Why we do not command, as Autopilot Interface reported it; null while we do.</summary>
     public string? NotInCommand { get; private set; }
 
-    /// <summary>Says what is wanted now. The same as before changes nothing.</summary>
+    /// <summary>Sets the goal. The same as before changes nothing.</summary>
     /// <param name="command">Its id is chosen here.</param>
-    /// <param name="text">The same for people.</param>
+    /// <param name="text">The goal in words, for the log.</param>
     /// <param name="retryAfter">How long to wait after a refusal.</param>
-    public void Want(in VehicleCommand command, string text, TimeSpan retryAfter)
+    public void SetGoal(in VehicleCommand command, string text, TimeSpan retryAfter)
     {
-        if (_progress != Progress.Nothing && AreSame(_wanted, command))
+        if (_progress != Progress.Nothing && AreSame(_goal, command))
             return;
 
-        // A vehicle that refuses to go here and there and anywhere is to be noticed.
-        if (_wanted.Kind != command.Kind)
+        // Refusals of one kind of command are counted across goals: a vehicle that refuses every position is noticed.
+        if (_goal.Kind != command.Kind)
             (Failures, LastFailure) = (0, string.Empty);
-        _wanted = command;
+        _goal = command;
         _text = text;
         _retryAfter = retryAfter;
         _progress = Progress.ToSend;
         _notBefore = TimeSpan.MinValue;
     }
 
-    /// <summary>Whether a command like this is the wanted one; the text of a new one need not be made then.</summary>
-    public bool IsWanted(in VehicleCommand command) => _progress != Progress.Nothing && AreSame(_wanted, command);
+    /// <summary>Whether a command equals the goal; the text of a new one need not be made then.</summary>
+    public bool IsGoal(in VehicleCommand command) => _progress != Progress.Nothing && AreSame(_goal, command);
 
-    /// <summary>Nothing is wanted any more; what was sent stays sent.</summary>
-    public void WantNothing()
+    /// <summary>Drops the goal; what was sent stays sent.</summary>
+    public void Clear()
     {
         _progress = Progress.Nothing;
         (Failures, LastFailure) = (0, string.Empty);
     }
 
-    /// <summary>Sends again what is wanted: it may have been lost, or the vehicle may have forgotten it.</summary>
-    public void SendAgain()
+    /// <summary>Has the goal sent again: it may have been lost, or the vehicle may have dropped it.</summary>
+    public void Resend()
     {
         if (_progress != Progress.Nothing)
             _progress = Progress.ToSend;
     }
 
-    /// <summary>Sends what is to be sent.</summary>
+    /// <summary>Sends the goal if it is due.</summary>
     public void Send(TimeSpan now)
     {
-        if (_progress == Progress.Sent && now - _sentTime > AnswerWithin)
-            Fail("no answer", now);
+        if (_progress == Progress.Sent && now - _sentTime > ResultTimeout)
+            Fail("no result", now);
         if (_progress != Progress.ToSend || now < _notBefore)
             return;
-        _wanted.Id = _lastId + 1;
+        _goal.Id = _lastId + 1;
 
-        // A full queue: it is tried again with the next look at things.
-        if (!push(_wanted))
+        // A full queue: the next tick tries again.
+        if (!push(_goal))
             return;
         _lastId++;
         _sentTime = now;
@@ -97,39 +97,39 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
         log($"command {_lastId}: {_text}");
     }
 
-    /// <summary>Takes an answer in; one to an older command means nothing any more.</summary>
-    public void Take(in VehicleCommandResult answer, TimeSpan now)
+    /// <summary>Applies a result; one of an older command is ignored.</summary>
+    public void Apply(in VehicleCommandResult result, TimeSpan now)
     {
-        if (answer.Id != _lastId || _progress != Progress.Sent)
+        if (result.Id != _lastId || _progress != Progress.Sent)
             return;
-        switch (answer.Outcome)
+        switch (result.Outcome)
         {
             case VehicleCommandOutcome.Accepted:
                 _progress = Progress.Accepted;
                 (Failures, LastFailure) = (0, string.Empty);
                 break;
             case VehicleCommandOutcome.NotInCommand:
-                NotInCommand = answer.Text ?? "not in command";
+                NotInCommand = result.Text ?? "not in command";
                 _progress = Progress.Nothing;
                 break;
             case VehicleCommandOutcome.Refused:
-                Fail("refused" + Reason(answer.Text), now);
+                Fail("refused" + Reason(result.Text), now);
                 break;
             default:
-                Fail("timed out" + Reason(answer.Text), now);
+                Fail("timed out" + Reason(result.Text), now);
                 break;
         }
     }
 
     private static string Reason(string? text) => string.IsNullOrEmpty(text) ? string.Empty : ": " + text;
 
-    private void Fail(string why, TimeSpan now)
+    private void Fail(string reason, TimeSpan now)
     {
         Failures++;
-        LastFailure = why;
+        LastFailure = reason;
         _progress = Progress.ToSend;
         _notBefore = now + _retryAfter;
-        log($"command {_lastId} {why}");
+        log($"command {_lastId} {reason}");
     }
 
     // NaN is a value here: it leaves something to the autopilot.

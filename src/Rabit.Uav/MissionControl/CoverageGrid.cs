@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Which part of an area has been looked at, in square cells; a cell counts by its centre.</summary>
+/// <summary>Coverage: which part of an area the camera has seen, in square cells; a cell counts by its centre.</summary>
 internal sealed class CoverageGrid
 {
-    private const double FinestCellMetres = 1;
+    private const double MinCellMetres = 1;
     private const double MaxCells = 250_000;
 
     private readonly double _south;
@@ -27,7 +27,7 @@ internal sealed class CoverageGrid
             (_west, east) = (Math.Min(_west, c.East), Math.Max(east, c.East));
         }
 
-        CellMetres = Math.Max(FinestCellMetres, Math.Sqrt((north - _south) * (east - _west) / MaxCells));
+        CellMetres = Math.Max(MinCellMetres, Math.Sqrt((north - _south) * (east - _west) / MaxCells));
         _rows = (int)Math.Ceiling((north - _south) / CellMetres);
         _columns = (int)Math.Ceiling((east - _west) / CellMetres);
         _isArea = new bool[_rows * _columns];

@@ -7,10 +7,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>A mission laid out from where the vehicle stands: frame, fence and lanes. Immutable.</summary>
+/// <summary>A mission planned from the position of the vehicle: local frame, geofence and lanes. Immutable.</summary>
 internal sealed class FlightPlan
 {
-    // Further away it is probably the wrong mission.
+    // Farther away it is probably the wrong mission file.
     private const double MaxAreaDistanceMetres = 5000;
     private const double MaxHomeDistanceMetres = 50;
     private const double MaxAltitudeDifferenceMetres = 50;
@@ -26,27 +26,27 @@ internal sealed class FlightPlan
         Message = ToMessage(mission);
     }
 
-    /// <summary>Its origin is on the ground where the vehicle stands.</summary>
+    /// <summary>Its origin is on the ground, at home.</summary>
     public LocalNedFrame Frame { get; }
 
     public PlanePolygon Area { get; }
 
-    /// <summary>What the vehicle may not leave; convex, so that every way between two points in it is in it.</summary>
+    /// <summary>The geofence, which the vehicle may not leave; convex, so that every straight path between two points in it is in it.</summary>
     public PlanePolygon Fence { get; }
 
-    /// <summary>Along the lanes.</summary>
+    /// <summary>Direction of the lanes, radians clockwise from true north.</summary>
     public double HeadingRadians { get; }
 
     public IReadOnlyList<LaneSegment> Lanes { get; }
 
-    /// <summary>The same for others.</summary>
+    /// <summary>The plan as other managers receive it.</summary>
     public SearchPlan Message { get; }
 
-    /// <summary>Lays a mission out.</summary>
+    /// <summary>Plans a mission.</summary>
     /// <param name="mission">The mission.</param>
-    /// <param name="home">Where the vehicle stands; its altitude is that of the ground.</param>
-    /// <param name="fault">Why it cannot be flown from there; empty where it can.</param>
-    public static FlightPlan? Make(MissionPlan mission, GeodeticPosition home, out string fault)
+    /// <param name="home">Position of the vehicle; its altitude is that of the ground.</param>
+    /// <param name="fault">Why the mission cannot be flown from there; empty where it can.</param>
+    public static FlightPlan? Create(MissionPlan mission, GeodeticPosition home, out string fault)
     {
         var frame = LocalNedFrame.IgnoringGeoid(home);
         fault = FindFault(mission, frame) ?? string.Empty;
@@ -54,7 +54,7 @@ internal sealed class FlightPlan
             return null;
         var plan = new FlightPlan(mission, frame);
         if (plan.Lanes.Count > MaxLanes)
-            fault = $"it has {MissionText.Of(plan.Lanes.Count)} lanes; at most {MissionText.Of(MaxLanes)} are flown";
+            fault = $"it has {MissionNumbers.Of(plan.Lanes.Count)} lanes; the limit is {MissionNumbers.Of(MaxLanes)}";
         return fault.Length > 0 ? null : plan;
     }
 
@@ -62,30 +62,36 @@ internal sealed class FlightPlan
     {
         double far = mission.Area.Select(c => frame.ToNed(c)).Max(n => new PlanePoint(n.North, n.East).Length);
         if (!(far <= MaxAreaDistanceMetres))
-            return $"the area reaches {MissionText.Of(far)} m from the vehicle; at most {MissionText.Of(MaxAreaDistanceMetres)} m are flown";
+        {
+            return $"the area extends {MissionNumbers.Of(far)} m from the vehicle; the limit is {MissionNumbers.Of(MaxAreaDistanceMetres)} m";
+        }
+
         if (mission.Home is not { } home)
             return null;
-        NedVector off = frame.ToNed(GeodeticPosition.FromRadians(home.LatitudeRadians, home.LongitudeRadians, frame.Origin.AltitudeAmslMetres));
+        NedVector off = frame.ToNed(
+            GeodeticPosition.FromRadians(home.LatitudeRadians, home.LongitudeRadians, frame.Origin.AltitudeAmslMetres));
         double distance = new PlanePoint(off.North, off.East).Length;
         if (!(distance <= MaxHomeDistanceMetres))
-            return $"the vehicle stands {MissionText.Of(distance)} m from the mission's home; at most {MissionText.Of(MaxHomeDistanceMetres)} m are allowed";
-        double difference = Math.Abs((home.GroundAltitudeAmslMetres ?? frame.Origin.AltitudeAmslMetres) - frame.Origin.AltitudeAmslMetres);
+            return $"the vehicle is {MissionNumbers.Of(distance)} m from the mission's home; the limit is {MissionNumbers.Of(MaxHomeDistanceMetres)} m";
+        double difference = Math.Abs(
+            (home.GroundAltitudeAmslMetres ?? frame.Origin.AltitudeAmslMetres) - frame.Origin.AltitudeAmslMetres);
         return difference <= MaxAltitudeDifferenceMetres
             ? null
-            : $"the ground is {MissionText.Of(frame.Origin.AltitudeAmslMetres)} m above sea level by the vehicle; the mission says {MissionText.Of(home.GroundAltitudeAmslMetres!.Value)} m";
+            : $"the ground is at {MissionNumbers.Of(frame.Origin.AltitudeAmslMetres)} m above mean sea level according to the vehicle, "
+                + $"at {MissionNumbers.Of(home.GroundAltitudeAmslMetres!.Value)} m according to the mission";
     }
 
     private SearchPlan ToMessage(MissionPlan mission) => new()
     {
         Name = mission.Name,
-        Area = Places(Area.Corners, down: 0),
-        Fence = Places(Fence.Corners, down: 0),
-        Lanes = Places(Lanes.SelectMany(l => new[] { l.Start, l.End }), -mission.HeightMetres),
+        Area = Positions(Area.Corners, down: 0),
+        Fence = Positions(Fence.Corners, down: 0),
+        Lanes = Positions(Lanes.SelectMany(l => new[] { l.Start, l.End }), -mission.HeightMetres),
         Home = Frame.Origin,
         HeightAboveHomeMetres = mission.HeightMetres,
         SpeedMetresPerSecond = mission.SpeedMetresPerSecond,
     };
 
-    private ImmutableArray<GeodeticPosition> Places(IEnumerable<PlanePoint> points, double down)
+    private ImmutableArray<GeodeticPosition> Positions(IEnumerable<PlanePoint> points, double down)
         => points.Select(p => Frame.ToGeodetic(new NedVector(p.North, p.East, down))).ToImmutableArray();
 }

@@ -3,19 +3,23 @@ using System.Linq;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Legs over the ground that the lanes missed: narrow strips laid through what is left, so that each leg flies over the middle of it.</summary>
+/// <summary>
+/// Legs over the gaps in the coverage, the ground that the lanes missed: narrow strips through what is left, so that each leg is flown over
+/// its middle.
+/// </summary>
 internal static class GapPlanner
 {
-    // Less than this is a few cells at the border that rounding left.
+    // Less than this is a few cells at the border, left by rounding.
     private const double MinGapSquareMetres = 6;
 
     /// <summary>Legs in the order in which they are flown, each from its nearer end.</summary>
     /// <param name="unseen">Centres of the cells that were not seen.</param>
     /// <param name="cellMetres">Side of a cell.</param>
-    /// <param name="spacingMetres">How wide a strip one leg looks after.</param>
-    /// <param name="headingRadians">Along the legs.</param>
+    /// <param name="spacingMetres">Width of the strip that one leg covers.</param>
+    /// <param name="headingRadians">Direction of the legs.</param>
     /// <param name="from">Where the vehicle is.</param>
-    public static List<LaneSegment> Plan(IEnumerable<PlanePoint> unseen, double cellMetres, double spacingMetres, double headingRadians, PlanePoint from)
+    public static List<LaneSegment> Plan(
+        IEnumerable<PlanePoint> unseen, double cellMetres, double spacingMetres, double headingRadians, PlanePoint from)
     {
         PlanePoint along = PlanePoint.Towards(headingRadians);
         var right = new PlanePoint(-along.East, along.North);
@@ -42,7 +46,7 @@ internal static class GapPlanner
         {
             List<double> offsets = strip.Where(c => c.Along > from && c.Along < to).Select(c => c.Offset).ToList();
             if (offsets.Count * cell * cell >= MinGapSquareMetres)
-                yield return LanePlanner.Piece(along, (offsets.Min() + offsets.Max()) / 2, from, to);
+                yield return LanePlanner.Segment(along, (offsets.Min() + offsets.Max()) / 2, from, to);
         }
     }
 
@@ -51,7 +55,8 @@ internal static class GapPlanner
         var ordered = new List<LaneSegment>();
         while (legs.Count > 0)
         {
-            int nearest = Enumerable.Range(0, legs.Count).OrderBy(i => System.Math.Min(from.DistanceTo(legs[i].Start), from.DistanceTo(legs[i].End))).First();
+            int nearest = Enumerable.Range(0, legs.Count)
+                .OrderBy(i => System.Math.Min(from.DistanceTo(legs[i].Start), from.DistanceTo(legs[i].End))).First();
             LaneSegment leg = legs[nearest];
             legs.RemoveAt(nearest);
             if (from.DistanceTo(leg.End) < from.DistanceTo(leg.Start))

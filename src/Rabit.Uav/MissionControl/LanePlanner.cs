@@ -5,22 +5,22 @@ using System.Linq;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Lays lanes over an area, to and fro. Each looks after a strip of ground half a spacing to either side, and reaches as far as the
-/// area does anywhere in its strip; where the area is concave a lane has several pieces.
+/// Plans parallel survey lines (lanes, transects) over an area, flown to and fro: a lawnmower, or boustrophedon, pattern. Each lane covers a
+/// strip half a spacing to either side and is as long as the area is anywhere in its strip; in a concave area a lane has several segments.
 /// </summary>
 internal static class LanePlanner
 {
-    // Pieces nearer to each other than this part of a spacing are one: going around would take longer.
+    // Segments nearer to each other than this part of a spacing are joined: flying around the gap would take longer.
     private const double JoinedGapInSpacings = 1;
 
-    // A piece that is shorter is made this long: a point has no heading to be flown with.
-    private const double MinPieceMetres = 4;
+    // A shorter segment is made this long: a point has no heading to fly along.
+    private const double MinSegmentMetres = 4;
 
-    /// <summary>The lanes in the order in which they are flown; the first begins at the corner next to where the vehicle comes from.</summary>
+    /// <summary>The lanes in the order in which they are flown; the first begins at the end nearest to the vehicle.</summary>
     /// <param name="area">The area; its edges do not cross.</param>
-    /// <param name="spacingMetres">From lane to lane at most; they are moved together so that all strips are equally wide.</param>
-    /// <param name="headingRadians">Along the lanes; null for the direction that needs the fewest.</param>
-    /// <param name="from">Where the vehicle comes from.</param>
+    /// <param name="spacingMetres">Maximum distance between lanes; it is reduced so that all strips are equally wide.</param>
+    /// <param name="headingRadians">Direction of the lanes; null for the one that needs the fewest.</param>
+    /// <param name="from">Where the vehicle is.</param>
     public static IReadOnlyList<LaneSegment> Plan(PlanePolygon area, double spacingMetres, double? headingRadians, PlanePoint from)
     {
         double heading = headingRadians ?? BestHeading(area, spacingMetres);
@@ -28,18 +28,18 @@ internal static class LanePlanner
         return Orders(lanes).OrderBy(order => from.DistanceTo(order[0].Start)).First();
     }
 
-    /// <summary>The heading along the lanes that needs the fewest of them; among equals the one with the shortest way.</summary>
+    /// <summary>The direction that needs the fewest lanes; among equals the one with the shortest path.</summary>
     public static double BestHeading(PlanePolygon area, double spacingMetres)
     {
         PlanePolygon hull = PlanePolygon.HullOf(area.Corners);
         return Enumerable.Range(0, hull.Corners.Count)
             .Select(i => (hull.After(i) - hull.Corners[i]).HeadingRadians)
             .OrderBy(heading => LaneCount(area, spacingMetres, heading))
-            .ThenBy(heading => Math.Round(Lanes(area, spacingMetres, heading).Sum(lane => lane.Sum(piece => piece.Length)), 3))
+            .ThenBy(heading => Math.Round(Lanes(area, spacingMetres, heading).Sum(lane => lane.Sum(s => s.Length)), 3))
             .First();
     }
 
-    /// <summary>What of a strip an area fills: intervals along it that do not overlap, in order.</summary>
+    /// <summary>The part of a strip that an area fills: intervals along it that do not overlap, in order.</summary>
     /// <param name="area">The area.</param>
     /// <param name="along">Unit vector along the strip.</param>
     /// <param name="from">Where the strip begins, to the right of the origin, metres.</param>
@@ -59,7 +59,7 @@ internal static class LanePlanner
         return Join(extents, gap: 0);
     }
 
-    /// <summary>Intervals in order, those put together that overlap or are nearer to each other than a gap.</summary>
+    /// <summary>Intervals in order; those that overlap or are nearer to each other than a gap are joined.</summary>
     public static List<(double From, double To)> Join(IEnumerable<(double From, double To)> intervals, double gap)
     {
         var joined = new List<(double From, double To)>();
@@ -75,11 +75,11 @@ internal static class LanePlanner
         return joined;
     }
 
-    /// <summary>A leg along a line; one that is too short to have a heading is made longer.</summary>
-    public static LaneSegment Piece(PlanePoint along, double offset, double from, double to)
+    /// <summary>A segment along a line; one that is too short to have a heading is lengthened.</summary>
+    public static LaneSegment Segment(PlanePoint along, double offset, double from, double to)
     {
         var right = new PlanePoint(-along.East, along.North);
-        double missing = Math.Max(0, MinPieceMetres - (to - from)) / 2;
+        double missing = Math.Max(0, MinSegmentMetres - (to - from)) / 2;
         return new LaneSegment(((from - missing) * along) + (offset * right), ((to + missing) * along) + (offset * right));
     }
 
@@ -87,7 +87,7 @@ internal static class LanePlanner
     {
         (double from, double to) = Width(area, heading);
 
-        // A width that is a whole number of spacings but for the rounding needs no further lane.
+        // A width that is a whole number of spacings but for rounding needs no additional lane.
         return Math.Max(1, (int)Math.Ceiling(((to - from) / spacing) - 1e-6));
     }
 
@@ -106,28 +106,29 @@ internal static class LanePlanner
         double strip = (to - from) / count;
         return Enumerable.Range(0, count)
             .Select(i => Join(Extents(area, along, from + (i * strip), from + ((i + 1) * strip)), JoinedGapInSpacings * spacing)
-                .Select(x => Piece(along, from + ((i + 0.5) * strip), x.From, x.To)).ToList())
-            .Where(pieces => pieces.Count > 0)
+                .Select(x => Segment(along, from + ((i + 0.5) * strip), x.From, x.To)).ToList())
+            .Where(segments => segments.Count > 0)
             .ToList();
     }
 
-    // From the left or from the right, the first one there or back.
+    // From the left or from the right, the first lane forwards or backwards.
     private static IEnumerable<List<LaneSegment>> Orders(List<List<LaneSegment>> lanes)
     {
         foreach (IEnumerable<List<LaneSegment>> order in new[] { lanes, Enumerable.Reverse(lanes) })
         {
-            yield return ToAndFro(order, firstIsBack: false);
-            yield return ToAndFro(order, firstIsBack: true);
+            yield return Boustrophedon(order, firstIsReversed: false);
+            yield return Boustrophedon(order, firstIsReversed: true);
         }
     }
 
-    private static List<LaneSegment> ToAndFro(IEnumerable<List<LaneSegment>> lanes, bool firstIsBack)
-        => lanes.SelectMany((lane, i) => (i % 2 == 1) != firstIsBack
+    private static List<LaneSegment> Boustrophedon(IEnumerable<List<LaneSegment>> lanes, bool firstIsReversed)
+        => lanes.SelectMany((lane, i) => (i % 2 == 1) != firstIsReversed
             ? Enumerable.Reverse(lane).Select(p => new LaneSegment(p.End, p.Start))
             : lane).ToList();
 
-    // Between two cuts no corner lies: the edges that cross come in pairs, and bound trapezoids.
-    private static IEnumerable<(double From, double To)> Trapezoids(PlanePolygon area, PlanePoint along, PlanePoint right, double low, double high)
+    // No corner lies between two cuts: the edges that cross the strip come in pairs and bound trapezoids (trapezoidal decomposition).
+    private static IEnumerable<(double From, double To)> Trapezoids(
+        PlanePolygon area, PlanePoint along, PlanePoint right, double low, double high)
     {
         var edges = new List<(double AtLow, double AtHigh)>();
         for (int i = 0; i < area.Corners.Count; i++)

@@ -1,6 +1,6 @@
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>A straight leg of the search, from one point to another. A plain value.</summary>
+/// <summary>A straight segment of a lane, from one point to another. A plain value.</summary>
 internal readonly struct LaneSegment(PlanePoint start, PlanePoint end)
 {
     public PlanePoint Start { get; } = start;

@@ -6,15 +6,15 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Flies the mission: waits for the vehicle, has it arm and take off, flies the lanes over the area, looks again at what was found,
-/// brings the vehicle home. Without a mission it observes, and commands nothing.
+/// Flies the mission: waits for the vehicle, arms it, takes off, flies the lanes over the area, revisits what was found, returns to
+/// launch and lands. Without a mission it observes and commands nothing.
 /// </summary>
 public sealed class MissionControlManager : RabitManager
 {
     /// <summary>The name of the manager.</summary>
     public const string ManagerName = "mission control";
 
-    private static readonly TimeSpan Cycle = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan TickPeriod = TimeSpan.FromMilliseconds(200);
     private static readonly TimeSpan StatusPeriod = TimeSpan.FromSeconds(1);
 
     private readonly MessageSubscriber<VehicleState> _vehicle;
@@ -22,19 +22,21 @@ public sealed class MissionControlManager : RabitManager
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly MessageSubscriber<CommandAuthority> _authority;
     private readonly MessageSubscriber<ImagingStatus> _imaging;
-    private readonly QueueReceiver<VehicleCommandResult> _answers;
+    private readonly QueueReceiver<VehicleCommandResult> _results;
     private readonly QueueReceiver<CameraObservation> _searchedGround;
     private readonly QueueSender<VehicleCommand> _commands;
-    private readonly MessagePublisher<ImagingCommand> _imagingOrder;
+    private readonly MessagePublisher<ImagingCommand> _imagingCommand;
     private readonly MessagePublisher<MissionStatus> _status;
     private readonly MissionFlight? _flight;
     private readonly MissionMachine? _machine;
     private TimeSpan? _lastStatus;
-    private string? _abort; // any thread writes, this manager reads; replaced as a whole
+    private string? _abort; // written by any thread, read by this manager; replaced as a whole
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
-    /// <exception cref="ArgumentException">Options are out of their range, or the mission cannot be flown; the text names all faults.</exception>
+    /// <exception cref="ArgumentException">
+    /// Options are out of their range, or the mission cannot be flown; the text names all faults.
+    /// </exception>
     public MissionControlManager(MissionControlOptions options)
         : base(ManagerName)
     {
@@ -44,24 +46,24 @@ public sealed class MissionControlManager : RabitManager
         _tracks = Subscribe<TrackList>(MessageNames.Tracks);
         _authority = Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
         _imaging = Subscribe<ImagingStatus>(MessageNames.Imaging);
-        _answers = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
+        _results = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _searchedGround = Receive<CameraObservation>(MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
         _commands = Send<VehicleCommand>(MessageNames.VehicleCommands);
-        _imagingOrder = Publish<ImagingCommand>(MessageNames.ImagingCommand);
+        _imagingCommand = Publish<ImagingCommand>(MessageNames.ImagingCommand);
         _status = Publish<MissionStatus>(MessageNames.Mission);
-        WakeUpDelay = Cycle;
+        WakeUpDelay = TickPeriod;
         if (copy.Mission is null)
             return;
-        var desk = new CommandDispatcher(command => _commands.Push(command) != PushResult.Rejected, Log);
-        _flight = new MissionFlight(copy.Mission, copy, desk, Log);
+        var dispatcher = new CommandDispatcher(command => _commands.Push(command) != PushResult.Rejected, Log);
+        _flight = new MissionFlight(copy.Mission, copy, dispatcher, Log);
         _machine = new MissionMachine(_flight);
     }
 
     /// <summary>
-    /// Gives the mission up: the vehicle comes home; before take-off it stays where it is. Comes back at once; does nothing when the
+    /// Aborts the mission: the vehicle returns to launch; before take-off it stays where it is. Returns at once; does nothing when the
     /// mission is over or there is none. Only the first reason counts. Any thread.
     /// </summary>
-    /// <param name="reason">Why, for people and the log.</param>
+    /// <param name="reason">Why, as text for the status and the log.</param>
     public void Abort(string reason)
     {
         if (string.IsNullOrWhiteSpace(reason))
@@ -71,13 +73,13 @@ public sealed class MissionControlManager : RabitManager
     }
 
     /// <summary>
-    /// Plans once as if home were in the area, and forgets it: the real plan, made in a unit of work when home is known, then finds its code
-    /// compiled. On a small computer that alone takes longer than a manager may be away.
+    /// Plans once as if home were in the area, and discards the plan: the real one, made in a unit of work when home is known, then finds its
+    /// code compiled. On a small computer compiling alone takes longer than a unit of work may.
     /// </summary>
     protected override void Startup()
     {
         if (_flight is not null)
-            FlightPlan.Make(_flight.Mission, _flight.Mission.Area[0], out _);
+            FlightPlan.Create(_flight.Mission, _flight.Mission.Area[0], out _);
     }
 
     /// <inheritdoc/>
@@ -86,9 +88,9 @@ public sealed class MissionControlManager : RabitManager
         MissionPhase before = _status.Value.Phase;
         if (_flight is not null && _machine is not null)
         {
-            TakeIn(_flight);
+            FetchInputs(_flight);
             _machine.Tick(Volatile.Read(ref _abort));
-            PostOrder(_flight, _machine);
+            PostImagingCommand(_flight, _machine);
         }
         else
         {
@@ -100,7 +102,7 @@ public sealed class MissionControlManager : RabitManager
             PostStatus(phase);
     }
 
-    private void TakeIn(MissionFlight flight)
+    private void FetchInputs(MissionFlight flight)
     {
         flight.Now = Now;
         if (_vehicle.Fetch())
@@ -111,43 +113,43 @@ public sealed class MissionControlManager : RabitManager
             flight.Authority = _authority.Value;
         if (_imaging.Fetch())
             flight.Imaging = _imaging.Value;
-        while (_answers.TryPop(out VehicleCommandResult answer))
-            flight.Desk.Take(answer, flight.Now);
-        while (_searchedGround.TryPop(out CameraObservation look))
-            flight.Route?.Mark(look);
+        while (_results.TryPop(out VehicleCommandResult result))
+            flight.Commands.Apply(result, flight.Now);
+        while (_searchedGround.TryPop(out CameraObservation observation))
+            flight.Route?.Mark(observation);
         if (!_tracks.Fetch())
             return;
         flight.Tracks = _tracks.Value;
         if (flight.Plan is not null)
-            flight.Looks.Note(flight);
+            flight.Revisits.LogConfirmed(flight);
     }
 
     private void DropUnread()
     {
-        while (_answers.TryPop(out _))
+        while (_results.TryPop(out _))
         {
-            // Nobody asked.
+            // Without a mission there is no command to which it belongs.
         }
 
         while (_searchedGround.TryPop(out _))
         {
-            // There is no area.
+            // Without a mission there is no area to cover.
         }
     }
 
-    private void PostOrder(MissionFlight flight, MissionMachine machine)
+    private void PostImagingCommand(MissionFlight flight, MissionMachine machine)
     {
-        bool searches = machine.Phase is MissionPhase.Searching or MissionPhase.Looking;
-        ref ImagingCommand order = ref _imagingOrder.Value;
+        bool searches = machine.Phase is MissionPhase.Searching or MissionPhase.Revisiting;
+        ref ImagingCommand command = ref _imagingCommand.Value;
         ImagingMode mode = searches ? ImagingMode.Search : ImagingMode.Off;
-        if (order.Mode == mode)
+        if (command.Mode == mode)
             return;
-        order.Mode = mode;
-        order.CameraPitchRadians = flight.Mission.CameraPitchRadians;
-        order.CameraYawRadians = flight.Mission.CameraYawRadians;
-        order.GroundAltitudeAmslMetres = flight.GroundAltitudeAmslMetres;
-        order.Colours = flight.Mission.Targets;
-        _imagingOrder.Post();
+        command.Mode = mode;
+        command.CameraPitchRadians = flight.Mission.CameraPitchRadians;
+        command.CameraYawRadians = flight.Mission.CameraYawRadians;
+        command.GroundAltitudeAmslMetres = flight.GroundAltitudeAmslMetres;
+        command.Colours = flight.Mission.Targets;
+        _imagingCommand.Post();
     }
 
     private void PostStatus(MissionPhase phase)
@@ -162,7 +164,7 @@ public sealed class MissionControlManager : RabitManager
             status.Plan = _flight.Plan?.Message;
             status.LanesFlown = _flight.Route?.Flown ?? 0;
             status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;
-            status.Revisits = _flight.Looks.Done;
+            status.Revisits = _flight.Revisits.Completed;
         }
         else
         {

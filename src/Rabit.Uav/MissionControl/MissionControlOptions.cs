@@ -4,33 +4,46 @@ using System.Linq;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>What Mission Control flies, and how patient it is. Read once, when the manager is made.</summary>
+/// <summary>The mission that Mission Control flies, its conditions and time-outs. Read once, when the manager is constructed.</summary>
+/// <example>
+/// <code>
+/// var options = new MissionControlOptions
+/// {
+///     Mission = MissionPlan.Parse(File.ReadAllText("field.json"), "field.json"),
+///     ReadyTimeout = TimeSpan.FromMinutes(10),
+///     CoverageGoal = 0.95,
+/// };
+/// var manager = new MissionControlManager(options);
+/// </code>
+/// </example>
 public sealed class MissionControlOptions
 {
     /// <summary>The mission; null to observe and command nothing.</summary>
     public MissionPlan? Mission { get; set; }
 
-    /// <summary>Whether a mission needs a camera to begin.</summary>
-    /// <value>The default is true: a search that sees nothing is none.</value>
+    /// <summary>Whether a mission waits for a camera before it begins.</summary>
+    /// <value>The default is true: a search without pictures finds nothing.</value>
     public bool RequiresCamera { get; set; } = true;
 
-    /// <summary>How long to wait for the vehicle to be heard, healthy and to know where it is, before the mission is given up.</summary>
-    /// <value>The default is 5 min: a cold receiver needs a minute or two for its first fix.</value>
-    public TimeSpan ReadyWithin { get; set; } = TimeSpan.FromMinutes(5);
+    /// <summary>Time-out for the vehicle to be connected, healthy and to have a position; after it the mission has failed.</summary>
+    /// <value>Above zero. The default is 5 min: a GNSS receiver needs a minute or two for its first fix after a cold start.</value>
+    public TimeSpan ReadyTimeout { get; set; } = TimeSpan.FromMinutes(5);
 
-    /// <summary>How long arming is tried.</summary>
-    /// <value>The default is 60 s: the checks of a vehicle that just started pass one after the other.</value>
-    public TimeSpan ArmWithin { get; set; } = TimeSpan.FromSeconds(60);
+    /// <summary>Time-out for arming; until then it is retried every 3 s.</summary>
+    /// <value>Above zero. The default is 60 s: the pre-arm checks of a vehicle that has just started pass one after the other.</value>
+    public TimeSpan ArmTimeout { get; set; } = TimeSpan.FromSeconds(60);
 
-    /// <summary>How much of the area must have been looked at for the search to be complete, 0 to 1.</summary>
-    /// <value>The default is 0.985.</value>
+    /// <summary>Fraction of the area that the camera must have seen for the search to be complete.</summary>
+    /// <value>0 to 1. The default is 0.985: rounding to cells leaves up to a per cent along the border.</value>
     public double CoverageGoal { get; set; } = 0.985;
 
-    /// <summary>How often what was missed is flown over again.</summary>
-    /// <value>The default is 2.</value>
-    public int GapPasses { get; set; } = 2;
+    /// <summary>How often, at most, gaps in the coverage are flown over after the lanes.</summary>
+    /// <value>0 to 10. The default is 2: what two passes missed, a third misses too.</value>
+    public int MaxGapPasses { get; set; } = 2;
 
-    /// <exception cref="ArgumentException">Options are out of their range, or the mission cannot be flown; the text names all faults.</exception>
+    /// <exception cref="ArgumentException">
+    /// Options are out of their range, or the mission cannot be flown; the text names all faults.
+    /// </exception>
     internal MissionControlOptions ValidatedCopy(string parameter)
     {
         List<string> faults = FindFaults().ToList();
@@ -41,14 +54,14 @@ public sealed class MissionControlOptions
 
     private IEnumerable<string> FindFaults()
     {
-        if (ReadyWithin <= TimeSpan.Zero)
-            yield return $"{nameof(ReadyWithin)} is {ReadyWithin}; it must be above zero";
-        if (ArmWithin <= TimeSpan.Zero)
-            yield return $"{nameof(ArmWithin)} is {ArmWithin}; it must be above zero";
+        if (ReadyTimeout <= TimeSpan.Zero)
+            yield return $"{nameof(ReadyTimeout)} is {ReadyTimeout}; it must be above zero";
+        if (ArmTimeout <= TimeSpan.Zero)
+            yield return $"{nameof(ArmTimeout)} is {ArmTimeout}; it must be above zero";
         if (!(CoverageGoal >= 0 && CoverageGoal <= 1))
             yield return FormattableString.Invariant($"{nameof(CoverageGoal)} is {CoverageGoal}; it must be 0 to 1");
-        if (GapPasses is < 0 or > 10)
-            yield return FormattableString.Invariant($"{nameof(GapPasses)} is {GapPasses}; it must be 0 to 10");
+        if (MaxGapPasses is < 0 or > 10)
+            yield return FormattableString.Invariant($"{nameof(MaxGapPasses)} is {MaxGapPasses}; it must be 0 to 10");
         foreach (string fault in Mission is null ? [] : MissionPlanRules.FindFaults(Mission))
             yield return $"{nameof(Mission)}: {fault}";
     }

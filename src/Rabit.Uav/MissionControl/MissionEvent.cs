@@ -1,33 +1,33 @@
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>What happened that may change what is being done; <see cref="MissionTransitions"/> says to what.</summary>
+/// <summary>What can end a phase; <see cref="MissionTransitions"/> maps it to the next one.</summary>
 internal enum MissionEvent
 {
     /// <summary>Nothing.</summary>
     None,
 
-    /// <summary>The vehicle is heard, healthy, on the ground and knows where it is.</summary>
+    /// <summary>The vehicle is connected, healthy, on the ground and has a position.</summary>
     Ready,
 
-    /// <summary>The motors may turn, and we command.</summary>
+    /// <summary>The vehicle is armed, and we command.</summary>
     Armed,
 
-    /// <summary>The autopilot stopped the motors before it ever left the ground.</summary>
+    /// <summary>The autopilot disarmed before it left the ground.</summary>
     Disarmed,
 
     /// <summary>The height of the search is reached.</summary>
     AtHeight,
 
-    /// <summary>The first lane begins here.</summary>
+    /// <summary>The start of the first lane is reached.</summary>
     AtArea,
 
-    /// <summary>There is a new target to look at.</summary>
+    /// <summary>There is a confirmed target to revisit.</summary>
     TargetFound,
 
-    /// <summary>It has been looked at.</summary>
-    Looked,
+    /// <summary>The target was revisited.</summary>
+    Revisited,
 
-    /// <summary>All lanes are flown, and what they missed.</summary>
+    /// <summary>All lanes are flown, and the gaps that they left.</summary>
     Searched,
 
     /// <summary>Over home and going down.</summary>
@@ -36,13 +36,13 @@ internal enum MissionEvent
     /// <summary>On the ground, motors off.</summary>
     Landed,
 
-    /// <summary>Give up the search and come home.</summary>
+    /// <summary>Abort the search and return to launch (RTL).</summary>
     ReturnToLaunch,
 
-    /// <summary>Land here and now.</summary>
+    /// <summary>Land at the present position.</summary>
     LandNow,
 
-    /// <summary>Somebody else commands.</summary>
+    /// <summary>The pilot or the autopilot took over.</summary>
     TakenOver,
 
     /// <summary>The mission cannot go on.</summary>

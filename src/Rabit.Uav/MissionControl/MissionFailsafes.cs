@@ -4,65 +4,65 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>What is watched in every phase, before the phase itself has its say; the gravest first.</summary>
+/// <summary>The failsafes: checked in every phase before the phase itself, the most severe first.</summary>
 internal sealed class MissionFailsafes
 {
-    // Below this motors that stopped have landed.
+    // Motors that stop below this height have landed.
     private const double LandedHeightMetres = 5;
 
-    // One position outside may be a bad one.
-    private static readonly TimeSpan OutsideFor = TimeSpan.FromSeconds(1);
-    private static readonly TimeSpan OnGroundFor = TimeSpan.FromSeconds(3);
-    private static readonly TimeSpan MaxSilence = TimeSpan.FromMinutes(5);
+    // A single position outside may be an outlier.
+    private static readonly TimeSpan MaxTimeOutside = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan MaxTimeOnGround = TimeSpan.FromSeconds(3);
+    private static readonly TimeSpan MaxDisconnection = TimeSpan.FromMinutes(5);
     private static readonly TimeSpan MaxTimeWithoutPosition = TimeSpan.FromSeconds(15);
 
-    private TimeSpan? _silentSince;
-    private TimeSpan? _lostPlaceSince;
+    private TimeSpan? _disconnectedSince;
+    private TimeSpan? _noPositionSince;
     private TimeSpan? _outsideSince;
     private TimeSpan? _onGroundSince;
 
-    /// <summary>Who commands: looked at even when the vehicle is not heard.</summary>
-    public static MissionStep Authority(MissionFlight flight)
+    /// <summary>Command authority: checked even while no autopilot is connected.</summary>
+    public static MissionStep CheckAuthority(MissionFlight flight)
     {
         if (flight.Authority.State == CommandAuthorityState.TakenAway)
             return new MissionStep(MissionEvent.TakenOver, flight.Authority.TakenBy ?? "the pilot or the autopilot took over");
-        if (flight.Desk.NotInCommand is not { } why)
+        if (flight.Commands.NotInCommand is not { } why)
             return MissionStep.Stay;
         return flight.Authority.State == CommandAuthorityState.Observing
             ? new MissionStep(MissionEvent.Impossible, "we only observe: " + why)
             : new MissionStep(MissionEvent.TakenOver, why);
     }
 
-    /// <summary>Whether anything can be done at all: the vehicle is heard and knows where it is.</summary>
-    /// <param name="flight">Everything there is to know.</param>
-    /// <param name="canAct">Whether it can.</param>
-    public MissionStep Contact(MissionFlight flight, out bool canAct)
+    /// <summary>Whether the vehicle can be commanded: an autopilot is connected and has a position.</summary>
+    /// <param name="flight">The state of the mission.</param>
+    /// <param name="canAct">Whether the vehicle can be commanded.</param>
+    public MissionStep CheckConnection(MissionFlight flight, out bool canAct)
     {
-        _silentSince = flight.IsHeard ? null : _silentSince ?? flight.Now;
-        _lostPlaceSince = flight.IsHeard && !flight.KnowsWhereItIs ? _lostPlaceSince ?? flight.Now : null;
-        canAct = flight.IsHeard && flight.KnowsWhereItIs;
-        if (_silentSince is { } silent)
+        _disconnectedSince = flight.IsConnected ? null : _disconnectedSince ?? flight.Now;
+        _noPositionSince = flight.IsConnected && !flight.HasFreshPosition ? _noPositionSince ?? flight.Now : null;
+        canAct = flight.IsConnected && flight.HasFreshPosition;
+        if (_disconnectedSince is { } since)
         {
-            flight.Text = "the autopilot is not heard";
-            if (flight.Plan is not null && flight.Now - silent > MaxSilence)
-                return new MissionStep(MissionEvent.Impossible, $"the autopilot was not heard for {MissionText.Seconds(MaxSilence)}");
+            flight.Text = "autopilot not connected";
+            if (flight.Plan is not null && flight.Now - since > MaxDisconnection)
+                return new MissionStep(MissionEvent.Impossible, $"no autopilot for {MissionNumbers.Seconds(MaxDisconnection)}");
         }
-        else if (_lostPlaceSince is { } lost)
+        else if (_noPositionSince is { } lost)
         {
-            flight.Text = "the vehicle does not know where it is";
+            flight.Text = "no position";
             if (flight.Now - lost > MaxTimeWithoutPosition && flight.IsFlying)
-                return new MissionStep(MissionEvent.LandNow, $"no position for {MissionText.Seconds(MaxTimeWithoutPosition)}");
+                return new MissionStep(MissionEvent.LandNow, $"no position for {MissionNumbers.Seconds(MaxTimeWithoutPosition)}");
         }
 
         return MissionStep.Stay;
     }
 
-    /// <summary>What ends a phase from outside; only while something can be done.</summary>
-    public MissionStep Watch(MissionFlight flight, MissionPhase phase, string? abort)
+    /// <summary>What ends a phase from outside; only while the vehicle can be commanded.</summary>
+    public MissionStep Check(MissionFlight flight, MissionPhase phase, string? abort)
     {
         if (IsBeforeTakeOff(flight, phase))
-            return BeforeTakeOff(flight, phase, abort);
-        MissionStep motors = Motors(flight, phase);
+            return CheckBeforeTakeOff(flight, phase, abort);
+        MissionStep motors = CheckMotors(flight, phase);
         if (motors.What != MissionEvent.None)
             return motors;
         if (flight.Health.Advice == HealthAdvice.Land)
@@ -71,15 +71,16 @@ internal sealed class MissionFailsafes
             return new MissionStep(MissionEvent.ReturnToLaunch, abort);
         if (flight.Health.Advice == HealthAdvice.ReturnToLaunch)
             return new MissionStep(MissionEvent.ReturnToLaunch, Advice(flight));
-        return Fence(flight);
+        return CheckFence(flight);
     }
 
-    private static string Advice(MissionFlight flight) => "health: " + (flight.Health.AdviceText ?? flight.Health.Text ?? "no reason told");
+    private static string Advice(MissionFlight flight)
+        => "health: " + (flight.Health.AdviceText ?? flight.Health.Text ?? "no reason given");
 
     private static bool IsBeforeTakeOff(MissionFlight flight, MissionPhase phase)
         => phase is MissionPhase.WaitingForVehicle or MissionPhase.Arming || (phase == MissionPhase.TakingOff && !flight.IsFlying);
 
-    private static MissionStep BeforeTakeOff(MissionFlight flight, MissionPhase phase, string? abort)
+    private static MissionStep CheckBeforeTakeOff(MissionFlight flight, MissionPhase phase, string? abort)
     {
         if (abort is not null)
             return new MissionStep(MissionEvent.Impossible, "given up before take-off: " + abort);
@@ -88,24 +89,28 @@ internal sealed class MissionFailsafes
             : MissionStep.Stay;
     }
 
-    private MissionStep Motors(MissionFlight flight, MissionPhase phase)
+    private MissionStep CheckMotors(MissionFlight flight, MissionPhase phase)
     {
         bool isLanding = phase is MissionPhase.Returning or MissionPhase.Landing;
         if (!flight.Vehicle.IsArmed && (!isLanding || flight.HeightMetres > LandedHeightMetres))
-            return new MissionStep(MissionEvent.Impossible, $"the motors stopped at a height of {MissionText.Of(flight.HeightMetres)} m");
+        {
+            return new MissionStep(
+                MissionEvent.Impossible, $"the motors stopped at a height of {MissionNumbers.Of(flight.HeightMetres)} m");
+        }
+
         bool isOnGround = flight.Vehicle.LandedState == MavLandedState.OnGround && !isLanding;
         _onGroundSince = isOnGround ? _onGroundSince ?? flight.Now : null;
-        return flight.Now - _onGroundSince > OnGroundFor
-            ? new MissionStep(MissionEvent.Impossible, "the vehicle is on the ground and was not told to land")
+        return flight.Now - _onGroundSince > MaxTimeOnGround
+            ? new MissionStep(MissionEvent.Impossible, "the vehicle is on the ground without a command to land")
             : MissionStep.Stay;
     }
 
-    private MissionStep Fence(MissionFlight flight)
+    private MissionStep CheckFence(MissionFlight flight)
     {
         double outside = -flight.Plan!.Fence.SignedDistance(flight.Position);
         _outsideSince = outside > 0 ? _outsideSince ?? flight.Now : null;
-        return flight.Now - _outsideSince >= OutsideFor
-            ? new MissionStep(MissionEvent.ReturnToLaunch, $"{MissionText.Of(outside)} m outside the fence")
+        return flight.Now - _outsideSince >= MaxTimeOutside
+            ? new MissionStep(MissionEvent.ReturnToLaunch, $"{MissionNumbers.Of(outside)} m outside the fence")
             : MissionStep.Stay;
     }
 }

@@ -5,29 +5,29 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Everything that the phases of a mission know and share: what came in, what is planned, how far it is.</summary>
-internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions options, CommandDispatcher desk, Action<string> log)
+/// <summary>What the phases of a mission share: the inputs, the plan and the progress.</summary>
+internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions options, CommandDispatcher commands, Action<string> log)
 {
-    // Below this a vehicle that does not tell whether it flies is taken to stand.
-    private const double StandingHeightMetres = 2;
+    // Below this a vehicle that reports no landed state is taken to be on the ground.
+    private const double OnGroundHeightMetres = 2;
 
     private static readonly TimeSpan RetryAfter = TimeSpan.FromSeconds(1);
 
-    // Autopilot Interface hears several positions a second.
-    private static readonly TimeSpan PositionAge = TimeSpan.FromSeconds(2);
+    // Autopilots report several positions a second.
+    private static readonly TimeSpan MaxPositionAge = TimeSpan.FromSeconds(2);
 
     public MissionPlan Mission { get; } = mission;
 
     public MissionControlOptions Options { get; } = options;
 
-    public CommandDispatcher Desk { get; } = desk;
+    public CommandDispatcher Commands { get; } = commands;
 
-    public Revisits Looks { get; } = new();
+    public Revisits Revisits { get; } = new();
 
-    /// <summary>The time of this look at things.</summary>
+    /// <summary>The time of this tick.</summary>
     public TimeSpan Now { get; set; }
 
-    /// <summary>Time in which something could be done: it stands still while the vehicle is not heard. Time limits are in this time.</summary>
+    /// <summary>Time in which the vehicle could be commanded: it stops while no autopilot is connected. Time-outs are in this time.</summary>
     public TimeSpan ActiveTime { get; set; }
 
     public VehicleState Vehicle { get; set; }
@@ -40,26 +40,26 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
 
     public TrackList Tracks { get; set; } = TrackList.None;
 
-    /// <summary>Null before the vehicle was ready.</summary>
+    /// <summary>Null until the vehicle is ready.</summary>
     public FlightPlan? Plan { get; private set; }
 
-    /// <summary>Null before the vehicle was ready.</summary>
+    /// <summary>Null until the vehicle is ready.</summary>
     public SearchRoute? Route { get; private set; }
 
-    /// <summary>Altitude of the ground, which is taken for flat, metres above mean sea level.</summary>
+    /// <summary>Altitude of the ground, taken as level, metres above mean sea level.</summary>
     public double GroundAltitudeAmslMetres { get; private set; }
 
     /// <summary>Why the search was given up; null where it was not.</summary>
     public string? Aborted { get; set; }
 
-    /// <summary>What is being done, for people.</summary>
+    /// <summary>What is being done, as text.</summary>
     public string Text { get; set; } = string.Empty;
 
-    public bool IsHeard => Vehicle.IsConnected;
+    public bool IsConnected => Vehicle.IsConnected;
 
-    public bool KnowsWhereItIs => Vehicle.PositionTime is { } time && Now - time <= PositionAge;
+    public bool HasFreshPosition => Vehicle.PositionTime is { } time && Now - time <= MaxPositionAge;
 
-    /// <summary>Where the vehicle is; only with a plan.</summary>
+    /// <summary>Position of the vehicle in the local frame; only with a plan.</summary>
     public PlanePoint Position
     {
         get
@@ -77,44 +77,46 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
     {
         MavLandedState.InAir or MavLandedState.Takeoff or MavLandedState.Landing => true,
         MavLandedState.OnGround => false,
-        _ => HeightMetres > StandingHeightMetres,
+        _ => HeightMetres > OnGroundHeightMetres,
     };
 
     public void Log(string text) => log(text);
 
-    /// <summary>Lays the mission out from where the vehicle stands now.</summary>
+    /// <summary>Plans the mission from the present position of the vehicle.</summary>
     /// <returns>Why that cannot be; empty where it can.</returns>
-    public string MakePlan()
+    public string CreatePlan()
     {
         GeodeticPosition at = Vehicle.Position;
-        Plan = FlightPlan.Make(
-            Mission, GeodeticPosition.FromRadians(at.LatitudeRadians, at.LongitudeRadians, at.AltitudeAmslMetres - HeightMetres), out string fault);
+        Plan = FlightPlan.Create(
+            Mission,
+            GeodeticPosition.FromRadians(at.LatitudeRadians, at.LongitudeRadians, at.AltitudeAmslMetres - HeightMetres),
+            out string fault);
         if (Plan is not null)
             Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
         return fault;
     }
 
-    /// <summary>Takes the altitude of the ground from the vehicle that stands on it.</summary>
+    /// <summary>Measures the altitude of the ground with the vehicle that stands on it.</summary>
     public void MeasureGround() => GroundAltitudeAmslMetres = Vehicle.Position.AltitudeAmslMetres - HeightMetres;
 
-    /// <summary>Wants the vehicle to fly to a point.</summary>
-    public void WantGoTo(PlanePoint to, double heightMetres, double yawRadians)
+    /// <summary>Sets a position as the goal.</summary>
+    public void SetGoalPosition(PlanePoint to, double heightMetres, double yawRadians)
     {
-        GeodeticPosition place = Plan!.Frame.ToGeodetic(new NedVector(to.North, to.East, -heightMetres));
+        GeodeticPosition position = Plan!.Frame.ToGeodetic(new NedVector(to.North, to.East, -heightMetres));
         var command = new VehicleCommand
         {
             Kind = VehicleCommandKind.GoTo,
-            LatitudeRadians = place.LatitudeRadians,
-            LongitudeRadians = place.LongitudeRadians,
+            LatitudeRadians = position.LatitudeRadians,
+            LongitudeRadians = position.LongitudeRadians,
             HeightAboveHomeMetres = heightMetres,
             SpeedMetresPerSecond = Mission.SpeedMetresPerSecond,
             YawRadians = yawRadians,
         };
-        if (!Desk.IsWanted(command))
-            Desk.Want(command, $"go to {MissionText.Of(to)}, height {MissionText.Of(heightMetres)} m", RetryAfter);
+        if (!Commands.IsGoal(command))
+            Commands.SetGoal(command, $"go to {MissionNumbers.Of(to)}, height {MissionNumbers.Of(heightMetres)} m", RetryAfter);
     }
 
-    /// <summary>Wants something that needs no figures.</summary>
-    public void Want(VehicleCommandKind kind, string text, TimeSpan? retryAfter = null)
-        => Desk.Want(new VehicleCommand { Kind = kind }, text, retryAfter ?? RetryAfter);
+    /// <summary>Sets a goal that has no parameters.</summary>
+    public void SetGoal(VehicleCommandKind kind, string text, TimeSpan? retryAfter = null)
+        => Commands.SetGoal(new VehicleCommand { Kind = kind }, text, retryAfter ?? RetryAfter);
 }

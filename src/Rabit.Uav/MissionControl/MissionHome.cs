@@ -1,6 +1,6 @@
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Where a mission expects the vehicle to stand at the start. Immutable.</summary>
+/// <summary>Home: where a mission expects the vehicle at the start. Immutable.</summary>
 public sealed class MissionHome
 {
     /// <summary>Latitude, radians, north positive.</summary>
@@ -9,6 +9,9 @@ public sealed class MissionHome
     /// <summary>Longitude, radians, east positive.</summary>
     public double LongitudeRadians { get; init; }
 
-    /// <summary>Altitude of the ground there, metres above mean sea level; null where it is not known. It is a check: the vehicle's own is used.</summary>
+    /// <summary>
+    /// Altitude of the ground there, metres above mean sea level; null where it is not known. A check: the altitude that the vehicle reports
+    /// is the one used.
+    /// </summary>
     public double? GroundAltitudeAmslMetres { get; init; }
 }

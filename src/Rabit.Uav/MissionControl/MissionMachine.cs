@@ -5,11 +5,11 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Goes from phase to phase: the guards first, then the phase itself, then <see cref="MissionTransitions"/>.</summary>
+/// <summary>The state machine of a mission: the failsafes first, then the phase itself, then <see cref="MissionTransitions"/>.</summary>
 internal sealed class MissionMachine
 {
     private readonly MissionFlight _flight;
-    private readonly MissionFailsafes _guards = new();
+    private readonly MissionFailsafes _failsafes = new();
     private readonly Dictionary<MissionPhase, MissionState> _states;
     private MissionState _state;
     private TimeSpan _lastTick;
@@ -21,8 +21,8 @@ internal sealed class MissionMachine
         _flight = flight;
         _states = new MissionState[]
         {
-            new WaitingForVehicleState(), new ArmingState(), new TakingOffState(), new InTransitState(), new SearchingState(), new RevisitingState(),
-            new ReturningState(), new LandingState(),
+            new WaitingForVehicleState(), new ArmingState(), new TakingOffState(), new InTransitState(), new SearchingState(),
+            new RevisitingState(), new ReturningState(), new LandingState(),
             new EndState(MissionPhase.Done), new EndState(MissionPhase.HandedOver), new EndState(MissionPhase.Failed),
         }.ToDictionary(s => s.Phase);
         _state = _states[MissionPhase.WaitingForVehicle];
@@ -36,41 +36,42 @@ internal sealed class MissionMachine
     /// <summary>Whether nothing more will happen.</summary>
     public bool IsOver => _state is EndState;
 
-    /// <summary>Looks at things, goes on, and sends what is to be sent.</summary>
-    /// <param name="abort">Why the mission is to be given up; null where it is not.</param>
+    /// <summary>One step: failsafes, the phase, the transition, and the command that is due.</summary>
+    /// <param name="abort">Why the mission is to be aborted; null where it is not.</param>
     public void Tick(string? abort)
     {
         if (IsOver)
             return;
-        MissionStep step = MissionFailsafes.Authority(_flight);
+        MissionStep step = MissionFailsafes.CheckAuthority(_flight);
         bool canAct = false;
         if (step.What == MissionEvent.None)
-            step = _guards.Contact(_flight, out canAct);
-        bool mayAct = canAct || Phase == MissionPhase.WaitingForVehicle || (Phase == MissionPhase.Landing && _flight.IsHeard);
+            step = _failsafes.CheckConnection(_flight, out canAct);
+        bool mayAct = canAct || Phase == MissionPhase.WaitingForVehicle
+            || (Phase == MissionPhase.Landing && _flight.IsConnected);
         if (mayAct && !ChangesPhase(step))
             step = Act(abort, canAct);
         _couldAct = canAct;
         _lastTick = _flight.Now;
         if (step.What != MissionEvent.None)
             Go(step);
-        if (_flight.IsHeard && !IsOver)
-            _flight.Desk.Send(_flight.Now);
+        if (_flight.IsConnected && !IsOver)
+            _flight.Commands.Send(_flight.Now);
     }
 
     private MissionStep Act(string? abort, bool canAct)
     {
-        // Time in which nobody was heard does not count; what was said then may not have been heard either.
+        // Time without a connection does not count; a command sent in it may have been lost.
         if (canAct && !_couldAct && Phase != MissionPhase.WaitingForVehicle)
         {
-            _flight.Log("the vehicle is heard again");
-            _flight.Desk.SendAgain();
+            _flight.Log("the autopilot is connected again");
+            _flight.Commands.Resend();
         }
         else
         {
             _flight.ActiveTime += _flight.Now - _lastTick;
         }
 
-        MissionStep step = _guards.Watch(_flight, Phase, abort);
+        MissionStep step = _failsafes.Check(_flight, Phase, abort);
         return ChangesPhase(step) ? step : _state.Tick(_flight, _flight.ActiveTime - _activeSince);
     }
 
@@ -94,12 +95,13 @@ internal sealed class MissionMachine
         _state.Enter(_flight, step.What);
     }
 
-    // Motors that we let run on the ground are stopped; in the air nothing is known that would be safer than what the autopilot does.
+    // Motors that we started are stopped on the ground; in the air nothing is safer than what the autopilot does by itself.
     private void MakeSafe(MissionPhase from)
     {
-        if (from == MissionPhase.WaitingForVehicle || !_flight.Vehicle.IsArmed || _flight.IsFlying || !_flight.IsHeard)
+        bool isOurs = from != MissionPhase.WaitingForVehicle && _flight.Vehicle.IsArmed && !_flight.IsFlying;
+        if (!isOurs || !_flight.IsConnected)
             return;
-        _flight.Want(VehicleCommandKind.Disarm, "disarm");
-        _flight.Desk.Send(_flight.Now);
+        _flight.SetGoal(VehicleCommandKind.Disarm, "disarm");
+        _flight.Commands.Send(_flight.Now);
     }
 }

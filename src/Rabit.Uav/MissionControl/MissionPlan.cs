@@ -5,7 +5,28 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>What a mission file says: which area to search, how, for what. Immutable. The form of the file is in docs/mission-file.md.</summary>
+/// <summary>
+/// A mission: the area to search, how, and for what. Immutable. It is read from a mission file, whose form docs/mission-file.md describes, or
+/// made in code.
+/// </summary>
+/// <example>
+/// <code>
+/// MissionPlan mission = MissionPlan.Parse(File.ReadAllText("field.json"), "field.json");
+///
+/// var sameInCode = new MissionPlan
+/// {
+///     Name = "field",
+///     Area =
+///     [
+///         GeodeticPosition.FromDegrees(47.3982, 8.5445, 0), GeodeticPosition.FromDegrees(47.3982, 8.5467, 0),
+///         GeodeticPosition.FromDegrees(47.3993, 8.5467, 0), GeodeticPosition.FromDegrees(47.3993, 8.5445, 0),
+///     ],
+///     HeightMetres = 40,
+///     SpeedMetresPerSecond = 6,
+///     LaneSpacingMetres = 30,
+/// };
+/// </code>
+/// </example>
 public sealed class MissionPlan
 {
     /// <summary>Name of the mission.</summary>
@@ -14,13 +35,13 @@ public sealed class MissionPlan
     /// <summary>Corners of the area to search, in order, the first not repeated; altitudes are not used.</summary>
     public ImmutableArray<GeodeticPosition> Area { get; init; } = [];
 
-    /// <summary>Height of the search above home, metres.</summary>
+    /// <summary>Height of the search above home, metres, 5 to 120.</summary>
     public double HeightMetres { get; init; }
 
-    /// <summary>Ground speed on all ways, metres per second.</summary>
+    /// <summary>Ground speed, metres per second, 0.5 to 20.</summary>
     public double SpeedMetresPerSecond { get; init; }
 
-    /// <summary>From lane to lane at most, metres.</summary>
+    /// <summary>Maximum distance between lanes, metres, 2 to 200; below the width of a picture on the ground.</summary>
     public double LaneSpacingMetres { get; init; }
 
     /// <summary>Direction of the lanes, radians clockwise from true north; null for the one that needs the fewest lanes.</summary>
@@ -29,37 +50,37 @@ public sealed class MissionPlan
     /// <summary>The colours of the targets of interest.</summary>
     public TargetColours Targets { get; init; } = TargetColours.All;
 
-    /// <summary>Where the vehicle is expected to stand; null where that does not matter.</summary>
+    /// <summary>Where the vehicle is expected at the start; null where that is not checked.</summary>
     public MissionHome? Home { get; init; }
 
-    /// <summary>How far the vehicle may leave the smallest convex shape around area and home, metres.</summary>
+    /// <summary>Margin of the geofence around the convex hull of area and home, metres.</summary>
     public double FenceMarginMetres { get; init; } = 40;
 
-    /// <summary>How each new target is looked at again.</summary>
+    /// <summary>How each confirmed target is revisited.</summary>
     public RevisitPlan Revisit { get; init; } = new();
 
-    /// <summary>Camera pitch against the body, radians, up positive; -pi/2 looks straight down.</summary>
+    /// <summary>Camera pitch relative to the body, radians, up positive; -pi/2 points straight down.</summary>
     public double CameraPitchRadians { get; init; } = -Math.PI / 2;
 
-    /// <summary>Camera yaw against the body, radians, right positive.</summary>
+    /// <summary>Camera yaw relative to the body, radians, right positive.</summary>
     public double CameraYawRadians { get; init; }
 
-    /// <summary>Whether the camera hangs in a gimbal that is to be turned there; otherwise it is mounted so.</summary>
+    /// <summary>Whether a gimbal is to be pointed there; otherwise the camera is fixed in that direction.</summary>
     public bool HasGimbal { get; init; }
 
-    /// <summary>What must remain in the battery at the start, 0 to 1.</summary>
-    public double MinBatteryToStart { get; init; } = 0.5;
+    /// <summary>Fraction of the battery that must remain at the start, 0 to 1.</summary>
+    public double MinBatteryFractionAtStart { get; init; } = 0.5;
 
     /// <summary>Reads a mission file and checks it.</summary>
     /// <param name="json">The text of the file.</param>
-    /// <param name="name">What to call it in errors and where it has no name: the name of the file.</param>
-    /// <exception cref="MissionPlanException">It is no mission, or not one that can be flown; the text names all that is wrong with it.</exception>
+    /// <param name="name">Name of the mission in errors, and where the file gives none: the name of the file.</param>
+    /// <exception cref="MissionPlanException">The text is not a mission, or not one that can be flown; the message names all faults.</exception>
     public static MissionPlan Parse(string json, string name)
     {
         if (json is null)
             throw new ArgumentNullException(nameof(json));
         if (string.IsNullOrWhiteSpace(name))
-            throw new ArgumentException("A mission needs a name that errors can call it by.", nameof(name));
+            throw new ArgumentException("A mission needs a name for its error messages.", nameof(name));
         return MissionPlanReader.Read(json, name);
     }
 }

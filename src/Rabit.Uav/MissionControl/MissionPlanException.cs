@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>A mission file that is none, or that cannot be flown. The message names the mission and all that is wrong.</summary>
+/// <summary>A mission file that cannot be read, or a mission that cannot be flown. The message names the mission and all faults.</summary>
 public sealed class MissionPlanException : Exception
 {
     internal MissionPlanException(string name, IEnumerable<string> faults)
@@ -16,6 +16,6 @@ public sealed class MissionPlanException : Exception
         : base($"Mission '{name}': {string.Join("; ", faults)}.")
         => Faults = faults;
 
-    /// <summary>What is wrong, each with the path of the value.</summary>
+    /// <summary>The faults, each with the path of its value.</summary>
     public IReadOnlyList<string> Faults { get; }
 }

@@ -5,12 +5,12 @@ using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
-using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Json;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Reads a mission file by hand, so that every fault can be told with its path and value, and all of them at once.</summary>
+/// <summary>Reads a mission file field by field, so that all faults are reported together, each with its path and value.</summary>
 internal static class MissionPlanReader
 {
     private const int MaxTextLength = 1_000_000;
@@ -22,11 +22,15 @@ internal static class MissionPlanReader
         MaxDepth = 16,
     };
 
-    /// <exception cref="MissionPlanException">It is no mission, or not one that can be flown.</exception>
+    /// <exception cref="MissionPlanException">The text is not a mission, or not one that can be flown.</exception>
     public static MissionPlan Read(string json, string name)
     {
         if (json.Length > MaxTextLength)
-            throw new MissionPlanException(name, [FormattableString.Invariant($"it has {json.Length} characters; a mission has at most {MaxTextLength}")]);
+        {
+            throw new MissionPlanException(
+                name, [FormattableString.Invariant($"it has {json.Length} characters; the limit is {MaxTextLength}")]);
+        }
+
         try
         {
             using JsonDocument document = JsonDocument.Parse(json, Form);
@@ -35,7 +39,7 @@ internal static class MissionPlanReader
         catch (JsonException e)
         {
             throw new MissionPlanException(name, [FormattableString.Invariant(
-                $"it is no JSON: line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}: {e.Message.Split('.')[0]}")]);
+                $"it is not JSON: line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}: {e.Message.Split('.')[0]}")]);
         }
     }
 
@@ -48,7 +52,7 @@ internal static class MissionPlanReader
         MissionPlan plan = ReadPlan(fields, name);
         fields.RefuseOthers();
 
-        // A value that could not be read would be blamed twice.
+        // A value that could not be read would be reported twice.
         if (faults.Count == 0)
             faults.AddRange(MissionPlanRules.FindFaults(plan));
         return faults.Count > 0 ? throw new MissionPlanException(name, faults) : plan;
@@ -58,7 +62,9 @@ internal static class MissionPlanReader
     {
         JsonFields camera = fields.Object("camera");
         JsonFields limits = fields.Object("limits");
-        JsonFields look = fields.Object("secondLook");
+        JsonFields revisit = fields.Object("revisit");
+        fields.Renamed(("secondLook", "revisit"));
+        limits.Renamed(("minBatteryToStart", "minBatteryFractionAtStart"));
         var plan = new MissionPlan
         {
             Name = fields.Text("name") ?? name,
@@ -72,18 +78,18 @@ internal static class MissionPlanReader
             FenceMarginMetres = fields.Number("fenceMarginMetres") ?? 40,
             Revisit = new RevisitPlan
             {
-                IsEnabled = look.Flag("enabled") ?? true,
-                HeightMetres = look.Number("heightMetres"),
-                RadiusMetres = look.Number("radiusMetres") ?? 10,
+                IsEnabled = revisit.Flag("enabled") ?? true,
+                HeightMetres = revisit.Number("heightMetres"),
+                RadiusMetres = revisit.Number("radiusMetres") ?? 10,
             },
             CameraPitchRadians = ToRadians(camera.Number("pitchDegrees") ?? -90)!.Value,
             CameraYawRadians = ToRadians(camera.Number("yawDegrees") ?? 0)!.Value,
             HasGimbal = camera.Flag("gimbal") ?? false,
-            MinBatteryToStart = limits.Number("minBatteryToStart") ?? 0.5,
+            MinBatteryFractionAtStart = limits.Number("minBatteryFractionAtStart") ?? 0.5,
         };
         camera.RefuseOthers();
         limits.RefuseOthers();
-        look.RefuseOthers();
+        revisit.RefuseOthers();
         return plan;
     }
 
@@ -99,15 +105,17 @@ internal static class MissionPlanReader
         int index = 0;
         foreach (JsonElement corner in corners.EnumerateArray())
         {
-            if (ReadCorner(corner) is { } place)
-                area.Add(place);
+            if (ReadCorner(corner) is { } position)
+                area.Add(position);
             else
-                fields.Blame(string.Format(CultureInfo.InvariantCulture, "area[{0}]", index), corner, "must be [latitude, longitude] in degrees");
+                fields.Blame(Item("area", index), corner, "must be [latitude, longitude] in degrees");
             index++;
         }
 
         return area.ToImmutable();
     }
+
+    private static string Item(string list, int index) => string.Format(CultureInfo.InvariantCulture, "{0}[{1}]", list, index);
 
     private static GeodeticPosition? ReadCorner(JsonElement corner)
     {
@@ -131,7 +139,7 @@ internal static class MissionPlanReader
             if (name.ValueKind == JsonValueKind.String && ColourOf(name.GetString()!) is { } colour)
                 targets |= colour;
             else
-                fields.Blame(string.Format(CultureInfo.InvariantCulture, "targets[{0}]", index), name, "must be one of " + string.Join(", ", Colours.Select(NameOf)));
+                fields.Blame(Item("targets", index), name, "must be one of " + string.Join(", ", Colours.Select(NameOf)));
             index++;
         }
 
@@ -161,10 +169,11 @@ internal static class MissionPlanReader
         if (!fields.Has("home"))
             return null;
         JsonFields home = fields.Object("home");
+        home.Renamed(("lat", "latitudeDegrees"), ("lon", "longitudeDegrees"));
         var read = new MissionHome
         {
-            LatitudeRadians = ToRadians(home.Number("lat") ?? home.Missing("lat"))!.Value,
-            LongitudeRadians = ToRadians(home.Number("lon") ?? home.Missing("lon"))!.Value,
+            LatitudeRadians = ToRadians(home.Number("latitudeDegrees") ?? home.Missing("latitudeDegrees"))!.Value,
+            LongitudeRadians = ToRadians(home.Number("longitudeDegrees") ?? home.Missing("longitudeDegrees"))!.Value,
             GroundAltitudeAmslMetres = home.Number("groundAltitudeAmslMetres"),
         };
         home.RefuseOthers();

@@ -6,16 +6,16 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>What a mission must be to be flown. Faults name the values as a mission file does.</summary>
+/// <summary>Validation of a mission: what it must be to be flown. Faults name the values as a mission file does.</summary>
 internal static class MissionPlanRules
 {
-    /// <summary>Area of the largest search, square metres.</summary>
-    public const double MaxArea = 4e6;
+    /// <summary>Maximum area of a search, square metres.</summary>
+    public const double MaxAreaSquareMetres = 4e6;
 
-    private const double MinArea = 100;
+    private const double MinAreaSquareMetres = 100;
     private const int MaxCorners = 50;
 
-    // A lane ends up to half a spacing outside the area, and the vehicle flies a little further and drifts.
+    // A lane ends up to half a spacing outside the area, and the vehicle overshoots and drifts.
     private const double FenceReserveMetres = 10;
 
     public static IEnumerable<string> FindFaults(MissionPlan plan)
@@ -23,39 +23,39 @@ internal static class MissionPlanRules
 
     private static IEnumerable<string> NumberFaults(MissionPlan plan)
     {
-        foreach ((string path, double value, double least, double most) in Ranges(plan))
+        foreach ((string path, double value, double min, double max) in Ranges(plan))
         {
-            if (!(value >= least && value <= most))
-                yield return FormattableString.Invariant($"{path} is {value}; it must be {least} to {most}");
+            if (!(value >= min && value <= max))
+                yield return FormattableString.Invariant($"{path} is {value}; it must be {min} to {max}");
         }
 
         if (plan.Targets == TargetColours.None || (plan.Targets & ~TargetColours.All) != 0)
-            yield return "targets has no colour of a target";
+            yield return "targets names no colour of a target";
         if (string.IsNullOrWhiteSpace(plan.Name) || plan.Name.Length > 80 || plan.Name.Any(char.IsControl))
             yield return "name must be a line of 1 to 80 characters";
     }
 
-    private static IEnumerable<(string Path, double Value, double Least, double Most)> Ranges(MissionPlan plan)
+    private static IEnumerable<(string Path, double Value, double Min, double Max)> Ranges(MissionPlan plan)
     {
         yield return ("heightMetres", plan.HeightMetres, 5, 120);
         yield return ("speedMetresPerSecond", plan.SpeedMetresPerSecond, 0.5, 20);
         yield return ("laneSpacingMetres", plan.LaneSpacingMetres, 2, 200);
         yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeadingRadians ?? 0), -360, 360);
         yield return ("fenceMarginMetres", plan.FenceMarginMetres, 0, 500);
-        yield return ("secondLook.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, 120);
-        yield return ("secondLook.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
+        yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, 120);
+        yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
         yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitchRadians), -90, -20);
         yield return ("camera.yawDegrees", ToDegrees(plan.CameraYawRadians), -180, 180);
-        yield return ("limits.minBatteryToStart", plan.MinBatteryToStart, 0, 1);
+        yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);
     }
 
     private static IEnumerable<string> FenceFaults(MissionPlan plan)
     {
-        double least = (plan.LaneSpacingMetres / 2) + FenceReserveMetres;
-        if (plan.FenceMarginMetres < least)
+        double min = (plan.LaneSpacingMetres / 2) + FenceReserveMetres;
+        if (plan.FenceMarginMetres < min)
         {
             yield return FormattableString.Invariant(
-                $"fenceMarginMetres is {plan.FenceMarginMetres}; lanes end up to half a spacing outside the area, so it must be at least {least}");
+                $"fenceMarginMetres is {plan.FenceMarginMetres}; it must be at least {min}: lanes end up to half a spacing outside the area");
         }
     }
 
@@ -63,8 +63,8 @@ internal static class MissionPlanRules
     {
         if (plan.Home is not { } home)
             yield break;
-        if (!IsPlace(home.LatitudeRadians, home.LongitudeRadians))
-            yield return "home is no place: latitude must be -90 to 90, longitude -180 to 180 degrees";
+        if (!IsPosition(home.LatitudeRadians, home.LongitudeRadians))
+            yield return "home is not a position: latitude must be -90 to 90, longitude -180 to 180 degrees";
         if (home.GroundAltitudeAmslMetres is { } altitude && !(altitude >= -500 && altitude <= 9000))
             yield return FormattableString.Invariant($"home.groundAltitudeAmslMetres is {altitude}; it must be -500 to 9000");
     }
@@ -73,15 +73,17 @@ internal static class MissionPlanRules
     {
         if (plan.Area.IsDefault || plan.Area.Length < 3 || plan.Area.Length > MaxCorners)
         {
-            yield return FormattableString.Invariant($"area has {(plan.Area.IsDefault ? 0 : plan.Area.Length)} corners; it must have 3 to {MaxCorners}");
+            int count = plan.Area.IsDefault ? 0 : plan.Area.Length;
+            yield return FormattableString.Invariant($"area has {count} corners; it must have 3 to {MaxCorners}");
             yield break;
         }
 
         for (int i = 0; i < plan.Area.Length; i++)
         {
-            if (!IsPlace(plan.Area[i].LatitudeRadians, plan.Area[i].LongitudeRadians))
+            if (!IsPosition(plan.Area[i].LatitudeRadians, plan.Area[i].LongitudeRadians))
             {
-                yield return FormattableString.Invariant($"area[{i}] is no place: latitude must be -90 to 90, longitude -180 to 180 degrees");
+                yield return FormattableString.Invariant(
+                    $"area[{i}] is not a position: latitude must be -90 to 90, longitude -180 to 180 degrees");
                 yield break;
             }
         }
@@ -94,7 +96,7 @@ internal static class MissionPlanRules
 
     private static IEnumerable<string> ShapeFaults(PlanePolygon area)
     {
-        // Also keeps the plane honest: so far from its origin it lies a metre above the ellipsoid.
+        // The local plane is an approximation: so far from its origin it lies a metre above the ellipsoid.
         const double MaxCornerDistance = 5000;
         int far = Enumerable.Range(0, area.Corners.Count).FirstOrDefault(i => area.Corners[i].Length > MaxCornerDistance);
         if (far > 0)
@@ -108,18 +110,25 @@ internal static class MissionPlanRules
         {
             if (area.Corners[i].DistanceTo(area.After(i)) >= 0.5)
                 continue;
-            yield return FormattableString.Invariant($"area[{i}] and area[{(i + 1) % area.Corners.Count}] are the same place; the first corner is not repeated");
+            yield return FormattableString.Invariant(
+                $"area[{i}] and area[{(i + 1) % area.Corners.Count}] are the same position; the first corner is not repeated");
             yield break;
         }
 
         if (area.FindCrossing() is { } edges)
-            yield return FormattableString.Invariant($"area crosses itself: the edges after area[{edges.First}] and area[{edges.Second}] meet");
-        else if (!(area.Area >= MinArea && area.Area <= MaxArea))
-            yield return FormattableString.Invariant($"area has {area.Area:0} m2; it must have {MinArea} to {MaxArea}");
+        {
+            yield return FormattableString.Invariant(
+                $"area crosses itself: the edges after area[{edges.First}] and area[{edges.Second}] intersect");
+        }
+        else if (!(area.Area >= MinAreaSquareMetres && area.Area <= MaxAreaSquareMetres))
+        {
+            yield return FormattableString.Invariant(
+                $"area has {area.Area:0} m2; it must have {MinAreaSquareMetres} to {MaxAreaSquareMetres}");
+        }
     }
 
-    private static bool IsPlace(double latitude, double longitude) => Math.Abs(latitude) <= Math.PI / 2 && Math.Abs(longitude) <= Math.PI;
+    private static bool IsPosition(double latitude, double longitude) => Math.Abs(latitude) <= Math.PI / 2 && Math.Abs(longitude) <= Math.PI;
 
-    // What was degrees in a file comes back as it was, and not a rounding above its limit.
+    // Degrees of a file are reported as they were given, and not a rounding above their limit.
     private static double ToDegrees(double radians) => Math.Round(radians * 180 / Math.PI, 9);
 }

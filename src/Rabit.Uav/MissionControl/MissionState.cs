@@ -3,25 +3,25 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>One phase of the mission: what is to be commanded in it, and what ends it.</summary>
+/// <summary>One phase of the mission: its goals, and what ends it.</summary>
 internal abstract class MissionState(MissionPhase phase)
 {
-    /// <summary>After so many refusals or time-outs of one command in the air something else is done.</summary>
+    /// <summary>After so many refusals or time-outs of one kind of command in the air the phase is given up.</summary>
     protected const int MaxFailures = 3;
 
     /// <summary>Which phase it is.</summary>
     public MissionPhase Phase { get; } = phase;
 
     /// <summary>Called when the phase begins.</summary>
-    /// <param name="flight">Everything there is to know.</param>
+    /// <param name="flight">The state of the mission.</param>
     /// <param name="by">What led here.</param>
     public virtual void Enter(MissionFlight flight, MissionEvent by)
     {
     }
 
-    /// <summary>Called several times a second while the vehicle is heard and knows where it is.</summary>
-    /// <param name="flight">Everything there is to know.</param>
-    /// <param name="inPhase">For how long the phase lasts, without the time in which the vehicle was not heard.</param>
+    /// <summary>Called several times a second while an autopilot is connected and has a position.</summary>
+    /// <param name="flight">The state of the mission.</param>
+    /// <param name="inPhase">How long the phase has lasted, without the time in which no autopilot was connected.</param>
     public abstract MissionStep Tick(MissionFlight flight, TimeSpan inPhase);
 
     protected static MissionStep ReturnToLaunch(string reason) => new(MissionEvent.ReturnToLaunch, reason);

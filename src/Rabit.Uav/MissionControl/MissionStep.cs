@@ -1,6 +1,6 @@
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>What a phase has to say after a look at things: an event and why. A plain value.</summary>
+/// <summary>The result of one tick of a phase or of a failsafe: an event and its reason. A plain value.</summary>
 internal readonly struct MissionStep(MissionEvent what, string reason)
 {
     /// <summary>Nothing happened.</summary>
@@ -8,6 +8,6 @@ internal readonly struct MissionStep(MissionEvent what, string reason)
 
     public MissionEvent What { get; } = what;
 
-    /// <summary>Why, for people; never null.</summary>
+    /// <summary>Why, as text; never null.</summary>
     public string Reason { get; } = reason;
 }

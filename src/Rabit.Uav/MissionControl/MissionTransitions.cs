@@ -4,7 +4,7 @@ using static Rabit.Uav.MissionControl.MissionEvent;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>The mission at a glance: in which phase what leads where. What is not here changes nothing.</summary>
+/// <summary>The transition table of the mission: phase and event to next phase. What is not in it changes nothing.</summary>
 internal static class MissionTransitions
 {
     public static MissionPhase After(MissionPhase phase, MissionEvent what) => (phase, what) switch
@@ -18,16 +18,16 @@ internal static class MissionTransitions
         (Arming, Armed) => TakingOff,
         (TakingOff, AtHeight) => InTransit,
         (InTransit, AtArea) => Searching,
-        (Searching, TargetFound) => Looking,
-        (Looking, Looked) => Searching,
+        (Searching, TargetFound) => Revisiting,
+        (Revisiting, Revisited) => Searching,
         (Searching, Searched) => Returning,
         (Returning, Descending) => Landing,
         (Returning or Landing, Landed) => Done,
 
         // Otherwise.
         (TakingOff, Disarmed) => Arming,
-        (TakingOff or InTransit or Searching or Looking, ReturnToLaunch) => Returning,
-        (TakingOff or InTransit or Searching or Looking or Returning, LandNow) => Landing,
+        (TakingOff or InTransit or Searching or Revisiting, ReturnToLaunch) => Returning,
+        (TakingOff or InTransit or Searching or Revisiting or Returning, LandNow) => Landing,
         _ => phase,
     };
 }

@@ -3,80 +3,77 @@ using System;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Flies a leg: to its start, and along it by points that lie ahead of the vehicle on the leg, so that it comes back to the line where
-/// the wind has put it off. A new point is commanded when the last one comes near, not all the time.
+/// Follows a path segment by carrot chasing: flies to its start, then commands a point on it a lookahead distance in front of the vehicle, so
+/// that the cross-track error that wind causes is removed. A new point is commanded when the last one comes near, not in every tick.
 /// </summary>
 internal sealed class PathFollower
 {
-    /// <summary>So near is there.</summary>
+    /// <summary>Acceptance radius: within it a point is reached.</summary>
     public const double ArrivalMetres = 2;
 
-    // Slower than this a vehicle has stopped to turn.
-    private const double SlowMetresPerSecond = 1.5;
+    // Slower than this the vehicle has stopped.
+    private const double StoppedMetresPerSecond = 1.5;
 
-    // How far ahead the point is, at least: in flying time, and further than a vehicle needs to brake.
-    private const double AheadSeconds = 3;
+    // The lookahead is at least this, in flying time and in metres, and longer than the braking distance.
+    private const double LookaheadSeconds = 3;
     private const double MinLookaheadMetres = 15;
     private const double BrakingMetresPerSecondSquared = 1.5;
 
-    // Three times what it should take, and time to turn and to accelerate.
+    // Three times the nominal duration, and time to turn and to accelerate.
     private const double TimeFactor = 3;
     private const double TimeReserveSeconds = 60;
 
-    private LaneSegment _leg;
+    private LaneSegment _segment;
     private double _height;
-    private double _aheadMetres;
+    private double _lookaheadMetres;
     private double _targetMetres;
     private TimeSpan _until;
-    private bool _isOnLeg;
+    private bool _isOnSegment;
 
-    /// <summary>Whether the start of the leg has been reached.</summary>
-    public bool IsOnLeg => _isOnLeg;
-
-    /// <summary>Begins a leg.</summary>
-    public void Begin(MissionFlight flight, LaneSegment leg, double heightMetres)
+    /// <summary>Begins a segment.</summary>
+    public void Begin(MissionFlight flight, LaneSegment segment, double heightMetres)
     {
         double speed = flight.Mission.SpeedMetresPerSecond;
-        _leg = leg;
+        _segment = segment;
         _height = heightMetres;
         double brakingMetres = speed * speed / (2 * BrakingMetresPerSecondSquared);
-        _aheadMetres = Math.Max(Math.Max(MinLookaheadMetres, AheadSeconds * speed), brakingMetres);
+        _lookaheadMetres = Math.Max(Math.Max(MinLookaheadMetres, LookaheadSeconds * speed), brakingMetres);
         _targetMetres = 0;
-        _isOnLeg = false;
-        _until = flight.ActiveTime + TimeLimit(flight, flight.Position.DistanceTo(leg.Start) + leg.Length);
+        _isOnSegment = false;
+        _until = flight.ActiveTime + TimeLimit(flight, flight.Position.DistanceTo(segment.Start) + segment.Length);
     }
 
-    /// <summary>How long a way may take.</summary>
+    /// <summary>Time-out for a path of some length.</summary>
     public static TimeSpan TimeLimit(MissionFlight flight, double metres)
         => TimeSpan.FromSeconds(TimeReserveSeconds + (TimeFactor * metres / flight.Mission.SpeedMetresPerSecond));
 
     /// <summary>Whether the vehicle is at a point and has stopped.</summary>
     public static bool HasArrived(MissionFlight flight, PlanePoint at, double heightMetres)
-        => flight.Position.DistanceTo(at) <= ArrivalMetres && flight.GroundSpeed <= SlowMetresPerSecond
+        => flight.Position.DistanceTo(at) <= ArrivalMetres && flight.GroundSpeed <= StoppedMetresPerSecond
             && Math.Abs(flight.HeightMetres - heightMetres) <= ArrivalMetres;
 
-    /// <summary>Goes on.</summary>
-    /// <param name="flight">Everything there is to know.</param>
-    /// <param name="isLate">Whether it takes far longer than it should.</param>
-    /// <returns>Whether the leg is flown.</returns>
+    /// <summary>Updates the goal.</summary>
+    /// <param name="flight">The state of the mission.</param>
+    /// <param name="isLate">Whether the time-out has passed.</param>
+    /// <returns>Whether the segment is flown.</returns>
     public bool Tick(MissionFlight flight, out bool isLate)
     {
         isLate = flight.ActiveTime > _until;
-        if (!_isOnLeg)
+        if (!_isOnSegment)
         {
-            flight.WantGoTo(_leg.Start, _height, _leg.HeadingRadians);
-            _isOnLeg = HasArrived(flight, _leg.Start, _height);
-            if (!_isOnLeg)
+            flight.SetGoalPosition(_segment.Start, _height, _segment.HeadingRadians);
+            _isOnSegment = HasArrived(flight, _segment.Start, _height);
+            if (!_isOnSegment)
                 return false;
         }
 
-        PlanePoint along = (1 / _leg.Length) * (_leg.End - _leg.Start);
-        double flown = (flight.Position - _leg.Start).Dot(along);
-        if (flown >= _leg.Length - ArrivalMetres)
+        PlanePoint along = (1 / _segment.Length) * (_segment.End - _segment.Start);
+        double flown = (flight.Position - _segment.Start).Dot(along);
+        if (flown >= _segment.Length - ArrivalMetres)
             return true;
-        while (_targetMetres < _leg.Length && _targetMetres < flown + _aheadMetres)
-            _targetMetres = Math.Min(_leg.Length, _targetMetres + (_aheadMetres / 2));
-        flight.WantGoTo(_leg.Start + (_targetMetres * along), _height, _leg.HeadingRadians);
+        while (_targetMetres < _segment.Length && _targetMetres < flown + _lookaheadMetres)
+            _targetMetres = Math.Min(_segment.Length, _targetMetres + (_lookaheadMetres / 2));
+        flight.SetGoalPosition(_segment.Start + (_targetMetres * along), _height, _segment.HeadingRadians);
         return false;
     }
 }

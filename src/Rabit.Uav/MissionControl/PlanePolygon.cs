@@ -18,7 +18,7 @@ internal sealed class PlanePolygon
     {
         get
         {
-            // Against the first corner: far from the origin the differences of large products would be all that is left.
+            // Relative to the first corner: far from the origin large products would cancel.
             double twice = 0;
             for (int i = 1; i + 1 < Corners.Count; i++)
                 twice += (Corners[i] - Corners[0]).Cross(Corners[i + 1] - Corners[0]);
@@ -29,7 +29,7 @@ internal sealed class PlanePolygon
     /// <summary>The corner after another one.</summary>
     public PlanePoint After(int corner) => Corners[(corner + 1) % Corners.Count];
 
-    /// <summary>Whether a point is inside; on the border either answer may come.</summary>
+    /// <summary>Whether a point is inside (even-odd rule); on the border either result may come.</summary>
     public bool Contains(PlanePoint p)
     {
         bool isInside = false;
@@ -50,10 +50,10 @@ internal sealed class PlanePolygon
     /// <summary>Distance to the nearest edge, metres, positive inside.</summary>
     public double SignedDistance(PlanePoint p)
     {
-        double least = double.PositiveInfinity;
+        double min = double.PositiveInfinity;
         for (int i = 0; i < Corners.Count; i++)
-            least = Math.Min(least, DistanceToSegment(p, Corners[i], After(i)));
-        return Contains(p) ? least : -least;
+            min = Math.Min(min, DistanceToSegment(p, Corners[i], After(i)));
+        return Contains(p) ? min : -min;
     }
 
     /// <summary>Two edges that cross or touch without being neighbours, or that fold back; null when there are none.</summary>
@@ -67,7 +67,7 @@ internal sealed class PlanePolygon
                 bool areNeighbours = j == i + 1 || (i == 0 && j == count - 1);
                 bool isFault = areNeighbours
                     ? count > 2 && FoldsBack(j == i + 1 ? i : j)
-                    : Meet(Corners[i], After(i), Corners[j], After(j));
+                    : Intersect(Corners[i], After(i), Corners[j], After(j));
                 if (isFault)
                     return (i, j);
             }
@@ -87,7 +87,7 @@ internal sealed class PlanePolygon
         return new PlanePolygon(hull);
     }
 
-    /// <summary>A convex polygon around all points within a distance of this convex one; at its corners up to 2 % more than needed.</summary>
+    /// <summary>This convex polygon, offset outwards by a distance (buffer); up to 2 % more than needed at its corners.</summary>
     public PlanePolygon Grown(double metres)
     {
         const int Directions = 16;
@@ -126,7 +126,7 @@ internal sealed class PlanePolygon
         return Math.Abs(first.Cross(second)) <= 1e-9 * first.Length * second.Length && first.Dot(second) <= 0;
     }
 
-    private static bool Meet(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)
+    private static bool Intersect(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)
     {
         double ab1 = (b - a).Cross(c - a);
         double ab2 = (b - a).Cross(d - a);

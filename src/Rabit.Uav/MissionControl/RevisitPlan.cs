@@ -1,14 +1,14 @@
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>How a new target is looked at again. Immutable.</summary>
+/// <summary>How each confirmed target is revisited, that is, observed once more from overhead. Immutable.</summary>
 public sealed class RevisitPlan
 {
-    /// <summary>Whether it is at all.</summary>
+    /// <summary>Whether targets are revisited.</summary>
     public bool IsEnabled { get; init; } = true;
 
-    /// <summary>Height above home, metres; null for that of the search.</summary>
+    /// <summary>Height of the revisit above home, metres; null for that of the search.</summary>
     public double? HeightMetres { get; init; }
 
-    /// <summary>From how far away it is flown over, across the lanes, metres; 0 for straight there.</summary>
+    /// <summary>Distance from the target at which the pass over it begins, across the lanes, metres; 0 to fly straight to it.</summary>
     public double RadiusMetres { get; init; } = 10;
 }

@@ -6,62 +6,64 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Which targets have been looked at again, and which are to be. Each once.</summary>
+/// <summary>Which confirmed targets were revisited, and which are still to be. Each once.</summary>
 internal sealed class Revisits
 {
-    // Over a target the vehicle holds to within a few metres.
+    // The vehicle holds its position over a target to within a few metres.
     private const double FenceReserveMetres = 5;
 
     private readonly HashSet<int> _known = [];
     private readonly HashSet<int> _finished = [];
 
-    /// <summary>How many targets were looked at again.</summary>
-    public int Done { get; private set; }
+    /// <summary>How many targets were revisited.</summary>
+    public int Completed { get; private set; }
 
-    /// <summary>Tells of targets that are newly believed.</summary>
-    public void Note(MissionFlight flight)
+    /// <summary>Logs the targets that are newly confirmed.</summary>
+    public void LogConfirmed(MissionFlight flight)
     {
         foreach (TargetTrack track in flight.Tracks.Tracks)
         {
             if (track.State == TrackState.Confirmed && _known.Add(track.Id))
             {
-                flight.Log($"track {MissionText.Of(track.Id)} confirmed: {Name(track)} at {MissionText.Of(PlaceOf(track, flight))}, "
-                    + $"95 % within {MissionText.Of(track.Covariance.HalfMajorAxis95Metres)} m");
+                flight.Log($"track {MissionNumbers.Of(track.Id)} confirmed: {Name(track)} at "
+                    + $"{MissionNumbers.Of(PositionOf(track, flight))}, "
+                    + $"95 % within {MissionNumbers.Of(track.Covariance.HalfMajorAxis95Metres)} m");
             }
         }
     }
 
-    /// <summary>The nearest target that is to be looked at; null when there is none.</summary>
+    /// <summary>The nearest target that is to be revisited; null when there is none.</summary>
     public TargetTrack? Next(MissionFlight flight)
     {
         if (!flight.Mission.Revisit.IsEnabled)
             return null;
         PlanePoint here = flight.Position;
         while (flight.Tracks.Tracks
-            .Where(t => t.State == TrackState.Confirmed && (t.Colour & flight.Mission.Targets) != 0 && !_finished.Contains(t.Id))
-            .OrderBy(t => PlaceOf(t, flight).DistanceTo(here)).ThenBy(t => t.Id).FirstOrDefault() is { } track)
+            .Where(t => t.State == TrackState.Confirmed && !_finished.Contains(t.Id))
+            .Where(t => (t.Colour & flight.Mission.Targets) != 0)
+            .OrderBy(t => PositionOf(t, flight).DistanceTo(here)).ThenBy(t => t.Id).FirstOrDefault() is { } track)
         {
-            if (flight.Plan!.Fence.SignedDistance(PlaceOf(track, flight)) >= FenceReserveMetres)
+            if (flight.Plan!.Fence.SignedDistance(PositionOf(track, flight)) >= FenceReserveMetres)
                 return track;
             _finished.Add(track.Id);
-            flight.Log($"track {MissionText.Of(track.Id)} stands at the fence or outside: no second look");
+            flight.Log($"track {MissionNumbers.Of(track.Id)} is at the fence or outside: no revisit");
         }
 
         return null;
     }
 
-    /// <summary>A target has had its turn.</summary>
+    /// <summary>Ends the revisit of a target.</summary>
     /// <param name="id">Its track.</param>
-    /// <param name="wasSeen">Whether it was looked at.</param>
-    public void Finish(int id, bool wasSeen)
+    /// <param name="wasObserved">Whether the target was observed.</param>
+    public void Finish(int id, bool wasObserved)
     {
-        if (_finished.Add(id) && wasSeen)
-            Done++;
+        if (_finished.Add(id) && wasObserved)
+            Completed++;
     }
 
     public static TargetTrack? Find(MissionFlight flight, int id) => flight.Tracks.Tracks.FirstOrDefault(t => t.Id == id);
 
-    public static PlanePoint PlaceOf(TargetTrack track, MissionFlight flight)
+    public static PlanePoint PositionOf(TargetTrack track, MissionFlight flight)
     {
         NedVector ned = flight.Plan!.Frame.ToNed(track.Position);
         return new PlanePoint(ned.North, ned.East);

@@ -5,7 +5,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>The legs of the search that are still to be flown, and the ground that has been seen.</summary>
+/// <summary>The legs of the search, flown and remaining, and the coverage of the area.</summary>
 internal sealed class SearchRoute
 {
     private readonly FlightPlan _plan;
@@ -22,7 +22,7 @@ internal sealed class SearchRoute
 
     public CoverageGrid Coverage { get; }
 
-    /// <summary>How many legs there are, flown ones too.</summary>
+    /// <summary>How many legs there are, with those that are flown.</summary>
     public int Count => _legs.Count;
 
     /// <summary>How many have been flown.</summary>
@@ -31,7 +31,7 @@ internal sealed class SearchRoute
     /// <summary>How often legs over what was missed were added.</summary>
     public int GapPasses { get; private set; }
 
-    /// <summary>Looks whose corners were not those of a picture of the ground here.</summary>
+    /// <summary>Observations whose corners are not those of a picture of the ground here.</summary>
     public long ObservationsRefused { get; private set; }
 
     /// <summary>The leg to fly now; null when all have been.</summary>
@@ -50,19 +50,19 @@ internal sealed class SearchRoute
     }
 
     /// <summary>Marks the ground that a picture showed.</summary>
-    public void Mark(in CameraObservation look)
+    public void Mark(in CameraObservation observation)
     {
-        PlanePoint a = ToPlane(look.TopLeft);
-        PlanePoint b = ToPlane(look.TopRight);
-        PlanePoint c = ToPlane(look.BottomRight);
-        PlanePoint d = ToPlane(look.BottomLeft);
+        PlanePoint a = ToPlane(observation.TopLeft);
+        PlanePoint b = ToPlane(observation.TopRight);
+        PlanePoint c = ToPlane(observation.BottomRight);
+        PlanePoint d = ToPlane(observation.BottomLeft);
         if (IsPicture(a, b, c, d))
             Coverage.Mark(a, b, c, d);
         else
             ObservationsRefused++;
     }
 
-    // Convex and of a size that a camera has from where one may fly; comparisons with NaN are false.
+    // Convex, and of a size that is possible from the heights of a mission; comparisons with NaN are false.
     private static bool IsPicture(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)
     {
         const double MaxSideMetres = 2000;
@@ -72,9 +72,9 @@ internal sealed class SearchRoute
             && (d - c).Length < MaxSideMetres && (a - d).Length < MaxSideMetres;
     }
 
-    private PlanePoint ToPlane(GeodeticPosition place)
+    private PlanePoint ToPlane(GeodeticPosition position)
     {
-        NedVector ned = _plan.Frame.ToNed(place);
+        NedVector ned = _plan.Frame.ToNed(position);
         return new PlanePoint(ned.North, ned.East);
     }
 }

@@ -26,7 +26,7 @@ internal sealed class SearchFlight : IDisposable
           "area": [[47.39730, 8.54470], [47.39780, 8.54470], [47.39780, 8.54560], [47.39730, 8.54560]],
           "heightMetres": 30, "speedMetresPerSecond": 5, "laneSpacingMetres": 22,
           "targets": ["red", "orange", "blue", "yellow", "magenta"],
-          "home": { "lat": 47.397100, "lon": 8.544500, "groundAltitudeAmslMetres": 488 }
+          "home": { "latitudeDegrees": 47.397100, "longitudeDegrees": 8.544500, "groundAltitudeAmslMetres": 488 }
         }
         """;
 

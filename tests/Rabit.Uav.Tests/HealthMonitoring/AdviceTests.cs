@@ -9,7 +9,7 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;
 
-/// <summary>What Health Monitoring asks of Mission Control, and tells the ground.</summary>
+/// <summary>What Health Monitoring advises Mission Control, and reports to the ground station.</summary>
 public class AdviceTests
 {
     [Theory]
@@ -17,7 +17,7 @@ public class AdviceTests
     [InlineData(0.25, HealthAdvice.ReturnToLaunch)]
     [InlineData(0.11, HealthAdvice.ReturnToLaunch)]
     [InlineData(0.10, HealthAdvice.Land)]
-    public void Battery_InFlight_IsGoHomeThenLand(double remaining, HealthAdvice expected)
+    public void Battery_InFlight_IsReturnToLaunchThenLand(double remaining, HealthAdvice expected)
     {
         using var rig = new HealthRig();
         rig.PostMission(MissionPhase.Searching);
@@ -36,7 +36,7 @@ public class AdviceTests
     [InlineData(MissionPhase.TakingOff, true)]
     [InlineData(MissionPhase.InTransit, true)]
     [InlineData(MissionPhase.Searching, true)]
-    [InlineData(MissionPhase.Looking, true)]
+    [InlineData(MissionPhase.Revisiting, true)]
     [InlineData(MissionPhase.Returning, true)]
     [InlineData(MissionPhase.Landing, true)]
     [InlineData(MissionPhase.Done, false)]
@@ -67,7 +67,7 @@ public class AdviceTests
     }
 
     [Fact]
-    public void AutopilotLost_IsGoHomeOnlyWhenItIsBack()
+    public void AutopilotLost_IsReturnToLaunchOnlyOnceItIsBack()
     {
         using var rig = new HealthRig();
         rig.PostMission(MissionPhase.Searching);
@@ -94,10 +94,10 @@ public class AdviceTests
     }
 
     [Fact]
-    public void Manager_ThrewOrIsStuck_IsGoHome()
+    public void Manager_FaultedOrIsStuck_IsReturnToLaunch()
     {
         var findings = new List<HealthFinding>();
-        HealthRules.Judge(
+        HealthRules.Evaluate(
             new ManagerFacts("autopilot", Rabit.Core.ManagerState.Running, TimeSpan.FromSeconds(0.2), 1, true, TimeSpan.FromSeconds(9)),
             new HealthOptions(),
             findings);
@@ -106,7 +106,7 @@ public class AdviceTests
     }
 
     [Fact]
-    public void Camera_SilentWhileItShouldSearch_IsGoHomeAfterThreeSeconds()
+    public void Camera_SilentWhileItShouldSearch_IsReturnToLaunchAfterThreeSeconds()
     {
         using var rig = new HealthRig();
         rig.PostMission(MissionPhase.Searching);
@@ -120,7 +120,7 @@ public class AdviceTests
         Assert.Equal(HealthReasons.None, rig.Report.Reasons);
         rig.Fly(2);
         Assert.Equal((HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.ReturnToLaunch), (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
-        Assert.Equal("the camera gives no pictures (last at 12.0 s)", rig.Report.AdviceText);
+        Assert.Equal("the camera delivers no pictures (last at 12.0 s)", rig.Report.AdviceText);
     }
 
     [Theory]
@@ -136,7 +136,7 @@ public class AdviceTests
     }
 
     [Fact]
-    public void Wind_TooStrongForFiveSeconds_IsGoHome()
+    public void Wind_TooStrongForFiveSeconds_IsReturnToLaunch()
     {
         using var rig = new HealthRig();
         rig.PostMission(MissionPhase.Searching);
@@ -163,7 +163,7 @@ public class AdviceTests
     }
 
     [Fact]
-    public void Texts_LevelChanges_AreToldOnceAndNotTooOften()
+    public void Texts_LevelChanges_AreSentOnceAndNotTooOften()
     {
         using var rig = new HealthRig();
         rig.PostAddress();
@@ -185,11 +185,11 @@ public class AdviceTests
         Assert.Equal(MavSeverity.Critical, Texts(rig)[1].Severity);
         rig.Fly(10);
         Statustext last = Texts(rig)[Texts(rig).Count - 1];
-        Assert.Equal((MavSeverity.Info, "Rabit: all well"), (last.Severity, last.Text.ToString()));
+        Assert.Equal((MavSeverity.Info, "Rabit: all OK"), (last.Severity, last.Text.ToString()));
     }
 
     [Fact]
-    public void Texts_Advice_IsTold()
+    public void Texts_Advice_IsSent()
     {
         using var rig = new HealthRig();
         rig.PostAddress();
@@ -197,7 +197,7 @@ public class AdviceTests
         rig.Fly(1);
         rig.PostVehicle(remaining: 0.2);
         rig.Run(0.3);
-        Assert.Equal("Rabit: go home! battery low (20 %)", Texts(rig).Single().Text.ToString());
+        Assert.Equal("Rabit: return to launch! battery low (20 %)", Texts(rig).Single().Text.ToString());
     }
 
     [Theory]
@@ -206,18 +206,18 @@ public class AdviceTests
     [InlineData(92, 2)]
     [InlineData(93, 3)]
     [InlineData(1000, 4)]
-    public void Texts_LongOnes_AreCutIntoPiecesThatEndWithAShorterOne(int length, int pieces)
+    public void Texts_LongOnes_AreCutIntoChunksThatEndWithAShorterOne(int length, int chunks)
     {
-        var texts = new GroundTexts(TimeSpan.FromSeconds(5));
+        var texts = new StatusTextSender(TimeSpan.FromSeconds(5));
         var report = new HealthReport { Level = HealthLevel.Warning, Text = new string('\u20ac', length) };
-        IReadOnlyList<Statustext> cut = texts.Take(report, TimeSpan.Zero);
-        Assert.Equal(pieces, cut.Count);
-        Assert.Equal(Enumerable.Range(0, pieces), cut.Select(p => (int)p.ChunkSeq));
-        Assert.Equal(pieces == 1, cut[0].Id == 0);
+        IReadOnlyList<Statustext> cut = texts.NextChunks(report, TimeSpan.Zero);
+        Assert.Equal(chunks, cut.Count);
+        Assert.Equal(Enumerable.Range(0, chunks), cut.Select(p => (int)p.ChunkSeq));
+        Assert.Equal(chunks == 1, cut[0].Id == 0);
         string whole = string.Concat(cut.Select(p => p.Text.ToString()));
         Assert.Equal("Rabit: " + new string('?', Math.Min(length, 192)), whole);
-        if (pieces > 1)
-            Assert.True(cut[pieces - 1].Text.ToString().Length < 50);
+        if (chunks > 1)
+            Assert.True(cut[chunks - 1].Text.ToString().Length < 50);
     }
 
     private static IReadOnlyList<Statustext> Texts(HealthRig rig) => rig.Sink.MessagesOf<Statustext>();

@@ -22,14 +22,14 @@ public class HealthManagerTests
     }
 
     [Fact]
-    public void Report_NothingHeard_WarnsOfAutopilotAndLink()
+    public void Report_NothingReceived_WarnsOfAutopilotAndLink()
     {
         using var rig = new HealthRig();
         rig.Run(1);
         Assert.Equal((HealthLevel.Warning, HealthReasons.NoAutopilot), (rig.Report.Level, rig.Report.Reasons));
         rig.Run(5);
         Assert.Equal(HealthReasons.NoAutopilot | HealthReasons.LinkSilent, rig.Report.Reasons);
-        Assert.Equal("no autopilot heard yet; link 0: nothing came in yet", rig.Report.Text);
+        Assert.Equal("no autopilot detected yet; link 0: nothing received yet", rig.Report.Text);
     }
 
     [Fact]
@@ -45,7 +45,7 @@ public class HealthManagerTests
     }
 
     [Fact]
-    public void Report_AutopilotInterfaceFallsSilent_IsNotBelievedForEver()
+    public void Report_AutopilotInterfaceFallsSilent_StateExpires()
     {
         using var rig = new HealthRig();
         rig.Fly(3);
@@ -65,7 +65,7 @@ public class HealthManagerTests
     }
 
     [Fact]
-    public void Report_FramesToALinkWithNobodyOnIt_AreNoLoss()
+    public void Report_FramesToALinkWithoutPeer_AreNoLoss()
     {
         using var rig = new HealthRig();
         rig.Fly(2);
@@ -83,7 +83,7 @@ public class HealthManagerTests
     }
 
     [Fact]
-    public void Report_FramesDropped_IsToldOfForAWhile()
+    public void Report_FramesDropped_IsReportedForAWhile()
     {
         using var rig = new HealthRig();
         rig.Fly(2);
@@ -101,7 +101,7 @@ public class HealthManagerTests
     }
 
     [Fact]
-    public void Report_SeveralReasons_HasTheWorstLevel()
+    public void Report_SeveralReasons_HasTheMostSevereLevel()
     {
         using var rig = new HealthRig();
         rig.PostLink(LinkState.Silent);
@@ -110,7 +110,7 @@ public class HealthManagerTests
 
         Assert.Equal(HealthLevel.Critical, rig.Report.Level);
         Assert.Equal(HealthReasons.LinkSilent | HealthReasons.BatteryLow | HealthReasons.AutopilotCritical, rig.Report.Reasons);
-        Assert.Equal("autopilot says Emergency; battery low (20 %); link udpin:0.0.0.0:14550 is silent", rig.Report.Text);
+        Assert.Equal("autopilot reports Emergency; battery low (20 %); link udpin:0.0.0.0:14550 is silent", rig.Report.Text);
     }
 
     [Fact]
@@ -153,19 +153,19 @@ public class HealthManagerTests
     {
         var options = new HealthOptions
         {
-            BatteryLow = 1.5,
-            BatteryCritical = double.NaN,
+            BatteryLowFraction = 1.5,
+            BatteryCriticalFraction = double.NaN,
             AutopilotTimeout = TimeSpan.Zero,
             StuckAfter = TimeSpan.Zero,
-            RememberedFor = TimeSpan.Zero,
-            FirstFrameWithin = TimeSpan.Zero,
-            WindHigh = 0,
+            RecentWindow = TimeSpan.Zero,
+            FirstFrameTimeout = TimeSpan.Zero,
+            WindHighMetresPerSecond = 0,
             WindHighAfter = TimeSpan.FromSeconds(-1),
             CameraSilentAfter = TimeSpan.Zero,
             StatusTextPeriod = TimeSpan.Zero,
         };
         string text = Assert.Throws<ArgumentException>(() => new HealthManager(options, [], 0)).Message;
-        foreach (string name in new[] { "BatteryLow", "BatteryCritical", "AutopilotTimeout", "StuckAfter", "RememberedFor", "FirstFrameWithin", "WindHigh", "WindHighAfter", "CameraSilentAfter", "StatusTextPeriod" })
+        foreach (string name in new[] { "BatteryLowFraction", "BatteryCriticalFraction", "AutopilotTimeout", "StuckAfter", "RecentWindow", "FirstFrameTimeout", "WindHighMetresPerSecond", "WindHighAfter", "CameraSilentAfter", "StatusTextPeriod" })
             Assert.Contains(name, text, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => new HealthManager(new HealthOptions(), ["a", "a"], 0));
         Assert.Throws<ArgumentOutOfRangeException>(() => new HealthManager(new HealthOptions(), [], -1));

@@ -8,7 +8,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;
 
-/// <summary>Health Monitoring in virtual time beside managers of the test's, with the test in the place of all who post what it fetches.</summary>
+/// <summary>Health Monitoring in virtual time beside managers of the test's, with the test in the place of everything that posts what it fetches.</summary>
 internal sealed class HealthRig : IDisposable
 {
     private readonly MessagePublisher<VehicleState> _vehicle;
@@ -111,7 +111,7 @@ internal sealed class HealthRig : IDisposable
         _link.Post();
     }
 
-    /// <summary>Lets all go on, with a healthy vehicle that tells of itself once a second.</summary>
+    /// <summary>Runs, with a healthy vehicle that reports once a second.</summary>
     public void Fly(int seconds)
     {
         for (int i = 0; i < seconds; i++)

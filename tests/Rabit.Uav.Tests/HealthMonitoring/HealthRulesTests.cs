@@ -27,11 +27,11 @@ public class HealthRulesTests
     [InlineData(ManagerState.Hanging, false, 10, false, HealthReasons.ManagerHangs)]
     [InlineData(ManagerState.Created, false, 0, false, HealthReasons.None)]
     [InlineData(ManagerState.Stopped, false, 10, false, HealthReasons.None)]
-    public void Manager_IsJudgedByStateFaultsAndSilence(ManagerState state, bool faultedLately, double quietSeconds, bool isAlive, HealthReasons expected)
+    public void Manager_IsEvaluatedByStateFaultsAndSilence(ManagerState state, bool faultedLately, double quietSeconds, bool isAlive, HealthReasons expected)
     {
         var facts = new ManagerFacts("m", state, TimeSpan.FromSeconds(0.1), 3, faultedLately, TimeSpan.FromSeconds(quietSeconds));
         var findings = new List<HealthFinding>();
-        HealthRules.Judge(facts, Options, findings);
+        HealthRules.Evaluate(facts, Options, findings);
 
         Assert.Equal(expected, ReasonsOf(findings));
         Assert.Equal(isAlive, HealthRules.IsAlive(facts, Options));
@@ -46,11 +46,11 @@ public class HealthRulesTests
     [InlineData(0.10, HealthReasons.BatteryCritical, HealthLevel.Critical)]
     [InlineData(0.00, HealthReasons.BatteryCritical, HealthLevel.Critical)]
     [InlineData(double.NaN, HealthReasons.None, HealthLevel.Unknown)]
-    public void Battery_IsJudgedByWhatRemains(double remaining, HealthReasons expected, HealthLevel level)
+    public void Battery_IsEvaluatedByWhatRemains(double remaining, HealthReasons expected, HealthLevel level)
         => AssertVehicle(Connected() with { BatteryTime = TimeSpan.Zero, BatteryRemaining = remaining }, expected, level);
 
     [Fact]
-    public void Battery_NeverMeasured_IsNotJudged()
+    public void Battery_NeverMeasured_IsNotEvaluated()
         => AssertVehicle(Connected() with { BatteryRemaining = 0 }, HealthReasons.None, HealthLevel.Unknown);
 
     [Theory]
@@ -59,7 +59,7 @@ public class HealthRulesTests
     [InlineData(MavState.Critical, HealthReasons.AutopilotCritical, HealthLevel.Critical)]
     [InlineData(MavState.Emergency, HealthReasons.AutopilotCritical, HealthLevel.Critical)]
     [InlineData(MavState.FlightTermination, HealthReasons.AutopilotCritical, HealthLevel.Critical)]
-    public void Autopilot_IsBelievedWhenItSaysThatItsStateIsCritical(MavState state, HealthReasons expected, HealthLevel level)
+    public void Autopilot_ReportsACriticalState_IsCritical(MavState state, HealthReasons expected, HealthLevel level)
         => AssertVehicle(Connected() with { SystemStatus = state }, expected, level);
 
     [Theory]
@@ -69,7 +69,7 @@ public class HealthRulesTests
     [InlineData(1, true, 5.1, false, HealthReasons.AutopilotLost, HealthLevel.Critical)]    // nobody told us, but we can count
     [InlineData(1, false, 1, false, HealthReasons.AutopilotLost, HealthLevel.Critical)]
     [InlineData(1, false, 60, true, HealthReasons.None, HealthLevel.Unknown)]               // the log is at its end
-    public void Autopilot_IsJudgedByItsHeartbeat(
+    public void Autopilot_IsEvaluatedByItsHeartbeat(
         byte system, bool isConnected, double ageSeconds, bool isReplayOver, HealthReasons expected, HealthLevel level)
     {
         VehicleState state = new() { SystemId = system, IsConnected = isConnected, BatteryRemaining = double.NaN };
@@ -85,23 +85,23 @@ public class HealthRulesTests
     [InlineData(LinkState.Failed, true, 1, HealthReasons.LinkDown, HealthLevel.Critical)]
     [InlineData(LinkState.Ended, false, 1, HealthReasons.LinkDown, HealthLevel.Critical)]
     [InlineData(LinkState.Ended, true, 1, HealthReasons.None, HealthLevel.Unknown)]
-    public void Link_IsJudgedByItsState(LinkState state, bool isRecorded, double watchedSeconds, HealthReasons expected, HealthLevel level)
+    public void Link_IsEvaluatedByItsState(LinkState state, bool isRecorded, double watchedSeconds, HealthReasons expected, HealthLevel level)
     {
         var status = new LinkStatus { State = state, Url = "udp", Progress = isRecorded ? 1 : double.NaN };
-        AssertLink(new LinkFacts("udp", status, framesDropped: 0, hasDroppedLately: false, TimeSpan.FromSeconds(watchedSeconds)), expected, level);
+        AssertLink(new LinkFacts("udp", status, framesDropped: 0, hasDroppedRecently: false, TimeSpan.FromSeconds(watchedSeconds)), expected, level);
     }
 
     [Theory]
     [InlineData(true, HealthReasons.FramesDropped, HealthLevel.Warning)]
     [InlineData(false, HealthReasons.None, HealthLevel.Unknown)]
-    public void Link_IsJudgedByFramesThatWereDroppedLately(bool droppedLately, HealthReasons expected, HealthLevel level)
+    public void Link_IsEvaluatedByFramesThatWereDroppedLately(bool droppedLately, HealthReasons expected, HealthLevel level)
     {
         var status = new LinkStatus { State = LinkState.Receiving, FramesDroppedIn = 3, FramesDroppedOut = 4, Progress = double.NaN };
         AssertLink(new LinkFacts("udp", status, framesDropped: 7, droppedLately, TimeSpan.Zero), expected, level);
     }
 
     [Fact]
-    public void Text_AllReasons_NamesAndFiguresWorstFirst()
+    public void Text_AllReasons_NamesAndFiguresMostSevereFirst()
     {
         var findings = new List<HealthFinding>
         {
@@ -113,7 +113,7 @@ public class HealthRulesTests
         };
 
         Assert.Equal(
-            "autopilot lost (last heartbeat at 12.3 s); manager autopilot is stuck (it should work every 0.2 s); battery low (22 %); "
+            "autopilot lost (last heartbeat at 12.3 s); manager autopilot is stuck (it should run every 0.2 s); battery low (22 %); "
             + "link udpin:0.0.0.0:14550 is silent; link 1 dropped frames (12 so far)",
             HealthText.Of(findings));
     }
@@ -134,15 +134,15 @@ public class HealthRulesTests
     }
 
     [Fact]
-    public void RecentRise_CountThatRises_IsToldOfForAWhile()
+    public void WindowedIncrease_CountThatRises_IsReportedForAWhile()
     {
         var rise = new WindowedIncrease();
         TimeSpan within = TimeSpan.FromSeconds(5);
-        Assert.False(rise.Take(0, TimeSpan.FromSeconds(0), within));
-        Assert.True(rise.Take(1, TimeSpan.FromSeconds(1), within));
-        Assert.True(rise.Take(1, TimeSpan.FromSeconds(5.9), within));
-        Assert.False(rise.Take(1, TimeSpan.FromSeconds(6), within));
-        Assert.True(rise.Take(2, TimeSpan.FromSeconds(7), within));
+        Assert.False(rise.Update(0, TimeSpan.FromSeconds(0), within));
+        Assert.True(rise.Update(1, TimeSpan.FromSeconds(1), within));
+        Assert.True(rise.Update(1, TimeSpan.FromSeconds(5.9), within));
+        Assert.False(rise.Update(1, TimeSpan.FromSeconds(6), within));
+        Assert.True(rise.Update(2, TimeSpan.FromSeconds(7), within));
     }
 
     private static VehicleState Connected() => new() { SystemId = 1, IsConnected = true, SystemStatus = MavState.Active };
@@ -150,14 +150,14 @@ public class HealthRulesTests
     private static void AssertVehicle(VehicleState state, HealthReasons expected, HealthLevel level, double ageSeconds = 1, bool isReplayOver = false)
     {
         var findings = new List<HealthFinding>();
-        HealthRules.Judge(new VehicleFacts(state, TimeSpan.FromSeconds(ageSeconds), isReplayOver), Options, findings);
+        HealthRules.Evaluate(new VehicleFacts(state, TimeSpan.FromSeconds(ageSeconds), isReplayOver), Options, findings);
         AssertFindings(findings, expected, level, null);
     }
 
     private static void AssertLink(LinkFacts facts, HealthReasons expected, HealthLevel level)
     {
         var findings = new List<HealthFinding>();
-        HealthRules.Judge(facts, Options, findings);
+        HealthRules.Evaluate(facts, Options, findings);
         AssertFindings(findings, expected, level, "udp");
     }
 

@@ -12,11 +12,11 @@ namespace Rabit.Uav.Tests.MissionControl;
 public class MissionFaultTests(ITestOutputHelper output)
 {
     public static readonly TheoryData<MissionPhase> PhasesInTheAir
-        = [MissionPhase.TakingOff, MissionPhase.InTransit, MissionPhase.Searching, MissionPhase.Looking];
+        = [MissionPhase.TakingOff, MissionPhase.InTransit, MissionPhase.Searching, MissionPhase.Revisiting];
 
     public static readonly TheoryData<MissionPhase> AllPhases
         = [MissionPhase.WaitingForVehicle, MissionPhase.Arming, MissionPhase.TakingOff, MissionPhase.InTransit, MissionPhase.Searching,
-            MissionPhase.Looking, MissionPhase.Returning, MissionPhase.Landing];
+            MissionPhase.Revisiting, MissionPhase.Returning, MissionPhase.Landing];
 
     [Theory]
     [MemberData(nameof(AllPhases))]
@@ -35,7 +35,7 @@ public class MissionFaultTests(ITestOutputHelper output)
 
     [Theory]
     [MemberData(nameof(PhasesInTheAir))]
-    public void Abort_InTheAir_ComesHome(MissionPhase phase)
+    public void Abort_InTheAir_ReturnsToLaunch(MissionPhase phase)
     {
         using MissionRig rig = RigIn(phase);
         rig.Manager.Abort("asked to");
@@ -62,7 +62,7 @@ public class MissionFaultTests(ITestOutputHelper output)
 
     [Theory]
     [MemberData(nameof(PhasesInTheAir))]
-    public void Health_AdvisesGoHome_ComesHome(MissionPhase phase)
+    public void Health_AdvisesReturnToLaunch_ReturnsToLaunch(MissionPhase phase)
     {
         using MissionRig rig = RigIn(phase);
         rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Warning, Text = "battery low (20 %)", Advice = HealthAdvice.ReturnToLaunch };
@@ -101,14 +101,14 @@ public class MissionFaultTests(ITestOutputHelper output)
     {
         using MissionRig rig = RigIn(MissionPhase.Searching);
         rig.Run(8);
-        rig.Vehicle.IsHeard = false;
+        rig.Vehicle.IsConnected = false;
         rig.Run(4);
         int commands = rig.Vehicle.Commands.Count;
         rig.Run(100);
         Assert.Equal(MissionPhase.Searching, rig.Status.Phase);
-        Assert.Equal("the autopilot is not heard", rig.Status.Text);
+        Assert.Equal("autopilot not connected", rig.Status.Text);
         Assert.InRange(rig.Vehicle.Commands.Count - commands, 0, 1);
-        rig.Vehicle.IsHeard = true;
+        rig.Vehicle.IsConnected = true;
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Null(rig.Status.Aborted);
         Assert.InRange(rig.Status.Coverage, 0.985, 1);
@@ -118,12 +118,12 @@ public class MissionFaultTests(ITestOutputHelper output)
     public void Vehicle_LostAndBackWithAdvice_FollowsIt()
     {
         using MissionRig rig = RigIn(MissionPhase.Searching);
-        rig.Vehicle.IsHeard = false;
+        rig.Vehicle.IsConnected = false;
         rig.Run(4);
         rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Critical, Text = "autopilot lost", Advice = HealthAdvice.ReturnToLaunch };
         rig.Run(20);
         Assert.Equal(0, rig.Vehicle.Count(VehicleCommandKind.Return));
-        rig.Vehicle.IsHeard = true;
+        rig.Vehicle.IsConnected = true;
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal("health: autopilot lost", rig.Status.Aborted);
     }
@@ -132,7 +132,7 @@ public class MissionFaultTests(ITestOutputHelper output)
     public void Vehicle_LostForGood_EndsAsFailed()
     {
         using MissionRig rig = RigIn(MissionPhase.Searching);
-        rig.Vehicle.IsHeard = false;
+        rig.Vehicle.IsConnected = false;
         Assert.Equal(MissionPhase.Failed, rig.RunToEnd(320));
     }
 
@@ -148,7 +148,7 @@ public class MissionFaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Fence_VehicleIsBlownOut_ComesHome()
+    public void Fence_VehicleIsBlownOut_ReturnsToLaunch()
     {
         using MissionRig rig = RigIn(MissionPhase.Searching);
         rig.Vehicle.North += 200;
@@ -218,7 +218,7 @@ public class MissionFaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void TakeOff_DoesNotClimb_ComesHome()
+    public void TakeOff_DoesNotClimb_ReturnsToLaunch()
     {
         using MissionRig rig = RigIn(MissionPhase.TakingOff);
         rig.Run(5);
@@ -242,7 +242,7 @@ public class MissionFaultTests(ITestOutputHelper output)
     [Theory]
     [InlineData(VehicleCommandOutcome.Refused)]
     [InlineData(VehicleCommandOutcome.TimedOut)]
-    public void GoTo_NeverTaken_ComesHome(VehicleCommandOutcome outcome)
+    public void GoTo_NeverTaken_ReturnsToLaunch(VehicleCommandOutcome outcome)
     {
         using var rig = new MissionRig(MissionRig.Mission());
         rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.GoTo && rig.Vehicle.Count(VehicleCommandKind.GoTo) > 5 ? outcome : null;
@@ -263,7 +263,7 @@ public class MissionFaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Return_DoesNotComeNearer_IsToldAgainThenLands()
+    public void Return_MakesNoProgress_IsCommandedAgainThenLands()
     {
         using MissionRig rig = RigIn(MissionPhase.Returning);
         rig.Vehicle.CanMove = false;
@@ -273,7 +273,7 @@ public class MissionFaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Search_WindIsStrongerThanTheVehicle_ComesHome()
+    public void Search_WindIsStrongerThanTheVehicle_ReturnsToLaunch()
     {
         using MissionRig rig = RigIn(MissionPhase.Searching);
         rig.Vehicle.CanMove = false;
@@ -300,10 +300,10 @@ public class MissionFaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Vehicle_DoesNotTellWhetherItFlies_IsFlownAllTheSame()
+    public void Vehicle_ReportsNoLandedState_IsFlownAllTheSame()
     {
         using var rig = new MissionRig(MissionRig.Mission());
-        rig.Vehicle.TellsLandedState = false;
+        rig.Vehicle.ReportsLandedState = false;
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Null(rig.Status.Aborted);
     }
@@ -331,11 +331,11 @@ public class MissionFaultTests(ITestOutputHelper output)
     [InlineData("fix", "waiting: no satellite fix")]
     [InlineData("position", "waiting: no position")]
     [InlineData("camera", "waiting: no camera")]
-    [InlineData("silent", "waiting: no autopilot heard")]
+    [InlineData("silent", "waiting: no autopilot connected")]
     [InlineData("observing", "waiting: we only observe, and may not command")]
     public void Start_SomethingIsMissing_WaitsAndThenFails(string what, string text)
     {
-        using var rig = new MissionRig(MissionRig.Mission(), o => o.ReadyWithin = TimeSpan.FromSeconds(40));
+        using var rig = new MissionRig(MissionRig.Mission(), o => o.ReadyTimeout = TimeSpan.FromSeconds(40));
         switch (what)
         {
             case "battery":
@@ -351,7 +351,7 @@ public class MissionFaultTests(ITestOutputHelper output)
                 rig.Vehicle.HasCamera = false;
                 break;
             case "silent":
-                rig.Vehicle.IsHeard = false;
+                rig.Vehicle.IsConnected = false;
                 break;
             default:
                 rig.Vehicle.Authority = new CommandAuthority { State = CommandAuthorityState.Observing };
@@ -368,10 +368,10 @@ public class MissionFaultTests(ITestOutputHelper output)
     [Fact]
     public void Start_FarFromTheMissionsHome_IsFailed()
     {
-        using var rig = new MissionRig(MissionRig.Mission(", \"home\": {\"lat\": 47.3987, \"lon\": 8.5456}"));
+        using var rig = new MissionRig(MissionRig.Mission(", \"home\": {\"latitudeDegrees\": 47.3987, \"longitudeDegrees\": 8.5456}"));
         rig.Run(10);
         Assert.Equal(MissionPhase.Failed, rig.Status.Phase);
-        Assert.StartsWith("the vehicle stands 111.2 m from the mission's home", rig.Status.Text!, StringComparison.Ordinal);
+        Assert.StartsWith("the vehicle is 111.2 m from the mission's home", rig.Status.Text!, StringComparison.Ordinal);
     }
 
     private static MissionRig RigIn(MissionPhase phase)

@@ -22,7 +22,7 @@ public class MissionPlanTests
         Assert.Equal(8.5456, plan.Home!.LongitudeRadians * 180 / Math.PI, 9);
         Assert.True(plan.Revisit.IsEnabled);
         Assert.Equal(-Math.PI / 2, plan.CameraPitchRadians, 12);
-        Assert.Equal(0.5, plan.MinBatteryToStart);
+        Assert.Equal(0.5, plan.MinBatteryFractionAtStart);
     }
 
     [Fact]
@@ -37,7 +37,7 @@ public class MissionPlanTests
 
     [Theory]
     [InlineData("\"fenceMargin\": 40", "fenceMargin is unknown; did you mean fenceMarginMetres?")]
-    [InlineData("\"zzz\": 40", "zzz is unknown; there are camera, limits, secondLook, name, area, heightMetres")]
+    [InlineData("\"zzz\": 40", "zzz is unknown; there are camera, limits, revisit, name, area, heightMetres")]
     [InlineData("\"camera\": {\"pitch\": 1}", "camera.pitch is unknown")]
     [InlineData("\"camera\": 5", "camera is 5; it must be an object")]
     [InlineData("\"laneHeadingDegrees\": \"north\"", "laneHeadingDegrees is \"north\"; it must be a number")]
@@ -48,20 +48,37 @@ public class MissionPlanTests
     [InlineData("\"targets\": [\"red\", \"green\"]", "targets[1] is \"green\"; it must be one of red, orange, blue, yellow, magenta")]
     [InlineData("\"targets\": []", "targets is []; it must name at least one colour")]
     [InlineData("\"targets\": \"red\"", "targets is \"red\"; it must be a list")]
-    [InlineData("\"home\": {\"lat\": 47}", "home.lon is missing")]
-    [InlineData("\"home\": {\"lat\": 97, \"lon\": 8}", "home is no place")]
-    [InlineData("\"home\": {\"lat\": 47, \"lon\": 8, \"groundAltitudeAmslMetres\": 99999}", "home.groundAltitudeAmslMetres is 99999; it must be -500 to 9000")]
-    [InlineData("\"fenceMarginMetres\": 20", "fenceMarginMetres is 20; lanes end up to half a spacing outside the area, so it must be at least 25")]
+    [InlineData("\"home\": {\"latitudeDegrees\": 47}", "home.longitudeDegrees is missing")]
+    [InlineData("\"home\": {\"latitudeDegrees\": 97, \"longitudeDegrees\": 8}", "home is not a position")]
+    [InlineData("\"home\": {\"latitudeDegrees\": 47, \"longitudeDegrees\": 8, \"groundAltitudeAmslMetres\": 99999}",
+        "home.groundAltitudeAmslMetres is 99999; it must be -500 to 9000")]
+    [InlineData("\"fenceMarginMetres\": 20", "fenceMarginMetres is 20; it must be at least 25: lanes end up to half a spacing outside the area")]
     [InlineData("\"fenceMarginMetres\": 501", "fenceMarginMetres is 501; it must be 0 to 500")]
-    [InlineData("\"secondLook\": {\"enabled\": 1}", "secondLook.enabled is 1; it must be true or false")]
-    [InlineData("\"secondLook\": {\"heightMetres\": 2}", "secondLook.heightMetres is 2; it must be 5 to 120")]
+    [InlineData("\"revisit\": {\"enabled\": 1}", "revisit.enabled is 1; it must be true or false")]
+    [InlineData("\"revisit\": {\"heightMetres\": 2}", "revisit.heightMetres is 2; it must be 5 to 120")]
     [InlineData("\"camera\": {\"pitchDegrees\": -91}", "camera.pitchDegrees is -91; it must be -90 to -20")]
-    [InlineData("\"limits\": {\"minBatteryToStart\": 50}", "limits.minBatteryToStart is 50; it must be 0 to 1")]
-    public void Parse_OneFault_IsToldWithPathAndValue(string property, string text)
+    [InlineData("\"limits\": {\"minBatteryFractionAtStart\": 50}", "limits.minBatteryFractionAtStart is 50; it must be 0 to 1")]
+    public void Parse_OneFault_IsReportedWithPathAndValue(string property, string text)
     {
         MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(MissionRig.Text(", " + property), "test"));
         Assert.Contains(text, e.Message, StringComparison.Ordinal);
         Assert.Single(e.Faults);
+    }
+
+    [Fact]
+    public void Parse_FileOfTheOldForm_IsRefusedWithEveryNewName()
+    {
+        const string Old = ", \"home\": {\"lat\": 47.3977, \"lon\": 8.5456}, \"secondLook\": {\"enabled\": true, \"radiusMetres\": 10}, "
+            + "\"limits\": {\"minBatteryToStart\": 0.5}";
+        MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(MissionRig.Text(Old), "test"));
+        Assert.Equal(
+            [
+                "home.lat is of an older form of the file; it is home.latitudeDegrees now",
+                "home.lon is of an older form of the file; it is home.longitudeDegrees now",
+                "limits.minBatteryToStart is of an older form of the file; it is limits.minBatteryFractionAtStart now",
+                "secondLook is of an older form of the file; it is revisit now",
+            ],
+            e.Faults.OrderBy(f => f, StringComparer.Ordinal));
     }
 
     [Theory]
@@ -71,7 +88,7 @@ public class MissionPlanTests
     [InlineData("[[0,0],[5,0],[5,5],[0,5]]", "area has 25 m2; it must have 100 to 4000000")]
     [InlineData("[[0,0],[3000,0],[3000,3000],[0,3000]]", "area has 8998")]
     [InlineData("[[0,0],[9000,0],[9000,100]]", "area[1] is 8999 m from area[0]; corners must be within 5000 m of it")]
-    [InlineData("[[0,0],[100,0],[100,100],[0,0]]", "area[3] and area[0] are the same place; the first corner is not repeated")]
+    [InlineData("[[0,0],[100,0],[100,100],[0,0]]", "area[3] and area[0] are the same position; the first corner is not repeated")]
     public void Parse_AreaThatCannotBeSearched_IsRefused(string area, string text)
     {
         MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionRig.Mission(area: area));
@@ -79,8 +96,8 @@ public class MissionPlanTests
     }
 
     [Theory]
-    [InlineData("", "it is no JSON")]
-    [InlineData("{\"area\": [", "it is no JSON: line 1")]
+    [InlineData("", "it is not JSON")]
+    [InlineData("{\"area\": [", "it is not JSON: line 1")]
     [InlineData("[]", "it must be an object")]
     [InlineData("null", "it must be an object")]
     [InlineData("{}", "area is missing; heightMetres is missing; speedMetresPerSecond is missing; laneSpacingMetres is missing")]

@@ -9,7 +9,7 @@ using Rabit.Uav.MissionControl;
 
 namespace Rabit.Uav.Tests.MissionControl;
 
-/// <summary>Mission Control in virtual time with a vehicle that stands in for all the others.</summary>
+/// <summary>Mission Control in virtual time with a stand-in for all other managers.</summary>
 internal sealed class MissionRig : IDisposable
 {
     public static readonly GeodeticPosition Home = GeodeticPosition.FromDegrees(47.3977, 8.5456, 488);
@@ -33,8 +33,9 @@ internal sealed class MissionRig : IDisposable
 
     public List<RabitLogEntry> Entries { get; } = [];
 
-    /// <summary>What Mission Control said.</summary>
-    public IEnumerable<string> Decisions => Entries.Where(e => e.Source == MissionControlManager.ManagerName && e.Kind == RabitLogKind.Manager).Select(e => e.ToString());
+    /// <summary>What Mission Control logged.</summary>
+    public IEnumerable<string> Decisions => Entries
+        .Where(e => e.Source == MissionControlManager.ManagerName && e.Kind == RabitLogKind.Manager).Select(e => e.ToString());
 
     public string Story => string.Join(Environment.NewLine, Decisions);
 
@@ -77,18 +78,18 @@ internal sealed class MissionRig : IDisposable
 
     public void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));
 
-    /// <summary>Runs until a phase, at most so long.</summary>
-    public MissionPhase RunUntil(MissionPhase phase, double atMostSeconds = 900)
+    /// <summary>Runs until a phase, or for a maximum time.</summary>
+    public MissionPhase RunUntil(MissionPhase phase, double maxSeconds = 900)
     {
-        for (double t = 0; t < atMostSeconds && Status.Phase != phase; t += 0.1)
+        for (double t = 0; t < maxSeconds && Status.Phase != phase; t += 0.1)
             Run(0.1);
         return Status.Phase;
     }
 
-    /// <summary>Runs until the mission is over, at most so long.</summary>
-    public MissionPhase RunToEnd(double atMostSeconds = 1500)
+    /// <summary>Runs until the mission is over, or for a maximum time.</summary>
+    public MissionPhase RunToEnd(double maxSeconds = 1500)
     {
-        for (double t = 0; t < atMostSeconds && Status.Phase is not (MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed); t++)
+        for (double t = 0; t < maxSeconds && Status.Phase is not (MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed); t++)
             Run(1);
         return Status.Phase;
     }

@@ -9,8 +9,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Tests.MissionControl;
 
 /// <summary>
-/// In the place of Autopilot Interface, Image Processing, Sensor Fusion and Health Monitoring: a point that flies as it is told, a
-/// camera that sees the ground below it, and whatever a test wants to go wrong. No MAVLink.
+/// Stands in for Autopilot Interface, Image Processing, Sensor Fusion and Health Monitoring: a point that flies as commanded, a camera that
+/// sees the ground below it, and the faults that a test injects. No MAVLink.
 /// </summary>
 internal sealed class StandInVehicle : RabitManager
 {
@@ -18,38 +18,38 @@ internal sealed class StandInVehicle : RabitManager
     private const double Acceleration = 2.5;
 
     private readonly QueueReceiver<VehicleCommand> _commands;
-    private readonly QueueSender<VehicleCommandResult> _answers;
+    private readonly QueueSender<VehicleCommandResult> _results;
     private readonly QueueSender<CameraObservation> _searched;
     private readonly MessagePublisher<VehicleState> _vehicle;
     private readonly MessagePublisher<HealthReport> _health;
     private readonly MessagePublisher<CommandAuthority> _authority;
     private readonly MessagePublisher<ImagingStatus> _imaging;
     private readonly MessagePublisher<TrackList> _tracks;
-    private readonly MessageSubscriber<ImagingCommand> _order;
+    private readonly MessageSubscriber<ImagingCommand> _imagingCommand;
     private readonly LocalNedFrame _frame;
     private VehicleCommand _task;
-    private TimeSpan _nextLook;
+    private TimeSpan _nextPicture;
     private TimeSpan _nextPost;
     private TimeSpan? _stillSince;
-    private TimeSpan _lastHeard;
+    private TimeSpan _lastHeartbeat;
     private double _vn;
     private double _ve;
     private double _vd;
-    private long _look;
+    private long _picture;
 
     public StandInVehicle(GeodeticPosition home)
         : base("stand-in")
     {
         _frame = LocalNedFrame.IgnoringGeoid(home);
         _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands);
-        _answers = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
+        _results = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _searched = Send<CameraObservation>(MessageNames.SearchedGround);
         _vehicle = Publish<VehicleState>(MessageNames.VehicleState);
         _health = Publish<HealthReport>(MessageNames.Health);
         _authority = Publish<CommandAuthority>(MessageNames.CommandAuthority);
         _imaging = Publish<ImagingStatus>(MessageNames.Imaging);
         _tracks = Publish(MessageNames.Tracks, TrackList.None);
-        _order = Subscribe<ImagingCommand>(MessageNames.ImagingCommand);
+        _imagingCommand = Subscribe<ImagingCommand>(MessageNames.ImagingCommand);
         WakeUpDelay = TimeSpan.FromSeconds(Step);
     }
 
@@ -64,7 +64,7 @@ internal sealed class StandInVehicle : RabitManager
     /// <summary>Motors that stop in the air leave it hanging there: falling is not what is tested.</summary>
     public bool IsArmed { get; set; }
 
-    public bool IsHeard { get; set; } = true;
+    public bool IsConnected { get; set; } = true;
 
     public bool HasPosition { get; set; } = true;
 
@@ -78,7 +78,7 @@ internal sealed class StandInVehicle : RabitManager
 
     public bool DisarmsItself { get; set; } = true;
 
-    public bool TellsLandedState { get; set; } = true;
+    public bool ReportsLandedState { get; set; } = true;
 
     public double Battery { get; set; } = 0.9;
 
@@ -99,9 +99,9 @@ internal sealed class StandInVehicle : RabitManager
 
     public List<(double North, double East, double Height)> Path { get; } = [];
 
-    public List<CameraObservation> Looks { get; } = [];
+    public List<CameraObservation> Observations { get; } = [];
 
-    public ImagingCommand Order { get; private set; }
+    public ImagingCommand Imaging { get; private set; }
 
     /// <summary>The pilot takes another mode.</summary>
     public void TakeOver(string by)
@@ -117,13 +117,13 @@ internal sealed class StandInVehicle : RabitManager
         while (_commands.TryPop(out VehicleCommand command))
         {
             Commands.Add((Now, command));
-            if (IsHeard)
+            if (IsConnected)
                 Answer(command);
         }
 
         Move();
         Path.Add((North, East, Height));
-        Look();
+        TakePicture();
         if (Now >= _nextPost)
             Post();
     }
@@ -135,7 +135,7 @@ internal sealed class StandInVehicle : RabitManager
             CommandAuthorityState.TakenAway or CommandAuthorityState.Observing => VehicleCommandOutcome.NotInCommand,
             _ => Refuses(command),
         };
-        _answers.Push(new VehicleCommandResult
+        _results.Push(new VehicleCommandResult
         {
             Id = command.Id,
             Kind = command.Kind,
@@ -204,24 +204,24 @@ internal sealed class StandInVehicle : RabitManager
     }
 
     // A picture of 0.9 by 0.68 of the height to each side, twice a second.
-    private void Look()
+    private void TakePicture()
     {
-        _order.Fetch();
-        Order = _order.Value;
-        if (!CameraSees || _order.Value.Mode != ImagingMode.Search || Now < _nextLook)
+        _imagingCommand.Fetch();
+        Imaging = _imagingCommand.Value;
+        if (!CameraSees || _imagingCommand.Value.Mode != ImagingMode.Search || Now < _nextPicture)
             return;
-        _nextLook = Now + TimeSpan.FromSeconds(0.5);
+        _nextPicture = Now + TimeSpan.FromSeconds(0.5);
         var look = new CameraObservation
         {
             SourceSystemId = 1,
-            Number = ++_look,
+            Number = ++_picture,
             Time = Now,
             TopLeft = Corner(0.45, -0.6),
             TopRight = Corner(0.45, 0.6),
             BottomRight = Corner(-0.45, 0.6),
             BottomLeft = Corner(-0.45, -0.6),
         };
-        Looks.Add(look);
+        Observations.Add(look);
         _searched.Push(look);
         SeeTargets();
     }
@@ -283,11 +283,11 @@ internal sealed class StandInVehicle : RabitManager
         _authority.Post();
         _imaging.Value = new ImagingStatus { HasCamera = HasCamera };
         _imaging.Post();
-        if (IsHeard)
-            _lastHeard = Now;
+        if (IsConnected)
+            _lastHeartbeat = Now;
         ref VehicleState state = ref _vehicle.Value;
-        state.IsConnected = Now - _lastHeard < TimeSpan.FromSeconds(3);
-        if (IsHeard)
+        state.IsConnected = Now - _lastHeartbeat < TimeSpan.FromSeconds(3);
+        if (IsConnected)
             Describe(ref state);
         _vehicle.Post();
     }
@@ -298,7 +298,7 @@ internal sealed class StandInVehicle : RabitManager
         state.LastHeartbeatTime = Now;
         state.IsArmed = IsArmed;
         bool isDown = Height < 0.05;
-        state.LandedState = !TellsLandedState ? MavLandedState.Undefined
+        state.LandedState = !ReportsLandedState ? MavLandedState.Undefined
             : isDown ? MavLandedState.OnGround
             : _task.Kind == VehicleCommandKind.Land ? MavLandedState.Landing : MavLandedState.InAir;
         if (HasPosition)

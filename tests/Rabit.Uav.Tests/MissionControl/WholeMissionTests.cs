@@ -35,7 +35,7 @@ public class WholeMissionTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Mission_SameSeed_SaysTheSameToTheByte()
+    public void Mission_SameSeed_LogsTheSameToTheByte()
     {
         string Fly()
         {
@@ -99,16 +99,16 @@ public class WholeMissionTests(ITestOutputHelper output)
         using var rig = new MissionRig(MissionRig.Mission());
         rig.RunUntil(MissionPhase.InTransit);
         rig.Run(1);
-        Assert.Equal(ImagingMode.Off, rig.Vehicle.Order.Mode);
+        Assert.Equal(ImagingMode.Off, rig.Vehicle.Imaging.Mode);
         rig.RunUntil(MissionPhase.Searching);
         rig.Run(0.5);
-        Assert.Equal(ImagingMode.Search, rig.Vehicle.Order.Mode);
-        Assert.Equal(488, rig.Vehicle.Order.GroundAltitudeAmslMetres, 0.01);
-        Assert.Equal(TargetColours.All, rig.Vehicle.Order.Colours);
-        Assert.Equal(-Math.PI / 2, rig.Vehicle.Order.CameraPitchRadians, 12);
+        Assert.Equal(ImagingMode.Search, rig.Vehicle.Imaging.Mode);
+        Assert.Equal(488, rig.Vehicle.Imaging.GroundAltitudeAmslMetres, 0.01);
+        Assert.Equal(TargetColours.All, rig.Vehicle.Imaging.Colours);
+        Assert.Equal(-Math.PI / 2, rig.Vehicle.Imaging.CameraPitchRadians, 12);
         rig.RunUntil(MissionPhase.Returning);
         rig.Run(0.5);
-        Assert.Equal(ImagingMode.Off, rig.Vehicle.Order.Mode);
+        Assert.Equal(ImagingMode.Off, rig.Vehicle.Imaging.Mode);
     }
 
     [Fact]
@@ -121,31 +121,31 @@ public class WholeMissionTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void SecondLook_NewTarget_IsFlownOverOnceFromAcrossTheLanes()
+    public void Revisit_NewTarget_IsFlownOverOnceFromAcrossTheLanes()
     {
         using var rig = new MissionRig(MissionRig.Mission(", \"laneHeadingDegrees\": 90, \"targets\": [\"red\"]"));
         rig.Vehicle.Targets.AddRange([(80, -30, TargetColours.Red), (120, 20, TargetColours.Blue)]);
-        Assert.Equal(MissionPhase.Looking, rig.RunUntil(MissionPhase.Looking));
+        Assert.Equal(MissionPhase.Revisiting, rig.RunUntil(MissionPhase.Revisiting));
         rig.RunUntil(MissionPhase.Searching);
         Assert.Equal(80, rig.Vehicle.North, 2.5);
         Assert.Equal(-30, rig.Vehicle.East, 2.5);
         Assert.Equal(1, Math.Abs(Math.Cos(rig.Vehicle.Yaw)), 6);
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(1, rig.Status.Revisits);
-        Assert.Single(rig.Decisions, d => d.Contains("-> Looking", StringComparison.Ordinal));
+        Assert.Single(rig.Decisions, d => d.Contains("-> Revisiting", StringComparison.Ordinal));
     }
 
     [Fact]
-    public void SecondLook_SwitchedOff_IsNotMade()
+    public void Revisit_SwitchedOff_IsNotMade()
     {
-        using var rig = new MissionRig(MissionRig.Mission(", \"secondLook\": {\"enabled\": false}"));
+        using var rig = new MissionRig(MissionRig.Mission(", \"revisit\": {\"enabled\": false}"));
         rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(0, rig.Status.Revisits);
     }
 
     [Fact]
-    public void SecondLook_TargetOutsideTheFence_IsLeftAlone()
+    public void Revisit_TargetOutsideTheFence_IsLeftAlone()
     {
         using var rig = new MissionRig(MissionRig.Mission());
         rig.RunUntil(MissionPhase.Searching);
@@ -153,15 +153,15 @@ public class WholeMissionTests(ITestOutputHelper output)
         rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(1, rig.Status.Revisits);
-        Assert.Contains("track 77 stands at the fence or outside", rig.Story, StringComparison.Ordinal);
+        Assert.Contains("track 77 is at the fence or outside", rig.Story, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void SecondLook_OtherHeight_IsFlownThereAndTheLanesAtTheirs()
+    public void Revisit_OtherHeight_IsFlownThereAndTheLanesAtTheirs()
     {
-        using var rig = new MissionRig(MissionRig.Mission(", \"secondLook\": {\"heightMetres\": 25, \"radiusMetres\": 0}"));
+        using var rig = new MissionRig(MissionRig.Mission(", \"revisit\": {\"heightMetres\": 25, \"radiusMetres\": 0}"));
         rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
-        rig.RunUntil(MissionPhase.Looking);
+        rig.RunUntil(MissionPhase.Revisiting);
         rig.RunUntil(MissionPhase.Searching);
         Assert.Equal(25, rig.Vehicle.Height, 2.5);
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
@@ -169,7 +169,7 @@ public class WholeMissionTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void GapPass_CameraMissedALane_FliesOverWhatWasMissedOnly()
+    public void GapPass_CameraMissedALane_FliesOverTheGapsOnly()
     {
         using var rig = new MissionRig(MissionRig.Mission());
         rig.RunUntil(MissionPhase.Searching);
@@ -179,7 +179,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         rig.Vehicle.CameraSees = true;
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         output.WriteLine(rig.Story);
-        Assert.Contains("more legs over what was missed", rig.Story, StringComparison.Ordinal);
+        Assert.Contains("more legs over gaps", rig.Story, StringComparison.Ordinal);
         Assert.InRange(rig.Status.Coverage, 0.985, 1);
         Assert.InRange(rig.Status.LanesFlown - (rig.Status.Plan!.Lanes.Length / 2), 1, 2);
     }

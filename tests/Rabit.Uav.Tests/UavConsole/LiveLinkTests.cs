@@ -34,7 +34,7 @@ public sealed class LiveLinkTests : IDisposable
     {
         using ConsoleProcess console = Start();
 
-        Assert.Contains($"udpin:127.0.0.1:{_port}", console.WaitFor("nothing came in yet"));
+        Assert.Contains($"udpin:127.0.0.1:{_port}", console.WaitFor("nothing received yet"));
         console.WaitFor("Waiting: 0 frames in");
         using (var aircraft = new LiveFlight(_port))
         {

@@ -199,10 +199,10 @@ internal sealed class MadeUpFlight
             if (lane is 0 or 2)
             {
                 NedVector back = _at;
-                Begin(MissionPhase.Looking);
-                Go(new NedVector(LaneNorths[lane] + 14, back.East - 18, -HeightMetres), 4, MissionPhase.Looking);
-                Wait(MissionPhase.Looking, 5);
-                Go(back, 4, MissionPhase.Looking);
+                Begin(MissionPhase.Revisiting);
+                Go(new NedVector(LaneNorths[lane] + 14, back.East - 18, -HeightMetres), 4, MissionPhase.Revisiting);
+                Wait(MissionPhase.Revisiting, 5);
+                Go(back, 4, MissionPhase.Revisiting);
                 Begin(MissionPhase.Searching);
             }
 
@@ -241,7 +241,7 @@ internal sealed class MadeUpFlight
 
     private void Sample(MissionPhase phase, double speed, double yaw)
     {
-        bool isLooking = phase is MissionPhase.Searching or MissionPhase.Looking;
+        bool isLooking = phase is MissionPhase.Searching or MissionPhase.Revisiting;
         double coverage = Math.Min(0.993, _looks.Count / 300.0);
         _samples.Add(new FlightSample
         {

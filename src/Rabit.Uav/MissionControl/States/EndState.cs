@@ -3,10 +3,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Nothing more is commanded: there is no mission, or it is over, one way or the other.</summary>
+/// <summary>A final phase, Done, HandedOver or Failed: nothing more is commanded.</summary>
 internal sealed class EndState(MissionPhase phase) : MissionState(phase)
 {
-    public override void Enter(MissionFlight flight, MissionEvent by) => flight.Desk.WantNothing();
+    public override void Enter(MissionFlight flight, MissionEvent by) => flight.Commands.Clear();
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase) => MissionStep.Stay;
 }

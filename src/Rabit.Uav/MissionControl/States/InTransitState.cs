@@ -3,7 +3,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>To the start of the first lane, with the camera turned where it is to look on the way.</summary>
+/// <summary>Flies to the start of the first lane; a gimbal is pointed first.</summary>
 internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 {
     private bool _isCameraPointed;
@@ -17,10 +17,10 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        if (flight.Desk.Failures >= MaxFailures)
-            return ReturnToLaunch(flight.Desk.LastFailure);
+        if (flight.Commands.Failures >= MaxFailures)
+            return ReturnToLaunch(flight.Commands.LastFailure);
         if (inPhase > _limit)
-            return ReturnToLaunch($"not at the area within {MissionText.Seconds(_limit)}");
+            return ReturnToLaunch($"not at the area within {MissionNumbers.Seconds(_limit)}");
         if (!_isCameraPointed)
         {
             PointCamera(flight);
@@ -28,8 +28,8 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         }
 
         LaneSegment lane = flight.Route!.Current!.Value;
-        flight.WantGoTo(lane.Start, flight.Mission.HeightMetres, lane.HeadingRadians);
-        flight.Text = $"to the area: {MissionText.Of(flight.Position.DistanceTo(lane.Start))} m to go";
+        flight.SetGoalPosition(lane.Start, flight.Mission.HeightMetres, lane.HeadingRadians);
+        flight.Text = $"to the area: {MissionNumbers.Of(flight.Position.DistanceTo(lane.Start))} m to go";
         return PathFollower.HasArrived(flight, lane.Start, flight.Mission.HeightMetres)
             ? new MissionStep(MissionEvent.AtArea, "at the first lane")
             : MissionStep.Stay;
@@ -43,9 +43,9 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
             CameraPitchRadians = flight.Mission.CameraPitchRadians,
             CameraYawRadians = flight.Mission.CameraYawRadians,
         };
-        flight.Text = "turning the camera";
-        if (!flight.Desk.IsWanted(command))
-            flight.Desk.Want(command, "point the camera", TimeSpan.FromSeconds(1));
-        _isCameraPointed = flight.Desk.IsAccepted;
+        flight.Text = "pointing the camera";
+        if (!flight.Commands.IsGoal(command))
+            flight.Commands.SetGoal(command, "point the camera", TimeSpan.FromSeconds(1));
+        _isCameraPointed = flight.Commands.IsAccepted;
     }
 }

@@ -4,14 +4,14 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Landing: where the autopilot came home to, which needs no command, or here and now.</summary>
+/// <summary>Landing: at home by the autopilot's own return, which needs no command, or at the present position.</summary>
 internal sealed class LandingState() : MissionState(MissionPhase.Landing)
 {
     private const double TimeReserveSeconds = 120;
     private const double MinDescentRate = 0.3;
 
-    // Autopilots stop the motors by themselves a few seconds after touch-down.
-    private static readonly TimeSpan StopsByItselfWithin = TimeSpan.FromSeconds(10);
+    // Autopilots disarm by themselves a few seconds after touchdown.
+    private static readonly TimeSpan AutoDisarmTimeout = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan RetryAfter = TimeSpan.FromSeconds(2);
 
     private bool _isOurLanding;
@@ -27,22 +27,23 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        flight.Text = $"landing: height {MissionText.Of(flight.HeightMetres)} m" + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
+        flight.Text = $"landing: height {MissionNumbers.Of(flight.HeightMetres)} m"
+            + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (!flight.Vehicle.IsArmed)
-            return new MissionStep(MissionEvent.Landed, $"landed {MissionText.Of(flight.Position.Length)} m from home");
+            return new MissionStep(MissionEvent.Landed, $"landed {MissionNumbers.Of(flight.Position.Length)} m from home");
         if (inPhase > _limit)
-            return Impossible($"not landed within {MissionText.Seconds(_limit)}");
+            return Impossible($"not landed within {MissionNumbers.Seconds(_limit)}");
         if (flight.Vehicle.LandedState != MavLandedState.OnGround)
         {
             _onGround = null;
             if (_isOurLanding)
-                flight.Want(VehicleCommandKind.Land, "land", RetryAfter);
+                flight.SetGoal(VehicleCommandKind.Land, "land", RetryAfter);
             return MissionStep.Stay;
         }
 
         _onGround ??= flight.ActiveTime;
-        if (flight.ActiveTime - _onGround.Value > StopsByItselfWithin)
-            flight.Want(VehicleCommandKind.Disarm, "disarm", RetryAfter);
+        if (flight.ActiveTime - _onGround.Value > AutoDisarmTimeout)
+            flight.SetGoal(VehicleCommandKind.Disarm, "disarm", RetryAfter);
         return MissionStep.Stay;
     }
 }

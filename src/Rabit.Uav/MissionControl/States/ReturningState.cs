@@ -4,15 +4,15 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>On the way home, by the autopilot's own means; whether it really comes nearer is watched.</summary>
+/// <summary>Return to launch (RTL), by the autopilot's own mode; the progress is monitored.</summary>
 internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
 {
     private const double OverHomeMetres = 6;
     private const double SinkingMetresPerSecond = 0.2;
     private const double ProgressMetres = 3;
 
-    // As long as a careful autopilot waits over home before it lands.
-    private const double StandstillSeconds = 40;
+    // Longer than autopilots loiter over home before they land.
+    private const double MaxSecondsWithoutProgress = 40;
     private const double TimeReserveSeconds = 180;
     private const double MinDescentRate = 0.3;
 
@@ -32,31 +32,33 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        flight.Want(VehicleCommandKind.Return, "return");
+        flight.SetGoal(VehicleCommandKind.Return, "return");
         double distance = flight.Position.Length;
-        flight.Text = $"returning: {MissionText.Of(distance)} m to go" + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
+        flight.Text = $"returning: {MissionNumbers.Of(distance)} m to go"
+            + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (flight.Vehicle.LandedState is MavLandedState.Landing or MavLandedState.OnGround || !flight.Vehicle.IsArmed)
-            return new MissionStep(MissionEvent.Descending, $"{MissionText.Of(distance)} m from home");
+            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Of(distance)} m from home");
         if (distance < OverHomeMetres && flight.Vehicle.VelocityNed.Down > SinkingMetresPerSecond)
-            return new MissionStep(MissionEvent.Descending, $"{MissionText.Of(distance)} m from home");
-        if (flight.Desk.Failures >= MaxFailures)
-            return new MissionStep(MissionEvent.LandNow, "return " + flight.Desk.LastFailure);
+            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Of(distance)} m from home");
+        if (flight.Commands.Failures >= MaxFailures)
+            return new MissionStep(MissionEvent.LandNow, "return " + flight.Commands.LastFailure);
         if (inPhase > _limit)
-            return new MissionStep(MissionEvent.LandNow, $"not home within {MissionText.Seconds(_limit)}");
-        return WatchProgress(flight, distance);
+            return new MissionStep(MissionEvent.LandNow, $"not home within {MissionNumbers.Seconds(_limit)}");
+        return CheckProgress(flight, distance);
     }
 
-    private MissionStep WatchProgress(MissionFlight flight, double distance)
+    private MissionStep CheckProgress(MissionFlight flight, double distance)
     {
-        bool comesHome = distance < _lastDistance - ProgressMetres || Math.Abs(flight.HeightMetres - _lastHeight) > ProgressMetres;
-        if (comesHome)
+        bool hasProgress = distance < _lastDistance - ProgressMetres
+            || Math.Abs(flight.HeightMetres - _lastHeight) > ProgressMetres;
+        if (hasProgress)
             (_progressTime, _lastDistance, _lastHeight) = (flight.ActiveTime, distance, flight.HeightMetres);
-        if (flight.ActiveTime - _progressTime < Seconds(StandstillSeconds))
+        if (flight.ActiveTime - _progressTime < Seconds(MaxSecondsWithoutProgress))
             return MissionStep.Stay;
         if (_wasSentAgain)
-            return new MissionStep(MissionEvent.LandNow, "it does not come nearer");
-        flight.Log("it does not come nearer");
-        flight.Desk.SendAgain();
+            return new MissionStep(MissionEvent.LandNow, "no progress towards home");
+        flight.Log("no progress towards home");
+        flight.Commands.Resend();
         _wasSentAgain = true;
         _progressTime = flight.ActiveTime;
         return MissionStep.Stay;

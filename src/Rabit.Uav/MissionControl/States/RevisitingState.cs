@@ -3,10 +3,13 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Over one new target, coming across the lanes so that the camera sees it another way round, until it was seen a few times more.</summary>
-internal sealed class RevisitingState() : MissionState(MissionPhase.Looking)
+/// <summary>
+/// Revisits one confirmed target: flies over it across the lanes, so that the camera observes it from another direction, until there are a few
+/// more reports of it.
+/// </summary>
+internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 {
-    private const int ReportsWanted = 4;
+    private const int MinReports = 4;
 
     private static readonly TimeSpan MinHold = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan MaxHold = TimeSpan.FromSeconds(10);
@@ -24,25 +27,25 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Looking)
         _height = flight.Mission.Revisit.HeightMetres ?? flight.Mission.HeightMetres;
         _overhead = null;
         _isAtStart = !(flight.Mission.Revisit.RadiusMetres > 0);
-        TargetTrack track = flight.Looks.Next(flight)!;
+        TargetTrack track = flight.Revisits.Next(flight)!;
         _track = track.Id;
-        _pass = PassOver(flight, Revisits.PlaceOf(track, flight));
+        _pass = PassOver(flight, Revisits.PositionOf(track, flight));
         _limit = PathFollower.TimeLimit(flight, flight.Position.DistanceTo(_pass.Start) + _pass.Length) + MaxHold;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        if (flight.Desk.Failures >= MaxFailures)
-            return ReturnToLaunch(flight.Desk.LastFailure);
+        if (flight.Commands.Failures >= MaxFailures)
+            return ReturnToLaunch(flight.Commands.LastFailure);
         if (Revisits.Find(flight, _track) is not { State: TrackState.Confirmed } track)
-            return Finish(flight, wasSeen: _overhead is not null, "it is no longer believed");
+            return Finish(flight, wasObserved: _overhead is not null, "no longer confirmed");
         if (inPhase > _limit)
-            return Finish(flight, wasSeen: false, "it takes too long to get there");
-        flight.Text = $"second look at track {MissionText.Of(_track)}, {Revisits.Name(track)}";
+            return Finish(flight, wasObserved: false, "not reached in time");
+        flight.Text = $"revisiting track {MissionNumbers.Of(_track)}, {Revisits.Name(track)}";
         return Fly(flight, track);
     }
 
-    // From the side on which the vehicle is.
+    // From the side of the target on which the vehicle is.
     private static LaneSegment PassOver(MissionFlight flight, PlanePoint target)
     {
         PlanePoint across = PlanePoint.Towards(flight.Plan!.HeadingRadians + (Math.PI / 2));
@@ -55,12 +58,12 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Looking)
     {
         if (!_isAtStart)
         {
-            flight.WantGoTo(_pass.Start, _height, _pass.HeadingRadians);
+            flight.SetGoalPosition(_pass.Start, _height, _pass.HeadingRadians);
             _isAtStart = PathFollower.HasArrived(flight, _pass.Start, _height);
             return MissionStep.Stay;
         }
 
-        flight.WantGoTo(_pass.End, _height, _pass.HeadingRadians);
+        flight.SetGoalPosition(_pass.End, _height, _pass.HeadingRadians);
         if (_overhead is null)
         {
             if (!PathFollower.HasArrived(flight, _pass.End, _height))
@@ -71,15 +74,18 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Looking)
 
         TimeSpan held = flight.ActiveTime - _overhead.Value;
         int reports = track.Reports - _reportsBefore;
-        bool isEnough = held >= MinHold && reports >= ReportsWanted;
+        bool isEnough = held >= MinHold && reports >= MinReports;
         return isEnough || held >= MaxHold
-            ? Finish(flight, wasSeen: reports > 0, $"{MissionText.Of(reports)} reports more, 95 % within {MissionText.Of(track.Covariance.HalfMajorAxis95Metres)} m")
+            ? Finish(flight, wasObserved: reports > 0, Accuracy(track, reports))
             : MissionStep.Stay;
     }
 
-    private MissionStep Finish(MissionFlight flight, bool wasSeen, string text)
+    private static string Accuracy(TargetTrack track, int reports)
+        => $"{MissionNumbers.Of(reports)} more reports, 95 % within {MissionNumbers.Of(track.Covariance.HalfMajorAxis95Metres)} m";
+
+    private MissionStep Finish(MissionFlight flight, bool wasObserved, string text)
     {
-        flight.Looks.Finish(_track, wasSeen);
-        return new MissionStep(MissionEvent.Looked, $"track {MissionText.Of(_track)}: {text}");
+        flight.Revisits.Finish(_track, wasObserved);
+        return new MissionStep(MissionEvent.Revisited, $"track {MissionNumbers.Of(_track)}: {text}");
     }
 }

@@ -3,26 +3,26 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Lane after lane; between two of them new targets are looked at; at the end what was missed is flown over again.</summary>
+/// <summary>Flies lane after lane; between two of them new targets are revisited; at the end the gaps in the coverage are flown over.</summary>
 internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
 {
-    // The last pictures of a lane are still being looked through.
-    private static readonly TimeSpan Settling = TimeSpan.FromSeconds(1.5);
+    // The last pictures of a lane are still being processed.
+    private static readonly TimeSpan ProcessingTime = TimeSpan.FromSeconds(1.5);
 
-    private readonly PathFollower _pilot = new();
+    private readonly PathFollower _follower = new();
     private TimeSpan? _laneEnd;
-    private bool _isOnItsWay;
+    private bool _isOnLane;
 
-    public override void Enter(MissionFlight flight, MissionEvent by) => _isOnItsWay = false;
+    public override void Enter(MissionFlight flight, MissionEvent by) => _isOnLane = false;
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        if (flight.Desk.Failures >= MaxFailures)
-            return ReturnToLaunch(flight.Desk.LastFailure);
-        if (_laneEnd is { } end && flight.ActiveTime - end < Settling && flight.Route!.Current is null)
+        if (flight.Commands.Failures >= MaxFailures)
+            return ReturnToLaunch(flight.Commands.LastFailure);
+        if (_laneEnd is { } end && flight.ActiveTime - end < ProcessingTime && flight.Route!.Current is null)
             return MissionStep.Stay;
-        if (!_isOnItsWay && flight.Looks.Next(flight) is { } track)
-            return new MissionStep(MissionEvent.TargetFound, $"track {MissionText.Of(track.Id)}");
+        if (!_isOnLane && flight.Revisits.Next(flight) is { } track)
+            return new MissionStep(MissionEvent.TargetFound, $"track {MissionNumbers.Of(track.Id)}");
         if (flight.Route!.Current is { } lane)
             return Fly(flight, lane);
         return Finish(flight);
@@ -31,34 +31,36 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
     private MissionStep Fly(MissionFlight flight, LaneSegment lane)
     {
         SearchRoute route = flight.Route!;
-        if (!_isOnItsWay)
-            _pilot.Begin(flight, lane, flight.Mission.HeightMetres);
-        _isOnItsWay = true;
-        flight.Text = $"searching: lane {MissionText.Of(route.Flown + 1)} of {MissionText.Of(route.Count)}, {MissionText.Percent(route.Coverage.Fraction)} seen";
-        bool isFlown = _pilot.Tick(flight, out bool isLate);
+        if (!_isOnLane)
+            _follower.Begin(flight, lane, flight.Mission.HeightMetres);
+        _isOnLane = true;
+        flight.Text = $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(route)}";
+        bool isFlown = _follower.Tick(flight, out bool isLate);
         if (isLate)
-            return ReturnToLaunch($"lane {MissionText.Of(route.Flown + 1)} takes too long");
+            return ReturnToLaunch($"lane {MissionNumbers.Of(route.Flown + 1)} takes too long");
         if (!isFlown)
             return MissionStep.Stay;
-        _isOnItsWay = false;
+        _isOnLane = false;
         _laneEnd = flight.ActiveTime;
         route.FinishLeg();
-        flight.Log($"lane {MissionText.Of(route.Flown)} of {MissionText.Of(route.Count)} flown, {MissionText.Percent(route.Coverage.Fraction)} seen");
+        flight.Log($"lane {MissionNumbers.Of(route.Flown)} of {MissionNumbers.Of(route.Count)} flown, {Seen(route)}");
         return MissionStep.Stay;
     }
+
+    private static string Seen(SearchRoute route) => MissionNumbers.Percent(route.Coverage.Fraction) + " seen";
 
     private static MissionStep Finish(MissionFlight flight)
     {
         SearchRoute route = flight.Route!;
-        string seen = MissionText.Percent(route.Coverage.Fraction) + " seen";
+        string seen = Seen(route);
         if (route.Coverage.Fraction >= flight.Options.CoverageGoal)
             return new MissionStep(MissionEvent.Searched, seen);
-        if (route.GapPasses >= flight.Options.GapPasses)
-            return new MissionStep(MissionEvent.Searched, seen + ", what is missing was flown over again");
+        if (route.GapPasses >= flight.Options.MaxGapPasses)
+            return new MissionStep(MissionEvent.Searched, seen + ", the gaps were flown over");
         int legs = route.AddGapLegs(flight.Position);
         if (legs == 0)
-            return new MissionStep(MissionEvent.Searched, seen + ", what is missing is too small to fly over");
-        flight.Log($"{seen}: {MissionText.Of(legs)} more legs over what was missed");
+            return new MissionStep(MissionEvent.Searched, seen + ", the gaps are too small to fly over");
+        flight.Log($"{seen}: {MissionNumbers.Of(legs)} more legs over gaps");
         return MissionStep.Stay;
     }
 }

@@ -4,7 +4,7 @@ using System.Globalization;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>Numbers in the texts of the mission: the same on every machine and runtime.</summary>
-internal static class MissionText
+internal static class MissionNumbers
 {
     /// <summary>With one decimal; a zero has no sign, which runtimes disagree about.</summary>
     public static string Of(double value) => (Math.Round(value, 1) + 0.0).ToString("0.0", CultureInfo.InvariantCulture);

@@ -2,13 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Uav.ImageProcessing;
 
-namespace Rabit.Uav.MissionControl;
+namespace Rabit.Uav.Json;
 
 /// <summary>
-/// The properties of one JSON object, taken out one by one: what is not of the kind it should be is blamed with path and value, and so
-/// is what nobody asked for.
+/// The properties of one JSON object, read one by one. What is not of the kind it should be becomes a fault with path and value, and so
+/// does a property that is not read, and one that has another name now. All faults of a document are collected in one list.
 /// </summary>
 internal sealed class JsonFields
 {
@@ -18,6 +17,7 @@ internal sealed class JsonFields
     private readonly List<string> _faults;
     private readonly Dictionary<string, JsonElement> _values = new(StringComparer.Ordinal);
     private readonly List<string> _known = [];
+    private readonly HashSet<string> _renamed = new(StringComparer.Ordinal);   // new names of properties that are there under their old ones
 
     /// <param name="element">An object; anything else has no properties.</param>
     /// <param name="path">Where it is; empty for the root.</param>
@@ -36,6 +36,18 @@ internal sealed class JsonFields
         }
     }
 
+    /// <summary>Blames properties that are there under the name of an older form, with the name that they have now.</summary>
+    public void Renamed(params (string Old, string New)[] names)
+    {
+        foreach ((string old, string now) in names.Where(n => Has(n.Old)))
+        {
+            _faults.Add($"{_prefix}{old} is of an older form of the file; it is {_prefix}{now} now");
+            _renamed.Add(now);
+        }
+
+        _known.RemoveAll(k => names.Any(n => n.Old == k) && !_values.ContainsKey(k));
+    }
+
     public bool Has(string name)
     {
         if (!_known.Contains(name))
@@ -52,6 +64,57 @@ internal sealed class JsonFields
             return number;
         Blame(name, value, "must be a number");
         return double.NaN;
+    }
+
+    public double RequiredNumber(string name) => Number(name) ?? Missing(name);
+
+    public int RequiredWholeNumber(string name)
+    {
+        if (!Has(name))
+        {
+            Missing(name);
+            return 0;
+        }
+
+        JsonElement value = _values[name];
+        if (value.ValueKind == JsonValueKind.Number && value.TryGetInt32(out int number))
+            return number;
+        Blame(name, value, "must be a whole number");
+        return 0;
+    }
+
+    /// <summary>A whole number of 64 bits; null where there is none, which is not blamed.</summary>
+    public long? Long(string name)
+        => Has(name) && _values[name].ValueKind == JsonValueKind.Number && _values[name].TryGetInt64(out long number) ? number : null;
+
+    /// <summary>A list of so many numbers; zeros where it is another.</summary>
+    public double[] RequiredNumbers(string name, int count)
+    {
+        double[] values = new double[count];
+        if (!Has(name))
+            Missing(name);
+        else if (!TryFill(_values[name], values, 0, count))
+            Blame(name, _values[name], FormattableString.Invariant($"must be a list of {count} numbers"));
+        return values;
+    }
+
+    /// <summary>Three lists of three numbers, row by row; zeros where it is something else.</summary>
+    public double[] RequiredMatrix(string name)
+    {
+        double[] values = new double[9];
+        if (!Has(name))
+        {
+            Missing(name);
+            return values;
+        }
+
+        JsonElement rows = _values[name];
+        bool isMatrix = rows.ValueKind == JsonValueKind.Array && rows.GetArrayLength() == 3;
+        for (int row = 0; isMatrix && row < 3; row++)
+            isMatrix = TryFill(rows[row], values, 3 * row, 3);
+        if (!isMatrix)
+            Blame(name, rows, "must be a list of three lists of three numbers");
+        return values;
     }
 
     public bool? Flag(string name)
@@ -96,10 +159,19 @@ internal sealed class JsonFields
         return new JsonFields(value, _prefix + name, _faults);
     }
 
+    /// <summary>The properties of an object in here; where it is missing, that is the one fault, and not what would be in it.</summary>
+    public JsonFields RequiredObject(string name)
+    {
+        if (Has(name) && _values[name].ValueKind == JsonValueKind.Object)
+            return Object(name);
+        _faults.Add($"{_prefix}{name} is missing or no object, {{ ... }}");
+        return new JsonFields(default, _prefix + name, []);
+    }
+
     /// <summary>Blames that something is not there; one that was there and wrong is blamed already.</summary>
     public double Missing(string name)
     {
-        if (!Has(name))
+        if (!Has(name) && !_renamed.Contains(name))
             _faults.Add($"{_prefix}{name} is missing");
         return double.NaN;
     }
@@ -112,7 +184,7 @@ internal sealed class JsonFields
         _faults.Add($"{_prefix}{name} is {shown}; it {text}");
     }
 
-    /// <summary>Blames the properties that nobody asked for: a wrongly spelt one would silently be left to its default.</summary>
+    /// <summary>Blames the properties that were not read: a wrongly spelt one would silently be left to its default.</summary>
     public void RefuseOthers()
     {
         foreach (string name in _values.Keys.Where(n => !_known.Contains(n)))
@@ -121,6 +193,19 @@ internal sealed class JsonFields
                 ?? _known.OrderBy(k => Distance(k, name)).FirstOrDefault(k => Distance(k, name) <= Math.Max(2, name.Length / 3));
             _faults.Add($"{_prefix}{name} is unknown; " + (near is null ? "there are " + string.Join(", ", _known) : $"did you mean {near}?"));
         }
+    }
+
+    private static bool TryFill(JsonElement list, double[] values, int at, int count)
+    {
+        if (list.ValueKind != JsonValueKind.Array || list.GetArrayLength() != count)
+            return false;
+        for (int i = 0; i < count; i++)
+        {
+            if (list[i].ValueKind != JsonValueKind.Number || !list[i].TryGetDouble(out values[at + i]))
+                return false;
+        }
+
+        return true;
     }
 
     // How many characters must be put in, taken out or exchanged (Levenshtein), without regard to case.

@@ -1,0 +1,11 @@
+using Xunit;
+
+namespace Rabit.Uav.Tests.Documentation;
+
+/// <summary>docs/architecture.md shows the managers as they are wired.</summary>
+public sealed class ArchitecturePageTests
+{
+    [Fact]
+    public void Drawing_OfTheSixManagers_IsThatOfTheWiring()
+        => GeneratedBlock.AssertUpToDate("docs/architecture.md", "wiring", ArchitectureDrawing.Render());
+}

@@ -1,0 +1,31 @@
+using System;
+using Rabit.Core;
+using Rabit.Links;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Tests.ImageProcessing;
+
+namespace Rabit.Uav.Tests.Documentation;
+
+/// <summary>The six managers with a link and a camera, wired as in flight; no unit of work is executed.</summary>
+internal static class ComposedSystem
+{
+    /// <summary>The wiring as <see cref="RabitWorkspace.DescribeWiring"/> gives it.</summary>
+    public static string DescribeWiring(WiringFormat format)
+    {
+        using UavSystem uav = UavSystem.Open(new UavOptions
+        {
+            OpenLinks = [new MemoryLinkPair("autopilot").A],
+            Camera = new ScriptedCamera(picture: []),
+            Imaging = new ImageProcessingOptions { Camera = new TestView().Camera },
+            Time = new VirtualTime(seed: 1),
+        });
+
+        // The wiring exists from the start on; in virtual time nothing runs before the test says for how long.
+        RabitReactor reactor = uav.CreateReactor(new ReactorOptions { StopsOnSignals = false });
+        reactor.Start();
+        string wiring = reactor.Workspace.DescribeWiring(format);
+        reactor.Stop();
+        reactor.Finish();
+        return wiring;
+    }
+}
