@@ -62,6 +62,17 @@ public sealed class UavOptions
     /// <summary>Managers of the user that fly along: they are added after ours, and Health Monitoring watches them.</summary>
     public IReadOnlyList<RabitManager> OtherManagers { get; set; } = Array.Empty<RabitManager>();
 
+    /// <summary>
+    /// The messages that are checked and named on all links. Messages of your own are put together with ours:
+    /// <c>MavlinkDialect.Combine("mine", MavlinkDialect.All, MineDialect.Instance)</c>.
+    /// </summary>
+    /// <value>The default is <see cref="MavlinkDialect.All"/>. It must have all of <see cref="MavlinkDialect.Common"/>, which the managers use.</value>
+    public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
+
+    /// <summary>Which MAVLink frames go to queues of <see cref="OtherManagers"/>.</summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyList<MavlinkSubscription> Subscriptions { get; set; } = Array.Empty<MavlinkSubscription>();
+
     /// <summary>The time to run in; null for the one that goes with the links.</summary>
     /// <value>The default is null.</value>
     public RabitTime? Time { get; set; }
@@ -86,6 +97,7 @@ public sealed class UavOptions
         int links = Links.Count + OpenLinks.Count;
         if (links > MavlinkRouter.MaximumLinks)
             faults.Add($"there are {links} links; at most {MavlinkRouter.MaximumLinks} are possible");
+        faults.AddRange(SubscriptionCheck.FindFaults(Dialect, Subscriptions));
         if (SystemId == 0)
             faults.Add($"{nameof(SystemId)} is 0; it must be 1 to 255");
         if (ComponentId == 0)

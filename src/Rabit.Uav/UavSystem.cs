@@ -43,6 +43,8 @@ public sealed class UavSystem : IDisposable
             RecordedFiles = _files,
             StopsWhenAllLinksEnd = options.IsReplay,
             Signing = options.Signing,
+            Dialect = options.Dialect,
+            Subscriptions = options.Subscriptions,
             VehicleMessageRoutes =
             [
                 new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
@@ -54,6 +56,7 @@ public sealed class UavSystem : IDisposable
             ComponentId = options.ComponentId,
             RequestsRates = options.RequestsMessageRates && !options.IsReplay,
             MayCommand = options.MayCommand,
+            Dialect = options.Dialect,
         });
         ImageProcessing = new ImageProcessingManager(options.Imaging, options.Camera);
         SensorFusion = new SensorFusionManager(options.Fusion);
@@ -142,7 +145,7 @@ public sealed class UavSystem : IDisposable
         foreach (LinkUrl url in _options.Links)
         {
             if (url.Kind == LinkKind.RecordedFile)
-                _files.Add(RecordedFile.Open(url));
+                _files.Add(RecordedFile.Open(url, _options.Dialect));
             else
                 _links.Add(LinkFactory.Open(url));
         }

@@ -230,6 +230,6 @@ public sealed partial class AutopilotManager : RabitManager
         _ownAddress.Post();
     }
 
-    private static string NameOf(int messageId)
-        => MavlinkDialect.All.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : "an unknown message";
+    private string NameOf(int messageId)
+        => _options.Dialect.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : "an unknown message";
 }

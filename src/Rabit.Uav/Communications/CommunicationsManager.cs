@@ -29,7 +29,7 @@ public sealed partial class CommunicationsManager : RabitManager
     private readonly QueueReceiver<OutgoingFrame> _outgoing;
     private readonly List<LinkPort> _ports = [];
     private readonly long[] _droppedIn;
-    private readonly FrameStatistics _own = new();
+    private readonly FrameStatistics _own;
     private readonly Dictionary<int, byte> _sequences = [];
     private TimeSpan _nextStatus;
     private long _reportedDrops;
@@ -41,12 +41,14 @@ public sealed partial class CommunicationsManager : RabitManager
         : base(ManagerName)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).Validate(nameof(options));
+        _own = new FrameStatistics(_options.Dialect);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress, wakeOnPost: true);
         _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames);
         _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _position = new OwnPosition(_options.Links.Count > 0 ? _options.PositionRateHz : 0);
         _mail = _options.VehicleMessageRoutes.Select(route => route.Open(this)).ToArray();
+        _subscriptions = OpenSubscriptions();
         _droppedIn = new long[_options.Count];
         _signing = _options.Signing is { } signing ? MakeSigning(signing) : null;
         foreach (IByteLink link in _options.Links)
@@ -96,8 +98,8 @@ public sealed partial class CommunicationsManager : RabitManager
     private void AddLink(IByteLink link)
     {
         int number = _ports.Count;
-        var tally = new FrameStatistics();
-        var source = new LinkFrameSource(link, number, tally);
+        var tally = new FrameStatistics(_options.Dialect);
+        var source = new LinkFrameSource(link, number, _options.Dialect, tally);
         var target = new LinkFrameTarget(link);
         _ports.Add(new LinkPort(
             number,
@@ -117,7 +119,7 @@ public sealed partial class CommunicationsManager : RabitManager
     private void AddRecordedFile(RecordedFile file)
     {
         int number = _ports.Count;
-        var tally = new FrameStatistics();
+        var tally = new FrameStatistics(_options.Dialect);
         long origin = _options.RecordedFiles.Min(f => f.StartUtcMicroseconds);
         _ports.Add(new LinkPort(
             number,
@@ -165,21 +167,28 @@ public sealed partial class CommunicationsManager : RabitManager
         if (isRecorded && !own.IsKnown && mavlink.ComponentId == own.ComponentId)
             return;
 
-        bool isKnown = MavlinkDialect.All.TryGetMessage(mavlink.MessageId, out MavlinkMessageInfo message);
-        MavlinkRoute route = _router.Route(frame.Link, mavlink, message, isKnown);
+        MavlinkRoute route = _router.Route(frame.Link, mavlink, frame.TargetSystemId, frame.TargetComponentId, frame.IsChecked);
 
-        // A log is no network: whoever an answer was for then, it is part of the flight that we look at now.
-        bool isForUs = route.DeliverLocally || (isRecorded && isKnown && route.Reason != MavlinkRouteReason.OurOwn);
-        if (isForUs && !IsMail(frame) && _autopilot.Push(frame) == PushResult.Rejected)
-            _droppedIn[frame.Link]++;
+        // A log is no network: whoever an answer was for then, it is part of the flight that is replayed now.
+        bool isReplayed = isRecorded && frame.IsChecked && route.Reason != MavlinkRouteReason.OurOwn;
+        if (route.DeliverLocally || isReplayed)
+            Deliver(frame, isReplayed || frame.IsFor(own.SystemId, own.ComponentId));
         Forward(route.ForwardTo, mavlink);
+    }
+
+    // Autopilot Interface first: subscriptions never hold it up.
+    private void Deliver(in LinkFrame frame, bool isForComputer)
+    {
+        if (isForComputer && !IsMail(frame) && _autopilot.Push(frame) == PushResult.Rejected)
+            _droppedIn[frame.Link]++;
+        DeliverToSubscriptions(frame, isForComputer);
     }
 
     private void SendOwnFrames()
     {
         while (_outgoing.TryPop(out OutgoingFrame outgoing))
         {
-            if (!MavlinkDialect.All.TryGetMessage(outgoing.Frame.MessageId, out MavlinkMessageInfo message))
+            if (!_options.Dialect.TryGetMessage(outgoing.Frame.MessageId, out MavlinkMessageInfo message))
             {
                 Log($"{outgoing.Frame} is not sent: the dialect does not know its id");
                 continue;
@@ -235,6 +244,12 @@ public sealed partial class CommunicationsManager : RabitManager
         if (dropped > _reportedDrops)
             Log($"{dropped - _reportedDrops} frames of our own were dropped: more came than could be sent");
         _reportedDrops = dropped;
+        foreach (SubscriptionPort subscription in _subscriptions)
+        {
+            if (subscription.TakeNewDrops() is > 0 and long lost)
+                Log($"{lost} frames for queue '{subscription.Queue}' were dropped: it is full, since its manager receives too slowly");
+        }
+
         ReportSigning();
     }
 

@@ -8,11 +8,11 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>Reads the bytes of a live link and makes frames of them. Runs on the reader's thread.</summary>
-internal sealed class LinkFrameSource(IByteLink link, int number, FrameStatistics tally) : IReaderSource<LinkFrame>
+internal sealed class LinkFrameSource(IByteLink link, int number, MavlinkDialect dialect, FrameStatistics tally) : IReaderSource<LinkFrame>
 {
     private const int BufferLength = 4096;
 
-    private readonly MavlinkFrameReader _frames = new(MavlinkDialect.All);
+    private readonly MavlinkFrameReader _frames = new(dialect);
     private readonly byte[] _buffer = new byte[BufferLength];
     private ReaderContext? _context;
     private int _start;
@@ -47,6 +47,7 @@ internal sealed class LinkFrameSource(IByteLink link, int number, FrameStatistic
             {
                 tally.Count(frame, info.IsChecked);
                 value = new LinkFrame { Frame = frame, Link = number, Index = _index++, Time = _time, UtcMicroseconds = _utcMicroseconds };
+                value.SetAddress(info.IsChecked, info.Message);
                 return ReaderStep.Value;
             }
 
