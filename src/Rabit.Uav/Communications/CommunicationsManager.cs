@@ -19,7 +19,7 @@ public sealed partial class CommunicationsManager : RabitManager
     public const string ManagerName = "communications";
 
     private const int OutgoingCapacity = 256;
-    private static readonly TimeSpan Rhythm = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan IdleDelay = TimeSpan.FromMilliseconds(200);
     private static readonly TimeSpan StatusPeriod = TimeSpan.FromMilliseconds(500);
 
     private readonly CommunicationsOptions _options;
@@ -43,7 +43,10 @@ public sealed partial class CommunicationsManager : RabitManager
         _options = (options ?? throw new ArgumentNullException(nameof(options))).Validate(nameof(options));
         _own = new FrameStatistics(_options.Dialect);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress, wakeOnPost: true);
-        _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames);
+        
+        // Only where something waits for room in it: a replay.
+        bool isWokenByPops = _options.RecordedFiles.Count > 0 || _options.StopsWhenAllLinksEnd;
+        _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames, wakeOnPop: isWokenByPops);
         _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _position = new OwnPosition(_options.Links.Count > 0 ? _options.PositionRateHz : 0);
@@ -73,18 +76,17 @@ public sealed partial class CommunicationsManager : RabitManager
         if (_ownAddress.Fetch() && _ownAddress.Value.IsKnown)
             _router.SetOwnAddress(_ownAddress.Value.SystemId, _ownAddress.Value.ComponentId);
 
-        bool isWaiting = false;
         foreach (LinkPort port in _ports)
-            isWaiting |= !TakeFrames(port);
+            TakeFrames(port);
         SendOwnFrames();
         SendPosition();
         SendMail();
 
         if (Now >= _nextStatus)
             PostStatus();
-        if (_options.StopsWhenAllLinksEnd && !isWaiting)
-            isWaiting = StopAtTheEnd();
-        WakeUpDelay = isWaiting ? TimeSpan.FromMilliseconds(1) : _position.Period < Rhythm ? _position.Period : Rhythm;
+        if (_options.StopsWhenAllLinksEnd)
+            StopAtTheEnd();
+        WakeUpDelay = _position.Period < IdleDelay ? _position.Period : IdleDelay;
     }
 
     /// <inheritdoc/>
@@ -99,8 +101,8 @@ public sealed partial class CommunicationsManager : RabitManager
     {
         int number = _ports.Count;
         var tally = new FrameStatistics(_options.Dialect);
-        var source = new LinkFrameSource(link, number, _options.Dialect, tally);
-        var target = new LinkFrameTarget(link);
+        var source = new MavlinkLinkSource(link, number, _options.Dialect, tally);
+        var target = new MavlinkLinkTarget(link);
         _ports.Add(new LinkPort(
             number,
             link.Url,
@@ -138,16 +140,16 @@ public sealed partial class CommunicationsManager : RabitManager
         _router.SetLink(number, MavlinkLinkRules.ReceiveOnly);
     }
 
-    /// <returns>False when frames had to stay, because the addressee has no room for them.</returns>
-    private bool TakeFrames(LinkPort port)
+    // Frames of a recorded log stay where they are while Autopilot Interface has no room for them; its next pop wakes us.
+    private void TakeFrames(LinkPort port)
     {
         for (int taken = 0; taken < _options.FramesWaitingIn; taken++)
         {
             // We alone push into that queue, so room that is there now stays there.
             if (port.IsRecorded && !HasRoom(_autopilot))
-                return port.Reader.Counters.Resident == 0;
+                return;
             if (!port.Reader.TryPop(out LinkFrame frame))
-                return true;
+                return;
             port.Saw(frame);
             if (IsAccepted(port, frame.Frame))
                 Route(frame, port.IsRecorded);
@@ -155,7 +157,6 @@ public sealed partial class CommunicationsManager : RabitManager
 
         // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which is at once.
         WakeUp();
-        return true;
     }
 
     private void Route(in LinkFrame frame, bool isRecorded)
@@ -253,16 +254,14 @@ public sealed partial class CommunicationsManager : RabitManager
         ReportSigning();
     }
 
-    /// <returns>True while the end is near but something is still to be handled.</returns>
-    private bool StopAtTheEnd()
+    // Not before everything is handled: what is still to be read or popped wakes us again.
+    private void StopAtTheEnd()
     {
-        if (!_ports.TrueForAll(p => p.HasEnded))
-            return false;
-        if (_ports.Exists(p => p.Reader.Counters.Resident > 0) || _autopilot.Counters.Resident > 0)
-            return true;
+        bool isOver = _ports.TrueForAll(p => p.HasEnded && p.Reader.Counters.Resident == 0) && _autopilot.Counters.Resident == 0;
+        if (!isOver)
+            return;
         PostStatus();
         StopSystem(_ports.Count == 1 ? "the recorded flight is over" : "all links have ended");
-        return false;
     }
 
     private static bool HasRoom<T>(QueueSender<T> queue)

@@ -3,7 +3,7 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>The autopilot's own clock: it was switched on before the run began, and it runs a little fast or slow.</summary>
-internal sealed class AutopilotClock(TimeSpan bootedBefore, double driftPpm)
+internal sealed class BootClock(TimeSpan bootedBefore, double driftPpm)
 {
     private const double MicrosecondsPerTick = 0.1;
 

@@ -1,7 +1,7 @@
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>How far the command that is worked at is.</summary>
-internal enum CommandPhase
+internal enum ExecutorPhase
 {
     /// <summary>There is none.</summary>
     Idle,
