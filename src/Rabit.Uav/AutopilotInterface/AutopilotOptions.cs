@@ -69,6 +69,8 @@ public sealed class AutopilotOptions
         return copy;
     }
 
+    internal AutopilotOptions Copy() => (AutopilotOptions)MemberwiseClone();
+
     private IEnumerable<string> FindFaults()
     {
         if (SystemId == 0)

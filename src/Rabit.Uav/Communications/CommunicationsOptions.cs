@@ -61,6 +61,8 @@ public sealed class CommunicationsOptions
     /// <value>The default is none.</value>
     public IReadOnlyList<MavlinkSubscription> Subscriptions { get; set; } = Array.Empty<MavlinkSubscription>();
 
+    internal CommunicationsOptions Copy() => (CommunicationsOptions)MemberwiseClone();
+
     internal int Count => Links.Count + RecordedFiles.Count;
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
@@ -89,7 +91,7 @@ public sealed class CommunicationsOptions
             faults.Add($"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once");
         if (faults.Count > 0)
             throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".", parameter);
-        var copy = (CommunicationsOptions)MemberwiseClone();
+        CommunicationsOptions copy = Copy();
         copy.Subscriptions = Subscriptions.ToArray();
         return copy;
     }

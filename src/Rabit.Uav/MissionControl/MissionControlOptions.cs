@@ -39,6 +39,8 @@ public sealed class MissionControlOptions
         return (MissionControlOptions)MemberwiseClone();
     }
 
+    internal MissionControlOptions Copy() => (MissionControlOptions)MemberwiseClone();
+
     private IEnumerable<string> FindFaults()
     {
         if (ReadyWithin <= TimeSpan.Zero)

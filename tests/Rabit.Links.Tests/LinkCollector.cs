@@ -2,9 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
-using Rabit.Links;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>Reads a link on a thread of its own, as a program does, until it ends.</summary>
 internal sealed class LinkCollector

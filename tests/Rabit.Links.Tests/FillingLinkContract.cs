@@ -1,9 +1,8 @@
 using System;
 using System.Threading;
-using Rabit.Links;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>What the links promise besides whose writes wait for room on the way out.</summary>
 public abstract class FillingLinkContract : ConnectedLinkContract

@@ -1,9 +1,7 @@
 using System;
-using Rabit.Links;
-using Rabit.Uav.Communications;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 public sealed class LinkUrlTests
 {

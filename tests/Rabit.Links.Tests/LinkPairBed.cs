@@ -1,7 +1,6 @@
 using System;
-using Rabit.Links;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>A link of ours at both ends.</summary>
 internal sealed class LinkPairBed : LinkTestBed

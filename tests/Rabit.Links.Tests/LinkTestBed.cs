@@ -1,7 +1,6 @@
 using System;
-using Rabit.Links;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>A link under test, and what stands at its other end.</summary>
 public abstract class LinkTestBed : IDisposable

@@ -1,10 +1,9 @@
 using System;
 using System.Net;
 using System.Net.Sockets;
-using Rabit.Links;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 public sealed class UdpListenLinkTests : ByteLinkContract
 {

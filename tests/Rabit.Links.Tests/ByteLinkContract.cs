@@ -2,10 +2,9 @@ using System;
 using System.Diagnostics;
 using System.Linq;
 using System.Threading;
-using Rabit.Links;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>What every link promises, see <see cref="IByteLink"/>.</summary>
 public abstract class ByteLinkContract

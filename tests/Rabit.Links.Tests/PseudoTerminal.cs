@@ -1,9 +1,8 @@
 using System;
 using System.Runtime.InteropServices;
 using System.Text;
-using Rabit.Links;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>The far end of a serial line: the master of a pseudo terminal, whose other side looks like a serial device.</summary>
 internal sealed unsafe class PseudoTerminal : IDisposable

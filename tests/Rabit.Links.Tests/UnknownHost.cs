@@ -1,8 +1,7 @@
 using System;
-using Rabit.Links;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 internal static class UnknownHost
 {

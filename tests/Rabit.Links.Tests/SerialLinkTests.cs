@@ -1,9 +1,8 @@
 using System;
 using System.IO;
-using Rabit.Links;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 public sealed class SerialLinkTests : FillingLinkContract
 {

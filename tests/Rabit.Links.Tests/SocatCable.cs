@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>Two serial devices that socat joins by a null-modem cable.</summary>
 internal sealed class SocatCable : IDisposable

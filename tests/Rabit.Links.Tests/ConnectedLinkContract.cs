@@ -1,8 +1,7 @@
 using System;
-using Rabit.Links;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>What the links promise besides that see when the other end goes away.</summary>
 public abstract class ConnectedLinkContract : ByteLinkContract

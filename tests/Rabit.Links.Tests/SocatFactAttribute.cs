@@ -3,7 +3,7 @@ using System.IO;
 using System.Linq;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Links;
+namespace Rabit.Links.Tests;
 
 /// <summary>A test that needs the program socat, and is skipped where it is missing.</summary>
 [AttributeUsage(AttributeTargets.Method)]
