@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink;
+using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.ImageProcessing;
@@ -13,7 +14,27 @@ using Rabit.Uav.SensorFusion;
 
 namespace Rabit.Uav;
 
-/// <summary>What a UAV companion computer is made of. Read once, when it is opened.</summary>
+/// <summary>
+/// What a UAV companion computer is made of. Read once, when it is opened. What concerns the whole is set here, the rest in the options of each
+/// manager. Where both say something of the same thing (<see cref="SystemId"/>, <see cref="Signing"/>, <see cref="Dialect"/>,
+/// <see cref="Mission"/> and the like) it is set in one place or equal in both; two values that differ are refused by name.
+/// </summary>
+/// <example>
+/// An aircraft with an autopilot on a serial line and a ground station on UDP, observed only:
+/// <code>
+/// var options = new UavOptions
+/// {
+///     Links = [LinkUrl.Parse("serial:/dev/ttyAMA0:921600"), LinkUrl.Parse("udpout:192.168.1.10:14550")],
+///     Autopilot = new AutopilotOptions { HeartbeatTimeout = TimeSpan.FromSeconds(3) },
+/// };
+/// </code>
+/// A mission without a camera, with Image Processing of one's own in the place of ours:
+/// <code>
+/// options.Without = UavManagers.ImageProcessing;
+/// options.OtherManagers = [new MyImageProcessing()];
+/// options.MissionControl.RequiresCamera = false;
+/// </code>
+/// </example>
 public sealed class UavOptions
 {
     /// <summary>The links, at least one. A recorded log at another speed than 1 goes with recorded logs of the same speed only.</summary>
@@ -50,6 +71,32 @@ public sealed class UavOptions
     /// <value>The default is null.</value>
     public IReaderSource<CameraFrame>? Camera { get; set; }
 
+    /// <summary>
+    /// How Communications works: queues, vehicle messages, rates. Its links are <see cref="Links"/> and <see cref="OpenLinks"/>; subscriptions of both
+    /// places are added up, and vehicle messages to those of target reports.
+    /// </summary>
+    public CommunicationsOptions Communications { get; set; } = new();
+
+    /// <summary>
+    /// How Autopilot Interface works: rates, time-outs. Rates are requested where both <see cref="RequestsMessageRates"/> and this say so; whether it
+    /// commands is <see cref="MayCommand"/>.
+    /// </summary>
+    public AutopilotOptions Autopilot { get; set; } = new();
+
+    /// <summary>How Mission Control works: goals, time-outs, whether a mission needs a camera.</summary>
+    public MissionControlOptions MissionControl { get; set; } = new();
+
+    /// <summary>How long links that are opened may wait.</summary>
+    public LinkOptions LinkOptions { get; set; } = LinkOptions.Default;
+
+    /// <summary>
+    /// Which of our managers are left out. Their part is then yours: the check of the wiring names each message that nobody publishes any more
+    /// and each queue that nobody receives, and who needs it, until managers in <see cref="OtherManagers"/> do. Without Communications there are
+    /// no links, nor what goes with them.
+    /// </summary>
+    /// <value>The default is <see cref="UavManagers.None"/>.</value>
+    public UavManagers Without { get; set; }
+
     /// <summary>How pictures are searched and located: lens, mount, what a target looks like, how good the sensors are.</summary>
     public ImageProcessingOptions Imaging { get; set; } = new();
 
@@ -62,6 +109,17 @@ public sealed class UavOptions
     /// <summary>Managers of the user that fly along: they are added after ours, and Health Monitoring watches them.</summary>
     public IReadOnlyList<RabitManager> OtherManagers { get; set; } = Array.Empty<RabitManager>();
 
+    /// <summary>
+    /// The messages that are checked and named on all links. Messages of your own are put together with ours:
+    /// <c>MavlinkDialect.Combine("mine", MavlinkDialect.All, MineDialect.Instance)</c>.
+    /// </summary>
+    /// <value>The default is <see cref="MavlinkDialect.All"/>. It must have all of <see cref="MavlinkDialect.Common"/>, which the managers use.</value>
+    public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
+
+    /// <summary>Which MAVLink frames go to queues of <see cref="OtherManagers"/>.</summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyList<MavlinkSubscription> Subscriptions { get; set; } = Array.Empty<MavlinkSubscription>();
+
     /// <summary>The time to run in; null for the one that goes with the links.</summary>
     /// <value>The default is null.</value>
     public RabitTime? Time { get; set; }
@@ -70,7 +128,7 @@ public sealed class UavOptions
     /// <value>The default is 0.</value>
     public long Seed { get; set; }
 
-    internal bool IsReplay => OpenLinks.Count == 0 && Links.All(l => l.Kind == LinkKind.RecordedFile);
+    internal bool IsReplay => OpenLinks.Count == 0 && Links.Count > 0 && Links.All(l => l.Kind == LinkKind.RecordedFile);
 
     /// <summary>How many times faster than real time; 1 for real time itself.</summary>
     internal double Speed => Links.Count == 0 ? 1 : Links.Max(l => l.Speed);
@@ -78,38 +136,84 @@ public sealed class UavOptions
     /// <exception cref="ArgumentException">Options are out of their range or do not go together; the text names all of them.</exception>
     internal void Validate(string parameter)
     {
-        var faults = new List<string>();
-        if (Links is null || OpenLinks is null || Links.Count + OpenLinks.Count == 0)
+        if (FindNull() is { } name)
+            throw new ArgumentException($"{name} is null.", parameter);
+        if (Links is null || OpenLinks is null || (Links.Count + OpenLinks.Count == 0 && Has(UavManagers.Communications)))
             throw new ArgumentException("A UAV needs at least one link.", parameter);
-        if (Links.Contains(null!))
+        if (Links.Contains(null!) || OpenLinks.Contains(null!))
             throw new ArgumentException("A link is null.", parameter);
+        List<string> faults = FindFaults().ToList();
+        if (faults.Count > 0)
+            throw new ArgumentException(string.Join("; ", faults) + ".", parameter);
+    }
+
+    internal bool Has(UavManagers manager) => (Without & manager) == 0;
+
+    private string? FindNull() => new (string Name, object? Value)[]
+    {
+        (nameof(Communications), Communications), (nameof(Autopilot), Autopilot), (nameof(MissionControl), MissionControl), (nameof(Imaging), Imaging),
+        (nameof(Fusion), Fusion), (nameof(Health), Health), (nameof(LinkOptions), LinkOptions), (nameof(OtherManagers), OtherManagers),
+    }.FirstOrDefault(o => o.Value is null).Name;
+
+    private IEnumerable<string> FindFaults() => FindFaultsOfLinks()
+        .Concat(FindFaultsOfDialect())
+        .Concat(FindFaultsOfManagers())
+        .Concat(ManagerOptions.FindContradictions(this));
+
+    private IEnumerable<string> FindFaultsOfDialect()
+    {
+        if (Dialect is null || Communications.Dialect is null || Subscriptions is null || Communications.Subscriptions is null)
+            return [$"{nameof(Dialect)} or {nameof(Subscriptions)} is null, or that of {nameof(Communications)}"];
+        return SubscriptionCheck.FindFaults(ManagerOptions.DialectOf(this), ManagerOptions.SubscriptionsOf(this));
+    }
+
+    private IEnumerable<string> FindFaultsOfLinks()
+    {
         int links = Links.Count + OpenLinks.Count;
         if (links > MavlinkRouter.MaxLinks)
-            faults.Add($"there are {links} links; at most {MavlinkRouter.MaxLinks} are possible");
+            yield return $"there are {links} links; at most {MavlinkRouter.MaxLinks} are possible";
         if (SystemId == 0)
-            faults.Add($"{nameof(SystemId)} is 0; it must be 1 to 255");
+            yield return $"{nameof(SystemId)} is 0; it must be 1 to 255";
         if (ComponentId == 0)
-            faults.Add($"{nameof(ComponentId)} is 0; it must be 1 to 255");
-        faults.AddRange(Links
-            .GroupBy(l => l.ToString(), StringComparer.Ordinal)
-            .Where(g => g.Count() > 1)
-            .Select(g => $"link {g.Key} is given {g.Count()} times"));
-
-        if (Signing is not null && IsReplay)
-            faults.Add("there is nothing to sign in a replay");
-        faults.AddRange(IsReplay ? [] : Signing?.FindFaults(OpenLinks.Count + Links.Count(l => l.Kind != LinkKind.RecordedFile)) ?? []);
+            yield return $"{nameof(ComponentId)} is 0; it must be 1 to 255";
+        foreach (IGrouping<string, LinkUrl> same in Links.GroupBy(l => l.ToString(), StringComparer.Ordinal).Where(g => g.Count() > 1))
+            yield return $"link {same.Key} is given {same.Count()} times";
 
         LinkUrl? fast = Links.FirstOrDefault(l => !l.Speed.Equals(1));
         LinkUrl? other = fast is null ? null : Links.FirstOrDefault(l => l.Kind != LinkKind.RecordedFile || !l.Speed.Equals(fast.Speed));
         if (other is not null)
-            faults.Add($"{fast} plays at another pace than {other}; a log at another speed than 1 goes with logs of the same speed only");
+            yield return $"{fast} plays at another pace than {other}; a log at another speed than 1 goes with logs of the same speed only";
         if (fast is not null && (OpenLinks.Count > 0 || Time is not null))
-            faults.Add($"{fast} plays at a pace of its own, which does not go with other links or another time");
-        if (Mission is not null && !MayCommand)
-            faults.Add($"there is a mission, but {nameof(MayCommand)} is false");
+            yield return $"{fast} plays at a pace of its own, which does not go with other links or another time";
+
+        SigningOptions? signing = ManagerOptions.SigningOf(this);
+        if (signing is not null && IsReplay)
+            yield return "there is nothing to sign in a replay";
+        int liveLinks = OpenLinks.Count + Links.Count(l => l.Kind != LinkKind.RecordedFile);
+        foreach (string fault in IsReplay ? [] : signing?.FindFaults(liveLinks) ?? [])
+            yield return fault;
+    }
+
+    private IEnumerable<string> FindFaultsOfManagers()
+    {
+        if ((Without & ~UavManagers.All) != 0)
+            yield return $"{nameof(Without)} is {Without:D}, which is none of the managers";
+        if (OtherManagers.Contains(null!))
+            yield return $"one of {nameof(OtherManagers)} is null";
+        MissionPlan? mission = ManagerOptions.MissionOf(this);
+        if (mission is not null && !MayCommand)
+            yield return $"there is a mission, but {nameof(MayCommand)} is false";
         if (MayCommand && IsReplay)
-            faults.Add("nobody can be commanded in a replay");
-        if (faults.Count > 0)
-            throw new ArgumentException(string.Join("; ", faults) + ".", parameter);
+            yield return "nothing can be commanded in a replay";
+        if (mission is not null && !Has(UavManagers.MissionControl))
+            yield return $"there is a mission, but {nameof(Without)} has {nameof(UavManagers.MissionControl)}";
+        if (Camera is not null && !Has(UavManagers.ImageProcessing))
+            yield return $"there is a camera, but {nameof(Without)} has {nameof(UavManagers.ImageProcessing)}";
+        if (Has(UavManagers.Communications))
+            yield break;
+        if (Links.Count + OpenLinks.Count > 0)
+            yield return $"there are links, but {nameof(Without)} has {nameof(UavManagers.Communications)}: open them where your own manager is made";
+        if (ManagerOptions.SigningOf(this) is not null || ManagerOptions.SubscriptionsOf(this).Count > 0)
+            yield return $"signing and subscriptions are the work of {nameof(UavManagers.Communications)}, which {nameof(Without)} has";
     }
 }

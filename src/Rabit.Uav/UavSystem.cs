@@ -18,11 +18,25 @@ namespace Rabit.Uav;
 /// The companion computer: opens the links and makes the managers, which know nothing of each other. For one run: open it, make
 /// its reactor, run that, dispose it.
 /// </summary>
+/// <example>
+/// <code>
+/// using UavSystem uav = UavSystem.Open(new UavOptions { Links = [LinkUrl.Parse("udpin:0.0.0.0:14550")] });
+/// RabitReactor reactor = uav.CreateReactor(new ReactorOptions { Log = entry => Console.WriteLine(entry) });
+/// reactor.Run();   // until SIGINT or SIGTERM
+/// Console.WriteLine(uav.Communications.SummariseLinks()[0].Frames);
+/// </code>
+/// </example>
 public sealed class UavSystem : IDisposable
 {
     private readonly UavOptions _options;
     private readonly List<IByteLink> _links = [];
     private readonly List<RecordedFile> _files = [];
+    private readonly CommunicationsManager? _communications;
+    private readonly AutopilotManager? _autopilot;
+    private readonly ImageProcessingManager? _imageProcessing;
+    private readonly SensorFusionManager? _sensorFusion;
+    private readonly MissionControlManager? _missionControl;
+    private readonly HealthManager? _health;
 
     private UavSystem(UavOptions options)
     {
@@ -30,57 +44,52 @@ public sealed class UavSystem : IDisposable
         try
         {
             OpenLinks();
+            if (options.Has(UavManagers.Communications))
+                _communications = new CommunicationsManager(ManagerOptions.ForCommunications(options, _links, _files));
+            if (options.Has(UavManagers.AutopilotInterface))
+                _autopilot = new AutopilotManager(ManagerOptions.ForAutopilot(options));
+            if (options.Has(UavManagers.ImageProcessing))
+                _imageProcessing = new ImageProcessingManager(options.Imaging, options.Camera);
+            if (options.Has(UavManagers.SensorFusion))
+                _sensorFusion = new SensorFusionManager(options.Fusion);
+            if (options.Has(UavManagers.MissionControl))
+                _missionControl = new MissionControlManager(ManagerOptions.ForMissionControl(options));
+            if (options.MayCommand)
+                CarryOnAfterFaults();
+            if (options.Has(UavManagers.HealthMonitoring))
+                _health = new HealthManager(options.Health, Managers().Select(m => m.Name), LinkCount);
+            Time = CreateTime();
         }
         catch
         {
             Dispose();
             throw;
         }
-
-        Communications = new CommunicationsManager(new CommunicationsOptions
-        {
-            Links = _links,
-            RecordedFiles = _files,
-            StopsWhenAllLinksEnd = options.IsReplay,
-            Signing = options.Signing,
-            VehicleMessageRoutes =
-            [
-                new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
-            ],
-        });
-        Autopilot = new AutopilotManager(new AutopilotOptions
-        {
-            SystemId = options.SystemId,
-            ComponentId = options.ComponentId,
-            RequestsRates = options.RequestsMessageRates && !options.IsReplay,
-            MayCommand = options.MayCommand,
-        });
-        ImageProcessing = new ImageProcessingManager(options.Imaging, options.Camera);
-        SensorFusion = new SensorFusionManager(options.Fusion);
-        MissionControl = new MissionControlManager(new MissionControlOptions { Mission = options.Mission });
-        if (options.MayCommand)
-            CarryOnAfterFaults();
-        Health = new HealthManager(options.Health, Managers().Select(m => m.Name), LinkCount);
-        Time = CreateTime();
     }
 
-    /// <summary>Owns the links; tells what came in over them.</summary>
-    public CommunicationsManager Communications { get; }
+    /// <summary>Owns the links; counts what came in over them.</summary>
+    /// <exception cref="InvalidOperationException">It was left out; see <see cref="UavOptions.Without"/>. So with the other managers.</exception>
+    public CommunicationsManager Communications => Made(_communications, UavManagers.Communications);
 
-    /// <summary>Speaks with the autopilot; tells what the flight was like.</summary>
-    public AutopilotManager Autopilot { get; }
+    /// <summary>Speaks with the autopilot; knows what the flight was like.</summary>
+    /// <exception cref="InvalidOperationException">It was left out.</exception>
+    public AutopilotManager Autopilot => Made(_autopilot, UavManagers.AutopilotInterface);
 
-    /// <summary>Finds targets in pictures; keeps their cut-outs.</summary>
-    public ImageProcessingManager ImageProcessing { get; }
+    /// <summary>Finds targets in pictures; keeps their image chips.</summary>
+    /// <exception cref="InvalidOperationException">It was left out.</exception>
+    public ImageProcessingManager ImageProcessing => Made(_imageProcessing, UavManagers.ImageProcessing);
 
     /// <summary>Makes tracks of reports.</summary>
-    public SensorFusionManager SensorFusion { get; }
+    /// <exception cref="InvalidOperationException">It was left out.</exception>
+    public SensorFusionManager SensorFusion => Made(_sensorFusion, UavManagers.SensorFusion);
 
     /// <summary>Flies the mission, where there is one.</summary>
-    public MissionControlManager MissionControl { get; }
+    /// <exception cref="InvalidOperationException">It was left out.</exception>
+    public MissionControlManager MissionControl => Made(_missionControl, UavManagers.MissionControl);
 
     /// <summary>Watches all of it, and writes our heartbeat while it is true.</summary>
-    public HealthManager Health { get; }
+    /// <exception cref="InvalidOperationException">It was left out.</exception>
+    public HealthManager Health => Made(_health, UavManagers.HealthMonitoring);
 
     /// <summary>
     /// The time to run in: real time, or, where logs are played at another speed than 1, virtual time that starts with the first stamp
@@ -111,8 +120,10 @@ public sealed class UavSystem : IDisposable
             throw new ArgumentNullException(nameof(options));
         options.Time = Time;
         var reactor = new RabitReactor(options);
-        foreach (RabitManager manager in Managers().Append(Health))
+        foreach (RabitManager manager in Managers())
             reactor.Add(manager);
+        if (_health is not null)
+            reactor.Add(_health);
         return reactor;
     }
 
@@ -134,7 +145,12 @@ public sealed class UavSystem : IDisposable
 
     // In the order of their start. Health Monitoring, which watches them, comes after them all.
     private IEnumerable<RabitManager> Managers()
-        => new RabitManager[] { Communications, Autopilot, ImageProcessing, SensorFusion, MissionControl }.Concat(_options.OtherManagers);
+        => new RabitManager?[] { _communications, _autopilot, _imageProcessing, _sensorFusion, _missionControl }
+            .OfType<RabitManager>().Concat(_options.OtherManagers);
+
+    private static T Made<T>(T? manager, UavManagers which)
+        where T : RabitManager
+        => manager ?? throw new InvalidOperationException($"{which} was left out: {nameof(UavOptions)}.{nameof(UavOptions.Without)} has it.");
 
     private void OpenLinks()
     {
@@ -142,9 +158,9 @@ public sealed class UavSystem : IDisposable
         foreach (LinkUrl url in _options.Links)
         {
             if (url.Kind == LinkKind.RecordedFile)
-                _files.Add(RecordedFile.Open(url));
+                _files.Add(RecordedFile.Open(url, ManagerOptions.DialectOf(_options)));
             else
-                _links.Add(LinkFactory.Open(url));
+                _links.Add(LinkFactory.Open(url, _options.LinkOptions));
         }
     }
 

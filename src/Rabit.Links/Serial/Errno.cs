@@ -17,7 +17,11 @@ internal static class Errno
     public const int NotDirectory = 20; // ENOTDIR
     public const int IsDirectory = 21; // EISDIR
     public const int Invalid = 22; // EINVAL
+    public const int TooManyFilesOfSystem = 23; // ENFILE
+    public const int TooManyFiles = 24; // EMFILE
     public const int NotATerminal = 25; // ENOTTY
+    public const int NotImplemented = 38; // ENOSYS
+    public const int NotSupported = 95; // EOPNOTSUPP
 
     /// <summary>What the kernel answers once the device is gone.</summary>
     public static bool IsUnplugged(int errno) => errno is InputOutput or NoDeviceOrAddress or NoDevice;
@@ -30,6 +34,10 @@ internal static class Errno
         Busy => "the device is in use by another program",
         NotATerminal or IsDirectory => "this is not a serial device",
         NoDevice or NoDeviceOrAddress or InputOutput => "the device does not answer (unplugged?)",
+        Invalid => "the device or its driver refuses the setting (EINVAL)",
+        TooManyFiles or TooManyFilesOfSystem => "too many files are open (EMFILE or ENFILE)",
+        NotImplemented or NotSupported =>
+            "the kernel or its emulation lacks a call that this needs (ENOSYS); emulators such as qemu-user do not know custom baud rates",
         _ => $"error {errno.ToString(CultureInfo.InvariantCulture)} of the operating system (errno)",
     };
 }

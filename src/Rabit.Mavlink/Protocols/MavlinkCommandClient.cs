@@ -158,7 +158,17 @@ public sealed class MavlinkCommandClient
     /// <param name="now">The time.</param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
     {
-        if (!frame.TryDecode(out CommandAck answer) || !_own.IsTargetOf(answer.TargetSystem, answer.TargetComponent))
+        if (frame.TryDecode(out CommandAck answer))
+            Handle(frame, answer, now);
+    }
+
+    /// <summary>Takes an acknowledgement that came in, where its frame was decoded before.</summary>
+    /// <param name="frame">The frame, checked by the reader.</param>
+    /// <param name="answer">Its message.</param>
+    /// <param name="now">The time, by a clock that never goes back.</param>
+    public void Handle(in MavlinkFrame frame, in CommandAck answer, TimeSpan now)
+    {
+        if (!_own.IsTargetOf(answer.TargetSystem, answer.TargetComponent))
             return;
         foreach (CommandExchange exchange in _exchanges)
         {

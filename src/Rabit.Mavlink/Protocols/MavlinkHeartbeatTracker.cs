@@ -99,6 +99,12 @@ public sealed class MavlinkHeartbeatTracker
             HandleBootTime(frame, milliseconds);
     }
 
+    /// <summary>Takes a heartbeat that came in, where its frame was decoded before.</summary>
+    /// <param name="frame">The frame, checked by the reader.</param>
+    /// <param name="heartbeat">Its message.</param>
+    /// <param name="now">The time, by a clock that never goes back.</param>
+    public void Handle(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan now) => HandleHeartbeat(frame, heartbeat, now);
+
     /// <summary>Takes the next event. Call it until there is none, after frames and at <see cref="NextDue"/>.</summary>
     /// <param name="now">The time.</param>
     /// <param name="happened">The event.</param>

@@ -128,13 +128,36 @@ public sealed class MavlinkRateClient
     {
         if (!_target.IsSourceOf(frame))
             return;
+        CountFrame(frame.MessageId);
+        if (_current >= 0 && frame.TryDecode(out CommandAck answer))
+            HandleAnswer(answer, now);
+    }
+
+    /// <summary>Takes an acknowledgement that came in, where its frame was decoded before.</summary>
+    /// <param name="frame">The frame, checked by the reader.</param>
+    /// <param name="answer">Its message.</param>
+    /// <param name="now">The time, by a clock that never goes back.</param>
+    public void Handle(in MavlinkFrame frame, in CommandAck answer, TimeSpan now)
+    {
+        if (!_target.IsSourceOf(frame))
+            return;
+        CountFrame(frame.MessageId);
+        if (_current >= 0)
+            HandleAnswer(answer, now);
+    }
+
+    private void CountFrame(int messageId)
+    {
         for (int i = 0; i < _entries.Length; i++)
         {
-            if (_entries[i].MessageId == frame.MessageId)
+            if (_entries[i].MessageId == messageId)
                 _entries[i].InWindow++;
         }
+    }
 
-        if (_current >= 0 && frame.TryDecode(out CommandAck answer) && answer.Command == MavCmd.SetMessageInterval && _own.IsTargetOf(answer.TargetSystem, answer.TargetComponent))
+    private void HandleAnswer(in CommandAck answer, TimeSpan now)
+    {
+        if (answer.Command == MavCmd.SetMessageInterval && _own.IsTargetOf(answer.TargetSystem, answer.TargetComponent))
             HandleAnswer(answer.Result, now);
     }
 

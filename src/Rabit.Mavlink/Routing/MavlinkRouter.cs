@@ -42,6 +42,9 @@ public sealed class MavlinkRouter
 
     private byte _systemId;
     private byte _componentId;
+
+    // Components of our system beside that of our address; a gimbal that we drive, for example.
+    private readonly bool[] _ownComponents = new bool[256];
     private readonly RouteTable _table;
     private ulong _links;
     private ulong _sendLinks;
@@ -94,6 +97,19 @@ public sealed class MavlinkRouter
             throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
         _systemId = systemId;
         _componentId = componentId;
+    }
+
+    /// <summary>
+    /// Makes us another component of our system beside that of our own address: a payload or a gimbal that this computer drives. What is
+    /// addressed to it is for us, and what comes in from it is an echo.
+    /// </summary>
+    /// <param name="componentId">Its component id, 1 to 255.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The id is 0.</exception>
+    public void AddOwnComponent(byte componentId)
+    {
+        if (componentId == 0)
+            throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
+        _ownComponents[componentId] = true;
     }
 
     /// <summary>Adds a link, or changes the rules of one.</summary>
@@ -153,12 +169,24 @@ public sealed class MavlinkRouter
     /// </param>
     /// <returns>Where it goes; never back to its link.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
-    public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkMessageInfo message, bool isChecked)
+    public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkMessageInfo message, bool isChecked) => isChecked
+        ? Route(link, frame, frame.TargetSystem(message), frame.TargetComponent(message), isChecked)
+        : Route(link, frame, targetSystem: 0, targetComponent: 0, isChecked);
+
+    /// <summary>Says where a frame goes that came in, and learns from it: where its address was read before.</summary>
+    /// <param name="link">The link it came from.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="targetSystem">See <see cref="MavlinkFrame.TargetSystem"/>.</param>
+    /// <param name="targetComponent">See <see cref="MavlinkFrame.TargetComponent"/>.</param>
+    /// <param name="isChecked">Whether its id is known and its checksum right. Only then is it learned from and its address used.</param>
+    /// <returns>Where it goes; never back to its link.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
+    public MavlinkRoute Route(int link, in MavlinkFrame frame, byte targetSystem, byte targetComponent, bool isChecked)
     {
         ulong bit = Bit(link);
         if ((_links & bit) == 0)
             throw new ArgumentOutOfRangeException(nameof(link), link, "The link was not added: SetLink comes first.");
-        if (_systemId != 0 && frame.SystemId == _systemId && frame.ComponentId == _componentId)
+        if (_systemId != 0 && frame.SystemId == _systemId && IsOwnComponent(frame.ComponentId))
         {
             _ourOwn++;
             return new MavlinkRoute(MavlinkRouteReason.OurOwn, deliverLocally: false, 0);
@@ -166,7 +194,7 @@ public sealed class MavlinkRouter
 
         if (isChecked)
             Learn(frame, bit);
-        MavlinkRoute route = isChecked ? RouteByAddress(frame, message) : RouteUnchecked(frame.MessageId);
+        MavlinkRoute route = isChecked ? RouteByAddress(frame.MessageId, targetSystem, targetComponent) : RouteUnchecked(frame.MessageId);
         ulong allowed = (_forwardFromLinks & bit) != 0 ? _sendLinks & ~bit : 0;
         return Count(new MavlinkRoute(route.Reason, route.DeliverLocally, route.ForwardTo & allowed));
     }
@@ -192,12 +220,12 @@ public sealed class MavlinkRouter
         return links;
     }
 
-    private MavlinkRoute RouteByAddress(in MavlinkFrame frame, in MavlinkMessageInfo message)
+    private bool IsOwnComponent(byte component) => component == _componentId || _ownComponents[component];
+
+    private MavlinkRoute RouteByAddress(int messageId, byte system, byte component)
     {
-        byte system = frame.TargetSystem(message);
-        byte component = frame.TargetComponent(message);
-        bool isForUs = system == 0 || (system == _systemId && (component == 0 || component == _componentId));
-        if (IsLinkLocal(frame.MessageId))
+        bool isForUs = system == 0 || (system == _systemId && (component == 0 || IsOwnComponent(component)));
+        if (IsLinkLocal(messageId))
             return new MavlinkRoute(MavlinkRouteReason.LinkLocal, isForUs, 0);
         if (system == 0)
             return new MavlinkRoute(MavlinkRouteReason.Broadcast, isForUs, ulong.MaxValue);

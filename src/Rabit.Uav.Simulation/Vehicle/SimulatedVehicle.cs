@@ -29,7 +29,7 @@ internal sealed class SimulatedVehicle : IFrameSink
     private readonly TruthRecorder _recorder;
     private readonly FaultScript _script;
     private readonly NavigationErrors _errors;
-    private readonly AutopilotClock _clock;
+    private readonly BootClock _clock;
     private readonly AutopilotAddress _address;
     private readonly Telemetry _telemetry;
     private readonly StreamSchedule _streams = new();
@@ -55,7 +55,7 @@ internal sealed class SimulatedVehicle : IFrameSink
         Pack = new Battery(Parameters.BatteryCapacity.Value / 1000, options.BatteryRemaining);
 
         var constants = new SimulationRandom(options.Seed, "vehicle constants");
-        _clock = new AutopilotClock(
+        _clock = new BootClock(
             options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80)), options.ClockDriftPpm ?? constants.ModestNormal(20));
         double from = options.WindFromRadians ?? constants.Uniform(-Math.PI, Math.PI);
         Air = new WindField(new SimulationRandom(options.Seed, "wind"), options.WindMetresPerSecond, from, StepSeconds);

@@ -2,6 +2,8 @@ using System;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Links;
+using Rabit.Uav.Communications;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Simulation;
 
@@ -16,9 +18,8 @@ internal sealed class SimulatedVehicleManager : RabitManager
 
     private readonly SimulatedVehicle _vehicle;
     private readonly TruthRecorder _recorder;
-    private readonly VehicleFrameSource _source;
-    private readonly VehicleFrameTarget _target;
-    private readonly BlockingReader<MavlinkFrame> _reader;
+    private readonly MavlinkLinkTarget _target;
+    private readonly BlockingReader<LinkFrame> _reader;
     private readonly BlockingWriter<MavlinkFrame> _writer;
     private readonly DelayedFrames _delayed;
     private readonly VehicleSigning? _signing;
@@ -42,9 +43,8 @@ internal sealed class SimulatedVehicleManager : RabitManager
         _vehicle = vehicle;
         _delayed = delayed;
         _recorder = recorder;
-        _source = new VehicleFrameSource(link);
-        _target = new VehicleFrameTarget(link);
-        _reader = AttachReader("link", _source, FramesWaiting);
+        _target = new MavlinkLinkTarget(link);
+        _reader = AttachReader("link", new MavlinkLinkSource(link), FramesWaiting);
         _writer = AttachWriter("link out", _target, FramesWaiting);
     }
 
@@ -64,15 +64,18 @@ internal sealed class SimulatedVehicleManager : RabitManager
 
         Hear(now);
         Deliver(now);
-        _recorder.CountFrames(_sent, _heard, _lost + _source.Unknown + _target.Lost);
+        _recorder.CountFrames(_sent, _heard, _lost + _target.Lost);
         SleepUntil(now);
     }
 
     private void Hear(TimeSpan now)
     {
-        while (_reader.TryPop(out MavlinkFrame frame))
+        while (_reader.TryPop(out LinkFrame received))
         {
-            if (_vehicle.IsSilent || !IsAccepted(frame))
+            MavlinkFrame frame = received.Frame;
+
+            // What no dialect knows, nothing could check.
+            if (!received.IsChecked || _vehicle.IsSilent || !IsAccepted(frame))
             {
                 _lost++;
                 continue;

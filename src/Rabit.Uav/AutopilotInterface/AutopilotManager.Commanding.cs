@@ -11,8 +11,8 @@ public sealed partial class AutopilotManager
 {
     private const int CommandsWaiting = 100;
 
-    // Set-points, time-outs and the first questions for the time want a closer look than the rest.
-    private static readonly TimeSpan BusyRhythm = TimeSpan.FromMilliseconds(50);
+    // Set-points, time-outs and the first requests for the time are due more often than the rest.
+    private static readonly TimeSpan BusyDelay = TimeSpan.FromMilliseconds(50);
 
     // Answers to TIMESYNC are due by then: five at 5 Hz.
     private static readonly TimeSpan TimesyncWait = TimeSpan.FromSeconds(3);
@@ -23,8 +23,8 @@ public sealed partial class AutopilotManager
     private readonly QueueSender<VehicleCommandResult> _answers;
     private readonly QueueSender<PoseSample> _poses;
     private readonly MessagePublisher<CommandAuthority> _authority;
-    private ClockBasis _toldBasis;
-    private TimeSpan _askingSince;
+    private ClockBasis _reportedBasis;
+    private TimeSpan _requestingSince;
 
     private void ExecuteCommands()
     {
@@ -59,12 +59,6 @@ public sealed partial class AutopilotManager
         _authority.PostStamped(posted.Since);
     }
 
-    private void TakeHeartbeat(in LinkFrame frame, VehicleEvents events)
-    {
-        if (frame.Frame.MessageId == Heartbeat.MavlinkId && (events & VehicleEvents.OfOther) == 0)
-            _executor.TakeHeartbeat(_tracker.State, frame.Time);
-    }
-
     private void HandleReboot(TimeSpan time)
     {
         VehicleState vehicle = _tracker.State;
@@ -74,46 +68,29 @@ public sealed partial class AutopilotManager
         _clock.Restart(time);
     }
 
-    private void TakePose(in LinkFrame frame, VehicleEvents events)
+    private void PushPose(PoseSampleKind kind, TimeSpan arrival)
     {
-        bool isPosition = frame.Frame.MessageId == GlobalPositionInt.MavlinkId;
-        if ((events & VehicleEvents.Changed) == 0 || !(isPosition || frame.Frame.MessageId == Attitude.MavlinkId))
-            return;
-        if ((events & (VehicleEvents.OfOther | VehicleEvents.Refused)) != 0)
-            return;
-
         ref readonly VehicleState vehicle = ref _tracker.State;
-        var pose = new PoseSample { Time = _clock.Map(_tracker.BootTimeMs, frame.Time) };
-        if (isPosition)
+        var pose = new PoseSample { Kind = kind, Time = _clock.Map(_tracker.BootTimeMs, arrival) };
+        if (kind == PoseSampleKind.Position)
         {
-            pose.Kind = PoseSampleKind.Position;
             pose.Position = vehicle.Position;
             pose.HeightAboveHomeMetres = vehicle.HeightAboveHomeMetres;
             pose.VelocityNed = vehicle.VelocityNed;
         }
         else
         {
-            pose.Kind = PoseSampleKind.Attitude;
             pose.Attitude = vehicle.Attitude;
             pose.Rates = vehicle.Rates;
         }
 
         _poses.Push(pose);
-        TellBasis(frame.Time);
+        ReportBasis(arrival);
     }
 
-    private void TakeTime(in LinkFrame frame)
+    private void StartRequestingTime(TimeSpan time)
     {
-        MavlinkFrame mavlink = frame.Frame;
-        if (mavlink.MessageId != Timesync.MavlinkId || !_tracker.IsFromAutopilot(mavlink))
-            return;
-        mavlink.TryDecode(out Timesync message);
-        _clock.Take(message, frame.Time);
-    }
-
-    private void StartAskingForTime(TimeSpan time)
-    {
-        _askingSince = time;
+        _requestingSince = time;
         if (_options.RequestsRates)
             _clock.Requests.Start(time);
     }
@@ -128,18 +105,18 @@ public sealed partial class AutopilotManager
         _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(request, own.SystemId, own.ComponentId, sequence: 0) });
     }
 
-    // Said once, and again when it is another; while answers may still come there is nothing to say.
-    private void TellBasis(TimeSpan now)
+    // Logged once, and again when it is another; while answers may still come there is nothing to report.
+    private void ReportBasis(TimeSpan now)
     {
         ClockBasis basis = _clock.BasisAt(now);
-        bool mayStillCome = basis == ClockBasis.Arrival && _options.RequestsRates && now - _askingSince < TimesyncWait;
-        if (basis == _toldBasis || basis == ClockBasis.None || mayStillCome)
+        bool mayStillCome = basis == ClockBasis.Arrival && _options.RequestsRates && now - _requestingSince < TimesyncWait;
+        if (basis == _reportedBasis || basis == ClockBasis.None || mayStillCome)
             return;
-        _toldBasis = basis;
+        _reportedBasis = basis;
         Log(basis == ClockBasis.Timesync
             ? FormattableString.Invariant(
                 $"the autopilot's time is known by TIMESYNC (shortest round trip {_clock.Timesync.ShortestRoundTripSeconds * 1000:0.0} ms)")
             : "the autopilot's time is estimated by when its messages come in: "
-                + (_options.RequestsRates ? "it does not answer TIMESYNC" : "nobody is asked in a replay"));
+                + (_options.RequestsRates ? "it does not answer TIMESYNC" : "in a replay it is not asked"));
     }
 }

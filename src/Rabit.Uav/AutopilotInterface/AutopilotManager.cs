@@ -8,7 +8,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Hears the autopilot: turns its frames into the state of the vehicle, keeps its last texts and acknowledgements, knows when it
+/// Receives the autopilot: turns its frames into the state of the vehicle, keeps its last texts and acknowledgements, knows when it
 /// is lost, and asks it for the message rates that the others need. ArduPilot, PX4, or any other in general terms. Where it may, it carries
 /// out the commands of Mission Control, until the pilot or the autopilot takes the command away.
 /// </summary>
@@ -21,7 +21,7 @@ public sealed partial class AutopilotManager : RabitManager
     public const int RecentItemsKept = 20;
 
     private const int FramesWaiting = 1024;
-    private static readonly TimeSpan Rhythm = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan IdleDelay = TimeSpan.FromMilliseconds(200);
 
     private readonly AutopilotOptions _options;
     private readonly QueueReceiver<LinkFrame> _frames;
@@ -33,7 +33,7 @@ public sealed partial class AutopilotManager : RabitManager
     private readonly VehicleTracker _tracker;
     private readonly FlightRecorder _recorder = new();
     private MavlinkRateClient? _rates;
-    private TimeSpan _listenedUntil;
+    private TimeSpan _checkedUntil;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
@@ -54,7 +54,7 @@ public sealed partial class AutopilotManager : RabitManager
         _answers = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
         _poses = Send<PoseSample>(MessageNames.Poses);
-        WakeUpDelay = Rhythm;
+        WakeUpDelay = IdleDelay;
     }
 
     /// <summary>What was seen so far, frame by frame. A new snapshot at each call. Any thread.</summary>
@@ -74,7 +74,7 @@ public sealed partial class AutopilotManager : RabitManager
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
     {
-        VehicleEvents events = TakeFrames() | JudgeSilence();
+        VehicleEvents events = TakeFrames() | CheckSilence();
         if ((events & VehicleEvents.Changed) != 0)
         {
             _vehicle.Value = _tracker.State;
@@ -84,7 +84,7 @@ public sealed partial class AutopilotManager : RabitManager
         RequestRates();
         RequestTime();
         ExecuteCommands();
-        WakeUpDelay = _executor.IsBusy || _clock.Requests.IsFast(Now) ? BusyRhythm : Rhythm;
+        WakeUpDelay = _executor.IsBusy || _clock.Requests.IsFast(Now) ? BusyDelay : IdleDelay;
     }
 
     private VehicleEvents TakeFrames()
@@ -93,21 +93,7 @@ public sealed partial class AutopilotManager : RabitManager
         RecentItems<StatusText> texts = _statusTexts.Value;
         RecentItems<CommandAcknowledgement> acknowledgements = _acknowledgements.Value;
         while (_frames.TryPop(out LinkFrame frame))
-        {
-            MavlinkFrame mavlink = frame.Frame;
-            VehicleEvents events = _tracker.Fold(frame);
-            _recorder.Record(frame, events, _tracker.State);
-            Handle(events, frame.Time);
-            TakeHeartbeat(frame, events);
-            TakePose(frame, events);
-            TakeTime(frame);
-            TakeText(frame);
-            TakeAcknowledgement(frame);
-            if (_tracker.State.IsConnected)
-                _rates?.Handle(mavlink, Now);
-            _executor.TakeFrame(mavlink, Now);
-            all |= events;
-        }
+            all |= TakeFrame(frame);
 
         if (!ReferenceEquals(texts, _statusTexts.Value))
             _statusTexts.PostStamped(_statusTexts.Value.Newest!.Time);
@@ -116,22 +102,22 @@ public sealed partial class AutopilotManager : RabitManager
         return all;
     }
 
-    // Judged by a moment that is a wake-up delay ago: what had come by then has been handed over by now, even where the
+    // Checked for a moment that is a wake-up delay ago: what had come by then has been handed over by now, even where the
     // whole computer stood still in between.
-    private VehicleEvents JudgeSilence()
+    private VehicleEvents CheckSilence()
     {
         TimeSpan now = Now;
-        if (now - _listenedUntil < Rhythm)
+        if (now - _checkedUntil < IdleDelay)
             return VehicleEvents.None;
-        VehicleEvents events = _tracker.Judge(_listenedUntil);
-        _listenedUntil = now;
+        VehicleEvents events = _tracker.CheckConnection(_checkedUntil);
+        _checkedUntil = now;
         if (events != VehicleEvents.None)
             _recorder.Record(events);
         Handle(events, now);
         return events;
     }
 
-    // In this order: a frame after a gap tells of the loss, then of the end of it.
+    // In this order: a frame after a gap shows the loss, then the end of it.
     private void Handle(VehicleEvents events, TimeSpan time)
     {
         if ((events & VehicleEvents.Lost) != 0)
@@ -159,30 +145,8 @@ public sealed partial class AutopilotManager : RabitManager
         if ((events & (VehicleEvents.Found | VehicleEvents.FoundAgain | VehicleEvents.Rebooted)) != 0)
         {
             _rates!.Restart();
-            StartAskingForTime(time);
+            StartRequestingTime(time);
         }
-    }
-
-    // Any component of the vehicle may have something to say to people.
-    private void TakeText(in LinkFrame frame)
-    {
-        MavlinkFrame mavlink = frame.Frame;
-        if (mavlink.MessageId != Statustext.MavlinkId || _tracker.State.SystemId == 0 || mavlink.SystemId != _tracker.State.SystemId)
-            return;
-        mavlink.TryDecode(out Statustext text);
-        var item = new StatusText(frame.Time, text.Severity, text.Text.ToString());
-        _statusTexts.Value = _statusTexts.Value.With(item, RecentItemsKept);
-        _executor.TakeText(item.Severity, item.Text);
-    }
-
-    private void TakeAcknowledgement(in LinkFrame frame)
-    {
-        MavlinkFrame mavlink = frame.Frame;
-        if (mavlink.MessageId != CommandAck.MavlinkId || !_tracker.IsFromAutopilot(mavlink))
-            return;
-        mavlink.TryDecode(out CommandAck ack);
-        var item = new CommandAcknowledgement(frame.Time, ack.Command, ack.Result, ack.TargetSystem, ack.TargetComponent);
-        _acknowledgements.Value = _acknowledgements.Value.With(item, RecentItemsKept);
     }
 
     // Who we are and which vehicle is ours never changes again.
@@ -230,6 +194,6 @@ public sealed partial class AutopilotManager : RabitManager
         _ownAddress.Post();
     }
 
-    private static string NameOf(int messageId)
-        => MavlinkDialect.All.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : "an unknown message";
+    private string NameOf(int messageId)
+        => _options.Dialect.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : "an unknown message";
 }

@@ -36,6 +36,10 @@ public sealed class AutopilotOptions
     /// <value>The default is false: we observe.</value>
     public bool MayCommand { get; set; }
 
+    /// <summary>The messages that may be asked for by <see cref="RequestedRates"/>.</summary>
+    /// <value>The default is <see cref="MavlinkDialect.All"/>.</value>
+    public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
+
     /// <summary>What the autopilot is asked to send, and how often, when it is heard, heard again or has rebooted.</summary>
     /// <value>
     /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees is located by it,
@@ -65,6 +69,8 @@ public sealed class AutopilotOptions
         return copy;
     }
 
+    internal AutopilotOptions Copy() => (AutopilotOptions)MemberwiseClone();
+
     private IEnumerable<string> FindFaults()
     {
         if (SystemId == 0)
@@ -73,12 +79,14 @@ public sealed class AutopilotOptions
             yield return $"{nameof(ComponentId)} is 0, which means every component; it must be 1 to 255";
         if (HeartbeatTimeout < TimeSpan.FromSeconds(1))
             yield return $"{nameof(HeartbeatTimeout)} is {HeartbeatTimeout}; heartbeats come once a second, so it must be at least that";
+        if (Dialect is null)
+            yield return $"{nameof(Dialect)} is null";
         if (RequestedRates is null)
             yield return $"{nameof(RequestedRates)} is null; it may be empty";
         foreach (RequestedRate rate in RequestedRates ?? [])
         {
-            if (!MavlinkDialect.All.TryGetMessage(rate.MessageId, out _))
-                yield return $"{nameof(RequestedRates)} has message {rate.MessageId}, which MAVLink does not have";
+            if (Dialect?.TryGetMessage(rate.MessageId, out _) == false)
+                yield return $"{nameof(RequestedRates)} has message {rate.MessageId}, which dialect '{Dialect.Name}' does not have";
             if (!(rate.Hertz > 0 && rate.Hertz <= MaxRate))
             {
                 yield return FormattableString.Invariant(

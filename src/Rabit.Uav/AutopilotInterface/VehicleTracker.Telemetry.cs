@@ -2,6 +2,7 @@ using System;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Geodesy;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
 
@@ -19,40 +20,31 @@ internal sealed partial class VehicleTracker
     // No wind at the ground was ever stronger (WMO: 113 m/s, Barrow Island, 1996).
     private const float StrongestWind = 113;
 
-    private VehicleEvents FoldTelemetry(in MavlinkFrame frame, TimeSpan time)
-    {
-        switch (frame.MessageId)
-        {
-            case GlobalPositionInt.MavlinkId:
-                frame.TryDecode(out GlobalPositionInt position);
-                return Fold(position, time);
-            case Attitude.MavlinkId:
-                frame.TryDecode(out Attitude attitude);
-                return Fold(attitude, time);
-            case SysStatus.MavlinkId:
-                frame.TryDecode(out SysStatus status);
-                return Fold(_battery.Take(status, time));
-            case BatteryStatus.MavlinkId:
-                frame.TryDecode(out BatteryStatus battery);
-                return battery.Id == 0 ? Fold(_battery.Take(battery, time)) : VehicleEvents.None;
-            case GpsRawInt.MavlinkId:
-                frame.TryDecode(out GpsRawInt gps);
-                return Fold(gps, time);
-            case SystemTime.MavlinkId:
-                frame.TryDecode(out SystemTime clock);
-                return Fold(clock, time);
-            case ExtendedSysState.MavlinkId:
-                frame.TryDecode(out ExtendedSysState extended);
-                return Fold(extended);
-            case Wind.MavlinkId:
-                frame.TryDecode(out Wind wind);
-                return Fold(wind, time);
-            default:
-                return VehicleEvents.None;
-        }
-    }
+    public VehicleEvents Update(in LinkFrame frame, in GlobalPositionInt message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
 
-    private VehicleEvents Fold(in GlobalPositionInt message, TimeSpan time)
+    public VehicleEvents Update(in LinkFrame frame, in Attitude message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
+
+    public VehicleEvents Update(in LinkFrame frame, in SysStatus message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(_battery.Take(message, frame.Time))) : events;
+
+    public VehicleEvents Update(in LinkFrame frame, in BatteryStatus message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
+
+    public VehicleEvents Update(in LinkFrame frame, in GpsRawInt message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
+
+    public VehicleEvents Update(in LinkFrame frame, in SystemTime message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
+
+    public VehicleEvents Update(in LinkFrame frame, in ExtendedSysState message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message)) : events;
+
+    public VehicleEvents Update(in LinkFrame frame, in Wind message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
+
+    private VehicleEvents Apply(in GlobalPositionInt message, TimeSpan time)
     {
         BootTimeMs = message.TimeBootMs;
 
@@ -70,12 +62,12 @@ internal sealed partial class VehicleTracker
         return VehicleEvents.Changed;
     }
 
-    private VehicleEvents Fold(in Attitude message, TimeSpan time)
+    private VehicleEvents Apply(in Attitude message, TimeSpan time)
     {
         BootTimeMs = message.TimeBootMs;
-        bool isSound = IsAngle(message.Roll) && IsAngle(message.Pitch) && Math.Abs(message.Pitch) < Math.PI / 2 + 1e-3 && IsAngle(message.Yaw)
+        bool isValid = IsAngle(message.Roll) && IsAngle(message.Pitch) && Math.Abs(message.Pitch) < Math.PI / 2 + 1e-3 && IsAngle(message.Yaw)
             && IsFinite(message.Rollspeed) && IsFinite(message.Pitchspeed) && IsFinite(message.Yawspeed);
-        if (!isSound)
+        if (!isValid)
             return VehicleEvents.Refused;
 
         _state.AttitudeTime = time;
@@ -84,7 +76,11 @@ internal sealed partial class VehicleTracker
         return VehicleEvents.Changed;
     }
 
-    private VehicleEvents Fold(in BatteryReading battery)
+    // The other batteries are not ours to watch.
+    private VehicleEvents Apply(in BatteryStatus message, TimeSpan time)
+        => message.Id == 0 ? Apply(_battery.Take(message, time)) : VehicleEvents.None;
+
+    private VehicleEvents Apply(in BatteryReading battery)
     {
         _state.BatteryTime = battery.Time;
         _state.BatteryVolts = battery.Volts;
@@ -93,7 +89,7 @@ internal sealed partial class VehicleTracker
         return VehicleEvents.Changed;
     }
 
-    private VehicleEvents Fold(in GpsRawInt message, TimeSpan time)
+    private VehicleEvents Apply(in GpsRawInt message, TimeSpan time)
     {
         _state.GpsTime = time;
         _state.GpsFix = message.FixType;
@@ -101,7 +97,7 @@ internal sealed partial class VehicleTracker
         return VehicleEvents.Changed;
     }
 
-    private VehicleEvents Fold(in SystemTime message, TimeSpan time)
+    private VehicleEvents Apply(in SystemTime message, TimeSpan time)
     {
         _state.UtcTime = time;
         _state.GpsUtcMicroseconds = message.TimeUnixUsec is >= EarliestUtc and <= MaxUtc ? (long)message.TimeUnixUsec : 0;
@@ -109,13 +105,13 @@ internal sealed partial class VehicleTracker
         return VehicleEvents.Changed;
     }
 
-    private VehicleEvents Fold(in ExtendedSysState message)
+    private VehicleEvents Apply(in ExtendedSysState message)
     {
         _state.LandedState = message.LandedState;
         return VehicleEvents.Changed;
     }
 
-    private VehicleEvents Fold(in Wind message, TimeSpan time)
+    private VehicleEvents Apply(in Wind message, TimeSpan time)
     {
         if (!(message.Speed is >= 0 and <= StrongestWind))
             return VehicleEvents.Refused;

@@ -6,8 +6,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Folds the frames of the autopilot into the state of the vehicle. The first autopilot that is heard is ours and stays so,
-/// lost or not: a second one on the same net is another aircraft. Time comes in with the frames; no I/O, one thread.
+/// Keeps the state of the vehicle by the messages of the autopilot. The first autopilot that is received is ours and stays so,
+/// lost or not: a second one on the same net is another aircraft. Time comes in with the frames; no I/O, one thread. Each frame comes in
+/// once, by the <c>Update</c> of its message.
 /// </summary>
 /// <param name="systemId">The system that the autopilot must be of; null for any.</param>
 /// <param name="heartbeatTimeout">After what time without a heartbeat the autopilot is lost.</param>
@@ -18,7 +19,7 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
     private readonly BatteryTracker _battery = new();
     private VehicleState _state = Unknown;
 
-    /// <summary>The state before anything was heard.</summary>
+    /// <summary>The state before anything was received.</summary>
     public static VehicleState Unknown => new()
     {
         BatteryVolts = double.NaN,
@@ -33,35 +34,26 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
     /// <summary>When the newest part of the state was true.</summary>
     public TimeSpan NewestTime { get; private set; }
 
-    /// <summary>The time since boot that the last message with one told, milliseconds; 0 where the autopilot does not know it.</summary>
+    /// <summary>The time since boot of the last message that has one, milliseconds; 0 where the autopilot does not know it.</summary>
     public uint BootTimeMs { get; private set; }
 
     /// <summary>Whether the autopilot is known and the frame comes from it.</summary>
     public bool IsFromAutopilot(in MavlinkFrame frame)
         => _state.SystemId != 0 && frame.SystemId == _state.SystemId && frame.ComponentId == _state.ComponentId;
 
-    /// <summary>Folds one frame in.</summary>
-    public VehicleEvents Fold(in LinkFrame frame)
-    {
-        MavlinkFrame mavlink = frame.Frame;
-        VehicleEvents events = Judge(frame.Time);
-        if (mavlink.TryDecode(out Heartbeat heartbeat))
-            events |= FoldHeartbeat(mavlink, heartbeat, frame.Time);
-        else if (IsFromAutopilot(mavlink))
-            events |= FoldTelemetry(mavlink, frame.Time) | Watch(mavlink, frame.Time);
-        else
-            events |= VehicleEvents.OfOther;
+    /// <summary>A frame of a message that is no part of the state.</summary>
+    public VehicleEvents Update(in LinkFrame frame)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events) : events;
 
-        if ((events & VehicleEvents.Changed) != 0 && frame.Time > NewestTime)
-            NewestTime = frame.Time;
-        return events;
-    }
+    /// <summary>A heartbeat of anybody.</summary>
+    public VehicleEvents Update(in LinkFrame frame, in Heartbeat heartbeat)
+        => Stamp(CheckConnection(frame.Time) | Apply(frame.Frame, heartbeat, frame.Time), frame.Time);
 
     /// <summary>
     /// Says whether the autopilot was lost by a time. Frames bring their own, so that a gap between two heartbeats counts the
     /// same whether they were handled at once or late together.
     /// </summary>
-    public VehicleEvents Judge(TimeSpan time)
+    public VehicleEvents CheckConnection(TimeSpan time)
     {
         VehicleEvents events = VehicleEvents.None;
         while (_heartbeats.TryTakeEvent(time, out MavlinkComponentEvent happened, out _))
@@ -87,13 +79,32 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         return VehicleEvents.Changed | VehicleEvents.Lost;
     }
 
-    private VehicleEvents Watch(in MavlinkFrame frame, TimeSpan time)
+    // A connection may be lost, and state with it, by the time that any frame brings.
+    private bool Begin(in LinkFrame frame, out VehicleEvents events)
     {
-        _heartbeats.Handle(frame, time);
-        return Judge(time);
+        events = CheckConnection(frame.Time);
+        if (IsFromAutopilot(frame.Frame))
+            return true;
+        events = Stamp(events | VehicleEvents.OfOther, frame.Time);
+        return false;
     }
 
-    private VehicleEvents FoldHeartbeat(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan time)
+    /// <param name="frame">A frame of the autopilot, whose message was applied.</param>
+    /// <param name="applied">What came of that.</param>
+    private VehicleEvents Complete(in LinkFrame frame, VehicleEvents applied)
+    {
+        _heartbeats.Handle(frame.Frame, frame.Time);
+        return Stamp(applied | CheckConnection(frame.Time), frame.Time);
+    }
+
+    private VehicleEvents Stamp(VehicleEvents events, TimeSpan time)
+    {
+        if ((events & VehicleEvents.Changed) != 0 && time > NewestTime)
+            NewestTime = time;
+        return events;
+    }
+
+    private VehicleEvents Apply(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan time)
     {
         if (!IsAutopilot(frame, heartbeat))
             return VehicleEvents.OfOther;
@@ -101,7 +112,8 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         if (isFirst ? systemId is { } wanted && wanted != frame.SystemId : !IsFromAutopilot(frame))
             return VehicleEvents.OfOther | VehicleEvents.OtherAutopilot;
 
-        VehicleEvents events = VehicleEvents.Changed | Watch(frame, time);
+        _heartbeats.Handle(frame, heartbeat, time);
+        VehicleEvents events = VehicleEvents.Changed | CheckConnection(time);
         _state.SystemId = frame.SystemId;
         _state.ComponentId = frame.ComponentId;
         _state.IsConnected = true;

@@ -39,7 +39,7 @@ public sealed partial class CommunicationsManager
 
     private void SendOwn(in MavlinkFrame frame)
     {
-        MavlinkDialect.All.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
+        _options.Dialect.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
         MavlinkFrame numbered = Numbered(frame, message);
         SendOwn(_router.RouteOwn(numbered, message), numbered, message.CrcExtra);
     }
@@ -64,7 +64,7 @@ public sealed partial class CommunicationsManager
     // A number is taken only for a frame that goes out: a gap would look like a loss to whoever counts.
     private void SendMail(VehicleMessageChannel slot, in MavlinkFrame frame)
     {
-        MavlinkDialect.All.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
+        _options.Dialect.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
         ulong links = _router.RouteOwn(frame, message);
         if (links == 0)
             slot.CountUnsendable();

@@ -19,7 +19,7 @@ public sealed partial class CommunicationsManager : RabitManager
     public const string ManagerName = "communications";
 
     private const int OutgoingCapacity = 256;
-    private static readonly TimeSpan Rhythm = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan IdleDelay = TimeSpan.FromMilliseconds(200);
     private static readonly TimeSpan StatusPeriod = TimeSpan.FromMilliseconds(500);
 
     private readonly CommunicationsOptions _options;
@@ -29,7 +29,7 @@ public sealed partial class CommunicationsManager : RabitManager
     private readonly QueueReceiver<OutgoingFrame> _outgoing;
     private readonly List<LinkPort> _ports = [];
     private readonly long[] _droppedIn;
-    private readonly FrameStatistics _own = new();
+    private readonly FrameStatistics _own;
     private readonly Dictionary<int, byte> _sequences = [];
     private TimeSpan _nextStatus;
     private long _reportedDrops;
@@ -41,12 +41,17 @@ public sealed partial class CommunicationsManager : RabitManager
         : base(ManagerName)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).Validate(nameof(options));
+        _own = new FrameStatistics(_options.Dialect);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress, wakeOnPost: true);
-        _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames);
+        
+        // Only where something waits for room in it: a replay.
+        bool isWokenByPops = _options.RecordedFiles.Count > 0 || _options.StopsWhenAllLinksEnd;
+        _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames, wakeOnPop: isWokenByPops);
         _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _position = new OwnPosition(_options.Links.Count > 0 ? _options.PositionRateHz : 0);
         _mail = _options.VehicleMessageRoutes.Select(route => route.Open(this)).ToArray();
+        _subscriptions = OpenSubscriptions();
         _droppedIn = new long[_options.Count];
         _signing = _options.Signing is { } signing ? MakeSigning(signing) : null;
         foreach (IByteLink link in _options.Links)
@@ -71,18 +76,17 @@ public sealed partial class CommunicationsManager : RabitManager
         if (_ownAddress.Fetch() && _ownAddress.Value.IsKnown)
             _router.SetOwnAddress(_ownAddress.Value.SystemId, _ownAddress.Value.ComponentId);
 
-        bool isWaiting = false;
         foreach (LinkPort port in _ports)
-            isWaiting |= !TakeFrames(port);
+            TakeFrames(port);
         SendOwnFrames();
         SendPosition();
         SendMail();
 
         if (Now >= _nextStatus)
             PostStatus();
-        if (_options.StopsWhenAllLinksEnd && !isWaiting)
-            isWaiting = StopAtTheEnd();
-        WakeUpDelay = isWaiting ? TimeSpan.FromMilliseconds(1) : _position.Period < Rhythm ? _position.Period : Rhythm;
+        if (_options.StopsWhenAllLinksEnd)
+            StopAtTheEnd();
+        WakeUpDelay = _position.Period < IdleDelay ? _position.Period : IdleDelay;
     }
 
     /// <inheritdoc/>
@@ -96,9 +100,9 @@ public sealed partial class CommunicationsManager : RabitManager
     private void AddLink(IByteLink link)
     {
         int number = _ports.Count;
-        var tally = new FrameStatistics();
-        var source = new LinkFrameSource(link, number, tally);
-        var target = new LinkFrameTarget(link);
+        var tally = new FrameStatistics(_options.Dialect);
+        var source = new MavlinkLinkSource(link, number, _options.Dialect, tally);
+        var target = new MavlinkLinkTarget(link);
         _ports.Add(new LinkPort(
             number,
             link.Url,
@@ -117,7 +121,7 @@ public sealed partial class CommunicationsManager : RabitManager
     private void AddRecordedFile(RecordedFile file)
     {
         int number = _ports.Count;
-        var tally = new FrameStatistics();
+        var tally = new FrameStatistics(_options.Dialect);
         long origin = _options.RecordedFiles.Min(f => f.StartUtcMicroseconds);
         _ports.Add(new LinkPort(
             number,
@@ -136,16 +140,16 @@ public sealed partial class CommunicationsManager : RabitManager
         _router.SetLink(number, MavlinkLinkRules.ReceiveOnly);
     }
 
-    /// <returns>False when frames had to stay, because the addressee has no room for them.</returns>
-    private bool TakeFrames(LinkPort port)
+    // Frames of a recorded log stay where they are while Autopilot Interface has no room for them; its next pop wakes us.
+    private void TakeFrames(LinkPort port)
     {
         for (int taken = 0; taken < _options.FramesWaitingIn; taken++)
         {
             // We alone push into that queue, so room that is there now stays there.
             if (port.IsRecorded && !HasRoom(_autopilot))
-                return port.Reader.Counters.Resident == 0;
+                return;
             if (!port.Reader.TryPop(out LinkFrame frame))
-                return true;
+                return;
             port.Saw(frame);
             if (IsAccepted(port, frame.Frame))
                 Route(frame, port.IsRecorded);
@@ -153,7 +157,6 @@ public sealed partial class CommunicationsManager : RabitManager
 
         // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which is at once.
         WakeUp();
-        return true;
     }
 
     private void Route(in LinkFrame frame, bool isRecorded)
@@ -165,21 +168,28 @@ public sealed partial class CommunicationsManager : RabitManager
         if (isRecorded && !own.IsKnown && mavlink.ComponentId == own.ComponentId)
             return;
 
-        bool isKnown = MavlinkDialect.All.TryGetMessage(mavlink.MessageId, out MavlinkMessageInfo message);
-        MavlinkRoute route = _router.Route(frame.Link, mavlink, message, isKnown);
+        MavlinkRoute route = _router.Route(frame.Link, mavlink, frame.TargetSystemId, frame.TargetComponentId, frame.IsChecked);
 
-        // A log is no network: whoever an answer was for then, it is part of the flight that we look at now.
-        bool isForUs = route.DeliverLocally || (isRecorded && isKnown && route.Reason != MavlinkRouteReason.OurOwn);
-        if (isForUs && !IsMail(frame) && _autopilot.Push(frame) == PushResult.Rejected)
-            _droppedIn[frame.Link]++;
+        // A log is no network: whoever an answer was for then, it is part of the flight that is replayed now.
+        bool isReplayed = isRecorded && frame.IsChecked && route.Reason != MavlinkRouteReason.OurOwn;
+        if (route.DeliverLocally || isReplayed)
+            Deliver(frame, isReplayed || frame.IsFor(own.SystemId, own.ComponentId));
         Forward(route.ForwardTo, mavlink);
+    }
+
+    // Autopilot Interface first: subscriptions never hold it up.
+    private void Deliver(in LinkFrame frame, bool isForComputer)
+    {
+        if (isForComputer && !IsMail(frame) && _autopilot.Push(frame) == PushResult.Rejected)
+            _droppedIn[frame.Link]++;
+        DeliverToSubscriptions(frame, isForComputer);
     }
 
     private void SendOwnFrames()
     {
         while (_outgoing.TryPop(out OutgoingFrame outgoing))
         {
-            if (!MavlinkDialect.All.TryGetMessage(outgoing.Frame.MessageId, out MavlinkMessageInfo message))
+            if (!_options.Dialect.TryGetMessage(outgoing.Frame.MessageId, out MavlinkMessageInfo message))
             {
                 Log($"{outgoing.Frame} is not sent: the dialect does not know its id");
                 continue;
@@ -235,19 +245,23 @@ public sealed partial class CommunicationsManager : RabitManager
         if (dropped > _reportedDrops)
             Log($"{dropped - _reportedDrops} frames of our own were dropped: more came than could be sent");
         _reportedDrops = dropped;
+        foreach (SubscriptionPort subscription in _subscriptions)
+        {
+            if (subscription.TakeNewDrops() is > 0 and long lost)
+                Log($"{lost} frames for queue '{subscription.Queue}' were dropped: it is full, since its manager receives too slowly");
+        }
+
         ReportSigning();
     }
 
-    /// <returns>True while the end is near but something is still to be handled.</returns>
-    private bool StopAtTheEnd()
+    // Not before everything is handled: what is still to be read or popped wakes us again.
+    private void StopAtTheEnd()
     {
-        if (!_ports.TrueForAll(p => p.HasEnded))
-            return false;
-        if (_ports.Exists(p => p.Reader.Counters.Resident > 0) || _autopilot.Counters.Resident > 0)
-            return true;
+        bool isOver = _ports.TrueForAll(p => p.HasEnded && p.Reader.Counters.Resident == 0) && _autopilot.Counters.Resident == 0;
+        if (!isOver)
+            return;
         PostStatus();
         StopSystem(_ports.Count == 1 ? "the recorded flight is over" : "all links have ended");
-        return false;
     }
 
     private static bool HasRoom<T>(QueueSender<T> queue)

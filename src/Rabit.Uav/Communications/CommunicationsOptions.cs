@@ -50,6 +50,19 @@ public sealed class CommunicationsOptions
     /// <value>The default is null.</value>
     public SigningOptions? Signing { get; set; }
 
+    /// <summary>
+    /// The messages that are checked and named on all links. Messages of your own are put together with ours:
+    /// <c>MavlinkDialect.Combine("mine", MavlinkDialect.All, MineDialect.Instance)</c>.
+    /// </summary>
+    /// <value>The default is <see cref="MavlinkDialect.All"/>. It must have all of <see cref="MavlinkDialect.Common"/>, which the managers use.</value>
+    public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
+
+    /// <summary>Which frames go to queues of other managers, beside those that Autopilot Interface receives.</summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyList<MavlinkSubscription> Subscriptions { get; set; } = Array.Empty<MavlinkSubscription>();
+
+    internal CommunicationsOptions Copy() => (CommunicationsOptions)MemberwiseClone();
+
     internal int Count => Links.Count + RecordedFiles.Count;
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
@@ -58,6 +71,7 @@ public sealed class CommunicationsOptions
         var faults = new List<string>();
         if (Links is null || RecordedFiles is null || VehicleMessageRoutes is null)
             throw new ArgumentException("Communications: the lists of links, recorded files and mail routes may be empty, but not null.", parameter);
+        faults.AddRange(SubscriptionCheck.FindFaults(Dialect, Subscriptions));
         if (Count == 0)
             faults.Add("there is no link");
         if (Count > MavlinkRouter.MaxLinks)
@@ -77,6 +91,8 @@ public sealed class CommunicationsOptions
             faults.Add($"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once");
         if (faults.Count > 0)
             throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".", parameter);
-        return (CommunicationsOptions)MemberwiseClone();
+        CommunicationsOptions copy = Copy();
+        copy.Subscriptions = Subscriptions.ToArray();
+        return copy;
     }
 }

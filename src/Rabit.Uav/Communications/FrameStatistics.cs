@@ -8,7 +8,8 @@ namespace Rabit.Uav.Communications;
 /// Counts frames by message and source, and the gaps of each source. One thread counts, any thread may ask: a lock guards all of it.
 /// Allocates only for a message or source that is new.
 /// </summary>
-internal sealed class FrameStatistics
+/// <param name="dialect">Names the messages.</param>
+internal sealed class FrameStatistics(MavlinkDialect dialect)
 {
     // A hostile stream may make up as many sources and ids as it likes, ids that nobody knows most easily of all: those may not
     // take the places of frames that were checked. What does not fit is counted together.
@@ -97,10 +98,10 @@ internal sealed class FrameStatistics
     private static long KeyOf(in MavlinkFrame frame)
         => ((long)frame.SystemId << 40) | ((long)frame.ComponentId << 32) | ((long)frame.MessageId << 2) | (uint)frame.Version;
 
-    private static FrameCount ToCount(long key, long count)
+    private FrameCount ToCount(long key, long count)
     {
         int messageId = (int)(key >> 2) & 0xFF_FFFF;
-        string? name = MavlinkDialect.All.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : null;
+        string? name = dialect.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : null;
         return new FrameCount(messageId, name, (byte)(key >> 40), (byte)(key >> 32), (MavlinkVersion)(key & 3), count);
     }
 }

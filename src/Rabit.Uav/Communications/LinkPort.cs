@@ -15,7 +15,7 @@ internal sealed class LinkPort(
     MessagePublisher<LinkStatus> status,
     Func<long> bytesLost,
     Func<long> incompatibleFrames,
-    LinkFrameTarget? target,
+    MavlinkLinkTarget? target,
     RecordedFile? file,
     TunnelRateLimiter mailBudget)
 {

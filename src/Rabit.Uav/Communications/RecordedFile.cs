@@ -20,12 +20,12 @@ public sealed class RecordedFile : IDisposable
     private readonly TlogRecord _firstRecord;
     private bool _holdsFirst;
 
-    private RecordedFile(LinkUrl url, FileStream stream)
+    private RecordedFile(LinkUrl url, FileStream stream, MavlinkDialect dialect)
     {
         Url = url;
         _stream = stream;
         Length = stream.Length;
-        _reader = new TlogReader(stream, MavlinkDialect.All);
+        _reader = new TlogReader(stream, dialect);
         _holdsFirst = TryReadRecord(out _firstFrame, out _firstRecord);
         StartUtcMicroseconds = _firstRecord.TimeMicroseconds;
     }
@@ -81,8 +81,9 @@ public sealed class RecordedFile : IDisposable
 
     /// <summary>Opens a log and reads up to its first record.</summary>
     /// <param name="url">Of kind <see cref="LinkKind.RecordedFile"/>.</param>
+    /// <param name="dialect">The messages whose checksum can be checked; null for <see cref="MavlinkDialect.All"/>.</param>
     /// <exception cref="LinkException">There is no such file, it may not be read, or it has no intact record.</exception>
-    public static RecordedFile Open(LinkUrl url)
+    public static RecordedFile Open(LinkUrl url, MavlinkDialect? dialect = null)
     {
         if (url is null || url.Kind != LinkKind.RecordedFile)
             throw new ArgumentException("A recorded file is opened by a tlog: link.", nameof(url));
@@ -92,7 +93,7 @@ public sealed class RecordedFile : IDisposable
         {
             if (!stream.CanSeek)
                 throw new LinkException(url.ToString(), "that is no file: its length is not known", linkEnded: true);
-            var file = new RecordedFile(url, stream);
+            var file = new RecordedFile(url, stream, dialect ?? MavlinkDialect.All);
             if (file._holdsFirst)
                 return file;
             string reason = file.Length == 0 ? "the file is empty" : "no intact record in it: it is no telemetry log";

@@ -26,7 +26,6 @@ internal sealed class RecordedFrameSource(RecordedFile file, int number, long or
     private LinkFrame _next;
     private long _lastMicroseconds;
     private long _shiftMicroseconds;
-    private bool _isChecked;
     private bool _holdsNext;
     private bool _hasBegun;
 
@@ -48,7 +47,7 @@ internal sealed class RecordedFrameSource(RecordedFile file, int number, long or
 
         value = _next;
         _holdsNext = false;
-        tally.Count(value.Frame, _isChecked);
+        tally.Count(value.Frame, value.IsChecked);
         return ReaderStep.Value;
     }
 
@@ -72,7 +71,7 @@ internal sealed class RecordedFrameSource(RecordedFile file, int number, long or
             Time = _start + new TimeSpan(SinceStart(record.TimeMicroseconds) * TicksPerMicrosecond),
             UtcMicroseconds = record.TimeMicroseconds,
         };
-        _isChecked = record.IsChecked;
+        _next.SetAddress(record.IsChecked, record.Message);
         _holdsNext = true;
         return true;
     }

@@ -52,6 +52,8 @@ public sealed class MissionControlOptions
         return (MissionControlOptions)MemberwiseClone();
     }
 
+    internal MissionControlOptions Copy() => (MissionControlOptions)MemberwiseClone();
+
     private IEnumerable<string> FindFaults()
     {
         if (ReadyTimeout <= TimeSpan.Zero)

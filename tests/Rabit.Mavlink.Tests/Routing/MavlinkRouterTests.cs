@@ -194,6 +194,21 @@ public class MavlinkRouterTests
     }
 
     [Fact]
+    public void AddOwnComponent_WhatIsAddressedToItIsForUsAlone_WhatComesFromItIsAnEcho()
+    {
+        _router.AddOwnComponent(154);
+        MavlinkFrame toIt = MavlinkFrame.Create(new CommandLong { TargetSystem = 1, TargetComponent = 154 }, 255, 190, 0);
+        MavlinkFrame fromIt = MavlinkFrame.Create(new Heartbeat(), 1, 154, 0);
+
+        MavlinkRoute route = _router.Route(Ground, toIt, targetSystem: 1, targetComponent: 154, isChecked: true);
+        MavlinkRoute echo = _router.Route(Ground, fromIt, targetSystem: 0, targetComponent: 0, isChecked: true);
+
+        Assert.Equal((MavlinkRouteReason.ForUs, true, 0UL), (route.Reason, route.DeliverLocally, route.ForwardTo));
+        Assert.Equal((MavlinkRouteReason.OurOwn, false, 0UL), (echo.Reason, echo.DeliverLocally, echo.ForwardTo));
+        Assert.Throws<ArgumentOutOfRangeException>("componentId", () => _router.AddOwnComponent(0));
+    }
+
+    [Fact]
     public void SetLink_ForwardFromALogWhenAsked_GoesToLiveLinks()
     {
         _router.SetLink(Log, MavlinkLinkRules.ForwardFrom);

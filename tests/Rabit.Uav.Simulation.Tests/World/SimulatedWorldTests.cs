@@ -86,6 +86,22 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void LinkEnds_BehindATornFrame_FramesBehindItAreReceived()
+    {
+        using var ground = new Ground();
+        ground.Run(1);
+        long received = ground.Truth.FramesHeard;
+
+        byte[] torn = [0xFD, 200, 0, 0, 0, 1, 1, 0xEF, 0xCD, 0xAB];
+        ground.Link.Write(torn, 0, torn.Length);
+        ground.Send(new CommandLong { TargetSystem = 1, TargetComponent = 1, Command = MavCmd.RequestMessage, Param1 = 148 });
+        ground.Link.Dispose();
+        ground.Run(1);
+
+        Assert.Equal(received + 1, ground.Truth.FramesHeard);
+    }
+
+    [Fact]
     public void BatteryTo_IsToldWithWarningAndCriticalStatus()
     {
         using var ground = new Ground(With(new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromSeconds(35), Value = 0.08 }));

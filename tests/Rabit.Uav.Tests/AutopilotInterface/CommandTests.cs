@@ -175,7 +175,7 @@ public class CommandTests
     {
         using var copter = new ScriptedAutopilot { Beats = false };
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
-        Assert.Equal((VehicleCommandOutcome.TimedOut, "no autopilot was heard"), (answer.Outcome, answer.Text));
+        Assert.Equal((VehicleCommandOutcome.TimedOut, "no autopilot was received"), (answer.Outcome, answer.Text));
         Assert.Empty(copter.Heard);
 
         copter.Give(VehicleCommandKind.Arm);

@@ -89,7 +89,7 @@ public class FlightRecorderTests
     {
         LinkFrame frame = AutopilotRig.FrameOf(message, TimeSpan.FromMilliseconds(_index), system, index: _index);
         _index++;
-        _recorder.Record(frame, _tracker.Fold(frame), _tracker.State);
+        _recorder.Record(frame, _tracker.UpdateBy(frame), _tracker.State);
     }
 
     private static (int Minimum, int Maximum) Pair(FlightRange? range) => (range!.Value.Minimum, range.Value.Maximum);

@@ -28,7 +28,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
             Hdg = 9000,
         };
 
-        Assert.Equal(VehicleEvents.Changed, Fold(tracker, message, 2));
+        Assert.Equal(VehicleEvents.Changed, Update(tracker, message, 2));
 
         VehicleState state = tracker.State;
         Assert.Equal(-35.3632 * Math.PI / 180, state.Position.LatitudeRadians, 12);
@@ -51,7 +51,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Fold_PlaceThatIsNone_IsRefused(int latitude, int longitude)
     {
         VehicleTracker tracker = Heard();
-        Assert.Equal(VehicleEvents.Refused, Fold(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude, Alt = 1 }, 2));
+        Assert.Equal(VehicleEvents.Refused, Update(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude, Alt = 1 }, 2));
         Assert.Null(tracker.State.PositionTime);
     }
 
@@ -62,7 +62,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Fold_PlaceAtTheLimit_IsTaken(int latitude, int longitude)
     {
         VehicleTracker tracker = Heard();
-        Assert.Equal(VehicleEvents.Changed, Fold(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude }, 2));
+        Assert.Equal(VehicleEvents.Changed, Update(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude }, 2));
     }
 
     [Theory]
@@ -77,7 +77,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     {
         VehicleTracker tracker = Heard();
         var message = new Attitude { Roll = roll, Pitch = pitch, Yaw = yaw, Yawspeed = yawRate };
-        Assert.Equal(VehicleEvents.Refused, Fold(tracker, message, 2));
+        Assert.Equal(VehicleEvents.Refused, Update(tracker, message, 2));
         Assert.Null(tracker.State.AttitudeTime);
     }
 
@@ -85,7 +85,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Fold_YawFromZeroToTwoPi_IsWrapped()
     {
         VehicleTracker tracker = Heard();
-        Fold(tracker, new Attitude { Roll = 0.1f, Pitch = -0.2f, Yaw = 6, Rollspeed = 1, Pitchspeed = 2, Yawspeed = 3 }, 2);
+        Update(tracker, new Attitude { Roll = 0.1f, Pitch = -0.2f, Yaw = 6, Rollspeed = 1, Pitchspeed = 2, Yawspeed = 3 }, 2);
 
         VehicleState state = tracker.State;
         Assert.Equal(6 - (2 * Math.PI), state.Attitude.YawRadians, 6);
@@ -104,7 +104,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Fold_SysStatus_UnknownIsNotANumber(int millivolts, short centiamperes, sbyte percent, double volts, double amperes, double remaining)
     {
         VehicleTracker tracker = Heard();
-        Fold(tracker, new SysStatus { VoltageBattery = (ushort)millivolts, CurrentBattery = centiamperes, BatteryRemaining = percent }, 2);
+        Update(tracker, new SysStatus { VoltageBattery = (ushort)millivolts, CurrentBattery = centiamperes, BatteryRemaining = percent }, 2);
         AssertBattery(tracker, volts, amperes, remaining);
     }
 
@@ -115,9 +115,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Fold_BatteryStatus_AddsTheCells()
     {
         VehicleTracker tracker = Heard();
-        Fold(tracker, Battery(500, 55, 4_100, 4_110, 4_120), 2);
+        Update(tracker, Battery(500, 55, 4_100, 4_110, 4_120), 2);
         AssertBattery(tracker, 12.33, 5, 0.55);
-        Fold(tracker, Battery(-1, -1), 30);
+        Update(tracker, Battery(-1, -1), 30);
         AssertBattery(tracker, double.NaN, double.NaN, double.NaN);
     }
 
@@ -127,7 +127,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         VehicleTracker tracker = Heard();
         BatteryStatus second = Battery(500, 55, 4_100);
         second.Id = 1;
-        Assert.Equal(VehicleEvents.None, Fold(tracker, second, 2));
+        Assert.Equal(VehicleEvents.None, Update(tracker, second, 2));
         Assert.Null(tracker.State.BatteryTime);
     }
 
@@ -135,10 +135,10 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Fold_TwoBatteryMessages_FillEachOthersGapsForAWhile()
     {
         VehicleTracker tracker = Heard();
-        Fold(tracker, Battery(500, 55, 12_000), 2);
-        Fold(tracker, new SysStatus { VoltageBattery = 11_000, CurrentBattery = -1, BatteryRemaining = -1 }, 3);
+        Update(tracker, Battery(500, 55, 12_000), 2);
+        Update(tracker, new SysStatus { VoltageBattery = 11_000, CurrentBattery = -1, BatteryRemaining = -1 }, 3);
         AssertBattery(tracker, 11, 5, 0.55);
-        Fold(tracker, new SysStatus { VoltageBattery = 11_000, CurrentBattery = -1, BatteryRemaining = -1 }, 13);
+        Update(tracker, new SysStatus { VoltageBattery = 11_000, CurrentBattery = -1, BatteryRemaining = -1 }, 13);
         AssertBattery(tracker, 11, double.NaN, double.NaN);
     }
 
@@ -146,9 +146,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Fold_GpsAndTime_AreTaken()
     {
         VehicleTracker tracker = Heard();
-        Fold(tracker, new GpsRawInt { FixType = GpsFixType.RtkFixed, SatellitesVisible = 17 }, 2);
-        Fold(tracker, new SystemTime { TimeUnixUsec = 1_795_227_296_098_321, TimeBootMs = 100 }, 3);
-        Fold(tracker, new ExtendedSysState { LandedState = MavLandedState.InAir }, 3);
+        Update(tracker, new GpsRawInt { FixType = GpsFixType.RtkFixed, SatellitesVisible = 17 }, 2);
+        Update(tracker, new SystemTime { TimeUnixUsec = 1_795_227_296_098_321, TimeBootMs = 100 }, 3);
+        Update(tracker, new ExtendedSysState { LandedState = MavLandedState.InAir }, 3);
 
         VehicleState state = tracker.State;
         Assert.Equal((GpsFixType.RtkFixed, 17, TimeSpan.FromSeconds(2)), (state.GpsFix, state.Satellites, state.GpsTime));
@@ -163,7 +163,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Fold_TimeThatIsNotSet_IsZero(ulong microseconds)
     {
         VehicleTracker tracker = Heard();
-        Fold(tracker, new SystemTime { TimeUnixUsec = microseconds }, 2);
+        Update(tracker, new SystemTime { TimeUnixUsec = microseconds }, 2);
         Assert.Equal(0, tracker.State.GpsUtcMicroseconds);
     }
 
@@ -179,7 +179,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     {
         var tracker = new VehicleTracker(null, Timeout);
         LinkFrame frame = AutopilotRig.FrameOf(new Heartbeat { Type = type, Autopilot = autopilot }, TimeSpan.Zero, system, component);
-        Assert.Equal(VehicleEvents.OfOther, tracker.Fold(frame));
+        Assert.Equal(VehicleEvents.OfOther, tracker.UpdateBy(frame));
         Assert.Equal(0, tracker.State.SystemId);
     }
 
@@ -217,7 +217,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         void FoldAll()
         {
             foreach (LinkFrame frame in frames)
-                recorder.Record(frame, tracker.Fold(frame), tracker.State);
+                recorder.Record(frame, tracker.UpdateBy(frame), tracker.State);
         }
 
         FoldAll();
@@ -226,14 +226,14 @@ public class VehicleTrackerTests(ITestOutputHelper output)
 
     private static bool ThrowsOrLies(VehicleTracker tracker, byte[] payload)
     {
-        Fold(tracker, Random<GlobalPositionInt>(payload), 1);
-        Fold(tracker, Random<Attitude>(payload), 1);
-        Fold(tracker, Random<SysStatus>(payload), 1);
-        Fold(tracker, Random<BatteryStatus>(payload), 1);
-        Fold(tracker, Random<GpsRawInt>(payload), 1);
-        Fold(tracker, Random<SystemTime>(payload), 1);
-        Fold(tracker, Random<ExtendedSysState>(payload), 1);
-        Fold(tracker, Random<Heartbeat>(payload), 1);
+        Update(tracker, Random<GlobalPositionInt>(payload), 1);
+        Update(tracker, Random<Attitude>(payload), 1);
+        Update(tracker, Random<SysStatus>(payload), 1);
+        Update(tracker, Random<BatteryStatus>(payload), 1);
+        Update(tracker, Random<GpsRawInt>(payload), 1);
+        Update(tracker, Random<SystemTime>(payload), 1);
+        Update(tracker, Random<ExtendedSysState>(payload), 1);
+        Update(tracker, Random<Heartbeat>(payload), 1);
         VehicleState state = tracker.State;
         return !(Math.Abs(state.Position.LatitudeRadians) <= Math.PI / 2)
             || !(Math.Abs(state.Position.LongitudeRadians) <= Math.PI)
@@ -255,13 +255,13 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     private static VehicleTracker Heard()
     {
         var tracker = new VehicleTracker(null, Timeout);
-        Assert.Equal(VehicleEvents.Changed | VehicleEvents.Found, Fold(tracker, AutopilotRig.Copter(), 1));
+        Assert.Equal(VehicleEvents.Changed | VehicleEvents.Found, Update(tracker, AutopilotRig.Copter(), 1));
         return tracker;
     }
 
-    private static VehicleEvents Fold<T>(VehicleTracker tracker, in T message, double seconds)
+    private static VehicleEvents Update<T>(VehicleTracker tracker, in T message, double seconds)
         where T : struct, Mavlink.IMavlinkMessage
-        => tracker.Fold(AutopilotRig.FrameOf(message, TimeSpan.FromSeconds(seconds))) & ~VehicleEvents.Lost;
+        => tracker.UpdateBy(AutopilotRig.FrameOf(message, TimeSpan.FromSeconds(seconds))) & ~VehicleEvents.Lost;
 
     private static BatteryStatus Battery(short centiamperes, sbyte percent, params ushort[] cells)
     {

@@ -116,6 +116,22 @@ public sealed class RecordedLogTests
     }
 
     [Fact]
+    public void AutopilotFull_ReplayIsWokenByItsPops_NotByPolling()
+    {
+        using var log = new TestLog();
+        log.Raw(SameStamp(200));
+        var autopilot = new FakeAutopilot(capacity: 16) { AtMost = 1 };
+        using var rig = new CommunicationsRig(0, o => Replay(o, log), autopilot);
+
+        ReactorResult result = rig.FinishByItself();
+        long runs = result.Managers.Single(m => m.Name == CommunicationsManager.ManagerName).Runs;
+
+        // One frame every 10 ms; polling each millisecond would take 2000 units of work.
+        Assert.Equal(200, autopilot.Taken.Count);
+        Assert.InRange(runs, 1, 500);
+    }
+
+    [Fact]
     public void StopInTheMiddle_DropsNothingForWantOfRoom()
     {
         using var log = new TestLog();

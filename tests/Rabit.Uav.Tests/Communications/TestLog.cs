@@ -46,9 +46,9 @@ internal sealed class TestLog : IDisposable
     }
 
     /// <summary>Opens it to be played at the pace of the clock it runs by.</summary>
-    public RecordedFile Open(string option = "?speed=max")
+    public RecordedFile Open(MavlinkDialect? dialect = null, string option = "?speed=max")
     {
-        RecordedFile file = RecordedFile.Open(LinkUrl.Parse(Url + option));
+        RecordedFile file = RecordedFile.Open(LinkUrl.Parse(Url + option), dialect);
         _open.Add(file);
         return file;
     }

@@ -13,11 +13,11 @@ internal sealed partial class CommandExecutor
     /// <returns>Whether there may be more to do at once.</returns>
     private bool RunPhase(in VehicleState vehicle, TimeSpan now) => _phase switch
     {
-        CommandPhase.Planning => Plan(vehicle, now),
-        CommandPhase.Sending => Send(vehicle, now),
-        CommandPhase.AwaitingMode => AwaitMode(vehicle, now),
-        CommandPhase.AwaitingReason => AwaitReason(now),
-        CommandPhase.StartingVelocity => StartVelocity(vehicle, now),
+        ExecutorPhase.Planning => Plan(vehicle, now),
+        ExecutorPhase.Sending => Send(vehicle, now),
+        ExecutorPhase.AwaitingMode => AwaitMode(vehicle, now),
+        ExecutorPhase.AwaitingReason => AwaitReason(now),
+        ExecutorPhase.StartingVelocity => StartVelocity(vehicle, now),
         _ => false,
     };
 
@@ -27,7 +27,7 @@ internal sealed partial class CommandExecutor
         {
             if (now - _phaseSince < AutopilotWait)
                 return false;
-            Finish(VehicleCommandOutcome.TimedOut, "no autopilot was heard", now);
+            Finish(VehicleCommandOutcome.TimedOut, "no autopilot was received", now);
             return false;
         }
 
@@ -51,7 +51,7 @@ internal sealed partial class CommandExecutor
         _reason = null;
         if (_steps[_step].StartsVelocity)
         {
-            Enter(CommandPhase.StartingVelocity, now);
+            Enter(ExecutorPhase.StartingVelocity, now);
             return;
         }
 
@@ -59,7 +59,7 @@ internal sealed partial class CommandExecutor
 
         // At most one is at work and a handful may still be answered late: there is always room.
         _client!.TryStart(_steps[_step].Request with { Target = _target }, now, out _handle);
-        Enter(CommandPhase.Sending, now);
+        Enter(ExecutorPhase.Sending, now);
     }
 
     private bool Send(in VehicleState vehicle, TimeSpan now)
@@ -94,7 +94,7 @@ internal sealed partial class CommandExecutor
         if (result == MavResult.Accepted || (step.IsDoneInTheAir && outcome.Sent > 1 && IsInTheAir(vehicle)))
         {
             if (step.IsModeAwaited)
-                Enter(CommandPhase.AwaitingMode, now);
+                Enter(ExecutorPhase.AwaitingMode, now);
             else
                 EndStep(now);
             return true;
@@ -103,7 +103,7 @@ internal sealed partial class CommandExecutor
         if (step.Mode is { } refused)
             _guard.Withdraw(refused);
         _refusal = result;
-        Enter(CommandPhase.AwaitingReason, now);
+        Enter(ExecutorPhase.AwaitingReason, now);
         return true;
     }
 

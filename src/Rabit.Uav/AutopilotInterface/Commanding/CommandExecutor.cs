@@ -21,7 +21,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
 
     // Modes, places and the like may be done twice, so that what fell silent is sent again. On the wire between autopilot and companion nothing is
     // doubled, so that what was answered need not be waited for: a vehicle that is to hold is told at once.
-    private static readonly MavlinkCommandOptions Patience = new()
+    private static readonly MavlinkCommandOptions ExchangeOptions = new()
     {
         Rejections = 5,
         RetriesInProgress = true,
@@ -30,8 +30,8 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         AnswersMayBeDuplicated = false,
     };
 
-    /// <summary>How long to wait for an autopilot to be heard at all: as long as for its answers.</summary>
-    public static readonly TimeSpan AutopilotWait = new(Patience.AnswerTimeout.Ticks * (1 + Patience.Retries));
+    /// <summary>How long to wait for any message of an autopilot: as long as for its answers.</summary>
+    public static readonly TimeSpan AutopilotWait = new(ExchangeOptions.AnswerTimeout.Ticks * (1 + ExchangeOptions.Retries));
 
     private readonly AuthorityMonitor _guard = new(mayCommand);
     private readonly VelocityStream _velocity = new();
@@ -40,7 +40,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     private MavlinkAddress _target;
     private VehicleProfile? _profile;
     private VehicleCommand _command;
-    private CommandPhase _phase;
+    private ExecutorPhase _phase;
     private bool _isOurOwn;
     private int _step;
     private int _handle;
@@ -57,7 +57,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     public ref readonly CommandAuthority Authority => ref _guard.Authority;
 
     /// <summary>Whether something is due sooner than the manager would wake up by itself.</summary>
-    public bool IsBusy => _phase != CommandPhase.Idle || _velocity.IsRunning;
+    public bool IsBusy => _phase != ExecutorPhase.Idle || _velocity.IsRunning;
 
     private bool StepAsksForMode => _step < _steps.Count && _steps[_step].Mode is not null;
 
@@ -66,11 +66,11 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     /// <param name="target">The autopilot.</param>
     public void Connect(MavlinkSender sender, MavlinkAddress target)
     {
-        _client = new MavlinkCommandClient(sender, Patience);
+        _client = new MavlinkCommandClient(sender, ExchangeOptions);
         _target = target;
     }
 
-    /// <summary>Takes a command. It replaces the one that is worked at, unless it is unsound itself.</summary>
+    /// <summary>Takes a command. It replaces the one that is worked at, unless it is invalid itself.</summary>
     public void Take(in VehicleCommand command, TimeSpan now)
     {
         if (!_guard.MayCommand)
@@ -85,7 +85,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
             return;
         }
 
-        if (_phase != CommandPhase.Idle)
+        if (_phase != ExecutorPhase.Idle)
             Finish(VehicleCommandOutcome.Replaced, $"{command.Kind} came before it was done", now);
         Begin(command, isOurOwn: false, now);
     }
@@ -95,32 +95,33 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     {
         if (_guard.TakeMode(vehicle.CustomMode, vehicle.Mode, _profile, time))
         {
-            GiveUp(time);
+            StopCommanding(time);
             return;
         }
 
-        bool isStepUnderway = _phase is CommandPhase.Sending or CommandPhase.AwaitingMode;
+        bool isStepUnderway = _phase is ExecutorPhase.Sending or ExecutorPhase.AwaitingMode;
         if (isStepUnderway && _sent > 0 && StepAsksForMode)
             _isModeSeen = _steps[_step].Mode == vehicle.CustomMode;
     }
 
-    /// <summary>The autopilot began anew.</summary>
+    /// <summary>The autopilot has rebooted.</summary>
     /// <param name="wasFlying">Whether it was in the air, or might have been.</param>
     /// <param name="time">When.</param>
     public void TakeReboot(bool wasFlying, TimeSpan time)
     {
         _lastSpeed = double.NaN;
         if (_guard.TakeReboot(wasFlying, time))
-            GiveUp(time);
+            StopCommanding(time);
     }
 
-    /// <summary>Takes a frame, which may be an acknowledgement by the autopilot.</summary>
-    public void TakeFrame(in MavlinkFrame frame, TimeSpan now) => _client?.Handle(frame, now);
+    /// <summary>Takes an acknowledgement, which may be the autopilot's to us.</summary>
+    public void TakeAcknowledgement(in MavlinkFrame frame, in CommandAck acknowledgement, TimeSpan now)
+        => _client?.Handle(frame, acknowledgement, now);
 
     /// <summary>Takes a text of the vehicle: the newest one that came with a refusal, and is no mere information, is its reason.</summary>
     public void TakeText(MavSeverity severity, string text)
     {
-        if (_phase != CommandPhase.Idle && severity <= MavSeverity.Warning)
+        if (_phase != ExecutorPhase.Idle && severity <= MavSeverity.Warning)
             _reason = text;
     }
 
@@ -150,7 +151,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
             Outbox.Notes.Enqueue("no velocity came for 1.5 s: the vehicle is told to hold");
         }
 
-        if (_owesHold && _phase == CommandPhase.Idle)
+        if (_owesHold && _phase == ExecutorPhase.Idle)
             Begin(new VehicleCommand { Kind = VehicleCommandKind.Hold }, isOurOwn: true, now);
     }
 
@@ -167,22 +168,22 @@ internal sealed partial class CommandExecutor(bool mayCommand)
             _velocity.Stop();
         if (command.Kind != VehicleCommandKind.PointCamera)
             _owesHold = false;
-        Enter(CommandPhase.Planning, now);
+        Enter(ExecutorPhase.Planning, now);
     }
 
-    private void Enter(CommandPhase phase, TimeSpan now)
+    private void Enter(ExecutorPhase phase, TimeSpan now)
     {
         _phase = phase;
         _phaseSince = now;
     }
 
-    private void GiveUp(TimeSpan now)
+    private void StopCommanding(TimeSpan now)
     {
         _velocity.Stop();
         _owesHold = false;
         string text = NotInCommandText();
         Outbox.Notes.Enqueue(text);
-        if (_phase != CommandPhase.Idle)
+        if (_phase != ExecutorPhase.Idle)
             Finish(VehicleCommandOutcome.NotInCommand, text, now);
     }
 
@@ -192,7 +193,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
             Answer(_command, outcome, text);
         else if (outcome is not (VehicleCommandOutcome.Accepted or VehicleCommandOutcome.Replaced))
             Outbox.Notes.Enqueue($"holding: {outcome}, {text}");
-        _phase = CommandPhase.Idle;
+        _phase = ExecutorPhase.Idle;
         _steps.Clear();
         _step = 0;
         _client?.StopTracking(_handle, now);

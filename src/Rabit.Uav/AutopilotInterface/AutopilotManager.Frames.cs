@@ -1,0 +1,125 @@
+using System;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+// What is done with which message. Each frame is decoded once, here.
+public sealed partial class AutopilotManager
+{
+    private VehicleEvents TakeFrame(in LinkFrame frame)
+    {
+        MavlinkFrame mavlink = frame.Frame;
+        switch (mavlink.MessageId)
+        {
+            case Heartbeat.MavlinkId:
+                mavlink.TryDecode(out Heartbeat heartbeat);
+                return Take(frame, heartbeat);
+            case GlobalPositionInt.MavlinkId:
+                mavlink.TryDecode(out GlobalPositionInt position);
+                return TakePose(frame, Complete(frame, _tracker.Update(frame, position)), PoseSampleKind.Position);
+            case Attitude.MavlinkId:
+                mavlink.TryDecode(out Attitude attitude);
+                return TakePose(frame, Complete(frame, _tracker.Update(frame, attitude)), PoseSampleKind.Attitude);
+            case SysStatus.MavlinkId:
+                mavlink.TryDecode(out SysStatus status);
+                return Complete(frame, _tracker.Update(frame, status));
+            case BatteryStatus.MavlinkId:
+                mavlink.TryDecode(out BatteryStatus battery);
+                return Complete(frame, _tracker.Update(frame, battery));
+            case GpsRawInt.MavlinkId:
+                mavlink.TryDecode(out GpsRawInt gps);
+                return Complete(frame, _tracker.Update(frame, gps));
+            case SystemTime.MavlinkId:
+                mavlink.TryDecode(out SystemTime clock);
+                return Complete(frame, _tracker.Update(frame, clock));
+            case ExtendedSysState.MavlinkId:
+                mavlink.TryDecode(out ExtendedSysState extended);
+                return Complete(frame, _tracker.Update(frame, extended));
+            case Wind.MavlinkId:
+                mavlink.TryDecode(out Wind wind);
+                return Complete(frame, _tracker.Update(frame, wind));
+            case Timesync.MavlinkId:
+                mavlink.TryDecode(out Timesync time);
+                return Take(frame, time);
+            case Statustext.MavlinkId:
+                mavlink.TryDecode(out Statustext text);
+                return Take(frame, text);
+            case CommandAck.MavlinkId:
+                mavlink.TryDecode(out CommandAck acknowledgement);
+                return Take(frame, acknowledgement);
+            default:
+                return Complete(frame, _tracker.Update(frame));
+        }
+    }
+
+    // What every frame leads to, once the tracker has it.
+    private VehicleEvents Complete(in LinkFrame frame, VehicleEvents events)
+    {
+        Handle(frame, events);
+        if (_tracker.State.IsConnected)
+            _rates?.Handle(frame.Frame, Now);
+        return events;
+    }
+
+    private void Handle(in LinkFrame frame, VehicleEvents events)
+    {
+        _recorder.Record(frame, events, _tracker.State);
+        Handle(events, frame.Time);
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in Heartbeat heartbeat)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame, heartbeat));
+        if ((events & VehicleEvents.OfOther) == 0)
+            _executor.TakeHeartbeat(_tracker.State, frame.Time);
+        return events;
+    }
+
+    private VehicleEvents TakePose(in LinkFrame frame, VehicleEvents events, PoseSampleKind kind)
+    {
+        const VehicleEvents Unusable = VehicleEvents.OfOther | VehicleEvents.Refused;
+        if ((events & VehicleEvents.Changed) != 0 && (events & Unusable) == 0)
+            PushPose(kind, frame.Time);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in Timesync message)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (_tracker.IsFromAutopilot(frame.Frame))
+            _clock.Take(message, frame.Time);
+        return events;
+    }
+
+    // Any component of the vehicle may have something to say to people.
+    private VehicleEvents Take(in LinkFrame frame, in Statustext text)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (_tracker.State.SystemId == 0 || frame.Frame.SystemId != _tracker.State.SystemId)
+            return events;
+        var item = new StatusText(frame.Time, text.Severity, text.Text.ToString());
+        _statusTexts.Value = _statusTexts.Value.With(item, RecentItemsKept);
+        _executor.TakeText(item.Severity, item.Text);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in CommandAck acknowledgement)
+    {
+        VehicleEvents events = _tracker.Update(frame);
+        Handle(frame, events);
+        if (_tracker.IsFromAutopilot(frame.Frame))
+            Keep(acknowledgement, frame.Time);
+        if (_tracker.State.IsConnected)
+            _rates?.Handle(frame.Frame, acknowledgement, Now);
+        _executor.TakeAcknowledgement(frame.Frame, acknowledgement, Now);
+        return events;
+    }
+
+    private void Keep(in CommandAck ack, TimeSpan time)
+    {
+        var item = new CommandAcknowledgement(time, ack.Command, ack.Result, ack.TargetSystem, ack.TargetComponent);
+        _acknowledgements.Value = _acknowledgements.Value.With(item, RecentItemsKept);
+    }
+}

@@ -1,0 +1,23 @@
+namespace Rabit.Uav.AutopilotInterface;
+
+/// <summary>How far the command that is worked at is.</summary>
+internal enum ExecutorPhase
+{
+    /// <summary>There is none.</summary>
+    Idle,
+
+    /// <summary>Until the autopilot is known.</summary>
+    Planning,
+
+    /// <summary>A step is sent, once nothing earlier can be answered any more, until it is acknowledged.</summary>
+    Sending,
+
+    /// <summary>It was accepted, until a heartbeat shows the mode.</summary>
+    AwaitingMode,
+
+    /// <summary>It was refused, until a text says why.</summary>
+    AwaitingReason,
+
+    /// <summary>Until the velocities can be sent.</summary>
+    StartingVelocity,
+}

@@ -1,0 +1,108 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Links;
+using Rabit.Mavlink;
+using Rabit.Uav.AutopilotInterface;
+using Rabit.Uav.Communications;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+
+namespace Rabit.Uav;
+
+/// <summary>
+/// Joins what the options of a system and those of its managers say of the same thing. What only one of them sets holds; where both set it
+/// and differ, that is a fault with the names of both.
+/// </summary>
+internal static class ManagerOptions
+{
+    public static IEnumerable<string> FindContradictions(UavOptions options)
+    {
+        CommunicationsOptions communications = options.Communications;
+        AutopilotOptions autopilot = options.Autopilot;
+        string?[] contradictions =
+        [
+            Contradiction(nameof(UavOptions.Signing), options.Signing, Of(nameof(communications.Signing)), communications.Signing, null),
+            Contradiction(nameof(UavOptions.Dialect), options.Dialect, Of(nameof(communications.Dialect)), communications.Dialect, MavlinkDialect.All, d => d!.Name),
+            Contradiction(nameof(UavOptions.Dialect), options.Dialect, OfAutopilot(nameof(autopilot.Dialect)), autopilot.Dialect, MavlinkDialect.All, d => d!.Name),
+            Contradiction(nameof(UavOptions.SystemId), options.SystemId, OfAutopilot(nameof(autopilot.SystemId)), autopilot.SystemId, null),
+            Contradiction(nameof(UavOptions.ComponentId), options.ComponentId, OfAutopilot(nameof(autopilot.ComponentId)), autopilot.ComponentId, new AutopilotOptions().ComponentId),
+            Contradiction(nameof(UavOptions.Mission), options.Mission, nameof(UavOptions.MissionControl) + "." + nameof(MissionControlOptions.Mission), options.MissionControl.Mission, null),
+        ];
+        foreach (string contradiction in contradictions.OfType<string>())
+            yield return contradiction;
+
+        if (communications.Links is not { Count: 0 } || communications.RecordedFiles is not { Count: 0 })
+        {
+            yield return $"{Of(nameof(communications.Links))} and {Of(nameof(communications.RecordedFiles))} are what is opened from {nameof(UavOptions.Links)} "
+                + $"and {nameof(UavOptions.OpenLinks)}; leave them empty";
+        }
+
+        if (autopilot.MayCommand && !options.MayCommand)
+            yield return $"{OfAutopilot(nameof(autopilot.MayCommand))} is true, but {nameof(UavOptions.MayCommand)} is false";
+    }
+
+    public static SigningOptions? SigningOf(UavOptions options) => options.Signing ?? options.Communications.Signing;
+
+    public static MissionPlan? MissionOf(UavOptions options) => options.Mission ?? options.MissionControl.Mission;
+
+    public static MavlinkDialect DialectOf(UavOptions options)
+        => !ReferenceEquals(options.Dialect, MavlinkDialect.All) ? options.Dialect
+        : !ReferenceEquals(options.Communications.Dialect, MavlinkDialect.All) ? options.Communications.Dialect
+        : options.Autopilot.Dialect;
+
+    public static IReadOnlyList<MavlinkSubscription> SubscriptionsOf(UavOptions options)
+        => options.Subscriptions.Concat(options.Communications.Subscriptions).ToArray();
+
+    public static CommunicationsOptions ForCommunications(UavOptions options, IReadOnlyList<IByteLink> links, IReadOnlyList<RecordedFile> files)
+    {
+        CommunicationsOptions made = options.Communications.Copy();
+        made.Links = links;
+        made.RecordedFiles = files;
+        made.StopsWhenAllLinksEnd |= options.IsReplay;
+        made.Signing = SigningOf(options);
+        made.Dialect = DialectOf(options);
+        made.Subscriptions = SubscriptionsOf(options);
+        made.VehicleMessageRoutes =
+        [
+            new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
+            .. options.Communications.VehicleMessageRoutes,
+        ];
+        return made;
+    }
+
+    public static AutopilotOptions ForAutopilot(UavOptions options)
+    {
+        AutopilotOptions made = options.Autopilot.Copy();
+        made.SystemId ??= options.SystemId;
+        if (options.ComponentId != new AutopilotOptions().ComponentId)
+            made.ComponentId = options.ComponentId;
+        made.RequestsRates &= options.RequestsMessageRates && !options.IsReplay;
+        made.MayCommand = options.MayCommand;
+        made.Dialect = DialectOf(options);
+        return made;
+    }
+
+    public static MissionControlOptions ForMissionControl(UavOptions options)
+    {
+        MissionControlOptions made = options.MissionControl.Copy();
+        made.Mission = MissionOf(options);
+        return made;
+    }
+
+    private static string Of(string name) => nameof(UavOptions.Communications) + "." + name;
+
+    private static string OfAutopilot(string name) => nameof(UavOptions.Autopilot) + "." + name;
+
+    private static string? Contradiction<T>(string name, T value, string managerName, T managerValue, T unset, Func<T, string?>? describe = null)
+    {
+        EqualityComparer<T> comparer = EqualityComparer<T>.Default;
+        if (comparer.Equals(value, unset) || comparer.Equals(managerValue, unset) || comparer.Equals(value, managerValue))
+            return null;
+        return typeof(T).IsValueType || describe is not null
+            ? $"{name} is {Text(value)}, but {managerName} is {Text(managerValue)}; set one of them"
+            : $"{name} and {managerName} are set, and differ; set one of them";
+
+        string? Text(T of) => describe is null ? of?.ToString() : $"'{describe(of)}'";
+    }
+}
