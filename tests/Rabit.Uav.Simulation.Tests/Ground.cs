@@ -5,6 +5,8 @@ using Rabit.Core;
 using Rabit.Geodesy;
 using Rabit.Links;
 using Rabit.Mavlink;
+using Rabit.Uav.Communications;
+using Rabit.Uav.Messages;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.ImageProcessing.Geolocation;
 
@@ -204,12 +206,12 @@ internal sealed class Ground : IDisposable
     /// <summary>Keeps what comes.</summary>
     private sealed class Station : RabitManager
     {
-        private readonly BlockingReader<MavlinkFrame> _reader;
+        private readonly BlockingReader<LinkFrame> _reader;
 
         public Station(IByteLink link)
             : base("ground")
         {
-            _reader = AttachReader("link", new VehicleFrameSource(link), 4096);
+            _reader = AttachReader("link", new MavlinkLinkSource(link), 4096);
             WakeUpDelay = TimeSpan.FromSeconds(10);
         }
 
@@ -217,8 +219,8 @@ internal sealed class Ground : IDisposable
 
         protected override void ExecuteUnitOfWork()
         {
-            while (_reader.TryPop(out MavlinkFrame frame))
-                Frames.Add((Now, frame));
+            while (_reader.TryPop(out LinkFrame frame))
+                Frames.Add((Now, frame.Frame));
         }
     }
 }

@@ -61,7 +61,7 @@ internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
     public void Take(in MavlinkFrame frame, Tunnel tunnel, byte ownSystemId, TimeSpan time)
     {
         Fate fate = frame.SystemId == ownSystemId ? Fate.Echo
-            : tunnel.PayloadLength > VehicleMessageRoute.MaximumLength ? Fate.Malformed
+            : tunnel.PayloadLength > VehicleMessageRoute.MaxLength ? Fate.Malformed
             : Deliver(frame.SystemId, tunnel, time);
         switch (fate)
         {
