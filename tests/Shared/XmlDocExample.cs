@@ -11,8 +11,8 @@ namespace Rabit.Tests.Shared;
 /// <summary>One <c>&lt;example&gt;&lt;code&gt;</c> of the documentation comments of a source file.</summary>
 internal sealed class XmlDocExample
 {
-    private static readonly Regex Example = new("<example>(.*?)</example>", RegexOptions.Singleline | RegexOptions.CultureInvariant, TimeSpan.FromSeconds(10));
-    private static readonly Regex Code = new("<code>(.*?)</code>", RegexOptions.Singleline | RegexOptions.CultureInvariant, TimeSpan.FromSeconds(10));
+    private static readonly Regex Example = ContentOf("example");
+    private static readonly Regex Code = ContentOf("code");
 
     private XmlDocExample(string file, int line, string text)
     {
@@ -40,6 +40,11 @@ internal sealed class XmlDocExample
 
     public override string ToString() => $"{File}({Line})";
 
+    private static Regex ContentOf(string element) => new(
+        $"<{element}>(?<content>.*?)</{element}>",
+        RegexOptions.Singleline | RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
+        TimeSpan.FromSeconds(10));
+
     private static IEnumerable<XmlDocExample> Of(string path)
     {
         string file = path.Substring(Repository.Root.Length + 1).Replace('\\', '/');
@@ -47,8 +52,8 @@ internal sealed class XmlDocExample
         {
             foreach (Match example in Example.Matches(comment))
             {
-                foreach (Match code in Code.Matches(example.Groups[1].Value))
-                    yield return new XmlDocExample(file, line, WebUtility.HtmlDecode(code.Groups[1].Value).Trim('\n'));
+                foreach (Match code in Code.Matches(example.Groups["content"].Value))
+                    yield return new XmlDocExample(file, line, WebUtility.HtmlDecode(code.Groups["content"].Value).Trim('\n'));
             }
         }
     }
