@@ -1,21 +1,13 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using BenchmarkDotNet.Configs;
 using BenchmarkDotNet.Diagnosers;
 using BenchmarkDotNet.Jobs;
 using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
-using Rabit.Benchmarks.Core.Queues;
 
 // Without arguments all of them; `-- --filter *Queue*` chooses, `-- --list flat` lists, `-- --job Dry` only tries whether they run.
-// `-- queues [rounds]` is a table by a stopwatch, all contenders in turn: for what runs on two threads at once, on a machine that is not idle.
-if (args is ["queues", ..])
-{
-    QueueSpeed.Run(args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) : 21);
-    return 0;
-}
 
 bool chooses = args.Any(a => a is "--filter" or "-f" or "--list" or "--help" or "--info" or "--version");
 string[] arguments = chooses ? args : [.. args, "--filter", "*"];
@@ -28,7 +20,7 @@ IConfig config = ManualConfig.Create(DefaultConfig.Instance)
     .AddJob(build);
 List<Summary> summaries = [.. BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments, config)];
 
-// It goes on after a benchmark that failed; whoever called us should know all the same.
+// It goes on after a benchmark that failed; the caller must know all the same.
 string[] failed = [.. summaries.SelectMany(s => s.Reports).Where(r => !r.Success).Select(r => r.BenchmarkCase.DisplayInfo)];
 foreach (string name in failed)
     Console.Error.WriteLine("failed: " + name);

@@ -16,7 +16,7 @@ public abstract class MessageBenchmarks
 
     private protected MessageManager Manager => _manager;
 
-    private protected LockedMessage<VehiclePose> Locked { get; } = new();
+    private protected MonitorMessage<VehiclePose> Locked { get; } = new();
 
     private protected Channel<VehiclePose> LatestValue { get; } = Channels.LatestValue<VehiclePose>();
 
@@ -25,7 +25,7 @@ public abstract class MessageBenchmarks
 
     private protected MessageSubscriber<VehiclePose> Pose { get; private set; } = null!;
 
-    private protected MessageSubscriber<FlightPlan> Plan { get; private set; } = null!;
+    private protected MessageSubscriber<RouteNote> Plan { get; private set; } = null!;
 
     private protected MessageSubscriber<RangeScan> Scan { get; private set; } = null!;
 
@@ -35,7 +35,7 @@ public abstract class MessageBenchmarks
         OutsidePose = _reactor.Workspace.Publish<VehiclePose>("outside pose");
         _ = _reactor.Workspace.Publish<VehiclePose>("quiet pose");
         Pose = _reactor.Workspace.Subscribe<VehiclePose>("pose");
-        Plan = _reactor.Workspace.Subscribe<FlightPlan>("plan");
+        Plan = _reactor.Workspace.Subscribe<RouteNote>("plan");
         Scan = _reactor.Workspace.Subscribe<RangeScan>("scan");
         _reactor.Add(_manager);
         _reactor.Add(_awake);

@@ -24,14 +24,14 @@ internal sealed class MessageManager : RabitManager, IDisposable
         WakeUpDelay = TimeSpan.FromDays(1);
     }
 
-    public static FlightPlan[] Plans { get; } = [new(1), new(2)];
+    public static RouteNote[] Plans { get; } = [new(1), new(2)];
 
     public MessagePublisher<VehiclePose> Pose { get; }
 
     /// <summary>Wakes a manager that is awake.</summary>
     public MessagePublisher<VehiclePose> WakingPose { get; }
 
-    public MessagePublisher<FlightPlan> Plan { get; }
+    public MessagePublisher<RouteNote> Plan { get; }
 
     public MessagePublisher<RangeScan> Scan { get; }
 

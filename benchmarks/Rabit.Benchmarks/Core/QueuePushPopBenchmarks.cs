@@ -5,23 +5,23 @@ namespace Rabit.Benchmarks.Core;
 
 /// <summary>A push and the pop that takes it out, on one thread. Rabit's ends are a manager's and run inside its unit of work.</summary>
 [GenericTypeArguments(typeof(int))]
-[GenericTypeArguments(typeof(Block64))]
+[GenericTypeArguments(typeof(CacheLine))]
 public class QueuePushPopBenchmarks<T>
     where T : struct
 {
     private const int Capacity = 1024;
     private const int PerInvocation = 10_000;
 
-    private readonly LockedQueue<T> _locked = new(Capacity);
+    private readonly MonitorQueue<T> _locked = new(Capacity);
     private readonly Channel<T> _channel = Channels.Queue<T>(Capacity);
     private readonly PushPopManager<T> _manager = new(Capacity, PerInvocation);
-    private VirtualSteps _turns = null!;
+    private VirtualSteps _steps = null!;
 
     [GlobalSetup]
-    public void Start() => _turns = new VirtualSteps(_manager);
+    public void Start() => _steps = new VirtualSteps(_manager);
 
     [GlobalCleanup]
-    public void Stop() => _turns.Dispose();
+    public void Stop() => _steps.Dispose();
 
     [Benchmark(Baseline = true, OperationsPerInvoke = PerInvocation)]
     public int Lock()
@@ -55,7 +55,7 @@ public class QueuePushPopBenchmarks<T>
     public int Rabit()
     {
         _manager.Popped = 0;
-        _turns.Give();
+        _steps.Run();
         return _manager.Popped;
     }
 }

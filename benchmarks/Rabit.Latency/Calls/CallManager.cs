@@ -10,22 +10,22 @@ namespace Rabit.Latency.Calls;
 /// <summary>A manager that posts, fetches, pushes and pops in loops; what it posts is fetched outside, on its own thread.</summary>
 internal sealed class CallManager : FlatOutManager<CallJob>
 {
-    private readonly MessagePublisher<Pose> _publisher;
-    private readonly MessageSubscriber<Pose> _subscriber;
+    private readonly MessagePublisher<TestPose> _publisher;
+    private readonly MessageSubscriber<TestPose> _subscriber;
     private readonly QueueSender<Block64> _sender;
     private readonly QueueReceiver<Block64> _receiver;
-    private readonly Sink<Pose> _poses = new();
+    private readonly Sink<TestPose> _poses = new();
     private readonly Sink<Block64> _blocks = new();
-    private readonly MessageSubscriber<Pose> _outside;
+    private readonly MessageSubscriber<TestPose> _outside;
     private Action<int> _work = _ => { };   // set from outside before the job is given
     private long _time;
 
     public CallManager(RabitWorkspace workspace)
         : base("caller", Cpus.One)
     {
-        _publisher = Publish<Pose>("pose");
-        _subscriber = Subscribe<Pose>("pose");
-        _outside = workspace.Subscribe<Pose>("pose");
+        _publisher = Publish<TestPose>("pose");
+        _subscriber = Subscribe<TestPose>("pose");
+        _outside = workspace.Subscribe<TestPose>("pose");
         _sender = Send<Block64>("blocks");
         _receiver = Receive<Block64>("blocks", capacity: 1024, wakeOnPush: false);
     }

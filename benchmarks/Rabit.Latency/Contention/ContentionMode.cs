@@ -21,10 +21,10 @@ internal static class ContentionMode
 
     private static Table Structs(RunOptions options, double seconds)
     {
-        var duel = new RabitDuel<Pose>(default, message => message.Value.TimeSeconds++);
-        Subject rabit = new Subject("Rabit", () => duel.Run(seconds)).Owning(duel);
+        var contention = new RabitContention<TestPose>(default, message => message.Value.TimeSeconds++);
+        Subject rabit = new Subject("Rabit", () => contention.Run(seconds)).Owning(contention);
         Subject copy = new("a copy of 72 bytes by each alone", () => Copies(seconds));
-        Subject locked = new("lock and version by hand", () => LockedStructs(seconds));
+        Subject locked = new("lock and version", () => LockedStructs(seconds));
         List<Subject> subjects =
         [
             copy,
@@ -44,10 +44,10 @@ internal static class ContentionMode
     {
         PoseObject[] values = [new(0), new(1)];
         int posts = 0;
-        var duel = new RabitDuel<PoseObject>(values[0], message => message.Value = values[++posts & 1]);
-        Subject rabit = new Subject("Rabit", () => duel.Run(seconds)).Owning(duel);
-        Subject byReference = new("a volatile reference by hand", () => References(seconds));
-        Subject locked = new("lock and version by hand", () => LockedObjects(seconds));
+        var contention = new RabitContention<PoseObject>(values[0], message => message.Value = values[++posts & 1]);
+        Subject rabit = new Subject("Rabit", () => contention.Run(seconds)).Owning(contention);
+        Subject byReference = new("a volatile reference", () => References(seconds));
+        Subject locked = new("lock and version", () => LockedObjects(seconds));
         List<Subject> subjects = [byReference, locked, rabit];
         Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
         rabit.Dispose();
@@ -59,16 +59,16 @@ internal static class ContentionMode
 
     private static double[] LockedStructs(double seconds)
     {
-        var message = new LockedMessage<Pose>(default);
-        Pose posted = default;
-        return Duel.ByHand(
+        var message = new LockedMessage<TestPose>(default);
+        TestPose posted = default;
+        return ContentionRun.OnThreads(
             seconds,
             () =>
             {
                 posted.TimeSeconds++;
                 message.Post(posted);
             },
-            () => message.Fetch(out Pose pose) && pose.TimeSeconds > 0);
+            () => message.Fetch(out TestPose pose) && pose.TimeSeconds > 0);
     }
 
     private static double[] LockedObjects(double seconds)
@@ -76,25 +76,25 @@ internal static class ContentionMode
         PoseObject[] values = [new(0), new(1)];
         int posts = 0;
         var message = new LockedMessage<PoseObject>(values[0]);
-        return Duel.ByHand(seconds, () => message.Post(values[++posts & 1]), () => message.Fetch(out _));
+        return ContentionRun.OnThreads(seconds, () => message.Post(values[++posts & 1]), () => message.Fetch(out _));
     }
 
     private static double[] References(double seconds)
     {
         var message = new SharedReference();
-        return Duel.ByHand(seconds, message.Post, message.Fetch);
+        return ContentionRun.OnThreads(seconds, message.Post, message.Fetch);
     }
 
     private static double[] Channels(double seconds)
     {
-        var channel = Channel.CreateBounded<Pose>(new BoundedChannelOptions(1)
+        var channel = Channel.CreateBounded<TestPose>(new BoundedChannelOptions(1)
         {
             FullMode = BoundedChannelFullMode.DropOldest,
             SingleReader = true,
             SingleWriter = true,
         });
-        Pose posted = default;
-        return Duel.ByHand(
+        TestPose posted = default;
+        return ContentionRun.OnThreads(
             seconds,
             () =>
             {
@@ -107,9 +107,9 @@ internal static class ContentionMode
     // No one else's cache line is touched.
     private static double[] Copies(double seconds)
     {
-        Pose[] posted = new Pose[16];
-        Pose[] fetched = new Pose[16];
-        return Duel.ByHand(
+        TestPose[] posted = new TestPose[16];
+        TestPose[] fetched = new TestPose[16];
+        return ContentionRun.OnThreads(
             seconds,
             () =>
             {

@@ -2,7 +2,7 @@ using System.Threading;
 
 namespace Rabit.Latency.Contention;
 
-/// <summary>A message by hand: a lock and a version, which the fetcher reads before it takes the lock.</summary>
+/// <summary>A message without Rabit: a lock and a version, which the fetcher reads before it takes the lock.</summary>
 internal sealed class LockedMessage<T>(T initial)
 {
     private readonly object _gate = new();   // guards _shared; _version is written under it, read by all

@@ -23,15 +23,15 @@ internal static class IdleMode
     {
         long nanoseconds = period.Ticks * 100;
         Subject nothing = Row("nothing at all", seconds, () => null);
-        Subject byFutex = Row("threads on futexes by hand", seconds, () => new HandSleepers(() => OnFutex(nanoseconds)));
+        Subject byFutex = Row("threads on futexes", seconds, () => new BaselineSleepers(() => OnFutex(nanoseconds)));
         Subject futex = Row(RabitRun.NameOf(WaitEngine.Futex), seconds, () => new RabitSleepers(WaitEngine.Futex, period));
         Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), seconds, () => new RabitSleepers(WaitEngine.Event, period));
         List<Subject> subjects =
         [
             byFutex,
             nothing,
-            Row("AutoResetEvent.WaitOne(period)", seconds, () => new HandSleepers(() => OnEvent(period))),
-            Row("SemaphoreSlim.Wait(period)", seconds, () => new HandSleepers(() => OnSemaphore(period))),
+            Row("AutoResetEvent.WaitOne(period)", seconds, () => new BaselineSleepers(() => OnEvent(period))),
+            Row("SemaphoreSlim.Wait(period)", seconds, () => new BaselineSleepers(() => OnSemaphore(period))),
             futex,
             byEvent,
         ];

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Runtime.InteropServices;
-using Rabit.Links;
 
 namespace Rabit.Latency.Native;
 

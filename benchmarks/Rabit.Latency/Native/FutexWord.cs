@@ -1,7 +1,6 @@
 using System;
 using System.Runtime.InteropServices;
 using System.Threading;
-using Rabit.Links;
 
 namespace Rabit.Latency.Native;
 

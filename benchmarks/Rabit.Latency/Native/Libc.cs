@@ -1,6 +1,5 @@
 using System;
 using System.Runtime.InteropServices;
-using Rabit.Links;
 
 namespace Rabit.Latency.Native;
 

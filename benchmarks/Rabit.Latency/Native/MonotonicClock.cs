@@ -1,4 +1,3 @@
-using Rabit.Links;
 
 namespace Rabit.Latency.Native;
 

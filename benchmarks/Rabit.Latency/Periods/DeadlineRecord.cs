@@ -11,7 +11,7 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
     private const long Tolerance = 2000;
 
     private readonly long[] _times = new long[samples];
-    private long _last;   // the number of the deadline that a thread by hand waited for
+    private long _last;   // the number of the deadline that a thread without Rabit waited for
 
     public int Count { get; private set; }
 
@@ -23,7 +23,7 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
     /// <summary>Told at the beginning of each run, the first one included.</summary>
     public void Add(long now) => _times[Count++] = now;
 
-    /// <summary>When a thread by hand is to run next: the first deadline that has not passed. Those in between are missed.</summary>
+    /// <summary>When a thread without Rabit is to run next: the first deadline that has not passed. Those in between are missed.</summary>
     public long NextDeadline(long now)
     {
         long next = ((now - _times[0]) / periodNanoseconds) + 1;

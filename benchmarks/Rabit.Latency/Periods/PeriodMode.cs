@@ -90,8 +90,8 @@ internal static class PeriodMode
 
     private static List<(string Name, PeriodTarget Target)> Absolute() =>
     [
-        ("futex loop by hand", HandPeriod.ByFutex(Cpus.One)),
-        ("clock_nanosleep", new HandPeriod(MonotonicClock.SleepUntil, Cpus.One)),
+        ("futex loop", BaselinePeriod.ByFutex(Cpus.One)),
+        ("clock_nanosleep", new BaselinePeriod(MonotonicClock.SleepUntil, Cpus.One)),
         (RabitRun.NameOf(WaitEngine.Futex), new RabitPeriod(WaitEngine.Futex, Cpus.One)),
         (RabitRun.NameOf(WaitEngine.Event), new RabitPeriod(WaitEngine.Event, Cpus.One)),
     ];

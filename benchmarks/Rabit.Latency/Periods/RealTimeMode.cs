@@ -16,7 +16,7 @@ internal static class RealTimeMode
     public static Table Run(RunOptions options)
     {
         int samples = options.Pick(50, 1000);
-        using var rival = new Rival(Cpus.One);
+        using var competitor = new CompetingLoad(Cpus.One);
         List<Subject> subjects =
         [
             Row("as it is", request: null, samples),

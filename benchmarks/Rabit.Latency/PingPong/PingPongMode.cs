@@ -15,12 +15,12 @@ internal static class PingPongMode
 
     public static Table Run(RunOptions options)
     {
-        int rallies = options.Pick(200, 10_000);
+        int roundTrips = options.Pick(200, 10_000);
         var subjects = new List<Subject>();
-        foreach ((string name, Func<Signal> create) in Peers.All)
-            subjects.Add(Row(name, new HandPingPong(create, Cpus.One), rallies));
-        Subject futex = Row(RabitRun.NameOf(WaitEngine.Futex), new RabitPingPong(WaitEngine.Futex, Cpus.One), rallies);
-        Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), new RabitPingPong(WaitEngine.Event, Cpus.One), rallies);
+        foreach ((string name, Func<Signal> create) in Baselines.All)
+            subjects.Add(Row(name, new BaselinePingPong(create, Cpus.One), roundTrips));
+        Subject futex = Row(RabitRun.NameOf(WaitEngine.Futex), new RabitPingPong(WaitEngine.Futex, Cpus.One), roundTrips);
+        Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), new RabitPingPong(WaitEngine.Event, Cpus.One), roundTrips);
         subjects.Add(futex);
         subjects.Add(byEvent);
 
@@ -30,7 +30,7 @@ internal static class PingPongMode
 
         var table = new Table(
             "pingpong",
-            $"two threads wake each other in turn, both on one CPU, {rallies} times a round; mean of there and back, and of one way",
+            $"two threads wake each other in turn, both on one CPU, {roundTrips} times a round; mean of there and back, and of one way",
             [new Column("both µs", "0.00"), new Column("one way µs", "0.00", hasRatio: false)],
             subjects,
             subjects[0]);
@@ -39,5 +39,5 @@ internal static class PingPongMode
         return table;
     }
 
-    private static Subject Row(string name, PingPongTarget target, int rallies) => new Subject(name, () => target.Run(rallies)).Owning(target);
+    private static Subject Row(string name, PingPongTarget target, int roundTrips) => new Subject(name, () => target.Run(roundTrips)).Owning(target);
 }

@@ -7,14 +7,14 @@ internal abstract class PingPongTarget : IDisposable
 {
     /// <summary>Goes back and forth a number of times.</summary>
     /// <returns>The nanoseconds that all of it took.</returns>
-    public abstract long Play(int rallies);
+    public abstract long Play(int roundTrips);
 
     public abstract void Dispose();
 
     /// <returns>The mean of one way in microseconds, and of both.</returns>
-    public double[] Run(int rallies)
+    public double[] Run(int roundTrips)
     {
-        double both = Play(rallies) / 1e3 / rallies;
+        double both = Play(roundTrips) / 1e3 / roundTrips;
         return [both, both / 2];
     }
 }

@@ -20,7 +20,7 @@ internal sealed class RabitPingPong : PingPongTarget
         _reactor.Start();
     }
 
-    public override long Play(int rallies) => _server.Play(rallies);
+    public override long Play(int roundTrips) => _server.Play(roundTrips);
 
     public override void Dispose()
     {
@@ -48,9 +48,9 @@ internal sealed class RabitPingPong : PingPongTarget
             WakeUpDelay = TimeSpan.FromHours(1);
         }
 
-        public long Play(int rallies)
+        public long Play(int roundTrips)
         {
-            Interlocked.Exchange(ref _serves, rallies);
+            Interlocked.Exchange(ref _serves, roundTrips);
             WakeUp();
             if (!_ended.WaitOne(TimeSpan.FromSeconds(60)))
                 throw new InvalidOperationException("The ball was lost: a wake-up did not come.");

@@ -42,26 +42,26 @@ internal sealed class Table(string mode, string title, IReadOnlyList<Column> col
         => _requirements.Add(new Requirement($"{subject.Name}, {columns[column].Name}", subject.Columns[column].Median, limitValue, string.Empty, atLeast: true));
 
     /// <summary>
-    /// As <see cref="RequireMin(Subject, int, double)"/>, for a figure that was set on another machine beside one written by hand: where that
+    /// As <see cref="RequireMin(Subject, int, double)"/>, for a figure that was set on another machine beside one written without Rabit: where that
     /// one is slower here, the ratio of the two decides.
     /// </summary>
     /// <param name="subject">What must be fast.</param>
     /// <param name="column">Its figure.</param>
     /// <param name="limitValue">The least.</param>
-    /// <param name="byHand">The one by hand, measured in the same rounds.</param>
+    /// <param name="baseline">The one without Rabit, measured in the same rounds.</param>
     /// <param name="byHandThere">What that one reached where the least value was set.</param>
-    public void RequireMin(Subject subject, int column, double limitValue, Subject byHand, double byHandThere)
+    public void RequireMin(Subject subject, int column, double limitValue, Subject baseline, double byHandThere)
     {
-        double slowdown = Math.Min(1, byHand.Columns[column].Median / byHandThere);
-        string what = FormattableString.Invariant($"{subject.Name}, {columns[column].Name}: {limitValue} where {byHand.Name} reaches {byHandThere}");
+        double slowdown = Math.Min(1, baseline.Columns[column].Median / byHandThere);
+        string what = FormattableString.Invariant($"{subject.Name}, {columns[column].Name}: {limitValue} where {baseline.Name} reaches {byHandThere}");
         _requirements.Add(new Requirement(what, subject.Columns[column].Median, limitValue * slowdown, string.Empty, atLeast: true));
     }
 
     /// <summary>As <see cref="RequireMin(Subject, int, double, Subject, double)"/>, for a figure that must be small.</summary>
-    public void RequireMax(Subject subject, int column, double limitValue, Subject byHand, double byHandThere)
+    public void RequireMax(Subject subject, int column, double limitValue, Subject baseline, double byHandThere)
     {
-        double slowdown = Math.Max(1, byHand.Columns[column].Median / byHandThere);
-        string what = FormattableString.Invariant($"{subject.Name}, {columns[column].Name}: {limitValue} where {byHand.Name} takes {byHandThere}");
+        double slowdown = Math.Max(1, baseline.Columns[column].Median / byHandThere);
+        string what = FormattableString.Invariant($"{subject.Name}, {columns[column].Name}: {limitValue} where {baseline.Name} takes {byHandThere}");
         _requirements.Add(new Requirement(what, subject.Columns[column].Median, limitValue * slowdown, string.Empty));
     }
 

@@ -14,10 +14,10 @@ internal static class RunsMode
     public static Table Run(RunOptions options)
     {
         int runs = options.Pick(20_000, 2_000_000);
-        Subject byHand = new("loop by hand", () => [ByHand(runs)]);
+        Subject baseline = new("loop", () => [Baseline(runs)]);
         Subject without = Row("Rabit, statistics off", keepsStatistics: false, runs);
         Subject with = Row("Rabit, statistics on", keepsStatistics: true, runs);
-        List<Subject> subjects = [byHand, without, with];
+        List<Subject> subjects = [baseline, without, with];
         Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
         without.Dispose();
         with.Dispose();
@@ -26,7 +26,7 @@ internal static class RunsMode
             $"a unit of work that only asks for the next one, {runs} a round",
             [new Column("CPU ns")],
             subjects,
-            byHand,
+            baseline,
             "base");
         table.RequireDifference(with, without, 0, 100);
         return table;
@@ -41,9 +41,9 @@ internal static class RunsMode
         return new Subject(name, () => [manager.Run(runs)]).Owning(new Ending(() => RabitRun.End(reactor))).Owning(manager);
     }
 
-    private static double ByHand(int runs)
+    private static double Baseline(int runs)
     {
-        var loop = new HandLoop();
+        var loop = new BaselineLoop();
         double perRun = 0;
         Pinned.Run(Cpus.One, () =>
         {

@@ -2,7 +2,7 @@ using System;
 
 namespace Rabit.Latency.Signals;
 
-/// <summary>What a thread written by hand sleeps on: the peers of a manager's wake-up.</summary>
+/// <summary>What a thread written without Rabit sleeps on: the peers of a manager's wake-up.</summary>
 internal abstract class Signal : IDisposable
 {
     public abstract void Set();

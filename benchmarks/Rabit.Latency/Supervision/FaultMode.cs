@@ -21,7 +21,7 @@ internal static class FaultMode
             Row("Rabit, stop the manager", FaultPolicy.StopManager, seconds),
             Row("Rabit, stop the system", FaultPolicy.StopSystem, seconds),
         ];
-        List<Subject> subjects = [new("caught in a loop by hand", () => ByHand(Math.Min(seconds, 0.5))), .. policies];
+        List<Subject> subjects = [new("caught in a loop", () => Baseline(Math.Min(seconds, 0.5))), .. policies];
         Rounds.Run(subjects, options.Pick(1, Math.Min(3, options.Rounds)), warmUps: 1);
         var table = new Table(
             "fault",
@@ -49,7 +49,7 @@ internal static class FaultMode
         return [load, thrown / seconds];
     }
 
-    private static double[] ByHand(double seconds)
+    private static double[] Baseline(double seconds)
     {
         using var signal = new AutoResetEvent(initialState: false);
         bool stopped = false;

@@ -16,12 +16,12 @@ internal static class StopMode
 
     public static Table Run(RunOptions options)
     {
-        Subject byHand = Row("AutoResetEvent by hand", () => new HandSleepers(OnEvent));
+        Subject baseline = Row("AutoResetEvent", () => new BaselineSleepers(OnEvent));
         Subject futex = Row(RabitRun.NameOf(WaitEngine.Futex), () => new RabitSleepers(WaitEngine.Futex, Long));
         Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), () => new RabitSleepers(WaitEngine.Event, Long));
-        List<Subject> subjects = [byHand, futex, byEvent];
+        List<Subject> subjects = [baseline, futex, byEvent];
         Rounds.Run(subjects, options.Pick(1, options.Rounds));
-        var table = new Table("stop", "sixteen threads with timers of 10 s are stopped", [new Column("ms", "0.00")], subjects, byHand, "base");
+        var table = new Table("stop", "sixteen threads with timers of 10 s are stopped", [new Column("ms", "0.00")], subjects, baseline, "base");
         table.RequireMax(futex, 0, 50);
         table.RequireMax(byEvent, 0, 50);
         return table;

@@ -1,6 +1,6 @@
 namespace Rabit.Latency.Throughput;
 
-/// <summary>A bounded ring under a lock, by hand.</summary>
+/// <summary>A bounded ring under a lock, without Rabit.</summary>
 internal sealed class LockedRing<T>(int capacity)
 {
     private readonly object _gate = new();   // guards all below

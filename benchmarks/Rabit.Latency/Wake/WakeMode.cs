@@ -17,8 +17,8 @@ internal static class WakeMode
     {
         int posts = options.Pick(100, 2000);
         var subjects = new List<Subject>();
-        foreach ((string name, System.Func<Signal> create) in Peers.All)
-            subjects.Add(Row(name, new HandWake(create(), Cpus.One), posts));
+        foreach ((string name, System.Func<Signal> create) in Baselines.All)
+            subjects.Add(Row(name, new BaselineWake(create(), Cpus.One), posts));
         Subject futex = Row(RabitRun.NameOf(WaitEngine.Futex), new RabitWake(WaitEngine.Futex, Cpus.One), posts);
         Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), new RabitWake(WaitEngine.Event, Cpus.One), posts);
         subjects.Add(futex);

@@ -13,6 +13,16 @@ namespace Rabit.Core;
 /// Any thread. A buffer that is never returned is missing from then on: <see cref="Holders"/> says who has it, and a run that watches
 /// the pool (<see cref="RabitWorkspace.Watch"/>) ends with an error that says so.
 /// </remarks>
+/// <example>
+/// <code>
+/// var pictures = new BufferPool("pictures", count: 8, bufferBytes: 640 * 480 * 3);
+/// if (pictures.TryRent("camera", out BufferLease picture))
+/// {
+///     Fill(picture.Span);
+///     _pictures.Push(picture);   // the receiver returns it, or a queue that drops it
+/// }
+/// </code>
+/// </example>
 public sealed class BufferPool
 {
     private readonly object _gate = new();

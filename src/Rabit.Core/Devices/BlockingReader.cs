@@ -15,6 +15,24 @@ namespace Rabit.Core;
 /// the reader, or is opened again (<see cref="ReconnectPolicy"/>); the fault is in the log, and the manager is woken
 /// (<see cref="WakeUpCauses.Device"/>) whenever the state changes.
 /// </remarks>
+/// <example>
+/// <code>
+/// public sealed class Gps : RabitManager
+/// {
+///     private readonly BlockingReader&lt;string&gt; _lines;
+///
+///     // NmeaSource is an IReaderSource&lt;string&gt; that reads a serial line.
+///     public Gps() : base("gps")
+///         =&gt; _lines = AttachReader("nmea", new NmeaSource("/dev/ttyUSB0"), reconnect: ReconnectPolicy.Always);
+///
+///     protected override void ExecuteUnitOfWork()
+///     {
+///         while (_lines.TryPop(out string? line))
+///             Log(line);
+///     }
+/// }
+/// </code>
+/// </example>
 public sealed class BlockingReader<T>
 {
     private readonly QueueReceiver<T> _queue;

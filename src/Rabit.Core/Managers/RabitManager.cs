@@ -19,6 +19,26 @@ namespace Rabit.Core;
 /// of work it sleeps until something wakes it: the timer, a post, push or pop that it asked to be woken by, or
 /// <see cref="WakeUp"/>. Wake-ups do not stack: any number that come during a unit of work cause exactly one more.
 /// </remarks>
+/// <example>
+/// <code>
+/// public sealed class Counter : RabitManager
+/// {
+///     private readonly MessagePublisher&lt;int&gt; _count;
+///
+///     public Counter() : base("counter")
+///     {
+///         _count = Publish&lt;int&gt;("count");
+///         Period = TimeSpan.FromMilliseconds(20);
+///     }
+///
+///     protected override void ExecuteUnitOfWork()
+///     {
+///         _count.Value++;   // fill in the local copy ...
+///         _count.Post();    // ... and post it
+///     }
+/// }
+/// </code>
+/// </example>
 public abstract partial class RabitManager
 {
     private readonly EndpointOwner _owner;

@@ -10,6 +10,14 @@ namespace Rabit.Core;
 /// </summary>
 /// <typeparam name="T">A struct with value semantics, an immutable class, or a class that copies itself (<see cref="ISelfCopying{TSelf}"/>).</typeparam>
 /// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
+/// <example>
+/// <code>
+/// _pose.Value.NorthMetres = 12;   // one member of the local copy
+/// _pose.Post();
+///
+/// _pose.Post(new Pose { NorthMetres = 12 });   // or the whole value
+/// </code>
+/// </example>
 public sealed class MessagePublisher<T>
 {
     private readonly MessageBinding<T> _binding;

@@ -10,6 +10,15 @@ namespace Rabit.Core;
 /// </summary>
 /// <typeparam name="T">A struct with value semantics, an immutable class, or a class that copies itself (<see cref="ISelfCopying{TSelf}"/>).</typeparam>
 /// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
+/// <example>
+/// <code>
+/// if (_pose.Fetch())                       // is there news?
+///     Steer(_pose.Value.NorthMetres);
+///
+/// if (!_pose.IsFresh(TimeSpan.FromSeconds(1)))
+///     Stop();                              // the last one is too old to act on
+/// </code>
+/// </example>
 public sealed class MessageSubscriber<T>
 {
     private readonly MessageBinding<T> _binding;

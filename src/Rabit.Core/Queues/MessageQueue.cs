@@ -49,8 +49,8 @@ internal abstract class MessageQueue<T>(
     public abstract void Close();
 
     /// <summary>
-    /// Whether a wake for a push is on its way to the receiver already, so that one more would merge with it. Only after a full fence,
-    /// or inside the lock in which the receiver pops: see the two kinds of queue, which say why.
+    /// Whether a wake for a push is on its way to the receiver already, so that one more would merge with it. Only after a full
+    /// fence (the two rings), or inside the lock in which the receiver pops (the locked queue): the three kinds say why.
     /// </summary>
     protected static bool IsPending(WakeUpEvent wakeUp, WakeUpCauses cause) => wakeUp.Has((int)cause);
 

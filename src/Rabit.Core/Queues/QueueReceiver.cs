@@ -9,6 +9,12 @@ namespace Rabit.Core;
 /// <see cref="RabitWorkspace.Receive{T}"/> for code outside managers, where one thread at a time may use it.</summary>
 /// <typeparam name="T">Any type; a value is handed over, so a sender must not keep and change what it pushed.</typeparam>
 /// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
+/// <example>
+/// <code>
+/// while (_orders.TryPop(out Order order))
+///     Execute(order);
+/// </code>
+/// </example>
 public sealed class QueueReceiver<T>
 {
     private readonly QueueBinding<T> _binding;

@@ -12,6 +12,12 @@ namespace Rabit.Core;
 /// </summary>
 /// <typeparam name="T">Any type; a value is handed over, so a sender must not keep and change what it pushed.</typeparam>
 /// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
+/// <example>
+/// <code>
+/// if (_orders.Push(order) == PushResult.Rejected)
+///     Log("the queue of orders is full");
+/// </code>
+/// </example>
 public sealed class QueueSender<T>
 {
     private readonly QueueBinding<T> _binding;

@@ -17,6 +17,13 @@ namespace Rabit.Core;
 /// Runs managers: checks their wiring, starts them in order, waits until all have started up, lets them work until the
 /// run is stopped, stops them in reverse order, and returns how each ended. For one run.
 /// </summary>
+/// <example>
+/// <code>
+/// var reactor = new RabitReactor { new Counter(), new Display() };
+/// ReactorResult result = reactor.Run();   // until Ctrl-C, SIGTERM or Stop
+/// Environment.Exit(result.ExitCode);
+/// </code>
+/// </example>
 public sealed class RabitReactor : IEnumerable<RabitManager>
 {
     private const string Source = "reactor";

@@ -7,6 +7,12 @@ namespace Rabit.Core;
 /// What happens after an exception left a manager's code. It is in the log, the status and the result under every policy. Immutable.
 /// </summary>
 /// <remarks>An exception in Shutdown is reported and changes nothing: the manager is ending, or about to be restarted, already.</remarks>
+/// <example>
+/// <code>
+/// var camera = new Camera { FaultPolicy = FaultPolicy.Restart };
+/// var logger = new Logger { FaultPolicy = FaultPolicy.CarryOnAfter(TimeSpan.FromMilliseconds(50), TimeSpan.FromSeconds(5)) };
+/// </code>
+/// </example>
 public sealed class FaultPolicy
 {
     private FaultPolicy(FaultAction action) => Action = action;

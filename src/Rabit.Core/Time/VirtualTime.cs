@@ -15,6 +15,15 @@ namespace Rabit.Core;
 /// Configure before the start; after that read only, but for modelled durations. A wake, post, push or stop from a thread that is not the run's own is
 /// taken between steps and lies outside that promise. One instance serves one reactor.
 /// </remarks>
+/// <example>
+/// <code>
+/// var reactor = new RabitReactor(new VirtualTime(seed: 1)) { new Counter(), new Display() };
+/// reactor.Start();
+/// reactor.RunFor(TimeSpan.FromHours(1));   // in a second or less
+/// reactor.Stop();
+/// ReactorResult result = reactor.Finish();
+/// </code>
+/// </example>
 public sealed class VirtualTime : RabitTime
 {
     private readonly VirtualClock _clock;

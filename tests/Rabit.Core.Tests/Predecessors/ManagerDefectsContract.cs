@@ -6,7 +6,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Predecessors;
 
-/// <summary>What managers of the C++ and C# siblings got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
+/// <summary>What managers of the C++ and C# predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
 public abstract class ManagerDefectsContract(TimeKind kind) : ContractTests(kind)
 {
     // There: flags that threads share without any guard.

@@ -6,7 +6,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Predecessors;
 
-/// <summary>What publish-subscribe messages of the siblings got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
+/// <summary>What publish-subscribe messages of the predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
 public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind)
 {
     // There: subscribers were told while the message's mutex was held; one that posted or fetched could stand still for ever.

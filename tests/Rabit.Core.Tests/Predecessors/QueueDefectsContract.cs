@@ -7,7 +7,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Predecessors;
 
-/// <summary>What queues, pools and workspaces of the siblings got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
+/// <summary>What queues, pools and workspaces of the predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
 public abstract class QueueDefectsContract(TimeKind kind) : ContractTests(kind)
 {
     // There: names, managers and queues stood in one place for the whole process, and the second system found those of the first.

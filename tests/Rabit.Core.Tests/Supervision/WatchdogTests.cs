@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Tests.Contracts;
+using Rabit.Core.Tests.Time;
 using Xunit;
 
 namespace Rabit.Core.Tests.Supervision;
@@ -10,6 +11,9 @@ namespace Rabit.Core.Tests.Supervision;
 /// <summary>Contract 4.5 in real time: code that really does not come back.</summary>
 public sealed class WatchdogTests
 {
+    // The clock of the run stands still but for these steps, so that no machine is too slow for the limits.
+    private static readonly TimeSpan PastTheLimit = TimeSpan.FromMilliseconds(25);
+
     private static readonly HangPolicy Soon = HangPolicy.Report.WithLimits(
         TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(20));
 
@@ -21,7 +25,8 @@ public sealed class WatchdogTests
     {
         using var found = new ManualResetEventSlim();
         var hangs = new List<ManagerHang>();
-        using var run = new TestRun(TimeKind.Real, options => options.HangPolicy = Soon.AndCall(hang =>
+        var clock = new ManualClock();
+        using TestRun run = NewRun(clock, Soon.AndCall(hang =>
         {
             hangs.Add(hang);
             found.Set();
@@ -32,13 +37,15 @@ public sealed class WatchdogTests
         Hang(manager, stage, () =>
         {
             manager.Doing = "asking the camera";
+            clock.Timestamp += PastTheLimit.Ticks;
             Assert.True(found.Wait(TimeSpan.FromSeconds(20)));
             MessageSubscriber<ManagerStatus> status = run.Reactor.Workspace.SubscribeToStatus("m");
             status.Fetch();
             seen = status.Value;
-        });
+        }, unit: 2);   // the other manager sleeps then
 
         run.StartAndSettle();
+        run.OnAndSettle(manager, () => { });
         ReactorResult result = run.Finish();
 
         ManagerHang hang = Assert.Single(hangs);
@@ -90,14 +97,19 @@ public sealed class WatchdogTests
     {
         const int Rounds = 30;
         using var found = new AutoResetEvent(false);
-        using var run = new TestRun(TimeKind.Real, options => options.HangPolicy = Soon.WithLimits(TimeSpan.FromMilliseconds(2)).AndCall(_ => found.Set()));
+        var clock = new ManualClock();
+        using TestRun run = NewRun(clock, Soon.AndCall(_ => found.Set()));
         ScriptedManager manager = run.Add("m");
 
         run.StartAndSettle();
         for (int round = 1; round <= Rounds; round++)
         {
             // It comes back while the watchdog has just posted, or is about to.
-            run.OnAndSettle(manager, () => Assert.True(found.WaitOne(TimeSpan.FromSeconds(20))));
+            run.OnAndSettle(manager, () =>
+            {
+                clock.Timestamp += PastTheLimit.Ticks;
+                Assert.True(found.WaitOne(TimeSpan.FromSeconds(20)));
+            });
             ManagerStatus status = run.StatusOf(manager);
             Assert.Equal((ManagerState.Running, (long)round), (status.State, status.Hangs));
         }
@@ -126,14 +138,21 @@ public sealed class WatchdogTests
     public void Off_ManagerThatTakesLong_IsNotFound()
     {
         using var found = new ManualResetEventSlim();
-        using var run = new TestRun(TimeKind.Real, options => options.HangPolicy = Soon.AndCall(_ => found.Set()));
+        var clock = new ManualClock();
+        using TestRun run = NewRun(clock, Soon.AndCall(_ => found.Set()));
         ScriptedManager watched = run.Add("watched");
         ScriptedManager manager = run.Add("m");
         manager.HangPolicy = HangPolicy.Off;
         manager.OnUnit = () =>
         {
             // Until the other one, which hangs no longer than this one does, is found.
-            watched.OnUnit = () => Assert.True(found.Wait(TimeSpan.FromSeconds(20)));
+            watched.OnUnit = () =>
+            {
+                if (found.IsSet)
+                    return;
+                clock.Timestamp += PastTheLimit.Ticks;
+                Assert.True(found.Wait(TimeSpan.FromSeconds(20)));
+            };
             watched.WakeUp();
             Assert.True(found.Wait(TimeSpan.FromSeconds(20)));
         };
@@ -188,7 +207,13 @@ public sealed class WatchdogTests
         Assert.Equal(Timeout.InfiniteTimeSpan, HangPolicy.Report.WithLimits(TimeSpan.FromSeconds(1), shutdown: Timeout.InfiniteTimeSpan).ShutdownLimit);
     }
 
-    private static void Hang(ScriptedManager manager, ManagerStage stage, Action hang)
+    private static TestRun NewRun(ManualClock clock, HangPolicy policy) => new(TimeKind.Real, options =>
+    {
+        options.Time = new RealTime(clock);
+        options.HangPolicy = policy;
+    });
+
+    private static void Hang(ScriptedManager manager, ManagerStage stage, Action hang, int unit = 1)
     {
         switch (stage)
         {
@@ -196,7 +221,11 @@ public sealed class WatchdogTests
                 manager.OnStartup = hang;
                 break;
             case ManagerStage.UnitOfWork:
-                manager.OnUnit = hang;
+                manager.OnUnit = () =>
+                {
+                    if (manager.Units == unit)
+                        hang();
+                };
                 break;
             default:
                 manager.OnShutdown = hang;

@@ -6,7 +6,7 @@ using Rabit.Latency.Native;
 namespace Rabit.Latency.Contention;
 
 /// <summary>A poster and a fetcher, flat out, on two CPUs, for a time.</summary>
-internal sealed class Duel
+internal sealed class ContentionRun
 {
     private volatile bool _stopped;
     private long _posts;   // written by the poster at its end
@@ -35,21 +35,21 @@ internal sealed class Duel
         return [Interlocked.Read(ref _posts) / took, Interlocked.Read(ref _news) / took];
     }
 
-    /// <summary>With two threads by hand.</summary>
+    /// <summary>With two threads without Rabit.</summary>
     /// <param name="seconds">How long.</param>
     /// <param name="post">Posts once.</param>
     /// <param name="fetch">Fetches once, and says whether it was news.</param>
-    public static double[] ByHand(double seconds, Action post, Func<bool> fetch)
+    public static double[] OnThreads(double seconds, Action post, Func<bool> fetch)
     {
-        var duel = new Duel();
+        var contention = new ContentionRun();
         Thread? poster = null;
         Thread? fetcher = null;
-        return duel.Run(
+        return contention.Run(
             seconds,
             () =>
             {
-                poster = Pinned.Start(Cpus.One, "poster", () => duel.Post(post));
-                fetcher = Pinned.Start(Cpus.Other, "fetcher", () => duel.Fetch(fetch));
+                poster = Pinned.Start(Cpus.One, "poster", () => contention.Post(post));
+                fetcher = Pinned.Start(Cpus.Other, "fetcher", () => contention.Fetch(fetch));
             },
             () =>
             {

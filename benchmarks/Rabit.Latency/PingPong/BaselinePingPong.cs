@@ -6,8 +6,8 @@ using Rabit.Latency.Signals;
 
 namespace Rabit.Latency.PingPong;
 
-/// <summary>Two threads by hand, a signal for each.</summary>
-internal sealed class HandPingPong : PingPongTarget
+/// <summary>Two threads without Rabit, a signal for each.</summary>
+internal sealed class BaselinePingPong : PingPongTarget
 {
     private readonly Signal _ping;
     private readonly Signal _pong;
@@ -15,7 +15,7 @@ internal sealed class HandPingPong : PingPongTarget
     private readonly Thread _answerer;
     private volatile bool _stopped;
 
-    public HandPingPong(Func<Signal> create, int cpu)
+    public BaselinePingPong(Func<Signal> create, int cpu)
     {
         _ping = create();
         _pong = create();
@@ -23,13 +23,13 @@ internal sealed class HandPingPong : PingPongTarget
         _answerer = Pinned.Start(cpu, "answerer", Answer);
     }
 
-    public override long Play(int rallies)
+    public override long Play(int roundTrips)
     {
         long took = 0;
         Pinned.Run(_cpu, () =>
         {
             long start = MonotonicClock.Now;
-            for (int i = 0; i < rallies; i++)
+            for (int i = 0; i < roundTrips; i++)
             {
                 _ping.Set();
                 _pong.Wait();

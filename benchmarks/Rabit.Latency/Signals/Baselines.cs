@@ -4,10 +4,10 @@ using System.Collections.Generic;
 namespace Rabit.Latency.Signals;
 
 /// <summary>The ways to wake a thread that Rabit is set beside, the limit first.</summary>
-internal static class Peers
+internal static class Baselines
 {
-    public const string Limit = "futex pair by hand";
-    public const string Event = "AutoResetEvent by hand";
+    public const string Limit = "futex pair";
+    public const string Event = "AutoResetEvent";
 
     public static IReadOnlyList<(string Name, Func<Signal> Create)> All { get; } =
     [

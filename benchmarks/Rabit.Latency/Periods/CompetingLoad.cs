@@ -5,12 +5,12 @@ using Rabit.Latency.Measuring;
 namespace Rabit.Latency.Periods;
 
 /// <summary>A thread that wants all of a CPU, at the ordinary priority.</summary>
-internal sealed class Rival : IDisposable
+internal sealed class CompetingLoad : IDisposable
 {
     private readonly Thread _thread;
     private volatile bool _stopped;
 
-    public Rival(int cpu) => _thread = Pinned.Start(cpu, "rival", () =>
+    public CompetingLoad(int cpu) => _thread = Pinned.Start(cpu, "competitor", () =>
     {
         while (!_stopped)
             Thread.SpinWait(1000);

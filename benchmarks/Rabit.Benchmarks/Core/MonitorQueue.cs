@@ -3,8 +3,8 @@ using System.Threading;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>A bounded queue under a lock, as one writes it by hand: the waiting forms sleep while it is full or empty.</summary>
-internal sealed class LockedQueue<T>(int capacity)
+/// <summary>A bounded queue under a lock, the baseline: the waiting forms sleep while it is full or empty.</summary>
+internal sealed class MonitorQueue<T>(int capacity)
 {
     private readonly object _gate = new();
     private readonly T[] _ring = new T[capacity];

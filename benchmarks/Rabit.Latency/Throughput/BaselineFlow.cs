@@ -6,8 +6,8 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Throughput;
 
-/// <summary>Transfers between threads by hand.</summary>
-internal static class HandFlow
+/// <summary>Transfers between threads without Rabit.</summary>
+internal static class BaselineFlow
 {
     public static double Run<TEnds, T>(TEnds queue, int senders, int messages)
         where TEnds : struct, IPush<T>, IPop<T>

@@ -1,7 +1,7 @@
 namespace Rabit.Benchmarks.Core;
 
 /// <summary>An immutable message.</summary>
-internal sealed class FlightPlan(int legs)
+internal sealed class RouteNote(int legs)
 {
     public int Legs { get; } = legs;
 }

@@ -6,13 +6,13 @@ using Rabit.Latency.Native;
 namespace Rabit.Latency.Contention;
 
 /// <summary>A poster and a fetcher that are managers, each within one unit of work. The poster gives the stamps: the clock is not measured.</summary>
-internal sealed class RabitDuel<T> : IDisposable
+internal sealed class RabitContention<T> : IDisposable
 {
     private readonly RabitReactor _reactor = RabitRun.Create(WaitEngine.Best);
     private readonly Poster _poster;
     private readonly Fetcher _fetcher;
 
-    public RabitDuel(T initial, Action<MessagePublisher<T>> fill)
+    public RabitContention(T initial, Action<MessagePublisher<T>> fill)
     {
         _poster = new Poster(initial, fill);
         _fetcher = new Fetcher();
@@ -23,13 +23,13 @@ internal sealed class RabitDuel<T> : IDisposable
 
     public double[] Run(double seconds)
     {
-        var duel = new Duel();
-        return duel.Run(
+        var contention = new ContentionRun();
+        return contention.Run(
             seconds,
             () =>
             {
-                _poster.Begin(duel);
-                _fetcher.Begin(duel);
+                _poster.Begin(contention);
+                _fetcher.Begin(contention);
             },
             () =>
             {
@@ -45,7 +45,7 @@ internal sealed class RabitDuel<T> : IDisposable
         _fetcher.Dispose();
     }
 
-    private sealed class Poster : FlatOutManager<Duel>
+    private sealed class Poster : FlatOutManager<ContentionRun>
     {
         private readonly MessagePublisher<T> _message;
         private readonly Action<MessagePublisher<T>> _fill;
@@ -58,20 +58,20 @@ internal sealed class RabitDuel<T> : IDisposable
             _fill = fill;
         }
 
-        protected override void Work(Duel duel) => duel.Post(() =>
+        protected override void Work(ContentionRun contention) => contention.Post(() =>
         {
             _fill(_message);
             _message.PostStamped(new TimeSpan(++_time));
         });
     }
 
-    private sealed class Fetcher : FlatOutManager<Duel>
+    private sealed class Fetcher : FlatOutManager<ContentionRun>
     {
         private readonly MessageSubscriber<T> _message;
 
         public Fetcher()
             : base("fetcher", Cpus.Other) => _message = Subscribe<T>("pose");
 
-        protected override void Work(Duel duel) => duel.Fetch(() => _message.Fetch());
+        protected override void Work(ContentionRun contention) => contention.Fetch(() => _message.Fetch());
     }
 }

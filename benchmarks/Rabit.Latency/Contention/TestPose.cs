@@ -1,7 +1,7 @@
 namespace Rabit.Latency.Contention;
 
 /// <summary>A message of common size: 72 bytes, all nine the same, so that a torn one shows.</summary>
-internal struct Pose
+internal struct TestPose
 {
     public double TimeSeconds { get; set; }
     public double NorthMetres { get; set; }

@@ -9,13 +9,13 @@ using Rabit.Latency.Throughput;
 
 namespace Rabit.Latency.Calls;
 
-/// <summary>The same calls by hand.</summary>
-internal sealed class HandCalls
+/// <summary>The same calls without Rabit.</summary>
+internal sealed class BaselineCalls
 {
-    private readonly LockedMessage<Pose> _message = new(default);
+    private readonly LockedMessage<TestPose> _message = new(default);
     private readonly MpscRing<Block64> _ring = new(1024);
     private readonly ConcurrentQueue<Block64> _queue = new();
-    private readonly Sink<Pose> _poses = new();
+    private readonly Sink<TestPose> _poses = new();
     private readonly Sink<Block64> _blocks = new();
     private int _version;
 
@@ -31,13 +31,13 @@ internal sealed class HandCalls
 
     public double[] PostAndFetch(int calls) => Run(calls, () =>
     {
-        Pose posted = default;
+        TestPose posted = default;
         for (int i = 0; i < calls; i++)
         {
             posted.TimeSeconds++;
             _message.Post(posted);
             _version++;
-            if (!_message.Fetch(out Pose fetched))
+            if (!_message.Fetch(out TestPose fetched))
                 throw new InvalidOperationException("A post was not seen.");
             _poses.Take(fetched);
         }

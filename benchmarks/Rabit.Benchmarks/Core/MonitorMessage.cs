@@ -2,8 +2,8 @@ using System.Diagnostics;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>The latest value under a lock, as one writes it by hand.</summary>
-internal sealed class LockedMessage<T>
+/// <summary>The latest value under a lock, the baseline.</summary>
+internal sealed class MonitorMessage<T>
 {
     private readonly object _gate = new();
     private T _value = default!;

@@ -4,15 +4,15 @@ using System.Threading;
 
 namespace Rabit.Latency.Idle;
 
-/// <summary>Threads by hand.</summary>
-internal sealed class HandSleepers : Sleepers
+/// <summary>Threads without Rabit.</summary>
+internal sealed class BaselineSleepers : Sleepers
 {
     private readonly List<Thread> _threads = [];
     private readonly List<Action> _wakes = [];
     private volatile bool _stopped;
 
     /// <param name="make">Makes what one thread sleeps on, and what wakes it.</param>
-    public HandSleepers(Func<(Action Sleep, Action Wake)> make)
+    public BaselineSleepers(Func<(Action Sleep, Action Wake)> make)
     {
         for (int i = 0; i < Number; i++)
         {

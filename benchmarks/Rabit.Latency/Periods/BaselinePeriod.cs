@@ -5,8 +5,8 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Periods;
 
-/// <summary>A thread by hand that sleeps until absolute deadlines.</summary>
-internal sealed class HandPeriod(Action<long> sleepUntil, int cpu) : PeriodTarget
+/// <summary>A thread without Rabit that sleeps until absolute deadlines.</summary>
+internal sealed class BaselinePeriod(Action<long> sleepUntil, int cpu) : PeriodTarget
 {
     public override void Run(TimeSpan period, DeadlineRecord record) => Pinned.Run(cpu, () =>
     {
@@ -22,9 +22,9 @@ internal sealed class HandPeriod(Action<long> sleepUntil, int cpu) : PeriodTarge
     {
     }
 
-    public static HandPeriod ByFutex(int cpu)
+    public static BaselinePeriod ByFutex(int cpu)
     {
         var word = new FutexWord();
-        return new HandPeriod(until => word.WaitUntil(until), cpu);
+        return new BaselinePeriod(until => word.WaitUntil(until), cpu);
     }
 }

@@ -5,15 +5,15 @@ using Rabit.Latency.Signals;
 
 namespace Rabit.Latency.Wake;
 
-/// <summary>A thread written by hand.</summary>
-internal sealed class HandWake : WakeTarget
+/// <summary>A thread written without Rabit.</summary>
+internal sealed class BaselineWake : WakeTarget
 {
     private readonly Signal _signal;
     private readonly Thread _thread;
     private long _posted;             // written by the poster before it signals
     private volatile bool _stopped;
 
-    public HandWake(Signal signal, int cpu)
+    public BaselineWake(Signal signal, int cpu)
     {
         _signal = signal;
         _thread = Pinned.Start(cpu, "sleeper", Sleep);

@@ -4,10 +4,10 @@ using System.Threading;
 namespace Rabit.Latency.Runs;
 
 /// <summary>
-/// What a run costs by hand and without statistics: a flag that is set and taken, the clock read before and after the work, the running
+/// What a run costs without Rabit and without statistics: a flag that is set and taken, the clock read before and after the work, the running
 /// owner marked on the thread.
 /// </summary>
-internal sealed class HandLoop
+internal sealed class BaselineLoop
 {
     [ThreadStatic]
     private static object? _running;

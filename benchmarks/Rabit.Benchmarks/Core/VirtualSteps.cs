@@ -17,7 +17,7 @@ internal sealed class VirtualSteps : IDisposable
         _reactor.RunFor(TimeSpan.FromMilliseconds(1));
     }
 
-    public void Give()
+    public void Run()
     {
         _manager.WakeUp();
         _reactor.RunFor(TimeSpan.FromMilliseconds(1));

@@ -6,7 +6,7 @@ using System.Threading.Channels;
 namespace Rabit.Latency.Throughput;
 
 /// <summary>The queues of others, as pairs of ends.</summary>
-internal static class HandQueues
+internal static class BaselineQueues
 {
     public readonly struct Concurrent<T>(ConcurrentQueue<T> queue) : IPush<T>, IPop<T>
     {

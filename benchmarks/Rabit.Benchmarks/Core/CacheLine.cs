@@ -4,7 +4,7 @@ namespace Rabit.Benchmarks.Core;
 
 /// <summary>A queue entry of one cache line: 64 bytes.</summary>
 [StructLayout(LayoutKind.Sequential, Size = 64)]
-public struct Block64
+public struct CacheLine
 {
     public long Number { get; set; }
 }
