@@ -4,7 +4,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// Latches the most severe advice that was given in flight: it is not withdrawn, since its reason may only seem to be over.
+/// Latches the most severe advice that was given in flight: it is not withdrawn, since its reason may only seem to be
+/// over.
 /// </summary>
 internal sealed class AdviceLatch
 {

@@ -20,7 +20,9 @@ internal readonly struct HealthFinding(
     /// <summary>A manager or a link; null where it is the vehicle.</summary>
     public string? Subject { get; } = subject;
 
-    /// <summary>Its meaning depends on the reason; chosen such that it stays constant while nothing of interest changes.</summary>
+    /// <summary>
+    /// Its meaning depends on the reason; chosen such that it stays constant while nothing of interest changes.
+    /// </summary>
     public long Figure { get; } = figure;
 
     /// <summary>What Mission Control is advised to do in flight.</summary>

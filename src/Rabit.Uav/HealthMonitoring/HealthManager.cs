@@ -9,9 +9,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// Monitors the managers, the autopilot, the battery and the links, and reports their health. It sends our MAVLink heartbeat, once a
-/// second and only while it is true: an unknown address, a manager that faulted or that hangs stops it. In flight it advises Mission Control
-/// to return to launch or to land, where a rule says so.
+/// Monitors the managers, the autopilot, the battery and the links, and reports their health. It sends our MAVLink
+/// heartbeat, once a second and only while it is true: an unknown address, a manager that faulted or that hangs stops
+/// it. In flight it advises Mission Control to return to launch or to land, where a rule says so.
 /// </summary>
 public sealed class HealthManager : RabitManager
 {
@@ -48,9 +48,13 @@ public sealed class HealthManager : RabitManager
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
-    /// <param name="managerNames">The managers to monitor, which must be in the same reactor; this one is monitored too, named or not.</param>
+    /// <param name="managerNames">
+    /// The managers to monitor, which must be in the same reactor; this one is monitored too, named or not.
+    /// </param>
     /// <param name="linkCount">How many links Communications has; their numbers are 0 to one less.</param>
-    /// <exception cref="ArgumentException">Options are out of their range (the text names all of them), or a manager is named twice.</exception>
+    /// <exception cref="ArgumentException">
+    /// Options are out of their range (the text names all of them), or a manager is named twice.
+    /// </exception>
     /// <exception cref="ArgumentOutOfRangeException">The number of links is negative.</exception>
     public HealthManager(HealthOptions options, IEnumerable<string> managerNames, int linkCount)
         : base(ManagerName)

@@ -17,8 +17,8 @@ public sealed class HealthOptions
 {
     /// <summary>Remaining fraction of the battery at or below which it is low: return to launch.</summary>
     /// <value>
-    /// Above <see cref="BatteryCriticalFraction"/>, below 1. The default is 0.25: before the usual 20 % of ArduPilot's and PX4's own first
-    /// warnings.
+    /// Above <see cref="BatteryCriticalFraction"/>, below 1. The default is 0.25: before the usual 20 % of ArduPilot's
+    /// and PX4's own first warnings.
     /// </value>
     public double BatteryLowFraction { get; set; } = 0.25;
 
@@ -26,24 +26,34 @@ public sealed class HealthOptions
     /// <value>Above 0. The default is 0.10: PX4 returns by itself near there (BAT_CRIT_THR is 7 %).</value>
     public double BatteryCriticalFraction { get; set; } = 0.10;
 
-    /// <summary>Time without a heartbeat after which the autopilot is lost, whatever Autopilot Interface reports.</summary>
-    /// <value>At least 1 s. The default is 5 s: four to five missed at 1 Hz (MAVLink guide, "Heartbeat/Connection Protocol").</value>
+    /// <summary>
+    /// Time without a heartbeat after which the autopilot is lost, whatever Autopilot Interface reports.
+    /// </summary>
+    /// <value>
+    /// At least 1 s. The default is 5 s: four to five missed at 1 Hz (MAVLink guide, "Heartbeat/Connection Protocol").
+    /// </value>
     public TimeSpan AutopilotTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
     /// <summary>Time beyond its wake-up delay after which a manager that begins no unit of work is stuck.</summary>
-    /// <value>At least 250 ms. The default is 1 s: with a wake-up delay of up to 1 s our heartbeat stops within 2 s.</value>
+    /// <value>
+    /// At least 250 ms. The default is 1 s: with a wake-up delay of up to 1 s our heartbeat stops within 2 s.
+    /// </value>
     public TimeSpan StuckAfter { get; set; } = TimeSpan.FromSeconds(1);
 
     /// <summary>
-    /// Time beyond its wake-up delay after which a manager that begins no unit of work makes a vehicle in flight return to launch.
+    /// Time beyond its wake-up delay after which a manager that begins no unit of work makes a vehicle in flight return
+    /// to launch.
     /// </summary>
     /// <value>
-    /// At least <see cref="StuckAfter"/>. The default is 5 s: a small computer that is busy for a moment is no reason to abort a mission.
+    /// At least <see cref="StuckAfter"/>. The default is 5 s: a small computer that is busy for a moment is no reason
+    /// to abort a mission.
     /// </value>
     public TimeSpan StuckReturnToLaunchAfter { get; set; } = TimeSpan.FromSeconds(5);
 
     /// <summary>How long a fault of a manager, or a dropped frame, is reported.</summary>
-    /// <value>Above zero. The default is 5 s: several times the longest delay of <see cref="Core.FaultPolicy.CarryOn"/>.</value>
+    /// <value>
+    /// Above zero. The default is 5 s: several times the longest delay of <see cref="Core.FaultPolicy.CarryOn"/>.
+    /// </value>
     public TimeSpan RecentWindow { get; set; } = TimeSpan.FromSeconds(5);
 
     /// <summary>Time after which an open link without its first frame is silent.</summary>
@@ -51,7 +61,9 @@ public sealed class HealthOptions
     public TimeSpan FirstFrameTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
     /// <summary>Limit of the wind speed, metres per second, by the autopilot's estimate.</summary>
-    /// <value>Above 0. The default is 12 m/s: the usual rating of small multirotors, well below the speed that they can fly.</value>
+    /// <value>
+    /// Above 0. The default is 12 m/s: the usual rating of small multirotors, well below the speed that they can fly.
+    /// </value>
     public double WindHighMetresPerSecond { get; set; } = 12;
 
     /// <summary>How long the wind may be above its limit: gusts are ignored.</summary>

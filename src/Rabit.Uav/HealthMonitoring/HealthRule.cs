@@ -2,7 +2,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
 
-/// <summary>One row of the table: the reason, its severity, the advice in flight, the condition, and the figure.</summary>
+/// <summary>
+/// One row of the table: the reason, its severity, the advice in flight, the condition, and the figure.
+/// </summary>
 internal sealed class HealthRule<T>(
     HealthReasons reason,
     HealthLevel level,

@@ -7,8 +7,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// The rules of Health Monitoring in one place: a table for managers, one for the vehicle, one for the camera, one for links. Each row has its
-/// failsafe action, the advice in flight: return to launch on a low battery, say. Thresholds are in <see cref="HealthOptions"/>.
+/// The rules of Health Monitoring in one place: a table for managers, one for the vehicle, one for the camera, one for
+/// links. Each row has its failsafe action, the advice in flight: return to launch on a low battery, say. Thresholds
+/// are in <see cref="HealthOptions"/>.
 /// </summary>
 internal static class HealthRules
 {
@@ -76,7 +77,10 @@ internal static class HealthRules
             static (in LinkFacts l) => l.FramesDropped),
     ];
 
-    /// <summary>Whether a manager works, as our heartbeat claims: it runs, did not fault lately and begins its units of work in time.</summary>
+    /// <summary>
+    /// Whether a manager works, as our heartbeat claims: it runs, did not fault lately and begins its units of work in
+    /// time.
+    /// </summary>
     public static bool IsAlive(in ManagerFacts manager, HealthOptions options)
         => IsRunning(manager) && !Matches(OfManagers, manager, options);
 

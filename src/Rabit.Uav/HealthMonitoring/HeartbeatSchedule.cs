@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// When the next heartbeat and the next evaluation of the rules are due: on a grid that begins with the first unit of work, so that nothing
-/// drifts. Missed heartbeats are not sent later: each reports the present.
+/// When the next heartbeat and the next evaluation of the rules are due: on a grid that begins with the first unit of
+/// work, so that nothing drifts. Missed heartbeats are not sent later: each reports the present.
 /// </summary>
 internal sealed class HeartbeatSchedule(TimeSpan heartbeatPeriod, TimeSpan evaluationPeriod)
 {

@@ -6,8 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>
-/// Decides when a STATUSTEXT about our health is sent to the ground station, and makes it: when the level or the advice has changed, not too
-/// often, in chunks of 50 characters.
+/// Decides when a STATUSTEXT about our health is sent to the ground station, and makes it: when the level or the advice
+/// has changed, not too often, in chunks of 50 characters.
 /// </summary>
 internal sealed class StatusTextSender(TimeSpan period)
 {
@@ -49,7 +49,8 @@ internal sealed class StatusTextSender(TimeSpan period)
         _ => MavSeverity.Info,
     };
 
-    // MAVLink, STATUSTEXT: a text of one chunk has no id; the last of several chunks is shorter than the others, which ends the text.
+    // MAVLink, STATUSTEXT: a text of one chunk has no id; the last of several chunks is shorter than the others, which
+    // ends the text.
     private void Cut(string text, MavSeverity severity)
     {
         if (text.Length >= MaxChunks * ChunkLength)

@@ -1,6 +1,9 @@
 namespace Rabit.Uav.Messages;
 
-/// <summary>What Health Monitoring advises Mission Control to do, in order of severity, the most severe last. Advice given in flight is not withdrawn.</summary>
+/// <summary>
+/// What Health Monitoring advises Mission Control to do, in order of severity, the most severe last. Advice given in
+/// flight is not withdrawn.
+/// </summary>
 public enum HealthAdvice
 {
     /// <summary>Carry on.</summary>

@@ -22,7 +22,9 @@ public struct HealthReport
     /// <summary>What Mission Control is advised to do.</summary>
     public HealthAdvice Advice { get; set; }
 
-    /// <summary>The reason of the advice, as text, also when the reason no longer holds; null while there is no advice.</summary>
+    /// <summary>
+    /// The reason of the advice, as text, also when the reason no longer holds; null while there is no advice.
+    /// </summary>
     public string? AdviceText { get; set; }
 
     /// <summary>Whether our own heartbeat is sent: only while every manager works.</summary>

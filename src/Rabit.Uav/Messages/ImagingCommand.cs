@@ -7,7 +7,8 @@ public struct ImagingCommand
     public ImagingMode Mode { get; set; }
 
     /// <summary>
-    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down with the top of the picture forward.
+    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down with the top of the picture
+    /// forward.
     /// </summary>
     public double CameraPitchRadians { get; set; }
 

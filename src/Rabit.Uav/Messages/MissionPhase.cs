@@ -36,6 +36,8 @@ public enum MissionPhase
     /// <summary>The pilot or the autopilot took over: nothing more is commanded.</summary>
     HandedOver,
 
-    /// <summary>The mission could not be flown; <see cref="MissionStatus.Text"/> says why. Nothing more is commanded.</summary>
+    /// <summary>
+    /// The mission could not be flown; <see cref="MissionStatus.Text"/> says why. Nothing more is commanded.
+    /// </summary>
     Failed,
 }

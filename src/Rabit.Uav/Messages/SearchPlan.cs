@@ -9,13 +9,19 @@ public sealed class SearchPlan
     /// <summary>Name of the mission.</summary>
     public string Name { get; init; } = string.Empty;
 
-    /// <summary>Corners of the area to search, in order, the first not repeated; altitudes are those of the ground.</summary>
+    /// <summary>
+    /// Corners of the area to search, in order, the first not repeated; altitudes are those of the ground.
+    /// </summary>
     public ImmutableArray<GeodeticPosition> Area { get; init; } = [];
 
-    /// <summary>Corners of the geofence, which the vehicle may not leave, in order; altitudes are those of the ground.</summary>
+    /// <summary>
+    /// Corners of the geofence, which the vehicle may not leave, in order; altitudes are those of the ground.
+    /// </summary>
     public ImmutableArray<GeodeticPosition> Fence { get; init; } = [];
 
-    /// <summary>Ends of the lanes: start of the first, its end, start of the second, and so on. Altitudes are those to be flown.</summary>
+    /// <summary>
+    /// Ends of the lanes: start of the first, its end, start of the second, and so on. Altitudes are those to be flown.
+    /// </summary>
     public ImmutableArray<GeodeticPosition> Lanes { get; init; } = [];
 
     /// <summary>Where the flight begins and ends; its altitude is that of the ground, above mean sea level.</summary>

@@ -3,8 +3,9 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// A command of Mission Control to the vehicle. Autopilot Interface converts it to the autopilot's form, executes it and reports a
-/// <see cref="VehicleCommandResult"/> of the same id. A newer command replaces one that is still being executed. A plain value.
+/// A command of Mission Control to the vehicle. Autopilot Interface converts it to the autopilot's form, executes it
+/// and reports a <see cref="VehicleCommandResult"/> of the same id. A newer command replaces one that is still being
+/// executed. A plain value.
 /// </summary>
 public struct VehicleCommand
 {
@@ -21,21 +22,25 @@ public struct VehicleCommand
     public double LongitudeRadians { get; set; }
 
     /// <summary>
-    /// Height above home, metres, up positive. Of <see cref="VehicleCommandKind.GoTo"/> and <see cref="VehicleCommandKind.TakeOff"/>.
+    /// Height above home, metres, up positive. Of <see cref="VehicleCommandKind.GoTo"/> and
+    /// <see cref="VehicleCommandKind.TakeOff"/>.
     /// </summary>
     public double HeightAboveHomeMetres { get; set; }
 
     /// <summary>
-    /// Ground speed to the position, metres per second; NaN leaves it to the autopilot. Of <see cref="VehicleCommandKind.GoTo"/>.
+    /// Ground speed to the position, metres per second; NaN leaves it to the autopilot. Of
+    /// <see cref="VehicleCommandKind.GoTo"/>.
     /// </summary>
     public double SpeedMetresPerSecond { get; set; }
 
-    /// <summary>Heading to keep, radians clockwise from true north; NaN leaves it to the autopilot. Of GoTo and Velocity.</summary>
+    /// <summary>
+    /// Heading to keep, radians clockwise from true north; NaN leaves it to the autopilot. Of GoTo and Velocity.
+    /// </summary>
     public double YawRadians { get; set; }
 
     /// <summary>
-    /// Velocity over ground, metres per second, north-east-down. Of <see cref="VehicleCommandKind.Velocity"/>; it is to be repeated at 1 Hz or
-    /// more.
+    /// Velocity over ground, metres per second, north-east-down. Of <see cref="VehicleCommandKind.Velocity"/>; it is to
+    /// be repeated at 1 Hz or more.
     /// </summary>
     public NedVector VelocityNed { get; set; }
 
@@ -43,10 +48,13 @@ public struct VehicleCommand
     public string? Mode { get; set; }
 
     /// <summary>
-    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down. Of <see cref="VehicleCommandKind.PointCamera"/>.
+    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down. Of
+    /// <see cref="VehicleCommandKind.PointCamera"/>.
     /// </summary>
     public double CameraPitchRadians { get; set; }
 
-    /// <summary>Camera yaw relative to the body, radians, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.</summary>
+    /// <summary>
+    /// Camera yaw relative to the body, radians, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.
+    /// </summary>
     public double CameraYawRadians { get; set; }
 }

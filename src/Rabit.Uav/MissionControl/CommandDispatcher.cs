@@ -4,8 +4,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Sends the vehicle the command of the current goal: one at a time, again when it was refused or lost, never while no autopilot is
-/// connected. A phase sets its goal in every tick; only a new goal is sent.
+/// Sends the vehicle the command of the current goal: one at a time, again when it was refused or lost, never while no
+/// autopilot is connected. A phase sets its goal in every tick; only a new goal is sent.
 /// </summary>
 internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<string> log)
 {

@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Coverage: which part of an area the camera has seen, in square cells; a cell counts by its centre.</summary>
+/// <summary>
+/// Coverage: which part of an area the camera has seen, in square cells; a cell counts by its centre.
+/// </summary>
 internal sealed class CoverageGrid
 {
     private const double MinCellMetres = 1;

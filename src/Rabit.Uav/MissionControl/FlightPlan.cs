@@ -31,7 +31,10 @@ internal sealed class FlightPlan
 
     public PlanePolygon Area { get; }
 
-    /// <summary>The geofence, which the vehicle may not leave; convex, so that every straight path between two points in it is in it.</summary>
+    /// <summary>
+    /// The geofence, which the vehicle may not leave; convex, so that every straight path between two points in it is
+    /// in it.
+    /// </summary>
     public PlanePolygon Fence { get; }
 
     /// <summary>Direction of the lanes, radians clockwise from true north.</summary>

@@ -4,8 +4,8 @@ using System.Linq;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Legs over the gaps in the coverage, the ground that the lanes missed: narrow strips through what is left, so that each leg is flown over
-/// its middle.
+/// Legs over the gaps in the coverage, the ground that the lanes missed: narrow strips through what is left, so that
+/// each leg is flown over its middle.
 /// </summary>
 internal static class GapPlanner
 {

@@ -5,8 +5,9 @@ using System.Linq;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Plans parallel survey lines (lanes, transects) over an area, flown to and fro: a lawnmower, or boustrophedon, pattern. Each lane covers a
-/// strip half a spacing to either side and is as long as the area is anywhere in its strip; in a concave area a lane has several segments.
+/// Plans parallel survey lines (lanes, transects) over an area, flown to and fro: a lawnmower, or boustrophedon,
+/// pattern. Each lane covers a strip half a spacing to either side and is as long as the area is anywhere in its strip;
+/// in a concave area a lane has several segments.
 /// </summary>
 internal static class LanePlanner
 {
@@ -16,9 +17,13 @@ internal static class LanePlanner
     // A shorter segment is made this long: a point has no heading to fly along.
     private const double MinSegmentMetres = 4;
 
-    /// <summary>The lanes in the order in which they are flown; the first begins at the end nearest to the vehicle.</summary>
+    /// <summary>
+    /// The lanes in the order in which they are flown; the first begins at the end nearest to the vehicle.
+    /// </summary>
     /// <param name="area">The area; its edges do not cross.</param>
-    /// <param name="spacingMetres">Maximum distance between lanes; it is reduced so that all strips are equally wide.</param>
+    /// <param name="spacingMetres">
+    /// Maximum distance between lanes; it is reduced so that all strips are equally wide.
+    /// </param>
     /// <param name="headingRadians">Direction of the lanes; null for the one that needs the fewest.</param>
     /// <param name="from">Where the vehicle is.</param>
     public static IReadOnlyList<LaneSegment> Plan(PlanePolygon area, double spacingMetres, double? headingRadians, PlanePoint from)
@@ -126,7 +131,8 @@ internal static class LanePlanner
             ? Enumerable.Reverse(lane).Select(p => new LaneSegment(p.End, p.Start))
             : lane).ToList();
 
-    // No corner lies between two cuts: the edges that cross the strip come in pairs and bound trapezoids (trapezoidal decomposition).
+    // No corner lies between two cuts: the edges that cross the strip come in pairs and bound trapezoids (trapezoidal
+    // decomposition).
     private static IEnumerable<(double From, double To)> Trapezoids(
         PlanePolygon area, PlanePoint along, PlanePoint right, double low, double high)
     {

@@ -6,8 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Flies the mission: waits for the vehicle, arms it, takes off, flies the lanes over the area, revisits what was found, returns to
-/// launch and lands. Without a mission it observes and commands nothing.
+/// Flies the mission: waits for the vehicle, arms it, takes off, flies the lanes over the area, revisits what was
+/// found, returns to launch and lands. Without a mission it observes and commands nothing.
 /// </summary>
 public sealed class MissionControlManager : RabitManager
 {
@@ -60,8 +60,8 @@ public sealed class MissionControlManager : RabitManager
     }
 
     /// <summary>
-    /// Aborts the mission: the vehicle returns to launch; before take-off it stays where it is. Returns at once; does nothing when the
-    /// mission is over or there is none. Only the first reason counts. Any thread.
+    /// Aborts the mission: the vehicle returns to launch; before take-off it stays where it is. Returns at once; does
+    /// nothing when the mission is over or there is none. Only the first reason counts. Any thread.
     /// </summary>
     /// <param name="reason">Why, as text for the status and the log.</param>
     public void Abort(string reason)
@@ -73,8 +73,8 @@ public sealed class MissionControlManager : RabitManager
     }
 
     /// <summary>
-    /// Plans once as if home were in the area, and discards the plan: the real one, made in a unit of work when home is known, then finds its
-    /// code compiled. On a small computer compiling alone takes longer than a unit of work may.
+    /// Plans once as if home were in the area, and discards the plan: the real one, made in a unit of work when home is
+    /// known, then finds its code compiled. On a small computer compiling alone takes longer than a unit of work may.
     /// </summary>
     protected override void Startup()
     {

@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>The mission that Mission Control flies, its conditions and time-outs. Read once, when the manager is constructed.</summary>
+/// <summary>
+/// The mission that Mission Control flies, its conditions and time-outs. Read once, when the manager is constructed.
+/// </summary>
 /// <example>
 /// <code>
 /// var options = new MissionControlOptions
@@ -25,12 +27,18 @@ public sealed class MissionControlOptions
     /// <value>The default is true: a search without pictures finds nothing.</value>
     public bool RequiresCamera { get; set; } = true;
 
-    /// <summary>Time-out for the vehicle to be connected, healthy and to have a position; after it the mission has failed.</summary>
-    /// <value>Above zero. The default is 5 min: a GNSS receiver needs a minute or two for its first fix after a cold start.</value>
+    /// <summary>
+    /// Time-out for the vehicle to be connected, healthy and to have a position; after it the mission has failed.
+    /// </summary>
+    /// <value>
+    /// Above zero. The default is 5 min: a GNSS receiver needs a minute or two for its first fix after a cold start.
+    /// </value>
     public TimeSpan ReadyTimeout { get; set; } = TimeSpan.FromMinutes(5);
 
     /// <summary>Time-out for arming; until then it is retried every 3 s.</summary>
-    /// <value>Above zero. The default is 60 s: the pre-arm checks of a vehicle that has just started pass one after the other.</value>
+    /// <value>
+    /// Above zero. The default is 60 s: the pre-arm checks of a vehicle that has just started pass one after the other.
+    /// </value>
     public TimeSpan ArmTimeout { get; set; } = TimeSpan.FromSeconds(60);
 
     /// <summary>Fraction of the area that the camera must have seen for the search to be complete.</summary>

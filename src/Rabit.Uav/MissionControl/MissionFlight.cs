@@ -27,7 +27,10 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
     /// <summary>The time of this tick.</summary>
     public TimeSpan Now { get; set; }
 
-    /// <summary>Time in which the vehicle could be commanded: it stops while no autopilot is connected. Time-outs are in this time.</summary>
+    /// <summary>
+    /// Time in which the vehicle could be commanded: it stops while no autopilot is connected. Time-outs are in this
+    /// time.
+    /// </summary>
     public TimeSpan ActiveTime { get; set; }
 
     public VehicleState Vehicle { get; set; }

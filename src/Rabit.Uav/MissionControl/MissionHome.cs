@@ -10,8 +10,8 @@ public sealed class MissionHome
     public double LongitudeRadians { get; init; }
 
     /// <summary>
-    /// Altitude of the ground there, metres above mean sea level; null where it is not known. A check: the altitude that the vehicle reports
-    /// is the one used.
+    /// Altitude of the ground there, metres above mean sea level; null where it is not known. A check: the altitude
+    /// that the vehicle reports is the one used.
     /// </summary>
     public double? GroundAltitudeAmslMetres { get; init; }
 }

@@ -5,7 +5,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>The state machine of a mission: the failsafes first, then the phase itself, then <see cref="MissionTransitions"/>.</summary>
+/// <summary>
+/// The state machine of a mission: the failsafes first, then the phase itself, then <see cref="MissionTransitions"/>.
+/// </summary>
 internal sealed class MissionMachine
 {
     private readonly MissionFlight _flight;
@@ -95,7 +97,8 @@ internal sealed class MissionMachine
         _state.Enter(_flight, step.What);
     }
 
-    // Motors that we started are stopped on the ground; in the air nothing is safer than what the autopilot does by itself.
+    // Motors that we started are stopped on the ground; in the air nothing is safer than what the autopilot does by
+    // itself.
     private void MakeSafe(MissionPhase from)
     {
         bool isOurs = from != MissionPhase.WaitingForVehicle && _flight.Vehicle.IsArmed && !_flight.IsFlying;

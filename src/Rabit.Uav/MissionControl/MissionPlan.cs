@@ -6,8 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// A mission: the area to search, how, and for what. Immutable. It is read from a mission file, whose form docs/mission-file.md describes, or
-/// made in code.
+/// A mission: the area to search, how, and for what. Immutable. It is read from a mission file, whose form
+/// docs/mission-file.md describes, or made in code.
 /// </summary>
 /// <example>
 /// <code>
@@ -44,7 +44,9 @@ public sealed class MissionPlan
     /// <summary>Maximum distance between lanes, metres, 2 to 200; below the width of a picture on the ground.</summary>
     public double LaneSpacingMetres { get; init; }
 
-    /// <summary>Direction of the lanes, radians clockwise from true north; null for the one that needs the fewest lanes.</summary>
+    /// <summary>
+    /// Direction of the lanes, radians clockwise from true north; null for the one that needs the fewest lanes.
+    /// </summary>
     public double? LaneHeadingRadians { get; init; }
 
     /// <summary>The colours of the targets of interest.</summary>
@@ -74,7 +76,9 @@ public sealed class MissionPlan
     /// <summary>Reads a mission file and checks it.</summary>
     /// <param name="json">The text of the file.</param>
     /// <param name="name">Name of the mission in errors, and where the file gives none: the name of the file.</param>
-    /// <exception cref="MissionPlanException">The text is not a mission, or not one that can be flown; the message names all faults.</exception>
+    /// <exception cref="MissionPlanException">
+    /// The text is not a mission, or not one that can be flown; the message names all faults.
+    /// </exception>
     public static MissionPlan Parse(string json, string name)
     {
         if (json is null)

@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>A mission file that cannot be read, or a mission that cannot be flown. The message names the mission and all faults.</summary>
+/// <summary>
+/// A mission file that cannot be read, or a mission that cannot be flown. The message names the mission and all faults.
+/// </summary>
 public sealed class MissionPlanException : Exception
 {
     internal MissionPlanException(string name, IEnumerable<string> faults)

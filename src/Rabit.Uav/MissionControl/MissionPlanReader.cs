@@ -10,7 +10,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Reads a mission file field by field, so that all faults are reported together, each with its path and value.</summary>
+/// <summary>
+/// Reads a mission file field by field, so that all faults are reported together, each with its path and value.
+/// </summary>
 internal static class MissionPlanReader
 {
     private const int MaxTextLength = 1_000_000;

@@ -6,7 +6,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Validation of a mission: what it must be to be flown. Faults name the values as a mission file does.</summary>
+/// <summary>
+/// Validation of a mission: what it must be to be flown. Faults name the values as a mission file does.
+/// </summary>
 internal static class MissionPlanRules
 {
     /// <summary>Maximum area of a search, square metres.</summary>

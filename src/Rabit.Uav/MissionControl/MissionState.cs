@@ -21,7 +21,9 @@ internal abstract class MissionState(MissionPhase phase)
 
     /// <summary>Called several times a second while an autopilot is connected and has a position.</summary>
     /// <param name="flight">The state of the mission.</param>
-    /// <param name="inPhase">How long the phase has lasted, without the time in which no autopilot was connected.</param>
+    /// <param name="inPhase">
+    /// How long the phase has lasted, without the time in which no autopilot was connected.
+    /// </param>
     public abstract MissionStep Tick(MissionFlight flight, TimeSpan inPhase);
 
     protected static MissionStep ReturnToLaunch(string reason) => new(MissionEvent.ReturnToLaunch, reason);

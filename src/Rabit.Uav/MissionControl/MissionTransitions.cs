@@ -4,7 +4,9 @@ using static Rabit.Uav.MissionControl.MissionEvent;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>The transition table of the mission: phase and event to next phase. What is not in it changes nothing.</summary>
+/// <summary>
+/// The transition table of the mission: phase and event to next phase. What is not in it changes nothing.
+/// </summary>
 internal static class MissionTransitions
 {
     public static MissionPhase After(MissionPhase phase, MissionEvent what) => (phase, what) switch

@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Follows a path segment by carrot chasing: flies to its start, then commands a point on it a lookahead distance in front of the vehicle, so
-/// that the cross-track error that wind causes is removed. A new point is commanded when the last one comes near, not in every tick.
+/// Follows a path segment by carrot chasing: flies to its start, then commands a point on it a lookahead distance in
+/// front of the vehicle, so that the cross-track error that wind causes is removed. A new point is commanded when the
+/// last one comes near, not in every tick.
 /// </summary>
 internal sealed class PathFollower
 {

@@ -56,7 +56,9 @@ internal sealed class PlanePolygon
         return Contains(p) ? min : -min;
     }
 
-    /// <summary>Two edges that cross or touch without being neighbours, or that fold back; null when there are none.</summary>
+    /// <summary>
+    /// Two edges that cross or touch without being neighbours, or that fold back; null when there are none.
+    /// </summary>
     public (int First, int Second)? FindCrossing()
     {
         int count = Corners.Count;
@@ -87,7 +89,9 @@ internal sealed class PlanePolygon
         return new PlanePolygon(hull);
     }
 
-    /// <summary>This convex polygon, offset outwards by a distance (buffer); up to 2 % more than needed at its corners.</summary>
+    /// <summary>
+    /// This convex polygon, offset outwards by a distance (buffer); up to 2 % more than needed at its corners.
+    /// </summary>
     public PlanePolygon Grown(double metres)
     {
         const int Directions = 16;

@@ -9,6 +9,8 @@ public sealed class RevisitPlan
     /// <summary>Height of the revisit above home, metres; null for that of the search.</summary>
     public double? HeightMetres { get; init; }
 
-    /// <summary>Distance from the target at which the pass over it begins, across the lanes, metres; 0 to fly straight to it.</summary>
+    /// <summary>
+    /// Distance from the target at which the pass over it begins, across the lanes, metres; 0 to fly straight to it.
+    /// </summary>
     public double RadiusMetres { get; init; } = 10;
 }

@@ -9,8 +9,9 @@ using Rabit.Uav.HealthMonitoring;
 namespace Rabit.Uav.Tests.Documentation;
 
 /// <summary>
-/// The drawing and the table of docs/architecture.md, made from the wiring. All edges of one direction between two managers are one arrow. What
-/// Health Monitoring fetches is only in the table: it fetches something of every manager, which would hide the rest.
+/// The drawing and the table of docs/architecture.md, made from the wiring. All edges of one direction between two
+/// managers are one arrow. What Health Monitoring fetches is only in the table: it fetches something of every manager,
+/// which would hide the rest.
 /// </summary>
 internal static class ArchitectureDrawing
 {
@@ -27,7 +28,8 @@ internal static class ArchitectureDrawing
     {
         var text = new StringBuilder("flowchart LR\n");
         List<Edge> edges = graph.Hubs.SelectMany(EdgesOf).ToList();
-        List<string> devices = edges.SelectMany(e => new[] { e.From, e.To }).Where(WiringGraph.IsDevice).Distinct(StringComparer.Ordinal).ToList();
+        List<string> devices = edges.SelectMany(e => new[] { e.From, e.To })
+            .Where(WiringGraph.IsDevice).Distinct(StringComparer.Ordinal).ToList();
         foreach (string manager in graph.Managers)
             text.Append($"  {IdOf(manager)}[\"{manager}\"]\n");
         foreach (string device in devices)
@@ -35,8 +37,8 @@ internal static class ArchitectureDrawing
         foreach (IGrouping<(string, string, bool), Edge> arrow in edges.GroupBy(e => (e.From, e.To, e.IsMessage)))
         {
             string label = string.Join("<br/>", arrow.Select(e => e.Label).Where(l => l.Length > 0));
-            string line = arrow.Key.Item3 ? "-.->" : "-->";
-            text.Append($"  {IdOf(arrow.Key.Item1)} {line}{(label.Length > 0 ? $"|\"{label}\"|" : string.Empty)} {IdOf(arrow.Key.Item2)}\n");
+            string line = (arrow.Key.Item3 ? "-.->" : "-->") + (label.Length > 0 ? $"|\"{label}\"|" : string.Empty);
+            text.Append($"  {IdOf(arrow.Key.Item1)} {line} {IdOf(arrow.Key.Item2)}\n");
         }
 
         return text.ToString();
@@ -55,11 +57,13 @@ internal static class ArchitectureDrawing
         foreach (WiringHub hub in graph.Hubs.Where(h => !h.Name.EndsWith(StatusSuffix, StringComparison.Ordinal)))
         {
             string readers = string.Join(", ", hub.To.Select(t => t.Wakes ? $"**{t.Owner}**" : t.Owner));
-            text.Append($"| {hub.Name} | {(hub.IsMessage ? "message" : "queue")} | `{types[hub.Name]}` | {string.Join(", ", hub.From)} | {(readers.Length > 0 ? readers : "code outside managers")} |\n");
+            string kind = hub.IsMessage ? "message" : "queue";
+            string to = readers.Length > 0 ? readers : "code outside managers";
+            text.Append($"| {hub.Name} | {kind} | `{types[hub.Name]}` | {string.Join(", ", hub.From)} | {to} |\n");
         }
 
-        text.Append($"| MANAGER{StatusSuffix} | message | `{nameof(ManagerStatus)}` | every manager | {HealthManager.ManagerName} |\n");
-        return text.ToString();
+        const string Status = $"| MANAGER{StatusSuffix} | message | `{nameof(ManagerStatus)}` | every manager |";
+        return text.Append($"{Status} {HealthManager.ManagerName} |\n").ToString();
     }
 
     // "queue poses : PoseSample, 1000 at most, when full DropOldest"

@@ -27,6 +27,6 @@ internal static class GeneratedBlock
         if (Updates)
             File.WriteAllText(path, text.Substring(0, start) + content + text.Substring(end));
         else if (!string.Equals(text.Substring(start, end - start), content, StringComparison.Ordinal))
-            Assert.Fail($"{document} is out of date. RABIT_UPDATE_DOCS=1 dotnet test tests/Rabit.Uav.Tests writes it. It should have:\n{content}");
+            Assert.Fail($"{document} is out of date; RABIT_UPDATE_DOCS=1 writes it. It should have:\n{content}");
     }
 }

@@ -9,7 +9,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Tests.Documentation;
 
-/// <summary>docs/glossary.md: its links lead somewhere, and the search terms of the field find the right file.</summary>
+/// <summary>
+/// docs/glossary.md: its links lead somewhere, and the search terms of the field find the right file.
+/// </summary>
 public sealed class GlossaryTests(ITestOutputHelper output)
 {
     private const string Page = "docs/glossary.md";
@@ -20,21 +22,24 @@ public sealed class GlossaryTests(ITestOutputHelper output)
     private const int HitsOfAName = 10;
 
     private static readonly Regex Link = new(@"\]\((?<target>[^)#:]+)\)", RegexOptions.Compiled);
-    private static readonly Regex Search = new(@"^\| .+ \| `(?<term>[^`]+)` \| `(?<file>[^`]+)` \|$", RegexOptions.Compiled | RegexOptions.Multiline);
+    private static readonly Regex Term = new(@"^\| [^|]+ \| [^|]+ \| .*\[.+\| .+ \|$", RegexOptions.Compiled);
+    private static readonly Regex Search = new(
+        @"^\| .+ \| `(?<term>[^`]+)` \| `(?<file>[^`]+)` \|$", RegexOptions.Compiled | RegexOptions.Multiline);
 
     [Fact]
     public void Terms_OfTheGlossary_AreAtLeastEighty()
-        => Assert.InRange(SourceFiles.Lines(Page).Count(l => Regex.IsMatch(l, @"^\| [^|]+ \| [^|]+ \| .*\[.+\| .+ \|$")), MinTerms, int.MaxValue);
+        => Assert.InRange(SourceFiles.Lines(Page).Count(l => Term.IsMatch(l)), MinTerms, int.MaxValue);
 
     [Fact]
     public void Links_OfTheGlossary_LeadToAFileOrFolder()
     {
         if (GeneratedBlock.Updates)
             RepairLinks();
-        string[] dead = Link.Matches(SourceFiles.Read(Page)).Cast<Match>().Select(m => m.Groups["target"].Value).Where(t => !Exists(t)).ToArray();
+        string[] dead = Link.Matches(SourceFiles.Read(Page)).Cast<Match>()
+            .Select(m => m.Groups["target"].Value).Where(t => !Exists(t)).ToArray();
         Assert.True(
             dead.Length == 0,
-            "Not there: " + string.Join(", ", dead) + ". RABIT_UPDATE_DOCS=1 corrects the links to files that were moved and kept their name.");
+            $"Not there: {string.Join(", ", dead)}. RABIT_UPDATE_DOCS=1 corrects links to files that only moved.");
     }
 
     [Fact]
@@ -61,8 +66,11 @@ public sealed class GlossaryTests(ITestOutputHelper output)
             .OrderByDescending(f => f.Item2).ToArray();
         string first = string.Join(", ", found.Take(5).Select(f => $"{f.Name} {f.Hits}"));
         output.WriteLine($"{term}: {first}");
-        int hits = found.Where(f => string.Equals(f.Name, file, StringComparison.Ordinal)).Select(f => f.Hits).DefaultIfEmpty(0).Max();
-        return hits > 0 && found.Count(f => f.Hits > hits) < 3 ? null : $"'{term}' should find {file}, which has {hits} hits; it finds {first}";
+        int hits = found.Where(f => string.Equals(f.Name, file, StringComparison.Ordinal))
+            .Select(f => f.Hits).DefaultIfEmpty(0).Max();
+        return hits > 0 && found.Count(f => f.Hits > hits) < 3
+            ? null
+            : $"'{term}' should find {file}, which has {hits} hits; it finds {first}";
     }
 
     private static bool Exists(string target)
@@ -73,7 +81,8 @@ public sealed class GlossaryTests(ITestOutputHelper output)
 
     private static void RepairLinks()
     {
-        ILookup<string, string> files = SourceFiles.Below("src", "*.*").Concat(SourceFiles.Below("docs", "*.md")).ToLookup(f => Path.GetFileName(f));
+        ILookup<string, string> files = SourceFiles.Below("src", "*.*").Concat(SourceFiles.Below("docs", "*.md"))
+            .ToLookup(f => Path.GetFileName(f));
         string text = Link.Replace(SourceFiles.Read(Page), match =>
         {
             string target = match.Groups["target"].Value;

@@ -19,7 +19,8 @@ public sealed class LineLengthTests(ITestOutputHelper output)
     [Fact]
     public void Lines_OfTheCode_AreAtMostSoLong()
     {
-        string[] faults = Folders.SelectMany(folder => SourceFiles.Below(folder, "*.cs")).SelectMany(LongLines).ToArray();
+        string[] faults = Folders.SelectMany(folder => SourceFiles.Below(folder, "*.cs"))
+            .SelectMany(LongLines).ToArray();
         output.WriteLine($"{faults.Length} lines are longer than {MaxColumns} columns.");
         output.WriteLine(string.Join("\n", faults));
         Assert.True(!IsEnforced || faults.Length == 0, string.Join("\n", faults));

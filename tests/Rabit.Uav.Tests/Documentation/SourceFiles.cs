@@ -23,7 +23,8 @@ internal static class SourceFiles
             .OrderBy(f => f, StringComparer.Ordinal);
     }
 
-    public static string Read(string path) => File.ReadAllText(Path.Combine(Repository.Root, path)).Replace("\r\n", "\n");
+    public static string Read(string path)
+        => File.ReadAllText(Path.Combine(Repository.Root, path)).Replace("\r\n", "\n");
 
     public static string[] Lines(string path) => Read(path).Split('\n');
 }

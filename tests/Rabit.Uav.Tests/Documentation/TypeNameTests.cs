@@ -7,8 +7,9 @@ using Xunit;
 namespace Rabit.Uav.Tests.Documentation;
 
 /// <summary>
-/// A search for a type finds one: no two types of the same name, public or internal, in different places of src/, samples/ and benchmarks/. Parts
-/// of a partial type, and overloads by the number of type parameters, lie in one folder.
+/// A search for a type finds one: no two types of the same name, public or internal, in different places of src/,
+/// samples/ and benchmarks/. Parts of a partial type, and overloads by the number of type parameters, lie in one
+/// folder.
 /// </summary>
 public sealed class TypeNameTests
 {
@@ -24,7 +25,8 @@ public sealed class TypeNameTests
     {
         Dictionary<string, string> allowed = ReasonedList.Read(AllowList);
         var faults = new List<string>();
-        foreach (IGrouping<string, (string Name, string Folder)> type in Types().Distinct().GroupBy(t => t.Name, StringComparer.Ordinal))
+        foreach (IGrouping<string, (string Name, string Folder)> type in Types().Distinct()
+            .GroupBy(t => t.Name, StringComparer.Ordinal))
         {
             bool isAllowed = allowed.Remove(type.Key);
             if (type.Count() > 1 && !isAllowed)
@@ -34,13 +36,15 @@ public sealed class TypeNameTests
         }
 
         faults.AddRange(allowed.Keys.Select(name => $"{name} is in {AllowList}, and there is none."));
-        Assert.True(faults.Count == 0, "Types of one name in different places:\n" + string.Join("\n", faults.OrderBy(f => f, StringComparer.Ordinal)));
+        faults.Sort(StringComparer.Ordinal);
+        Assert.True(faults.Count == 0, "Types of one name in different places:\n" + string.Join("\n", faults));
     }
 
     // Types inside others have an indent, except in a program whose first lines are statements; those are its own.
     private static IEnumerable<(string Name, string Folder)> Types()
     {
-        foreach (string file in new[] { "src", "samples", "benchmarks" }.SelectMany(folder => SourceFiles.Below(folder, "*.cs")))
+        string[] folders = ["src", "samples", "benchmarks"];
+        foreach (string file in folders.SelectMany(f => SourceFiles.Below(f, "*.cs")))
         {
             string folder = file.Substring(0, file.LastIndexOf('/'));
             foreach (string line in SourceFiles.Lines(file))

@@ -21,9 +21,9 @@ internal sealed class WiringGraph
             if (Box.Match(line) is { Success: true } box)
                 owners.Add(box.Groups[1].Value, box.Groups[2].Value);
             else if (Hub.Match(line) is { Success: true } hub)
-                hubs.Add(hub.Groups[1].Value, new WiringHub(hub.Groups[3].Value, isMessage: hub.Groups[2].Value[0] == '('));
+                hubs.Add(hub.Groups[1].Value, new WiringHub(hub.Groups[3].Value, hub.Groups[2].Value == "(["));
             else if (Arrow.Match(line) is { Success: true } arrow)
-                AddArrow(owners, hubs, arrow.Groups[1].Value, arrow.Groups[3].Value, wakes: arrow.Groups[2].Value == "==>");
+                AddArrow(owners, hubs, arrow.Groups[1].Value, arrow.Groups[3].Value, arrow.Groups[2].Value == "==>");
             else
                 throw new FormatException($"'{line}' is not a line of a wiring.");
         }

@@ -7,7 +7,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Tests.Documentation;
 
-/// <summary>Code and documents do not use the words of eng/word-list.txt. eng/words-check.sh prints the same without a build.</summary>
+/// <summary>
+/// Code and documents do not use the words of eng/word-list.txt. eng/words-check.sh prints the same without a build.
+/// </summary>
 public sealed class WordListTests(ITestOutputHelper output)
 {
     private const string WordList = "eng/word-list.txt";
@@ -15,7 +17,8 @@ public sealed class WordListTests(ITestOutputHelper output)
     // False until the words that are left are gone; then one more fails.
     private const bool IsEnforced = false;
 
-    private static readonly Regex Entry = new("^(?<kind>word|name|allow) (?<pattern>.+) => (?<text>.+)$", RegexOptions.Compiled);
+    private static readonly Regex Entry = new(
+        "^(?<kind>word|name|allow) (?<pattern>.+) => (?<text>.+)$", RegexOptions.Compiled);
 
     [Fact]
     public void List_EachLine_IsAnEntryWithAReason()
@@ -37,7 +40,8 @@ public sealed class WordListTests(ITestOutputHelper output)
     }
 
     private static List<(Regex Pattern, string Instead)> Entries(string kind)
-        => SourceFiles.Lines(WordList).Select(l => Entry.Match(l)).Where(m => m.Success && m.Groups["kind"].Value == kind)
+        => SourceFiles.Lines(WordList).Select(l => Entry.Match(l))
+            .Where(m => m.Success && string.Equals(m.Groups["kind"].Value, kind, StringComparison.Ordinal))
             .Select(m => (PatternOf(kind, m.Groups["pattern"].Value), m.Groups["text"].Value)).ToList();
 
     private static Regex PatternOf(string kind, string pattern)

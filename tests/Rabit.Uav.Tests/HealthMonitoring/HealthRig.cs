@@ -8,7 +8,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;
 
-/// <summary>Health Monitoring in virtual time beside managers of the test's, with the test in the place of everything that posts what it fetches.</summary>
+/// <summary>
+/// Health Monitoring in virtual time beside managers of the test's, with the test in the place of everything that posts
+/// what it fetches.
+/// </summary>
 internal sealed class HealthRig : IDisposable
 {
     private readonly MessagePublisher<VehicleState> _vehicle;

@@ -83,7 +83,8 @@ public class HeartbeatTests
     [Fact]
     public void Heartbeat_ManagerStuck_IsSilentWithinTwoSecondsAndResumes()
     {
-        // Begins a unit of work at 0, 3.1, 6.2, ... s and is in it for 3 s: more than the 0.1 s + 1 s that it may stay away.
+        // Begins a unit of work at 0, 3.1, 6.2, ... s and is in it for 3 s: more than the 0.1 s + 1 s that it may stay
+        // away.
         var time = new VirtualTime(1);
         time.SetUnitOfWorkDuration("slow", TimeSpan.FromSeconds(3));
         using var rig = new HealthRig(time, new WorkingManager("slow"));

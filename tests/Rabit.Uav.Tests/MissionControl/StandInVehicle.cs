@@ -9,8 +9,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Tests.MissionControl;
 
 /// <summary>
-/// Stands in for Autopilot Interface, Image Processing, Sensor Fusion and Health Monitoring: a point that flies as commanded, a camera that
-/// sees the ground below it, and the faults that a test injects. No MAVLink.
+/// Stands in for Autopilot Interface, Image Processing, Sensor Fusion and Health Monitoring: a point that flies as
+/// commanded, a camera that sees the ground below it, and the faults that a test injects. No MAVLink.
 /// </summary>
 internal sealed class StandInVehicle : RabitManager
 {

@@ -4,7 +4,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Landing: at home by the autopilot's own return, which needs no command, or at the present position.</summary>
+/// <summary>
+/// Landing: at home by the autopilot's own return, which needs no command, or at the present position.
+/// </summary>
 internal sealed class LandingState() : MissionState(MissionPhase.Landing)
 {
     private const double TimeReserveSeconds = 120;

@@ -4,8 +4,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Revisits one confirmed target: flies over it across the lanes, so that the camera observes it from another direction, until there are a few
-/// more reports of it.
+/// Revisits one confirmed target: flies over it across the lanes, so that the camera observes it from another
+/// direction, until there are a few more reports of it.
 /// </summary>
 internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 {

@@ -3,7 +3,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Flies lane after lane; between two of them new targets are revisited; at the end the gaps in the coverage are flown over.</summary>
+/// <summary>
+/// Flies lane after lane; between two of them new targets are revisited; at the end the gaps in the coverage are flown
+/// over.
+/// </summary>
 internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
 {
     // The last pictures of a lane are still being processed.

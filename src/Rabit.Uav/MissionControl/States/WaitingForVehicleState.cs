@@ -4,7 +4,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>Waits until the vehicle is connected, healthy, on the ground and has a position, all of it for some time.</summary>
+/// <summary>
+/// Waits until the vehicle is connected, healthy, on the ground and has a position, all of it for some time.
+/// </summary>
 internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.WaitingForVehicle)
 {
     // All conditions must hold for so long: the first messages of a vehicle come in any order.
