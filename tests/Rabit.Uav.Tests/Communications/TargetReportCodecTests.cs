@@ -17,7 +17,7 @@ public sealed class TargetReportCodecTests
     {
         const int Seed = 21;
         var random = new Random(Seed);
-        var buffer = new byte[VehicleMessageRoute.MaximumLength];
+        var buffer = new byte[VehicleMessageRoute.MaxLength];
         for (int i = 0; i < 10_000; i++)
         {
             double nn = 0.01 + (random.NextDouble() * 100);
@@ -66,7 +66,7 @@ public sealed class TargetReportCodecTests
     {
         const int Seed = 23;
         var random = new Random(Seed);
-        var good = new byte[VehicleMessageRoute.MaximumLength];
+        var good = new byte[VehicleMessageRoute.MaxLength];
         Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, good, out int length);
         int taken = 0;
         for (int i = 0; i < 200_000; i++)
@@ -92,7 +92,7 @@ public sealed class TargetReportCodecTests
     [InlineData(15, 127)]   // beyond the pole
     public void Decode_OneWrongByte_IsRefused(int offset, byte value)
     {
-        var bytes = new byte[VehicleMessageRoute.MaximumLength];
+        var bytes = new byte[VehicleMessageRoute.MaxLength];
         Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, bytes, out int length);
         Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), Now, 7, out _));
         Assert.False(Codec.TryDecode(bytes.AsSpan(0, length - 1), Now, 7, out _));

@@ -16,7 +16,7 @@ public interface IVehicleMessageCodec<T>
     /// <summary>Writes a message.</summary>
     /// <param name="content">The message.</param>
     /// <param name="now">The time, by the clock of the run: clocks of vehicles differ, so that times travel as ages.</param>
-    /// <param name="destination">Where to: <see cref="VehicleMessageRoute.MaximumLength"/> bytes.</param>
+    /// <param name="destination">Where to: <see cref="VehicleMessageRoute.MaxLength"/> bytes.</param>
     /// <param name="length">How many bytes were written.</param>
     /// <returns>False where the message does not fit into the form.</returns>
     bool TryEncode(in T content, TimeSpan now, Span<byte> destination, out int length);

@@ -61,7 +61,7 @@ internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
     public void Take(in MavlinkFrame frame, Tunnel tunnel, byte ownSystemId, TimeSpan time)
     {
         DeliveryResult result = frame.SystemId == ownSystemId ? DeliveryResult.Echo
-            : tunnel.PayloadLength > VehicleMessageRoute.MaximumLength ? DeliveryResult.Malformed
+            : tunnel.PayloadLength > VehicleMessageRoute.MaxLength ? DeliveryResult.Malformed
             : Deliver(frame.SystemId, tunnel, time);
         switch (result)
         {

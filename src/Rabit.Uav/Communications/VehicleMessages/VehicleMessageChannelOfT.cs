@@ -11,7 +11,7 @@ internal sealed class VehicleMessageChannel<T>(VehicleMessageRoute route, IVehic
     where T : struct
 {
     private readonly RecentVehicleMessages _recent = new();
-    private readonly byte[] _buffer = new byte[VehicleMessageRoute.MaximumLength];
+    private readonly byte[] _buffer = new byte[VehicleMessageRoute.MaxLength];
 
     public override bool TryTake(TimeSpan now, out Tunnel? tunnel)
     {

@@ -8,7 +8,7 @@ namespace Rabit.Uav.Communications;
 public abstract class VehicleMessageRoute
 {
     /// <summary>The most bytes that one message may have: the payload of TUNNEL (common.xml, 385).</summary>
-    public const int MaximumLength = 128;
+    public const int MaxLength = 128;
 
     internal const int MinPayloadType = 32768;
     internal const int MaxPayloadType = 65535;
