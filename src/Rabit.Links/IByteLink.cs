@@ -10,6 +10,15 @@ namespace Rabit.Links;
 /// A link is opened by its class or by <see cref="LinkFactory"/>, which throw a <see cref="LinkException"/> when that fails. What goes wrong
 /// later and passes (a peer that is not up yet) is counted; what does not pass ends the link.
 /// </remarks>
+/// <example>
+/// Two ends in memory; every other link is used alike.
+/// <code>
+/// var pair = new MemoryLinkPair("bench");
+/// pair.A.Write(bytes, 0, bytes.Length);
+/// LinkRead read = pair.B.Read(buffer);
+/// if (read.Kind == LinkReadKind.Bytes) Use(buffer, read.Count);
+/// </code>
+/// </example>
 public interface IByteLink : IDisposable
 {
     /// <summary>What the link is, in the form of <see cref="LinkUrl"/> where there is one; the same in every error it reports.</summary>

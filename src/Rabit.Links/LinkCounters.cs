@@ -32,7 +32,7 @@ public readonly struct LinkCounters
     /// <summary>Writes of which at least one byte was dropped.</summary>
     public long WritesDropped { get; }
 
-    /// <summary>Faults that passed without ending the link, for example a host that answered "nobody listens on this port".</summary>
+    /// <summary>Faults that passed without ending the link, for example a host that answered that the port is closed.</summary>
     public long TransientFaults { get; }
 
     /// <summary>For logs, one line.</summary>

@@ -3,6 +3,12 @@ using System;
 namespace Rabit.Links;
 
 /// <summary>Opens the link that a <see cref="LinkUrl"/> names.</summary>
+/// <example>
+/// <code>
+/// using IByteLink link = LinkFactory.Open(LinkUrl.Parse("serial:/dev/ttyAMA0:921600"));
+/// LinkRead read = link.Read(buffer);   // waits for bytes, the end, or Unblock
+/// </code>
+/// </example>
 public static class LinkFactory
 {
     /// <summary>Opens a live link. May wait: for a host to take a connection, and for the system to look up its name.</summary>

@@ -3,10 +3,10 @@ namespace Rabit.Links;
 /// <summary>The kinds of link that a <see cref="LinkUrl"/> can name.</summary>
 public enum LinkKind
 {
-    /// <summary><c>udpin:ADDRESS:PORT</c>: waits on a UDP port and answers whoever spoke last.</summary>
+    /// <summary><c>udpin:ADDRESS:PORT</c>: waits on a UDP port and answers the last sender.</summary>
     UdpListen,
 
-    /// <summary><c>udpout:HOST:PORT</c>: sends to one UDP address and hears only that.</summary>
+    /// <summary><c>udpout:HOST:PORT</c>: sends to one UDP address and receives only from it.</summary>
     UdpSend,
 
     /// <summary><c>tcp:HOST:PORT</c>: connects to a TCP server.</summary>

@@ -12,6 +12,12 @@ namespace Rabit.Links;
 /// An IPv6 address is written in brackets: <c>tcp:[::1]:5760</c>. No port and no baud rate is assumed. The path of a device or file may hold
 /// colons. Only <c>?name=value</c> (or a bare <c>?speed</c>) at the very end of a tlog name is an option; any other question mark belongs to the path.
 /// </remarks>
+/// <example>
+/// <code>
+/// LinkUrl url = LinkUrl.Parse("tcp:127.0.0.1:5760");                                     // FormatException: what is wrong, and the right form
+/// if (!LinkUrl.TryParse(args[0], out LinkUrl? link, out string? error)) Console.Error.WriteLine(error);
+/// </code>
+/// </example>
 public sealed class LinkUrl
 {
     private LinkUrl(LinkKind kind, string? host = null, int port = 0, string? path = null, int baudRate = 0, double speed = 1)
@@ -43,7 +49,7 @@ public sealed class LinkUrl
     public int BaudRate { get; }
 
     /// <summary>
-    /// How many times faster than it was recorded a file is played: 1 unless told otherwise, <see cref="double.PositiveInfinity"/> for
+    /// How many times faster than it was recorded a file is played: 1 by default, <see cref="double.PositiveInfinity"/> for
     /// <c>max</c> (as fast as it can be taken). 1 for the others.
     /// </summary>
     public double Speed { get; }

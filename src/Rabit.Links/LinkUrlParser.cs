@@ -19,7 +19,7 @@ internal static class LinkUrlParser
 
     private const string SpeedOption = "speed";
 
-    // No machine comes near it: who wants more wants max.
+    // No machine comes near it: more is max.
     private const double MaxSpeed = 1_000_000;
 
     public static bool TryParse(string? text, [NotNullWhen(true)] out LinkUrl? url, [NotNullWhen(false)] out string? error)

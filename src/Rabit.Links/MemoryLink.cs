@@ -11,7 +11,7 @@ internal sealed class MemoryLink(string url, int capacityBytes) : IByteLink
     private readonly LinkLifetime _state = new(url);
     private readonly object _gate = new();
     private readonly byte[] _ring = new byte[capacityBytes];
-    private MemoryLink? _peer; // set once, before anybody else sees this end
+    private MemoryLink? _peer; // set once, before another thread can see this end
     private Action? _readable; // volatile access
     private int _head; // guarded by _gate: index of the oldest byte
     private int _resident; // guarded by _gate: bytes not yet read

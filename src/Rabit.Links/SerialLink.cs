@@ -96,7 +96,7 @@ public sealed class SerialLink : IByteLink
     {
         if (!_state.TryDispose()) return;
         Unblock();
-        Wake(); // again, in case another thread is about to: once the device is disposed nobody can
+        Wake(); // again, in case another thread is about to: after the device is disposed it is too late
         _device.Dispose();
     }
 
@@ -178,7 +178,7 @@ public sealed class SerialLink : IByteLink
         }
         catch (ObjectDisposedException)
         {
-            // Then whoever disposed it has woken all waits first.
+            // Then the dispose has woken all waits first.
         }
         finally
         {

@@ -6,7 +6,7 @@ namespace Rabit.Links;
 internal static class SocketFaults
 {
     /// <summary>
-    /// Errors of a datagram that say something of that datagram or of the network at the moment, not of the socket. Nobody listening at the
+    /// Errors of a datagram that say something of that datagram or of the network at the moment, not of the socket. No listener at the
     /// other end is one: the peer may not be up yet.
     /// </summary>
     public static bool PassesOnUdp(SocketError error) => error is SocketError.ConnectionRefused or SocketError.ConnectionReset

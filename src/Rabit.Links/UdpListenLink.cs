@@ -5,7 +5,7 @@ using System.Net.Sockets;
 namespace Rabit.Links;
 
 /// <summary>
-/// <c>udpin:ADDRESS:PORT</c>: waits on a UDP port and hears everybody. Writes go to whoever was heard last; before anybody was heard, and while
+/// <c>udpin:ADDRESS:PORT</c>: waits on a UDP port and receives from any sender. Writes go to the last sender; before there was one, and while
 /// the network is down, they are dropped and counted. One write is one datagram. A peer that goes away cannot be seen.
 /// Allocates nothing per datagram on .NET; on Mono about 400 bytes for one received and one sent.
 /// </summary>
@@ -51,7 +51,7 @@ public sealed class UdpListenLink : IByteLink
         try
         {
             socket = new Socket(own.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
-            // Mono lets two programs share a UDP port, so that each gets some of the datagrams, unless told otherwise.
+            // Mono lets two programs share a UDP port, so that each gets some of the datagrams, by default.
             socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, false);
             socket.SendTimeout = (options ?? LinkOptions.Default).WriteTimeoutMilliseconds;
             socket.Bind(new IPEndPoint(own, port));

@@ -5,7 +5,7 @@ using System.Net.Sockets;
 namespace Rabit.Links;
 
 /// <summary>
-/// <c>udpout:HOST:PORT</c>: sends to one UDP address and hears only that. One write is one datagram. The peer may come up later or go away: that
+/// <c>udpout:HOST:PORT</c>: sends to one UDP address and receives only from it. One write is one datagram. The peer may come up later or go away: that
 /// it is not there is counted as a transient fault where the network says so, and seen in no other way.
 /// </summary>
 public sealed class UdpSendLink : IByteLink

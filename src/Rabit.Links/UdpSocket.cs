@@ -4,7 +4,7 @@ using System.Net.Sockets;
 namespace Rabit.Links;
 
 /// <summary>
-/// What both UDP links do: hand out the bytes of datagrams one after the other, send, and tell faults that pass from those that do not.
+/// What both UDP links do: hand out the bytes of datagrams one after the other, send, and distinguish faults that pass from those that do not.
 /// Closing the socket is what ends a blocked call, on .NET and on Mono alike.
 /// </summary>
 /// <param name="socket">Bound or connected.</param>
@@ -36,7 +36,7 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
         }
     }
 
-    /// <summary>Sends one datagram to the peer, or to whoever was heard last; there must be one.</summary>
+    /// <summary>Sends one datagram to the peer, or to the last sender; there must be one.</summary>
     public void Write(byte[] buffer, int offset, int count)
     {
         SocketError error = SocketError.Success;

@@ -48,7 +48,7 @@ public sealed class UavOptions
     /// <value>The default is 191, MAV_COMP_ID_ONBOARD_COMPUTER.</value>
     public byte ComponentId { get; set; } = 191;
 
-    /// <summary>Whether the autopilot is asked for the message rates that we need. A replay asks nobody.</summary>
+    /// <summary>Whether the autopilot is asked for the message rates that we need. In a replay it is not.</summary>
     /// <value>The default is true.</value>
     public bool RequestsMessageRates { get; set; } = true;
 
@@ -90,8 +90,8 @@ public sealed class UavOptions
     public LinkOptions LinkOptions { get; set; } = LinkOptions.Default;
 
     /// <summary>
-    /// Which of our managers are left out. Their part is then yours: the check of the wiring names each message that nobody publishes any more
-    /// and each queue that nobody receives, and who needs it, until managers in <see cref="OtherManagers"/> do. Without Communications there are
+    /// Which of our managers are left out. Their part is then yours: the check of the wiring names each message without a publisher
+    /// and each queue without a receiver, and who needs it, until managers in <see cref="OtherManagers"/> do. Without Communications there are
     /// no links, nor what goes with them.
     /// </summary>
     /// <value>The default is <see cref="UavManagers.None"/>.</value>

@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 namespace Rabit.Links;
 
 /// <summary>
-/// Sets a terminal to what MAVLink wants of it: raw bytes, 8 data bits, no parity, 1 stop bit, no flow control, a given speed.
+/// Sets a terminal to raw bytes, 8 data bits, no parity, 1 stop bit, no flow control, a given speed.
 /// See termios(3) and ioctl_tty(2).
 /// </summary>
 internal static unsafe class SerialSettings

@@ -10,12 +10,12 @@ namespace Rabit.Uav.AutopilotInterface;
 /// <summary>How Autopilot Interface works. Read once, when the manager is made.</summary>
 public sealed class AutopilotOptions
 {
-    // An autopilot's loop runs at a few hundred hertz at most; more than this is a slip of the pen.
+    // An autopilot's loop runs at a few hundred hertz at most; more than this is a mistake.
     private const double MaxRate = 1000;
 
     /// <summary>
     /// The system id of our vehicle. Where it is set, autopilots of other systems are never taken for ours; where it is null,
-    /// the first autopilot that is heard is ours, and we take its system id.
+    /// the first autopilot that is received is ours, and we take its system id.
     /// </summary>
     /// <value>The default is null.</value>
     public byte? SystemId { get; set; }
@@ -28,7 +28,7 @@ public sealed class AutopilotOptions
     /// <value>The default is 5 s: four to five missed at 1 Hz (MAVLink guide, "Heartbeat/Connection Protocol").</value>
     public TimeSpan HeartbeatTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
-    /// <summary>Whether the autopilot is asked for <see cref="RequestedRates"/> and for its time: not in a replay, where nobody listens.</summary>
+    /// <summary>Whether the autopilot is asked for <see cref="RequestedRates"/> and for its time: not in a replay, which answers nothing.</summary>
     /// <value>The default is true.</value>
     public bool RequestsRates { get; set; } = true;
 
@@ -40,7 +40,7 @@ public sealed class AutopilotOptions
     /// <value>The default is <see cref="MavlinkDialect.All"/>.</value>
     public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
 
-    /// <summary>What the autopilot is asked to send, and how often, when it is heard, heard again or has rebooted.</summary>
+    /// <summary>What the autopilot is asked to send, and how often, when it is found, found again or has rebooted.</summary>
     /// <value>
     /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees is located by it,
     /// position at 10 Hz, the rest at 1 or 2 Hz.
@@ -74,7 +74,7 @@ public sealed class AutopilotOptions
     private IEnumerable<string> FindFaults()
     {
         if (SystemId == 0)
-            yield return $"{nameof(SystemId)} is 0, which means everybody; it must be 1 to 255, or null for that of the autopilot";
+            yield return $"{nameof(SystemId)} is 0, which means every system; it must be 1 to 255, or null for that of the autopilot";
         if (ComponentId == 0)
             yield return $"{nameof(ComponentId)} is 0, which means every component; it must be 1 to 255";
         if (HeartbeatTimeout < TimeSpan.FromSeconds(1))

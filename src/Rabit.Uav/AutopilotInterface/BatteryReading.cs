@@ -2,7 +2,7 @@ using System;
 
 namespace Rabit.Uav.AutopilotInterface;
 
-/// <summary>What one message told of the battery; NaN where it does not know.</summary>
+/// <summary>What one message reports of the battery; NaN where it does not know.</summary>
 internal readonly struct BatteryReading(TimeSpan time, double volts, double amperes, double remaining)
 {
     public static BatteryReading Unknown => new(TimeSpan.MinValue, double.NaN, double.NaN, double.NaN);

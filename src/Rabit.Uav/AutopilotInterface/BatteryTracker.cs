@@ -4,7 +4,7 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Joins the two messages that tell of the first battery. Either may know a figure that the other does not; of two that know
+/// Joins the two messages that report the first battery. Either may know a figure that the other does not; of two that know
 /// it the newer counts.
 /// </summary>
 internal sealed class BatteryTracker

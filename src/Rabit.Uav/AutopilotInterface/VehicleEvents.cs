@@ -11,16 +11,16 @@ internal enum VehicleEvents
     /// <summary>The vehicle state is another than before.</summary>
     Changed = 1,
 
-    /// <summary>The autopilot was heard for the first time.</summary>
+    /// <summary>The autopilot was received for the first time.</summary>
     Found = 2,
 
-    /// <summary>The autopilot was not heard for too long.</summary>
+    /// <summary>No heartbeat of the autopilot came for too long.</summary>
     Lost = 4,
 
-    /// <summary>The autopilot was lost, and is heard again.</summary>
+    /// <summary>The autopilot was lost, and is received again.</summary>
     FoundAgain = 8,
 
-    /// <summary>The autopilot began anew.</summary>
+    /// <summary>The autopilot has rebooted.</summary>
     Rebooted = 16,
 
     /// <summary>The message of the autopilot held values that cannot be; nothing of it was taken over.</summary>

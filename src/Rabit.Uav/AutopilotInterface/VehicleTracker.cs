@@ -45,7 +45,7 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
     public VehicleEvents Update(in LinkFrame frame)
         => Begin(frame, out VehicleEvents events) ? Complete(frame, events) : events;
 
-    /// <summary>A heartbeat of anybody.</summary>
+    /// <summary>A heartbeat of any component.</summary>
     public VehicleEvents Update(in LinkFrame frame, in Heartbeat heartbeat)
         => Stamp(CheckConnection(frame.Time) | Apply(frame.Frame, heartbeat, frame.Time), frame.Time);
 

@@ -12,7 +12,7 @@ public sealed partial class CommunicationsManager
 
     private readonly LinkSigning? _signing;
     private TimestampTarget? _timestamps;
-    private bool _hasToldOfFailedStore;
+    private bool _hasReportedFailedStore;
 
     private LinkSigning MakeSigning(SigningOptions options)
     {
@@ -23,14 +23,14 @@ public sealed partial class CommunicationsManager
         return new LinkSigning(options, _options.Links.Count, new QueuedTimestampStore(store, _timestamps, writer));
     }
 
-    // What is not proved goes nowhere: were it forwarded, the links behind us that are not signed would believe it.
+    // What is not verified goes nowhere: were it forwarded, it would be accepted behind links that are not signed.
     private bool IsAccepted(LinkPort port, in MavlinkFrame frame)
     {
         if (_signing is null || !_signing.IsSigned(port.Number))
             return true;
-        MavlinkSignatureResult verdict = _signing.Verify(frame, port.Number);
-        port.Judged(verdict);
-        return verdict.IsAccepted();
+        MavlinkSignatureResult result = _signing.Verify(frame, port.Number);
+        port.CountSignature(result);
+        return result.IsAccepted();
     }
 
     private void Send(LinkPort port, in MavlinkFrame frame, byte crcExtra)
@@ -50,8 +50,8 @@ public sealed partial class CommunicationsManager
         }
 
         bool hasFailed = _timestamps?.HasFailed == true;
-        if (hasFailed && !_hasToldOfFailedStore)
-            Log("the time of the signatures could not be stored: after a restart others may not believe us");
-        _hasToldOfFailedStore = hasFailed;
+        if (hasFailed && !_hasReportedFailedStore)
+            Log("the time of the signatures could not be stored: after a restart others may reject our frames");
+        _hasReportedFailedStore = hasFailed;
     }
 }

@@ -20,7 +20,7 @@ public sealed partial class CommunicationsManager
     {
         SubscriptionPort[] ports = _options.Subscriptions.Select(s => new SubscriptionPort(s, Send<LinkFrame>(s.Queue))).ToArray();
         foreach (int id in _options.Subscriptions.SelectMany(s => s.MessageIds).Distinct())
-            _subscriptionsById.Add(id, ports.Where(p => p.Wants(id)).ToArray());
+            _subscriptionsById.Add(id, ports.Where(p => p.Includes(id)).ToArray());
         _subscriptionsToAll = ports.Where((_, index) => _options.Subscriptions[index].MessageIds.Count == 0).ToArray();
         foreach (byte component in _options.Subscriptions.Select(s => s.ComponentId).OfType<byte>())
             _router.AddOwnComponent(component);

@@ -8,24 +8,24 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
-// What Communications says by itself: where we are, and mail for other vehicles.
+// What Communications sends by itself: our position, and messages for other vehicles.
 public sealed partial class CommunicationsManager
 {
     // Senders push all they saw in one picture at once.
-    private const int MailWaiting = 256;
+    private const int VehicleMessagesWaiting = 256;
 
     private readonly MessageSubscriber<VehicleState> _vehicle;
     private readonly OwnPosition _position;
-    private readonly VehicleMessageChannel[] _mail;
+    private readonly VehicleMessageChannel[] _channels;
 
-    /// <summary>What became of the mail, type by type in the order of the routes. Any thread.</summary>
-    public IReadOnlyList<VehicleMessageCounters> CountVehicleMessages() => _mail.Select(m => m.Counts).ToArray();
+    /// <summary>What became of the vehicle messages, type by type in the order of the routes. Any thread.</summary>
+    public IReadOnlyList<VehicleMessageCounters> CountVehicleMessages() => _channels.Select(m => m.Counts).ToArray();
 
-    internal QueueReceiver<Envelope<T>> ReceiveMail<T>(string queue)
+    internal QueueReceiver<Envelope<T>> ReceiveVehicleMessages<T>(string queue)
         where T : struct
-        => Receive<Envelope<T>>(queue, MailWaiting, QueueFullMode.DropOldest);
+        => Receive<Envelope<T>>(queue, VehicleMessagesWaiting, QueueFullMode.DropOldest);
 
-    internal QueueSender<T> SendMail<T>(string queue)
+    internal QueueSender<T> SendVehicleMessages<T>(string queue)
         where T : struct
         => Send<T>(queue);
 
@@ -44,60 +44,60 @@ public sealed partial class CommunicationsManager
         SendOwn(_router.RouteOwn(numbered, message), numbered, message.CrcExtra);
     }
 
-    private void SendMail()
+    private void SendVehicleMessages()
     {
         OwnAddress own = _ownAddress.Value;
-        foreach (VehicleMessageChannel slot in _mail)
+        foreach (VehicleMessageChannel channel in _channels)
         {
-            while (slot.TryTake(Now, out Tunnel? tunnel))
+            while (channel.TryTake(Now, out Tunnel? tunnel))
             {
-                if (tunnel is not { } letter)
+                if (tunnel is not { } message)
                     continue;
                 if (own.IsKnown)
-                    SendMail(slot, MavlinkFrame.Create(letter, own.SystemId, own.ComponentId, sequence: 0));
+                    SendVehicleMessages(channel, MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0));
                 else
-                    slot.CountUnsendable();
+                    channel.CountUnsendable();
             }
         }
     }
 
-    // A number is taken only for a frame that goes out: a gap would look like a loss to whoever counts.
-    private void SendMail(VehicleMessageChannel slot, in MavlinkFrame frame)
+    // A number is taken only for a frame that goes out: a gap would look like a loss.
+    private void SendVehicleMessages(VehicleMessageChannel channel, in MavlinkFrame frame)
     {
         _options.Dialect.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
         ulong links = _router.RouteOwn(frame, message);
         if (links == 0)
-            slot.CountUnsendable();
+            channel.CountUnsendable();
 
         MavlinkFrame? numbered = null;
         foreach (LinkPort port in _ports)
         {
             if ((links & (1UL << port.Number)) == 0)
                 continue;
-            if (!port.HasMailBudget(frame, Now))
+            if (!port.TryTakeRate(frame, Now))
             {
-                slot.CountOverBudget();
+                channel.CountRateLimited();
                 continue;
             }
 
             numbered ??= Numbered(frame, message);
             Send(port, numbered.Value, message.CrcExtra);
-            slot.CountSent();
+            channel.CountSent();
         }
     }
 
-    /// <returns>Whether it is mail of a type that has a route: that is no business of the autopilot's.</returns>
-    private bool IsMail(in LinkFrame frame)
+    /// <returns>Whether it is a vehicle message of a type that has a route, which does not concern the autopilot.</returns>
+    private bool TakeVehicleMessage(in LinkFrame frame)
     {
         MavlinkFrame mavlink = frame.Frame;
-        if (_mail.Length == 0 || mavlink.MessageId != Tunnel.MavlinkId)
+        if (_channels.Length == 0 || mavlink.MessageId != Tunnel.MavlinkId)
             return false;
         mavlink.TryDecode(out Tunnel tunnel);
-        foreach (VehicleMessageChannel slot in _mail)
+        foreach (VehicleMessageChannel channel in _channels)
         {
-            if (slot.PayloadType != (int)tunnel.PayloadType)
+            if (channel.PayloadType != (int)tunnel.PayloadType)
                 continue;
-            slot.Take(mavlink, tunnel, _ownAddress.Value.SystemId, frame.Time);
+            channel.Take(mavlink, tunnel, _ownAddress.Value.SystemId, frame.Time);
             return true;
         }
 

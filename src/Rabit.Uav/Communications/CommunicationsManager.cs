@@ -9,9 +9,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// The post office between aircraft and ground: it owns the links, hands frames that are for us to their local addressee, passes
-/// the others on unchanged by MAVLink's address rules, and sends what the other managers want sent. It reads addresses, never meaning.
-/// It tells ground and others where we are, and carries typed messages between vehicles.
+/// The post office between aircraft and ground: it owns the links, delivers frames that are for us to Autopilot Interface and to subscriptions,
+/// forwards the others unchanged by MAVLink's address rules, and sends the frames of the other managers. It reads addresses, never meaning.
+/// It reports our position to ground and others, and carries typed messages between vehicles.
 /// </summary>
 public sealed partial class CommunicationsManager : RabitManager
 {
@@ -50,7 +50,7 @@ public sealed partial class CommunicationsManager : RabitManager
         _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _position = new OwnPosition(_options.Links.Count > 0 ? _options.PositionRateHz : 0);
-        _mail = _options.VehicleMessageRoutes.Select(route => route.Open(this)).ToArray();
+        _channels = _options.VehicleMessageRoutes.Select(route => route.Open(this)).ToArray();
         _subscriptions = OpenSubscriptions();
         _droppedIn = new long[_options.Count];
         _signing = _options.Signing is { } signing ? MakeSigning(signing) : null;
@@ -80,7 +80,7 @@ public sealed partial class CommunicationsManager : RabitManager
             TakeFrames(port);
         SendOwnFrames();
         SendPosition();
-        SendMail();
+        SendVehicleMessages();
 
         if (Now >= _nextStatus)
             PostStatus();
@@ -136,7 +136,7 @@ public sealed partial class CommunicationsManager : RabitManager
             file,
             new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond)));
 
-        // What was recorded is never sent to anybody alive.
+        // What was recorded is never sent to a live link.
         _router.SetLink(number, MavlinkLinkRules.ReceiveOnly);
     }
 
@@ -150,7 +150,7 @@ public sealed partial class CommunicationsManager : RabitManager
                 return;
             if (!port.Reader.TryPop(out LinkFrame frame))
                 return;
-            port.Saw(frame);
+            port.CountReceived(frame);
             if (IsAccepted(port, frame.Frame))
                 Route(frame, port.IsRecorded);
         }
@@ -163,14 +163,14 @@ public sealed partial class CommunicationsManager : RabitManager
     {
         MavlinkFrame mavlink = frame.Frame;
 
-        // In a log our own part may come before the vehicle has told whose computer we are.
+        // In a log our own part may come before our system id is known from the vehicle.
         OwnAddress own = _ownAddress.Value;
         if (isRecorded && !own.IsKnown && mavlink.ComponentId == own.ComponentId)
             return;
 
         MavlinkRoute route = _router.Route(frame.Link, mavlink, frame.TargetSystemId, frame.TargetComponentId, frame.IsChecked);
 
-        // A log is no network: whoever an answer was for then, it is part of the flight that is replayed now.
+        // A log is no network: whatever its target was then, it is part of the flight that is replayed now.
         bool isReplayed = isRecorded && frame.IsChecked && route.Reason != MavlinkRouteReason.OurOwn;
         if (route.DeliverLocally || isReplayed)
             Deliver(frame, isReplayed || frame.IsFor(own.SystemId, own.ComponentId));
@@ -180,7 +180,7 @@ public sealed partial class CommunicationsManager : RabitManager
     // Autopilot Interface first: subscriptions never hold it up.
     private void Deliver(in LinkFrame frame, bool isForComputer)
     {
-        if (isForComputer && !IsMail(frame) && _autopilot.Push(frame) == PushResult.Rejected)
+        if (isForComputer && !TakeVehicleMessage(frame) && _autopilot.Push(frame) == PushResult.Rejected)
             _droppedIn[frame.Link]++;
         DeliverToSubscriptions(frame, isForComputer);
     }

@@ -42,7 +42,7 @@ public sealed class CommunicationsOptions
     /// <value>The default is none.</value>
     public IReadOnlyList<VehicleMessageRoute> VehicleMessageRoutes { get; set; } = Array.Empty<VehicleMessageRoute>();
 
-    /// <summary>How many bytes of mail one link carries per second, frames and all; what is above is dropped and counted.</summary>
+    /// <summary>How many bytes of vehicle messages one link carries per second, frames and all; what is above is dropped and counted.</summary>
     /// <value>The default is 1000: thirteen target reports; a radio with error correction carries 3600 (SiK at 57600 baud).</value>
     public int VehicleMessageBytesPerSecond { get; set; } = 1000;
 
@@ -70,7 +70,7 @@ public sealed class CommunicationsOptions
     {
         var faults = new List<string>();
         if (Links is null || RecordedFiles is null || VehicleMessageRoutes is null)
-            throw new ArgumentException("Communications: the lists of links, recorded files and mail routes may be empty, but not null.", parameter);
+            throw new ArgumentException("Communications: the lists of links, recorded files and vehicle message routes may be empty, but not null.", parameter);
         faults.AddRange(SubscriptionCheck.FindFaults(Dialect, Subscriptions));
         if (Count == 0)
             faults.Add("there is no link");

@@ -11,7 +11,7 @@ namespace Rabit.Uav.Communications;
 /// <param name="dialect">Names the messages.</param>
 internal sealed class FrameStatistics(MavlinkDialect dialect)
 {
-    // A hostile stream may make up as many sources and ids as it likes, ids that nobody knows most easily of all: those may not
+    // A hostile stream may make up as many sources and ids as it likes, unknown ids most easily of all: those may not
     // take the places of frames that were checked. What does not fit is counted together.
     private const int MaxUncheckedKinds = 1024;
     private const int MaxKinds = 8192;

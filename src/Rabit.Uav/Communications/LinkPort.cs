@@ -5,7 +5,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>One link as Communications sees it: what reads it, what writes it, what is counted, what is told of it.</summary>
+/// <summary>One link as Communications sees it: what reads it, what writes it, what is counted, what is reported of it.</summary>
 internal sealed class LinkPort(
     int number,
     string url,
@@ -17,7 +17,7 @@ internal sealed class LinkPort(
     Func<long> incompatibleFrames,
     MavlinkLinkTarget? target,
     RecordedFile? file,
-    TunnelRateLimiter mailBudget)
+    TunnelRateLimiter rateLimiter)
 {
     private long _framesOut;
     private long _rejectedOut;
@@ -34,11 +34,11 @@ internal sealed class LinkPort(
 
     public bool HasEnded => Reader.State is DeviceState.Ended or DeviceState.Faulted;
 
-    public void Saw(in LinkFrame frame) => _lastFrameTime = frame.Time;
+    public void CountReceived(in LinkFrame frame) => _lastFrameTime = frame.Time;
 
-    public void Judged(MavlinkSignatureResult verdict) => _signatures = _signatures.With(verdict);
+    public void CountSignature(MavlinkSignatureResult result) => _signatures = _signatures.With(result);
 
-    /// <summary>Says how many frames were rejected since they were last told of; again only when they have doubled, so that a flood fills no log.</summary>
+    /// <summary>Says how many frames were rejected since they were last reported; again only when they have doubled, so that a flood fills no log.</summary>
     public bool TakeNewRejections(out MavlinkSignatureCounters counts, out long rejected)
     {
         counts = _signatures;
@@ -53,14 +53,14 @@ internal sealed class LinkPort(
     {
         if (writer is null)
             return;
-        if (HasNobodyBehindIt(writer) || writer.Push(frame) == PushResult.Rejected)
+        if (IsUnconnected(writer) || writer.Push(frame) == PushResult.Rejected)
             _rejectedOut++;
         else
             _framesOut++;
     }
 
-    /// <summary>Whether the link may carry a frame of mail now; if so, it is taken from its budget.</summary>
-    public bool HasMailBudget(in MavlinkFrame frame, TimeSpan now) => mailBudget.TryTake(frame.WireLength, now);
+    /// <summary>Whether the rate limit lets the link carry a frame of a vehicle message now; if so, it is counted against it.</summary>
+    public bool TryTakeRate(in MavlinkFrame frame, TimeSpan now) => rateLimiter.TryTake(frame.WireLength, now);
 
     public void PostStatus(TimeSpan now, TimeSpan silentAfter, long droppedIn)
     {
@@ -99,7 +99,7 @@ internal sealed class LinkPort(
         return outgoing.Dropped + target!.Lost + (writer.State == DeviceState.Faulted ? outgoing.Resident : 0);
     }
 
-    private bool HasNobodyBehindIt(BlockingWriter<MavlinkFrame> writer)
+    private bool IsUnconnected(BlockingWriter<MavlinkFrame> writer)
         => Reader.State == DeviceState.Ended || writer.State is DeviceState.Faulted or DeviceState.Ended;
 
     private LinkState StateAt(TimeSpan now, TimeSpan silentAfter, Exception? fault)

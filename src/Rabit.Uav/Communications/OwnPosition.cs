@@ -4,7 +4,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>When our position is told to ground and others, and in what form. Time comes in, messages go out.</summary>
+/// <summary>When our position is sent to ground and others, and in what form. Time comes in, messages go out.</summary>
 internal sealed class OwnPosition(double hertz)
 {
     private static readonly TimeSpan FreshFor = TimeSpan.FromSeconds(3);
@@ -16,10 +16,10 @@ internal sealed class OwnPosition(double hertz)
     private readonly TimeSpan _period = hertz > 0 ? TimeSpan.FromSeconds(1 / hertz) : TimeSpan.MaxValue;
     private TimeSpan _due;
 
-    /// <summary>How often it is told; the longest time where it is not.</summary>
+    /// <summary>How often it is sent; the longest time where it is not.</summary>
     public TimeSpan Period => _period;
 
-    /// <summary>Says what to tell now, if anything: never a position that is old.</summary>
+    /// <summary>Gives what to send now, if anything: never a position that is old.</summary>
     public bool TryNext(in VehicleState vehicle, TimeSpan now, out GlobalPositionInt message)
     {
         message = default;

@@ -9,7 +9,7 @@ public static class SigningKeyFile
 {
     private const int HexLength = 2 * MavlinkSigningKey.Length;
 
-    // A key file is a line; whoever names a film by mistake shall not wait for it.
+    // A key file is a line; a film that is named by mistake is not read to its end.
     private const int MaxFileLength = 4096;
 
     /// <summary>Reads a key: 32 bytes, or a text that begins with its 64 hexadecimal digits, as <c>sha256sum</c> writes it.</summary>

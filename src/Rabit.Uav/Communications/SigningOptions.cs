@@ -6,6 +6,12 @@ using Rabit.Mavlink;
 namespace Rabit.Uav.Communications;
 
 /// <summary>Which links are signed, and how (MAVLink guide, "Message signing"; docs/concepts/signing.md). Read once, when the manager is made.</summary>
+/// <example>
+/// <code>
+/// using MavlinkSigningKey key = SigningKeyFile.Read("/var/lib/my-aircraft/key");
+/// options.Signing = new SigningOptions(key) { Links = [1], TimestampStore = new FileTimestampStore("/var/lib/my-aircraft/signing") };
+/// </code>
+/// </example>
 /// <param name="key">The secret, the same for all links; its owner disposes of it, after the run.</param>
 /// <exception cref="ArgumentNullException">No key: nothing is ever signed without one.</exception>
 public sealed class SigningOptions(MavlinkSigningKey key)

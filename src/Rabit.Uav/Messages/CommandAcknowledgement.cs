@@ -10,7 +10,7 @@ public sealed class CommandAcknowledgement
     /// <param name="time">When it came in, by the clock of the run.</param>
     /// <param name="command">The command.</param>
     /// <param name="result">The answer.</param>
-    /// <param name="targetSystem">Whom the answer is for; 0 for everybody.</param>
+    /// <param name="targetSystem">Whom the answer is for; 0 for all.</param>
     /// <param name="targetComponent">Whom the answer is for; 0 for every component.</param>
     public CommandAcknowledgement(TimeSpan time, MavCmd command, MavResult result, byte targetSystem, byte targetComponent)
     {
@@ -30,7 +30,7 @@ public sealed class CommandAcknowledgement
     /// <summary>The answer.</summary>
     public MavResult Result { get; }
 
-    /// <summary>Whom the answer is for; 0 for everybody.</summary>
+    /// <summary>Whom the answer is for; 0 for all.</summary>
     public byte TargetSystem { get; }
 
     /// <summary>Whom the answer is for; 0 for every component.</summary>

@@ -9,7 +9,7 @@ namespace Rabit.Uav.Messages;
 /// </summary>
 public struct PoseSample
 {
-    /// <summary>Which part it tells.</summary>
+    /// <summary>Which part it holds.</summary>
     public PoseSampleKind Kind { get; set; }
 
     /// <summary>When it was true, by the clock of the run: the autopilot's own time stamp, mapped to our clock.</summary>

@@ -1,6 +1,6 @@
 namespace Rabit.Uav.Messages;
 
-/// <summary>Which part of a pose a <see cref="PoseSample"/> tells.</summary>
+/// <summary>Which part of a pose a <see cref="PoseSample"/> holds.</summary>
 public enum PoseSampleKind
 {
     /// <summary>Position, height and velocity.</summary>

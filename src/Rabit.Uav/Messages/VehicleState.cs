@@ -43,7 +43,7 @@ public struct VehicleState
     /// <summary>The autopilot's own view of its state.</summary>
     public MavState SystemStatus { get; set; }
 
-    /// <summary>Whether it flies, as far as the autopilot tells.</summary>
+    /// <summary>Whether it flies, as far as the autopilot reports.</summary>
     public MavLandedState LandedState { get; set; }
 
     /// <summary>When position and velocity were true; null before the first.</summary>
@@ -79,7 +79,7 @@ public struct VehicleState
     /// <summary>What remains in the battery, 0 to 1; NaN where the autopilot does not know it.</summary>
     public double BatteryRemaining { get; set; }
 
-    /// <summary>When the receiver last told of its fix; null before the first.</summary>
+    /// <summary>When the receiver last reported its fix; null before the first.</summary>
     public TimeSpan? GpsTime { get; set; }
 
     /// <summary>How good the satellite fix is.</summary>
@@ -94,9 +94,9 @@ public struct VehicleState
     /// <summary>When <see cref="GpsUtcMicroseconds"/> was true; null before the first.</summary>
     public TimeSpan? UtcTime { get; set; }
 
-    /// <summary>When the autopilot last told its estimate of the wind; null where it never did.</summary>
+    /// <summary>When the autopilot last reported its estimate of the wind; null where it never did.</summary>
     public TimeSpan? WindTime { get; set; }
 
-    /// <summary>Speed of the wind over ground, metres per second, as the autopilot estimates it (ArduPilot); NaN where it tells none.</summary>
+    /// <summary>Speed of the wind over ground, metres per second, as the autopilot estimates it (ArduPilot); NaN where it reports none.</summary>
     public double WindMetresPerSecond { get; set; }
 }

@@ -25,17 +25,17 @@ internal sealed class ReportSink : RabitManager
 }
 
 /// <summary>Communications with mail, in virtual time.</summary>
-internal sealed class MailRig : IDisposable
+internal sealed class VehicleMessageRig : IDisposable
 {
     private readonly ReportSink _sink = new();
     private readonly QueueSender<Envelope<TargetReport>> _outgoing;
 
-    public MailRig(int links, bool knowsAddress = true)
+    public VehicleMessageRig(int links, bool knowsAddress = true)
     {
         QueueSender<Envelope<TargetReport>>? outgoing = null;
         Rig = new CommunicationsRig(
             links,
-            o => (o.VehicleMessageRoutes, o.PositionRateHz) = ([MailRig.Route()], 0),
+            o => (o.VehicleMessageRoutes, o.PositionRateHz) = ([VehicleMessageRig.Route()], 0),
             beforeStart: reactor =>
             {
                 reactor.Add(_sink);
@@ -77,7 +77,7 @@ internal sealed class TwoVehicles : IDisposable
         var pair = new MemoryLinkPair("air", 64 * 1024);
         for (int i = 0; i < 2; i++)
         {
-            _managers[i] = new CommunicationsManager(new CommunicationsOptions { Links = [i == 0 ? pair.A : pair.B], VehicleMessageRoutes = [MailRig.Route()] });
+            _managers[i] = new CommunicationsManager(new CommunicationsOptions { Links = [i == 0 ? pair.A : pair.B], VehicleMessageRoutes = [VehicleMessageRig.Route()] });
             _reactors[i] = new RabitReactor(new VirtualTime(i)) { _managers[i], _sinks[i], new FakeAutopilot(1024) };
             MessagePublisher<OwnAddress> address = _reactors[i].Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
             _reactors[i].Workspace.Publish<VehicleState>(MessageNames.VehicleState);

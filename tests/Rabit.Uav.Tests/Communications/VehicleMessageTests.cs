@@ -12,7 +12,7 @@ namespace Rabit.Uav.Tests.Communications;
 public sealed class VehicleMessageTests
 {
     [Fact]
-    public void Mail_TwoVehicles_FallsIntoTheQueueOverThere()
+    public void Message_TwoVehicles_FallsIntoTheQueueOverThere()
     {
         using var air = new TwoVehicles();
         air.Send(from: 0, Report(look: 7, index: 2));
@@ -27,7 +27,7 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Mail_ItsTime_TravelsAsAnAge()
+    public void Message_ItsTime_TravelsAsAnAge()
     {
         using var air = new TwoVehicles();
         air.Run(5);
@@ -38,7 +38,7 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Mail_SourceInTheContent_IsNotBelieved()
+    public void Message_SourceInTheContent_IsIgnored()
     {
         using var air = new TwoVehicles();
         TargetReport lie = Report(look: 1);
@@ -48,7 +48,7 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Mail_Addressed_GoesThereAloneAndToNobodyUnseen()
+    public void Message_Addressed_GoesThereAloneAndToNobodyUnseen()
     {
         using var air = new TwoVehicles();
         air.Send(from: 0, Report(look: 1), to: 2);   // not seen yet
@@ -62,9 +62,9 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Mail_ThatComesIn_IsForwardedToOtherLinksButNotBackAndNotToTheAutopilot()
+    public void Message_ThatComesIn_IsForwardedToOtherLinksButNotBackAndNotToTheAutopilot()
     {
-        using var rig = new MailRig(links: 3);
+        using var rig = new VehicleMessageRig(links: 3);
         byte[] letter = Letter(Report(look: 1), system: 5);
         rig.Rig.Send(0, letter);
         Assert.Equal(5, Assert.Single(rig.Reports).SourceSystemId);
@@ -75,18 +75,18 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Mail_OfTypesWithoutARoute_GoesTheWayOfAllFrames()
+    public void Message_OfTypesWithoutARoute_GoesTheWayOfAllFrames()
     {
-        using var rig = new MailRig(links: 1);
+        using var rig = new VehicleMessageRig(links: 1);
         rig.Rig.Send(0, Frames.Of(new Tunnel { PayloadType = (MavTunnelPayloadType)50_000, PayloadLength = 3 }, system: 5));
         Assert.Single(rig.Rig.Autopilot.Taken);
         Assert.Equal(0, rig.Counts.Malformed);
     }
 
     [Fact]
-    public void Mail_ForAnotherVehicle_IsNotOurs()
+    public void Message_ForAnotherVehicle_IsNotOurs()
     {
-        using var rig = new MailRig(links: 1);
+        using var rig = new VehicleMessageRig(links: 1);
         rig.Rig.Send(0, Letter(Report(look: 1), system: 5, target: 9));
         Assert.Empty(rig.Reports);
         rig.Rig.Send(0, Letter(Report(look: 1), system: 5, target: 1));
@@ -94,9 +94,9 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Mail_OfOurOwnSystem_IsAnEcho()
+    public void Message_OfOurOwnSystem_IsAnEcho()
     {
-        using var rig = new MailRig(links: 1);
+        using var rig = new VehicleMessageRig(links: 1);
         rig.Rig.Send(0, Letter(Report(look: 1), system: 1, component: 192));
         rig.Rig.Send(0, Letter(Report(look: 1), system: 1, component: 191));   // the router counts this one
         Assert.Empty(rig.Reports);
@@ -104,9 +104,9 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Mail_ThatComesTwice_CountsOnceWithinTheWindow()
+    public void Message_ThatComesTwice_CountsOnceWithinTheWindow()
     {
-        using var rig = new MailRig(links: 2);
+        using var rig = new VehicleMessageRig(links: 2);
         rig.Rig.Send(0, Letter(Report(look: 1, index: 0), system: 5), Letter(Report(look: 1, index: 1), system: 5));
         rig.Rig.Send(1, Letter(Report(look: 1, index: 0), system: 5), Letter(Report(look: 1, index: 0), system: 6));
         Assert.Equal((3, 1L), (rig.Reports.Count, rig.Counts.Duplicates));
@@ -116,7 +116,7 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Mail_MoreThanTheBudget_IsDroppedAndCounted()
+    public void Message_MoreThanTheRateLimit_IsDroppedAndCounted()
     {
         using var air = new TwoVehicles();
         for (int second = 0; second < 5; second++)
@@ -128,24 +128,24 @@ public sealed class VehicleMessageTests
 
         int frame = 12 + 5 + TargetReportCodec.Length;   // header, checksum, what TUNNEL says of its content
         Assert.InRange(air.Received(1).Count * frame, 4 * 1000, 6 * 1000);
-        Assert.Equal(250, air.Counts(0).Sent + air.Counts(0).OverBudget);
+        Assert.Equal(250, air.Counts(0).Sent + air.Counts(0).RateLimited);
         Assert.Equal(air.Counts(0).Sent, air.Received(1).Count);
         Assert.Equal(0, air.Lost(1));
     }
 
     [Fact]
-    public void Mail_AddressNotKnown_IsNotSent()
+    public void Message_AddressNotKnown_IsNotSent()
     {
-        using var rig = new MailRig(links: 1, knowsAddress: false);
+        using var rig = new VehicleMessageRig(links: 1, knowsAddress: false);
         rig.Send(Report(look: 1));
         Assert.Empty(rig.Rig.Received(0));
         Assert.Equal(1, rig.Counts.Unsendable);
     }
 
     [Fact]
-    public void Mail_Garbage_IsCountedAndNeverThrows()
+    public void Message_Garbage_IsCountedAndNeverThrows()
     {
-        using var rig = new MailRig(links: 1);
+        using var rig = new VehicleMessageRig(links: 1);
         var random = new Random(11);
         int sent = 0;
         for (int i = 0; i < 300; i++)

@@ -98,7 +98,7 @@ internal sealed class AuthorityMonitor(bool mayCommand)
         return true;
     }
 
-    /// <summary>The autopilot began anew: on the ground nothing is lost but what we asked for, in flight it is no longer our flight.</summary>
+    /// <summary>The autopilot has rebooted: on the ground nothing is lost but what we asked for, in flight it is no longer our flight.</summary>
     /// <returns>True where it takes the command away, now.</returns>
     public bool TakeReboot(bool inFlight, TimeSpan time)
     {

@@ -6,7 +6,7 @@ namespace Rabit.Uav.AutopilotInterface;
 /// <summary>Finds commands that no vehicle could carry out. They are refused before anything is sent.</summary>
 internal static class CommandCheck
 {
-    // More than these is a slip of the pen for what flies on batteries.
+    // More than these is a mistake for what flies on batteries.
     private const double HighestMetres = 5000;
     private const double MaxMetresPerSecond = 60;
 

@@ -10,7 +10,7 @@ internal readonly struct CommandContext(in VehicleState vehicle, TimeSpan now, d
 
     public VehicleState Vehicle { get; } = vehicle;
 
-    /// <summary>The speed that it was last told to go to a place with; NaN where something else came in between.</summary>
+    /// <summary>The speed of the last command to go to a place; NaN where something else came in between.</summary>
     public double LastSpeedMetresPerSecond { get; } = lastSpeedMetresPerSecond;
 
     /// <summary>Whether the position is known and not old.</summary>

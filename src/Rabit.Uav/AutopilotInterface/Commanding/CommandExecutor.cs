@@ -20,7 +20,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     public static readonly TimeSpan ReasonWait = TimeSpan.FromSeconds(0.3);
 
     // Modes, places and the like may be done twice, so that what fell silent is sent again. On the wire between autopilot and companion nothing is
-    // doubled, so that what was answered need not be waited for: a vehicle that is to hold is told at once.
+    // doubled, so that what was answered need not be waited for: a command to hold goes out at once.
     private static readonly MavlinkCommandOptions ExchangeOptions = new()
     {
         Rejections = 5,
@@ -148,7 +148,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         {
             _velocity.Stop();
             _owesHold = true;
-            Outbox.Notes.Enqueue("no velocity came for 1.5 s: the vehicle is told to hold");
+            Outbox.Notes.Enqueue("no velocity came for 1.5 s: the vehicle is commanded to hold");
         }
 
         if (_owesHold && _phase == ExecutorPhase.Idle)

@@ -17,6 +17,6 @@ internal struct CommandStep
     /// <summary>Whether a refusal means nothing once the vehicle has left the ground: it is the answer to a repetition.</summary>
     public bool IsDoneInTheAir { get; set; }
 
-    /// <summary>Whether it starts the stream of velocities, which nobody acknowledges.</summary>
+    /// <summary>Whether it starts the stream of velocities, which have no acknowledgement.</summary>
     public bool StartsVelocity { get; set; }
 }

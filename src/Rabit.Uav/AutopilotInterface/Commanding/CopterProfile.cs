@@ -9,7 +9,7 @@ namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>ArduPilot's Copter: targets in GUIDED, take-off height above home, a place by DO_REPOSITION.</summary>
 /// <remarks>
-/// A place goes out as DO_REPOSITION in a COMMAND_INT and not as SET_POSITION_TARGET_GLOBAL_INT: that one is acknowledged by nobody and silently
+/// A place goes out as DO_REPOSITION in a COMMAND_INT and not as SET_POSITION_TARGET_GLOBAL_INT: that one has no acknowledgement and is silently
 /// ignored outside GUIDED, so that "accepted" would be a guess. It never carries the flag that changes the mode: were the pilot to take
 /// over while it is on its way, it must be refused and not win. A position target stays in force until the next one, so that nothing is repeated.
 /// Speed and heading follow the place, since Copter starts with its own when it begins to fly to places; each has an acknowledgement of its own.

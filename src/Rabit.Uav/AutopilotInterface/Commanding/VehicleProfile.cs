@@ -7,7 +7,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
 
-/// <summary>What one make of autopilot wants to hear, and what it does by itself. Stateless.</summary>
+/// <summary>What commands one make of autopilot takes, and what it does by itself. Stateless.</summary>
 internal abstract class VehicleProfile
 {
     private protected const double DegreesPerRadian = 180 / Math.PI;
@@ -17,7 +17,7 @@ internal abstract class VehicleProfile
 
     private const double DegE7PerRadian = DegreesPerRadian * 1e7;
 
-    // What both makes brake with unless told otherwise: ArduCopter WPNAV_ACCEL 2.5 m/s2, PX4 MPC_ACC_HOR 3 m/s2; the weaker overshoots less.
+    // What both makes brake with by default: ArduCopter WPNAV_ACCEL 2.5 m/s2, PX4 MPC_ACC_HOR 3 m/s2; the weaker overshoots less.
     private const double BrakingMetresPerSecond2 = 2.5;
 
     /// <summary>The mode in which it takes targets from us.</summary>
@@ -55,7 +55,7 @@ internal abstract class VehicleProfile
     /// <summary>The number of a mode; null where it has none of that name.</summary>
     public abstract uint? ModeOf(MavType vehicle, string name);
 
-    /// <summary>The steps of a command whose figures are sound.</summary>
+    /// <summary>The steps of a command whose figures are valid.</summary>
     /// <param name="command">The command.</param>
     /// <param name="context">What is known of the vehicle.</param>
     /// <param name="steps">Where they are added.</param>

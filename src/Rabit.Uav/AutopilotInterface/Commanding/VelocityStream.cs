@@ -6,8 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Repeats the velocity that Mission Control wants, five times a second: ArduPilot forgets it after 3 s (GUID_TIMEOUT). Mission Control must
-/// repeat it too: if it does not for 1.5 s, nobody is at the stick. A state machine: time comes in, set-points go out.
+/// Repeats the velocity that Mission Control commands, five times a second: ArduPilot forgets it after 3 s (GUID_TIMEOUT). Mission Control must
+/// repeat it too: after 1.5 s without one the stream stops. A state machine: time comes in, set-points go out.
 /// </summary>
 internal sealed class VelocityStream
 {

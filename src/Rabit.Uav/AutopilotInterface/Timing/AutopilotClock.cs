@@ -27,7 +27,7 @@ internal sealed class AutopilotClock
     public ClockBasis BasisAt(TimeSpan now)
         => _timesync.IsKnown(now) ? ClockBasis.Timesync : _arrival.IsKnown ? ClockBasis.Arrival : ClockBasis.None;
 
-    /// <summary>The autopilot began anew: its clock is another one.</summary>
+    /// <summary>The autopilot has rebooted: its clock is another one.</summary>
     public void Restart(TimeSpan now)
     {
         _timesync.Clear();

@@ -18,9 +18,9 @@ internal sealed class SubscriptionPort(MavlinkSubscription subscription, QueueSe
 
     public MavlinkSubscriptionCounters Counters => new(Queue, Interlocked.Read(ref _delivered), Interlocked.Read(ref _dropped));
 
-    public bool Wants(int messageId) => _messageIds.Length == 0 || _messageIds.Contains(messageId);
+    public bool Includes(int messageId) => _messageIds.Length == 0 || _messageIds.Contains(messageId);
 
-    /// <param name="frame">A frame of a message that it wants.</param>
+    /// <param name="frame">A frame of a message that it includes.</param>
     /// <param name="systemId">Our own.</param>
     /// <param name="isForComputer">Whether the frame is for the component that this computer is.</param>
     public void Deliver(in LinkFrame frame, byte systemId, bool isForComputer)

@@ -22,9 +22,9 @@ public interface IVehicleMessageCodec<T>
     bool TryEncode(in T content, TimeSpan now, Span<byte> destination, out int length);
 
     /// <summary>Reads a message, strictly: anything that cannot be is refused as a whole.</summary>
-    /// <param name="payload">The bytes, from anybody.</param>
+    /// <param name="payload">The bytes, from any sender.</param>
     /// <param name="now">When they came in, by the clock of the run.</param>
-    /// <param name="sourceSystemId">The system that sent them; what the bytes say of their sender is not believed.</param>
+    /// <param name="sourceSystemId">The system that sent them; a sender in the bytes is ignored.</param>
     /// <param name="content">The message.</param>
     /// <returns>False where the bytes are no such message.</returns>
     bool TryDecode(ReadOnlySpan<byte> payload, TimeSpan now, byte sourceSystemId, out T content);

@@ -3,7 +3,7 @@ using System;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Knows mail again that came a moment ago, over another link or by a detour. Only for a while: a vehicle that starts anew may use its
+/// Recognises messages that came a moment ago, over another link or by a detour. Only for a while: a vehicle that was restarted may use its
 /// numbers again. Bounded; allocates nothing.
 /// </summary>
 internal sealed class RecentVehicleMessages

@@ -5,19 +5,19 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>One route of mail at work. Communications' thread uses it; any thread may ask for the counts.</summary>
+/// <summary>One route of vehicle messages at work. Communications' thread uses it; any thread may ask for the counts.</summary>
 internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
 {
     private long _sent;
     private long _delivered;
-    private long _overBudget;
+    private long _rateLimited;
     private long _unsendable;
     private long _echoes;
     private long _duplicates;
     private long _malformed;
     private long _noRoom;
 
-    private protected enum Fate
+    private protected enum DeliveryResult
     {
         Delivered,
         Echo,
@@ -31,7 +31,7 @@ internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
     public VehicleMessageCounters Counts => new(
         PayloadType,
         Interlocked.Read(ref _sent),
-        Interlocked.Read(ref _overBudget),
+        Interlocked.Read(ref _rateLimited),
         Interlocked.Read(ref _unsendable),
         Interlocked.Read(ref _delivered),
         Interlocked.Read(ref _echoes),
@@ -47,8 +47,8 @@ internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
     /// <summary>One copy went to a link.</summary>
     public void CountSent() => Interlocked.Increment(ref _sent);
 
-    /// <summary>One copy did not, since the link has carried enough mail for now.</summary>
-    public void CountOverBudget() => Interlocked.Increment(ref _overBudget);
+    /// <summary>One copy did not, since the link has reached its rate limit.</summary>
+    public void CountRateLimited() => Interlocked.Increment(ref _rateLimited);
 
     /// <summary>A message could not be sent at all.</summary>
     public void CountUnsendable() => Interlocked.Increment(ref _unsendable);
@@ -60,21 +60,21 @@ internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
     /// <param name="time">When it came in.</param>
     public void Take(in MavlinkFrame frame, Tunnel tunnel, byte ownSystemId, TimeSpan time)
     {
-        Fate fate = frame.SystemId == ownSystemId ? Fate.Echo
-            : tunnel.PayloadLength > VehicleMessageRoute.MaxLength ? Fate.Malformed
+        DeliveryResult result = frame.SystemId == ownSystemId ? DeliveryResult.Echo
+            : tunnel.PayloadLength > VehicleMessageRoute.MaxLength ? DeliveryResult.Malformed
             : Deliver(frame.SystemId, tunnel, time);
-        switch (fate)
+        switch (result)
         {
-            case Fate.Delivered:
+            case DeliveryResult.Delivered:
                 Interlocked.Increment(ref _delivered);
                 break;
-            case Fate.Echo:
+            case DeliveryResult.Echo:
                 Interlocked.Increment(ref _echoes);
                 break;
-            case Fate.Duplicate:
+            case DeliveryResult.Duplicate:
                 Interlocked.Increment(ref _duplicates);
                 break;
-            case Fate.Malformed:
+            case DeliveryResult.Malformed:
                 Interlocked.Increment(ref _malformed);
                 break;
             default:
@@ -83,5 +83,5 @@ internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
         }
     }
 
-    private protected abstract Fate Deliver(byte sourceSystemId, Tunnel tunnel, TimeSpan time);
+    private protected abstract DeliveryResult Deliver(byte sourceSystemId, Tunnel tunnel, TimeSpan time);
 }

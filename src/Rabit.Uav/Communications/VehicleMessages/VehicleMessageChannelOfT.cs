@@ -5,7 +5,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>One route of mail at work.</summary>
+/// <summary>One route of vehicle messages at work.</summary>
 internal sealed class VehicleMessageChannel<T>(VehicleMessageRoute route, IVehicleMessageCodec<T> codec, QueueReceiver<Envelope<T>> outgoing, QueueSender<T> incoming)
     : VehicleMessageChannel(route)
     where T : struct
@@ -34,14 +34,14 @@ internal sealed class VehicleMessageChannel<T>(VehicleMessageRoute route, IVehic
         return true;
     }
 
-    private protected override Fate Deliver(byte sourceSystemId, Tunnel tunnel, TimeSpan time)
+    private protected override DeliveryResult Deliver(byte sourceSystemId, Tunnel tunnel, TimeSpan time)
     {
         ByteArray128 payload = tunnel.Payload;
         payload.CopyTo(_buffer);
         if (!codec.TryDecode(new ReadOnlySpan<byte>(_buffer, 0, tunnel.PayloadLength), time, sourceSystemId, out T content))
-            return Fate.Malformed;
+            return DeliveryResult.Malformed;
         if (!_recent.IsNew(sourceSystemId, codec.IdentityOf(content), time))
-            return Fate.Duplicate;
-        return incoming.Push(content) == PushResult.Rejected ? Fate.NoRoom : Fate.Delivered;
+            return DeliveryResult.Duplicate;
+        return incoming.Push(content) == PushResult.Rejected ? DeliveryResult.NoRoom : DeliveryResult.Delivered;
     }
 }

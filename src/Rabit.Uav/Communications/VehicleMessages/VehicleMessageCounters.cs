@@ -1,14 +1,14 @@
 namespace Rabit.Uav.Communications;
 
-/// <summary>What became of the mail of one type, since the start. A plain value.</summary>
+/// <summary>What became of the vehicle messages of one type, since the start. A plain value.</summary>
 public readonly struct VehicleMessageCounters
 {
     internal VehicleMessageCounters(
-        int payloadType, long sent, long overBudget, long unsendable, long delivered, long echoes, long duplicates, long malformed, long noRoom)
+        int payloadType, long sent, long rateLimited, long unsendable, long delivered, long echoes, long duplicates, long malformed, long noRoom)
     {
         PayloadType = payloadType;
         Sent = sent;
-        OverBudget = overBudget;
+        RateLimited = rateLimited;
         Unsendable = unsendable;
         Delivered = delivered;
         Echoes = echoes;
@@ -23,10 +23,10 @@ public readonly struct VehicleMessageCounters
     /// <summary>Copies that went to a link.</summary>
     public long Sent { get; }
 
-    /// <summary>Copies that were dropped, since their link had carried enough mail for now.</summary>
-    public long OverBudget { get; }
+    /// <summary>Copies that were dropped, since their link had reached its rate limit.</summary>
+    public long RateLimited { get; }
 
-    /// <summary>Messages that were dropped: our address is not known yet, nobody is where they should go, or they do not fit into their form.</summary>
+    /// <summary>Messages that were dropped: our address is not known yet, their target was not seen on any link, or they do not fit into their form.</summary>
     public long Unsendable { get; }
 
     /// <summary>Messages that came in and were handed on.</summary>

@@ -18,14 +18,14 @@ public abstract class VehicleMessageRoute
         if (payloadType is < MinPayloadType or > MaxPayloadType)
         {
             throw new ArgumentException(
-                $"Payload type {payloadType} of mail is not one of {MinPayloadType} to {MaxPayloadType}, which are free for private use.",
+                $"Payload type {payloadType} of a vehicle message is not one of {MinPayloadType} to {MaxPayloadType}, which are free for private use.",
                 nameof(payloadType));
         }
 
         if (string.IsNullOrEmpty(outgoingQueue))
-            throw new ArgumentException("The queue of outgoing mail has no name.", nameof(outgoingQueue));
+            throw new ArgumentException("The queue of outgoing messages has no name.", nameof(outgoingQueue));
         if (string.IsNullOrEmpty(incomingQueue))
-            throw new ArgumentException("The queue of incoming mail has no name.", nameof(incomingQueue));
+            throw new ArgumentException("The queue of incoming messages has no name.", nameof(incomingQueue));
         PayloadType = payloadType;
         OutgoingQueue = outgoingQueue;
         IncomingQueue = incomingQueue;
