@@ -50,7 +50,6 @@ internal sealed class TestView
         CameraPitchRadians = CameraPitch,
         CameraYawRadians = CameraYaw,
         GroundAltitudeAmslMetres = GroundAltitude,
-        Colours = TargetColours.All,
     };
 
     public void SetAtRandom(Random random)

@@ -70,6 +70,30 @@ internal readonly struct GroundProjection
     public bool TryCovariances(double column, double row, out HorizontalCovariance random, out HorizontalCovariance systematic)
     {
         (random, systematic) = (default, default);
+        if (!TryComputeJacobian(column, row))
+            return false;
+        random = _projector.Jacobian.Covariance(_projector.RandomErrors(_geometry.Pose.ExtrapolatedSeconds));
+        systematic = _projector.Jacobian.Covariance(_projector.SystematicErrors());
+        return true;
+    }
+
+    /// <summary>The same for a place that a detector found, with its own statement of how uncertain that is.</summary>
+    public bool TryCovariances(
+        double column, double row, in PixelCovariance pixel, out HorizontalCovariance random, out HorizontalCovariance systematic)
+    {
+        (random, systematic) = (default, default);
+        if (!TryComputeJacobian(column, row))
+            return false;
+        GroundJacobian jacobian = _projector.Jacobian;
+        random = jacobian.Covariance(_projector.RandomErrors(_geometry.Pose.ExtrapolatedSeconds, pixel));
+        if (pixel.ColumnRow != 0)
+            random += jacobian.CovarianceOfPair(ViewingParameter.Column, ViewingParameter.Row, pixel.ColumnRow);
+        systematic = jacobian.Covariance(_projector.SystematicErrors());
+        return true;
+    }
+
+    private bool TryComputeJacobian(double column, double row)
+    {
         ViewingGeometry geometry = _geometry;
         if (_projector.Terrain is { } terrain)
         {
@@ -81,10 +105,6 @@ internal readonly struct GroundProjection
             (geometry.GroundDownByNorth, geometry.GroundDownByEast) = (downByNorth, downByEast);
         }
 
-        if (!_projector.Jacobian.TryCompute(geometry, column, row))
-            return false;
-        random = _projector.Jacobian.Covariance(_projector.RandomErrors(_geometry.Pose.ExtrapolatedSeconds));
-        systematic = _projector.Jacobian.Covariance(_projector.SystematicErrors());
-        return true;
+        return _projector.Jacobian.TryCompute(geometry, column, row);
     }
 }

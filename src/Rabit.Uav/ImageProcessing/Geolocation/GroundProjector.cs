@@ -16,6 +16,7 @@ internal sealed class GroundProjector
     private readonly double[] _random;
     private readonly double[] _systematic;
     private readonly double[] _extrapolated = new double[GroundJacobian.Inputs];
+    private readonly double[] _ofDetection = new double[GroundJacobian.Inputs];
 
     public GroundProjector(CameraModel camera, CameraMount mount, ErrorBudget budget, double minDepressionRadians, TerrainGrid? terrain = null)
     {
@@ -39,7 +40,7 @@ internal sealed class GroundProjector
     /// <summary>Null where the ground is flat.</summary>
     public TerrainGrid? Terrain { get; }
 
-    /// <summary>Scratch memory of <see cref="GroundProjection.TryCovariances"/>.</summary>
+    /// <summary>Scratch memory of the covariances of a <see cref="GroundProjection"/>.</summary>
     public GroundJacobian Jacobian { get; }
 
     /// <summary>The projection of a picture's pixels to the ground.</summary>
@@ -63,6 +64,17 @@ internal sealed class GroundProjector
         }
 
         return _extrapolated;
+    }
+
+    /// <summary>The same, with the errors of a pixel's place that its detector states; their covariance is not in it.</summary>
+    /// <param name="extrapolatedSeconds">How far the pose was extrapolated.</param>
+    /// <param name="pixel">Positive definite.</param>
+    public double[] RandomErrors(double extrapolatedSeconds, in PixelCovariance pixel)
+    {
+        Array.Copy(RandomErrors(extrapolatedSeconds), _ofDetection, _ofDetection.Length);
+        _ofDetection[(int)ViewingParameter.Column] = Math.Sqrt(pixel.ColumnColumn);
+        _ofDetection[(int)ViewingParameter.Row] = Math.Sqrt(pixel.RowRow);
+        return _ofDetection;
     }
 
     /// <summary>Standard deviations of the systematic errors, in the order of <see cref="ViewingParameter"/>.</summary>
