@@ -25,11 +25,10 @@ public sealed class ImageProcessingManager : RabitManager
     internal const string PoseGap = "the poses around the time of the picture are too far apart";
     internal const string NoRoom = "too many pictures wait for their poses";
 
-    // How often it looks for poses while a picture waits for one, and otherwise.
-    private static readonly TimeSpan WaitingCycle = TimeSpan.FromMilliseconds(20);
-    private static readonly TimeSpan IdleCycle = TimeSpan.FromMilliseconds(250);
+    // Between two units of work, where nothing wakes it: for the status.
+    private static readonly TimeSpan IdlePeriod = TimeSpan.FromMilliseconds(250);
 
-    // With the idle cycle at least once a second.
+    // With the idle period at least once a second.
     private static readonly TimeSpan StatusPeriod = TimeSpan.FromMilliseconds(750);
 
     // Pictures between two units of work; the newer ones are worth more.
@@ -69,7 +68,7 @@ public sealed class ImageProcessingManager : RabitManager
             _search = new PictureSearch(_options, _options.Camera!, _poses, () => Now);
         }
 
-        _poseQueue = Receive<PoseSample>(MessageNames.Poses, PosesQueued, QueueFullMode.DropOldest, wakeOnPush: false);
+        _poseQueue = Receive<PoseSample>(MessageNames.Poses, PosesQueued, QueueFullMode.DropOldest);
         _command = Subscribe<ImagingCommand>(MessageNames.ImagingCommand, wakeOnPost: true);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _observations = Send<CameraObservation>(MessageNames.CameraObservations);
@@ -77,7 +76,7 @@ public sealed class ImageProcessingManager : RabitManager
         _status = Publish<ImagingStatus>(MessageNames.Imaging);
         _waiting = new WaitingFrames(_options.FramesWaiting);
         _imageChips = new ImageChipBuffer(_options.MaxImageChips, _options.ImageChipSide);
-        WakeUpDelay = IdleCycle;
+        WakeUpDelay = IdlePeriod;
     }
 
     /// <summary>Parts of pictures around the newest reports, oldest first: a snapshot. Any thread, at any time.</summary>
@@ -97,7 +96,7 @@ public sealed class ImageProcessingManager : RabitManager
         else
             _waiting.Clear();
         PostStatus(now);
-        WakeUpDelay = _waiting.Count > 0 ? WaitingCycle : IdleCycle;
+        WakeUpDelay = NextWakeUp(now);
     }
 
     /// <inheritdoc/>
@@ -124,6 +123,19 @@ public sealed class ImageProcessingManager : RabitManager
                 frame.Pixels = frame.Pixels.HandTo(ManagerName);
             _waiting.Add(frame, now);
         }
+    }
+
+    // A waiting picture is searched when its pose arrives, which wakes this manager, or refused when it has waited long enough.
+    private TimeSpan NextWakeUp(TimeSpan now)
+    {
+        TimeSpan delay = IdlePeriod;
+        for (int i = 0; i < _waiting.Count; i++)
+        {
+            TimeSpan left = _waiting.Since(i) + _options.PoseTimeout - now;
+            delay = left < delay ? left : delay;
+        }
+
+        return delay;
     }
 
     private void SearchWaiting(TimeSpan now)
