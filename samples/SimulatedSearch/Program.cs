@@ -53,6 +53,6 @@ reactor.Stop();
 ReactorResult result = reactor.Finish();
 tracks.Fetch();
 foreach (TargetTrack track in tracks.Value.Tracks)
-    Console.WriteLine(FormattableString.Invariant($"track {track.Id}: {track.Colour}, {track.State}, {track.Reports} reports"));
+    Console.WriteLine(FormattableString.Invariant($"track {track.Id}: {track.Class}, {track.State}, {track.Reports} reports"));
 Console.WriteLine($"landed {(world.Truth.Landing is null ? "nowhere" : "at home")}, {(result.ExitCode == 0 ? "no faults" : result.ToString())}");
 return result.ExitCode;

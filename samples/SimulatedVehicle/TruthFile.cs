@@ -66,7 +66,7 @@ internal sealed class TruthFile : IDisposable
     {
         Dictionary<string, object> described = Place(place);
         described["name"] = target.Name;
-        described["color"] = target.Colour.ToString().ToLowerInvariant();
+        described["color"] = target.Class.ToString();
         return described;
     }
 

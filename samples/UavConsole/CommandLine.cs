@@ -49,7 +49,7 @@ internal static class CommandLine
 
     private static readonly Option<bool> Fly = new("--fly") { Description = "Commands the vehicle at the other end of --link: arms it and flies --mission." };
 
-    private static readonly Option<string> Camera = new("--camera") { Description = "A camera for --link: a folder of pictures with their times, also a growing one.", HelpName = "DIR" };
+    private static readonly Option<string> Camera = new("--camera") { Description = "A camera for --link: a folder of pictures with their times and camera.json (docs/camera-folder.md), also a growing one.", HelpName = "DIR" };
 
     private static readonly Option<string> TruthOption = new("--truth") { Description = "Where the targets really are, to score those found over --link.", HelpName = "FILE" };
 

@@ -130,11 +130,11 @@ internal sealed class Flight : IDisposable
         };
     }
 
-    // Panels of colours that the mission does not look for are no targets of it.
+    // Panels of classes that the mission does not look for are no targets of it.
     private static Truth TruthOf(SimulatedWorld world, SimulationOptions options, MissionPlan mission)
         => new(options.Home, [.. world.Targets
-            .Where(t => (t.Colour & mission.Targets) != 0)
-            .Select(t => new TruthTarget(t.Name, t.Colour, world.PositionOf(t.NorthMetres, t.EastMetres)))]);
+            .Where(t => mission.IsTarget(t.Class))
+            .Select(t => new TruthTarget(t.Name, t.Class, world.PositionOf(t.NorthMetres, t.EastMetres)))]);
 
     private static CameraFolder OpenCamera(string path)
     {

@@ -203,6 +203,13 @@ public sealed class UavOptions
         MissionPlan? mission = ManagerOptions.MissionOf(this);
         if (mission is not null && !MayCommand)
             yield return $"there is a mission, but {nameof(MayCommand)} is false";
+        if (mission is not null && Camera is not null && Has(UavManagers.ImageProcessing) && Imaging is { TargetClasses.IsDefault: false })
+        {
+            string declared = string.Join(", ", Imaging.TargetClasses.Select(c => c?.Name));
+            foreach (TargetClassName name in mission.Targets.Where(n => Imaging.TargetClasses.All(c => c?.Name != n)))
+                yield return $"target {name} of the mission is no target class; there are {declared}";
+        }
+
         if (MayCommand && IsReplay)
             yield return "nothing can be commanded in a replay";
         if (mission is not null && !Has(UavManagers.MissionControl))

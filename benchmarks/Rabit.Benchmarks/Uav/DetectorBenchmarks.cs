@@ -1,8 +1,8 @@
 using System;
 using BenchmarkDotNet.Attributes;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
-using Rabit.Uav.Messages;
 
 namespace Rabit.Benchmarks.Uav;
 
@@ -12,8 +12,9 @@ public class DetectorBenchmarks
     private const int Width = 640;
     private const int Height = 480;
 
-    private readonly Detector _detector = new(new ImageProcessingOptions());
-    private readonly GroundProjector _locator = NadirView.CreateLocator();
+    private readonly ColourTargetDetector _detector = new(TargetClass.Defaults);
+    private readonly TargetDetection[] _found = new TargetDetection[16];
+    private readonly NadirScale _scale = new();
     private readonly byte[] _grass = Paint(panels: 0, spots: 0);
     private readonly byte[] _panels = Paint(panels: 5, spots: 0);
     private readonly byte[] _meadow = Paint(panels: 5, spots: 3000);
@@ -62,7 +63,14 @@ public class DetectorBenchmarks
 
     private int Search(byte[] picture)
     {
-        _detector.TrySearch(picture, Width, Height, TargetColours.All, _locator);
-        return _detector.Found.Length;
+        var input = new DetectorInput(picture, Width, Height, TargetClass.Defaults, new PictureGroundScale(_scale));
+        return _detector.Detect(input, _found).Count;
+    }
+
+    private sealed class NadirScale : IGroundScaleSource
+    {
+        private readonly NadirScale _scale = new();
+
+        public bool TryScale(double column, double row, out GroundScale scale) => _projection.TryScale(column, row, out scale);
     }
 }

@@ -93,13 +93,13 @@ internal sealed class ReportMap(PageWriter page, ReportData data, MapFrame frame
             _ => "track tentative",
         };
         page.Open("g", "class", kind);
-        page.Element("title", $"track {Figures.Of(track.Id)}: {Colours.Name(track.Colour)}, {track.State.ToString().ToLowerInvariant()}, {Figures.Of(track.Reports)} reports");
+        page.Element("title", $"track {Figures.Of(track.Id)}: {Colours.Name(track.Class)}, {track.State.ToString().ToLowerInvariant()}, {Figures.Of(track.Reports)} reports");
         page.Empty(
             "ellipse", "class", "ellipse", "cx", "0", "cy", "0",
             "rx", N(track.Covariance.HalfMajorAxis95Metres * frame.UnitsPerMetre),
             "ry", N(track.Covariance.HalfMinorAxis95Metres * frame.UnitsPerMetre),
             "transform", $"translate({N(x)} {N(y)}) rotate({N((track.Covariance.MajorAxisRadians * DegreesPerRadian) - 90)})");
-        page.Empty("path", "class", "mark", "d", $"M{N(x)} {N(y - 7)}l7 7l-7 7l-7 -7z", "fill", Colours.Css(track.Colour));
+        page.Empty("path", "class", "mark", "d", $"M{N(x)} {N(y - 7)}l7 7l-7 7l-7 -7z", "fill", Colours.Css(track.Class));
         if (track.State != TrackState.Tentative)
             page.Element("text", $"{Figures.Of(track.Id)}", "x", N(x + 12), "y", N(y - 9), "class", "label");
         page.Close();
@@ -109,7 +109,7 @@ internal sealed class ReportMap(PageWriter page, ReportData data, MapFrame frame
     {
         (double x, double y) = frame.ToMap(target.Target.Position);
         page.Open("g", "class", target.IsFound ? "truth" : "truth missed");
-        page.Element("title", $"{target.Target.Name}: {Colours.Name(target.Target.Colour)}, {(target.IsFound ? "found" : "missed")}");
+        page.Element("title", $"{target.Target.Name}: {Colours.Name(target.Target.Class)}, {(target.IsFound ? "found" : "missed")}");
         if (!target.IsFound)
             page.Empty("circle", "cx", N(x), "cy", N(y), "r", "16");
         page.Empty("path", "d", $"M{N(x - 17)} {N(y)}h34m-17 -17v34");

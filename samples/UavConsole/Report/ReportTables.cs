@@ -114,7 +114,7 @@ internal sealed class ReportTables(PageWriter page, ReportData data)
         {
             Fact(
                 "camera",
-                $"{Figures.Of(imaging.Frames)} pictures, {Figures.Of(imaging.Looks)} searched, {Figures.Of(imaging.FramesRefused)} refused, "
+                $"{Figures.Of(imaging.Frames)} pictures, {Figures.Of(imaging.Observations)} searched, {Figures.Of(imaging.FramesRefused)} refused, "
                 + $"{Figures.Of(imaging.FramesDropped)} lost, {Figures.Of(imaging.Reports)} reports" + (imaging.Fault is { } fault ? $", {fault}" : string.Empty));
         }
 

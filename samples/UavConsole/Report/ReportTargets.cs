@@ -26,7 +26,7 @@ internal sealed class ReportTargets(PageWriter page, ReportData data)
 
     private void WriteTarget(TargetScore target)
     {
-        Begin(target.IsFound ? "found" : "missed", target.Target.Name, target.Target.Colour, target.IsFound ? "found" : "missed");
+        Begin(target.IsFound ? "found" : "missed", target.Target.Name, target.Target.Class, target.IsFound ? "found" : "missed");
         if (target.Track is not { } track)
         {
             page.Element("p", "No confirmed track of this colour stands within 10 m of it.", "class", "note");
@@ -47,7 +47,7 @@ internal sealed class ReportTargets(PageWriter page, ReportData data)
     private void WriteTrackAlone(TargetTrack track, bool isFalse)
     {
         string state = isFalse ? "false" : track.State.ToString().ToLowerInvariant();
-        Begin(isFalse ? "false" : "found", $"track {Figures.Of(track.Id)}", track.Colour, state);
+        Begin(isFalse ? "false" : "found", $"track {Figures.Of(track.Id)}", track.Class, state);
         WritePictures(track, null);
         page.Open("dl");
         Fact("95 % ellipse", $"{Ellipse(track)} m");
@@ -55,11 +55,11 @@ internal sealed class ReportTargets(PageWriter page, ReportData data)
         page.Close().Close();
     }
 
-    private void Begin(string kind, string name, TargetColours colour, string state)
+    private void Begin(string kind, string name, TargetClassName targetClass, string state)
     {
         page.Open("article", "class", "card target " + kind).Open("h3");
-        page.Element("i", string.Empty, "class", "swatch", "style", "background:" + Colours.Css(colour));
-        page.Text(name + " ").Element("small", Colours.Name(colour)).Element("b", state, "class", "state").Close();
+        page.Element("i", string.Empty, "class", "swatch", "style", "background:" + Colours.Css(targetClass));
+        page.Text(name + " ").Element("small", Colours.Name(targetClass)).Element("b", state, "class", "state").Close();
     }
 
     private void TrackFacts(TargetTrack track)
@@ -100,7 +100,7 @@ internal sealed class ReportTargets(PageWriter page, ReportData data)
             "ellipse", "class", "ellipse", "cx", "0", "cy", "0",
             "rx", N(track.Covariance.HalfMajorAxis95Metres * scale), "ry", N(track.Covariance.HalfMinorAxis95Metres * scale),
             "transform", $"rotate({N((track.Covariance.MajorAxisRadians * DegreesPerRadian) - 90)})");
-        page.Empty("path", "class", "mark", "d", "M0 -5l5 5l-5 5l-5 -5z", "fill", Colours.Css(track.Colour));
+        page.Empty("path", "class", "mark", "d", "M0 -5l5 5l-5 5l-5 -5z", "fill", Colours.Css(track.Class));
         if (target is not null)
         {
             (double x, double y) = (-target.ErrorEastMetres * scale, target.ErrorNorthMetres * scale);

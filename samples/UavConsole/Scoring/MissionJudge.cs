@@ -62,9 +62,9 @@ internal static class MissionJudge
     private static void JudgeTargets(MissionScore score, List<string> failures)
     {
         foreach (TargetScore missed in score.Targets.Where(t => !t.IsFound))
-            failures.Add($"target {missed.Target.Name} ({Colours.Name(missed.Target.Colour)}) was not found");
+            failures.Add($"target {missed.Target.Name} ({Colours.Name(missed.Target.Class)}) was not found");
         foreach (TargetTrack track in score.FalseTracks)
-            failures.Add($"track {track.Id.ToString(CultureInfo.InvariantCulture)} ({Colours.Name(track.Colour)}) was confirmed and is no target");
+            failures.Add($"track {track.Id.ToString(CultureInfo.InvariantCulture)} ({Colours.Name(track.Class)}) was confirmed and is no target");
     }
 
     private static double DistanceFromHome(FlightRecord record, SearchPlan? plan, GeodeticPosition? trueEnd)

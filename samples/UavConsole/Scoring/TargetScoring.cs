@@ -34,7 +34,7 @@ internal static class TargetScoring
     private static IEnumerable<(int Target, TargetTrack Track, double Metres)> Pairs(Truth truth, TargetTrack[] tracks)
         => Enumerable.Range(0, truth.Targets.Count)
             .SelectMany(target => tracks
-                .Where(t => t.Colour == truth.Targets[target].Colour)
+                .Where(t => t.Class == truth.Targets[target].Class)
                 .Select(t => (Target: target, Track: t, Metres: Of(truth.Targets[target], t).ErrorMetres)))
             .Where(p => p.Metres <= GateMetres)
             .OrderBy(p => p.Metres).ThenBy(p => p.Target).ThenBy(p => p.Track.Id);

@@ -63,7 +63,7 @@ internal static class TruthFile
         {
             json.WriteStartObject();
             json.WriteString("name", target.Name);
-            json.WriteString("color", Colours.Name(target.Colour));
+            json.WriteString("color", Colours.Name(target.Class));
             WritePosition(json, target.Position);
             json.WriteEndObject();
         }
@@ -103,14 +103,14 @@ internal static class TruthFile
             string where = $"targets[{targets.Count}]";
             if (element.ValueKind == JsonValueKind.Object && StringOf(element, "color") is { } text)
             {
-                if (!Colours.TryParse(text, out TargetColours colour))
-                    faults.Add($"{where}: '{text}' is no colour ({Colours.AllNames})");
-                targets.Add(new TruthTarget(StringOf(element, "name") ?? where, colour, PositionOf(element, where, faults)));
+                if (!TargetClassName.TryParse(text, out TargetClassName targetClass))
+                    faults.Add($"{where}: '{text}' is no name of a target class (1 to 16 ASCII characters)");
+                targets.Add(new TruthTarget(StringOf(element, "name") ?? where, targetClass, PositionOf(element, where, faults)));
             }
             else
             {
                 faults.Add($"{where} has no color");
-                targets.Add(new TruthTarget(where, TargetColours.None, default));
+                targets.Add(new TruthTarget(where, TargetClassName.None, default));
             }
         }
     }

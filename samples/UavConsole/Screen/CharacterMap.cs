@@ -143,10 +143,10 @@ internal sealed class CharacterMap
     {
         TrackState.Tentative => '?',
         TrackState.Lost => 'x',
-        _ => Colours.Letter(track.Colour),
+        _ => Colours.Letter(track.Class),
     };
 
-    private static MapInk InkOf(TargetTrack track) => track.State == TrackState.Tentative ? MapInk.Tentative : Colours.Ink(track.Colour);
+    private static MapInk InkOf(TargetTrack track) => track.State == TrackState.Tentative ? MapInk.Tentative : Colours.Ink(track.Class);
 
     private void Mark(NedVector at, char character, MapInk ink)
     {

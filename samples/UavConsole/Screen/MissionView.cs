@@ -90,11 +90,11 @@ internal sealed class MissionView(FlightMonitor monitor)
                 CultureInfo.InvariantCulture,
                 "{0,3} {1} ±{2:0.0} m, {3} reports{4}",
                 track.Id,
-                Colours.Name(track.Colour),
+                Colours.Name(track.Class),
                 track.Covariance.HalfMajorAxis95Metres,
                 track.Reports,
                 track.State == TrackState.Lost ? ", lost" : string.Empty);
-            yield return $"[{InkStyle(Colours.Ink(track.Colour))}]{Markup.Escape(Fit(text, PanelWidth))}[/]";
+            yield return $"[{InkStyle(Colours.Ink(track.Class))}]{Markup.Escape(Fit(text, PanelWidth))}[/]";
         }
     }
 

@@ -82,7 +82,7 @@ internal static class MissionJson
     {
         json.WriteStartObject();
         json.WriteString("name", target.Target.Name);
-        json.WriteString("color", Colours.Name(target.Target.Colour));
+        json.WriteString("class", Colours.Name(target.Target.Class));
         WritePosition(json, target.Target.Position);
         json.WriteBoolean("found", target.IsFound);
         if (target.Track is { } track)
@@ -106,7 +106,7 @@ internal static class MissionJson
             json.WriteStartObject();
             json.WriteNumber("id", track.Id);
             json.WriteString("state", track.State.ToString());
-            json.WriteString("color", Colours.Name(track.Colour));
+            json.WriteString("class", Colours.Name(track.Class));
             WritePosition(json, track.Position);
             WriteEllipse(json, track.Covariance);
             json.WriteNumber("reports", track.Reports);
@@ -155,10 +155,13 @@ internal static class MissionJson
     {
         json.WriteStartObject("imaging");
         json.WriteNumber("frames", imaging.Frames);
-        json.WriteNumber("looks", imaging.Looks);
+        json.WriteNumber("observations", imaging.Observations);
         json.WriteNumber("frames_dropped", imaging.FramesDropped);
         json.WriteNumber("frames_refused", imaging.FramesRefused);
         json.WriteNumber("reports", imaging.Reports);
+        json.WriteNumber("detector_failures", imaging.DetectorFailures);
+        json.WriteNumber("detections_refused", imaging.DetectionsRefused);
+        json.WriteNumber("detector_overruns", imaging.DetectorOverruns);
         json.WriteString("fault", imaging.Fault);
         json.WriteEndObject();
     }

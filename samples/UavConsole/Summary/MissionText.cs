@@ -46,7 +46,7 @@ internal sealed class MissionText(TextWriter output, RunSummary summary, Mission
             + $"error {Figures.Of(score.RmseMetres, "0.00")} m RMS; {Figures.Of(score.InEllipse)} in their 95 % ellipse");
         foreach (TargetScore target in score.Targets)
         {
-            string name = $"  {target.Target.Name,-8} {Colours.Name(target.Target.Colour),-8} ";
+            string name = $"  {target.Target.Name,-8} {Colours.Name(target.Target.Class),-8} ";
             Line(name + (target.Track is not { } track
                 ? "MISSED"
                 : $"found, error {Figures.Of(target.ErrorMetres, "0.00")} m, 95 % ellipse {Ellipse(track)} {(target.EllipseHoldsTruth ? "holds it" : "DOES NOT HOLD IT")}, track {Figures.Of(track.Id)}, {Figures.Of(track.Reports)} reports"));
@@ -99,7 +99,7 @@ internal sealed class MissionText(TextWriter output, RunSummary summary, Mission
     }
 
     private static string Describe(TargetTrack track)
-        => $"{Colours.Name(track.Colour),-8} track {Figures.Of(track.Id)} at {Figures.Degrees(track.Position.LatitudeRadians)} {Figures.Degrees(track.Position.LongitudeRadians)}, "
+        => $"{Colours.Name(track.Class),-8} track {Figures.Of(track.Id)} at {Figures.Degrees(track.Position.LatitudeRadians)} {Figures.Degrees(track.Position.LongitudeRadians)}, "
             + $"95 % ellipse {Ellipse(track)}, {Figures.Of(track.Reports)} reports";
 
     private static string Ellipse(TargetTrack track)

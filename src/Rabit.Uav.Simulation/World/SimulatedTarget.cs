@@ -14,8 +14,8 @@ public sealed class SimulatedTarget
     /// <summary>What it is, one line for a person: "red panel 1", "rusty sheet 7".</summary>
     public string Name { get; init; } = string.Empty;
 
-    /// <summary>Its colour, one; <see cref="TargetColours.None"/> for a distractor that has none of these colours, but a near one.</summary>
-    public TargetColours Colour { get; init; }
+    /// <summary>Its class; <see cref="TargetClassName.None"/> for a distractor that has the colour of no class, but a near one.</summary>
+    public TargetClassName Class { get; init; }
 
     /// <summary>Where its centre lies, metres north in the frame of the world.</summary>
     public double NorthMetres { get; init; }

@@ -60,7 +60,7 @@ public static class TargetField
         {
             Id = id,
             Name = kind.Name + " " + id.ToString(CultureInfo.InvariantCulture),
-            Colour = kind.Colour,
+            Class = kind.Class,
             NorthMetres = place.North,
             EastMetres = place.East,
             SideMetres = kind.SideMetres,

@@ -3,11 +3,11 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>A sort of thing on the ground.</summary>
-internal sealed class TargetKind(string name, TargetColours colour, SurfaceColour surface, double sideMetres, double widthMetres)
+internal sealed class TargetKind(string name, TargetClassName targetClass, SurfaceColour surface, double sideMetres, double widthMetres)
 {
     public string Name { get; } = name;
 
-    public TargetColours Colour { get; } = colour;
+    public TargetClassName Class { get; } = targetClass;
 
     public SurfaceColour Surface { get; } = surface;
 

@@ -8,6 +8,8 @@ namespace Rabit.Uav.HealthMonitoring;
 internal sealed class CameraWatch(MessageSubscriber<ImagingStatus> status)
 {
     private TimeSpan? _searchSince;
+    private TimeSpan? _detectorFaultTime;
+    private long _detectorFaults;
 
     public CameraFacts Update(TimeSpan now)
     {
@@ -17,6 +19,8 @@ internal sealed class CameraWatch(MessageSubscriber<ImagingStatus> status)
         TimeSpan since = _searchSince ?? now;
         if (value.LastFrameTime is { } last && last > since)
             since = last;
-        return new CameraFacts(value, now - since);
+        if (CameraFacts.DetectorFaultsOf(value) != _detectorFaults)
+            (_detectorFaults, _detectorFaultTime) = (CameraFacts.DetectorFaultsOf(value), now);
+        return new CameraFacts(value, now - since, now - _detectorFaultTime);
     }
 }

@@ -61,6 +61,9 @@ internal static class HealthRules
             static (in CameraFacts c, HealthOptions o) => c.Status.HasCamera && c.Status.Mode == ImagingMode.Search
                 && c.QuietFor > o.CameraSilentAfter,
             static (in CameraFacts c) => c.Status.LastFrameTime?.Ticks ?? -1),
+        new(HealthReasons.DetectorFault, HealthLevel.Warning, HealthAdvice.None,
+            static (in CameraFacts c, HealthOptions o) => c.DetectorFaultAge < o.RememberedFor,
+            static (in CameraFacts c) => c.DetectorFaults),
     ];
 
     private static readonly HealthRule<LinkFacts>[] OfLinks =

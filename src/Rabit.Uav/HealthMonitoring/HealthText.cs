@@ -35,6 +35,7 @@ internal static class HealthText
         HealthReasons.FramesDropped => Invariant($"link {finding.Subject} dropped frames ({finding.Figure} so far)"),
         HealthReasons.CameraSilent when finding.Figure < 0 => "the camera has delivered no picture yet",
         HealthReasons.CameraSilent => Invariant($"the camera delivers no pictures (last at {Seconds(finding.Figure)} s)"),
+        HealthReasons.DetectorFault => Invariant($"the target detector is at fault ({finding.Figure} times so far)"),
         HealthReasons.WindHigh => Invariant($"wind too strong ({finding.Figure} m/s)"),
         _ => finding.Reason.ToString(),
     };

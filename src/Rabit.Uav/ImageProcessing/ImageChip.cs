@@ -2,14 +2,14 @@ using System;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>The part of a picture around a target that was reported, for a person to look at. Immutable; any thread.</summary>
+/// <summary>The part of a picture around a reported target, for people. Immutable; any thread.</summary>
 public sealed class ImageChip
 {
     private readonly byte[] _pixels;
 
-    internal ImageChip(long lookNumber, int reportIndex, int width, int height, byte[] pixels)
+    internal ImageChip(long pictureNumber, int reportIndex, int width, int height, byte[] pixels)
     {
-        PictureNumber = lookNumber;
+        PictureNumber = pictureNumber;
         ReportIndex = reportIndex;
         Width = width;
         Height = height;

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// The newest cut-outs, so many and no more. Image Processing adds; anybody may look. It is no way from one manager to another: it is
-/// for whoever shows the flight to a person.
+/// The newest image chips, a bounded number. Image Processing adds; any thread reads. It is no channel between managers: it is for
+/// displays of the flight.
 /// </summary>
 internal sealed class ImageChipBuffer(int capacity, int side)
 {
@@ -22,7 +22,7 @@ internal sealed class ImageChipBuffer(int capacity, int side)
     }
 
     /// <summary>Cuts a square out around a place; less where the border is near.</summary>
-    public void Add(long lookNumber, int reportIndex, byte[] picture, int width, int height, double centreX, double centreY)
+    public void Add(long pictureNumber, int reportIndex, byte[] picture, int width, int height, double centreX, double centreY)
     {
         if (capacity == 0)
             return;
@@ -33,12 +33,12 @@ internal sealed class ImageChipBuffer(int capacity, int side)
         var pixels = new byte[columns * rows * 3];
         for (int row = 0; row < rows; row++)
             Buffer.BlockCopy(picture, (((top + row) * width) + left) * 3, pixels, row * columns * 3, columns * 3);
-        var cutOut = new ImageChip(lookNumber, reportIndex, columns, rows, pixels);
+        var chip = new ImageChip(pictureNumber, reportIndex, columns, rows, pixels);
         lock (_gate)
         {
             if (_kept.Count == capacity)
                 _kept.Dequeue();
-            _kept.Enqueue(cutOut);
+            _kept.Enqueue(chip);
         }
     }
 }

@@ -7,12 +7,13 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Takes the camera's pictures, finds targets in them by colour and form, and says where on the ground they stand, how uncertain that is,
-/// and which ground was seen. What it does, and where the camera looks, comes from Mission Control by message.
+/// Searches the camera's pictures for targets (<see cref="ITargetDetector"/>), and reports where on the ground they are, how uncertain
+/// that is, and which ground was seen. What to search for, and where the camera points, is a command of Mission Control.
 /// </summary>
 /// <remarks>
-/// A picture is located with the pose at the middle of its exposure, between the samples that the autopilot sent before and after; until
-/// those have come it waits; without them it is drawn on by a tenth of a second at most, with a larger covariance, or refused. It owns the buffers of the pictures it holds and gives all back.
+/// A picture is geolocated with the pose at the middle of its exposure, interpolated between the samples of the autopilot before and
+/// after; until those have arrived it waits. Without them the pose is extrapolated by a tenth of a second at most, with a larger
+/// covariance, or the picture is refused. The manager owns the buffers of the pictures it holds and gives all back.
 /// </remarks>
 public sealed class ImageProcessingManager : RabitManager
 {
@@ -20,36 +21,34 @@ public sealed class ImageProcessingManager : RabitManager
     public const string ManagerName = "image processing";
 
     internal const string NoPose = "no pose for the time of the picture";
-    internal const string PoseTooOld = "the picture is older than all poses that are known";
+    internal const string PoseTooOld = "the picture is older than all known poses";
     internal const string PoseGap = "the poses around the time of the picture are too far apart";
     internal const string NoRoom = "too many pictures wait for their poses";
 
-    // How often it looks for poses while a picture waits for one, and otherwise.
-    private static readonly TimeSpan WaitingCycle = TimeSpan.FromMilliseconds(20);
-    private static readonly TimeSpan IdleCycle = TimeSpan.FromMilliseconds(250);
+    // Between two units of work, where nothing wakes it: for the status.
+    private static readonly TimeSpan IdlePeriod = TimeSpan.FromMilliseconds(250);
 
-    // With the idle cycle at least once a second.
+    // With the idle period at least once a second.
     private static readonly TimeSpan StatusPeriod = TimeSpan.FromMilliseconds(750);
 
     // Pictures between two units of work; the newer ones are worth more.
     private const int FramesQueued = 2;
 
-    // Some seconds of poses at 60 a second: more than the longest unit of work of anybody.
+    // Some seconds of poses at 60 a second: more than the longest unit of work of any manager.
     private const int PosesQueued = 1000;
 
     private readonly ImageProcessingOptions _options;
     private readonly BlockingReader<CameraFrame>? _camera;
     private readonly PictureSearch? _search;
     private readonly QueueReceiver<PoseSample> _poseQueue;
-    private readonly MessageSubscriber<ImagingCommand> _order;
+    private readonly MessageSubscriber<ImagingCommand> _command;
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
-    private readonly QueueSender<TargetReport> _reports;
-    private readonly QueueSender<CameraObservation> _looks;
+    private readonly QueueSender<CameraObservation> _observations;
     private readonly QueueSender<CameraObservation> _searchedGround;
     private readonly MessagePublisher<ImagingStatus> _status;
     private readonly PoseHistory _poses;
     private readonly WaitingFrames _waiting;
-    private readonly ImageChipBuffer _album;
+    private readonly ImageChipBuffer _imageChips;
     private readonly FrameNumbers _numbers = new();
     private ImagingStatus _next;
     private TimeSpan? _lastPost;
@@ -66,39 +65,38 @@ public sealed class ImageProcessingManager : RabitManager
         if (camera is not null)
         {
             _camera = AttachReader("camera", camera, FramesQueued, QueueFullMode.DropOldest);
-            _search = new PictureSearch(_options, _options.Camera!, _poses);
+            _search = new PictureSearch(_options, _options.Camera!, _poses, () => Now);
         }
 
-        _poseQueue = Receive<PoseSample>(MessageNames.Poses, PosesQueued, QueueFullMode.DropOldest, wakeOnPush: false);
-        _order = Subscribe<ImagingCommand>(MessageNames.ImagingCommand, wakeOnPost: true);
+        _poseQueue = Receive<PoseSample>(MessageNames.Poses, PosesQueued, QueueFullMode.DropOldest);
+        _command = Subscribe<ImagingCommand>(MessageNames.ImagingCommand, wakeOnPost: true);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
-        _reports = Send<TargetReport>(MessageNames.TargetReports);
-        _looks = Send<CameraObservation>(MessageNames.Looks);
+        _observations = Send<CameraObservation>(MessageNames.CameraObservations);
         _searchedGround = Send<CameraObservation>(MessageNames.SearchedGround);
         _status = Publish<ImagingStatus>(MessageNames.Imaging);
         _waiting = new WaitingFrames(_options.FramesWaiting);
-        _album = new ImageChipBuffer(_options.MaxImageChips, _options.ImageChipSide);
-        WakeUpDelay = IdleCycle;
+        _imageChips = new ImageChipBuffer(_options.MaxImageChips, _options.ImageChipSide);
+        WakeUpDelay = IdlePeriod;
     }
 
     /// <summary>Parts of pictures around the newest reports, oldest first: a snapshot. Any thread, at any time.</summary>
-    public IReadOnlyList<ImageChip> ImageChips => _album.Kept;
+    public IReadOnlyList<ImageChip> ImageChips => _imageChips.Kept;
 
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
     {
         TimeSpan now = Now;
-        _order.Fetch();
+        _command.Fetch();
         _ownAddress.Fetch();
         while (_poseQueue.TryPop(out PoseSample sample))
             _poses.Add(sample);
         TakeFrames(now);
-        if (_order.Value.Mode == ImagingMode.Search)
+        if (_command.Value.Mode == ImagingMode.Search)
             SearchWaiting(now);
         else
             _waiting.Clear();
         PostStatus(now);
-        WakeUpDelay = _waiting.Count > 0 ? WaitingCycle : IdleCycle;
+        WakeUpDelay = NextWakeUp(now);
     }
 
     /// <inheritdoc/>
@@ -113,7 +111,7 @@ public sealed class ImageProcessingManager : RabitManager
             _next.Frames++;
             _next.LastFrameTime = now;
             _numbers.Take(frame.Number);
-            if (_order.Value.Mode != ImagingMode.Search)
+            if (_command.Value.Mode != ImagingMode.Search)
             {
                 frame.Dispose();
                 continue;
@@ -125,6 +123,19 @@ public sealed class ImageProcessingManager : RabitManager
                 frame.Pixels = frame.Pixels.HandTo(ManagerName);
             _waiting.Add(frame, now);
         }
+    }
+
+    // A waiting picture is searched when its pose arrives, which wakes this manager, or refused when it has waited long enough.
+    private TimeSpan NextWakeUp(TimeSpan now)
+    {
+        TimeSpan delay = IdlePeriod;
+        for (int i = 0; i < _waiting.Count; i++)
+        {
+            TimeSpan left = _waiting.Since(i) + _options.PoseTimeout - now;
+            delay = left < delay ? left : delay;
+        }
+
+        return delay;
     }
 
     private void SearchWaiting(TimeSpan now)
@@ -163,31 +174,28 @@ public sealed class ImageProcessingManager : RabitManager
 
     private void Search(int index, in Pose pose)
     {
-        // Given back whatever comes, also an exception.
+        // Given back in any case, also after an exception.
         using CameraFrame frame = _waiting.TakeOut(index);
-        string? refusal = _search!.Search(frame, pose, _order.Value, _ownAddress.Value.SystemId);
+        string? refusal = _search!.Search(frame, pose, _command.Value, _ownAddress.Value.SystemId);
         if (refusal is not null)
         {
             CountRefusal(refusal);
             return;
         }
 
-        _next.Looks++;
-        _next.ReportsDropped += _search.Cut;
-        foreach (ref readonly TargetReport report in _search.Reports)
-        {
-            if (_reports.Push(report) == PushResult.Rejected)
-                _next.ReportsDropped++;
-            else
-                _next.Reports++;
-            _album.Add(report.PictureNumber, report.Index, frame.Pixels.Array, frame.Width, frame.Height, report.CentreX, report.CentreY);
-        }
+        ref readonly CameraObservation observation = ref _search.Observation;
+        _next.Observations++;
+        _next.ReportsDropped += _search.Dropped;
+        foreach (TargetReport report in observation.Reports)
+            _imageChips.Add(report.PictureNumber, report.Index, frame.Pixels.Array, frame.Width, frame.Height, report.CentreX, report.CentreY);
+        _next.LastObservation = observation;
+        if (_observations.Push(observation) == PushResult.Rejected)
+            _next.ReportsDropped += observation.Reports.Length;
+        else
+            _next.Reports += observation.Reports.Length;
 
-        _next.LastObservation = _search.Look;
-
-        // What finds no room is in the books of the queue.
-        _looks.Push(_search.Look);
-        _searchedGround.Push(_search.Look);
+        // What finds no room is in the counters of the queue.
+        _searchedGround.Push(observation);
     }
 
     private void Refuse(int index, string why)
@@ -202,21 +210,32 @@ public sealed class ImageProcessingManager : RabitManager
         _next.LastRefusal = why;
     }
 
-    // At once when the order or the camera is another or a picture was searched, else so that it is told at least once a second.
+    // At once when the command or the camera changed or a picture was searched, else at least once a second.
     private void PostStatus(TimeSpan now)
     {
         _next.HasCamera = _camera is not null;
-        _next.Mode = _order.Value.Mode;
+        _next.Mode = _command.Value.Mode;
         _next.FramesDropped = _numbers.Lost;
         _next.HasEnded = _camera?.State is DeviceState.Ended or DeviceState.Faulted;
         if (_next.HasEnded && _next.Fault is null && _camera?.Fault is { } fault)
             _next.Fault = $"{fault.GetType().Name}: {fault.Message}";
         ref ImagingStatus posted = ref _status.Value;
-        bool isNews = _lastPost is null || posted.Mode != _next.Mode || posted.HasEnded != _next.HasEnded || posted.Looks != _next.Looks;
+        bool isNews = _lastPost is null || posted.Mode != _next.Mode || posted.HasEnded != _next.HasEnded || posted.Observations != _next.Observations;
+        if (_search is not null)
+            ReadDetector(_search);
         if (!isNews && now - _lastPost < StatusPeriod)
             return;
         posted = _next;
         _status.Post();
         _lastPost = now;
+    }
+
+    private void ReadDetector(PictureSearch search)
+    {
+        _next.DetectorFailures = search.Detector.Failures;
+        _next.DetectionsRefused = search.Detector.Refused;
+        _next.DetectorOverruns = search.Detector.Overruns;
+        _next.LastDetectorFault = search.Detector.LastFault;
+        _next.UnknownClasses = search.UnknownClasses;
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
@@ -7,38 +8,40 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>What Image Processing knows of its camera, and what it takes for a target. Read once, when the manager is made.</summary>
+/// <summary>The camera of Image Processing, the classes of targets, and the detector. Read once, when the manager is made.</summary>
 public sealed class ImageProcessingOptions
 {
     private const double Degree = Math.PI / 180;
+
+    // A report's index is a byte between vehicles.
+    private const int ReportsLimit = 200;
 
     /// <summary>The camera's pinhole and lens. Needed where there is a camera.</summary>
     public CameraModel? Camera { get; set; }
 
     /// <summary>How the camera sits on the vehicle.</summary>
-    /// <value>The default is no misalignment and no distance from the point whose position the autopilot tells.</value>
+    /// <value>The default is no misalignment and no distance from the point whose position the autopilot reports.</value>
     public CameraMount Mount { get; set; } = new();
 
-    /// <summary>How wrong the things are from which positions are reckoned.</summary>
+    /// <summary>The errors of what positions on the ground are computed from.</summary>
     public ErrorBudget Errors { get; set; } = new();
 
-    /// <summary>Side of the smallest target, metres; a target is a square.</summary>
-    /// <value>The default is 0.6 m, for panels of 1 m.</value>
-    public double MinSideMetres { get; set; } = 0.6;
+    /// <summary>The classes of targets that there are; a mission names those it is interested in.</summary>
+    /// <value>The default is <see cref="TargetClass.Defaults"/>: square panels of five colours.</value>
+    public ImmutableArray<TargetClass> TargetClasses { get; set; } = TargetClass.Defaults;
 
-    /// <summary>Side of the largest target, metres.</summary>
-    /// <value>The default is 1.5 m, for panels of 1 m.</value>
-    public double MaxSideMetres { get; set; } = 1.5;
+    /// <summary>What finds targets in pictures. It belongs to one manager; its thread is that of the manager.</summary>
+    /// <value>The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>.</value>
+    public ITargetDetector? Detector { get; set; }
 
-    /// <summary>How much longer than wide a target may be.</summary>
-    /// <value>The default is 1.7: a square that is seen aslant or small.</value>
-    public double MaxAspect { get; set; } = 1.7;
+    /// <summary>How long the detector may take for a picture, by the manager's clock; longer ones are counted and reported by Health.</summary>
+    /// <value>The default is 200 ms: four pictures a second leave 250 ms for each.</value>
+    public TimeSpan DetectorTimeBudget { get; set; } = TimeSpan.FromMilliseconds(200);
 
-    /// <summary>Side of the smallest target in the picture, pixels: fewer tell nothing of its form.</summary>
-    /// <value>The default is 4.</value>
-    public double MinSidePixels { get; set; } = 4;
+    /// <summary>What the default detector takes for a target; of no effect with another <see cref="Detector"/>.</summary>
+    public ColourDetectorOptions ColourDetector { get; set; } = new();
 
-    /// <summary>How many targets of one picture are reported, the surest first; the others are counted.</summary>
+    /// <summary>How many targets of one picture are reported, the most confident first; the others are counted. 1 to 200.</summary>
     /// <value>The default is 16.</value>
     public int MaxReportsPerPicture { get; set; } = 16;
 
@@ -50,19 +53,19 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 300 ms.</value>
     public TimeSpan PoseTimeout { get; set; } = TimeSpan.FromMilliseconds(300);
 
-    /// <summary>How far beyond the newest samples a pose is drawn on, once a picture has waited long enough; its covariance grows with that.</summary>
+    /// <summary>How far beyond the newest samples a pose is extrapolated, once a picture has waited long enough; its covariance grows with that.</summary>
     /// <value>The default is 100 ms; zero refuses such pictures.</value>
     public TimeSpan MaxExtrapolation { get; set; } = TimeSpan.FromMilliseconds(100);
 
     /// <summary>Heights of the ground, above mean sea level.</summary>
-    /// <value>Null, the default, for ground that is flat and level at the height that the order tells.</value>
+    /// <value>Null, the default, for ground that is flat and level at the height of the command.</value>
     public TerrainGrid? Terrain { get; set; }
 
     /// <summary>How far apart two positions, or two attitudes, may be for a pose between them.</summary>
     /// <value>The default is 1 s: at 5 Hz four may be lost on the way.</value>
     public TimeSpan MaxPoseGap { get; set; } = TimeSpan.FromSeconds(1);
 
-    /// <summary>How many pictures may wait for a pose; a further one makes the oldest leave. Each of them keeps a buffer of the camera's pool.</summary>
+    /// <summary>How many pictures may wait for a pose; a further one drops the oldest. Each of them keeps a buffer of the camera's pool.</summary>
     /// <value>The default is 2.</value>
     public int FramesWaiting { get; set; } = 2;
 
@@ -77,28 +80,27 @@ public sealed class ImageProcessingOptions
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal ImageProcessingOptions ValidatedCopy(bool hasCamera, string parameter)
     {
-        if (Mount is null || Errors is null)
-            throw new ArgumentException("Image Processing: the mount and the errors may be left as they are, but not null.", parameter);
+        if (Mount is null || Errors is null || ColourDetector is null)
+            throw new ArgumentException("Image Processing: the mount, the errors and the colour detector's options may not be null.", parameter);
         List<string> faults = FindFaults(hasCamera).Concat(FindFaultsInParts()).ToList();
         if (faults.Count > 0)
             throw new ArgumentException("Image Processing: " + string.Join("; ", faults) + ".", parameter);
         var copy = (ImageProcessingOptions)MemberwiseClone();
         copy.Errors = Errors.Copy();
+        copy.ColourDetector = ColourDetector.Copy();
         return copy;
     }
+
+    internal ColourTargetDetector CreateColourDetector() => new(TargetClasses, ColourDetector, Errors.PixelNoise);
 
     private IEnumerable<string> FindFaults(bool hasCamera)
     {
         if (hasCamera && Camera is null)
             yield return $"there is a camera, but {nameof(Camera)} does not say what it is like";
-        if (!(MinSideMetres > 0 && MinSideMetres < MaxSideMetres && !double.IsInfinity(MaxSideMetres)))
-            yield return FormattableString.Invariant($"{nameof(MinSideMetres)} is {MinSideMetres} and {nameof(MaxSideMetres)} {MaxSideMetres}; they must be above 0 and in this order");
-        if (!(MaxAspect > 1))
-            yield return FormattableString.Invariant($"{nameof(MaxAspect)} is {MaxAspect}; it must be above 1");
-        if (!(MinSidePixels >= 4))
-            yield return FormattableString.Invariant($"{nameof(MinSidePixels)} is {MinSidePixels}; it must be at least 4");
-        if (MaxReportsPerPicture < 1)
-            yield return $"{nameof(MaxReportsPerPicture)} is {MaxReportsPerPicture}; it must be at least 1";
+        if (DetectorTimeBudget <= TimeSpan.Zero)
+            yield return $"{nameof(DetectorTimeBudget)} is {DetectorTimeBudget}; it must be above zero";
+        if (MaxReportsPerPicture is < 1 or > ReportsLimit)
+            yield return $"{nameof(MaxReportsPerPicture)} is {MaxReportsPerPicture}; it must be 1 to {ReportsLimit}";
         if (!(MinDepressionRadians > 0 && MinDepressionRadians < Math.PI / 2))
             yield return FormattableString.Invariant($"{nameof(MinDepressionRadians)} is {MinDepressionRadians}; it must be between 0 and pi/2");
         if (PoseTimeout < TimeSpan.Zero)
@@ -114,5 +116,10 @@ public sealed class ImageProcessingOptions
     }
 
     private IEnumerable<string> FindFaultsInParts()
-        => (Camera?.FindFaults() ?? []).Concat(Mount.FindFaults()).Concat(Errors.FindFaults());
+        => (Camera?.FindFaults() ?? [])
+            .Concat(Mount.FindFaults())
+            .Concat(Errors.FindFaults())
+            .Concat(TargetClass.FindFaults(TargetClasses))
+            .Concat(ColourDetector.FindFaults())
+            .Concat(Detector is null ? ColourTargetDetector.FindColourFaults(TargetClasses) : []);
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Immutable;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
@@ -7,125 +8,173 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Searches one picture whose pose is known: which ground it shows, what looks like a target in it, where that stands. The results stay
-/// until the next picture. Fixed memory; for one thread.
+/// Searches one picture whose pose is known: which ground it shows, what the detector finds in it, where that is. The result stays
+/// until the next picture. Allocates nothing for a picture without targets; for one thread.
 /// </summary>
-internal sealed class PictureSearch
+internal sealed class PictureSearch : IGroundScaleSource
 {
     public const string WrongSize = "the picture is not of the size that the camera is to have";
     public const string NoBuffer = "the picture has no buffer, or one that is too small";
     public const string NotGround = "a corner of the picture does not show the ground";
-    public const string TooManySpots = "the picture shows too many coloured spots to be searched";
+    public const string NoClasses = "none of the target classes to search for is declared";
 
     private readonly CameraModel _camera;
-    private readonly Detector _detector;
-    private readonly GroundProjector _locator;
+    private readonly DetectorRunner _detector;
+    private readonly WantedClasses _wanted;
+    private readonly GroundProjector _projector;
     private readonly PoseHistory _poses;
-    private readonly TimeSpan _longestExtrapolation;
+    private readonly TimeSpan _maxExtrapolation;
     private readonly TargetReport[] _reports;
+    private GroundProjection _projection;   // of the middle row, while the detector runs
     private int _reportCount;
-    private CameraObservation _look;
+    private CameraObservation _observation;
 
     /// <param name="options">Checked.</param>
     /// <param name="camera">Of the options.</param>
     /// <param name="poses">Where the poses of single rows come from, with a rolling shutter.</param>
-    public PictureSearch(ImageProcessingOptions options, CameraModel camera, PoseHistory poses)
+    /// <param name="clock">The manager's, for the time that the detector takes.</param>
+    public PictureSearch(ImageProcessingOptions options, CameraModel camera, PoseHistory poses, Func<TimeSpan> clock)
     {
         _camera = camera;
         _poses = poses;
-        _longestExtrapolation = options.MaxExtrapolation;
-        _detector = new Detector(options);
-        _locator = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepressionRadians, options.Terrain);
+        _maxExtrapolation = options.MaxExtrapolation;
+        _detector = new DetectorRunner(
+            options.Detector ?? options.CreateColourDetector(), options.DetectorTimeBudget, options.MaxReportsPerPicture, clock);
+        _wanted = new WantedClasses(options.TargetClasses);
+        _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepressionRadians, options.Terrain);
         _reports = new TargetReport[options.MaxReportsPerPicture];
     }
 
-    /// <summary>The reports of the last picture, the surest first.</summary>
-    public ReadOnlySpan<TargetReport> Reports => new(_reports, 0, _reportCount);
+    /// <summary>The last picture that was searched: which ground it shows, and the reports.</summary>
+    public ref readonly CameraObservation Observation => ref _observation;
 
-    /// <summary>Which ground the last picture showed.</summary>
-    public ref readonly CameraObservation Look => ref _look;
+    /// <summary>Targets of the last picture that were not reported: too many, or not on the ground.</summary>
+    public int Dropped => _detector.Dropped + _detector.Found.Length - _reportCount;
 
-    /// <summary>Targets of the last picture beyond the most that are reported.</summary>
-    public int Cut => _detector.Cut;
+    /// <summary>What the detector did so far.</summary>
+    public DetectorRunner Detector => _detector;
+
+    /// <summary>Classes of the last command that are not declared; null if there are none.</summary>
+    public string? UnknownClasses => _wanted.Unknown;
 
     /// <summary>Searches a picture.</summary>
     /// <param name="frame">The picture.</param>
     /// <param name="pose">At the middle of the exposure of the middle row.</param>
-    /// <param name="order">What to look for, and where the camera points.</param>
-    /// <param name="systemId">Who looks.</param>
+    /// <param name="command">What to search for, and where the camera points.</param>
+    /// <param name="systemId">Whose camera it is.</param>
     /// <returns>Why it could not be searched; null if it was.</returns>
-    public string? Search(in CameraFrame frame, in Pose pose, in ImagingCommand order, byte systemId)
+    public string? Search(in CameraFrame frame, in Pose pose, in ImagingCommand command, byte systemId)
     {
         _reportCount = 0;
         if (frame.Width != _camera.Width || frame.Height != _camera.Height)
             return WrongSize;
         if (frame.Pixels.IsEmpty || frame.Pixels.Array.Length < frame.Width * frame.Height * 3)
             return NoBuffer;
-        if (!TryFindCorners(frame, pose, order))
+        ImmutableArray<TargetClass> classes = _wanted.Select(command.Classes);
+        if (classes.IsEmpty)
+            return NoClasses;
+        if (!TryFindCorners(frame, pose, command))
             return NotGround;
-        _locator.Aim(pose, order);
-        if (!_detector.TrySearch(frame.Pixels.Array, frame.Width, frame.Height, order.Colours, _locator))
-            return TooManySpots;
-        foreach (ref readonly Detection found in _detector.Found)
-            Report(found, frame, pose, order, systemId);
-        _look.SourceSystemId = systemId;
-        _look.Number = frame.Number;
-        _look.Time = pose.Time;
-        _look.Reports = _reportCount;
+        if (Detect(frame, pose, command, classes) is { } refusal)
+            return refusal;
+        foreach (ref readonly TargetDetection detection in _detector.Found)
+            Report(detection, frame, pose, command, systemId);
+        _observation.SourceSystemId = systemId;
+        _observation.Number = frame.Number;
+        _observation.Time = pose.Time;
+        _observation.Reports = _reportCount == 0 ? [] : ImmutableArray.Create(_reports, 0, _reportCount);
         return null;
     }
 
-    private bool TryFindCorners(in CameraFrame frame, in Pose pose, in ImagingCommand order)
+    /// <inheritdoc/>
+    public bool TryScale(double column, double row, out GroundScale scale) => _projection.TryScale(column, row, out scale);
+
+    private string? Detect(in CameraFrame frame, in Pose pose, in ImagingCommand command, ImmutableArray<TargetClass> classes)
+    {
+        _projection = _projector.At(pose, command);
+        var input = new DetectorInput(
+            new ReadOnlyMemory<byte>(frame.Pixels.Array, 0, frame.Width * frame.Height * 3),
+            frame.Width,
+            frame.Height,
+            classes,
+            new PictureGroundScale(this))
+        {
+            PictureNumber = frame.Number,
+            Time = frame.MidExposure,
+        };
+        return _detector.Run(input);
+    }
+
+    private bool TryFindCorners(in CameraFrame frame, in Pose pose, in ImagingCommand command)
     {
         double right = _camera.Width - 1;
         double bottom = _camera.Height - 1;
-        Aim(frame, 0, pose, order);
-        if (!_locator.TryProjectToGround(0, 0, out GeodeticPosition topLeft) || !_locator.TryProjectToGround(right, 0, out GeodeticPosition topRight))
+        GroundProjection top = _projector.At(PoseOfRow(frame, 0, pose), command);
+        if (!top.TryProjectToGround(0, 0, out GeodeticPosition topLeft)
+            || !top.TryProjectToGround(right, 0, out GeodeticPosition topRight))
             return false;
-        Aim(frame, bottom, pose, order);
-        if (!_locator.TryProjectToGround(right, bottom, out GeodeticPosition bottomRight) || !_locator.TryProjectToGround(0, bottom, out GeodeticPosition bottomLeft))
+        GroundProjection last = _projector.At(PoseOfRow(frame, bottom, pose), command);
+        if (!last.TryProjectToGround(right, bottom, out GeodeticPosition bottomRight)
+            || !last.TryProjectToGround(0, bottom, out GeodeticPosition bottomLeft))
             return false;
-        (_look.TopLeft, _look.TopRight, _look.BottomRight, _look.BottomLeft) = (topLeft, topRight, bottomRight, bottomLeft);
+        (_observation.TopLeft, _observation.TopRight) = (topLeft, topRight);
+        (_observation.BottomRight, _observation.BottomLeft) = (bottomRight, bottomLeft);
         return true;
     }
 
-    // At the pose of a row. The caller made sure that there are poses around all rows; where they are drawn on, the last rows may lie
-    // a little beyond, and go on from the middle one.
-    private TimeSpan Aim(in CameraFrame frame, double row, in Pose middle, in ImagingCommand order)
+    private TimeSpan TimeOfRow(in CameraFrame frame, double row) => frame.MidExposure + _camera.ReadoutOf(row);
+
+    // The caller made sure that there are poses around all rows; where they are extrapolated, the last rows may lie a little beyond,
+    // and go on from the middle one.
+    private Pose PoseOfRow(in CameraFrame frame, double row, in Pose middle)
     {
         Pose pose = middle;
-        TimeSpan time = frame.MidExposure + _camera.ReadoutOf(row);
-        if (_camera.RowReadout > TimeSpan.Zero && _poses.Extrapolate(time, _longestExtrapolation, out pose) is not (PoseLookup.Known or PoseLookup.Extrapolated))
+        TimeSpan time = TimeOfRow(frame, row);
+        if (_camera.RowReadout > TimeSpan.Zero
+            && _poses.Extrapolate(time, _maxExtrapolation, out pose) is not (PoseLookup.Known or PoseLookup.Extrapolated))
         {
             pose = middle.After((time - middle.Time).TotalSeconds);
             pose.ExtrapolatedSeconds = Math.Max(0, middle.ExtrapolatedSeconds + (time - middle.Time).TotalSeconds);
         }
 
-        _locator.Aim(pose, order);
-        return time;
+        return pose;
     }
 
-    private void Report(in Detection found, in CameraFrame frame, in Pose middle, in ImagingCommand order, byte systemId)
+    private void Report(in TargetDetection detection, in CameraFrame frame, in Pose middle, in ImagingCommand command, byte systemId)
     {
-        TimeSpan time = Aim(frame, found.CentreY, middle, order);
-        if (!_locator.TryProjectToGround(found.CentreX, found.CentreY, out GeodeticPosition place)
-            || !_locator.TryCovariances(found.CentreX, found.CentreY, out HorizontalCovariance perLook, out HorizontalCovariance common))
+        (double column, double row) = (detection.CentreX, detection.CentreY);
+        GroundProjection projection = _projector.At(PoseOfRow(frame, row, middle), command);
+        if (!projection.TryProjectToGround(column, row, out GeodeticPosition place)
+            || !projection.TryCovariances(
+                column, row, detection.Covariance, out HorizontalCovariance random, out HorizontalCovariance systematic)
+            || !TrySide(detection, projection, out double side))
             return;
         _reports[_reportCount] = new TargetReport
         {
             SourceSystemId = systemId,
             PictureNumber = frame.Number,
             Index = _reportCount,
-            Time = time,
+            Time = TimeOfRow(frame, row),
             Position = place,
-            Covariance = perLook,
-            SystematicCovariance = common,
-            Colour = found.Colour,
-            Score = found.Score,
-            SizeMetres = found.SideMetres,
-            CentreX = found.CentreX,
-            CentreY = found.CentreY,
+            Covariance = random,
+            SystematicCovariance = systematic,
+            Class = detection.Class,
+            Score = detection.Score,
+            SizeMetres = side,
+            CentreX = column,
+            CentreY = row,
         };
         _reportCount++;
+    }
+
+    private static bool TrySide(in TargetDetection detection, in GroundProjection projection, out double side)
+    {
+        side = detection.SideMetres;
+        if (side > 0)
+            return true;
+        if (!projection.TryScale(detection.CentreX, detection.CentreY, out GroundScale scale))
+            return false;
+        side = Math.Sqrt(detection.WidthPixels * detection.HeightPixels * scale.PixelArea);
+        return true;
     }
 }

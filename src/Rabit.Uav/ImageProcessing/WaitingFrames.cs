@@ -3,7 +3,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>The few pictures that wait for a pose of their time, in the order in which they came. Owns their buffers; for one thread.</summary>
+/// <summary>The few pictures that wait for a pose of their time, in the order of arrival. Owns their buffers; for one thread.</summary>
 internal sealed class WaitingFrames(int capacity)
 {
     private readonly CameraFrame[] _frames = new CameraFrame[capacity];
@@ -15,7 +15,7 @@ internal sealed class WaitingFrames(int capacity)
 
     public ref readonly CameraFrame this[int index] => ref _frames[index];
 
-    /// <summary>When it came.</summary>
+    /// <summary>When it arrived.</summary>
     public TimeSpan Since(int index) => _since[index];
 
     public void Add(in CameraFrame frame, TimeSpan now)

@@ -5,7 +5,7 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// A picture in a pooled buffer: whoever holds it owns the buffer, alone, and hands it on or disposes it. 8 bits each of red, green and
+/// A picture in a pooled buffer: its holder is the only owner of the buffer, and hands it on or disposes it. 8 bits each of red, green and
 /// blue, row by row from the top left, without padding. A plain value.
 /// </summary>
 public struct CameraFrame : IDisposable

@@ -1,15 +1,18 @@
 using System;
+using System.Collections.Immutable;
 using Rabit.Geodesy;
 
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// A picture that was searched for targets: which ground it showed. It goes out after the reports of the picture, also when there are
-/// none, so that a miss counts only for what could be seen. A plain value.
+/// A picture that was searched for targets: which ground it shows, and the reports of the targets that were found, also when there are
+/// none, so that a miss counts only for what could be seen. A plain value; the reports are immutable, and copies share them.
 /// </summary>
 public struct CameraObservation
 {
-    /// <summary>MAVLink system id of the vehicle that looked.</summary>
+    private ImmutableArray<TargetReport> _reports;
+
+    /// <summary>MAVLink system id of the vehicle whose camera it was.</summary>
     public byte SourceSystemId { get; set; }
 
     /// <summary>Number of the picture.</summary>
@@ -18,8 +21,12 @@ public struct CameraObservation
     /// <summary>When: mid-exposure by the clock of the run; of the middle row, where rows are exposed one after the other.</summary>
     public TimeSpan Time { get; set; }
 
-    /// <summary>How many reports went out for it.</summary>
-    public int Reports { get; set; }
+    /// <summary>The targets that were found, by <see cref="TargetReport.Index"/>; never default.</summary>
+    public ImmutableArray<TargetReport> Reports
+    {
+        readonly get => _reports.IsDefault ? [] : _reports;
+        set => _reports = value;
+    }
 
     /// <summary>Where the centre of the top left pixel meets the ground.</summary>
     public GeodeticPosition TopLeft { get; set; }

@@ -1,3 +1,5 @@
+using System.Collections.Immutable;
+
 namespace Rabit.Uav.Messages;
 
 /// <summary>A command of Mission Control to Image Processing. A plain value.</summary>
@@ -18,6 +20,6 @@ public struct ImagingCommand
     /// <summary>Altitude of the ground, taken as level, metres above mean sea level.</summary>
     public double GroundAltitudeAmslMetres { get; set; }
 
-    /// <summary>The colours that targets may have.</summary>
-    public TargetColours Colours { get; set; }
+    /// <summary>The classes to search for; empty, the default, for all that Image Processing has.</summary>
+    public ImmutableArray<TargetClassName> Classes { get; set; }
 }

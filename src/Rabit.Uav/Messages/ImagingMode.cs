@@ -3,9 +3,9 @@ namespace Rabit.Uav.Messages;
 /// <summary>What Image Processing does with pictures.</summary>
 public enum ImagingMode
 {
-    /// <summary>Give them back unseen.</summary>
+    /// <summary>Give them back unsearched.</summary>
     Off,
 
-    /// <summary>Look for targets, and say which ground was seen.</summary>
+    /// <summary>Search them for targets, and report which ground was seen.</summary>
     Search,
 }

@@ -2,31 +2,36 @@ using System;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>What Image Processing did so far, for each picture that was searched, and at least once a second. A plain value; counts are since the start.</summary>
+/// <summary>
+/// What Image Processing did so far: posted for each picture that was searched, and at least once a second. A plain value; counts are
+/// since the start.
+/// </summary>
 public struct ImagingStatus
 {
     /// <summary>Whether there is a camera at all.</summary>
     public bool HasCamera { get; set; }
 
-    /// <summary>The order it works by.</summary>
+    /// <summary>The mode of the last command.</summary>
     public ImagingMode Mode { get; set; }
 
-    /// <summary>When the last picture came, by the clock of the run; null before the first.</summary>
+    /// <summary>When the last picture arrived, by the clock of the run; null before the first.</summary>
     public TimeSpan? LastFrameTime { get; set; }
 
-    /// <summary>Pictures that came.</summary>
+    /// <summary>Pictures that arrived.</summary>
     public long Frames { get; set; }
 
     /// <summary>Pictures that were searched.</summary>
-    public long Looks { get; set; }
+    public long Observations { get; set; }
 
-    /// <summary>The last picture that was searched, and the ground that it shows; empty before the first.</summary>
+    /// <summary>The last picture that was searched, the ground that it shows and its reports; empty before the first.</summary>
     public CameraObservation LastObservation { get; set; }
 
-    /// <summary>Pictures that were lost before they came to us, or had no room.</summary>
+    /// <summary>Pictures that were lost before they arrived, or had no room.</summary>
     public long FramesDropped { get; set; }
 
-    /// <summary>Pictures that could not be located: no pose for their time, or they do not show the ground.</summary>
+    /// <summary>
+    /// Pictures that were not searched: no pose for their time, they do not show the ground, or the detector failed.
+    /// </summary>
     public long FramesRefused { get; set; }
 
     /// <summary>Why the last one was refused; null where none was.</summary>
@@ -35,8 +40,23 @@ public struct ImagingStatus
     /// <summary>Reports of targets that went out.</summary>
     public long Reports { get; set; }
 
-    /// <summary>Targets that were seen but not reported: too many in one picture, or no room in a queue.</summary>
+    /// <summary>Targets that were detected but not reported: too many in one picture, not on the ground, or no room in the queue.</summary>
     public long ReportsDropped { get; set; }
+
+    /// <summary>How often the detector threw or returned an impossible number of detections; those pictures count as not searched.</summary>
+    public long DetectorFailures { get; set; }
+
+    /// <summary>Detections that were not valid, such as outside the picture, of a class that was not asked for, or not a number.</summary>
+    public long DetectionsRefused { get; set; }
+
+    /// <summary>How often the detector took longer than <c>ImageProcessingOptions.DetectorTimeBudget</c>.</summary>
+    public long DetectorOverruns { get; set; }
+
+    /// <summary>What was wrong with the detector the last time; null where nothing was.</summary>
+    public string? LastDetectorFault { get; set; }
+
+    /// <summary>The classes of the last command that are not declared, and so not searched for; null where there are none.</summary>
+    public string? UnknownClasses { get; set; }
 
     /// <summary>Whether the camera gives no more pictures, because it has no more or failed.</summary>
     public bool HasEnded { get; set; }

@@ -50,14 +50,14 @@ public static class MessageNames
     /// <summary>Queue of <see cref="VehicleCommandResult"/>: from Autopilot Interface to Mission Control.</summary>
     public const string VehicleCommandResults = "vehicle command results";
 
-    /// <summary>Queue of <see cref="TargetReport"/>: from Image Processing, and by mail from other vehicles, to Sensor Fusion.</summary>
+    /// <summary>Queue of <see cref="TargetReport"/>: reports of other vehicles, from Communications to Sensor Fusion.</summary>
     public const string TargetReports = "target reports";
 
     /// <summary>Queue of <see cref="Envelope{T}"/> of <see cref="TargetReport"/>: from Sensor Fusion to Communications, for other vehicles.</summary>
     public const string OutgoingTargetReports = "outgoing target reports";
 
-    /// <summary>Queue of <see cref="CameraObservation"/>: from Image Processing to Sensor Fusion, after the reports of the same picture.</summary>
-    public const string Looks = "looks";
+    /// <summary>Queue of <see cref="CameraObservation"/>: searched pictures with their reports, from Image Processing to Sensor Fusion.</summary>
+    public const string CameraObservations = "camera observations";
 
     /// <summary>Queue of <see cref="CameraObservation"/>: from Image Processing to Mission Control, for the coverage.</summary>
     public const string SearchedGround = "searched ground";

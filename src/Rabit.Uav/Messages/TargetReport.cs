@@ -3,7 +3,7 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>Something that looked like a target in one picture, and where it stood. A plain value.</summary>
+/// <summary>A target that the detector found in one picture, and where it is. A plain value.</summary>
 public struct TargetReport
 {
     /// <summary>MAVLink system id of the vehicle that saw it.</summary>
@@ -21,16 +21,16 @@ public struct TargetReport
     /// <summary>Where it stood, on the ground.</summary>
     public GeodeticPosition Position { get; set; }
 
-    /// <summary>How uncertain that is, without what is the same for every look of a flight (see <see cref="SystematicCovariance"/>).</summary>
+    /// <summary>How uncertain that is, without what is the same in every picture of a flight (see <see cref="SystematicCovariance"/>).</summary>
     public HorizontalCovariance Covariance { get; set; }
 
-    /// <summary>The part of the uncertainty that does not average out over the looks of one vehicle: satellite position and mount biases.</summary>
+    /// <summary>The part of the uncertainty that does not average out over the pictures of one vehicle: satellite position and mount biases.</summary>
     public HorizontalCovariance SystematicCovariance { get; set; }
 
-    /// <summary>Its colour: exactly one.</summary>
-    public TargetColours Colour { get; set; }
+    /// <summary>Its class: a declared one, or that of another vehicle.</summary>
+    public TargetClassName Class { get; set; }
 
-    /// <summary>How sure the detector is, 0 to 1.</summary>
+    /// <summary>How confident the detector is, 0 to 1.</summary>
     public double Score { get; set; }
 
     /// <summary>Side of a square of its area, metres.</summary>

@@ -9,11 +9,11 @@ public sealed class TargetTrack
     /// <summary>Number of the track, from 1; never used again.</summary>
     public int Id { get; init; }
 
-    /// <summary>How sure it is.</summary>
+    /// <summary>Tentative, confirmed or lost.</summary>
     public TrackState State { get; init; }
 
-    /// <summary>Its colour: the likeliest.</summary>
-    public TargetColours Colour { get; init; }
+    /// <summary>Its class.</summary>
+    public TargetClassName Class { get; init; }
 
     /// <summary>Where it is estimated to be at <see cref="Time"/>.</summary>
     public GeodeticPosition Position { get; init; }
@@ -21,7 +21,7 @@ public sealed class TargetTrack
     /// <summary>Velocity over ground, metres per second; down is 0.</summary>
     public NedVector VelocityNed { get; init; }
 
-    /// <summary>How uncertain the position is, all told: filter and common part.</summary>
+    /// <summary>How uncertain the position is: the sum of the filter's and the systematic part.</summary>
     public HorizontalCovariance Covariance { get; init; }
 
     /// <summary>The time of the estimate, by the clock of the run.</summary>
@@ -36,7 +36,7 @@ public sealed class TargetTrack
     /// <summary>How many reports it is made of.</summary>
     public int Reports { get; init; }
 
-    /// <summary>How often a camera looked where it should be and did not report it.</summary>
+    /// <summary>How many observations showed its place and did not report it.</summary>
     public int Misses { get; init; }
 
     /// <summary>Side of a square of its area, metres: mean of the reports.</summary>

@@ -5,11 +5,11 @@ using System.Linq;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>All tracks of Sensor Fusion, by id; tracks that were dropped before they were believed are in no list any more. Immutable.</summary>
+/// <summary>All tracks of Sensor Fusion, by id; tracks that were deleted before they were confirmed are in no list any more. Immutable.</summary>
 public sealed class TrackList
 {
     /// <summary>Makes one.</summary>
-    /// <param name="time">The time of the newest report or look that is in it.</param>
+    /// <param name="time">The time of the newest report or observation that is in it.</param>
     /// <param name="tracks">The tracks, by id.</param>
     public TrackList(TimeSpan time, IEnumerable<TargetTrack> tracks)
     {
@@ -20,7 +20,7 @@ public sealed class TrackList
     /// <summary>No tracks yet.</summary>
     public static TrackList None { get; } = new(TimeSpan.Zero, []);
 
-    /// <summary>The time of the newest report or look that is in it.</summary>
+    /// <summary>The time of the newest report or observation that is in it.</summary>
     public TimeSpan Time { get; }
 
     /// <summary>The tracks, by id.</summary>

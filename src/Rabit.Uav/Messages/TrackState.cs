@@ -1,12 +1,12 @@
 namespace Rabit.Uav.Messages;
 
-/// <summary>How sure a track is.</summary>
+/// <summary>The state of a track.</summary>
 public enum TrackState
 {
-    /// <summary>Seen too rarely to be believed.</summary>
+    /// <summary>Observed too rarely to be confirmed.</summary>
     Tentative,
 
-    /// <summary>Believed.</summary>
+    /// <summary>Observed often enough: see <c>SensorFusionOptions.ConfirmHits</c>.</summary>
     Confirmed,
 
     /// <summary>Was confirmed, and is not seen any more where it should be.</summary>

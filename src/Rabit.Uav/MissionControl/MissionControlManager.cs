@@ -148,7 +148,7 @@ public sealed class MissionControlManager : RabitManager
         command.CameraPitchRadians = flight.Mission.CameraPitchRadians;
         command.CameraYawRadians = flight.Mission.CameraYawRadians;
         command.GroundAltitudeAmslMetres = flight.GroundAltitudeAmslMetres;
-        command.Colours = flight.Mission.Targets;
+        command.Classes = flight.Mission.Targets;
         _imagingCommand.Post();
     }
 

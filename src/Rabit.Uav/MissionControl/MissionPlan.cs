@@ -49,8 +49,8 @@ public sealed class MissionPlan
     /// </summary>
     public double? LaneHeadingRadians { get; init; }
 
-    /// <summary>The colours of the targets of interest.</summary>
-    public TargetColours Targets { get; init; } = TargetColours.All;
+    /// <summary>The classes of the targets of interest; empty, the default, for all that Image Processing has.</summary>
+    public ImmutableArray<TargetClassName> Targets { get; init; } = [];
 
     /// <summary>Where the vehicle is expected at the start; null where that is not checked.</summary>
     public MissionHome? Home { get; init; }
@@ -72,6 +72,11 @@ public sealed class MissionPlan
 
     /// <summary>Fraction of the battery that must remain at the start, 0 to 1.</summary>
     public double MinBatteryFractionAtStart { get; init; } = 0.5;
+
+    /// <summary>Whether targets of a class are of interest.</summary>
+    /// <param name="targetClass">The class of a track or a target.</param>
+    public bool IsTarget(TargetClassName targetClass)
+        => !targetClass.IsNone && (Targets.IsDefaultOrEmpty || Targets.Contains(targetClass));
 
     /// <summary>Reads a mission file and checks it.</summary>
     /// <param name="json">The text of the file.</param>

@@ -130,40 +130,24 @@ internal static class MissionPlanReader
             : null;
     }
 
-    private static TargetColours ReadTargets(JsonFields fields)
+    private static ImmutableArray<TargetClassName> ReadTargets(JsonFields fields)
     {
         if (fields.Array("targets") is not { } names)
-            return TargetColours.All;
-        TargetColours targets = TargetColours.None;
+            return [];
+        var targets = ImmutableArray.CreateBuilder<TargetClassName>();
         int index = 0;
         foreach (JsonElement name in names.EnumerateArray())
         {
-            if (name.ValueKind == JsonValueKind.String && ColourOf(name.GetString()!) is { } colour)
-                targets |= colour;
-            else
-                fields.Blame(Item("targets", index), name, "must be one of " + string.Join(", ", Colours.Select(NameOf)));
+            if (name.ValueKind != JsonValueKind.String || !TargetClassName.TryParse(name.GetString(), out TargetClassName target))
+                fields.Blame(Item("targets", index), name, "must be the name of a target class: " + TargetClassName.Rule);
+            else if (!targets.Contains(target))
+                targets.Add(target);
             index++;
         }
 
         if (index == 0)
-            fields.Blame("targets", names, "must name at least one colour");
-        return targets;
-    }
-
-    private static readonly TargetColours[] Colours =
-        [TargetColours.Red, TargetColours.Orange, TargetColours.Blue, TargetColours.Yellow, TargetColours.Magenta];
-
-    private static string NameOf(TargetColours colour) => colour.ToString().ToLowerInvariant();
-
-    private static TargetColours? ColourOf(string name)
-    {
-        foreach (TargetColours colour in Colours)
-        {
-            if (string.Equals(NameOf(colour), name, StringComparison.OrdinalIgnoreCase))
-                return colour;
-        }
-
-        return null;
+            fields.Blame("targets", names, "must name at least one target class");
+        return targets.ToImmutable();
     }
 
     private static MissionHome? ReadHome(JsonFields fields)

@@ -31,8 +31,8 @@ internal static class MissionPlanRules
                 yield return FormattableString.Invariant($"{path} is {value}; it must be {min} to {max}");
         }
 
-        if (plan.Targets == TargetColours.None || (plan.Targets & ~TargetColours.All) != 0)
-            yield return "targets names no colour of a target";
+        if (!plan.Targets.IsDefault && plan.Targets.Contains(TargetClassName.None))
+            yield return "targets has an empty name";
         if (string.IsNullOrWhiteSpace(plan.Name) || plan.Name.Length > 80 || plan.Name.Any(char.IsControl))
             yield return "name must be a line of 1 to 80 characters";
     }

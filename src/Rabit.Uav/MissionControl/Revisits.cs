@@ -40,7 +40,7 @@ internal sealed class Revisits
         PlanePoint here = flight.Position;
         while (flight.Tracks.Tracks
             .Where(t => t.State == TrackState.Confirmed && !_finished.Contains(t.Id))
-            .Where(t => (t.Colour & flight.Mission.Targets) != 0)
+            .Where(t => flight.Mission.IsTarget(t.Class))
             .OrderBy(t => PositionOf(t, flight).DistanceTo(here)).ThenBy(t => t.Id).FirstOrDefault() is { } track)
         {
             if (flight.Plan!.Fence.SignedDistance(PositionOf(track, flight)) >= FenceReserveMetres)
@@ -69,5 +69,5 @@ internal sealed class Revisits
         return new PlanePoint(ned.North, ned.East);
     }
 
-    public static string Name(TargetTrack track) => track.Colour.ToString().ToLowerInvariant();
+    public static string Name(TargetTrack track) => track.Class.ToString();
 }

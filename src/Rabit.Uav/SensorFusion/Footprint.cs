@@ -7,7 +7,7 @@ namespace Rabit.Uav.SensorFusion;
 /// <summary>The ground that a picture shows: a convex quadrangle in the plane of a local frame, metres. A plain value.</summary>
 internal readonly struct Footprint
 {
-    // A picture that shows more than this is not one that was searched: it is a fault of whoever sent it.
+    // A picture that shows more than this was not searched: the observation is wrong.
     private const double MaxSideMetres = 5000;
 
     private readonly double _n0, _e0, _n1, _e1, _n2, _e2, _n3, _e3;
@@ -23,13 +23,13 @@ internal readonly struct Footprint
     /// <summary>Whether there is one; one that shows nothing contains nothing.</summary>
     public bool IsKnown => _turn != 0;
 
-    /// <summary>The footprint of a look; an unknown one if its corners are not those of a picture of the ground.</summary>
-    public static Footprint Of(in CameraObservation look, in LocalNedFrame frame)
+    /// <summary>The footprint of an observation; an unknown one if its corners are not those of a picture of the ground.</summary>
+    public static Footprint Of(in CameraObservation observation, in LocalNedFrame frame)
     {
-        NedVector a = frame.ToNed(look.TopLeft);
-        NedVector b = frame.ToNed(look.TopRight);
-        NedVector c = frame.ToNed(look.BottomRight);
-        NedVector d = frame.ToNed(look.BottomLeft);
+        NedVector a = frame.ToNed(observation.TopLeft);
+        NedVector b = frame.ToNed(observation.TopRight);
+        NedVector c = frame.ToNed(observation.BottomRight);
+        NedVector d = frame.ToNed(observation.BottomLeft);
         double turn = Turn(a, b, c);
         bool isConvex = turn > 0
             ? Turn(b, c, d) > 0 && Turn(c, d, a) > 0 && Turn(d, a, b) > 0

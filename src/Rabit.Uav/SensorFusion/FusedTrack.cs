@@ -4,7 +4,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.SensorFusion;
 
-/// <summary>A track while it is worked at. Belongs to its tracker.</summary>
+/// <summary>A track of the tracker, mutable.</summary>
 internal sealed class FusedTrack
 {
     private double _sizeSum;
@@ -14,17 +14,17 @@ internal sealed class FusedTrack
     public FusedTrack(int id, in LocatedReport report, SensorFusionOptions options)
     {
         Id = id;
-        Colour = report.Report.Colour;
+        Class = report.Report.Class;
         Filter = PlanarFilter.From(report.North, report.East, report.Report.Covariance, options.StartVelocitySigma);
         Time = report.Report.Time;
         FirstSeen = report.Report.Time;
-        Common = report.Report.SystematicCovariance;
+        Systematic = report.Report.SystematicCovariance;
         Describe(report);
     }
 
     public int Id { get; }
 
-    public TargetColours Colour { get; }
+    public TargetClassName Class { get; }
 
     public TrackState State { get; set; }
 
@@ -41,21 +41,21 @@ internal sealed class FusedTrack
 
     public int Misses { get; set; }
 
-    /// <summary>How many looks in a row showed its place and not it.</summary>
+    /// <summary>How many observations in a row showed its place and not it.</summary>
     public int MissesInARow { get; set; }
 
-    public LookHistory History;
+    public DetectionHistory History;
 
     /// <summary>The uncertainty that does not average out: the largest that a report came with.</summary>
-    public HorizontalCovariance Common { get; private set; }
+    public HorizontalCovariance Systematic { get; private set; }
 
     /// <summary>Altitude of the ground it stands on, as the newest report says.</summary>
     public double Down { get; private set; }
 
-    /// <summary>Who reported it last.</summary>
+    /// <summary>The vehicle that reported it last.</summary>
     public byte LastSource { get; private set; }
 
-    /// <summary>The last look that reported it, as the tracker counts looks.</summary>
+    /// <summary>The last observation that reported it, as the tracker counts them.</summary>
     public long LastObservation { get; set; }
 
     /// <summary>When a report of it last went out to others; null before the first.</summary>
@@ -65,8 +65,8 @@ internal sealed class FusedTrack
 
     public int BestReportIndex { get; private set; }
 
-    /// <summary>How uncertain it is, all told.</summary>
-    public HorizontalCovariance Covariance => Filter.PositionCovariance + Common;
+    /// <summary>How uncertain it is: random and systematic part.</summary>
+    public HorizontalCovariance Covariance => Filter.PositionCovariance + Systematic;
 
     /// <summary>The filter at a time; at its own time if that is later.</summary>
     public PlanarFilter FilterAt(TimeSpan time, double processNoise)
@@ -78,8 +78,8 @@ internal sealed class FusedTrack
         return filter;
     }
 
-    /// <summary>Takes a report in; one that is older than the newest as what it says of then.</summary>
-    public void Take(in LocatedReport report, double processNoise)
+    /// <summary>Updates it by a report; one that is older than the newest counts for its own time.</summary>
+    public void Update(in LocatedReport report, double processNoise)
     {
         double seconds = (report.Report.Time - Time).TotalSeconds;
         PlanarFilter filter = FilterAt(report.Report.Time, processNoise);
@@ -87,12 +87,12 @@ internal sealed class FusedTrack
         Filter = filter;
         if (seconds > 0)
             Time = report.Report.Time;
-        Common = Larger(Common, report.Report.SystematicCovariance);
+        Systematic = Larger(Systematic, report.Report.SystematicCovariance);
         Describe(report);
     }
 
     /// <summary>
-    /// Takes in another track of the same target. Each report is in one of the two, so what they say is independent; this one goes on.
+    /// Merges another track of the same target into it. Each report is in one of the two, so that they are independent.
     /// </summary>
     public void Absorb(FusedTrack other, double processNoise)
     {
@@ -102,7 +102,7 @@ internal sealed class FusedTrack
         filter.Update(otherFilter.North, otherFilter.East, otherFilter.PositionCovariance, 0);
         Filter = filter;
         Time = time;
-        Common = Larger(Common, other.Common);
+        Systematic = Larger(Systematic, other.Systematic);
         FirstSeen = other.FirstSeen < FirstSeen ? other.FirstSeen : FirstSeen;
         Reports += other.Reports;
         _sizeSum += other._sizeSum;
@@ -117,7 +117,7 @@ internal sealed class FusedTrack
     {
         Id = Id,
         State = State,
-        Colour = Colour,
+        Class = Class,
         Position = frame.ToGeodetic(new NedVector(Filter.North, Filter.East, Down)),
         VelocityNed = new NedVector(Filter.NorthRate, Filter.EastRate, 0),
         Covariance = Covariance,
@@ -132,10 +132,11 @@ internal sealed class FusedTrack
     };
 
     /// <summary>
-    /// By how much two tracks may differ for what does not average out: that of one vehicle is partly the same in both, that of two is not.
+    /// The covariance of the difference of two tracks by systematic errors: those of one vehicle are partly the same in both, those of
+    /// two are independent.
     /// </summary>
-    public static HorizontalCovariance CommonOf(FusedTrack a, FusedTrack b)
-        => a.LastSource == b.LastSource ? Larger(a.Common, b.Common) : a.Common + b.Common;
+    public static HorizontalCovariance SystematicOf(FusedTrack a, FusedTrack b)
+        => a.LastSource == b.LastSource ? Larger(a.Systematic, b.Systematic) : a.Systematic + b.Systematic;
 
     private void Describe(in LocatedReport report)
     {

@@ -9,9 +9,8 @@ internal sealed class FusionStatistics
     public long ReportsLate;
     public long ReportsRefused;
     public long ReportsWithoutRoom;
-    public long Looks;
+    public long Observations;
     public long ObservationsRefused;
-    public long LooksIncomplete;
     public long TracksDropped;
     public long TracksMerged;
 
@@ -23,9 +22,8 @@ internal sealed class FusionStatistics
         ReportsLate = ReportsLate,
         ReportsRefused = ReportsRefused,
         ReportsWithoutRoom = ReportsWithoutRoom,
-        Looks = Looks,
+        Observations = Observations,
         ObservationsRefused = ObservationsRefused,
-        LooksIncomplete = LooksIncomplete,
         TracksDropped = TracksDropped,
         TracksMerged = TracksMerged,
     };

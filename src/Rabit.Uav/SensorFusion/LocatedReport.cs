@@ -14,6 +14,6 @@ internal readonly struct LocatedReport(in TargetReport report, NedVector place, 
 
     public double Down { get; } = place.Down;
 
-    /// <summary>Whether our own camera saw it.</summary>
+    /// <summary>Whether it is of our own camera.</summary>
     public bool IsOwn { get; } = isOwn;
 }

@@ -5,24 +5,24 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// What a report must be to be believed at all. Reports come over the air too: nothing in them may bring a filter down.
+/// What a report must be to be used. Reports come over the air too: nothing in them may break a filter.
 /// </summary>
 internal static class ReportCheck
 {
-    // A report that could be a centimetre or a kilometre wrong says nothing that a filter should hear.
+    // A filter has no use for a report that claims a millimetre, or may be a kilometre off.
     private const double MinSigmaMetres = 0.001;
     private const double MaxSigmaMetres = 200;
     private const double MaxSizeMetres = 50;
     private const double MaxAltitudeMetres = 20_000;
     private const int MaxIndex = 10_000;
 
-    // Clocks of one computer differ by nothing; those of two by what Communications maps them to.
+    // Times of other vehicles are mapped by Communications, from ages.
     private static readonly TimeSpan FutureTolerance = TimeSpan.FromSeconds(1);
 
-    /// <summary>Whether a report makes sense.</summary>
+    /// <summary>Whether a report is valid.</summary>
     /// <param name="report">The report.</param>
     /// <param name="now">By the clock of the run.</param>
-    public static bool IsSound(in TargetReport report, TimeSpan now)
+    public static bool IsValid(in TargetReport report, TimeSpan now)
         => report.SourceSystemId != 0
             && report.PictureNumber >= 0
             && report.Index is >= 0 and <= MaxIndex
@@ -30,23 +30,23 @@ internal static class ReportCheck
             && IsPlace(report.Position)
             && IsPositiveDefinite(report.Covariance)
             && IsNotNegative(report.SystematicCovariance)
-            && IsOneColour(report.Colour)
+            && !report.Class.IsNone
             && report.Score is >= 0 and <= 1
             && report.SizeMetres is > 0 and <= MaxSizeMetres;
 
-    /// <summary>Whether a look has a number, a time and corners on the earth.</summary>
-    public static bool IsSound(in CameraObservation look, TimeSpan now)
-        => look.SourceSystemId != 0
-            && look.Number >= 0
-            && look.Time >= TimeSpan.Zero && look.Time <= now + FutureTolerance
-            && IsPlace(look.TopLeft) && IsPlace(look.TopRight) && IsPlace(look.BottomRight) && IsPlace(look.BottomLeft);
+    /// <summary>Whether an observation has a number, a time and corners on the earth.</summary>
+    public static bool IsValid(in CameraObservation observation, TimeSpan now)
+        => observation.SourceSystemId != 0
+            && observation.Number >= 0
+            && observation.Time >= TimeSpan.Zero && observation.Time <= now + FutureTolerance
+            && IsPlace(observation.TopLeft) && IsPlace(observation.TopRight) && IsPlace(observation.BottomRight) && IsPlace(observation.BottomLeft);
 
     private static bool IsPlace(GeodeticPosition place)
         => Math.Abs(place.LatitudeRadians) <= Math.PI / 2
             && Math.Abs(place.LongitudeRadians) <= Math.PI
             && Math.Abs(place.AltitudeAmslMetres) <= MaxAltitudeMetres;
 
-    // Comparisons with NaN are false, so each is written to be true for what is sound.
+    // Comparisons with NaN are false, so each is written to be true for what is valid.
     private static bool IsPositiveDefinite(HorizontalCovariance c)
         => IsNotNegative(c) && Determinant(c) > 1e-9 * c.NorthNorth * c.EastEast
             && Math.Min(c.NorthNorth, c.EastEast) >= MinSigmaMetres * MinSigmaMetres;
@@ -57,7 +57,4 @@ internal static class ReportCheck
             && Determinant(c) >= -1e-9 * c.NorthNorth * c.EastEast;
 
     private static double Determinant(HorizontalCovariance c) => (c.NorthNorth * c.EastEast) - (c.NorthEast * c.NorthEast);
-
-    private static bool IsOneColour(TargetColours colour)
-        => colour != TargetColours.None && (colour & ~TargetColours.All) == 0 && (colour & (colour - 1)) == 0;
 }

@@ -2,18 +2,18 @@ using System;
 
 namespace Rabit.Uav.SensorFusion;
 
-/// <summary>The identity of a report: who saw it, in which picture, the how many-th. A plain value.</summary>
-internal readonly struct ReportKey(byte source, long look, int index) : IEquatable<ReportKey>
+/// <summary>The identity of a report: source, picture and index. A plain value.</summary>
+internal readonly struct ReportKey(byte source, long picture, int index) : IEquatable<ReportKey>
 {
     public byte Source { get; } = source;
 
-    public long Look { get; } = look;
+    public long Picture { get; } = picture;
 
     public int Index { get; } = index;
 
-    public bool Equals(ReportKey other) => Source == other.Source && Look == other.Look && Index == other.Index;
+    public bool Equals(ReportKey other) => Source == other.Source && Picture == other.Picture && Index == other.Index;
 
     public override bool Equals(object? obj) => obj is ReportKey other && Equals(other);
 
-    public override int GetHashCode() => unchecked((((Look.GetHashCode() * 397) ^ Source) * 397) ^ Index);
+    public override int GetHashCode() => unchecked((((Picture.GetHashCode() * 397) ^ Source) * 397) ^ Index);
 }

@@ -9,8 +9,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// Makes tracks of the reports of our own camera and of other vehicles: which reports are of one target, where it stands, how sure
-/// that is. A camera that looked where a target should be and did not see it counts too; one that looked elsewhere does not.
+/// Makes tracks of the reports of our own camera and of other vehicles: which reports are of one target, where it is, how certain
+/// that is. An observation that shows the place of a target without reporting it counts as a miss; one that does not show it does not.
 /// </summary>
 public sealed class SensorFusionManager : RabitManager
 {
@@ -19,22 +19,25 @@ public sealed class SensorFusionManager : RabitManager
 
     private const int QueueCapacity = 500;
 
-    // From here on a flat frame is no place to add up positions in.
+    // So many reports have an identity that is remembered.
+    private const int RememberedReports = 4096;
+
+    // From here on a flat frame is not accurate enough.
     private const double FarAwayMetres = 20_000;
 
     private static readonly TimeSpan SharePeriod = TimeSpan.FromSeconds(1);
-    private static readonly TimeSpan WithReportsWaiting = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan GroupingPeriod = TimeSpan.FromMilliseconds(100);
     private static readonly TimeSpan Idle = TimeSpan.FromSeconds(1);
 
     private readonly SensorFusionOptions _options;
-    private readonly QueueReceiver<TargetReport> _reports;
-    private readonly QueueReceiver<CameraObservation> _looks;
+    private readonly QueueReceiver<CameraObservation> _observations;
+    private readonly QueueReceiver<TargetReport> _foreignReports;
     private readonly QueueSender<Envelope<TargetReport>>? _outgoing;
     private readonly MessagePublisher<TrackList> _tracks;
-    private readonly FusionStatistics _books = new();
-    private readonly LookAssembler _assembler;
+    private readonly FusionStatistics _statistics = new();
+    private readonly ForeignReportGroups _groups;
+    private readonly SeenReports _seen = new(RememberedReports);
     private readonly TargetTracker _tracker;
-    private readonly List<CameraObservation> _arrivedLooks = [];
     private readonly List<LocatedReport> _located = [];
     private readonly List<FusedTrack?> _updated = [];
     private SensorFusionCounters _counters = new();
@@ -49,17 +52,17 @@ public sealed class SensorFusionManager : RabitManager
         : base(ManagerName)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
-        _assembler = new LookAssembler(_books);
-        _tracker = new TargetTracker(_options, _books);
-        _reports = Receive<TargetReport>(MessageNames.TargetReports, QueueCapacity);
-        _looks = Receive<CameraObservation>(MessageNames.Looks, QueueCapacity);
+        _groups = new ForeignReportGroups(_statistics);
+        _tracker = new TargetTracker(_options, _statistics);
+        _observations = Receive<CameraObservation>(MessageNames.CameraObservations, QueueCapacity);
+        _foreignReports = Receive<TargetReport>(MessageNames.TargetReports, QueueCapacity);
         if (_options.SharesReports)
             _outgoing = Send<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
         _tracks = Publish(MessageNames.Tracks, TrackList.None);
         WakeUpDelay = Idle;
     }
 
-    /// <summary>The books as of the last unit of work. Any thread.</summary>
+    /// <summary>The counters as of the last unit of work. Any thread.</summary>
     public SensorFusionCounters Counters => Volatile.Read(ref _counters);
 
     /// <inheritdoc/>
@@ -67,99 +70,103 @@ public sealed class SensorFusionManager : RabitManager
     {
         TimeSpan now = Now;
 
-        // The looks first: whatever was reported of them is in the other queue by then.
-        bool hasNews = PopLooks();
-        hasNews |= PopReports(now);
-        foreach (CameraObservation look in _arrivedLooks)
-            Take(look, now);
-        while (_assembler.TakeWaitingSince(now - _options.HoldWithoutLook) is { } group)
+        bool hasNews = PopForeignReports(now);
+        while (_observations.TryPop(out CameraObservation observation))
         {
-            Take(group, isOwn: false, time: now, footprint: default);
+            Update(observation, now);
+            hasNews = true;
+        }
+
+        while (_groups.TakeSince(now - _options.ReportGroupingDelay) is { } group)
+        {
+            Update(group, now);
             hasNews = true;
         }
 
         if (_isChanged)
             PostTracks();
         if (hasNews)
-            Volatile.Write(ref _counters, _books.Close());
-        WakeUpDelay = _assembler.HasWaiting ? WithReportsWaiting : Idle;
+            Volatile.Write(ref _counters, _statistics.Close());
+        WakeUpDelay = _groups.HasWaiting ? GroupingPeriod : Idle;
     }
 
-    private bool PopLooks()
-    {
-        _arrivedLooks.Clear();
-        while (_looks.TryPop(out CameraObservation look))
-            _arrivedLooks.Add(look);
-        return _arrivedLooks.Count > 0;
-    }
-
-    private bool PopReports(TimeSpan now)
+    private bool PopForeignReports(TimeSpan now)
     {
         bool hasSome = false;
-        while (_reports.TryPop(out TargetReport report))
+        while (_foreignReports.TryPop(out TargetReport report))
         {
-            _assembler.Add(report, now);
+            if (IsUsable(report, now))
+                _groups.Add(report, now);
             hasSome = true;
         }
 
         return hasSome;
     }
 
-    private void Take(in CameraObservation look, TimeSpan now)
+    private bool IsUsable(in TargetReport report, TimeSpan now)
     {
-        LookGroup? group = _assembler.Take(look.SourceSystemId, look.Number);
-        bool isSound = ReportCheck.IsSound(look, now);
-        if (!isSound)
-            _books.ObservationsRefused++;
-        bool isComplete = look.Reports <= (group?.Arrived ?? 0);
-        if (isSound && !isComplete)
-            _books.LooksIncomplete++;
-        if (isSound)
-            _books.Looks++;
-
-        if (group is not null)
-            Anchor(group);
-        Footprint footprint = isSound && isComplete && _frame is { } frame ? Footprint.Of(look, frame) : default;
-        if (group is not null)
-            Take(group, isOwn: true, time: isSound ? look.Time : now, footprint);
-        else if (footprint.IsKnown)
-            Track(look.Time, footprint);
+        if (!ReportCheck.IsValid(report, now))
+            _statistics.ReportsRefused++;
+        else if (!_seen.Add(new ReportKey(report.SourceSystemId, report.PictureNumber, report.Index)))
+            _statistics.ReportsTwice++;
+        else
+            return true;
+        return false;
     }
 
-    private void Take(LookGroup group, bool isOwn, TimeSpan time, in Footprint footprint)
+    private void Update(in CameraObservation observation, TimeSpan now)
     {
-        Anchor(group);
-        foreach (TargetReport report in group.Reports)
+        foreach (TargetReport report in observation.Reports)
         {
-            NedVector place = _frame!.Value.ToNed(report.Position);
-            if (IsFarAway(place))
-                _books.ReportsRefused++;
-            else
-                _located.Add(new LocatedReport(report, place, isOwn));
+            if (IsUsable(report, now))
+                Locate(report, isOwn: true);
         }
 
-        Track(time, footprint);
+        bool isValid = ReportCheck.IsValid(observation, now);
+        if (isValid)
+            _statistics.Observations++;
+        else
+            _statistics.ObservationsRefused++;
+        Footprint footprint = isValid && _frame is { } frame ? Footprint.Of(observation, frame) : default;
+        if (observation.Reports.Length > 0 || footprint.IsKnown)
+            Track(isValid ? observation.Time : now, footprint);
         Share();
         _located.Clear();
-        _assembler.GiveBack(group);
+    }
+
+    private void Update(ReportGroup group, TimeSpan now)
+    {
+        foreach (TargetReport report in group.Reports)
+            Locate(report, isOwn: false);
+        Track(now, footprint: default);
+        _located.Clear();
+        _groups.GiveBack(group);
+    }
+
+    private void Locate(in TargetReport report, bool isOwn)
+    {
+        if (_located.Count == 0)
+            Anchor(report.Position);
+        NedVector place = _frame!.Value.ToNed(report.Position);
+        if (IsFarAway(place))
+            _statistics.ReportsRefused++;
+        else
+            _located.Add(new LocatedReport(report, place, isOwn));
     }
 
     private void Track(TimeSpan time, in Footprint footprint)
     {
-        if (!_tracker.Take(_located, time, footprint, _updated))
+        if (!_tracker.Update(_located, time, footprint, _updated))
             return;
         _isChanged = true;
         if (time > _newest)
             _newest = time;
     }
 
-    // The first report says where we are. As long as nothing is believed, one from far away says so anew: the first may have been wrong.
-    private void Anchor(LookGroup group)
+    // The first report is the origin. As long as nothing is confirmed, one from far away moves it: the first may have been wrong.
+    private void Anchor(GeodeticPosition first)
     {
-        if (group.Reports.Count == 0)
-            return;
-        GeodeticPosition first = group.Reports[0].Position;
-        if (_frame is { } frame && (_tracker.HasBeenSure || !IsFarAway(frame.ToNed(first))))
+        if (_frame is { } frame && (_tracker.HasConfirmed || !IsFarAway(frame.ToNed(first))))
             return;
         if (_tracker.Tracks.Count > 0)
         {
@@ -184,7 +191,7 @@ public sealed class SensorFusionManager : RabitManager
             if (track.SharedTime is { } last && report.Time - last < SharePeriod)
                 continue;
 
-            // A full queue says so in its own books.
+            // A full queue counts that itself.
             _outgoing.Push(new Envelope<TargetReport> { Content = report });
             track.SharedTime = report.Time;
         }

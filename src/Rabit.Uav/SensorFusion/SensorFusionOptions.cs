@@ -22,7 +22,7 @@ public sealed class SensorFusionOptions
     /// <value>The default is 9.21: chi-square with two degrees of freedom, 99 %.</value>
     public double Gate { get; set; } = 9.21;
 
-    /// <summary>In how many of the last <see cref="ConfirmOutOf"/> looks that could see it a track must be reported to be believed.</summary>
+    /// <summary>In how many of the last <see cref="ConfirmOutOf"/> observations of its place a track must be reported to be confirmed.</summary>
     /// <value>The default is 3.</value>
     public int ConfirmHits { get; set; } = 3;
 
@@ -30,8 +30,8 @@ public sealed class SensorFusionOptions
     /// <value>The default is 5.</value>
     public int ConfirmOutOf { get; set; } = 5;
 
-    /// <summary>After how many misses in a row a confirmed track is lost. A look that does not show its place is no miss.</summary>
-    /// <value>The default is 6: three seconds of looking at it with two pictures a second.</value>
+    /// <summary>After how many misses in a row a confirmed track is lost. An observation that does not show its place is no miss.</summary>
+    /// <value>The default is 6: three seconds with two pictures a second.</value>
     public int LostAfterMisses { get; set; } = 6;
 
     /// <summary>After what time without a report a track that was never confirmed is dropped.</summary>
@@ -42,9 +42,9 @@ public sealed class SensorFusionOptions
     /// <value>The default is 1 m: a panel that the border cuts is not seen.</value>
     public double FootprintMarginMetres { get; set; } = 1;
 
-    /// <summary>How long reports wait for the look they belong to. Those of other vehicles have none.</summary>
+    /// <summary>How long reports of another vehicle wait for the others of the same picture, which are then assigned together.</summary>
     /// <value>The default is 0.5 s.</value>
-    public TimeSpan HoldWithoutLook { get; set; } = TimeSpan.FromSeconds(0.5);
+    public TimeSpan ReportGroupingDelay { get; set; } = TimeSpan.FromSeconds(0.5);
 
     /// <summary>How much older than the newest report of a track another one may be and still count.</summary>
     /// <value>The default is 10 s.</value>
@@ -75,8 +75,8 @@ public sealed class SensorFusionOptions
             yield return FormattableString.Invariant($"{nameof(StartVelocitySigma)} is {StartVelocitySigma}; it must be above 0 and at most 100 m/s");
         if (!(Gate > 0 && Gate <= 100))
             yield return FormattableString.Invariant($"{nameof(Gate)} is {Gate}; it must be above 0 and at most 100");
-        if (ConfirmOutOf is < 1 or > LookHistory.Capacity)
-            yield return FormattableString.Invariant($"{nameof(ConfirmOutOf)} is {ConfirmOutOf}; it must be 1 to {LookHistory.Capacity}");
+        if (ConfirmOutOf is < 1 or > DetectionHistory.Capacity)
+            yield return FormattableString.Invariant($"{nameof(ConfirmOutOf)} is {ConfirmOutOf}; it must be 1 to {DetectionHistory.Capacity}");
         if (ConfirmHits < 1 || ConfirmHits > ConfirmOutOf)
             yield return FormattableString.Invariant($"{nameof(ConfirmHits)} is {ConfirmHits}; it must be 1 to {nameof(ConfirmOutOf)}");
         if (LostAfterMisses < 1)
@@ -85,8 +85,8 @@ public sealed class SensorFusionOptions
             yield return FormattableString.Invariant($"{nameof(FootprintMarginMetres)} is {FootprintMarginMetres}; it must be 0 to 1000 m");
         if (TentativeLifetime <= TimeSpan.Zero)
             yield return $"{nameof(TentativeLifetime)} is {TentativeLifetime}; it must be above zero";
-        if (HoldWithoutLook <= TimeSpan.Zero)
-            yield return $"{nameof(HoldWithoutLook)} is {HoldWithoutLook}; it must be above zero";
+        if (ReportGroupingDelay <= TimeSpan.Zero)
+            yield return $"{nameof(ReportGroupingDelay)} is {ReportGroupingDelay}; it must be above zero";
         if (LateWindow < TimeSpan.Zero)
             yield return $"{nameof(LateWindow)} is {LateWindow}; it cannot be negative";
         if (MaxTracks is < 1 or > 1000)

@@ -6,10 +6,10 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// The tracks: one look at a time, its reports are given to the tracks that they fit best, all at once; what fits none starts a
-/// track; what should have been reported and was not is a miss.
+/// The tracks. The reports of one observation are assigned to them all at once; a report that fits none starts a track; a track that
+/// should have been reported and was not counts a miss.
 /// </summary>
-internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistics books)
+internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistics statistics)
 {
     // Above any cost within the gate: a report goes without a track only when none is left for it.
     private const double MissCost = 1e6;
@@ -18,32 +18,32 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     private readonly Assignment _assignment = new();
     private readonly TrackMerger _merger = new();
     private int _lastId;
-    private long _lookCount;
+    private long _observationCount;
 
     /// <summary>The tracks, by id.</summary>
     public IReadOnlyList<FusedTrack> Tracks => _tracks;
 
-    /// <summary>Whether any track is believed, or was.</summary>
-    public bool HasBeenSure { get; private set; }
+    /// <summary>Whether any track is confirmed, or was.</summary>
+    public bool HasConfirmed { get; private set; }
 
-    /// <summary>Gives up all tracks; ids go on.</summary>
+    /// <summary>Deletes all tracks; ids go on.</summary>
     public void Clear()
     {
-        books.TracksDropped += _tracks.Count;
+        statistics.TracksDropped += _tracks.Count;
         foreach (FusedTrack track in _tracks)
             _merger.Forget(track.Id);
         _tracks.Clear();
     }
 
-    /// <summary>Takes in what one look reported.</summary>
-    /// <param name="reports">All reports of the look, sound and each new.</param>
-    /// <param name="time">When it looked.</param>
-    /// <param name="footprint">What it showed; unknown where only the reports are.</param>
+    /// <summary>Updates the tracks by one observation.</summary>
+    /// <param name="reports">All its reports, valid and each new.</param>
+    /// <param name="time">Its time.</param>
+    /// <param name="footprint">What it shows; unknown for reports of another vehicle.</param>
     /// <param name="updated">For each report, the track that it is in now; null where it has none.</param>
     /// <returns>Whether anything changed.</returns>
-    public bool Take(IReadOnlyList<LocatedReport> reports, TimeSpan time, in Footprint footprint, List<FusedTrack?> updated)
+    public bool Update(IReadOnlyList<LocatedReport> reports, TimeSpan time, in Footprint footprint, List<FusedTrack?> updated)
     {
-        _lookCount++;
+        _observationCount++;
         int before = _tracks.Count;
         Pair(reports);
         updated.Clear();
@@ -58,7 +58,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
 
         for (int i = 0; i < before; i++)
             isChanged |= CountMiss(_tracks[i], time, footprint);
-        return isChanged | DropTentative(time) | Merge(updated);
+        return isChanged | DeleteTentative(time) | Merge(updated);
     }
 
     private void Pair(IReadOnlyList<LocatedReport> reports)
@@ -68,7 +68,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         {
             for (int t = 0; t < _tracks.Count; t++)
             {
-                if (_tracks[t].Colour != reports[r].Report.Colour)
+                if (_tracks[t].Class != reports[r].Report.Class)
                     continue;
                 Innovation innovation = Compare(_tracks[t], reports[r]);
                 if (innovation.DistanceSquared <= options.Gate)
@@ -79,31 +79,31 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         _assignment.Solve();
     }
 
-    // What is common to all reports of a vehicle does not cancel between two headings, and not at all between two vehicles.
+    // Systematic errors of one vehicle do not cancel between two headings, and those of two vehicles not at all.
     private Innovation Compare(FusedTrack track, in LocatedReport report)
     {
-        TargetReport said = report.Report;
-        double lag = Math.Max(0, (track.Time - said.Time).TotalSeconds);
-        Innovation innovation = track.FilterAt(said.Time, options.ProcessNoise)
-            .Expect(report.North, report.East, said.Covariance, lag)
-            .Wider(said.SystematicCovariance);
-        return track.LastSource == said.SourceSystemId ? innovation : innovation.Wider(track.Common);
+        TargetReport measured = report.Report;
+        double lag = Math.Max(0, (track.Time - measured.Time).TotalSeconds);
+        Innovation innovation = track.FilterAt(measured.Time, options.ProcessNoise)
+            .Expect(report.North, report.East, measured.Covariance, lag)
+            .Wider(measured.SystematicCovariance);
+        return track.LastSource == measured.SourceSystemId ? innovation : innovation.Wider(track.Systematic);
     }
 
     private FusedTrack? Update(FusedTrack track, in LocatedReport report)
     {
         if (track.Time - report.Report.Time > options.LateWindow)
         {
-            books.ReportsLate++;
+            statistics.ReportsLate++;
             return null;
         }
 
-        track.Take(report, options.ProcessNoise);
+        track.Update(report, options.ProcessNoise);
         track.History.Add(isHit: true);
         track.MissesInARow = 0;
-        track.LastObservation = _lookCount;
-        books.ReportsUsed++;
-        Judge(track);
+        track.LastObservation = _observationCount;
+        statistics.ReportsUsed++;
+        Confirm(track);
         return track;
     }
 
@@ -111,38 +111,38 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     {
         if (time - report.Report.Time > options.LateWindow)
         {
-            books.ReportsLate++;
+            statistics.ReportsLate++;
             return null;
         }
 
         if (_tracks.Count >= options.MaxTracks)
         {
-            books.ReportsWithoutRoom++;
+            statistics.ReportsWithoutRoom++;
             return null;
         }
 
-        var track = new FusedTrack(++_lastId, report, options) { LastObservation = _lookCount };
+        var track = new FusedTrack(++_lastId, report, options) { LastObservation = _observationCount };
         track.History.Add(isHit: true);
         _tracks.Add(track);
-        books.TracksStarted++;
-        Judge(track);
+        statistics.TracksStarted++;
+        Confirm(track);
         return track;
     }
 
-    private void Judge(FusedTrack track)
+    private void Confirm(FusedTrack track)
     {
         if (track.State == TrackState.Confirmed || track.History.HitsInLast(options.ConfirmOutOf) < options.ConfirmHits)
             return;
         track.State = TrackState.Confirmed;
-        HasBeenSure = true;
+        HasConfirmed = true;
     }
 
     private bool CountMiss(FusedTrack track, TimeSpan time, in Footprint footprint)
     {
-        if (track.LastObservation == _lookCount || !footprint.IsKnown)
+        if (track.LastObservation == _observationCount || !footprint.IsKnown)
             return false;
         PlanarFilter there = track.FilterAt(time, options.ProcessNoise);
-        HorizontalCovariance total = there.PositionCovariance + track.Common;
+        HorizontalCovariance total = there.PositionCovariance + track.Systematic;
         double margin = options.FootprintMarginMetres + (2 * Math.Sqrt(Math.Max(total.NorthNorth, total.EastEast)));
         if (!footprint.Contains(there.North, there.East, margin))
             return false;
@@ -154,32 +154,32 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         return true;
     }
 
-    private bool DropTentative(TimeSpan time)
+    private bool DeleteTentative(TimeSpan time)
     {
         int dropped = 0;
         for (int i = _tracks.Count - 1; i >= 0; i--)
         {
-            if (!IsHopeless(_tracks[i], time))
+            if (!IsToBeDeleted(_tracks[i], time))
                 continue;
             _merger.Forget(_tracks[i].Id);
             _tracks.RemoveAt(i);
             dropped++;
         }
 
-        books.TracksDropped += dropped;
+        statistics.TracksDropped += dropped;
         return dropped > 0;
     }
 
-    // Missed so often that the looks that were cannot confirm it any more, or not seen for long.
-    private bool IsHopeless(FusedTrack track, TimeSpan time)
+    // Missed so often that the remembered observations cannot confirm it any more, or not reported for long.
+    private bool IsToBeDeleted(FusedTrack track, TimeSpan time)
         => track.State == TrackState.Tentative
             && (track.History.MissesInLast(options.ConfirmOutOf) > options.ConfirmOutOf - options.ConfirmHits
                 || time - track.LastSeen > options.TentativeLifetime);
 
     private bool Merge(List<FusedTrack?> updated)
     {
-        int merged = _merger.Merge(_tracks, _lookCount, options.ProcessNoise, updated);
-        books.TracksMerged += merged;
+        int merged = _merger.Merge(_tracks, _observationCount, options.ProcessNoise, updated);
+        statistics.TracksMerged += merged;
         return merged > 0;
     }
 }

@@ -20,16 +20,16 @@ internal sealed class TrackMerger
     private readonly Dictionary<(int First, int Second), int> _together = [];
     private readonly List<(int First, int Second)> _stale = [];
 
-    /// <summary>Merges what is to be merged: into the one that is believed, else the older one.</summary>
+    /// <summary>Merges what is to be merged: into the confirmed one, else the older one.</summary>
     /// <returns>How many tracks are no more.</returns>
-    public int Merge(List<FusedTrack> tracks, long look, double processNoise, List<FusedTrack?> updated)
+    public int Merge(List<FusedTrack> tracks, long observation, double processNoise, List<FusedTrack?> updated)
     {
         int merged = 0;
         for (int i = 0; i < tracks.Count; i++)
         {
             for (int j = i + 1; j < tracks.Count; j++)
             {
-                if (!AreOne(tracks[i], tracks[j], look, processNoise))
+                if (!AreOne(tracks[i], tracks[j], observation, processNoise))
                     continue;
                 merged++;
                 bool takesSecond = tracks[i].State == TrackState.Tentative && tracks[j].State != TrackState.Tentative;
@@ -75,20 +75,20 @@ internal sealed class TrackMerger
         Forget(gone.Id);
     }
 
-    private bool AreOne(FusedTrack a, FusedTrack b, long look, double processNoise)
+    private bool AreOne(FusedTrack a, FusedTrack b, long observation, double processNoise)
     {
-        if (a.Colour != b.Colour)
+        if (a.Class != b.Class)
             return false;
         TimeSpan time = a.Time > b.Time ? a.Time : b.Time;
         PlanarFilter fa = a.FilterAt(time, processNoise);
         PlanarFilter fb = b.FilterAt(time, processNoise);
-        HorizontalCovariance total = fa.PositionCovariance + fb.PositionCovariance + FusedTrack.CommonOf(a, b);
+        HorizontalCovariance total = fa.PositionCovariance + fb.PositionCovariance + FusedTrack.SystematicOf(a, b);
         if (total.MahalanobisSquared(fa.North - fb.North, fa.East - fb.East) > MergeGate)
             return false;
 
         (int, int) pair = a.Id < b.Id ? (a.Id, b.Id) : (b.Id, a.Id);
         _together.TryGetValue(pair, out int times);
-        if (a.LastObservation == look && b.LastObservation == look)
+        if (a.LastObservation == observation && b.LastObservation == observation)
         {
             _together[pair] = times + 1;
             return false;

@@ -7,19 +7,29 @@ namespace Rabit.Vision;
 /// memory; for one thread.
 /// </summary>
 /// <remarks>Rosenfeld and Pfaltz, "Sequential operations in digital picture processing", Journal of the ACM 13(4), 1966.</remarks>
+/// <example>
+/// <code>
+/// var finder = new BlobFinder();                    // kept from picture to picture
+/// if (finder.TryFind(picture.Pixels, picture.Width, picture.Height, table))
+/// {
+///     foreach (Blob blob in finder.Blobs)
+///         Console.WriteLine($"{blob.Pixels} pixels from column {blob.Left} to {blob.Right}");
+/// }
+/// </code>
+/// </example>
 public sealed class BlobFinder
 {
-    /// <summary>The most runs of a picture. One with more is not ground with targets on it, but noise.</summary>
+    /// <summary>Maximum of runs of a picture. One with more is noise, and not ground with targets on it.</summary>
     public const int MaxRuns = 32_768;
 
-    /// <summary>The most blobs of a picture.</summary>
+    /// <summary>Maximum of blobs of a picture.</summary>
     public const int MaxBlobs = 4_096;
 
     private readonly Run[] _runs = new Run[MaxRuns];
     private readonly Blob[] _blobs = new Blob[MaxBlobs];
     private int _runCount;
 
-    /// <summary>What the last picture showed.</summary>
+    /// <summary>The blobs of the last picture.</summary>
     public ReadOnlySpan<Blob> Blobs => new(_blobs, 0, Count);
 
     /// <summary>How many blobs the last picture had.</summary>

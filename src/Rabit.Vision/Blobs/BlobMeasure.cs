@@ -6,12 +6,19 @@ namespace Rabit.Vision;
 /// Measures a blob below the size of a pixel: from the colour inside and that of the ground around it follows of each pixel which part
 /// of it is covered; area, centre and second moments are sums over those parts.
 /// </summary>
+/// <example>
+/// <code>
+/// measure.SetPicture(picture.Pixels, picture.Width, picture.Height, table);
+/// if (!measure.TouchesBorder(blob) &amp;&amp; measure.TryMeasure(blob, out BlobShape shape))
+///     Console.WriteLine($"{shape.Area} pixels around {shape.CentreX}, {shape.CentreY}");
+/// </code>
+/// </example>
 public sealed class BlobMeasure
 {
     // Ground that is a little like the colour is no part of the blob.
     private const double MinCoverage = 0.15;
 
-    // The box is looked at with so much around it, where the edge fades out, and the ground is looked at beyond.
+    // The box is measured with so much around it, where the edge fades out; the ground is sampled beyond.
     private const int Margin = 2;
 
     private byte[] _pixels = [];
@@ -37,7 +44,7 @@ public sealed class BlobMeasure
     public bool TouchesBorder(in Blob blob)
         => blob.Left < Margin || blob.Top < Margin || blob.Right >= _width - Margin || blob.Bottom >= _height - Margin;
 
-    /// <summary>Measures it; false where it cannot be told from the ground.</summary>
+    /// <summary>Measures it; false where it has no contrast to its surroundings.</summary>
     /// <param name="blob">Of the picture that is set.</param>
     /// <param name="shape">What was measured; only its colour if the answer is false.</param>
     public bool TryMeasure(in Blob blob, out BlobShape shape)

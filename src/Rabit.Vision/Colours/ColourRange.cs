@@ -5,8 +5,15 @@ namespace Rabit.Vision;
 /// <summary>
 /// A colour and what still counts as it. Light and shade change how bright a thing is, but not its hue, and hardly its saturation; so the
 /// window of hue is narrow, saturation is compared with that of the nominal colour, and brightness counts only where it is too dark to
-/// tell. Immutable.
+/// decide. Immutable.
 /// </summary>
+/// <example>
+/// <code>
+/// var orange = new ColourRange(242, 112, 18);
+/// bool inTheShade = orange.Contains(145, 67, 11);   // true: darker, of the same hue
+/// bool grass = orange.Contains(86, 112, 56);        // false
+/// </code>
+/// </example>
 public sealed class ColourRange
 {
     // How far from its nominal hue; the nearest two, red and orange, are 27 degrees apart.

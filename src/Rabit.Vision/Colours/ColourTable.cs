@@ -6,6 +6,14 @@ namespace Rabit.Vision;
 /// Classifies every colour of a picture, in steps of 8 for each channel, by the <see cref="ColourRange"/> that it falls into: a look-up
 /// table of 32 KB, which stays in the cache. For one thread at a time.
 /// </summary>
+/// <example>
+/// <code>
+/// var table = new ColourTable([new ColourRange(205, 28, 32), new ColourRange(28, 72, 205)]);
+/// table.Select(0b10);                               // the second alone
+/// int ofBlue = table.ClassOf(28, 72, 205);          // 2: one more than its index
+/// int ofRed = table.ClassOf(205, 28, 32);           // 0: not selected
+/// </code>
+/// </example>
 public sealed class ColourTable
 {
     /// <summary>Low bits of a channel that do not count.</summary>

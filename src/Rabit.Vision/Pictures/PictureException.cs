@@ -3,6 +3,18 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>A picture, or the folder of a camera, could not be read or written. The message is one line that names it and the reason, fit for a user.</summary>
+/// <example>
+/// <code>
+/// try
+/// {
+///     picture = PictureFile.Load(path);
+/// }
+/// catch (PictureException e)
+/// {
+///     Console.Error.WriteLine(e.Message);   // names the file and what is wrong with it
+/// }
+/// </code>
+/// </example>
 public sealed class PictureException : Exception
 {
     /// <summary>Makes the error.</summary>

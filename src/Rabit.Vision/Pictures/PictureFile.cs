@@ -6,6 +6,12 @@ using System.Text;
 namespace Rabit.Vision;
 
 /// <summary>Pictures in files: PNG and binary PPM (P6), 8 bits per channel. What a file is, its first bytes say, not its name. Any thread.</summary>
+/// <example>
+/// <code>
+/// RgbPicture picture = PictureFile.Load("in.png");
+/// PictureFile.Save("out.ppm", picture);
+/// </code>
+/// </example>
 public static class PictureFile
 {
     // Larger than any picture that is read here: nothing is gained by packing pixels into more bytes than they have.

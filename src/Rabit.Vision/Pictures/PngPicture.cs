@@ -8,6 +8,12 @@ namespace Rabit.Vision;
 /// Pictures as PNG (W3C, "Portable Network Graphics Specification", third edition). Writes 8-bit RGB; reads 8-bit RGB, RGBA (alpha is
 /// dropped), grey, grey with alpha, and palette, not interlaced. Any thread.
 /// </summary>
+/// <example>
+/// <code>
+/// byte[] file = PngPicture.Encode(new RgbPicture(2, 1, [255, 0, 0, 0, 0, 255]));   // a red and a blue pixel
+/// RgbPicture again = PngPicture.Decode(file, "two pixels");
+/// </code>
+/// </example>
 public static class PngPicture
 {
     internal const int HeaderLength = 13;

@@ -21,11 +21,11 @@ internal sealed class PpmDecoder
         int at = 2;
         Width = ReadNumber(ref at);
         Height = ReadNumber(ref at);
-        int most = ReadNumber(ref at);
+        int max = ReadNumber(ref at);
         if (RgbPicture.FindSizeFault(Width, Height) is { } fault)
             throw new PictureException(name, fault);
-        if (most != 255)
-            throw new PictureException(name, $"its largest value is {most}; only 255 is read");
+        if (max != 255)
+            throw new PictureException(name, $"its largest value is {max}; only 255 is read");
         _pixelsAt = at + 1;
         if (length - _pixelsAt < Width * Height * 3)
             throw new PictureException(name, "it is cut off");

@@ -3,12 +3,18 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>A picture with 8 bits each of red, green and blue, row by row from the top left, without padding.</summary>
+/// <example>
+/// <code>
+/// var picture = new RgbPicture(640, 480, new byte[640 * 480 * 3]);
+/// picture.Pixels[((row * picture.Width) + column) * 3] = 255;   // the red of a pixel
+/// </code>
+/// </example>
 public sealed class RgbPicture
 {
-    /// <summary>Columns or rows that a picture has at most here.</summary>
+    /// <summary>Maximum of columns, and of rows.</summary>
     public const int MaxPixelsPerSide = 16_384;
 
-    /// <summary>Pixels that a picture has at most here: 50 million, more than any camera of an aircraft this is made for.</summary>
+    /// <summary>Maximum of pixels: 50 million, more than the cameras that small aircraft carry.</summary>
     public const int MaxPixels = 50_000_000;
 
     /// <summary>Makes a picture of bytes, which are not copied.</summary>

@@ -43,7 +43,7 @@ internal sealed class Scene
     /// <summary>A magenta panel of 1 m.</summary>
     public static SimulatedTarget Panel(double north, double east, double heading = 0, double side = 1) => new()
     {
-        Colour = TargetColours.Magenta,
+        Class = DefaultTargetClasses.Magenta,
         NorthMetres = north,
         EastMetres = east,
         HeadingRadians = heading,

@@ -152,7 +152,7 @@ internal sealed class SearchFlight : IDisposable
         foreach (SimulatedTarget target in World.Targets)
         {
             var frame = LocalNedFrame.IgnoringGeoid(World.PositionOf(target.NorthMetres, target.EastMetres));
-            TargetTrack? best = free.Where(t => t.Colour == target.Colour && Distance(frame, t) < 10).OrderBy(t => Distance(frame, t)).FirstOrDefault();
+            TargetTrack? best = free.Where(t => t.Class == target.Class && Distance(frame, t) < 10).OrderBy(t => Distance(frame, t)).FirstOrDefault();
             if (best is not null)
                 free.Remove(best);
             scores.Add(new TargetScore(target, best, best is null ? default : frame.ToNed(best.Position)));

@@ -17,7 +17,7 @@ namespace Rabit.Uav.Simulation.Tests.Vision;
 /// </summary>
 public sealed class SimulatedPictureTests(ITestOutputHelper output)
 {
-    // The corners of a look are the truth, but a panel near its edge may be cut.
+    // The corners of a observation are the truth, but a panel near its edge may be cut.
     private const double EdgeMetres = 1.3;
 
     [Theory]
@@ -32,17 +32,17 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
 
         (int expected, int found, double squares, double worst) = (0, 0, 0, 0);
         var missed = new List<string>();
-        foreach (CameraObservation look in survey.Sink.Looks)
+        foreach (CameraObservation observation in survey.Sink.Observations)
         {
-            foreach (SimulatedTarget target in survey.Things.Where(t => !t.IsDistractor && survey.IsInside(look, t, EdgeMetres)))
+            foreach (SimulatedTarget target in survey.Things.Where(t => !t.IsDistractor && survey.IsInside(observation, t, EdgeMetres)))
             {
                 expected++;
                 double[] errors = survey.Sink.Reports
-                    .Where(r => r.PictureNumber == look.Number && r.Colour == target.Colour)
+                    .Where(r => r.PictureNumber == observation.Number && r.Class == target.Class)
                     .Select(r => survey.ErrorOf(r, target)).Where(e => e < 1).ToArray();
                 if (errors.Length != 1)
                 {
-                    missed.Add($"{target.Name} in look {look.Number}: {errors.Length} reports");
+                    missed.Add($"{target.Name} in observation {observation.Number}: {errors.Length} reports");
                     continue;
                 }
 
@@ -53,10 +53,10 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         }
 
         string[] wrong = survey.Sink.Reports
-            .Where(r => !survey.Things.Any(t => !t.IsDistractor && t.Colour == r.Colour && survey.ErrorOf(r, t) < 1))
+            .Where(r => !survey.Things.Any(t => !t.IsDistractor && t.Class == r.Class && survey.ErrorOf(r, t) < 1))
             .Select(r => survey.Describe(r)).ToArray();
         double rms = Math.Sqrt(squares / Math.Max(1, found));
-        output.WriteLine($"seed {seed}, {height} m: {survey.Sink.Looks.Count} looks, {found} of {expected} found, {wrong.Length} wrong, rms {rms:F3} m, worst {worst:F3} m");
+        output.WriteLine($"seed {seed}, {height} m: {survey.Sink.Observations.Count} observations, {found} of {expected} found, {wrong.Length} wrong, rms {rms:F3} m, worst {worst:F3} m");
         foreach (string line in missed.Concat(wrong).Take(30))
             output.WriteLine(line);
 
@@ -102,7 +102,6 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
             Mode = ImagingMode.Search,
             CameraPitchRadians = -Math.PI / 2,
             GroundAltitudeAmslMetres = frame.Origin.AltitudeAmslMetres,
-            Colours = TargetColours.All,
         };
         var reactor = new RabitReactor(new VirtualTime((long)seed)) { new SurveyFlight(truth, frame, height, order), manager, sink };
         reactor.Start();
@@ -110,7 +109,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         reactor.Stop();
         Assert.Equal(0, reactor.Finish().ExitCode);
         Assert.Empty(source.BufferHolders());
-        Assert.InRange(sink.Looks.Count, 85, 90);
+        Assert.InRange(sink.Observations.Count, 85, 90);
         return new Survey(frame, things, sink);
     }
 
@@ -129,12 +128,12 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         public string Describe(TargetReport report)
         {
             SimulatedTarget nearest = Things.OrderBy(t => ErrorOf(report, t)).First();
-            return $"{report.Colour} in look {report.PictureNumber}, {report.SizeMetres:F2} m, score {report.Score:F2}, nearest is {nearest.Name} at {ErrorOf(report, nearest):F1} m";
+            return $"{report.Class} in observation {report.PictureNumber}, {report.SizeMetres:F2} m, score {report.Score:F2}, nearest is {nearest.Name} at {ErrorOf(report, nearest):F1} m";
         }
 
-        public bool IsInside(CameraObservation look, SimulatedTarget target, double margin)
+        public bool IsInside(CameraObservation observation, SimulatedTarget target, double margin)
         {
-            NedVector[] corners = [frame.ToWorld(look.TopLeft), frame.ToWorld(look.TopRight), frame.ToWorld(look.BottomRight), frame.ToWorld(look.BottomLeft)];
+            NedVector[] corners = [frame.ToWorld(observation.TopLeft), frame.ToWorld(observation.TopRight), frame.ToWorld(observation.BottomRight), frame.ToWorld(observation.BottomLeft)];
             for (int i = 0; i < 4; i++)
             {
                 (NedVector a, NedVector b) = (corners[i], corners[(i + 1) % 4]);

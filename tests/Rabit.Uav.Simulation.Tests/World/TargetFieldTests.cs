@@ -73,11 +73,11 @@ public class TargetFieldTests(ITestOutputHelper output)
             SimulatedTarget[] targets = TargetField.Place(seed, Rectangle, 5, 10).Where(t => !t.IsDistractor).ToArray();
 
             Assert.Equal(5, targets.Length);
-            Assert.Equal(5, targets.Select(t => t.Colour).Distinct().Count());
+            Assert.Equal(5, targets.Select(t => t.Class).Distinct().Count());
             foreach (SimulatedTarget target in targets)
             {
                 Assert.Equal((1.0, 1.0), (target.SideMetres, target.WidthMetres));
-                (int red, int green, int blue) = Nominal(target.Colour);
+                (int red, int green, int blue) = Nominal(target.Class);
                 Assert.True(IsWithinTenth(target.Surface.Red, red) && IsWithinTenth(target.Surface.Green, green) && IsWithinTenth(target.Surface.Blue, blue), $"seed {seed}, {target.Name}");
             }
         }
@@ -90,7 +90,7 @@ public class TargetFieldTests(ITestOutputHelper output)
         {
             bool isRightSize = thing.SideMetres is > 0.5 and < 1.5 && thing.WidthMetres is > 0.5 and < 1.5;
             Assert.True(thing.IsDistractor);
-            Assert.True(thing.Colour == TargetColours.None ? isRightSize : !isRightSize, thing.Name);
+            Assert.True(thing.Class == TargetClassName.None ? isRightSize : !isRightSize, thing.Name);
         }
     }
 
@@ -152,13 +152,13 @@ public class TargetFieldTests(ITestOutputHelper output)
 
     private static bool IsWithinTenth(int value, int nominal) => Math.Abs(value - nominal) <= (0.1 * nominal) + 0.5;
 
-    private static (int Red, int Green, int Blue) Nominal(TargetColours colour) => colour switch
+    private static (int Red, int Green, int Blue) Nominal(TargetClassName colour) => colour.ToString() switch
     {
-        TargetColours.Red => (205, 28, 32),
-        TargetColours.Orange => (242, 112, 18),
-        TargetColours.Blue => (28, 72, 205),
-        TargetColours.Yellow => (243, 214, 28),
-        TargetColours.Magenta => (212, 36, 150),
+        "red" => (205, 28, 32),
+        "orange" => (242, 112, 18),
+        "blue" => (28, 72, 205),
+        "yellow" => (243, 214, 28),
+        "magenta" => (212, 36, 150),
         _ => throw new ArgumentOutOfRangeException(nameof(colour), colour, "A target has one of the five colours."),
     };
 

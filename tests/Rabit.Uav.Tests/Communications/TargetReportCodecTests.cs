@@ -1,6 +1,6 @@
 using System;
-using Rabit.Uav.Communications;
 using Rabit.Geodesy;
+using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 using Xunit;
 
@@ -31,14 +31,14 @@ public sealed class TargetReportCodecTests
                 Position = GeodeticPosition.FromRadians((random.NextDouble() - 0.5) * Math.PI, (random.NextDouble() - 0.5) * 2 * Math.PI, (random.NextDouble() * 9000) - 400),
                 Covariance = new HorizontalCovariance(nn, Math.Sqrt(nn * ee) * ((random.NextDouble() * 1.9) - 0.95), ee),
                 SystematicCovariance = i % 3 == 0 ? default : new HorizontalCovariance(ee, 0, nn),
-                Colour = (TargetColours)(1 << random.Next(5)),
+                Class = RandomName(random),
                 Score = random.NextDouble(),
                 SizeMetres = random.NextDouble() * 60,
                 CentreX = random.NextDouble() * 640,
                 CentreY = random.NextDouble() * 480,
             };
             Assert.True(Codec.TryEncode(report, Now, buffer, out int length), $"seed {Seed}, report {i}");
-            Assert.Equal(TargetReportCodec.Length, length);
+            Assert.Equal(58 + report.Class.Length, length);
             Assert.True(Codec.TryDecode(buffer.AsSpan(0, length), Now + TimeSpan.FromSeconds(5), 7, out TargetReport back), $"seed {Seed}, report {i}");
             AssertEqual(report, back);
             Assert.Equal(Codec.IdentityOf(report), Codec.IdentityOf(back));
@@ -52,10 +52,10 @@ public sealed class TargetReportCodecTests
         var random = new Random(Seed);
         for (int i = 0; i < 200_000; i++)
         {
-            var bytes = new byte[i % 4 == 0 ? random.Next(129) : TargetReportCodec.Length];
+            var bytes = new byte[i % 4 == 0 ? random.Next(129) : random.Next(TargetReportCodec.MinLength, TargetReportCodec.MaxLength + 1)];
             random.NextBytes(bytes);
             if (bytes.Length > 1 && i % 2 == 0)
-                (bytes[0], bytes[1]) = (1, (byte)(1 << random.Next(8)));
+                (bytes[0], bytes[1]) = (2, (byte)(bytes.Length - 58));
             if (Codec.TryDecode(bytes, Now, 7, out TargetReport report))
                 AssertSound(report, $"seed {Seed}, case {i}");
         }
@@ -84,10 +84,14 @@ public sealed class TargetReportCodecTests
     }
 
     [Theory]
-    [InlineData(0, 2)]      // another version
-    [InlineData(1, 0)]      // no colour
-    [InlineData(1, 3)]      // two colours
-    [InlineData(1, 32)]     // a colour that there is not
+    [InlineData(0, 1)]      // the version with colours
+    [InlineData(0, 3)]      // a version to come
+    [InlineData(1, 0)]      // no class
+    [InlineData(1, 2)]      // a shorter name than there are bytes
+    [InlineData(1, 255)]    // a longer one
+    [InlineData(58, 0)]     // no character
+    [InlineData(58, 32)]    // a space in front
+    [InlineData(59, 200)]   // not ASCII
     [InlineData(11, 255)]   // an age of months
     [InlineData(15, 127)]   // beyond the pole
     public void Decode_OneWrongByte_IsRefused(int offset, byte value)
@@ -106,7 +110,7 @@ public sealed class TargetReportCodecTests
     {
         TargetReport good = VehicleMessageTests.Report(look: 1);
         Assert.True(Encodes(good));
-        Assert.False(Encodes(good with { Colour = TargetColours.All }));
+        Assert.False(Encodes(good with { Class = TargetClassName.None }));
         Assert.False(Encodes(good with { Index = 256 }));
         Assert.False(Encodes(good with { PictureNumber = -1 }));
         Assert.False(Encodes(good with { Score = double.NaN }));
@@ -119,7 +123,37 @@ public sealed class TargetReportCodecTests
         Assert.False(Encodes(good with { Position = default }));
         Assert.False(Encodes(good with { Position = GeodeticPosition.FromRadians(double.NaN, 0, 0) }));
         Assert.False(Encodes(good with { Time = TimeSpan.FromHours(-1) }));
-        Assert.False(Codec.TryEncode(good, TimeSpan.Zero, new byte[TargetReportCodec.Length - 1], out _));
+        Assert.False(Codec.TryEncode(good, TimeSpan.Zero, new byte[57 + good.Class.Length], out _));
+    }
+
+    [Fact]
+    public void Decode_OldFormWithAColour_IsRefused()
+    {
+        // Version 1 had 58 bytes, with the flag of one of five colours in the second.
+        var bytes = new byte[VehicleMessageRoute.MaximumLength];
+        Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, bytes, out _);
+        (bytes[0], bytes[1]) = (1, 1);
+        Assert.False(Codec.TryDecode(bytes.AsSpan(0, 58), Now, 7, out _));
+    }
+
+    [Fact]
+    public void RoundTrip_ClassThatIsNotDeclaredHere_KeepsItsName()
+    {
+        var bytes = new byte[VehicleMessageRoute.MaximumLength];
+        TargetReport report = VehicleMessageTests.Report(look: 3) with { Class = new TargetClassName("Canis lupus fam.") };
+        Assert.True(Codec.TryEncode(report, TimeSpan.Zero, bytes, out int length));
+        Assert.Equal(TargetReportCodec.MaxLength, length);
+        Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), Now, 7, out TargetReport back));
+        Assert.Equal("Canis lupus fam.", back.Class.ToString());
+    }
+
+    private static TargetClassName RandomName(Random random)
+    {
+        var name = new byte[random.Next(1, TargetClassName.MaxLength + 1)];
+        for (int i = 0; i < name.Length; i++)
+            name[i] = (byte)random.Next(' ' + 1, '~' + 1);
+        Assert.True(TargetClassName.TryRead(name, out TargetClassName read));
+        return read;
     }
 
     private static bool Encodes(in TargetReport report) => Codec.TryEncode(report, TimeSpan.Zero, new byte[128], out _);
@@ -137,7 +171,7 @@ public sealed class TargetReportCodecTests
 
     private static void AssertEqual(in TargetReport expected, in TargetReport actual)
     {
-        Assert.Equal((7, expected.PictureNumber, expected.Index, expected.Colour), (actual.SourceSystemId, actual.PictureNumber, actual.Index, actual.Colour));
+        Assert.Equal((7, expected.PictureNumber, expected.Index, expected.Class), (actual.SourceSystemId, actual.PictureNumber, actual.Index, actual.Class));
         Assert.Equal(expected.Time.TotalSeconds + 5, actual.Time.TotalSeconds, 0.0006);
         Assert.Equal(expected.Position.LatitudeRadians, actual.Position.LatitudeRadians, 1e-9);
         Assert.Equal(expected.Position.LongitudeRadians, actual.Position.LongitudeRadians, 1e-9);

@@ -17,7 +17,7 @@ public sealed class VehicleMessageTests
         using var air = new TwoVehicles();
         air.Send(from: 0, Report(look: 7, index: 2));
         TargetReport report = Assert.Single(air.Received(1));
-        Assert.Equal((1, 7L, 2, TargetColours.Orange), (report.SourceSystemId, report.PictureNumber, report.Index, report.Colour));
+        Assert.Equal((1, 7L, 2, DefaultTargetClasses.Orange), (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
         Assert.Empty(air.Received(0));
         Assert.Equal((1L, 0L), (air.Counts(0).Sent, air.Counts(0).Delivered));
         Assert.Equal((0L, 1L), (air.Counts(1).Sent, air.Counts(1).Delivered));
@@ -126,7 +126,7 @@ public sealed class VehicleMessageTests
             air.Run(1);
         }
 
-        int frame = 12 + 5 + TargetReportCodec.Length;   // header, checksum, what TUNNEL says of its content
+        int frame = 12 + 5 + 58 + DefaultTargetClasses.Red.Length;   // header, checksum, what TUNNEL says of its content
         Assert.InRange(air.Received(1).Count * frame, 4 * 1000, 6 * 1000);
         Assert.Equal(250, air.Counts(0).Sent + air.Counts(0).RateLimited);
         Assert.Equal(air.Counts(0).Sent, air.Received(1).Count);
@@ -193,7 +193,7 @@ public sealed class VehicleMessageTests
         Position = GeodeticPosition.FromRadians(0.7, 0.1, 101.25),
         Covariance = new HorizontalCovariance(1.5, 0.25, 2),
         SystematicCovariance = new HorizontalCovariance(1, 0, 1),
-        Colour = TargetColours.Orange,
+        Class = DefaultTargetClasses.Orange,
         Score = 0.8,
         SizeMetres = 1.02,
         CentreX = 320.5,

@@ -5,7 +5,7 @@ using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Tests.Geometry;
-using Rabit.Uav.Tests.ImageProcessing.Pictures;
+using Rabit.Vision.Tests.Pictures;
 
 namespace Rabit.Uav.Tests.Geolocate;
 

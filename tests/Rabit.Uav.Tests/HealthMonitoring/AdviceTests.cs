@@ -123,6 +123,20 @@ public class AdviceTests
         Assert.Equal("the camera delivers no pictures (last at 12.0 s)", rig.Report.AdviceText);
     }
 
+    [Fact]
+    public void Detector_AtFault_IsReportedForAWhileWithoutAdvice()
+    {
+        using var rig = new HealthRig();
+        rig.PostMission(MissionPhase.Searching);
+        rig.Fly(10);
+        rig.PostImaging(ImagingMode.Off, lastFrame: null, detectorFailures: 2);
+        rig.Fly(2);
+        Assert.Equal((HealthReasons.DetectorFault, HealthLevel.Warning, HealthAdvice.None), (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
+        Assert.Equal("the target detector is at fault (2 times so far)", rig.Report.Text);
+        rig.Fly(5);
+        Assert.Equal(HealthReasons.None, rig.Report.Reasons);
+    }
+
     [Theory]
     [InlineData(ImagingMode.Off, true)]
     [InlineData(ImagingMode.Search, false)]

@@ -95,9 +95,15 @@ internal sealed class HealthRig : IDisposable
         _mission.Post();
     }
 
-    public void PostImaging(ImagingMode mode, TimeSpan? lastFrame, bool hasCamera = true)
+    public void PostImaging(ImagingMode mode, TimeSpan? lastFrame, bool hasCamera = true, long detectorFailures = 0)
     {
-        _imaging.Value = new ImagingStatus { HasCamera = hasCamera, Mode = mode, LastFrameTime = lastFrame };
+        _imaging.Value = new ImagingStatus
+        {
+            HasCamera = hasCamera,
+            Mode = mode,
+            LastFrameTime = lastFrame,
+            DetectorFailures = detectorFailures,
+        };
         _imaging.Post();
     }
 

@@ -10,7 +10,7 @@ namespace Rabit.Uav.Tests.ImageProcessing;
 public sealed class ImageProcessingManagerTests
 {
     [Fact]
-    public void Frame_WithPosesAround_IsReportedAndItsGroundTold()
+    public void Frame_WithPosesAround_IsReportedWithItsGround()
     {
         using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel);
         rig.AddPoses(0, 3);
@@ -18,7 +18,7 @@ public sealed class ImageProcessingManagerTests
         rig.Run(2);
 
         TargetReport report = Assert.Single(rig.Sink.Reports);
-        Assert.Equal((7, 0L, 0, TargetColours.Red), (report.SourceSystemId, report.PictureNumber, report.Index, report.Colour));
+        Assert.Equal((7, 0L, 0, DefaultTargetClasses.Red), (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
         Assert.Equal(TimeSpan.FromSeconds(1.03), report.Time);
         NedVector ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
         Assert.Equal(ImagingRig.North, ned.North, 0.05);
@@ -27,38 +27,38 @@ public sealed class ImageProcessingManagerTests
         Assert.InRange(report.SizeMetres, 0.9, 1.1);
         Assert.True(report.Covariance.NorthNorth > 0 && report.SystematicCovariance.NorthNorth > 1);
 
-        CameraObservation look = Assert.Single(rig.Sink.Looks);
-        Assert.Equal((7, 0L, 1, report.Time), (look.SourceSystemId, look.Number, look.Reports, look.Time));
-        Assert.Equal(look, Assert.Single(rig.Sink.SearchedGround));
-        AssertCorners(rig.View, look);
+        CameraObservation observation = Assert.Single(rig.Sink.Observations);
+        Assert.Equal((7, 0L, 1, report.Time), (observation.SourceSystemId, observation.Number, observation.Reports.Length, observation.Time));
+        Assert.Equal(observation, Assert.Single(rig.Sink.SearchedGround));
+        AssertCorners(rig.View, observation);
         ImagingStatus status = rig.Status;
-        Assert.Equal((true, ImagingMode.Search, 1L, 1L, 0L, 0L, 1L), (status.HasCamera, status.Mode, status.Frames, status.Looks, status.FramesDropped, status.FramesRefused, status.Reports));
+        Assert.Equal((true, ImagingMode.Search, 1L, 1L, 0L, 0L, 1L), (status.HasCamera, status.Mode, status.Frames, status.Observations, status.FramesDropped, status.FramesRefused, status.Reports));
         rig.AssertAllGivenBack();
     }
 
     [Fact]
-    public void Frame_NothingInIt_IsALookAllTheSame()
+    public void Frame_WithoutTargets_IsAnObservation()
     {
         using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
         rig.AddPoses(0, 3);
         rig.Camera!.Add(0, 1, 1.1);
         rig.Run(2);
         Assert.Empty(rig.Sink.Reports);
-        Assert.Equal(0, Assert.Single(rig.Sink.Looks).Reports);
+        Assert.Empty(Assert.Single(rig.Sink.Observations).Reports);
         Assert.Empty(rig.Manager.ImageChips);
     }
 
     [Fact]
-    public void Frame_PosesComeLate_WaitsForThem()
+    public void Frame_PosesComeLate_IsSearchedAtTheMomentTheyArrive()
     {
         using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
         rig.AddPoses(0, 0.9);
         rig.Camera!.Add(0, 1, 1.1);
         rig.Run(1.3);
-        Assert.Empty(rig.Sink.Looks);
+        Assert.Empty(rig.Sink.Observations);
         rig.AddPoses(1, 1.2);
-        rig.Run(0.05);
-        Assert.Single(rig.Sink.Looks);
+        rig.Run(0);
+        Assert.Single(rig.Sink.Observations);
         Assert.Equal(0, rig.Status.FramesRefused);
         rig.AssertAllGivenBack();
     }
@@ -76,8 +76,8 @@ public sealed class ImageProcessingManagerTests
         // What comes later does not bring it back.
         rig.AddPoses(0, 3);
         ImagingStatus status = rig.Status;
-        Assert.Equal((1L, 0L, 1L, ImageProcessingManager.NoPose), (status.Frames, status.Looks, status.FramesRefused, status.LastRefusal));
-        Assert.Empty(rig.Sink.Looks);
+        Assert.Equal((1L, 0L, 1L, ImageProcessingManager.NoPose), (status.Frames, status.Observations, status.FramesRefused, status.LastRefusal));
+        Assert.Empty(rig.Sink.Observations);
     }
 
     [Fact]
@@ -105,8 +105,8 @@ public sealed class ImageProcessingManagerTests
         rig.Run(1.25);
         rig.AddPoses(0, 2);
         ImagingStatus status = rig.Status;
-        Assert.Equal((5L, 2L, 3L, ImageProcessingManager.NoRoom), (status.Frames, status.Looks, status.FramesRefused, status.LastRefusal));
-        Assert.Equal([3L, 4L], rig.Sink.Looks.Select(l => l.Number));
+        Assert.Equal((5L, 2L, 3L, ImageProcessingManager.NoRoom), (status.Frames, status.Observations, status.FramesRefused, status.LastRefusal));
+        Assert.Equal([3L, 4L], rig.Sink.Observations.Select(l => l.Number));
         rig.AssertAllGivenBack();
     }
 
@@ -123,7 +123,7 @@ public sealed class ImageProcessingManagerTests
 
         ImagingStatus status = rig.Status;
         Assert.Equal(2 + 3, status.FramesDropped);
-        Assert.Equal(status.Frames, status.Looks);
+        Assert.Equal(status.Frames, status.Observations);
     }
 
     [Fact]
@@ -136,20 +136,20 @@ public sealed class ImageProcessingManagerTests
         rig.Run(3);
         ImagingStatus status = rig.Status;
         Assert.Equal(10, status.Frames + status.FramesDropped);
-        Assert.Equal(status.Frames, status.Looks + status.FramesRefused);
-        Assert.Equal(9, rig.Sink.Looks.Last().Number);
+        Assert.Equal(status.Frames, status.Observations + status.FramesRefused);
+        Assert.Equal(9, rig.Sink.Observations.Last().Number);
         rig.AssertAllGivenBack();
     }
 
     [Fact]
-    public void Colours_OfTheOrder_AreTheOnlyOnesReported()
+    public void Classes_OfTheCommand_AreTheOnlyOnesReported()
     {
         using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel);
         rig.AddPoses(0, 9);
-        rig.Order(ImagingMode.Search, TargetColours.Blue);
+        rig.Order(ImagingMode.Search, DefaultTargetClasses.Blue);
         rig.Camera!.Add(0, 1, 1.1);
         rig.Run(2);
-        Assert.Equal(0, Assert.Single(rig.Sink.Looks).Reports);
+        Assert.Empty(Assert.Single(rig.Sink.Observations).Reports);
     }
 
     [Fact]
@@ -169,8 +169,8 @@ public sealed class ImageProcessingManagerTests
         rig.Camera.Add(1, 4, 4.1);
         rig.Run(3);
         status = rig.Status;
-        Assert.Equal((2L, 0L, PictureSearch.NotGround), (status.FramesRefused, status.Looks, status.LastRefusal));
-        Assert.Empty(rig.Sink.Looks);
+        Assert.Equal((2L, 0L, PictureSearch.NotGround), (status.FramesRefused, status.Observations, status.LastRefusal));
+        Assert.Empty(rig.Sink.Observations);
         rig.AssertAllGivenBack();
     }
 
@@ -185,13 +185,13 @@ public sealed class ImageProcessingManagerTests
         rig.AssertAllGivenBack();
     }
 
-    private static void AssertCorners(TestView view, CameraObservation look)
+    private static void AssertCorners(TestView view, CameraObservation observation)
     {
         var frame = LocalNedFrame.IgnoringGeoid(view.Position);
         (GeodeticPosition Corner, double Column, double Row)[] corners =
         [
-            (look.TopLeft, 0, 0), (look.TopRight, Painting.Width - 1, 0),
-            (look.BottomRight, Painting.Width - 1, Painting.Height - 1), (look.BottomLeft, 0, Painting.Height - 1),
+            (observation.TopLeft, 0, 0), (observation.TopRight, Painting.Width - 1, 0),
+            (observation.BottomRight, Painting.Width - 1, Painting.Height - 1), (observation.BottomLeft, 0, Painting.Height - 1),
         ];
         foreach ((GeodeticPosition corner, double column, double row) in corners)
         {

@@ -72,7 +72,7 @@ internal sealed class ImagingRig : IDisposable
         }
     }
 
-    /// <summary>A rig whose camera shows a picture, ordered to search.</summary>
+    /// <summary>A rig whose camera shows a picture, commanded to search.</summary>
     public static ImagingRig Search(byte[] picture, ImageProcessingOptions? options = null)
     {
         var rig = new ImagingRig(new ScriptedCamera(picture), options);
@@ -82,9 +82,9 @@ internal sealed class ImagingRig : IDisposable
 
     public void AssertAllGivenBack() => Assert.Equal($"{Camera!.Pool.Count} free", $"{Camera.Pool.Free} free");
 
-    public void Order(ImagingMode mode, TargetColours colours = TargetColours.All)
+    public void Order(ImagingMode mode, params TargetClassName[] classes)
     {
-        _order.Value = View.Order with { Mode = mode, Colours = colours };
+        _order.Value = View.Order with { Mode = mode, Classes = [.. classes] };
         _order.Post();
         Run(0);
     }
@@ -129,7 +129,7 @@ internal sealed class ImagingRig : IDisposable
         Assert.True(view.TryProject(North, East, out double column, out double row));
         Assert.True(view.TryProject(North + 1, East, out _, out double rowAMetreOn));
         if (hasPanel)
-            painting.Panel(TargetColours.Red, column, row, row - rowAMetreOn, 0.4);
+            painting.Panel(DefaultTargetClasses.Red, column, row, row - rowAMetreOn, 0.4);
         return painting.Finish();
     }
 }

@@ -7,6 +7,7 @@ using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
@@ -22,14 +23,14 @@ public sealed class ImagingServiceTests
         rig.AddPoses(0, 9);
         camera.Add(0, 1, 1.1);
         rig.Run(2);
-        Assert.Equal((1L, 0L, ImagingMode.Off), (rig.Status.Frames, rig.Status.Looks, rig.Status.Mode));
-        Assert.Empty(rig.Sink.Looks);
+        Assert.Equal((1L, 0L, ImagingMode.Off), (rig.Status.Frames, rig.Status.Observations, rig.Status.Mode));
+        Assert.Empty(rig.Sink.Observations);
         rig.AssertAllGivenBack();
 
         rig.Order(ImagingMode.Search);
         camera.Add(1, 3, 5.1);
         rig.Run(5);
-        Assert.Equal(1L, Assert.Single(rig.Sink.Looks).Number);
+        Assert.Equal(1L, Assert.Single(rig.Sink.Observations).Number);
     }
 
     [Fact]
@@ -53,7 +54,7 @@ public sealed class ImagingServiceTests
         rig.Camera.Add(0, 1, 1.1);
         rig.Run(2);
         ImagingStatus status = rig.Status;
-        Assert.Equal((true, "InvalidOperationException: the lens fell off", 1L), (status.HasEnded, status.Fault, status.Looks));
+        Assert.Equal((true, "InvalidOperationException: the lens fell off", 1L), (status.HasEnded, status.Fault, status.Observations));
         int posts = rig.StatusTimes.Count;
         rig.Run(3);
         Assert.True(rig.StatusTimes.Count >= posts + 3);
@@ -69,7 +70,7 @@ public sealed class ImagingServiceTests
         rig.Camera.Add(0, 1, 1.1);
         rig.Run(2);
         ImagingStatus status = rig.Status;
-        Assert.Equal((true, null, 1L), (status.HasEnded, status.Fault, status.Looks));
+        Assert.Equal((true, null, 1L), (status.HasEnded, status.Fault, status.Observations));
     }
 
     [Fact]
@@ -119,12 +120,12 @@ public sealed class ImagingServiceTests
         camera.Add(1, 1.1, 2);
         rig.Run(3);
         ImagingStatus status = rig.Status;
-        Assert.Equal((2L, 2L), (status.Looks, status.Reports + status.ReportsDropped));
+        Assert.Equal((2L, 2L), (status.Observations, status.Reports + status.ReportsDropped));
         rig.AssertAllGivenBack();
     }
 
     [Fact]
-    public void CutOuts_OfReports_ShowTheTargetAndAreBounded()
+    public void ImageChips_OfReports_ShowTheTargetAndAreBounded()
     {
         using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel, new ImageProcessingOptions { MaxImageChips = 3, ImageChipSide = 24 });
         rig.AddPoses(0, 9);
@@ -135,9 +136,9 @@ public sealed class ImagingServiceTests
         }
 
         rig.Run(2);
-        IReadOnlyList<ImageChip> cutOuts = rig.Manager.ImageChips;
-        Assert.Equal([2L, 3L, 4L], cutOuts.Select(c => c.PictureNumber));
-        ImageChip newest = cutOuts[2];
+        IReadOnlyList<ImageChip> chips = rig.Manager.ImageChips;
+        Assert.Equal([2L, 3L, 4L], chips.Select(c => c.PictureNumber));
+        ImageChip newest = chips[2];
         Assert.Equal((0, 24, 24), (newest.ReportIndex, newest.Width, newest.Height));
         byte[] pixels = newest.CopyPixels();
         int middle = ((12 * 24) + 12) * 3;
@@ -156,9 +157,9 @@ public sealed class ImagingServiceTests
         rig.AddPoses(posesFrom, posesTo);
         for (int i = 0; i < 300; i++)
             rig.Camera!.Add(i, 0.5 + (0.1 * i), 0.6 + (0.1 * i));
-        rig.Sink.Looks.Capacity = rig.Sink.SearchedGround.Capacity = rig.StatusTimes.Capacity = 1000;
+        rig.Sink.Observations.Capacity = rig.Sink.SearchedGround.Capacity = rig.StatusTimes.Capacity = 1000;
         rig.Run(8);
-        Assert.Equal(areSearched, rig.Sink.Looks.Count > 70);
+        Assert.Equal(areSearched, rig.Sink.Observations.Count > 70);
 
         // The best of a few: the runtime may allocate on this thread while it replaces a method by a faster one.
         Assert.Equal(0, Enumerable.Range(0, 5).Min(_ => Allocated.By(() => rig.Run(2))));
@@ -169,9 +170,9 @@ public sealed class ImagingServiceTests
     {
         var options = new ImageProcessingOptions
         {
-            MinSideMetres = 2,
-            MaxAspect = 1,
-            MinSidePixels = 3,
+            TargetClasses = [new TargetClass("red") { MinSideMetres = 2 }, new TargetClass("red") { Colour = new ColourRange(205, 28, 32) }],
+            ColourDetector = new ColourDetectorOptions { MaxAspect = 1, MinSidePixels = 3 },
+            DetectorTimeBudget = TimeSpan.Zero,
             MaxReportsPerPicture = 0,
             MinDepressionRadians = 0,
             PoseTimeout = TimeSpan.FromSeconds(-1),
@@ -184,7 +185,7 @@ public sealed class ImagingServiceTests
         string text = Assert.Throws<ArgumentException>(() => new ImageProcessingManager(options, new ScriptedCamera([]))).Message;
         foreach (string name in new[]
         {
-            "Camera does not say", "MinSideMetres is 2", "MaxAspect is 1", "MinSidePixels is 3", "MaxReportsPerPicture is 0",
+            "Camera does not say", "MinSideMetres of target class red is 2", "red is declared twice", "red has no colour", "DetectorTimeBudget", "MaxAspect is 1", "MinSidePixels is 3", "MaxReportsPerPicture is 0",
             "MinDepressionRadians is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0", "misalignment",
             "ErrorBudget.PixelNoise is -1", "ErrorBudget.PositionBiasMetres is NaN",
         })

@@ -34,19 +34,19 @@ internal sealed class Painting
 
     public double Noise { get; }
 
-    public static (double Red, double Green, double Blue) Nominal(TargetColours colour) => colour switch
+    public static (double Red, double Green, double Blue) Nominal(TargetClassName targetClass) => targetClass.ToString() switch
     {
-        TargetColours.Red => (205, 28, 32),
-        TargetColours.Orange => (242, 112, 18),
-        TargetColours.Blue => (28, 72, 205),
-        TargetColours.Yellow => (243, 214, 28),
-        TargetColours.Magenta => (212, 36, 150),
-        _ => throw new ArgumentOutOfRangeException(nameof(colour)),
+        "red" => (205, 28, 32),
+        "orange" => (242, 112, 18),
+        "blue" => (28, 72, 205),
+        "yellow" => (243, 214, 28),
+        "magenta" => (212, 36, 150),
+        _ => throw new ArgumentOutOfRangeException(nameof(targetClass)),
     };
 
-    public void Panel(TargetColours colour, double x, double y, double side, double angle, double light = 1)
+    public void Panel(TargetClassName targetClass, double x, double y, double side, double angle, double light = 1)
     {
-        (double red, double green, double blue) = Nominal(colour);
+        (double red, double green, double blue) = Nominal(targetClass);
         Rectangle((red * light, green * light, blue * light), x, y, side, side, angle);
     }
 

@@ -38,10 +38,10 @@ public sealed class RollingShutterTests
         Assert.Equal(North, ned.North, 0.05);
         Assert.Equal(East, ned.East, 0.05);
         Assert.Equal(Exposed + (row * Readout.TotalSeconds), report.Time.TotalSeconds, 0.2e-3);
-        CameraObservation look = Assert.Single(rig.Sink.Looks);
-        Assert.Equal(Exposed + (479 / 2.0 * Readout.TotalSeconds), look.Time.TotalSeconds, 1e-6);
-        AssertShown(look.TopLeft, 0, 0);
-        AssertShown(look.BottomRight, 639, 479);
+        CameraObservation observation = Assert.Single(rig.Sink.Observations);
+        Assert.Equal(Exposed + (479 / 2.0 * Readout.TotalSeconds), observation.Time.TotalSeconds, 1e-6);
+        AssertShown(observation.TopLeft, 0, 0);
+        AssertShown(observation.BottomRight, 639, 479);
     }
 
     [Fact]
@@ -63,10 +63,10 @@ public sealed class RollingShutterTests
         AddPoses(rig, until: 1.04);
         rig.Camera!.Add(0, Exposed, deliveredAt: 1.1);
         rig.Run(1.2);
-        Assert.Empty(rig.Sink.Looks);
+        Assert.Empty(rig.Sink.Observations);
         AddPoses(rig, from: 1.06, until: 1.06);
         rig.Run(0.05);
-        Assert.Single(rig.Sink.Looks);
+        Assert.Single(rig.Sink.Observations);
     }
 
     [Fact]
@@ -145,7 +145,7 @@ public sealed class RollingShutterTests
         }
 
         var painting = new Painting(21);
-        painting.Panel(TargetColours.Red, column, row, Still.Camera.FocalX / Still.HeightMetres, 0.4);
+        painting.Panel(DefaultTargetClasses.Red, column, row, Still.Camera.FocalX / Still.HeightMetres, 0.4);
         return (painting.Finish(), row);
     }
 

@@ -377,7 +377,7 @@ public class MissionFaultTests(ITestOutputHelper output)
     private static MissionRig RigIn(MissionPhase phase)
     {
         var rig = new MissionRig(MissionRig.Mission());
-        rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+        rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
         if (phase == MissionPhase.WaitingForVehicle)
             rig.Run(1);
         if (phase == MissionPhase.Arming)

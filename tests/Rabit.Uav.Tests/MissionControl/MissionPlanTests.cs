@@ -18,7 +18,7 @@ public class MissionPlanTests
         Assert.Equal(8.5445383, plan.Area[0].LongitudeRadians * 180 / Math.PI, 9);
         Assert.Equal((40, 6, 30, 40), (plan.HeightMetres, plan.SpeedMetresPerSecond, plan.LaneSpacingMetres, plan.FenceMarginMetres));
         Assert.Null(plan.LaneHeadingRadians);
-        Assert.Equal(TargetColours.All, plan.Targets);
+        Assert.Equal(DefaultTargetClasses.All.ToArray(), plan.Targets.ToArray());
         Assert.Equal(8.5456, plan.Home!.LongitudeRadians * 180 / Math.PI, 9);
         Assert.True(plan.Revisit.IsEnabled);
         Assert.Equal(-Math.PI / 2, plan.CameraPitchRadians, 12);
@@ -30,7 +30,7 @@ public class MissionPlanTests
     {
         MissionPlan plan = MissionRig.Mission();
         Assert.Equal("test", plan.Name);
-        Assert.Equal((40, TargetColours.All, false), (plan.FenceMarginMetres, plan.Targets, plan.HasGimbal));
+        Assert.Equal((40, 0, false), (plan.FenceMarginMetres, plan.Targets.Length, plan.HasGimbal));
         Assert.Null(plan.Home);
         Assert.Equal((true, null, 10), (plan.Revisit.IsEnabled, plan.Revisit.HeightMetres, plan.Revisit.RadiusMetres));
     }
@@ -45,8 +45,10 @@ public class MissionPlanTests
     [InlineData("\"heightMetres\": 40", "heightMetres is there twice")]
     [InlineData("\"name\": 7", "name is 7; it must be a text")]
     [InlineData("\"name\": \"\"", "name must be a line of 1 to 80 characters")]
-    [InlineData("\"targets\": [\"red\", \"green\"]", "targets[1] is \"green\"; it must be one of red, orange, blue, yellow, magenta")]
-    [InlineData("\"targets\": []", "targets is []; it must name at least one colour")]
+    [InlineData("\"targets\": [\"red\", \"\"]", "targets[1] is \"\"; it must be the name of a target class: 1 to 16 printable ASCII characters")]
+    [InlineData("\"targets\": [\"seventeen letters\"]", "targets[0] is \"seventeen letters\"; it must be the name of a target class")]
+    [InlineData("\"targets\": [5]", "targets[0] is 5; it must be the name of a target class")]
+    [InlineData("\"targets\": []", "targets is []; it must name at least one target class")]
     [InlineData("\"targets\": \"red\"", "targets is \"red\"; it must be a list")]
     [InlineData("\"home\": {\"latitudeDegrees\": 47}", "home.longitudeDegrees is missing")]
     [InlineData("\"home\": {\"latitudeDegrees\": 97, \"longitudeDegrees\": 8}", "home is not a position")]

@@ -91,7 +91,7 @@ internal sealed class StandInVehicle : RabitManager
     /// <summary>Answers instead of obeying; null obeys.</summary>
     public Func<VehicleCommand, VehicleCommandOutcome?> Refuses { get; set; } = static _ => null;
 
-    public List<(double North, double East, TargetColours Colour)> Targets { get; } = [];
+    public List<(double North, double East, TargetClassName Colour)> Targets { get; } = [];
 
     public List<TargetTrack> Tracks { get; } = [];
 
@@ -238,7 +238,7 @@ internal sealed class StandInVehicle : RabitManager
         bool isNews = false;
         for (int i = 0; i < Targets.Count; i++)
         {
-            (double n, double e, TargetColours colour) = Targets[i];
+            (double n, double e, TargetClassName colour) = Targets[i];
             double forward = ((n - North) * Math.Cos(Yaw)) + ((e - East) * Math.Sin(Yaw));
             double right = ((e - East) * Math.Cos(Yaw)) - ((n - North) * Math.Sin(Yaw));
             if (Math.Abs(forward) > 0.45 * Height || Math.Abs(right) > 0.6 * Height)
@@ -257,11 +257,11 @@ internal sealed class StandInVehicle : RabitManager
             PostTracks();
     }
 
-    public TargetTrack MakeTrack(int id, double n, double e, TargetColours colour, int reports, TrackState? state = null) => new()
+    public TargetTrack MakeTrack(int id, double n, double e, TargetClassName colour, int reports, TrackState? state = null) => new()
     {
         Id = id,
         State = state ?? (reports >= 3 ? TrackState.Confirmed : TrackState.Tentative),
-        Colour = colour,
+        Class = colour,
         Position = _frame.ToGeodetic(new NedVector(n, e, 0)),
         Covariance = new HorizontalCovariance(1, 0, 1),
         Time = Now,

@@ -14,7 +14,7 @@ public class WholeMissionTests(ITestOutputHelper output)
     public void Mission_NothingGoesWrong_IsFlownToItsEnd()
     {
         using var rig = new MissionRig(MissionRig.Mission());
-        rig.Vehicle.Targets.AddRange([(80, -30, TargetColours.Red), (120, 20, TargetColours.Blue), (140, -50, TargetColours.Yellow)]);
+        rig.Vehicle.Targets.AddRange([(80, -30, DefaultTargetClasses.Red), (120, 20, DefaultTargetClasses.Blue), (140, -50, DefaultTargetClasses.Yellow)]);
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         output.WriteLine(rig.Story);
 
@@ -40,7 +40,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         string Fly()
         {
             using var rig = new MissionRig(MissionRig.Mission());
-            rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+            rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
             rig.RunToEnd();
             return rig.Story;
         }
@@ -104,7 +104,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         rig.Run(0.5);
         Assert.Equal(ImagingMode.Search, rig.Vehicle.Imaging.Mode);
         Assert.Equal(488, rig.Vehicle.Imaging.GroundAltitudeAmslMetres, 0.01);
-        Assert.Equal(TargetColours.All, rig.Vehicle.Imaging.Colours);
+        Assert.Empty(rig.Vehicle.Imaging.Classes);
         Assert.Equal(-Math.PI / 2, rig.Vehicle.Imaging.CameraPitchRadians, 12);
         rig.RunUntil(MissionPhase.Returning);
         rig.Run(0.5);
@@ -124,7 +124,7 @@ public class WholeMissionTests(ITestOutputHelper output)
     public void Revisit_NewTarget_IsFlownOverOnceFromAcrossTheLanes()
     {
         using var rig = new MissionRig(MissionRig.Mission(", \"laneHeadingDegrees\": 90, \"targets\": [\"red\"]"));
-        rig.Vehicle.Targets.AddRange([(80, -30, TargetColours.Red), (120, 20, TargetColours.Blue)]);
+        rig.Vehicle.Targets.AddRange([(80, -30, DefaultTargetClasses.Red), (120, 20, DefaultTargetClasses.Blue)]);
         Assert.Equal(MissionPhase.Revisiting, rig.RunUntil(MissionPhase.Revisiting));
         rig.RunUntil(MissionPhase.Searching);
         Assert.Equal(80, rig.Vehicle.North, 2.5);
@@ -139,7 +139,7 @@ public class WholeMissionTests(ITestOutputHelper output)
     public void Revisit_SwitchedOff_IsNotMade()
     {
         using var rig = new MissionRig(MissionRig.Mission(", \"revisit\": {\"enabled\": false}"));
-        rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+        rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(0, rig.Status.Revisits);
     }
@@ -149,8 +149,8 @@ public class WholeMissionTests(ITestOutputHelper output)
     {
         using var rig = new MissionRig(MissionRig.Mission());
         rig.RunUntil(MissionPhase.Searching);
-        rig.Vehicle.Tracks.Add(rig.Vehicle.MakeTrack(77, 500, 500, TargetColours.Red, 9));
-        rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+        rig.Vehicle.Tracks.Add(rig.Vehicle.MakeTrack(77, 500, 500, DefaultTargetClasses.Red, 9));
+        rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(1, rig.Status.Revisits);
         Assert.Contains("track 77 is at the fence or outside", rig.Story, StringComparison.Ordinal);
@@ -160,7 +160,7 @@ public class WholeMissionTests(ITestOutputHelper output)
     public void Revisit_OtherHeight_IsFlownThereAndTheLanesAtTheirs()
     {
         using var rig = new MissionRig(MissionRig.Mission(", \"revisit\": {\"heightMetres\": 25, \"radiusMetres\": 0}"));
-        rig.Vehicle.Targets.Add((80, -30, TargetColours.Red));
+        rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
         rig.RunUntil(MissionPhase.Revisiting);
         rig.RunUntil(MissionPhase.Searching);
         Assert.Equal(25, rig.Vehicle.Height, 2.5);

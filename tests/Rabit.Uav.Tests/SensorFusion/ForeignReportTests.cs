@@ -102,7 +102,7 @@ public class ForeignReportTests
     }
 
     [Fact]
-    public void Looks_Hostile_AreRefusedOrShowNothing()
+    public void Observations_Hostile_AreRefusedOrShowNothing()
     {
         using var rig = new FusionRig();
         Confirm(rig);
@@ -115,7 +115,7 @@ public class ForeignReportTests
     }
 
     [Fact]
-    public void Report_FarAwayBeforeAnythingIsBelieved_MovesTheFrame()
+    public void Report_FarAwayBeforeAnythingIsConfirmed_MovesTheFrame()
     {
         using var rig = new FusionRig();
         TargetReport wrong = Report(0, 0);
@@ -135,7 +135,7 @@ public class ForeignReportTests
     private static void Confirm(FusionRig rig)
     {
         for (int i = 0; i < 3; i++)
-            rig.Look(0, 0, Report(0, 0));
+            rig.Observe(0, 0, Report(0, 0));
         Assert.Equal(TrackState.Confirmed, rig.Only.State);
     }
 
@@ -164,9 +164,7 @@ public class ForeignReportTests
         yield return With(r => { r.Covariance = new HorizontalCovariance(1e12, 0, 1); return r; });
         yield return With(r => { r.SystematicCovariance = new HorizontalCovariance(double.NaN, 0, 1); return r; });
         yield return With(r => { r.SystematicCovariance = new HorizontalCovariance(1, 5, 1); return r; });
-        yield return With(r => { r.Colour = TargetColours.None; return r; });
-        yield return With(r => { r.Colour = TargetColours.Red | TargetColours.Blue; return r; });
-        yield return With(r => { r.Colour = (TargetColours)64; return r; });
+        yield return With(r => { r.Class = TargetClassName.None; return r; });
         yield return With(r => { r.Score = double.NaN; return r; });
         yield return With(r => { r.SizeMetres = double.NaN; return r; });
         yield return With(r => { r.SizeMetres = 1e6; return r; });

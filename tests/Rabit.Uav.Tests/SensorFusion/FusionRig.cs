@@ -15,7 +15,7 @@ internal sealed class FusionRig : IDisposable
 
     private readonly RabitReactor _reactor;
     private readonly QueueSender<TargetReport> _reports;
-    private readonly QueueSender<CameraObservation> _looks;
+    private readonly QueueSender<CameraObservation> _observations;
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly MailBox _mail = new();
     private long _number;
@@ -27,7 +27,7 @@ internal sealed class FusionRig : IDisposable
         Manager = new SensorFusionManager(options);
         _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), StopsOnSignals = false }) { Manager, _mail };
         _reports = _reactor.Workspace.Send<TargetReport>(MessageNames.TargetReports);
-        _looks = _reactor.Workspace.Send<CameraObservation>(MessageNames.Looks);
+        _observations = _reactor.Workspace.Send<CameraObservation>(MessageNames.CameraObservations);
         _tracks = _reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks);
         _reactor.Start();
     }
@@ -63,13 +63,13 @@ internal sealed class FusionRig : IDisposable
     }
 
     public static TargetReport Report(
-        double north, double east, TargetColours colour = TargetColours.Red, double sigma = 0.5, double common = 0.5) => new()
+        double north, double east, TargetClassName? targetClass = null, double sigma = 0.5, double common = 0.5) => new()
         {
             SourceSystemId = 1,
             Position = LocalNedFrame.IgnoringGeoid(Origin).ToGeodetic(new NedVector(north, east, 0)),
             Covariance = new HorizontalCovariance(sigma * sigma, 0, sigma * sigma),
             SystematicCovariance = new HorizontalCovariance(common * common, 0, common * common),
-            Colour = colour,
+            Class = targetClass ?? DefaultTargetClasses.Red,
             Score = 0.9,
             SizeMetres = 1,
         };
@@ -78,27 +78,22 @@ internal sealed class FusionRig : IDisposable
     public static NedVector PlaceOf(TargetTrack track) => LocalNedFrame.IgnoringGeoid(Origin).ToNed(track.Position);
 
     /// <summary>Half a second goes by, and a picture of 48 by 36 m around a point is searched.</summary>
-    public void Look(double north, double east, params TargetReport[] reports) => LookThatSays(reports.Length, north, east, reports);
-
-    public void LookThatSays(int count, double north, double east, params TargetReport[] reports)
+    public void Observe(double north, double east, params TargetReport[] reports)
     {
         Run(0.5);
         _number++;
-        for (int i = 0; i < reports.Length; i++)
-        {
-            TargetReport report = reports[i];
-            (report.PictureNumber, report.Index, report.Time) = (_number, i, Now);
-            Push(report);
-        }
+        TargetReport[] numbered = [.. reports];
+        for (int i = 0; i < numbered.Length; i++)
+            (numbered[i].PictureNumber, numbered[i].Index, numbered[i].Time) = (_number, i, Now);
 
         var frame = LocalNedFrame.IgnoringGeoid(Origin);
         GeodeticPosition At(double n, double e) => frame.ToGeodetic(new NedVector(north + n, east + e, 0));
-        _looks.Push(new CameraObservation
+        _observations.Push(new CameraObservation
         {
             SourceSystemId = 1,
             Number = _number,
             Time = Now,
-            Reports = count,
+            Reports = [.. numbered],
             TopLeft = At(18, -24),
             TopRight = At(18, 24),
             BottomRight = At(-18, 24),
@@ -107,9 +102,10 @@ internal sealed class FusionRig : IDisposable
         Run(0);
     }
 
-    /// <summary>A look that is wrong in itself.</summary>
-    public void Push(CameraObservation look) => _looks.Push(look);
+    /// <summary>An observation that is wrong in itself.</summary>
+    public void Push(CameraObservation observation) => _observations.Push(observation);
 
+    /// <summary>A report of another vehicle.</summary>
     public void Push(TargetReport report) => _reports.Push(report);
 
     public void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));

@@ -14,16 +14,16 @@ namespace Rabit.Uav.Tests.SensorFusion;
 public class SensorFusionManagerTests(ITestOutputHelper output)
 {
     [Fact]
-    public void Track_ThreeReportsInFiveLooks_IsConfirmed()
+    public void Track_ThreeReportsInFiveObservations_IsConfirmed()
     {
         using var rig = new FusionRig();
-        rig.Look(0, 0, Report(3, 4));
+        rig.Observe(0, 0, Report(3, 4));
         Assert.Equal(TrackState.Tentative, rig.Only.State);
-        rig.Look(0, 0);
-        rig.Look(0, 0, Report(3.1, 4));
-        rig.Look(0, 0);
+        rig.Observe(0, 0);
+        rig.Observe(0, 0, Report(3.1, 4));
+        rig.Observe(0, 0);
         Assert.Equal(TrackState.Tentative, rig.Only.State);
-        rig.Look(0, 0, Report(3, 4.1));
+        rig.Observe(0, 0, Report(3, 4.1));
         TargetTrack track = rig.Only;
         Assert.Equal((TrackState.Confirmed, 1, 3, 2), (track.State, track.Id, track.Reports, track.Misses));
         Assert.Equal(3.03, PlaceOf(track).North, 0.05);
@@ -33,17 +33,17 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Track_MissedTooOftenBeforeItIsBelieved_IsDropped()
+    public void Track_MissedTooOftenBeforeItIsConfirmed_IsDeleted()
     {
         using var rig = new FusionRig();
-        rig.Look(0, 0, Report(3, 4));
-        rig.Look(0, 0);
-        rig.Look(0, 0);
+        rig.Observe(0, 0, Report(3, 4));
+        rig.Observe(0, 0);
+        rig.Observe(0, 0);
         Assert.Single(rig.Tracks);
-        rig.Look(0, 0);
+        rig.Observe(0, 0);
         Assert.Empty(rig.Tracks);
         Assert.Equal(1, rig.Counters.TracksDropped);
-        rig.Look(0, 0, Report(3, 4));
+        rig.Observe(0, 0, Report(3, 4));
         Assert.Equal(2, rig.Only.Id);
     }
 
@@ -53,7 +53,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         using var rig = new FusionRig();
         Confirm(rig);
         for (int i = 0; i < 200; i++)
-            rig.Look(60, 0);
+            rig.Observe(60, 0);
         Assert.Equal((TrackState.Confirmed, 0), (rig.Only.State, rig.Only.Misses));
     }
 
@@ -63,9 +63,9 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         using var rig = new FusionRig();
         Confirm(rig);
         for (int i = 0; i < 20; i++)
-            rig.Look(17.5, 0);
+            rig.Observe(17.5, 0);
         Assert.Equal(0, rig.Only.Misses);
-        rig.Look(13, 0);
+        rig.Observe(13, 0);
         Assert.Equal(1, rig.Only.Misses);
     }
 
@@ -75,13 +75,13 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         using var rig = new FusionRig();
         Confirm(rig);
         for (int i = 0; i < 5; i++)
-            rig.Look(0, 0);
+            rig.Observe(0, 0);
         Assert.Equal(TrackState.Confirmed, rig.Only.State);
-        rig.Look(0, 0);
+        rig.Observe(0, 0);
         Assert.Equal(TrackState.Lost, rig.Only.State);
         Assert.Empty(rig.List.Confirmed);
         for (int i = 0; i < 3; i++)
-            rig.Look(0, 0, Report(0, 0));
+            rig.Observe(0, 0, Report(0, 0));
         Assert.Equal((TrackState.Confirmed, 1), (rig.Only.State, rig.Only.Id));
     }
 
@@ -89,33 +89,32 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     public void Track_TentativeAndNotSeenForLong_IsDropped()
     {
         using var rig = new FusionRig();
-        rig.Look(0, 0, Report(3, 4));
+        rig.Observe(0, 0, Report(3, 4));
         rig.Run(110);
-        rig.Look(200, 0);
+        rig.Observe(200, 0);
         Assert.Single(rig.Tracks);
         rig.Run(10);
-        rig.Look(200, 0);
+        rig.Observe(200, 0);
         Assert.Empty(rig.Tracks);
     }
 
     [Fact]
-    public void Look_FewerReportsThanItSays_IsNoMiss()
-    {
-        using var rig = new FusionRig();
-        Confirm(rig);
-        for (int i = 0; i < 10; i++)
-            rig.LookThatSays(1, 0, 0);
-        Assert.Equal(0, rig.Only.Misses);
-        Assert.Equal(10, rig.Counters.LooksIncomplete);
-    }
-
-    [Fact]
-    public void Report_OtherColour_IsAnotherTrack()
+    public void Observation_OneOfItsReportsIsNotValid_TheOthersCount()
     {
         using var rig = new FusionRig();
         for (int i = 0; i < 3; i++)
-            rig.Look(0, 0, Report(0, 0), Report(0.2, 0, TargetColours.Orange));
-        Assert.Equal([TargetColours.Red, TargetColours.Orange], rig.Tracks.Select(t => t.Colour));
+            rig.Observe(0, 0, Report(0, 0), Report(9, 9) with { Score = double.NaN });
+        Assert.Equal((TrackState.Confirmed, 3, 0), (rig.Only.State, rig.Only.Reports, rig.Only.Misses));
+        Assert.Equal((3L, 3L), (rig.Counters.Observations, rig.Counters.ReportsRefused));
+    }
+
+    [Fact]
+    public void Report_OtherClass_IsAnotherTrack()
+    {
+        using var rig = new FusionRig();
+        for (int i = 0; i < 3; i++)
+            rig.Observe(0, 0, Report(0, 0), Report(0.2, 0, DefaultTargetClasses.Orange));
+        Assert.Equal([DefaultTargetClasses.Red, DefaultTargetClasses.Orange], rig.Tracks.Select(t => t.Class));
         Assert.All(rig.Tracks, t => Assert.Equal(3, t.Reports));
     }
 
@@ -123,14 +122,14 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     public void Report_OutsideTheGate_StartsATrack()
     {
         using var rig = new FusionRig(o => o.SharesReports = false);
-        rig.Look(0, 0, Report(0, 0));
+        rig.Observe(0, 0, Report(0, 0));
 
         // S is the track's 0.25, the report's 0.25 and the common 0.25: the gate ends at sqrt(9.21 x 0.75) = 2.63 m.
-        rig.Look(0, 0, Report(2.6, 0));
+        rig.Observe(0, 0, Report(2.6, 0));
         Assert.Single(rig.Tracks);
         using var other = new FusionRig();
-        other.Look(0, 0, Report(0, 0));
-        other.Look(0, 0, Report(2.66, 0));
+        other.Observe(0, 0, Report(0, 0));
+        other.Observe(0, 0, Report(2.66, 0));
         Assert.Equal(2, other.Tracks.Count);
     }
 
@@ -139,9 +138,9 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     {
         using var rig = new FusionRig();
         for (int i = 0; i < 20; i++)
-            rig.Look(0, 0, i % 2 == 0 ? [Report(0, 0), Report(2, 0)] : [Report(2, 0), Report(0, 0)]);
+            rig.Observe(0, 0, i % 2 == 0 ? [Report(0, 0), Report(2, 0)] : [Report(2, 0), Report(0, 0)]);
         for (int i = 0; i < 5; i++)
-            rig.Look(0, 0, Report(0, 0));
+            rig.Observe(0, 0, Report(0, 0));
         Assert.Equal([0.0, 2.0], rig.Tracks.Select(t => Math.Round(PlaceOf(t).North, 1)));
         Assert.Equal(0, rig.Counters.TracksMerged);
     }
@@ -150,11 +149,11 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     public void Tracks_TwoOfOneTarget_BecomeOne()
     {
         using var rig = new FusionRig();
-        rig.Look(0, 0, Report(0, 0, sigma: 0.3, common: 1));
-        rig.Look(0, 0, Report(3.4, 0, sigma: 0.3, common: 1));
+        rig.Observe(0, 0, Report(0, 0, sigma: 0.3, common: 1));
+        rig.Observe(0, 0, Report(3.4, 0, sigma: 0.3, common: 1));
         Assert.Equal(2, rig.Tracks.Count);
         for (int i = 0; i < 8; i++)
-            rig.Look(0, 0, Report(1.7, 0, sigma: 0.3, common: 1));
+            rig.Observe(0, 0, Report(1.7, 0, sigma: 0.3, common: 1));
         Assert.Equal(1, rig.Only.Id);
         Assert.Equal(1, rig.Counters.TracksMerged);
         Assert.Equal(10, rig.Only.Reports);
@@ -165,7 +164,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     public void Tracks_NoRoom_IsCounted()
     {
         using var rig = new FusionRig(o => o.MaxTracks = 3);
-        rig.Look(0, 0, Enumerable.Range(0, 5).Select(i => Report(0, (10 * i) - 20)).ToArray());
+        rig.Observe(0, 0, Enumerable.Range(0, 5).Select(i => Report(0, (10 * i) - 20)).ToArray());
         Assert.Equal(3, rig.Tracks.Count);
         Assert.Equal(2, rig.Counters.ReportsWithoutRoom);
     }
@@ -175,7 +174,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     {
         using var rig = new FusionRig();
         for (int i = 0; i < 22; i++)
-            rig.Look(0, 0, Report(0, 0));
+            rig.Observe(0, 0, Report(0, 0));
         Assert.InRange(rig.Mail.Count, 9, 11);
         Assert.All(rig.Mail, m => Assert.Equal((0, 0, 1), (m.TargetSystemId, m.SourceSystemId, m.Content.SourceSystemId)));
     }
@@ -187,7 +186,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         Confirm(rig);
         int posts = rig.Posts;
         for (int i = 0; i < 20; i++)
-            rig.Look(100, 0);
+            rig.Observe(100, 0);
         Assert.Equal(posts, rig.Posts);
     }
 
@@ -196,14 +195,14 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     {
         using var rig = new FusionRig();
         for (int i = 0; i < 100; i++)
-            rig.Look(0, 0, Report(0, 0, sigma: 0.5, common: 1.5));
+            rig.Observe(0, 0, Report(0, 0, sigma: 0.5, common: 1.5));
         Assert.InRange(rig.Only.Covariance.NorthNorth, 1.5 * 1.5, (1.5 * 1.5) + 0.02);
     }
 
     [Theory]
     [InlineData(21)]
     [InlineData(22)]
-    public void Tracks_ClutterAndMisses_OnlyTheTargetsAreBelieved(int seed)
+    public void Tracks_ClutterAndMisses_OnlyTheTargetsAreConfirmed(int seed)
     {
         output.WriteLine($"seed {seed}");
         var random = new SeededNumbers(seed);
@@ -215,7 +214,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
                 .Select(t => Report(t.North + (0.5 * random.Gauss()), t.East + (0.5 * random.Gauss()))).ToList();
             if (random.Uniform() < 0.3)
                 reports.Add(Report(random.Uniform(-18, 18), random.Uniform(-24, 24)));
-            rig.Look(0, 0, [.. reports]);
+            rig.Observe(0, 0, [.. reports]);
         }
 
         List<TargetTrack> sure = rig.List.Confirmed.ToList();
@@ -224,7 +223,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Tracks_LooksOfTwoHeadings_AreOneTrackAndHonest()
+    public void Tracks_ObservationsOnTwoHeadings_AreOneTrackWithAConsistentCovariance()
     {
         const int Seed = 31;
         output.WriteLine($"seed {Seed}");
@@ -240,7 +239,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
             {
                 double sign = pass == 0 ? 1 : -1;
                 for (int i = 0; i < 8; i++)
-                    rig.Look(0, 0, Report(gpsNorth + (sign * mount) + (0.5 * random.Gauss()), gpsEast + (0.5 * random.Gauss()), sigma: 0.5, common: 1.12));
+                    rig.Observe(0, 0, Report(gpsNorth + (sign * mount) + (0.5 * random.Gauss()), gpsEast + (0.5 * random.Gauss()), sigma: 0.5, common: 1.12));
                 rig.Run(30);
             }
 
@@ -279,7 +278,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     private static void Confirm(FusionRig rig)
     {
         for (int i = 0; i < 3; i++)
-            rig.Look(0, 0, Report(0, 0));
+            rig.Observe(0, 0, Report(0, 0));
         Assert.Equal(TrackState.Confirmed, rig.Only.State);
     }
 }

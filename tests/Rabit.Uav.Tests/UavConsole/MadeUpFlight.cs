@@ -36,11 +36,11 @@ internal sealed class MadeUpFlight
 
     public static Truth Truth { get; } = new(Home,
     [
-        Target("T1", TargetColours.Red, 48, 60),
-        Target("T2", TargetColours.Orange, 76, 131),
-        Target("T3", TargetColours.Blue, 104, 41),
-        Target("T4", TargetColours.Yellow, 121, 152),
-        Target("T5", TargetColours.Magenta, 33, 166),
+        Target("T1", DefaultTargetClasses.Red, 48, 60),
+        Target("T2", DefaultTargetClasses.Orange, 76, 131),
+        Target("T3", DefaultTargetClasses.Blue, 104, 41),
+        Target("T4", DefaultTargetClasses.Yellow, 121, 152),
+        Target("T5", DefaultTargetClasses.Magenta, 33, 166),
     ]);
 
     public static SearchPlan Plan { get; } = new()
@@ -84,7 +84,7 @@ internal sealed class MadeUpFlight
                 BatteryRemaining = 0.63,
             },
             Health = new HealthReport { Level = HealthLevel.Good, SendsHeartbeat = true },
-            Imaging = new ImagingStatus { HasCamera = true, Frames = 512, Looks = flight._looks.Count, FramesRefused = 2, Reports = 61 },
+            Imaging = new ImagingStatus { HasCamera = true, Frames = 512, Observations = flight._looks.Count, FramesRefused = 2, Reports = 61 },
             Tracks = new TrackList(TimeSpan.FromSeconds(flight._time), Tracks(finds, hasFalseTrack)),
             FlownMetres = 1423,
             ArmedTime = TimeSpan.FromSeconds(flight._time - 6),
@@ -117,7 +117,7 @@ internal sealed class MadeUpFlight
         ImageChips = record.Tracks.Tracks.Where(t => t.BestPictureNumber >= 0).Select(ImageChip).ToArray(),
     };
 
-    private static TruthTarget Target(string name, TargetColours colour, double north, double east) => new(name, colour, Frame.ToGeodetic(new NedVector(north, east, 0)));
+    private static TruthTarget Target(string name, TargetClassName colour, double north, double east) => new(name, colour, Frame.ToGeodetic(new NedVector(north, east, 0)));
 
     private static IEnumerable<TargetTrack> Tracks(int finds, bool hasFalseTrack)
     {
@@ -125,18 +125,18 @@ internal sealed class MadeUpFlight
         for (int index = 0; index < finds; index++)
         {
             NedVector truth = Frame.ToNed(Truth.Targets[index].Position);
-            yield return Track(index + 1, Truth.Targets[index].Colour, TrackState.Confirmed, truth.North + errors[index].N, truth.East + errors[index].E);
+            yield return Track(index + 1, Truth.Targets[index].Class, TrackState.Confirmed, truth.North + errors[index].N, truth.East + errors[index].E);
         }
 
         if (hasFalseTrack)
-            yield return Track(8, TargetColours.Red, TrackState.Confirmed, 88, 92);
-        yield return Track(9, TargetColours.Orange, TrackState.Tentative, 60, 100);
+            yield return Track(8, DefaultTargetClasses.Red, TrackState.Confirmed, 88, 92);
+        yield return Track(9, DefaultTargetClasses.Orange, TrackState.Tentative, 60, 100);
     }
 
-    private static TargetTrack Track(int id, TargetColours colour, TrackState state, double north, double east) => new()
+    private static TargetTrack Track(int id, TargetClassName colour, TrackState state, double north, double east) => new()
     {
         Id = id,
-        Colour = colour,
+        Class = colour,
         State = state,
         Position = Frame.ToGeodetic(new NedVector(north, east, 0)),
         Covariance = new HorizontalCovariance(1.1, 0.3, 0.8),
@@ -166,7 +166,7 @@ internal sealed class MadeUpFlight
     {
         const int Size = 48;
         var rgb = new byte[Size * Size * 3];
-        uint css = Convert.ToUInt32(Colours.Css(track.Colour).Substring(1), 16);
+        uint css = Convert.ToUInt32(Colours.Css(track.Class).Substring(1), 16);
         var random = new Random(track.Id);
         for (int index = 0; index < Size * Size; index++)
         {

@@ -6,21 +6,26 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Target reports between vehicles: 58 bytes, little-endian, no padding. Stateless; any thread.
+/// Target reports between vehicles: 58 bytes and the name of the class (1 to 16 bytes), little-endian, no padding. Stateless; any thread.
 /// </summary>
 /// <remarks>
-/// Version (1 byte, 1), colour (1, the flag), index (1), score (1, of 255), picture (4, modulo 2^32), age (4, ms), latitude and longitude (4 + 4,
-/// 1e-7 degrees), altitude (4, mm above mean sea level), covariance (3 floats, m2: north-north, north-east, east-east), the part of it that is
-/// common to all looks (the same), size (2, mm), centre (2 floats, pixels).
-/// The clocks of two vehicles have nothing in common, so that the time travels as the age at the moment of sending. The time on the other side
-/// is late by how long the way took: some ten milliseconds on a net, up to half a second on a slow radio.
+/// Version (1 byte, 2), length of the class name (1), index (1), score (1, of 255), picture (4, modulo 2^32), age (4, ms), latitude and
+/// longitude (4 + 4, 1e-7 degrees), altitude (4, mm above mean sea level), random covariance (3 floats, m2: north-north, north-east,
+/// east-east), systematic covariance (the same), size (2, mm), centre (2 floats, pixels), class name (ASCII). A class that is not declared
+/// here keeps its name. Version 1, which had one of five colours instead of a class name, is refused.
+/// The clocks of two vehicles have nothing in common, so that the time travels as the age at the moment of sending. The time on the other
+/// side is late by the transmission: some ten milliseconds on a net, up to half a second on a slow radio.
 /// </remarks>
 public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
 {
-    /// <summary>How many bytes a report has.</summary>
-    public const int Length = 58;
+    /// <summary>How many bytes a report has at least, with a class name of one character.</summary>
+    public const int MinLength = NameOffset + 1;
 
-    private const byte Version = 1;
+    /// <summary>How many bytes a report has at most.</summary>
+    public const int MaxLength = NameOffset + TargetClassName.MaxLength;
+
+    private const int NameOffset = 58;
+    private const byte Version = 2;
     private const double DegE7PerRadian = 180 / Math.PI * 1e7;
     private const double MaxLatitudeDegE7 = 90e7;
     private const double MaxLongitudeDegE7 = 180e7;
@@ -40,8 +45,9 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
     {
         length = 0;
         double ageMs = Math.Round((now - content.Time).TotalMilliseconds);
-        bool fits = destination.Length >= Length
-            && IsSound(content)
+        int nameLength = content.Class.Length;
+        bool fits = destination.Length >= NameOffset + nameLength
+            && IsValid(content)
             && content.Index is >= 0 and <= byte.MaxValue
             && content.PictureNumber >= 0
             && content.Score is >= 0 and <= 1
@@ -51,7 +57,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             return false;
 
         destination[0] = Version;
-        destination[1] = (byte)content.Colour;
+        destination[1] = (byte)nameLength;
         destination[2] = (byte)content.Index;
         destination[3] = (byte)Math.Round(content.Score * byte.MaxValue);
         BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(4), unchecked((uint)content.PictureNumber));
@@ -64,7 +70,8 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(48), (ushort)Math.Round(content.SizeMetres * 1000));
         WriteSingle(destination.Slice(50), content.CentreX);
         WriteSingle(destination.Slice(54), content.CentreY);
-        length = Length;
+        content.Class.CopyTo(destination.Slice(NameOffset));
+        length = NameOffset + nameLength;
         return true;
     }
 
@@ -72,7 +79,8 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
     public bool TryDecode(ReadOnlySpan<byte> payload, TimeSpan now, byte sourceSystemId, out TargetReport content)
     {
         content = default;
-        if (payload.Length != Length || payload[0] != Version)
+        if (payload.Length < MinLength || payload[0] != Version || payload.Length != NameOffset + payload[1]
+            || !TargetClassName.TryRead(payload.Slice(NameOffset), out TargetClassName targetClass))
             return false;
         uint ageMs = BinaryPrimitives.ReadUInt32LittleEndian(payload.Slice(8));
         int latitude = BinaryPrimitives.ReadInt32LittleEndian(payload.Slice(12));
@@ -90,19 +98,19 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             Position = GeodeticPosition.FromRadians(latitude / DegE7PerRadian, longitude / DegE7PerRadian, altitude / 1000.0),
             Covariance = ReadCovariance(payload.Slice(24)),
             SystematicCovariance = ReadCovariance(payload.Slice(36)),
-            Colour = (TargetColours)payload[1],
+            Class = targetClass,
             Score = payload[3] / (double)byte.MaxValue,
             SizeMetres = BinaryPrimitives.ReadUInt16LittleEndian(payload.Slice(48)) / 1000.0,
             CentreX = ReadSingle(payload.Slice(50)),
             CentreY = ReadSingle(payload.Slice(54)),
         };
-        if (!IsSound(report))
+        if (!IsValid(report))
             return false;
         content = report;
         return true;
     }
 
-    private static bool IsSound(in TargetReport report)
+    private static bool IsValid(in TargetReport report)
     {
         double latitude = report.Position.LatitudeRadians * DegE7PerRadian;
         double longitude = report.Position.LongitudeRadians * DegE7PerRadian;
@@ -110,17 +118,14 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             && Math.Abs(longitude) <= MaxLongitudeDegE7 + 0.5
             && !(Math.Abs(latitude) < 1 && Math.Abs(longitude) < 1)
             && Math.Abs(report.Position.AltitudeAmslMetres) <= MaxAltitudeMetres
-            && IsOneColour(report.Colour)
+            && !report.Class.IsNone
             && IsCovariance(report.Covariance, canBeNone: false)
             && IsCovariance(report.SystematicCovariance, canBeNone: true)
             && Math.Abs(report.CentreX) <= MaxPixel
             && Math.Abs(report.CentreY) <= MaxPixel;
     }
 
-    private static bool IsOneColour(TargetColours colour)
-        => colour != TargetColours.None && (colour & ~TargetColours.All) == 0 && (colour & (colour - 1)) == 0;
-
-    // Comparisons with what is no number are false.
+    // Comparisons with NaN are false.
     private static bool IsCovariance(in HorizontalCovariance covariance, bool canBeNone)
     {
         double nn = covariance.NorthNorth;
@@ -129,7 +134,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
         double determinant = (nn * ee) - (ne * ne);
         bool isSized = nn is >= 0 and <= MaxVariance && ee is >= 0 and <= MaxVariance;
 
-        // Floats of a common part that is a line may come out a little below.
+        // Floats of a systematic part that is a line may come out a little below.
         return isSized && (canBeNone ? determinant >= -1e-6 * Math.Max(nn * ee, 1e-12) : nn > 0 && determinant > 0);
     }
 

@@ -62,6 +62,13 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
         return new HorizontalCovariance(nn, ne, ee);
     }
 
+    /// <summary>What two errors that are not independent add to that.</summary>
+    public HorizontalCovariance CovarianceOfPair(ViewingParameter a, ViewingParameter b, double covariance)
+    {
+        (double an, double ae, double bn, double be) = (_north[(int)a], _east[(int)a], _north[(int)b], _east[(int)b]);
+        return new HorizontalCovariance(2 * covariance * an * bn, covariance * ((an * be) + (bn * ae)), 2 * covariance * ae * be);
+    }
+
     private static double StepOf(ViewingParameter input) => input switch
     {
         ViewingParameter.Column or ViewingParameter.Row => 1e-2,

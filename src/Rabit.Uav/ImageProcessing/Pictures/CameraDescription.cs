@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.Json;
 using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -13,6 +14,13 @@ namespace Rabit.Uav.ImageProcessing;
 internal static class CameraDescription
 {
     private const string Format = "uav-imagery-camera";
+    private const int Version = 2;
+    private const string Distortion = "distortion";
+    private const string RowReadout = "rowReadoutMicroseconds";
+    private const string BodyFromCamera = "bodyFromCamera";
+    private const string LeverArm = "leverArmBodyMetres";
+    private const string FrameStart = "frameStartMicroseconds";
+    private const string Exposure = "exposureMicroseconds";
     private const double TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000.0;
 
     /// <exception cref="PictureException">It is no JSON, or describes no camera; the text names all that is wrong.</exception>
@@ -30,17 +38,19 @@ internal static class CameraDescription
 
         using (document)
         {
-            var fields = new JsonFields();
-            JsonElement root = document.RootElement;
-            JsonElement camera = fields.Object(root, "camera", string.Empty);
-            CameraModel model = ReadModel(camera, fields);
-            JsonElement mount = fields.Object(camera, "mount", "camera.");
-            double[] matrix = fields.Matrix(mount, "R_body_from_cam", "camera.mount.");
-            double[] arm = fields.Numbers(mount, "lever_arm_body_m", "camera.mount.", 3);
-            IReadOnlyList<ListedPicture> listed = ReadFrames(root, fields.Faults);
+            var faults = new List<string>();
+            var root = new JsonFields(document.RootElement, string.Empty, faults);
+            JsonFields camera = root.RequiredObject("camera");
+            CameraModel model = ReadModel(camera);
+            JsonFields mount = camera.RequiredObject("mount");
+            mount.Renamed(("R_body_from_cam", BodyFromCamera), ("lever_arm_body_m", LeverArm));
+            double[] matrix = mount.RequiredMatrix(BodyFromCamera);
+            double[] arm = mount.RequiredNumbers(LeverArm, 3);
+            mount.RefuseOthers();
+            camera.RefuseOthers();
+            List<ListedPicture> listed = ReadFrames(root, faults);
 
-            // Where a number is missing, what it would have meant is not worth a second complaint.
-            List<string> faults = fields.Faults;
+            // Where a number is missing, what it would have meant is not worth a second fault.
             CameraMount where = new();
             if (faults.Count == 0)
                 where = Check(model, matrix, arm, faults);
@@ -57,7 +67,7 @@ internal static class CameraDescription
         {
             json.WriteStartObject();
             json.WriteString("format", Format);
-            json.WriteNumber("version", 1);
+            json.WriteNumber("version", Version);
             json.WriteStartObject("camera");
             json.WriteNumber("width", camera.Width);
             json.WriteNumber("height", camera.Height);
@@ -65,11 +75,11 @@ internal static class CameraDescription
             json.WriteNumber("fy", camera.FocalY);
             json.WriteNumber("cx", camera.CentreX);
             json.WriteNumber("cy", camera.CentreY);
-            WriteNumbers(json, "dist_k1_k2_p1_p2_k3", [camera.K1, camera.K2, camera.P1, camera.P2, camera.K3]);
+            WriteNumbers(json, Distortion, [camera.K1, camera.K2, camera.P1, camera.P2, camera.K3]);
             if (camera.RowReadout > TimeSpan.Zero)
-                json.WriteNumber("row_readout_us", camera.RowReadout.TotalMilliseconds * 1000);
+                json.WriteNumber(RowReadout, camera.RowReadout.TotalMilliseconds * 1000);
             json.WriteStartObject("mount");
-            json.WriteStartArray("R_body_from_cam");
+            json.WriteStartArray(BodyFromCamera);
             (double x1, double x2, double x3) = placement.BodyFromCamera.Apply(1, 0, 0);
             (double y1, double y2, double y3) = placement.BodyFromCamera.Apply(0, 1, 0);
             (double z1, double z2, double z3) = placement.BodyFromCamera.Apply(0, 0, 1);
@@ -77,33 +87,36 @@ internal static class CameraDescription
             WriteNumbers(json, name: null, [x2, y2, z2]);
             WriteNumbers(json, name: null, [x3, y3, z3]);
             json.WriteEndArray();
-            WriteNumbers(json, "lever_arm_body_m", [placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down]);
+            WriteNumbers(json, LeverArm, [placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down]);
             json.WriteEndObject();
             json.WriteEndObject();
-            json.WriteString("time_source", "names of the pictures: number, start of the exposure in us since 1970 UTC, exposure in us");
+            json.WriteString("timeSource", "names of the pictures: number, start of the exposure in us since 1970 UTC, exposure in us");
             json.WriteEndObject();
         }
 
         return stream.ToArray();
     }
 
-    private static CameraModel ReadModel(JsonElement camera, JsonFields fields)
+    private static CameraModel ReadModel(JsonFields camera)
     {
-        double[] distortion = fields.Numbers(camera, "dist_k1_k2_p1_p2_k3", "camera.", 5);
+        camera.Has("name");
+        camera.Renamed(("dist_k1_k2_p1_p2_k3", Distortion), ("row_readout_us", RowReadout));
+        double[] distortion = camera.RequiredNumbers(Distortion, 5);
+        double readout = camera.Number(RowReadout) ?? 0;
         return new CameraModel
         {
-            Width = fields.WholeNumber(camera, "width", "camera."),
-            Height = fields.WholeNumber(camera, "height", "camera."),
-            FocalX = fields.Number(camera, "fx", "camera."),
-            FocalY = fields.Number(camera, "fy", "camera."),
-            CentreX = fields.Number(camera, "cx", "camera."),
-            CentreY = fields.Number(camera, "cy", "camera."),
+            Width = camera.RequiredWholeNumber("width"),
+            Height = camera.RequiredWholeNumber("height"),
+            FocalX = camera.RequiredNumber("fx"),
+            FocalY = camera.RequiredNumber("fy"),
+            CentreX = camera.RequiredNumber("cx"),
+            CentreY = camera.RequiredNumber("cy"),
             K1 = distortion[0],
             K2 = distortion[1],
             P1 = distortion[2],
             P2 = distortion[3],
             K3 = distortion[4],
-            RowReadout = TimeSpan.FromTicks((long)Math.Round(fields.OptionalNumber(camera, "row_readout_us", "camera.") * TicksPerMicrosecond)),
+            RowReadout = TimeSpan.FromTicks(double.IsNaN(readout) ? 0 : (long)Math.Round(readout * TicksPerMicrosecond)),
         };
     }
 
@@ -113,7 +126,7 @@ internal static class CameraDescription
         if (RgbPicture.FindSizeFault(model.Width, model.Height) is { } fault)
             faults.Add(fault);
         if (!TryRotation(matrix, out Rotation rotation, out string reason))
-            faults.Add("R_body_from_cam: " + reason);
+            faults.Add("camera.mount." + BodyFromCamera + ": " + reason);
         var mount = new CameraMount { FixedBodyFromCamera = rotation, GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]) };
         faults.AddRange(mount.FindFaults());
         return mount;
@@ -148,44 +161,36 @@ internal static class CameraDescription
         json.WriteEndArray();
     }
 
-    private static List<ListedPicture> ReadFrames(JsonElement root, List<string> faults)
+    private static List<ListedPicture> ReadFrames(JsonFields root, List<string> faults)
     {
         var listed = new List<ListedPicture>();
-        if (root.ValueKind != JsonValueKind.Object || !root.TryGetProperty("frames", out JsonElement frames))
+        if (root.Array("frames") is not { } frames)
             return listed;
-        if (frames.ValueKind != JsonValueKind.Array)
-        {
-            faults.Add("frames is no list");
-            return listed;
-        }
-
         foreach (JsonElement frame in frames.EnumerateArray())
         {
-            if (TryReadFrame(frame, listed.Count, out ListedPicture? picture))
+            string where = FormattableString.Invariant($"frames[{listed.Count}]");
+            var fields = new JsonFields(frame, where, faults);
+            fields.Renamed(("frame_start_us", FrameStart), ("exposure_us", Exposure));
+            if (TryReadFrame(fields, listed.Count, out ListedPicture? picture))
             {
                 listed.Add(picture!);
                 continue;
             }
 
-            faults.Add($"frames, entry {listed.Count + 1}, has no file within the folder, no frame_start_us or no exposure_us");
+            faults.Add($"{where} has no file within the folder, no {FrameStart} or no {Exposure}");
             break;
         }
 
         return listed.OrderBy(p => p.Facts.StartUtcMicroseconds).ToList();
     }
 
-    private static bool TryReadFrame(JsonElement frame, int number, out ListedPicture? picture)
+    private static bool TryReadFrame(JsonFields frame, int number, out ListedPicture? picture)
     {
         picture = null;
-        if (frame.ValueKind != JsonValueKind.Object
-            || !frame.TryGetProperty("file", out JsonElement file) || file.ValueKind != JsonValueKind.String
-            || !JsonFields.TryLong(frame, "frame_start_us", out long start) || !JsonFields.TryLong(frame, "exposure_us", out long exposure)
+        if (frame.Text("file") is not { } name || frame.Long(FrameStart) is not { } start || frame.Long(Exposure) is not { } exposure
             || !PictureFileName.IsPossible(start, exposure))
-        {
             return false;
-        }
 
-        string name = file.GetString()!;
         string[] steps = name.Split('/', '\\');
         if (name.IndexOfAny(Path.GetInvalidPathChars()) >= 0 || name.Contains(':') || steps.Any(s => s.Length == 0 || s == ".."))
             return false;

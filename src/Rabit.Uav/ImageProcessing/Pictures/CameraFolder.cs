@@ -12,7 +12,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 /// <remarks>
 /// A picture is called "f000123_1732190000123456_e2000.png": number, start of the exposure in microseconds since 1970 UTC, exposure in
-/// microseconds. Pictures of other names may be listed in camera.json, as "frames" of "file", "frame_start_us" and "exposure_us".
+/// microseconds. Pictures of other names may be listed in camera.json, as "frames" of "file", "frameStartMicroseconds" and
+/// "exposureMicroseconds". The form of camera.json is in docs/camera-folder.md.
 /// </remarks>
 public sealed class CameraFolder
 {

@@ -22,7 +22,7 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(100);
 
     // The wall clock may be set while a picture of the future is waited for.
-    private static readonly TimeSpan LongestWait = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(1);
 
     private readonly CameraFolder _folder;
     private readonly PictureListing _listing;
@@ -56,7 +56,7 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     /// <summary>Pictures delivered.</summary>
     public long PicturesDelivered => Interlocked.Read(ref _delivered);
 
-    /// <summary>Pictures that could not be read, have another size than the camera's, or a name that does not tell their time.</summary>
+    /// <summary>Pictures that could not be read, have another size than the camera's, or a name without their time.</summary>
     public long PicturesRefused => Interlocked.Read(ref _refused);
 
     /// <summary>Pictures that were begun before the reader was opened, and were therefore not read.</summary>
@@ -88,7 +88,7 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
         while (true)
         {
             if (_pending.Count == 0)
-                Look();
+                FindNew();
             if (_pending.Count == 0)
                 return ReaderStep.WaitUntil(_context!.Now + Poll);
 
@@ -97,7 +97,7 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
             TimeSpan exposure = TimeSpan.FromTicks(next.Facts.ExposureMicroseconds * PictureFolderWriter.TicksPerMicrosecond);
             TimeSpan wait = start + exposure - _context!.Now;
             if (wait > TimeSpan.Zero)
-                return ReaderStep.WaitUntil(_context.Now + (wait < LongestWait ? wait : LongestWait));
+                return ReaderStep.WaitUntil(_context.Now + (wait < MaxWait ? wait : MaxWait));
 
             _pending.RemoveAt(_pending.Count - 1);
             _lastUtc = next.Facts.StartUtcMicroseconds;
@@ -150,7 +150,7 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
         return true;
     }
 
-    private void Look()
+    private void FindNew()
     {
         var found = new List<ListedPicture>();
         try
@@ -163,7 +163,7 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
         }
 
         foreach (string name in _nameless)
-            Refuse($"{Path.Combine(_folder.Path, name)}: its name does not tell its number and time, as f000123_1732190000123456_e2000.png does");
+            Refuse($"{Path.Combine(_folder.Path, name)}: its name has no number and time, as f000123_1732190000123456_e2000.png has");
         _nameless.Clear();
         foreach (ListedPicture picture in found)
             Add(picture);

@@ -11,7 +11,7 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 internal readonly struct PictureFileName(long number, long startUtcMicroseconds, long exposureMicroseconds)
 {
-    // The last microsecond that a date of .NET can tell, at the end of the year 9999; and an exposure of an hour.
+    // The last microsecond that a date of .NET can hold, at the end of the year 9999; and an exposure of an hour.
     private const long LastMicrosecond = 253_402_300_799_999_999;
     private const long MaxExposure = 3_600_000_000;
 

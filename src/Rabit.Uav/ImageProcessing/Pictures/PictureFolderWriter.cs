@@ -8,7 +8,7 @@ namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
 /// Writes a camera's pictures into its folder, under the names that <see cref="FolderCamera"/> reads. Each is written under another name
-/// and then renamed, so that whoever watches the folder never sees half a picture. One thread writes.
+/// and then renamed, so that a reader of the folder never sees half a picture. One thread writes.
 /// </summary>
 public sealed class PictureFolderWriter
 {

@@ -8,7 +8,7 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>Finds the pictures of a folder that were not there before. One thread.</summary>
 internal sealed class PictureListing
 {
-    // A file may come within the same tick of the file system's clock as the last look; so every so often a look is taken in any case.
+    // A file may appear within the same tick of the file system's clock as the last listing; so the folder is listed now and then in any case.
     private const int LooksPerListing = 10;
 
     private readonly string _folder;
@@ -24,7 +24,7 @@ internal sealed class PictureListing
     }
 
     /// <summary>Adds what is new, in no order.</summary>
-    /// <param name="pictures">Takes pictures whose names tell what has to be known.</param>
+    /// <param name="pictures">Takes pictures whose names have number and times.</param>
     /// <param name="nameless">Takes names of pictures that do not.</param>
     /// <exception cref="PictureException">The folder cannot be read, or is gone.</exception>
     public void FindNew(List<ListedPicture> pictures, List<string> nameless)

@@ -5,6 +5,7 @@ using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Vision;
+using Rabit.Vision.Tests.Pictures;
 using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
@@ -12,12 +13,12 @@ namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
 public sealed class CameraFolderTests : IDisposable
 {
     private const string Known = """
-        {"format":"uav-imagery-camera","version":1,"origin":{"lat_deg":39.0086},
+        {"format":"uav-imagery-camera","version":2,"origin":{"lat_deg":39.0086},
          "camera":{"name":"cam640","width":640,"height":480,"fx":531.4,"fy":530.7,"cx":321.9,"cy":237.6,
-          "dist_k1_k2_p1_p2_k3":[-0.214,0.069,0.0006,-0.0004,-0.008],
-          "mount":{"R_body_from_cam":[[0.0,-1.0,0.0],[1.0,0.0,0.0],[0.0,0.0,1.0]],"lever_arm_body_m":[0.12,-0.02,0.06]}},
-         "frames":[{"file":"frames/b.png","frame_start_us":469185613,"exposure_us":1098},
-                   {"file":"frames/a.png","frame_start_us":468985841,"exposure_us":1095}]}
+          "distortion":[-0.214,0.069,0.0006,-0.0004,-0.008],
+          "mount":{"bodyFromCamera":[[0.0,-1.0,0.0],[1.0,0.0,0.0],[0.0,0.0,1.0]],"leverArmBodyMetres":[0.12,-0.02,0.06]}},
+         "frames":[{"file":"frames/b.png","frameStartMicroseconds":469185613,"exposureMicroseconds":1098},
+                   {"file":"frames/a.png","frameStartMicroseconds":468985841,"exposureMicroseconds":1095}]}
         """;
 
     private readonly SamplePictures.TemporaryFolder _folder = new();
@@ -101,7 +102,7 @@ public sealed class CameraFolderTests : IDisposable
     [InlineData("[]", "camera is missing")]
     [InlineData("{}", "camera is missing")]
     [InlineData("{\"camera\":5}", "camera is missing or no object")]
-    [InlineData("{\"camera\":{}}", "camera.fx is missing; camera.fy is missing;")]
+    [InlineData("{\"camera\":{}}", "camera.width is missing; camera.height is missing; camera.fx is missing")]
     [InlineData("nonsense", "no JSON")]
     [InlineData("", "no JSON")]
     public void Open_WrongDescription_SaysWhy(string json, string reason)
@@ -114,18 +115,18 @@ public sealed class CameraFolderTests : IDisposable
     }
 
     [Theory]
-    [InlineData("\"width\":640", "\"width\":640.5", "camera.width is no whole number")]
+    [InlineData("\"width\":640", "\"width\":640.5", "camera.width is 640.5; it must be a whole number")]
     [InlineData("\"width\":640", "\"width\":70000", "70000 x 480")]
-    [InlineData("\"fx\":531.4", "\"fx\":\"531.4\"", "camera.fx is no number")]
+    [InlineData("\"fx\":531.4", "\"fx\":\"531.4\"", "camera.fx is \"531.4\"; it must be a number")]
     [InlineData("\"fx\":531.4", "\"fx\":0", "focal length")]
     [InlineData("-0.008]", "-0.008,1]", "list of 5 numbers")]
     [InlineData("[0.12,-0.02,0.06]", "[0.12,-0.02]", "list of 3 numbers")]
-    [InlineData("[[0.0,-1.0,0.0],", "[[0.0,1.0,0.0],", "R_body_from_cam")]
-    [InlineData("[[0.0,-1.0,0.0],", "[[0.0,-1.0],", "camera.mount.R_body_from_cam is no list")]
+    [InlineData("[[0.0,-1.0,0.0],", "[[0.0,1.0,0.0],", "bodyFromCamera")]
+    [InlineData("[[0.0,-1.0,0.0],", "[[0.0,-1.0],", "it must be a list of three lists of three numbers")]
     [InlineData("-0.214", "-4.0", "distortion")]
-    [InlineData("frames/b.png", "../b.png", "frames, entry 1,")]
-    [InlineData("frames/b.png", "/etc/b.png", "frames, entry 1,")]
-    [InlineData("\"frame_start_us\":468985841", "\"start\":468985841", "frames, entry 2,")]
+    [InlineData("frames/b.png", "../b.png", "frames[0] has no file")]
+    [InlineData("frames/b.png", "/etc/b.png", "frames[0] has no file")]
+    [InlineData("\"frameStartMicroseconds\":468985841", "\"start\":468985841", "frames[1] has no file")]
     public void Open_OneThingWrong_IsNamed(string right, string wrong, string reason)
     {
         Assert.Contains(right, Known, StringComparison.Ordinal);
@@ -134,6 +135,27 @@ public sealed class CameraFolderTests : IDisposable
 
         Assert.Contains(reason, fault.Message, StringComparison.Ordinal);
     }
+
+    [Theory]
+    [InlineData("distortion", "dist_k1_k2_p1_p2_k3", "camera.dist_k1_k2_p1_p2_k3 is of an older form of the file; it is camera.distortion now")]
+    [InlineData("bodyFromCamera", "R_body_from_cam", "camera.mount.R_body_from_cam is of an older form of the file; it is camera.mount.bodyFromCamera now")]
+    [InlineData("leverArmBodyMetres", "lever_arm_body_m", "it is camera.mount.leverArmBodyMetres now")]
+    [InlineData("frameStartMicroseconds", "frame_start_us", "it is frames[0].frameStartMicroseconds now")]
+    [InlineData("\"height\"", "\"row_readout_us\":3,\"height\"", "it is camera.rowReadoutMicroseconds now")]
+    public void Open_NameOfTheOldForm_IsRefusedWithTheNewOne(string now, string old, string reason)
+    {
+        PictureException fault = Assert.Throws<PictureException>(() => Open(Known.Replace(now, old)));
+
+        Assert.Contains(reason, fault.Message, StringComparison.Ordinal);
+        Assert.DoesNotContain("is missing", fault.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Open_NameThatIsWronglySpelt_IsRefusedWithTheRightOne()
+        => Assert.Contains(
+            "camera.rowReadoutMicrosecond is unknown; did you mean rowReadoutMicroseconds?",
+            Assert.Throws<PictureException>(() => Open(Known.Replace("\"height\"", "\"rowReadoutMicrosecond\":3,\"height\""))).Message,
+            StringComparison.Ordinal);
 
     [Fact]
     public void Open_MarkOfUtf8AtTheBeginning_IsRead()

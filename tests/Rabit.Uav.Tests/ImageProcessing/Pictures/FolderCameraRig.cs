@@ -4,6 +4,7 @@ using Rabit.Core;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
+using Rabit.Vision.Tests.Pictures;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
 

@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Vision;
+using Rabit.Vision.Tests.Pictures;
 using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
@@ -124,8 +125,8 @@ public sealed class FolderCameraTests : IDisposable
     {
         PictureFile.Save(_rig.PathOf("first.png"), SamplePictures.Random(4, 5, seed: 2));
         string json = File.ReadAllText(_rig.PathOf(CameraFolder.DescriptionFile)).TrimEnd().TrimEnd('}')
-            + ",\"frames\":[{\"file\":\"first.png\",\"frame_start_us\":" + Micros(1.5) + ",\"exposure_us\":1000},"
-            + "{\"file\":\"second.png\",\"frame_start_us\":" + Micros(2.5) + ",\"exposure_us\":1000}]}";
+            + ",\"frames\":[{\"file\":\"first.png\",\"frameStartMicroseconds\":" + Micros(1.5) + ",\"exposureMicroseconds\":1000},"
+            + "{\"file\":\"second.png\",\"frameStartMicroseconds\":" + Micros(2.5) + ",\"exposureMicroseconds\":1000}]}";
         File.WriteAllText(_rig.PathOf(CameraFolder.DescriptionFile), json);
         _rig.Reopen();
 

@@ -17,7 +17,7 @@ public sealed class TargetScoringTests
     [Fact]
     public void Score_TracksNearTheirTargets_AreFoundWithTheirErrors()
     {
-        MissionScore score = Score([Target(TargetColours.Red, 10, 20), Target(TargetColours.Blue, 50, 60)], [Track(1, TargetColours.Red, 11, 20), Track(2, TargetColours.Blue, 50, 57)]);
+        MissionScore score = Score([Target(DefaultTargetClasses.Red, 10, 20), Target(DefaultTargetClasses.Blue, 50, 60)], [Track(1, DefaultTargetClasses.Red, 11, 20), Track(2, DefaultTargetClasses.Blue, 50, 57)]);
 
         Assert.Equal((2, 0), (score.Found, score.FalseTracks.Count));
         Assert.Equal(1, score.Targets[0].ErrorMetres, 3);
@@ -29,8 +29,8 @@ public sealed class TargetScoringTests
     public void Score_OtherColourOrTooFar_IsMissedAndFalse()
     {
         MissionScore score = Score(
-            [Target(TargetColours.Red, 0, 0), Target(TargetColours.Blue, 50, 0)],
-            [Track(1, TargetColours.Orange, 0, 0), Track(2, TargetColours.Blue, 60.1, 0)]);
+            [Target(DefaultTargetClasses.Red, 0, 0), Target(DefaultTargetClasses.Blue, 50, 0)],
+            [Track(1, DefaultTargetClasses.Orange, 0, 0), Track(2, DefaultTargetClasses.Blue, 60.1, 0)]);
 
         Assert.Equal(0, score.Found);
         Assert.Equal([1, 2], score.FalseTracks.Select(t => t.Id));
@@ -40,7 +40,7 @@ public sealed class TargetScoringTests
     [Fact]
     public void Score_TwoTracksAtOneTarget_TheNearerOneIsItAndTheOtherFalse()
     {
-        MissionScore score = Score([Target(TargetColours.Red, 0, 0)], [Track(1, TargetColours.Red, 3, 0), Track(2, TargetColours.Red, 0, 1)]);
+        MissionScore score = Score([Target(DefaultTargetClasses.Red, 0, 0)], [Track(1, DefaultTargetClasses.Red, 3, 0), Track(2, DefaultTargetClasses.Red, 0, 1)]);
 
         Assert.Equal(2, score.Targets[0].Track!.Id);
         Assert.Equal([1], score.FalseTracks.Select(t => t.Id));
@@ -50,8 +50,8 @@ public sealed class TargetScoringTests
     public void Score_TwoTargetsNearEachOther_EachHasItsOwnTrack()
     {
         MissionScore score = Score(
-            [Target(TargetColours.Red, 0, 0), Target(TargetColours.Red, 8, 0)],
-            [Track(1, TargetColours.Red, 7, 0), Track(2, TargetColours.Red, 1.5, 0)]);
+            [Target(DefaultTargetClasses.Red, 0, 0), Target(DefaultTargetClasses.Red, 8, 0)],
+            [Track(1, DefaultTargetClasses.Red, 7, 0), Track(2, DefaultTargetClasses.Red, 1.5, 0)]);
 
         Assert.Equal([2, 1], score.Targets.Select(t => t.Track!.Id));
     }
@@ -61,7 +61,7 @@ public sealed class TargetScoringTests
     [InlineData(TrackState.Lost)]
     public void Score_TrackThatIsNotConfirmed_CountsForNothing(TrackState state)
     {
-        MissionScore score = Score([Target(TargetColours.Red, 0, 0)], [Track(1, TargetColours.Red, 0, 0, state)]);
+        MissionScore score = Score([Target(DefaultTargetClasses.Red, 0, 0)], [Track(1, DefaultTargetClasses.Red, 0, 0, state)]);
 
         Assert.Equal((0, 0), (score.Found, score.FalseTracks.Count));
     }
@@ -72,7 +72,7 @@ public sealed class TargetScoringTests
     public void Score_EllipseOfOneMetre_HoldsTruthTo95Percent(double north, bool holds)
     {
         // Half axis: the root of chi-square with two degrees of freedom, 2.4477 (Abramowitz and Stegun, table 26.8).
-        MissionScore score = Score([Target(TargetColours.Red, 0, 0)], [Track(1, TargetColours.Red, north, 0)]);
+        MissionScore score = Score([Target(DefaultTargetClasses.Red, 0, 0)], [Track(1, DefaultTargetClasses.Red, north, 0)]);
 
         Assert.Equal(holds, score.Targets[0].EllipseHoldsTruth);
         Assert.Equal(holds ? 1 : 0, score.InEllipse);
@@ -120,12 +120,12 @@ public sealed class TargetScoringTests
         => TargetScoring.Score(new Truth(MadeUpFlight.Home, targets), tracks);
 
     // At another height than the tracks: a difference in height is no error.
-    private static TruthTarget Target(TargetColours colour, double north, double east) => new("target", colour, Frame.ToGeodetic(new NedVector(north, east, 7)));
+    private static TruthTarget Target(TargetClassName colour, double north, double east) => new("target", colour, Frame.ToGeodetic(new NedVector(north, east, 7)));
 
-    private static TargetTrack Track(int id, TargetColours colour, double north, double east, TrackState state = TrackState.Confirmed) => new()
+    private static TargetTrack Track(int id, TargetClassName colour, double north, double east, TrackState state = TrackState.Confirmed) => new()
     {
         Id = id,
-        Colour = colour,
+        Class = colour,
         State = state,
         Covariance = OneMetre,
         Position = Frame.ToGeodetic(new NedVector(north, east, 0)),

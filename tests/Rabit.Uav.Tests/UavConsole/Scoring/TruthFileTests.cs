@@ -19,7 +19,7 @@ public sealed class TruthFileTests
         Truth read = TruthFile.Parse(Encoding.UTF8.GetString(stream.ToArray()), "truth.json");
 
         Assert.Equal(MadeUpFlight.Truth.Home.LatitudeRadians, read.Home.LatitudeRadians, 10);
-        Assert.Equal(MadeUpFlight.Truth.Targets.Select(t => (t.Name, t.Colour)), read.Targets.Select(t => (t.Name, t.Colour)));
+        Assert.Equal(MadeUpFlight.Truth.Targets.Select(t => (t.Name, t.Class)), read.Targets.Select(t => (t.Name, t.Class)));
         Assert.All(read.Targets.Zip(MadeUpFlight.Truth.Targets, (a, b) => (a, b)), p => Assert.Equal(p.b.Position.LongitudeRadians, p.a.Position.LongitudeRadians, 10));
     }
 
@@ -29,8 +29,8 @@ public sealed class TruthFileTests
     [InlineData("""{"format":"rabit-mission"}""", "it does not say \"format\": \"rabit-truth\"")]
     [InlineData("""{"format":"rabit-truth","version":2}""", "its version is not 1; home is missing; targets is not a list")]
     [InlineData(
-        """{"format":"rabit-truth","version":1,"home":{"lat_deg":91,"lon_deg":"8"},"targets":[{"color":"pink","lat_deg":1,"lon_deg":2},7]}""",
-        "home: lat_deg is not a number from -90 to 90; home: lon_deg is not a number from -180 to 180; targets[0]: 'pink' is no colour (red, orange, blue, yellow, magenta); targets[1] has no color")]
+        """{"format":"rabit-truth","version":1,"home":{"lat_deg":91,"lon_deg":"8"},"targets":[{"color":"pink with blue dots","lat_deg":1,"lon_deg":2},7]}""",
+        "home: lat_deg is not a number from -90 to 90; home: lon_deg is not a number from -180 to 180; targets[0]: 'pink with blue dots' is no name of a target class (1 to 16 ASCII characters); targets[1] has no color")]
     public void Parse_BadFile_NamesAllThatIsWrong(string json, string expected)
     {
         var error = Assert.Throws<ArgumentException>(() => TruthFile.Parse(json, "t.json"));

@@ -36,7 +36,7 @@ public sealed class CharacterMapTests
             {
                 Area = Square.Area,
                 Home = Square.Home,
-                Tracks = [Track(TargetColours.Red, 90, 10), Track(TargetColours.Blue, 10, 90)],
+                Tracks = [Track(DefaultTargetClasses.Red, 90, 10), Track(DefaultTargetClasses.Blue, 10, 90)],
                 Vehicle = new NedVector(50, 50, -40),
                 VehicleYawRadians = Math.PI / 2,
             },
@@ -73,7 +73,7 @@ public sealed class CharacterMapTests
             new MapModel
             {
                 Area = Square.Area,
-                Tracks = [Track(TargetColours.Yellow, 20, 20, TrackState.Tentative), Track(TargetColours.Magenta, 50, 50), Track(TargetColours.Red, 80, 80, TrackState.Lost)],
+                Tracks = [Track(DefaultTargetClasses.Yellow, 20, 20, TrackState.Tentative), Track(DefaultTargetClasses.Magenta, 50, 50), Track(DefaultTargetClasses.Red, 80, 80, TrackState.Lost)],
             },
             40,
             20);
@@ -87,7 +87,7 @@ public sealed class CharacterMapTests
     public void Draw_Ellipse_IsShownOnceItIsLargerThanACharacter()
     {
         int Inked(double variance) => Ink(CharacterMap.Draw(
-            new MapModel { Area = Square.Area, Tracks = [Track(TargetColours.Red, 50, 50, TrackState.Confirmed, variance)] }, 40, 20), MapInk.Ellipse);
+            new MapModel { Area = Square.Area, Tracks = [Track(DefaultTargetClasses.Red, 50, 50, TrackState.Confirmed, variance)] }, 40, 20), MapInk.Ellipse);
 
         Assert.Equal(0, Inked(0.5));
         Assert.InRange(Inked(50), 6, 60);
@@ -125,8 +125,8 @@ public sealed class CharacterMapTests
         Assert.Equal(CharacterMap.Draw(model, 60, 20).Lines, CharacterMap.Draw(model, 60, 20).Lines);
     }
 
-    private static MapTrack Track(TargetColours colour, double north, double east, TrackState state = TrackState.Confirmed, double variance = 0.5)
-        => new(new NedVector(north, east, 0), new TargetTrack { Id = 1, Colour = colour, State = state, Covariance = new HorizontalCovariance(variance, 0, variance) });
+    private static MapTrack Track(TargetClassName colour, double north, double east, TrackState state = TrackState.Confirmed, double variance = 0.5)
+        => new(new NedVector(north, east, 0), new TargetTrack { Id = 1, Class = colour, State = state, Covariance = new HorizontalCovariance(variance, 0, variance) });
 
     private static (int Column, int Row) Find(MapPicture map, char mark)
     {

@@ -22,7 +22,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
     [Fact]
     public void Draw_InTheMiddleOfASearch_FitsAndShowsAll()
     {
-        string[] lines = Draw("lane 2 of 4", TargetColours.Red).Split('\n').Select(l => l.TrimEnd('\r', ' ')).ToArray();
+        string[] lines = Draw("lane 2 of 4", DefaultTargetClasses.Red).Split('\n').Select(l => l.TrimEnd('\r', ' ')).ToArray();
 
         Assert.InRange(lines.Count(l => l.Length > 0), 20, 24);
         Assert.All(lines, l => Assert.InRange(l.Length, 0, 80));
@@ -34,14 +34,14 @@ public sealed class MissionViewTests(ITestOutputHelper output)
     [Fact]
     public void Draw_HostileTexts_ShowsThemAsTheyAre()
     {
-        string drawn = Draw("[red]a[/] [[b\u001b[2J\nc \u0007 and so on, far longer than there is room", TargetColours.Red);
+        string drawn = Draw("[red]a[/] [[b\u001b[2J\nc \u0007 and so on, far longer than there is room", DefaultTargetClasses.Red);
 
         Assert.Contains("[red]a[/] [[b.[2J.c", drawn);
         Assert.DoesNotContain(drawn, c => char.IsControl(c) && c != '\n' && c != '\r');
         Assert.All(drawn.Split('\n'), l => Assert.InRange(l.TrimEnd('\r').Length, 0, 80));
     }
 
-    private string Draw(string missionText, TargetColours colour)
+    private string Draw(string missionText, TargetClassName colour)
     {
         var notes = new RunLog();
         var reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), Log = notes.Add, StopsOnSignals = false });
@@ -103,10 +103,10 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         BatteryAmperes = 14,
     };
 
-    private static TargetTrack Track(TargetColours colour) => new()
+    private static TargetTrack Track(TargetClassName colour) => new()
     {
         Id = 1,
-        Colour = colour,
+        Class = colour,
         State = TrackState.Confirmed,
         Reports = 12,
         Covariance = new HorizontalCovariance(1, 0, 1),

@@ -1,10 +1,9 @@
 using System;
 using System.Linq;
-using Rabit.Vision;
 using Xunit;
 using Xunit.Abstractions;
 
-namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
+namespace Rabit.Vision.Tests.Pictures;
 
 public class PngPictureTests(ITestOutputHelper output)
 {

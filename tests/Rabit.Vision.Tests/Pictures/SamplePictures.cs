@@ -1,8 +1,7 @@
 using System;
 using System.IO;
-using Rabit.Vision;
 
-namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
+namespace Rabit.Vision.Tests.Pictures;
 
 /// <summary>The same picture of 4 x 5 pixels in several files, made by Python's zlib, and pictures of any size.</summary>
 internal static class SamplePictures

@@ -2,10 +2,9 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Rabit.Vision;
 using Xunit;
 
-namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
+namespace Rabit.Vision.Tests.Pictures;
 
 public sealed class PictureFileTests : IDisposable
 {

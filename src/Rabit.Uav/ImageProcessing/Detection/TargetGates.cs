@@ -5,7 +5,7 @@ using Rabit.Vision;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>What a blob must be like on the ground, in metres, to be a target, and how like it is. Targets are squares.</summary>
-internal sealed class TargetGates(ImageProcessingOptions options)
+internal sealed class TargetGates(ColourDetectorOptions options)
 {
     // A solid rectangle of area A has sigma_long * sigma_short = A / 12, however it lies; what has holes or arms has more.
     private const double RectangleFactor = 12;
@@ -16,11 +16,12 @@ internal sealed class TargetGates(ImageProcessingOptions options)
     private const double FillSpread = 0.2;
     private const double AspectSpread = 0.4;
 
-    /// <summary>The score of a blob, 0 to 1; 0 where it is none.</summary>
-    public double Score(in BlobShape shape, in GroundScale scale, ColourRange colour)
+    /// <summary>The score of a blob, 0 to 1; 0 where it is no target of the class.</summary>
+    public double Score(in BlobShape shape, in GroundScale scale, TargetClass target)
     {
+        (double min, double max) = (target.MinSideMetres, target.MaxSideMetres);
         double side = BlobOnGround.SideMetres(shape, scale);
-        if (!(side >= options.MinSideMetres && side <= options.MaxSideMetres) || Math.Sqrt(shape.Area) < options.MinSidePixels)
+        if (!(side >= min && side <= max) || Math.Sqrt(shape.Area) < options.MinSidePixels)
             return 0;
         (double longSpread, double shortSpread) = BlobOnGround.SpreadMetres(shape, scale);
         double aspect = longSpread / shortSpread;
@@ -29,10 +30,9 @@ internal sealed class TargetGates(ImageProcessingOptions options)
             return 0;
 
         // The middle of the range, as a ratio.
-        double size = Math.Log(side / Math.Sqrt(options.MinSideMetres * options.MaxSideMetres))
-            / Math.Log(Math.Sqrt(options.MaxSideMetres / options.MinSideMetres));
+        double size = Math.Log(side / Math.Sqrt(min * max)) / Math.Log(Math.Sqrt(max / min));
         double shapeLikeness = Likeness((fill - 1) / FillSpread) * Likeness((aspect - 1) / AspectSpread) * Likeness(size);
-        return Math.Sqrt(shapeLikeness * colour.Closeness(shape.Red, shape.Green, shape.Blue));
+        return Math.Sqrt(shapeLikeness * target.Colour!.Closeness(shape.Red, shape.Green, shape.Blue));
     }
 
     private static double Likeness(double deviations) => Math.Exp(-0.5 * deviations * deviations);

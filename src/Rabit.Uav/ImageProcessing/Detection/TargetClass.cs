@@ -1,0 +1,66 @@
+using System;
+using System.Collections.Generic;
+using System.Collections.Immutable;
+using Rabit.Uav.Messages;
+using Rabit.Vision;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>A class of targets that the user declares: its name, the size it may have, and its colour. Immutable.</summary>
+public sealed class TargetClass
+{
+    /// <summary>Declares a class.</summary>
+    /// <param name="name">1 to 16 printable ASCII characters: in reports, tracks, the mission file, and between vehicles.</param>
+    /// <exception cref="ArgumentException">The name is none of that kind.</exception>
+    public TargetClass(string name) => Name = new TargetClassName(name);
+
+    private TargetClass(TargetClassName name, ColourRange colour) => (Name, Colour) = (name, colour);
+
+    /// <summary>Square panels of about 1 m in five colours: <see cref="DefaultTargetClasses"/>.</summary>
+    public static ImmutableArray<TargetClass> Defaults { get; } =
+    [
+        new(DefaultTargetClasses.Red, new ColourRange(205, 28, 32)),
+        new(DefaultTargetClasses.Orange, new ColourRange(242, 112, 18)),
+        new(DefaultTargetClasses.Blue, new ColourRange(28, 72, 205)),
+        new(DefaultTargetClasses.Yellow, new ColourRange(243, 214, 28)),
+        new(DefaultTargetClasses.Magenta, new ColourRange(212, 36, 150)),
+    ];
+
+    /// <summary>Its name.</summary>
+    public TargetClassName Name { get; }
+
+    /// <summary>Side of the smallest target, that of a square of its area, metres.</summary>
+    /// <value>The default is 0.6 m, for panels of 1 m.</value>
+    public double MinSideMetres { get; init; } = 0.6;
+
+    /// <summary>Side of the largest target, that of a square of its area, metres.</summary>
+    /// <value>The default is 1.5 m, for panels of 1 m.</value>
+    public double MaxSideMetres { get; init; } = 1.5;
+
+    /// <summary>Its colour, which <see cref="ColourTargetDetector"/> needs, and which must differ from those of the other classes; other detectors may leave it null.</summary>
+    public ColourRange? Colour { get; init; }
+
+    internal static IEnumerable<string> FindFaults(ImmutableArray<TargetClass> classes)
+    {
+        if (classes.IsDefaultOrEmpty)
+            yield return "there is no target class";
+        var names = new HashSet<TargetClassName>();
+        foreach (TargetClass targetClass in classes.IsDefault ? [] : classes)
+        {
+            if (targetClass is null)
+            {
+                yield return "a target class is null";
+                continue;
+            }
+
+            if (!names.Add(targetClass.Name))
+                yield return $"target class {targetClass.Name} is declared twice";
+            (double min, double max) = (targetClass.MinSideMetres, targetClass.MaxSideMetres);
+            if (!(min > 0 && min < max && !double.IsInfinity(max)))
+            {
+                yield return FormattableString.Invariant(
+                    $"{nameof(MinSideMetres)} of target class {targetClass.Name} is {min} and {nameof(MaxSideMetres)} {max}; they must be above 0 and in this order");
+            }
+        }
+    }
+}

@@ -1,0 +1,34 @@
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>One target that a detector found in a picture. A plain value.</summary>
+public struct TargetDetection
+{
+    /// <summary>Its class: one of <see cref="DetectorInput.Classes"/>.</summary>
+    public TargetClassName Class { get; set; }
+
+    /// <summary>Column of its centre, pixels; the centre of the top left pixel is 0.</summary>
+    public double CentreX { get; set; }
+
+    /// <summary>Row of its centre, pixels; the centre of the top left pixel is 0.</summary>
+    public double CentreY { get; set; }
+
+    /// <summary>Width of the upright box around it, pixels; above 0.</summary>
+    public double WidthPixels { get; set; }
+
+    /// <summary>Height of the upright box around it, pixels; above 0.</summary>
+    public double HeightPixels { get; set; }
+
+    /// <summary>
+    /// Side of a square of its area on the ground, metres, where the detector measured it; 0, the default, to have it computed from
+    /// the box and the ground scale at its centre.
+    /// </summary>
+    public double SideMetres { get; set; }
+
+    /// <summary>How confident the detector is, 0 to 1.</summary>
+    public double Score { get; set; }
+
+    /// <summary>How uncertain the centre is; must be positive definite.</summary>
+    public PixelCovariance Covariance { get; set; }
+}
