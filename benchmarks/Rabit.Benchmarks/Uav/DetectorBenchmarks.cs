@@ -13,7 +13,7 @@ public class DetectorBenchmarks
     private const int Height = 480;
 
     private readonly Detector _detector = new(new ImageProcessingOptions());
-    private readonly GroundProjector _locator = NadirView.CreateLocator();
+    private readonly GroundProjection _projection = NadirView.CreateProjection();
     private readonly byte[] _grass = Paint(panels: 0, spots: 0);
     private readonly byte[] _panels = Paint(panels: 5, spots: 0);
     private readonly byte[] _meadow = Paint(panels: 5, spots: 3000);
@@ -62,7 +62,7 @@ public class DetectorBenchmarks
 
     private int Search(byte[] picture)
     {
-        _detector.TrySearch(picture, Width, Height, TargetColours.All, _locator);
+        _detector.TrySearch(picture, Width, Height, TargetColours.All, _projection);
         return _detector.Found.Length;
     }
 }

@@ -7,19 +7,19 @@ namespace Rabit.Benchmarks.Uav;
 /// <summary>What one report costs beyond the search: where it stands, and how uncertain that is.</summary>
 public class GroundProjectorBenchmarks
 {
-    private readonly GroundProjector _locator = NadirView.CreateLocator();
+    private readonly GroundProjection _projection = NadirView.CreateProjection();
 
     [Benchmark(Baseline = true)]
     public GeodeticPosition Locate()
     {
-        _locator.TryProjectToGround(500.25, 100.75, out GeodeticPosition place);
+        _projection.TryProjectToGround(500.25, 100.75, out GeodeticPosition place);
         return place;
     }
 
     [Benchmark]
     public HorizontalCovariance Covariances()
     {
-        _locator.TryCovariances(500.25, 100.75, out HorizontalCovariance perLook, out HorizontalCovariance common);
+        _projection.TryCovariances(500.25, 100.75, out HorizontalCovariance perLook, out HorizontalCovariance common);
         return perLook + common;
     }
 }

@@ -23,12 +23,11 @@ internal static class NadirView
         P2 = -0.0002,
     };
 
-    public static GroundProjector CreateLocator()
+    public static GroundProjection CreateProjection()
     {
-        var locator = new GroundProjector(Camera, new CameraMount(), new ErrorBudget(), 5 * Math.PI / 180);
-        locator.Aim(
+        var projector = new GroundProjector(Camera, new CameraMount(), new ErrorBudget(), 5 * Math.PI / 180);
+        return projector.At(
             new Pose { Position = GeodeticPosition.FromRadians(0.84, 0.15, 485), Attitude = Rotation.FromEuler(EulerAngles.FromRadians(0.05, -0.08, 1)) },
             new ImagingCommand { CameraPitchRadians = -Math.PI / 2, GroundAltitudeAmslMetres = 445 });
-        return locator;
     }
 }

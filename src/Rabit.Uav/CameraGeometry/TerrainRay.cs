@@ -11,7 +11,7 @@ internal static class TerrainRay
     private const double ClosestMetres = 1e-5;
 
     /// <summary>The first meeting, or why there is none.</summary>
-    public static GeolocationError Meet(in GroundRay ray, in LocalNedFrame frame, TerrainGrid terrain, double minimumDepressionRadians, out NedVector point)
+    public static GeolocationError Intersect(in GroundRay ray, in LocalNedFrame frame, TerrainGrid terrain, double minimumDepressionRadians, out NedVector point)
     {
         point = ray.FromMetres;
         GeolocationError start = Clearance(frame, terrain, point, out double clearance, out double aboveAll);

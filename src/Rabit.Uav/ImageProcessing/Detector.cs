@@ -34,8 +34,8 @@ internal sealed class Detector(ImageProcessingOptions options)
     /// <param name="width">Columns.</param>
     /// <param name="height">Rows.</param>
     /// <param name="colours">What is looked for.</param>
-    /// <param name="locator">Aimed at this picture.</param>
-    public bool TrySearch(byte[] pixels, int width, int height, TargetColours colours, GroundProjector locator)
+    /// <param name="projection">Of this picture to the ground.</param>
+    public bool TrySearch(byte[] pixels, int width, int height, TargetColours colours, in GroundProjection projection)
     {
         _count = 0;
         Cut = 0;
@@ -43,19 +43,19 @@ internal sealed class Detector(ImageProcessingOptions options)
         if (!_finder.TryFind(pixels, width, height, _colours))
             return false;
         _measure.SetPicture(pixels, width, height, _colours);
-        _largestPixelArea = LargestPixelArea(width, height, locator);
+        _largestPixelArea = LargestPixelArea(width, height, projection);
         foreach (ref readonly Blob blob in _finder.Blobs)
-            Judge(blob, locator);
+            Judge(blob, projection);
         return true;
     }
 
     // A pixel reaches furthest on the ground at one of the corners: what is too small there is too small anywhere.
-    private static double LargestPixelArea(int width, int height, GroundProjector locator)
+    private static double LargestPixelArea(int width, int height, in GroundProjection projection)
     {
         double largest = 0;
         for (int corner = 0; corner < 4; corner++)
         {
-            if (!locator.TryScale(corner % 2 * (width - 1), corner / 2 * (height - 1), out GroundScale scale))
+            if (!projection.TryScale(corner % 2 * (width - 1), corner / 2 * (height - 1), out GroundScale scale))
                 return double.PositiveInfinity;
             largest = Math.Max(largest, scale.PixelArea);
         }
@@ -64,11 +64,11 @@ internal sealed class Detector(ImageProcessingOptions options)
     }
 
     // What costs least comes first: a meadow may have thousands of coloured spots.
-    private void Judge(in Blob blob, GroundProjector locator)
+    private void Judge(in Blob blob, in GroundProjection projection)
     {
         if (blob.Pixels < MinPixels || IsTooSmall(blob, SlackForCorners * _largestPixelArea) || _measure.TouchesBorder(blob))
             return;
-        if (!locator.TryScale((blob.Left + blob.Right) / 2.0, (blob.Top + blob.Bottom) / 2.0, out GroundScale scale)
+        if (!projection.TryScale((blob.Left + blob.Right) / 2.0, (blob.Top + blob.Bottom) / 2.0, out GroundScale scale)
             || IsTooSmall(blob, scale.PixelArea) || Math.Sqrt(blob.Pixels * scale.PixelArea) > options.MaxSideMetres
             || !_measure.TryMeasure(blob, out BlobShape shape))
             return;

@@ -19,9 +19,9 @@ internal sealed class PictureSearch
 
     private readonly CameraModel _camera;
     private readonly Detector _detector;
-    private readonly GroundProjector _locator;
+    private readonly GroundProjector _projector;
     private readonly PoseHistory _poses;
-    private readonly TimeSpan _longestExtrapolation;
+    private readonly TimeSpan _maxExtrapolation;
     private readonly TargetReport[] _reports;
     private int _reportCount;
     private CameraObservation _look;
@@ -33,9 +33,9 @@ internal sealed class PictureSearch
     {
         _camera = camera;
         _poses = poses;
-        _longestExtrapolation = options.MaxExtrapolation;
+        _maxExtrapolation = options.MaxExtrapolation;
         _detector = new Detector(options);
-        _locator = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepressionRadians, options.Terrain);
+        _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepressionRadians, options.Terrain);
         _reports = new TargetReport[options.MaxReportsPerPicture];
     }
 
@@ -63,8 +63,7 @@ internal sealed class PictureSearch
             return NoBuffer;
         if (!TryFindCorners(frame, pose, order))
             return NotGround;
-        _locator.Aim(pose, order);
-        if (!_detector.TrySearch(frame.Pixels.Array, frame.Width, frame.Height, order.Colours, _locator))
+        if (!_detector.TrySearch(frame.Pixels.Array, frame.Width, frame.Height, order.Colours, _projector.At(pose, order)))
             return TooManySpots;
         foreach (ref readonly Detection found in _detector.Found)
             Report(found, frame, pose, order, systemId);
@@ -79,47 +78,49 @@ internal sealed class PictureSearch
     {
         double right = _camera.Width - 1;
         double bottom = _camera.Height - 1;
-        Aim(frame, 0, pose, order);
-        if (!_locator.TryProjectToGround(0, 0, out GeodeticPosition topLeft) || !_locator.TryProjectToGround(right, 0, out GeodeticPosition topRight))
+        GroundProjection top = _projector.At(PoseOfRow(frame, 0, pose), order);
+        if (!top.TryProjectToGround(0, 0, out GeodeticPosition topLeft) || !top.TryProjectToGround(right, 0, out GeodeticPosition topRight))
             return false;
-        Aim(frame, bottom, pose, order);
-        if (!_locator.TryProjectToGround(right, bottom, out GeodeticPosition bottomRight) || !_locator.TryProjectToGround(0, bottom, out GeodeticPosition bottomLeft))
+        GroundProjection last = _projector.At(PoseOfRow(frame, bottom, pose), order);
+        if (!last.TryProjectToGround(right, bottom, out GeodeticPosition bottomRight) || !last.TryProjectToGround(0, bottom, out GeodeticPosition bottomLeft))
             return false;
         (_look.TopLeft, _look.TopRight, _look.BottomRight, _look.BottomLeft) = (topLeft, topRight, bottomRight, bottomLeft);
         return true;
     }
 
-    // At the pose of a row. The caller made sure that there are poses around all rows; where they are drawn on, the last rows may lie
-    // a little beyond, and go on from the middle one.
-    private TimeSpan Aim(in CameraFrame frame, double row, in Pose middle, in ImagingCommand order)
+    private TimeSpan TimeOfRow(in CameraFrame frame, double row) => frame.MidExposure + _camera.ReadoutOf(row);
+
+    // The caller made sure that there are poses around all rows; where they are extrapolated, the last rows may lie a little beyond,
+    // and go on from the middle one.
+    private Pose PoseOfRow(in CameraFrame frame, double row, in Pose middle)
     {
         Pose pose = middle;
-        TimeSpan time = frame.MidExposure + _camera.ReadoutOf(row);
-        if (_camera.RowReadout > TimeSpan.Zero && _poses.Extrapolate(time, _longestExtrapolation, out pose) is not (PoseLookup.Known or PoseLookup.Extrapolated))
+        TimeSpan time = TimeOfRow(frame, row);
+        if (_camera.RowReadout > TimeSpan.Zero
+            && _poses.Extrapolate(time, _maxExtrapolation, out pose) is not (PoseLookup.Known or PoseLookup.Extrapolated))
         {
             pose = middle.After((time - middle.Time).TotalSeconds);
             pose.ExtrapolatedSeconds = Math.Max(0, middle.ExtrapolatedSeconds + (time - middle.Time).TotalSeconds);
         }
 
-        _locator.Aim(pose, order);
-        return time;
+        return pose;
     }
 
     private void Report(in Detection found, in CameraFrame frame, in Pose middle, in ImagingCommand order, byte systemId)
     {
-        TimeSpan time = Aim(frame, found.CentreY, middle, order);
-        if (!_locator.TryProjectToGround(found.CentreX, found.CentreY, out GeodeticPosition place)
-            || !_locator.TryCovariances(found.CentreX, found.CentreY, out HorizontalCovariance perLook, out HorizontalCovariance common))
+        GroundProjection projection = _projector.At(PoseOfRow(frame, found.CentreY, middle), order);
+        if (!projection.TryProjectToGround(found.CentreX, found.CentreY, out GeodeticPosition place)
+            || !projection.TryCovariances(found.CentreX, found.CentreY, out HorizontalCovariance random, out HorizontalCovariance systematic))
             return;
         _reports[_reportCount] = new TargetReport
         {
             SourceSystemId = systemId,
             PictureNumber = frame.Number,
             Index = _reportCount,
-            Time = time,
+            Time = TimeOfRow(frame, found.CentreY),
             Position = place,
-            Covariance = perLook,
-            SystematicCovariance = common,
+            Covariance = random,
+            SystematicCovariance = systematic,
             Colour = found.Colour,
             Score = found.Score,
             SizeMetres = found.SideMetres,

@@ -207,13 +207,13 @@ public sealed class DetectorTests
         var painting = new Painting(11);
         Scatter(painting, new Random(11), 13, light: 1);
         byte[] picture = painting.Finish();
-        GroundProjector locator = Over(13);
-        _detector.TrySearch(picture, Painting.Width, Painting.Height, TargetColours.All, locator);
+        GroundProjection projection = Over(13);
+        _detector.TrySearch(picture, Painting.Width, Painting.Height, TargetColours.All, projection);
 
         Assert.Equal(0, Allocated.By(() =>
         {
-            _detector.TrySearch(picture, Painting.Width, Painting.Height, TargetColours.Red, locator);
-            _detector.TrySearch(picture, Painting.Width, Painting.Height, TargetColours.All, locator);
+            _detector.TrySearch(picture, Painting.Width, Painting.Height, TargetColours.Red, projection);
+            _detector.TrySearch(picture, Painting.Width, Painting.Height, TargetColours.All, projection);
         }));
         Assert.False(_detector.Found.IsEmpty);
     }
@@ -289,11 +289,11 @@ public sealed class DetectorTests
     }
 
     // From so high that a metre is so many pixels.
-    private static GroundProjector Over(double pixelsPerMetre)
+    private static GroundProjection Over(double pixelsPerMetre)
     {
         var view = new TestView();
         view.Position = GeodeticPosition.FromRadians(0.8, 0.1, view.GroundAltitude + (view.Camera.FocalX / pixelsPerMetre));
-        return view.Aim(new ErrorBudget());
+        return view.Projection(new ErrorBudget());
     }
 
     private static double Distance(double x, double y, Detection d) => Math.Sqrt(((x - d.CentreX) * (x - d.CentreX)) + ((y - d.CentreY) * (y - d.CentreY)));

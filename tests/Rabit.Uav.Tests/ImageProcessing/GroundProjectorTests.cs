@@ -23,7 +23,7 @@ public sealed class GroundProjectorTests
         {
             if (c.Text("status") != "ok")
                 continue;
-            Assert.True(Aimed(c).TryProjectToGround(c.Number("u"), c.Number("v"), out GeodeticPosition place), $"case {c.Number("id")}");
+            Assert.True(ProjectionOf(c).TryProjectToGround(c.Number("u"), c.Number("v"), out GeodeticPosition place), $"case {c.Number("id")}");
             double error = Vectors.Distance(c.GetProperty("target").Position(), place);
             Assert.True(error < 1e-4, $"case {c.Number("id")} is off by {error} m");
             located++;
@@ -40,7 +40,7 @@ public sealed class GroundProjectorTests
         foreach (JsonElement c in rejects)
         {
             GeolocationError expected = c.Text("reason") == "camera_below_ground" ? GeolocationError.CameraBelowGround : GeolocationError.NearHorizon;
-            Assert.Equal(expected, Aimed(c).Locate(c.Number("u"), c.Number("v"), out NedVector _));
+            Assert.Equal(expected, ProjectionOf(c).Locate(c.Number("u"), c.Number("v"), out NedVector _));
         }
     }
 
@@ -87,7 +87,7 @@ public sealed class GroundProjectorTests
             if (!view.TryProject(north, east, out double column, out double row))
                 continue;
             seen++;
-            Assert.True(view.Aim(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground), $"seed {Seed}, case {i}");
+            Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground), $"seed {Seed}, case {i}");
             Assert.Equal(north, ground.North, 1e-6);
             Assert.Equal(east, ground.East, 1e-6);
         }
@@ -104,7 +104,7 @@ public sealed class GroundProjectorTests
     public void TryLocate_StraightDownNoseNorth_MovesAsTheQuickSignCheckSays(double roll, double pitch, double columns, double rows, int north, int east)
     {
         var view = new TestView { Attitude = EulerAngles.FromDegrees(roll, pitch, 0) };
-        Assert.True(view.Aim(new ErrorBudget()).TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedVector ground));
+        Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedVector ground));
         Assert.Equal((north, east), (Sign(ground.North), Sign(ground.East)));
 
         static int Sign(double metres) => Math.Abs(metres) < 2 ? 0 : Math.Sign(metres);
@@ -114,7 +114,7 @@ public sealed class GroundProjectorTests
     public void Scale_StraightDown_IsHeightOverFocalLength()
     {
         var view = new TestView();
-        Assert.True(view.Aim(new ErrorBudget()).TryScale(view.Camera.CentreX, view.Camera.CentreY, out GroundScale scale));
+        Assert.True(view.Projection(new ErrorBudget()).TryScale(view.Camera.CentreX, view.Camera.CentreY, out GroundScale scale));
         double expected = view.HeightMetres / 530;
         Assert.Equal(expected * expected, scale.PixelArea, 1e-7);
 
@@ -144,11 +144,11 @@ public sealed class GroundProjectorTests
             AltitudeBiasMetres = 0,
         };
         var view = new TestView { Attitude = EulerAngles.FromRadians(0.1, -0.15, 0.7), Velocity = new NedVector(6, -3, 0.5), Rates = BodyRates.FromRadiansPerSecond(0.2, -0.1, 0.1) };
-        GroundProjector locator = view.Aim(budget);
+        GroundProjection projection = view.Projection(budget);
         const double Column = 480;
         const double Row = 120;
-        Assert.True(locator.TryProjectToGround(Column, Row, out NedVector truth));
-        Assert.True(locator.TryCovariances(Column, Row, out HorizontalCovariance stated, out HorizontalCovariance common));
+        Assert.True(projection.TryProjectToGround(Column, Row, out NedVector truth));
+        Assert.True(projection.TryCovariances(Column, Row, out HorizontalCovariance stated, out HorizontalCovariance common));
         Assert.Equal(0, common.NorthNorth + common.EastEast);
 
         (double nn, double ne, double ee) = (0, 0, 0);
@@ -171,7 +171,7 @@ public sealed class GroundProjectorTests
     [Fact]
     public void Covariances_DefaultErrors_AreThoseOfAnUncalibratedVehicle()
     {
-        Assert.True(new TestView().Aim(new ErrorBudget()).TryCovariances(320, 240, out HorizontalCovariance perLook, out HorizontalCovariance common));
+        Assert.True(new TestView().Projection(new ErrorBudget()).TryCovariances(320, 240, out HorizontalCovariance perLook, out HorizontalCovariance common));
         Assert.InRange(perLook.HalfMajorAxis95Metres, 0.5, 2);
         Assert.InRange(common.HalfMajorAxis95Metres, 2.5, 4.5);
     }
@@ -181,17 +181,16 @@ public sealed class GroundProjectorTests
 
     internal static Pose PoseOf(JsonElement look) => new() { Position = look.Position(), Attitude = Rotation.FromEuler(look.Euler()) };
 
-    internal static GroundProjector Aimed(JsonElement look, TerrainGrid? terrain = null, ErrorBudget? errors = null)
+    internal static GroundProjection ProjectionOf(JsonElement look, TerrainGrid? terrain = null, ErrorBudget? errors = null)
     {
         JsonElement mount = look.GetProperty("mount");
-        var locator = new GroundProjector(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
-        locator.Aim(PoseOf(look), new ImagingCommand
+        var projector = new GroundProjector(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
+        return projector.At(PoseOf(look), new ImagingCommand
         {
             CameraPitchRadians = mount.Radians("el"),
             CameraYawRadians = mount.Radians("az"),
             GroundAltitudeAmslMetres = terrain is null ? look.Number("ground_h") : 0,
         });
-        return locator;
     }
 
     private static ViewingGeometry SightingOf(JsonElement look, Pose pose) => new()

@@ -37,14 +37,14 @@ public sealed class SeriesTests
 
             Assert.Equal(PoseLookup.Known, answer);
             JsonElement mount = image.GetProperty("mount");
-            var locator = new GroundProjector(camera, Vectors.Mount(mount), new ErrorBudget(), 5 * Vectors.Degree);
-            locator.Aim(pose, new ImagingCommand
+            var projector = new GroundProjector(camera, Vectors.Mount(mount), new ErrorBudget(), 5 * Vectors.Degree);
+            GroundProjection projection = projector.At(pose, new ImagingCommand
             {
                 CameraPitchRadians = mount.Radians("el"),
                 CameraYawRadians = mount.Radians("az"),
                 GroundAltitudeAmslMetres = image.Number("ground_h"),
             });
-            Assert.True(locator.TryProjectToGround(image.Number("u"), image.Number("v"), out GeodeticPosition place));
+            Assert.True(projection.TryProjectToGround(image.Number("u"), image.Number("v"), out GeodeticPosition place));
             double error = Vectors.Distance(image.GetProperty("target_interpolated").Position(), place);
             Assert.True(error < 1e-4, $"picture {image.Number("id")} is off by {error} m");
             Assert.True(Vectors.Distance(image.GetProperty("target_true").Position(), place) < image.Number("interp_error_m") + 0.005);

@@ -63,13 +63,12 @@ internal sealed class TestView
         double Spread(double most) => ((2 * random.NextDouble()) - 1) * most;
     }
 
-    public GroundProjector Aim(ErrorBudget budget)
+    public GroundProjection Projection(ErrorBudget budget)
     {
-        var locator = new GroundProjector(Camera, Mount, budget, 5 * Math.PI / 180);
-        locator.Aim(
+        var projector = new GroundProjector(Camera, Mount, budget, 5 * Math.PI / 180);
+        return projector.At(
             new Pose { Position = Position, Attitude = Rotation.FromEuler(Attitude), VelocityNed = Velocity, Rates = Rates },
             Order);
-        return locator;
     }
 
     /// <summary>Where a point of the ground is seen; false if it is not in the picture.</summary>
@@ -120,7 +119,7 @@ internal sealed class TestView
     /// <summary>Where a pixel is, from the vehicle without its errors.</summary>
     public NedVector Located(double column, double row)
     {
-        if (!Aim(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground))
+        if (!Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground))
             throw new InvalidOperationException("The pixel does not show the ground.");
         return new NedVector(ground.North + _offset.North, ground.East + _offset.East, ground.Down);
     }

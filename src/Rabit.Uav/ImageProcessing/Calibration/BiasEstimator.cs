@@ -18,7 +18,7 @@ public sealed class BiasEstimator
     private const int Biases = BiasModel.Biases;
 
     private readonly BiasModel _model;
-    private readonly GroundProjector _locator;
+    private readonly GroundProjector _projector;
     private readonly BiasOptions _options;
     private readonly double[] _priors;
     private readonly List<BiasLook> _looks = [];
@@ -39,7 +39,7 @@ public sealed class BiasEstimator
         if (faults.Count > 0)
             throw new ArgumentException("Bias estimation: " + string.Join("; ", faults) + ".", nameof(options));
         _model = new BiasModel(camera, mount);
-        _locator = new GroundProjector(camera, mount, new ErrorBudget(), Math.PI / 36);
+        _projector = new GroundProjector(camera, mount, new ErrorBudget(), Math.PI / 36);
         _priors = _options.Sigmas();
         _groundAmslMetres = ground.Metres;
     }
@@ -105,9 +105,9 @@ public sealed class BiasEstimator
 
     private bool TryStart(in BiasLook look, out NedVector ground)
     {
-        _locator.Aim(
+        GroundProjection projection = _projector.At(
             new Pose { Position = look.Position, Attitude = Rotation.FromEuler(look.Attitude), VelocityNed = look.VelocityNed, Rates = look.Rates },
             new Messages.ImagingCommand { CameraPitchRadians = look.GimbalPitchRadians, CameraYawRadians = look.GimbalYawRadians, GroundAltitudeAmslMetres = _groundAmslMetres });
-        return _locator.TryProjectToGround(look.Column, look.Row, out ground);
+        return projection.TryProjectToGround(look.Column, look.Row, out ground);
     }
 }

@@ -6,123 +6,69 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// Tells where on the ground a pixel is, for one picture at a time: pose at mid-exposure, mount, gimbal, lens, and ground that is flat
-/// and level, or a grid of heights. Fixed memory; for one thread.
+/// Computes where on the ground the pixels of a camera are (geolocation), with their covariance: lens distortion, mount, lever arms,
+/// and ground that is flat and level, or a terrain grid. It holds what stays the same; <see cref="At"/> adds one picture's pose and
+/// gimbal. Fixed memory; for one thread.
 /// </summary>
 internal sealed class GroundProjector
 {
-    private readonly CameraModel _camera;
-    private readonly CameraMount _mount;
-    private readonly double _minimumDepressionRadians;
-    private readonly GroundJacobian _jacobian;
-    private readonly double[] _perLook;
-    private readonly double[] _common;
-    private readonly double[] _perLookNow = new double[GroundJacobian.Inputs];
     private readonly ErrorBudget _budget;
-    private readonly TerrainGrid? _terrain;
-    private ViewingGeometry _sighting;
-    private LocalNedFrame _frame;
+    private readonly double[] _random;
+    private readonly double[] _systematic;
+    private readonly double[] _extrapolated = new double[GroundJacobian.Inputs];
 
-    public GroundProjector(CameraModel camera, CameraMount mount, ErrorBudget budget, double minimumDepressionRadians, TerrainGrid? terrain = null)
+    public GroundProjector(CameraModel camera, CameraMount mount, ErrorBudget budget, double minDepressionRadians, TerrainGrid? terrain = null)
     {
-        _camera = camera;
-        _mount = mount;
-        _minimumDepressionRadians = minimumDepressionRadians;
-        _jacobian = new GroundJacobian(camera, mount);
+        Camera = camera;
+        Mount = mount;
+        MinDepressionRadians = minDepressionRadians;
+        Terrain = terrain;
+        Jacobian = new GroundJacobian(camera, mount);
         _budget = budget;
-        _terrain = terrain;
-        _perLook = PerLook(budget);
-        _common = Common(budget);
+        _random = Random(budget);
+        _systematic = Systematic(budget);
     }
 
-    /// <summary>Turns to a picture.</summary>
-    public void Aim(in Pose pose, in ImagingCommand order)
+    public CameraModel Camera { get; }
+
+    public CameraMount Mount { get; }
+
+    /// <summary>A ray must point further below the horizon than that.</summary>
+    public double MinDepressionRadians { get; }
+
+    /// <summary>Null where the ground is flat.</summary>
+    public TerrainGrid? Terrain { get; }
+
+    /// <summary>Scratch memory of <see cref="GroundProjection.TryCovariances"/>.</summary>
+    public GroundJacobian Jacobian { get; }
+
+    /// <summary>The projection of a picture's pixels to the ground.</summary>
+    /// <param name="pose">At mid-exposure.</param>
+    /// <param name="command">Where the gimbal points, and how high flat ground is.</param>
+    public GroundProjection At(in Pose pose, in ImagingCommand command) => new(this, pose, command);
+
+    /// <summary>Standard deviations of the random errors, in the order of <see cref="ViewingParameter"/>; valid until the next call.</summary>
+    /// <param name="extrapolatedSeconds">How far the pose was extrapolated: it is wrong by what the vehicle may have done since.</param>
+    public double[] RandomErrors(double extrapolatedSeconds)
     {
-        _frame = LocalNedFrame.IgnoringGeoid(pose.Position);
-        _sighting.Pose = pose;
-        _sighting.GimbalPitchRadians = order.CameraPitchRadians;
-        _sighting.GimbalYawRadians = order.CameraYawRadians;
-        _sighting.GroundDownMetres = pose.Position.AltitudeAmslMetres - order.GroundAltitudeAmslMetres;
-    }
-
-    /// <summary>Where a pixel meets the ground, metres from the vehicle; or why it does not.</summary>
-    public GeolocationError Locate(double column, double row, out NedVector ground)
-    {
-        ground = default;
-        if (!_camera.TryUndistort(column, row, out double x, out double y))
-            return GeolocationError.LensCannotBeUndone;
-        GroundRay ray = _sighting.RayOf(_mount, x, y);
-        if (_terrain is not null)
-            return TerrainRay.Meet(ray, _frame, _terrain, _minimumDepressionRadians, out ground);
-        if (ray.TryIntersectLevel(_sighting.GroundDownMetres, _minimumDepressionRadians, out ground))
-            return GeolocationError.None;
-        return ray.FromMetres.Down < _sighting.GroundDownMetres ? GeolocationError.NearHorizon : GeolocationError.CameraBelowGround;
-    }
-
-    /// <summary>Where a pixel meets the ground, metres from the vehicle; false near the horizon, above it, or below ground.</summary>
-    public bool TryProjectToGround(double column, double row, out NedVector ground) => Locate(column, row, out ground) == GeolocationError.None;
-
-    public bool TryProjectToGround(double column, double row, out GeodeticPosition place)
-    {
-        bool isGround = TryProjectToGround(column, row, out NedVector ground);
-        place = isGround ? _frame.ToGeodetic(ground) : default;
-        return isGround;
-    }
-
-    /// <summary>How far a pixel reaches on the ground.</summary>
-    public bool TryScale(double column, double row, out GroundScale scale)
-    {
-        scale = default;
-        if (!TryProjectToGround(column - 0.5, row, out NedVector left) || !TryProjectToGround(column + 0.5, row, out NedVector right)
-            || !TryProjectToGround(column, row - 0.5, out NedVector above) || !TryProjectToGround(column, row + 0.5, out NedVector below))
-            return false;
-        scale.NorthByColumn = right.North - left.North;
-        scale.EastByColumn = right.East - left.East;
-        scale.NorthByRow = below.North - above.North;
-        scale.EastByRow = below.East - above.East;
-        return true;
-    }
-
-    /// <summary>How uncertain the place of a pixel is: what is new in each look, and what is the same in all.</summary>
-    public bool TryCovariances(double column, double row, out HorizontalCovariance perLook, out HorizontalCovariance common)
-    {
-        (perLook, common) = (default, default);
-        ViewingGeometry sighting = _sighting;
-        if (_terrain is not null)
-        {
-            // As if the ground were the plane that touches it there.
-            if (!TryProjectToGround(column, row, out NedVector ground))
-                return false;
-            TerrainRay.Slope(_frame, _terrain, ground, out double downByNorth, out double downByEast);
-            (sighting.GroundPoint, sighting.GroundDownMetres) = (ground, ground.Down);
-            (sighting.GroundDownByNorth, sighting.GroundDownByEast) = (downByNorth, downByEast);
-        }
-
-        if (!_jacobian.TryCompute(sighting, column, row))
-            return false;
-        perLook = _jacobian.Covariance(PerLookNow());
-        common = _jacobian.Covariance(_common);
-        return true;
-    }
-
-    // A pose that was drawn on is wrong by what the vehicle may have done since.
-    private double[] PerLookNow()
-    {
-        double t = _sighting.Pose.ExtrapolatedSeconds;
-        if (t <= 0)
-            return _perLook;
-        Array.Copy(_perLook, _perLookNow, _perLook.Length);
+        if (extrapolatedSeconds <= 0)
+            return _random;
+        double t = extrapolatedSeconds;
+        Array.Copy(_random, _extrapolated, _random.Length);
         for (ViewingParameter input = ViewingParameter.North; input <= ViewingParameter.Yaw; input++)
         {
             double rate = input <= ViewingParameter.Down ? _budget.AccelerationMetresPerSecondSquared : _budget.AngularAccelerationRadiansPerSecondSquared;
             double drift = 0.5 * rate * t * t;
-            _perLookNow[(int)input] = Math.Sqrt((_perLook[(int)input] * _perLook[(int)input]) + (drift * drift));
+            _extrapolated[(int)input] = Math.Sqrt((_random[(int)input] * _random[(int)input]) + (drift * drift));
         }
 
-        return _perLookNow;
+        return _extrapolated;
     }
 
-    private static double[] PerLook(ErrorBudget budget)
+    /// <summary>Standard deviations of the systematic errors, in the order of <see cref="ViewingParameter"/>.</summary>
+    public double[] SystematicErrors() => _systematic;
+
+    private static double[] Random(ErrorBudget budget)
     {
         var sigmas = new double[GroundJacobian.Inputs];
         sigmas[(int)ViewingParameter.North] = sigmas[(int)ViewingParameter.East] = budget.PositionNoiseMetres;
@@ -134,7 +80,7 @@ internal sealed class GroundProjector
         return sigmas;
     }
 
-    private static double[] Common(ErrorBudget budget)
+    private static double[] Systematic(ErrorBudget budget)
     {
         var sigmas = new double[GroundJacobian.Inputs];
         sigmas[(int)ViewingParameter.North] = sigmas[(int)ViewingParameter.East] = budget.PositionBiasMetres;

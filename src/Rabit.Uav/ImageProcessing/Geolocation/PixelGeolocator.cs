@@ -13,7 +13,7 @@ public sealed class PixelGeolocator
 {
     private readonly ImageProcessingOptions _options;
     private readonly CameraModel _camera;
-    private readonly GroundProjector _locator;
+    private readonly GroundProjector _projector;
     private readonly PoseHistory _poses;
 
     /// <summary>Makes it.</summary>
@@ -23,7 +23,7 @@ public sealed class PixelGeolocator
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(hasCamera: true, nameof(options));
         _camera = _options.Camera!;
-        _locator = new GroundProjector(_camera, _options.Mount, _options.Errors, _options.MinDepressionRadians, _options.Terrain);
+        _projector = new GroundProjector(_camera, _options.Mount, _options.Errors, _options.MinDepressionRadians, _options.Terrain);
         _poses = new PoseHistory(_options.MaxPoseGap);
     }
 
@@ -49,14 +49,14 @@ public sealed class PixelGeolocator
         if (answer is not (PoseLookup.Known or PoseLookup.Extrapolated))
             return Refuse(fix, answer switch { PoseLookup.TooOld => GeolocationError.PoseTooOld, PoseLookup.Gap => GeolocationError.PoseGap, _ => GeolocationError.NoPose });
         fix.Extrapolated = TimeSpan.FromTicks((long)(pose.ExtrapolatedSeconds * TimeSpan.TicksPerSecond));
-        _locator.Aim(pose, order);
-        GeolocationError refusal = _locator.Locate(column, row, out NedVector _);
+        GroundProjection projection = _projector.At(pose, order);
+        GeolocationError refusal = projection.Locate(column, row, out NedVector _);
         if (refusal != GeolocationError.None)
             return Refuse(fix, refusal);
-        if (!_locator.TryProjectToGround(column, row, out GeodeticPosition place)
-            || !_locator.TryCovariances(column, row, out HorizontalCovariance perLook, out HorizontalCovariance common))
+        if (!projection.TryProjectToGround(column, row, out GeodeticPosition place)
+            || !projection.TryCovariances(column, row, out HorizontalCovariance random, out HorizontalCovariance systematic))
             return Refuse(fix, GeolocationError.NearHorizon);
-        (fix.Position, fix.Covariance, fix.SystematicCovariance) = (place, perLook, common);
+        (fix.Position, fix.Covariance, fix.SystematicCovariance) = (place, random, systematic);
         return fix;
     }
 

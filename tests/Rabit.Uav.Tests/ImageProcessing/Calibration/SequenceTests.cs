@@ -98,8 +98,8 @@ public sealed class SequenceTests(ITestOutputHelper output)
                 Attitude = attitude,
                 Rates = pose.Rates,
             }));
-            single.Aim(pose, new ImagingCommand { GroundAltitudeAmslMetres = ground });
-            Assert.True(single.TryProjectToGround(column, row, out GeodeticPosition place));
+            GroundProjection projection = single.At(pose, new ImagingCommand { GroundAltitudeAmslMetres = ground });
+            Assert.True(projection.TryProjectToGround(column, row, out GeodeticPosition place));
             (double north, double east) = Error(world, targets[id], place);
             squares += (north * north) + (east * east);
             mean.TryGetValue(id, out (double North, double East, int Count) sum);
