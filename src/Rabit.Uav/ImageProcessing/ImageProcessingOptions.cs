@@ -10,8 +10,6 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>What Image Processing knows of its camera, and what it takes for a target. Read once, when the manager is made.</summary>
 public sealed class ImageProcessingOptions
 {
-    private const double Degree = Math.PI / 180;
-
     /// <summary>The camera's pinhole and lens. Needed where there is a camera.</summary>
     public CameraModel? Camera { get; set; }
 
@@ -42,9 +40,9 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 16.</value>
     public int MaxReportsPerPicture { get; set; } = 16;
 
-    /// <summary>How far below the horizon a line of sight must point, radians.</summary>
+    /// <summary>How far below the horizon a line of sight must point.</summary>
     /// <value>The default is 5 degrees: nearer to the horizon every error grows without limit.</value>
-    public double MinDepressionRadians { get; set; } = 5 * Degree;
+    public Angle MinDepression { get; set; } = Angle.FromDegrees(5);
 
     /// <summary>How long a picture waits for a pose of its time.</summary>
     /// <value>The default is 300 ms.</value>
@@ -54,7 +52,7 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 100 ms; zero refuses such pictures.</value>
     public TimeSpan MaxExtrapolation { get; set; } = TimeSpan.FromMilliseconds(100);
 
-    /// <summary>Heights of the ground, above mean sea level.</summary>
+    /// <summary>The terrain.</summary>
     /// <value>Null, the default, for ground that is flat and level at the height that the order tells.</value>
     public TerrainGrid? Terrain { get; set; }
 
@@ -99,8 +97,8 @@ public sealed class ImageProcessingOptions
             yield return FormattableString.Invariant($"{nameof(MinSidePixels)} is {MinSidePixels}; it must be at least 4");
         if (MaxReportsPerPicture < 1)
             yield return $"{nameof(MaxReportsPerPicture)} is {MaxReportsPerPicture}; it must be at least 1";
-        if (!(MinDepressionRadians > 0 && MinDepressionRadians < Math.PI / 2))
-            yield return FormattableString.Invariant($"{nameof(MinDepressionRadians)} is {MinDepressionRadians}; it must be between 0 and pi/2");
+        if (!(MinDepression.Degrees > 0 && MinDepression.Degrees < 90))
+            yield return FormattableString.Invariant($"{nameof(MinDepression)} is {MinDepression}; it must be between 0 and 90°");
         if (PoseTimeout < TimeSpan.Zero)
             yield return $"{nameof(PoseTimeout)} is {PoseTimeout}; it must not be negative";
         if (MaxExtrapolation < TimeSpan.Zero || MaxExtrapolation > TimeSpan.FromSeconds(1))

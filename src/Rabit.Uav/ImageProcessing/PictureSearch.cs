@@ -35,7 +35,7 @@ internal sealed class PictureSearch
         _poses = poses;
         _maxExtrapolation = options.MaxExtrapolation;
         _detector = new Detector(options);
-        _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepressionRadians, options.Terrain);
+        _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepression, options.Terrain);
         _reports = new TargetReport[options.MaxReportsPerPicture];
     }
 

@@ -1,3 +1,5 @@
+using Rabit.Geodesy;
+
 namespace Rabit.Uav.Messages;
 
 /// <summary>A command of Mission Control to Image Processing. A plain value.</summary>
@@ -7,12 +9,12 @@ public struct ImagingCommand
     public ImagingMode Mode { get; set; }
 
     /// <summary>
-    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down with the top of the picture forward.
+    /// Camera pitch relative to the body, up positive; -90 degrees points straight down with the top of the picture forward.
     /// </summary>
-    public double CameraPitchRadians { get; set; }
+    public Angle CameraPitch { get; set; }
 
-    /// <summary>Camera yaw relative to the body, radians, right positive.</summary>
-    public double CameraYawRadians { get; set; }
+    /// <summary>Camera yaw relative to the body, right positive.</summary>
+    public Angle CameraYaw { get; set; }
 
     /// <summary>Altitude of the ground, taken as level, metres above mean sea level.</summary>
     public double GroundAltitudeAmslMetres { get; set; }

@@ -14,11 +14,11 @@ public struct VehicleCommand
     /// <summary>What to do; says which of the other properties are read.</summary>
     public VehicleCommandKind Kind { get; set; }
 
-    /// <summary>Latitude of the position, radians, north positive. Of <see cref="VehicleCommandKind.GoTo"/>.</summary>
-    public double LatitudeRadians { get; set; }
+    /// <summary>Latitude of the position, north positive. Of <see cref="VehicleCommandKind.GoTo"/>.</summary>
+    public Angle Latitude { get; set; }
 
-    /// <summary>Longitude of the position, radians, east positive. Of <see cref="VehicleCommandKind.GoTo"/>.</summary>
-    public double LongitudeRadians { get; set; }
+    /// <summary>Longitude of the position, east positive. Of <see cref="VehicleCommandKind.GoTo"/>.</summary>
+    public Angle Longitude { get; set; }
 
     /// <summary>
     /// Height above home, metres, up positive. Of <see cref="VehicleCommandKind.GoTo"/> and <see cref="VehicleCommandKind.TakeOff"/>.
@@ -30,8 +30,8 @@ public struct VehicleCommand
     /// </summary>
     public double SpeedMetresPerSecond { get; set; }
 
-    /// <summary>Heading to keep, radians clockwise from true north; NaN leaves it to the autopilot. Of GoTo and Velocity.</summary>
-    public double YawRadians { get; set; }
+    /// <summary>Heading to keep, clockwise from true north; <see cref="Angle.NaN"/> leaves it to the autopilot. Of GoTo and Velocity.</summary>
+    public Angle Yaw { get; set; }
 
     /// <summary>
     /// Velocity over ground, metres per second, north-east-down. Of <see cref="VehicleCommandKind.Velocity"/>; it is to be repeated at 1 Hz or
@@ -43,10 +43,10 @@ public struct VehicleCommand
     public string? Mode { get; set; }
 
     /// <summary>
-    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down. Of <see cref="VehicleCommandKind.PointCamera"/>.
+    /// Camera pitch relative to the body, up positive; -90 degrees points straight down. Of <see cref="VehicleCommandKind.PointCamera"/>.
     /// </summary>
-    public double CameraPitchRadians { get; set; }
+    public Angle CameraPitch { get; set; }
 
-    /// <summary>Camera yaw relative to the body, radians, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.</summary>
-    public double CameraYawRadians { get; set; }
+    /// <summary>Camera yaw relative to the body, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.</summary>
+    public Angle CameraYaw { get; set; }
 }

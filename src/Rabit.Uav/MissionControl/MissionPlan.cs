@@ -44,8 +44,8 @@ public sealed class MissionPlan
     /// <summary>Maximum distance between lanes, metres, 2 to 200; below the width of a picture on the ground.</summary>
     public double LaneSpacingMetres { get; init; }
 
-    /// <summary>Direction of the lanes, radians clockwise from true north; null for the one that needs the fewest lanes.</summary>
-    public double? LaneHeadingRadians { get; init; }
+    /// <summary>Direction of the lanes, clockwise from true north; null for the one that needs the fewest lanes.</summary>
+    public Angle? LaneHeading { get; init; }
 
     /// <summary>The colours of the targets of interest.</summary>
     public TargetColours Targets { get; init; } = TargetColours.All;
@@ -59,11 +59,11 @@ public sealed class MissionPlan
     /// <summary>How each confirmed target is revisited.</summary>
     public RevisitPlan Revisit { get; init; } = new();
 
-    /// <summary>Camera pitch relative to the body, radians, up positive; -pi/2 points straight down.</summary>
-    public double CameraPitchRadians { get; init; } = -Math.PI / 2;
+    /// <summary>Camera pitch relative to the body, up positive; -90 degrees points straight down.</summary>
+    public Angle CameraPitch { get; init; } = Angle.FromDegrees(-90);
 
-    /// <summary>Camera yaw relative to the body, radians, right positive.</summary>
-    public double CameraYawRadians { get; init; }
+    /// <summary>Camera yaw relative to the body, right positive.</summary>
+    public Angle CameraYaw { get; init; }
 
     /// <summary>Whether a gimbal is to be pointed there; otherwise the camera is fixed in that direction.</summary>
     public bool HasGimbal { get; init; }

@@ -131,7 +131,7 @@ public sealed class SensorFusionManager : RabitManager
         Anchor(group);
         foreach (TargetReport report in group.Reports)
         {
-            NedVector place = _frame!.Value.ToNed(report.Position);
+            NedPosition place = _frame!.Value.ToNed(report.Position);
             if (IsFarAway(place))
                 _books.ReportsRefused++;
             else
@@ -170,7 +170,7 @@ public sealed class SensorFusionManager : RabitManager
         _frame = LocalNedFrame.IgnoringGeoid(first);
     }
 
-    private static bool IsFarAway(NedVector place) => !(Math.Abs(place.North) < FarAwayMetres && Math.Abs(place.East) < FarAwayMetres);
+    private static bool IsFarAway(NedPosition place) => !(Math.Abs(place.North) < FarAwayMetres && Math.Abs(place.East) < FarAwayMetres);
 
     private void Share()
     {

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
@@ -13,7 +14,7 @@ namespace Rabit.Uav.Tests.ImageProcessing;
 
 public sealed class GroundProjectorTests
 {
-    private const double Limit = 5 * Vectors.Degree;
+    private static readonly Angle Limit = Angle.FromDegrees(5);
 
     [Fact]
     public void TryLocate_Vectors_FindsTheirTargetsOnFlatGround()
@@ -40,7 +41,7 @@ public sealed class GroundProjectorTests
         foreach (JsonElement c in rejects)
         {
             GeolocationError expected = c.Text("reason") == "camera_below_ground" ? GeolocationError.CameraBelowGround : GeolocationError.NearHorizon;
-            Assert.Equal(expected, ProjectionOf(c).Locate(c.Number("u"), c.Number("v"), out NedVector _));
+            Assert.Equal(expected, ProjectionOf(c).Locate(c.Number("u"), c.Number("v"), out NedPosition _));
         }
     }
 
@@ -54,7 +55,7 @@ public sealed class GroundProjectorTests
         {
             JsonElement look = flat[c.Number("flat_case")];
             double[] sigmas = columns.Select(n => c.GetProperty("sigma").Number(n) * (n.EndsWith("_deg", StringComparison.Ordinal) ? Vectors.Degree : 1)).ToArray();
-            var jacobian = new GroundJacobian(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(look.GetProperty("mount")));
+            var jacobian = new GroundJacobian(CameraVectors.Camera(look.GetProperty("cam").GetInt32()), CameraVectors.Mount(look.GetProperty("mount")));
             double[] v = c.Numbers("v_ned");
             double[] w = c.Numbers("omega_body_deg_s");
             Pose pose = PoseOf(look);
@@ -87,7 +88,7 @@ public sealed class GroundProjectorTests
             if (!view.TryProject(north, east, out double column, out double row))
                 continue;
             seen++;
-            Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground), $"seed {Seed}, case {i}");
+            Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedPosition ground), $"seed {Seed}, case {i}");
             Assert.Equal(north, ground.North, 1e-6);
             Assert.Equal(east, ground.East, 1e-6);
         }
@@ -104,7 +105,7 @@ public sealed class GroundProjectorTests
     public void TryLocate_StraightDownNoseNorth_MovesAsTheQuickSignCheckSays(double roll, double pitch, double columns, double rows, int north, int east)
     {
         var view = new TestView { Attitude = EulerAngles.FromDegrees(roll, pitch, 0) };
-        Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedVector ground));
+        Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedPosition ground));
         Assert.Equal((north, east), (Sign(ground.North), Sign(ground.East)));
 
         static int Sign(double metres) => Math.Abs(metres) < 2 ? 0 : Math.Sign(metres);
@@ -131,30 +132,30 @@ public sealed class GroundProjectorTests
         var random = new Random(Seed);
         var budget = new ErrorBudget
         {
-            AttitudeNoiseRadians = 0.5 * Vectors.Degree,
-            HeadingNoiseRadians = 1.5 * Vectors.Degree,
+            AttitudeNoise = Angle.FromDegrees(0.5),
+            HeadingNoise = Angle.FromDegrees(1.5),
             PositionNoiseMetres = 0.4,
             AltitudeNoiseMetres = 0.6,
             PixelNoise = 0.8,
             TimeNoise = TimeSpan.FromMilliseconds(30),
             PositionBiasMetres = 0,
-            AttitudeBiasRadians = 0,
-            HeadingBiasRadians = 0,
-            MountBiasRadians = 0,
+            AttitudeBias = Angle.Zero,
+            HeadingBias = Angle.Zero,
+            MountBias = Angle.Zero,
             AltitudeBiasMetres = 0,
         };
         var view = new TestView { Attitude = EulerAngles.FromRadians(0.1, -0.15, 0.7), Velocity = new NedVector(6, -3, 0.5), Rates = BodyRates.FromRadiansPerSecond(0.2, -0.1, 0.1) };
         GroundProjection projection = view.Projection(budget);
         const double Column = 480;
         const double Row = 120;
-        Assert.True(projection.TryProjectToGround(Column, Row, out NedVector truth));
+        Assert.True(projection.TryProjectToGround(Column, Row, out NedPosition truth));
         Assert.True(projection.TryCovariances(Column, Row, out HorizontalCovariance stated, out HorizontalCovariance common));
         Assert.Equal(0, common.NorthNorth + common.EastEast);
 
         (double nn, double ne, double ee) = (0, 0, 0);
         for (int i = 0; i < Draws; i++)
         {
-            NedVector ground = view.WithErrors(random, budget).Located(Column + (budget.PixelNoise * Gauss(random)), Row + (budget.PixelNoise * Gauss(random)));
+            NedPosition ground = view.WithErrors(random, budget).Located(Column + (budget.PixelNoise * Gauss(random)), Row + (budget.PixelNoise * Gauss(random)));
             (double north, double east) = (ground.North - truth.North, ground.East - truth.East);
             nn += north * north / Draws;
             ne += north * east / Draws;
@@ -184,11 +185,11 @@ public sealed class GroundProjectorTests
     internal static GroundProjection ProjectionOf(JsonElement look, TerrainGrid? terrain = null, ErrorBudget? errors = null)
     {
         JsonElement mount = look.GetProperty("mount");
-        var projector = new GroundProjector(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
+        var projector = new GroundProjector(CameraVectors.Camera(look.GetProperty("cam").GetInt32()), CameraVectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
         return projector.At(PoseOf(look), new ImagingCommand
         {
-            CameraPitchRadians = mount.Radians("el"),
-            CameraYawRadians = mount.Radians("az"),
+            CameraPitch = Angle.FromRadians(mount.Radians("el")),
+            CameraYaw = Angle.FromRadians(mount.Radians("az")),
             GroundAltitudeAmslMetres = terrain is null ? look.Number("ground_h") : 0,
         });
     }
@@ -196,8 +197,8 @@ public sealed class GroundProjectorTests
     private static ViewingGeometry SightingOf(JsonElement look, Pose pose) => new()
     {
         Pose = pose,
-        GimbalPitchRadians = look.GetProperty("mount").Radians("el"),
-        GimbalYawRadians = look.GetProperty("mount").Radians("az"),
+        GimbalPitch = Angle.FromRadians(look.GetProperty("mount").Radians("el")),
+        GimbalYaw = Angle.FromRadians(look.GetProperty("mount").Radians("az")),
         GroundDownMetres = look.Number("h") - look.Number("ground_h"),
     };
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Geodesy;
 using Rabit.Tests.Shared;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
@@ -173,19 +174,19 @@ public sealed class ImagingServiceTests
             MaxAspect = 1,
             MinSidePixels = 3,
             MaxReportsPerPicture = 0,
-            MinDepressionRadians = 0,
+            MinDepression = Angle.Zero,
             PoseTimeout = TimeSpan.FromSeconds(-1),
             MaxPoseGap = TimeSpan.Zero,
             FramesWaiting = 0,
             ImageChipSide = 0,
-            Mount = new CameraMount { MisalignmentYawRadians = double.NaN },
+            Mount = new CameraMount { MisalignmentYaw = Angle.NaN },
             Errors = new ErrorBudget { PixelNoise = -1, PositionBiasMetres = double.NaN },
         };
         string text = Assert.Throws<ArgumentException>(() => new ImageProcessingManager(options, new ScriptedCamera([]))).Message;
         foreach (string name in new[]
         {
             "Camera does not say", "MinSideMetres is 2", "MaxAspect is 1", "MinSidePixels is 3", "MaxReportsPerPicture is 0",
-            "MinDepressionRadians is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0", "misalignment",
+            "MinDepression is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0", "misalignment",
             "ErrorBudget.PixelNoise is -1", "ErrorBudget.PositionBiasMetres is NaN",
         })
             Assert.Contains(name, text, StringComparison.Ordinal);
