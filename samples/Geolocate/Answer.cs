@@ -8,46 +8,50 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Geolocate;
 
-/// <summary>Tells a place, or why there is none.</summary>
+/// <summary>Writes a place, or why there is none.</summary>
 internal static class Answer
 {
-    private const double Degree = Math.PI / 180;
-
     /// <returns>The exit code: 0 for a place, 2 for a refusal.</returns>
     public static int Write(GeolocationResult fix, bool isJson, TextWriter output)
     {
         output.WriteLine(isJson ? Json(fix) : Text(fix));
-        return fix.Refusal == GeolocationError.None ? 0 : 2;
+        return fix.Error == GeolocationError.None ? 0 : 2;
     }
 
     private static string Text(GeolocationResult fix)
     {
-        if (fix.Refusal != GeolocationError.None)
-            return $"refused: {fix.Refusal}: {Reason(fix.Refusal)}";
+        if (fix.Error != GeolocationError.None)
+            return $"refused: {fix.Error}: {Reason(fix.Error)}";
         HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
         GeographicPoint point = fix.Position.Point;
         double latitude = point.Latitude.Degrees;
         string grid = latitude is >= -80 and <= 84 ? "  " + PositionText.Format(point, PositionStyle.Mgrs) : "";
-        return FormattableString.Invariant(
-            $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  {PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}\naltitude {fix.Position.AltitudeAmslMetres:0.00} m\n95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxisRadians / Degree:0} deg from north\nof which anew in each look {fix.Covariance.HalfMajorAxis95Metres:0.0} m, the same in all {fix.SystematicCovariance.HalfMajorAxis95Metres:0.0} m\n") + Drawn(fix);
+        string where = $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  {PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}";
+        return FormattableString.Invariant($"""
+            {where}
+            altitude {fix.Position.AltitudeAmslMetres:0.00} m
+            95 % ellipse {all.HalfMajorAxis95Metres:0.0} x {all.HalfMinorAxis95Metres:0.0} m, long axis at {all.MajorAxis.Degrees:0} deg from north
+            of which random {fix.Covariance.HalfMajorAxis95Metres:0.0} m, systematic {fix.SystematicCovariance.HalfMajorAxis95Metres:0.0} m
+
+            """) + PoseText(fix);
     }
 
     private static string Reason(GeolocationError refusal) => refusal switch
     {
         GeolocationError.OutsidePicture => "the pixel is not in the picture",
-        GeolocationError.LensCannotBeUndone => "the formula of the lens cannot be undone there",
-        GeolocationError.NearHorizon => "the line of sight points above the horizon, or too little below it",
+        GeolocationError.LensCannotBeUndone => "the lens distortion cannot be undone there",
+        GeolocationError.NearHorizon => "the ray points above the horizon, or too little below it",
         GeolocationError.CameraBelowGround => "the camera is below the ground",
-        GeolocationError.LeavesTerrain => "the line of sight leaves the grid of heights above the ground",
-        GeolocationError.NoTerrainData => "the line of sight may meet the ground where the grid has no height",
+        GeolocationError.LeavesTerrain => "the ray leaves the terrain grid above the ground",
+        GeolocationError.NoTerrainData => "the ray may intersect the ground where the terrain grid has no altitude",
         GeolocationError.NoPose => "no pose reaches the time of the picture",
         GeolocationError.PoseTooOld => "the picture is older than all poses",
         GeolocationError.PoseGap => "the poses around the time of the picture are too far apart",
         _ => "there is no place",
     };
 
-    private static string Drawn(GeolocationResult fix) => fix.Extrapolated > TimeSpan.Zero
-        ? FormattableString.Invariant($"pose drawn on by {fix.Extrapolated.TotalMilliseconds:0} ms") : "pose between samples";
+    private static string PoseText(GeolocationResult fix) => fix.Extrapolated > TimeSpan.Zero
+        ? FormattableString.Invariant($"pose extrapolated by {fix.Extrapolated.TotalMilliseconds:0} ms") : "pose between samples";
 
     private static string Json(GeolocationResult fix)
     {
@@ -55,14 +59,14 @@ internal static class Answer
         using (var writer = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true }))
         {
             writer.WriteStartObject();
-            writer.WriteString("status", fix.Refusal == GeolocationError.None ? "ok" : "refused");
+            writer.WriteString("status", fix.Error == GeolocationError.None ? "ok" : "refused");
             writer.WriteNumber("time_s", fix.Time.TotalSeconds);
-            if (fix.Refusal == GeolocationError.None)
+            if (fix.Error == GeolocationError.None)
                 WritePlace(writer, fix);
             else
             {
-                writer.WriteString("reason", fix.Refusal.ToString());
-                writer.WriteString("text", Reason(fix.Refusal));
+                writer.WriteString("reason", fix.Error.ToString());
+                writer.WriteString("text", Reason(fix.Error));
             }
 
             writer.WriteEndObject();
@@ -74,14 +78,14 @@ internal static class Answer
     private static void WritePlace(Utf8JsonWriter writer, GeolocationResult fix)
     {
         HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
-        writer.WriteNumber("lat_deg", fix.Position.LatitudeRadians / Degree);
-        writer.WriteNumber("lon_deg", fix.Position.LongitudeRadians / Degree);
+        writer.WriteNumber("lat_deg", fix.Position.Latitude.Degrees);
+        writer.WriteNumber("lon_deg", fix.Position.Longitude.Degrees);
         writer.WriteNumber("alt_m", fix.Position.AltitudeAmslMetres);
         WriteCovariance(writer, "cov_per_look_ne_m2", fix.Covariance);
         WriteCovariance(writer, "cov_common_ne_m2", fix.SystematicCovariance);
         writer.WriteNumber("half_major_95_m", all.HalfMajorAxis95Metres);
         writer.WriteNumber("half_minor_95_m", all.HalfMinorAxis95Metres);
-        writer.WriteNumber("major_axis_deg", all.MajorAxisRadians / Degree);
+        writer.WriteNumber("major_axis_deg", all.MajorAxis.Degrees);
         writer.WriteNumber("extrapolated_s", fix.Extrapolated.TotalSeconds);
     }
 

@@ -13,7 +13,6 @@ namespace Geolocate;
 /// <summary>A pixel and all that is needed to find its place.</summary>
 internal sealed class Request
 {
-    private const double Degree = Math.PI / 180;
     private const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
 
     private readonly PixelGeolocator _locator;
@@ -31,6 +30,7 @@ internal sealed class Request
         using JsonDocument camera = JsonDocument.Parse(File.ReadAllText(line.Camera));
         using JsonDocument request = JsonDocument.Parse(line.Request is null ? "{}" : line.Request == "-" ? input.ReadToEnd() : File.ReadAllText(line.Request));
         JsonElement asked = request.RootElement;
+        RefuseOthers(asked, "the request", "pose", "gimbal", "ground_alt_m", "pixel");
         var options = new ImageProcessingOptions { Camera = CameraOf(Part(camera.RootElement, "camera")), Mount = MountOf(camera.RootElement) };
         if (line.Terrain is not null)
         {
@@ -46,13 +46,15 @@ internal sealed class Request
             time = Telemetry.Read(line.Telemetry, time, locator);
         bool hasGround = asked.TryGetProperty("ground_alt_m", out JsonElement ground);
         if (!hasGround && options.Terrain is null)
-            throw new FormatException("The request tells neither ground_alt_m, nor is there a --terrain.");
+            throw new FormatException("The request has no ground_alt_m, and there is no --terrain.");
         bool hasGimbal = asked.TryGetProperty("gimbal", out JsonElement gimbal);
+        if (hasGimbal)
+            RefuseOthers(gimbal, "gimbal", "pitch_deg", "yaw_deg");
         var order = new ImagingCommand
         {
             GroundAltitudeAmslMetres = hasGround ? ground.GetDouble() : 0,
-            CameraPitchRadians = hasGimbal ? Number(gimbal, "pitch_deg") * Degree : -Math.PI / 2,
-            CameraYawRadians = hasGimbal ? Number(gimbal, "yaw_deg") * Degree : 0,
+            CameraPitch = Angle.FromDegrees(hasGimbal ? Number(gimbal, "pitch_deg") : -90),
+            CameraYaw = Angle.FromDegrees(hasGimbal ? Number(gimbal, "yaw_deg") : 0),
         };
         (double column, double row) = line.Pixel ?? (Numbers(asked, "pixel", 2)[0], Numbers(asked, "pixel", 2)[1]);
         return new Request(locator, time, order, column, row);
@@ -92,6 +94,7 @@ internal sealed class Request
     {
         if (!file.TryGetProperty("mount", out JsonElement mount) && !Part(file, "camera").TryGetProperty("mount", out mount))
             return new CameraMount();
+        RefuseOthers(mount, "mount", "roll_deg", "pitch_deg", "yaw_deg", "lever_arm_body_m", "lever_arm_gimbal_m", "R_body_from_cam");
         double[] arm = Arm(mount, "lever_arm_body_m");
         double[] cameraArm = Arm(mount, "lever_arm_gimbal_m");
         Rotation? turn = null;
@@ -102,15 +105,30 @@ internal sealed class Request
             FixedBodyFromCamera = turn,
             GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
             CameraLeverArmMetres = new BodyVector(cameraArm[0], cameraArm[1], cameraArm[2]),
-            MisalignmentRollRadians = Optional(mount, "roll_deg") * Degree,
-            MisalignmentPitchRadians = Optional(mount, "pitch_deg") * Degree,
-            MisalignmentYawRadians = Optional(mount, "yaw_deg") * Degree,
+            MisalignmentRoll = Angle.FromDegrees(Optional(mount, "roll_deg")),
+            MisalignmentPitch = Angle.FromDegrees(Optional(mount, "pitch_deg")),
+            MisalignmentYaw = Angle.FromDegrees(Optional(mount, "yaw_deg")),
         };
     }
 
-    private static void AddPose(PixelGeolocator locator, JsonElement pose) => Telemetry.Add(locator, default, [
-        Angle(pose, "lat_deg", 90), Angle(pose, "lon_deg", 180), Number(pose, "alt_m"), Optional(pose, "vn_mps"), Optional(pose, "ve_mps"), Optional(pose, "vd_mps"),
-        Number(pose, "roll_deg"), Number(pose, "pitch_deg"), Number(pose, "yaw_deg")]);
+    private static void AddPose(PixelGeolocator locator, JsonElement pose)
+    {
+        RefuseOthers(pose, "pose", "lat_deg", "lon_deg", "alt_m", "vn_mps", "ve_mps", "vd_mps", "roll_deg", "pitch_deg", "yaw_deg");
+        Telemetry.Add(locator, default, [
+            AngleOf(pose, "lat_deg", 90), AngleOf(pose, "lon_deg", 180), Number(pose, "alt_m"),
+            Optional(pose, "vn_mps"), Optional(pose, "ve_mps"), Optional(pose, "vd_mps"),
+            Number(pose, "roll_deg"), Number(pose, "pitch_deg"), Number(pose, "yaw_deg")]);
+    }
+
+    // A misspelt key that is left out of account would give the wrong place.
+    private static void RefuseOthers(JsonElement element, string where, params string[] known)
+    {
+        foreach (JsonProperty property in element.EnumerateObject())
+        {
+            if (!known.Contains(property.Name))
+                throw new FormatException($"'{property.Name}' is no key of {where}; there are {string.Join(", ", known)}.");
+        }
+    }
 
     private static double[] Arm(JsonElement mount, string name) => mount.TryGetProperty(name, out _) ? Numbers(mount, name, 3) : new double[3];
 
@@ -119,9 +137,9 @@ internal sealed class Request
 
     private static double Number(JsonElement element, string name) => Part(element, name).GetDouble();
 
-    private static double Angle(JsonElement element, string name, double most)
-        => Number(element, name) is var degrees && Math.Abs(degrees) <= most
-            ? degrees : throw new FormatException(FormattableString.Invariant($"'{name}' is {degrees}; it must be -{most} to {most}."));
+    private static double AngleOf(JsonElement element, string name, double max)
+        => Number(element, name) is var degrees && Math.Abs(degrees) <= max
+            ? degrees : throw new FormatException(FormattableString.Invariant($"'{name}' is {degrees}; it must be -{max} to {max}."));
 
     private static double Optional(JsonElement element, string name) => element.TryGetProperty(name, out JsonElement value) ? value.GetDouble() : 0;
 

@@ -14,7 +14,7 @@ internal static class TelemetryLog
 {
     // Nobody's autopilot has run for 30 years: such a time is one of the log's stamps.
     private const double EarliestUtcSeconds = 1e9;
-    private const double RadiansPerDegE7 = Math.PI / 180 * 1e-7;
+    private const double RadiansPerDegE7 = Angle.RadiansPerDegree * 1e-7;
 
     /// <param name="file">The log.</param>
     /// <param name="time">Seconds since the autopilot started, or since 1970 by the stamps of the log.</param>

@@ -14,7 +14,6 @@ namespace SimulatedVehicle;
 /// </summary>
 internal sealed class TruthFile : IDisposable
 {
-    private const double DegreesPerRadian = 180 / Math.PI;
     private static readonly JsonSerializerOptions Format = new() { PropertyNamingPolicy = JsonNamingPolicy.CamelCase, WriteIndented = true };
 
     private readonly FileStream _file;
@@ -73,8 +72,8 @@ internal sealed class TruthFile : IDisposable
     // Nine decimals: a tenth of a millimetre.
     private static Dictionary<string, object> Place(GeodeticPosition place) => new(StringComparer.Ordinal)
     {
-        ["lat_deg"] = Math.Round(place.LatitudeRadians * DegreesPerRadian, 9),
-        ["lon_deg"] = Math.Round(place.LongitudeRadians * DegreesPerRadian, 9),
+        ["lat_deg"] = Math.Round(place.Latitude.Degrees, 9),
+        ["lon_deg"] = Math.Round(place.Longitude.Degrees, 9),
     };
 
     private static object Point(TruePose pose) => new
@@ -83,8 +82,8 @@ internal sealed class TruthFile : IDisposable
         North = Math.Round(pose.North, 3),
         East = Math.Round(pose.East, 3),
         Height = Math.Round(-pose.Down, 3) + 0.0,
-        Roll = Math.Round(pose.Roll * DegreesPerRadian, 2),
-        Pitch = Math.Round(pose.Pitch * DegreesPerRadian, 2),
-        Yaw = Math.Round(pose.Yaw * DegreesPerRadian, 2),
+        Roll = Math.Round(pose.Roll / Angle.RadiansPerDegree, 2),
+        Pitch = Math.Round(pose.Pitch / Angle.RadiansPerDegree, 2),
+        Yaw = Math.Round(pose.Yaw / Angle.RadiansPerDegree, 2),
     };
 }

@@ -10,7 +10,6 @@ namespace UavConsole;
 /// <summary>Words for people. Degrees, metres, seconds: here is the edge where radians end.</summary>
 internal static class Text
 {
-    private const double DegreesPerRadian = 180 / Math.PI;
 
     public static string At(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0,10:0.000}  ", time.TotalSeconds);
 
@@ -39,8 +38,8 @@ internal static class Text
     public static string Position(in VehicleState vehicle) => vehicle.PositionTime is null ? "-" : string.Format(
         CultureInfo.InvariantCulture,
         "{0:0.000000} {1:0.000000}, {2:0.0} m AMSL, {3:0.0} m above home",
-        vehicle.Position.LatitudeRadians * DegreesPerRadian,
-        vehicle.Position.LongitudeRadians * DegreesPerRadian,
+        vehicle.Position.Latitude.Degrees,
+        vehicle.Position.Longitude.Degrees,
         vehicle.Position.AltitudeAmslMetres,
         vehicle.HeightAboveHomeMetres);
 
@@ -54,9 +53,9 @@ internal static class Text
     public static string Attitude(in VehicleState vehicle) => vehicle.AttitudeTime is null ? "-" : string.Format(
         CultureInfo.InvariantCulture,
         "roll {0:0.0} pitch {1:0.0} yaw {2:0.0} degrees",
-        vehicle.Attitude.RollRadians * DegreesPerRadian,
-        vehicle.Attitude.PitchRadians * DegreesPerRadian,
-        vehicle.Attitude.YawRadians * DegreesPerRadian);
+        vehicle.Attitude.Roll.Degrees,
+        vehicle.Attitude.Pitch.Degrees,
+        vehicle.Attitude.Yaw.Degrees);
 
     public static string Battery(in VehicleState vehicle) => vehicle.BatteryTime is null ? "-" : string.Format(
         CultureInfo.InvariantCulture,

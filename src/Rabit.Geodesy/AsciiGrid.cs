@@ -6,8 +6,8 @@ using System.IO;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// Reads a grid of heights from text: the ARC/INFO ASCII grid (.asc) in degrees of latitude and longitude, rows from the north; cells may
-/// be told by `cellsize`, or by `dx` and `dy`.
+/// Reads a terrain grid from text: the ARC/INFO ASCII grid (.asc) in degrees of latitude and longitude, rows from the north; cells may
+/// be given by `cellsize`, or by `dx` and `dy`.
 /// </summary>
 public static class AsciiGrid
 {
@@ -15,10 +15,19 @@ public static class AsciiGrid
 
     private static readonly char[] Blanks = [' ', '\t', '\r', '\n'];
 
-    /// <summary>Reads it to its end.</summary>
+    /// <summary>Reads a grid of altitudes above mean sea level to its end.</summary>
     /// <param name="reader">The text; stays open.</param>
     /// <exception cref="FormatException">It is not such a grid; the text says where.</exception>
-    public static TerrainGrid Read(TextReader reader)
+    public static TerrainGrid Read(TextReader reader) => Read(reader, geoid: null);
+
+    /// <summary>Reads a grid of heights above the ellipsoid to its end, and brings them above mean sea level.</summary>
+    /// <param name="reader">The text; stays open.</param>
+    /// <param name="geoid">How far the geoid is above the ellipsoid.</param>
+    /// <exception cref="FormatException">It is not such a grid; the text says where.</exception>
+    public static TerrainGrid ReadEllipsoidHeights(TextReader reader, GeoidGrid geoid)
+        => Read(reader, geoid ?? throw new ArgumentNullException(nameof(geoid)));
+
+    private static TerrainGrid Read(TextReader reader, GeoidGrid? geoid)
     {
         if (reader is null)
             throw new ArgumentNullException(nameof(reader));
@@ -27,8 +36,8 @@ public static class AsciiGrid
         int rows = Count(header, "nrows");
         if ((long)rows * columns > MaxPosts)
             throw new FormatException($"The grid of {rows} x {columns} posts is larger than {MaxPosts} posts.");
-        double dx = header.TryGetValue("cellsize", out double size) || header.TryGetValue("dx", out size) ? size : throw Missing("cellsize");
-        double dy = header.TryGetValue("cellsize", out size) || header.TryGetValue("dy", out size) ? size : throw Missing("cellsize");
+        double dx = CellSize(header, "dx");
+        double dy = CellSize(header, "dy");
         double west = Corner(header, "xllcenter", "xllcorner", dx);
         double south = Corner(header, "yllcenter", "yllcorner", dy);
         double noData = header.TryGetValue("nodata_value", out double none) ? none : -9999;
@@ -53,7 +62,11 @@ public static class AsciiGrid
             throw new FormatException($"The grid ends after {count} of {rows} x {columns} heights.");
         try
         {
-            return new TerrainGrid(new GeographicPoint(Angle.FromDegrees(south), Angle.FromDegrees(west)), Angle.FromDegrees(dy), Angle.FromDegrees(dx), rows, columns, heights);
+            var corner = new GeographicPoint(Angle.FromDegrees(south), Angle.FromDegrees(west));
+            (Angle latitudeStep, Angle longitudeStep) = (Angle.FromDegrees(dy), Angle.FromDegrees(dx));
+            return geoid is null
+                ? new TerrainGrid(corner, latitudeStep, longitudeStep, rows, columns, heights)
+                : TerrainGrid.FromEllipsoidHeights(corner, latitudeStep, longitudeStep, rows, columns, heights, geoid);
         }
         catch (ArgumentException e)
         {
@@ -68,7 +81,8 @@ public static class AsciiGrid
         while ((line = reader.ReadLine()) is not null)
         {
             string[] words = line.Split(Blanks, StringSplitOptions.RemoveEmptyEntries);
-            bool isHeader = words.Length == 2 && char.IsLetter(words[0][0]) && !double.TryParse(words[0], NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+            bool isHeader = words.Length == 2 && char.IsLetter(words[0][0])
+                && !double.TryParse(words[0], NumberStyles.Float, CultureInfo.InvariantCulture, out _);
             if (words.Length > 0 && !isHeader)
                 break;
             if (isHeader && !double.TryParse(words[1], NumberStyles.Float, CultureInfo.InvariantCulture, out _))
@@ -84,8 +98,13 @@ public static class AsciiGrid
     private static int Count(Dictionary<string, double> header, string name)
     {
         double value = header.TryGetValue(name, out double found) ? found : throw Missing(name);
-        return value >= 2 && value <= MaxPosts && value == Math.Floor(value) ? (int)value : throw new FormatException(FormattableString.Invariant($"The grid's {name} is {value}."));
+        return value >= 2 && value <= MaxPosts && value == Math.Floor(value)
+            ? (int)value
+            : throw new FormatException(FormattableString.Invariant($"The grid's {name} is {value}."));
     }
+
+    private static double CellSize(Dictionary<string, double> header, string name)
+        => header.TryGetValue("cellsize", out double size) || header.TryGetValue(name, out size) ? size : throw Missing("cellsize");
 
     // A cell's corner is half a cell from its post.
     private static double Corner(Dictionary<string, double> header, string centre, string corner, double cell)
@@ -95,5 +114,5 @@ public static class AsciiGrid
         return header.TryGetValue(corner, out value) ? value + (cell / 2) : throw Missing(corner);
     }
 
-    private static FormatException Missing(string name) => new($"The grid does not tell its {name}.");
+    private static FormatException Missing(string name) => new($"The grid does not give its {name}.");
 }

@@ -1,7 +1,12 @@
+using System;
+
 namespace Rabit.Geodesy;
 
-/// <summary>Angular velocity in the body frame (forward-right-down). A plain value, made from numbers by a method that names the unit.</summary>
-public readonly struct BodyRates
+/// <summary>
+/// Angular velocity in the body frame (forward-right-down). A plain value, made from numbers by a method that names the unit. Rates are
+/// not angles: they are numbers whose names say radians per second.
+/// </summary>
+public readonly record struct BodyRates
 {
     private BodyRates(double rollRadiansPerSecond, double pitchRadiansPerSecond, double yawRadiansPerSecond)
         => (RollRadiansPerSecond, PitchRadiansPerSecond, YawRadiansPerSecond) = (rollRadiansPerSecond, pitchRadiansPerSecond, yawRadiansPerSecond);
@@ -15,6 +20,9 @@ public readonly struct BodyRates
     /// <summary>About down.</summary>
     public double YawRadiansPerSecond { get; }
 
+    /// <summary>Whether all three are numbers, and not infinite ones.</summary>
+    public bool IsFinite => FiniteNumbers.AreFinite(RollRadiansPerSecond, PitchRadiansPerSecond, YawRadiansPerSecond);
+
     /// <summary>From radians per second.</summary>
     /// <param name="rollRadiansPerSecond">About forward.</param>
     /// <param name="pitchRadiansPerSecond">About right.</param>
@@ -27,5 +35,9 @@ public readonly struct BodyRates
     /// <param name="pitchDegreesPerSecond">About right.</param>
     /// <param name="yawDegreesPerSecond">About down.</param>
     public static BodyRates FromDegreesPerSecond(double rollDegreesPerSecond, double pitchDegreesPerSecond, double yawDegreesPerSecond)
-        => new(Angle.FromDegrees(rollDegreesPerSecond).Radians, Angle.FromDegrees(pitchDegreesPerSecond).Radians, Angle.FromDegrees(yawDegreesPerSecond).Radians);
+        => new(rollDegreesPerSecond * Angle.RadiansPerDegree, pitchDegreesPerSecond * Angle.RadiansPerDegree, yawDegreesPerSecond * Angle.RadiansPerDegree);
+
+    /// <summary>As (0.1, 0, -0.02) rad/s.</summary>
+    public override string ToString()
+        => FormattableString.Invariant($"({RollRadiansPerSecond:0.####}, {PitchRadiansPerSecond:0.####}, {YawRadiansPerSecond:0.####}) rad/s");
 }

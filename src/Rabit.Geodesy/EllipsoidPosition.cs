@@ -1,16 +1,12 @@
+using System;
+
 namespace Rabit.Geodesy;
 
 /// <summary>A place with its height above the WGS-84 ellipsoid. A plain value.</summary>
-/// <param name="point">Where it is on the ellipsoid.</param>
-/// <param name="height">How far above.</param>
-public readonly struct EllipsoidPosition(GeographicPoint point, EllipsoidHeight height)
+/// <param name="Point">Where it is on the ellipsoid.</param>
+/// <param name="Height">How far above.</param>
+public readonly record struct EllipsoidPosition(GeographicPoint Point, EllipsoidHeight Height)
 {
-    /// <summary>Where it is on the ellipsoid.</summary>
-    public GeographicPoint Point { get; } = point;
-
-    /// <summary>How far above.</summary>
-    public EllipsoidHeight Height { get; } = height;
-
     /// <summary>From an earth-centred position; at the poles the longitude is 0 or 180 degrees. At the centre of the earth it is not a place.</summary>
     /// <param name="position">Not nearer than 50 km to the centre of the earth.</param>
     public static EllipsoidPosition FromEcef(EcefPosition position)
@@ -27,8 +23,16 @@ public readonly struct EllipsoidPosition(GeographicPoint point, EllipsoidHeight 
         return new EcefPosition(x, y, z);
     }
 
-    /// <summary>With its altitude above mean sea level, as autopilots tell it.</summary>
+    /// <summary>With its altitude above mean sea level, as autopilots report it.</summary>
     /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid there.</param>
     public GeodeticPosition ToAmsl(double geoidUndulationMetres)
         => new(Point, Height.ToAmsl(geoidUndulationMetres));
+
+    /// <summary>With its altitude above mean sea level.</summary>
+    /// <param name="geoid">How far the geoid is above the ellipsoid.</param>
+    public GeodeticPosition ToAmsl(GeoidGrid geoid)
+        => ToAmsl((geoid ?? throw new ArgumentNullException(nameof(geoid))).UndulationMetres(Point));
+
+    /// <summary>In decimal degrees and metres.</summary>
+    public override string ToString() => $"{Point}, {Height}";
 }

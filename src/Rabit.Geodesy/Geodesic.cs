@@ -3,16 +3,24 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// Shortest ways on the WGS-84 ellipsoid, to some nanometres at any distance: nearly antipodal places, poles and the date line are
+/// Geodesics, the shortest lines on the WGS-84 ellipsoid, to some nanometres at any distance: nearly antipodal places, poles and the date line are
 /// nothing special. Any thread; allocates nothing.
 /// </summary>
+/// <example>
+/// <code>
+/// var zurich = new GeographicPoint(Angle.FromDegrees(47.3769), Angle.FromDegrees(8.5417));
+/// var bern = new GeographicPoint(Angle.FromDegrees(46.9480), Angle.FromDegrees(7.4474));
+/// GeodesicLine line = Geodesic.Inverse(zurich, bern);
+/// GeographicPoint halfWay = Geodesic.Direct(zurich, line.StartAzimuth, line.DistanceMetres / 2, out _);
+/// </code>
+/// </example>
 /// <remarks>Method: C. F. F. Karney, "Algorithms for geodesics", Journal of Geodesy 87 (2013), 43-55; the inverse problem by Newton's method inside a bracket.</remarks>
 public static class Geodesic
 {
     // Stands for 0 where its sign, or a division by it, matters.
     private const double Tiny = 1e-150;
 
-    /// <summary>Where one arrives.</summary>
+    /// <summary>The direct problem: the place at a distance and azimuth from another.</summary>
     /// <param name="start">Where one begins.</param>
     /// <param name="azimuth">In which direction, clockwise from north.</param>
     /// <param name="distanceMetres">How far; negative for the other way.</param>
@@ -22,7 +30,7 @@ public static class Geodesic
     {
         Demand(start, nameof(start));
         if (!azimuth.IsFinite || double.IsNaN(distanceMetres) || double.IsInfinity(distanceMetres))
-            throw new ArgumentException(FormattableString.Invariant($"The way of {distanceMetres} m at {azimuth} is not a number."), nameof(distanceMetres));
+            throw new ArgumentException(FormattableString.Invariant($"The line of {distanceMetres} m at {azimuth} is not a number."), nameof(distanceMetres));
         (double sinAlpha, double cosAlpha) = (Math.Sin(azimuth.Radians), Math.Cos(azimuth.Radians));
         Reduce(start.Latitude.Radians, out double sinBeta, out double cosBeta);
 
@@ -49,7 +57,7 @@ public static class Geodesic
             Angle.FromRadians(start.Longitude.Radians + turned).Wrapped());
     }
 
-    /// <summary>The shortest way between two places. Where there are several of the same length, it is one of them.</summary>
+    /// <summary>The inverse problem: the shortest line between two places. Where there are several of the same length, it is one of them.</summary>
     /// <param name="from">Where it begins.</param>
     /// <param name="to">Where it ends.</param>
     /// <exception cref="ArgumentException">Something is not a number, or a latitude is beyond a pole.</exception>
@@ -58,8 +66,9 @@ public static class Geodesic
         Demand(from, nameof(from));
         Demand(to, nameof(to));
 
-        // To the one case from which the others follow by mirroring: the first place in the south and farther from the equator, the way to the east.
-        double lambda = (to.Longitude - from.Longitude).Wrapped().Radians;
+        // To the one case from which the others follow by mirroring: the first place in the south and farther from the equator, the line to
+        // the east.
+        double lambda = DifferenceDegrees(from.Longitude.Degrees, to.Longitude.Degrees) * Angle.RadiansPerDegree;
         double eastward = lambda >= 0 ? 1 : -1;
         (double latitude1, double latitude2) = (from.Latitude.Radians, to.Latitude.Radians);
         double swap = Math.Abs(latitude1) < Math.Abs(latitude2) ? -1 : 1;
@@ -85,6 +94,20 @@ public static class Geodesic
         (double turnSin, double turnCos) = (swap * eastward, swap * mirror);
         return new GeodesicLine(
             metres, Angle.FromRadians(Math.Atan2(sin1 * turnSin, cos1 * turnCos)), Angle.FromRadians(Math.Atan2(sin2 * turnSin, cos2 * turnCos)));
+    }
+
+    /// <summary>
+    /// From one longitude to another, -180 to 180 degrees, with the rounding of the sum added again: short lines keep their azimuth, also
+    /// across the date line (Karney's AngDiff).
+    /// </summary>
+    internal static double DifferenceDegrees(double from, double to)
+    {
+        double a = Math.IEEERemainder(-from, 360);
+        double b = Math.IEEERemainder(to, 360);
+        double sum = a + b;
+        double part = sum - a;
+        double lost = (a - (sum - part)) + (b - part);
+        return Math.IEEERemainder(sum, 360) + lost;
     }
 
     /// <summary>The parameter of the series, of the great circle's direction at the equator.</summary>
@@ -113,6 +136,6 @@ public static class Geodesic
     private static void Demand(GeographicPoint point, string parameter)
     {
         if (!(Math.Abs(point.Latitude.Radians) <= Math.PI / 2) || !point.Longitude.IsFinite)
-            throw new ArgumentException(FormattableString.Invariant($"{point.Latitude}, {point.Longitude} is no place on the earth."), parameter);
+            throw new ArgumentException($"{point.Latitude}, {point.Longitude} is no place on the earth.", parameter);
     }
 }

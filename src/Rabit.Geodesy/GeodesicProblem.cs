@@ -4,7 +4,7 @@ namespace Rabit.Geodesy;
 
 /// <summary>
 /// The inverse problem of geodesics in its one form, on the auxiliary sphere: the first place in the south and at least as far from the
-/// equator as the second, the way to the east. See <see cref="Geodesic"/>. A plain value that is solved once.
+/// equator as the second, the line to the east. See <see cref="Geodesic"/>. A plain value that is solved once.
 /// </summary>
 internal struct GeodesicProblem
 {
@@ -48,7 +48,7 @@ internal struct GeodesicProblem
         }
     }
 
-    /// <summary>The length of the way, metres; the azimuths are told in the fields.</summary>
+    /// <summary>The length of the line, metres; the azimuths are in the fields.</summary>
     public double Solve()
     {
         if (CosBeta1 <= Tiny || Lambda == 0 || Lambda >= Math.PI)

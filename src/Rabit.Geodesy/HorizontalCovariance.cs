@@ -3,22 +3,20 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>Covariance of a horizontal position, square metres, axes north and east. A plain value.</summary>
-/// <param name="northNorth">Variance along north.</param>
-/// <param name="northEast">Covariance.</param>
-/// <param name="eastEast">Variance along east.</param>
-public readonly struct HorizontalCovariance(double northNorth, double northEast, double eastEast)
+/// <param name="NorthNorth">Variance along north.</param>
+/// <param name="NorthEast">Covariance of north and east.</param>
+/// <param name="EastEast">Variance along east.</param>
+/// <example>
+/// <code>
+/// var covariance = new HorizontalCovariance(4, 0, 1);                  // 2 m along north, 1 m along east
+/// Console.WriteLine(covariance.HalfMajorAxis95Metres);                 // 4.9
+/// Console.WriteLine(covariance.Contains95(northMetres: 3, eastMetres: 0));   // True
+/// </code>
+/// </example>
+public readonly record struct HorizontalCovariance(double NorthNorth, double NorthEast, double EastEast)
 {
     // Chi-square with two degrees of freedom: -2 ln(1 - 0.95).
     private const double ChiSquare95 = 5.991464547107979;
-
-    /// <summary>Variance along north.</summary>
-    public double NorthNorth { get; } = northNorth;
-
-    /// <summary>Covariance.</summary>
-    public double NorthEast { get; } = northEast;
-
-    /// <summary>Variance along east.</summary>
-    public double EastEast { get; } = eastEast;
 
     /// <summary>Half the long axis of the ellipse that holds the truth with 95 %, metres.</summary>
     public double HalfMajorAxis95Metres => Math.Sqrt(ChiSquare95 * MaxVariance);
@@ -26,8 +24,8 @@ public readonly struct HorizontalCovariance(double northNorth, double northEast,
     /// <summary>Half the short axis of that ellipse, metres.</summary>
     public double HalfMinorAxis95Metres => Math.Sqrt(ChiSquare95 * Math.Max(0, NorthNorth + EastEast - MaxVariance));
 
-    /// <summary>Direction of its long axis, radians clockwise from north, -pi/2 to pi/2.</summary>
-    public double MajorAxisRadians => 0.5 * Math.Atan2(2 * NorthEast, NorthNorth - EastEast);
+    /// <summary>Direction of its long axis, clockwise from north, -90 to 90 degrees.</summary>
+    public Angle MajorAxis => Angle.FromRadians(0.5 * Math.Atan2(2 * NorthEast, NorthNorth - EastEast));
 
     private double MaxVariance
     {
@@ -46,7 +44,7 @@ public readonly struct HorizontalCovariance(double northNorth, double northEast,
     /// <summary>Whether the 95 % ellipse around an estimate holds a point.</summary>
     /// <param name="northMetres">The point against the estimate, north.</param>
     /// <param name="eastMetres">The point against the estimate, east.</param>
-    public bool Holds95(double northMetres, double eastMetres) => MahalanobisSquared(northMetres, eastMetres) <= ChiSquare95;
+    public bool Contains95(double northMetres, double eastMetres) => MahalanobisSquared(northMetres, eastMetres) <= ChiSquare95;
 
     /// <summary>Squared Mahalanobis distance of a point; infinite for a covariance that is not positive definite.</summary>
     /// <param name="northMetres">The point against the estimate, north.</param>
@@ -58,4 +56,8 @@ public readonly struct HorizontalCovariance(double northNorth, double northEast,
             return double.PositiveInfinity;
         return ((EastEast * northMetres * northMetres) - (2 * NorthEast * northMetres * eastMetres) + (NorthNorth * eastMetres * eastMetres)) / determinant;
     }
+
+    /// <summary>As its 95 % ellipse: 4.9 m x 2.45 m at 0°.</summary>
+    public override string ToString()
+        => FormattableString.Invariant($"{HalfMajorAxis95Metres:0.##} m x {HalfMinorAxis95Metres:0.##} m at {MajorAxis.Degrees:0.#}°");
 }

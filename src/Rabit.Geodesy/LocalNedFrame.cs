@@ -3,14 +3,23 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// A flat north-east-down frame that touches the WGS-84 ellipsoid's normal at an origin, through earth-centred coordinates, so that it is
-/// exact at any distance. A plain value.
+/// A flat north-east-down frame whose down is the WGS-84 ellipsoid's normal at an origin, through earth-centred coordinates, so that it
+/// is exact at any distance. A plain value.
 /// </summary>
 /// <remarks>
 /// Altitudes above mean sea level become heights above the ellipsoid by the undulation that the frame was given, and only by that.
 /// Formulas: <see cref="Wgs84"/>.
 /// </remarks>
-public readonly struct LocalNedFrame
+/// <example>
+/// <code>
+/// GeodeticPosition home = GeodeticPosition.FromDegrees(47.3977, 8.5456, 488);
+/// LocalNedFrame frame = LocalNedFrame.IgnoringGeoid(home);
+/// NedPosition target = frame.ToNed(GeodeticPosition.FromDegrees(47.3980, 8.5460, 470));
+/// NedVector fromHome = target - NedPosition.Origin;
+/// Console.WriteLine($"{fromHome.HorizontalLength:0.0} m, bearing {fromHome.Azimuth.Degrees:0}°");
+/// </code>
+/// </example>
+public readonly record struct LocalNedFrame
 {
     private readonly double _sinLat;
     private readonly double _cosLat;
@@ -27,9 +36,9 @@ public readonly struct LocalNedFrame
     {
         Origin = origin;
         GeoidUndulationMetres = geoidUndulationMetres;
-        (_sinLat, _cosLat) = (Math.Sin(origin.LatitudeRadians), Math.Cos(origin.LatitudeRadians));
-        (_sinLon, _cosLon) = (Math.Sin(origin.LongitudeRadians), Math.Cos(origin.LongitudeRadians));
-        (_x, _y, _z) = Wgs84.ToEarthCentred(origin.LatitudeRadians, origin.LongitudeRadians, origin.AltitudeAmslMetres + geoidUndulationMetres);
+        (_sinLat, _cosLat) = (Math.Sin(origin.Latitude.Radians), Math.Cos(origin.Latitude.Radians));
+        (_sinLon, _cosLon) = (Math.Sin(origin.Longitude.Radians), Math.Cos(origin.Longitude.Radians));
+        (_x, _y, _z) = Wgs84.ToEarthCentred(origin.Latitude.Radians, origin.Longitude.Radians, origin.AltitudeAmslMetres + geoidUndulationMetres);
     }
 
     /// <summary>Makes the frame.</summary>
@@ -37,6 +46,22 @@ public readonly struct LocalNedFrame
     /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid in this frame: for altitudes above mean sea level only.</param>
     public LocalNedFrame(EllipsoidPosition origin, double geoidUndulationMetres)
         : this(origin.ToAmsl(geoidUndulationMetres), geoidUndulationMetres)
+    {
+    }
+
+    /// <summary>Makes the frame, with the undulation of the geoid at its origin.</summary>
+    /// <param name="origin">Where north, east and down are 0.</param>
+    /// <param name="geoid">How far the geoid is above the ellipsoid.</param>
+    public LocalNedFrame(GeodeticPosition origin, GeoidGrid geoid)
+        : this(origin, (geoid ?? throw new ArgumentNullException(nameof(geoid))).UndulationMetres(origin.Point))
+    {
+    }
+
+    /// <summary>Makes the frame, with the undulation of the geoid at its origin.</summary>
+    /// <param name="origin">Where north, east and down are 0.</param>
+    /// <param name="geoid">How far the geoid is above the ellipsoid: for altitudes above mean sea level only.</param>
+    public LocalNedFrame(EllipsoidPosition origin, GeoidGrid geoid)
+        : this(origin, (geoid ?? throw new ArgumentNullException(nameof(geoid))).UndulationMetres(origin.Point))
     {
     }
 
@@ -55,17 +80,17 @@ public readonly struct LocalNedFrame
 
     /// <summary>A place in this frame, metres.</summary>
     /// <param name="position">The place.</param>
-    public NedVector ToNed(GeodeticPosition position)
-        => FromEarthCentred(Wgs84.ToEarthCentred(position.LatitudeRadians, position.LongitudeRadians, position.AltitudeAmslMetres + GeoidUndulationMetres));
+    public NedPosition ToNed(GeodeticPosition position)
+        => FromEarthCentred(Wgs84.ToEarthCentred(position.Latitude.Radians, position.Longitude.Radians, position.AltitudeAmslMetres + GeoidUndulationMetres));
 
     /// <summary>A place in this frame, metres.</summary>
     /// <param name="position">The place.</param>
-    public NedVector ToNed(EllipsoidPosition position)
+    public NedPosition ToNed(EllipsoidPosition position)
         => FromEarthCentred(Wgs84.ToEarthCentred(position.Point.Latitude.Radians, position.Point.Longitude.Radians, position.Height.Metres));
 
     /// <summary>The place of a point of this frame, with its altitude above mean sea level.</summary>
     /// <param name="ned">The point, metres.</param>
-    public GeodeticPosition ToGeodetic(NedVector ned)
+    public GeodeticPosition ToGeodetic(NedPosition ned)
     {
         (double latitude, double longitude, double height) = ToEllipsoidal(ned);
         return GeodeticPosition.FromRadians(latitude, longitude, height - GeoidUndulationMetres);
@@ -73,23 +98,26 @@ public readonly struct LocalNedFrame
 
     /// <summary>The place of a point of this frame, with its height above the ellipsoid.</summary>
     /// <param name="ned">The point, metres.</param>
-    public EllipsoidPosition ToEllipsoid(NedVector ned)
+    public EllipsoidPosition ToEllipsoid(NedPosition ned)
     {
         (double latitude, double longitude, double height) = ToEllipsoidal(ned);
         return new EllipsoidPosition(new GeographicPoint(Angle.FromRadians(latitude), Angle.FromRadians(longitude)), new EllipsoidHeight(height));
     }
 
-    private NedVector FromEarthCentred((double X, double Y, double Z) place)
+    /// <summary>Its origin.</summary>
+    public override string ToString() => $"north-east-down about {Origin}";
+
+    private NedPosition FromEarthCentred((double X, double Y, double Z) place)
     {
         (double x, double y, double z) = (place.X - _x, place.Y - _y, place.Z - _z);
         double outward = (_cosLon * x) + (_sinLon * y);
-        return new NedVector(
+        return new NedPosition(
             (-_sinLat * outward) + (_cosLat * z),
             (-_sinLon * x) + (_cosLon * y),
             (-_cosLat * outward) - (_sinLat * z));
     }
 
-    private (double Latitude, double Longitude, double Height) ToEllipsoidal(NedVector ned)
+    private (double Latitude, double Longitude, double Height) ToEllipsoidal(NedPosition ned)
     {
         double outward = (-_sinLat * ned.North) - (_cosLat * ned.Down);
         double x = _x + (_cosLon * outward) - (_sinLon * ned.East);

@@ -6,8 +6,11 @@ namespace Rabit.Geodesy;
 /// <summary>
 /// A square of the Military Grid Reference System, from 100 km to 1 m wide, 80 degrees south to 84 north: as 32TMT6500050000. A plain value.
 /// </summary>
-/// <remarks>Rules: NGA.STND.0037, "Universal Grids and Grid Reference Systems", 2014. The squares about the poles (UPS, letters A, B, Y, Z) are not known to it: they are refused, by an exception or by what is read being false.</remarks>
-public readonly struct MgrsPosition
+/// <remarks>
+/// Rules: NGA.STND.0037, "Universal Grids and Grid Reference Systems", 2014. The squares about the poles (UPS, letters A, B, Y, Z) are not
+/// known to it: they are refused, by an exception or by what is read being false.
+/// </remarks>
+public readonly record struct MgrsPosition
 {
     private const string Columns = "ABCDEFGHJKLMNPQRSTUVWXYZ";
     private const string Rows = "ABCDEFGHJKLMNPQRSTUV";
@@ -58,7 +61,11 @@ public readonly struct MgrsPosition
         if (digits is < 0 or > 5)
             throw new ArgumentOutOfRangeException(nameof(digits), digits, "A coordinate of MGRS has 0 to 5 digits.");
         if (point.Latitude.Degrees is < -80 or > 84)
-            throw new ArgumentOutOfRangeException(nameof(point), $"MGRS is known here from 80 degrees south to 84 north; at {point.Latitude} its squares are those of the polar grid (UPS).");
+        {
+            throw new ArgumentOutOfRangeException(
+                nameof(point), $"MGRS is known here from 80 degrees south to 84 north; at {point.Latitude} its squares are those of the polar grid (UPS).");
+        }
+
         UtmPosition utm = UtmPosition.From(point);
         int width = PowerOfTen(5 - digits);
         int easting = (int)Math.Floor(utm.EastingMetres / width) * width;
@@ -116,14 +123,21 @@ public readonly struct MgrsPosition
             + (_northingMetres % Square / WidthMetres).ToString(format, CultureInfo.InvariantCulture);
     }
 
-    // A square may reach over the edge of its band; a whole square away is another name for nothing.
+    // The letters name a square of 100 km: it must have ground in its band, or they name none. Its southernmost and its northernmost
+    // place are corners, since no square lies across the central meridian.
     private bool IsInBand()
     {
         double south = -80 + (8 * _band);
         double north = _band == UtmZones.Bands.Length - 1 ? 84 : south + 8;
-        double latitude = Corner.ToGeographic().Latitude.Degrees;
-        return latitude >= south - 1 && latitude <= north;
+        int west = _eastingMetres / Square * Square;
+        int bottom = _northingMetres / Square * Square;
+        double lowest = Math.Min(LatitudeAt(west, bottom), LatitudeAt(west + Square, bottom));
+        double highest = Math.Max(LatitudeAt(west, bottom + Square), LatitudeAt(west + Square, bottom + Square));
+        return lowest <= north && highest >= south;
     }
+
+    private double LatitudeAt(int eastingMetres, int northingMetres)
+        => new UtmPosition(Zone, _band >= 10, eastingMetres, northingMetres).ToGeographic().Latitude.Degrees;
 
     private static bool TryReadDigits(string text, int start, int digits, out int metres)
     {

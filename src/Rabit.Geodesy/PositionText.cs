@@ -4,21 +4,37 @@ using System.Globalization;
 namespace Rabit.Geodesy;
 
 /// <summary>Positions as people write them. Any thread.</summary>
+/// <example>
+/// <code>
+/// if (PositionText.TryParse("47°23'51.6\"N 8°32'44.4\"E", out GeographicPoint point))
+///     Console.WriteLine(PositionText.Format(point, PositionStyle.Mgrs));
+/// </code>
+/// </example>
 public static class PositionText
 {
     private const int MillisecondsPerDegree = 3_600_000;
 
-    /// <summary>Writes a position.</summary>
-    /// <param name="point">The position.</param>
+    /// <summary>Writes a position; the longitude from -180 to 180 degrees.</summary>
+    /// <param name="point">The position. What may be none is better written by <see cref="GeographicPoint.ToString"/>, which never throws.</param>
     /// <param name="style">How.</param>
-    /// <exception cref="ArgumentOutOfRangeException">MGRS is asked for near a pole, or there is no such style.</exception>
-    public static string Format(GeographicPoint point, PositionStyle style) => style switch
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The position is none: not a number, or beyond a pole (<see cref="GeographicPoint.IsValid"/>); MGRS is asked for near a pole; or there
+    /// is no such style.
+    /// </exception>
+    public static string Format(GeographicPoint point, PositionStyle style)
     {
-        PositionStyle.DecimalDegrees => string.Format(CultureInfo.InvariantCulture, "{0:0.0000000}, {1:0.0000000}", point.Latitude.Degrees, point.Longitude.Degrees),
-        PositionStyle.DegreesMinutesSeconds => Sexagesimal(point.Latitude, 'N', 'S') + " " + Sexagesimal(point.Longitude, 'E', 'W'),
-        PositionStyle.Mgrs => MgrsPosition.From(point).ToString(),
-        _ => throw new ArgumentOutOfRangeException(nameof(style), style, "There is no such style."),
-    };
+        if (!point.IsValid)
+            throw new ArgumentOutOfRangeException(nameof(point), $"{point} cannot be written as a position.");
+        Angle longitude = point.Longitude.Wrapped();
+        return style switch
+        {
+            PositionStyle.DecimalDegrees => string.Format(
+                CultureInfo.InvariantCulture, "{0:0.0000000}, {1:0.0000000}", point.Latitude.Degrees, longitude.Degrees),
+            PositionStyle.DegreesMinutesSeconds => Sexagesimal(point.Latitude, 'N', 'S') + " " + Sexagesimal(longitude, 'E', 'W'),
+            PositionStyle.Mgrs => MgrsPosition.From(point).ToString(),
+            _ => throw new ArgumentOutOfRangeException(nameof(style), style, "There is no such style."),
+        };
+    }
 
     /// <summary>
     /// Reads a position in any of the styles: decimal degrees with a sign or a letter, degrees with minutes, or with minutes and seconds;
@@ -40,10 +56,10 @@ public static class PositionText
         var reader = new SexagesimalReader(text!);
         if (!reader.TryRead(out double first, out char firstLetter) || !reader.TryRead(out double second, out char secondLetter) || !reader.IsAtEnd)
             return false;
-        bool isTurned = firstLetter is 'E' or 'W';
-        if (isTurned || secondLetter is 'N' or 'S')
+        bool isSwapped = firstLetter is 'E' or 'W';
+        if (isSwapped || secondLetter is 'N' or 'S')
         {
-            if (!(isTurned && secondLetter is 'N' or 'S'))
+            if (!(isSwapped && secondLetter is 'N' or 'S'))
                 return false;
             (first, second) = (second, first);
         }

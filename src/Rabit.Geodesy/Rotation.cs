@@ -8,7 +8,14 @@ namespace Rabit.Geodesy;
 /// A plain value; the default value is no rotation at all, see <see cref="Identity"/>.
 /// </summary>
 /// <remarks>Formulas: J. Diebel, "Representing attitude: Euler angles, unit quaternions, and rotation vectors", Stanford 2006.</remarks>
-public readonly struct Rotation
+/// <example>
+/// <code>
+/// Rotation attitude = Rotation.FromEuler(EulerAngles.FromDegrees(0, 10, 90));
+/// NedVector nose = attitude.ToNed(new BodyVector(1, 0, 0));                    // east, a little up
+/// Rotation turned = attitude.After(BodyRates.FromDegreesPerSecond(0, 0, 20), seconds: 0.5);
+/// </code>
+/// </example>
+public readonly record struct Rotation
 {
     // Below this angle the sine in SLERP has lost its digits, and a straight line is the arc.
     private const double NearlyEqual = 1 - 1e-12;
@@ -33,8 +40,8 @@ public readonly struct Rotation
     /// <summary>Third vector part.</summary>
     public double Z { get; }
 
-    /// <summary>The angle by which it turns, radians, 0 to pi.</summary>
-    public double AngleRadians => 2 * Math.Atan2(Math.Sqrt((X * X) + (Y * Y) + (Z * Z)), Math.Abs(W));
+    /// <summary>The angle by which it turns, 0 to 180 degrees.</summary>
+    public Angle Angle => Angle.FromRadians(2 * Math.Atan2(Math.Sqrt((X * X) + (Y * Y) + (Z * Z)), Math.Abs(W)));
 
     /// <summary>Whether it is one: not the default value, and a number.</summary>
     public bool IsValid => Math.Abs((W * W) + (X * X) + (Y * Y) + (Z * Z) - 1) < 1e-6;
@@ -67,9 +74,9 @@ public readonly struct Rotation
     /// <param name="angles">Yaw, then pitch, then roll. Not a number stays so.</param>
     public static Rotation FromEuler(EulerAngles angles)
     {
-        (double sinRoll, double cosRoll) = (Math.Sin(angles.RollRadians / 2), Math.Cos(angles.RollRadians / 2));
-        (double sinPitch, double cosPitch) = (Math.Sin(angles.PitchRadians / 2), Math.Cos(angles.PitchRadians / 2));
-        (double sinYaw, double cosYaw) = (Math.Sin(angles.YawRadians / 2), Math.Cos(angles.YawRadians / 2));
+        (double sinRoll, double cosRoll) = (Math.Sin(angles.Roll.Radians / 2), Math.Cos(angles.Roll.Radians / 2));
+        (double sinPitch, double cosPitch) = (Math.Sin(angles.Pitch.Radians / 2), Math.Cos(angles.Pitch.Radians / 2));
+        (double sinYaw, double cosYaw) = (Math.Sin(angles.Yaw.Radians / 2), Math.Cos(angles.Yaw.Radians / 2));
         return new Rotation(
             (cosRoll * cosPitch * cosYaw) + (sinRoll * sinPitch * sinYaw),
             (sinRoll * cosPitch * cosYaw) - (cosRoll * sinPitch * sinYaw),
@@ -77,15 +84,15 @@ public readonly struct Rotation
             (cosRoll * cosPitch * sinYaw) - (sinRoll * sinPitch * cosYaw));
     }
 
-    /// <summary>About one vector, by its length in radians.</summary>
-    /// <param name="x">First component, radians.</param>
-    /// <param name="y">Second component, radians.</param>
-    /// <param name="z">Third component, radians.</param>
-    public static Rotation FromVector(double x, double y, double z)
+    /// <summary>From a rotation vector: about its direction, by its length.</summary>
+    /// <param name="xRadians">First component.</param>
+    /// <param name="yRadians">Second component.</param>
+    /// <param name="zRadians">Third component.</param>
+    public static Rotation FromRotationVector(double xRadians, double yRadians, double zRadians)
     {
-        double angle = Math.Sqrt((x * x) + (y * y) + (z * z));
+        double angle = Math.Sqrt((xRadians * xRadians) + (yRadians * yRadians) + (zRadians * zRadians));
         double factor = angle < 1e-8 ? 0.5 : Math.Sin(angle / 2) / angle;
-        return new Rotation(Math.Cos(angle / 2), x * factor, y * factor, z * factor);
+        return new Rotation(Math.Cos(angle / 2), xRadians * factor, yRadians * factor, zRadians * factor);
     }
 
     /// <summary>From a rotation matrix, row by row, as a calibration gives it.</summary>
@@ -122,7 +129,7 @@ public readonly struct Rotation
     /// <summary>As an attitude, what it is after turning at an even rate for a while.</summary>
     /// <param name="rates">In the body frame.</param>
     /// <param name="seconds">How long; negative for what it was before.</param>
-    public Rotation After(BodyRates rates, double seconds) => this * FromVector(
+    public Rotation After(BodyRates rates, double seconds) => this * FromRotationVector(
         rates.RollRadiansPerSecond * seconds, rates.PitchRadiansPerSecond * seconds, rates.YawRadiansPerSecond * seconds);
 
     /// <summary>As an attitude, its angles: roll and yaw from -pi to pi. With the nose straight up or down many pairs of roll and yaw are right; it is one of them.</summary>
@@ -172,4 +179,7 @@ public readonly struct Rotation
             y + (W * ty) + (Z * tx) - (X * tz),
             z + (W * tz) + (X * ty) - (Y * tx));
     }
+
+    /// <summary>As its quaternion, scalar part first.</summary>
+    public override string ToString() => FormattableString.Invariant($"({W:0.######}; {X:0.######}, {Y:0.######}, {Z:0.######})");
 }

@@ -3,15 +3,24 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// Heights of the ground at posts on a grid of latitude and longitude, bilinear in between. They are above whatever the altitudes are above
-/// that it is used with: mean sea level, unless one knows better. Immutable; any thread.
+/// The terrain: altitudes of the ground above mean sea level at posts on a grid of latitude and longitude (a digital elevation model),
+/// bilinear in between. Heights above the ellipsoid come in by <see cref="FromEllipsoidHeights"/>. Immutable; any thread.
 /// </summary>
+/// <example>
+/// <code>
+/// using StreamReader file = File.OpenText("terrain.asc");
+/// TerrainGrid terrain = AsciiGrid.Read(file);
+/// var place = new GeographicPoint(Angle.FromDegrees(47.01), Angle.FromDegrees(8.02));
+/// if (terrain.TryAltitude(place, out AmslAltitude ground) == TerrainLookup.Known)
+///     Console.WriteLine(ground);
+/// </code>
+/// </example>
 public sealed class TerrainGrid
 {
     // On the outermost posts one is still inside, whatever rounding says.
     private const double Edge = 1e-9;
 
-    private readonly float[] _heights;
+    private readonly float[] _altitudes;
     private readonly GeographicPoint _southWest;
     private readonly Angle _latitudeStep;
     private readonly Angle _longitudeStep;
@@ -22,24 +31,35 @@ public sealed class TerrainGrid
     /// <param name="longitudeStep">From one column to the next one east of it; the grid may cross the date line.</param>
     /// <param name="rows">Posts from south to north, at least 2.</param>
     /// <param name="columns">Posts from west to east, at least 2.</param>
-    /// <param name="heightsMetres">Row by row from the south, in each from the west; not a number where there is none. Copied.</param>
+    /// <param name="altitudesAmslMetres">Above mean sea level, row by row from the south, in each from the west; not a number where there is none. Copied.</param>
     /// <exception cref="ArgumentException">The numbers do not make a grid.</exception>
-    public TerrainGrid(GeographicPoint southWest, Angle latitudeStep, Angle longitudeStep, int rows, int columns, ReadOnlySpan<float> heightsMetres)
+    public TerrainGrid(
+        GeographicPoint southWest, Angle latitudeStep, Angle longitudeStep, int rows, int columns, ReadOnlySpan<float> altitudesAmslMetres)
     {
-        if (rows < 2 || columns < 2 || (long)rows * columns != heightsMetres.Length)
-            throw new ArgumentException($"A grid of {rows} x {columns} posts does not have {heightsMetres.Length} heights.", nameof(heightsMetres));
+        if (rows < 2 || columns < 2 || (long)rows * columns != altitudesAmslMetres.Length)
+        {
+            throw new ArgumentException(
+                $"A grid of {rows} x {columns} posts does not have {altitudesAmslMetres.Length} altitudes.", nameof(altitudesAmslMetres));
+        }
+
         double north = southWest.Latitude.Radians + ((rows - 1) * latitudeStep.Radians);
         if (!(latitudeStep.Radians > 0 && longitudeStep.Radians > 0 && columns * longitudeStep.Radians <= 2.001 * Math.PI)
             || !(southWest.Latitude.Degrees >= -90 - Edge && north <= (Math.PI / 2) + Edge) || !southWest.Longitude.IsFinite)
-            throw new ArgumentException($"A grid from {southWest.Latitude}, {southWest.Longitude} in steps of {latitudeStep} and {longitudeStep} is not on the earth.", nameof(southWest));
+        {
+            throw new ArgumentException(
+                $"A grid from {southWest.Latitude}, {southWest.Longitude} in steps of {latitudeStep} and {longitudeStep} is not on the earth.",
+                nameof(southWest));
+        }
+
         _southWest = southWest;
         _latitudeStep = latitudeStep;
         _longitudeStep = longitudeStep;
         (Rows, Columns) = (rows, columns);
-        _heights = heightsMetres.ToArray();
-        HighestMetres = double.NegativeInfinity;
-        foreach (float height in _heights)
-            HighestMetres = height > HighestMetres ? height : HighestMetres;
+        _altitudes = altitudesAmslMetres.ToArray();
+        double highest = double.NegativeInfinity;
+        foreach (float altitude in _altitudes)
+            highest = altitude > highest ? altitude : highest;
+        MaxAltitude = new AmslAltitude(highest);
     }
 
     /// <summary>Posts from south to north.</summary>
@@ -48,15 +68,48 @@ public sealed class TerrainGrid
     /// <summary>Posts from west to east.</summary>
     public int Columns { get; }
 
-    /// <summary>The highest post, metres; minus infinity where no post has a height.</summary>
-    public double HighestMetres { get; }
+    /// <summary>The highest post; minus infinity where no post has an altitude.</summary>
+    public AmslAltitude MaxAltitude { get; }
 
-    /// <summary>The height of the ground at a place.</summary>
-    /// <param name="point">The place.</param>
-    /// <param name="metres">Its height; not a number unless the answer is that it is known.</param>
-    public TerrainLookup TryHeight(GeographicPoint point, out double metres)
+    /// <summary>Makes the grid from heights above the ellipsoid, which it brings above mean sea level.</summary>
+    /// <param name="southWest">The first post.</param>
+    /// <param name="latitudeStep">From one row to the next one north of it.</param>
+    /// <param name="longitudeStep">From one column to the next one east of it; the grid may cross the date line.</param>
+    /// <param name="rows">Posts from south to north, at least 2.</param>
+    /// <param name="columns">Posts from west to east, at least 2.</param>
+    /// <param name="heightsMetres">Above the ellipsoid, row by row from the south, in each from the west; not a number where there is none. Copied.</param>
+    /// <param name="geoid">How far the geoid is above the ellipsoid.</param>
+    /// <exception cref="ArgumentException">The numbers do not make a grid.</exception>
+    public static TerrainGrid FromEllipsoidHeights(
+        GeographicPoint southWest,
+        Angle latitudeStep,
+        Angle longitudeStep,
+        int rows,
+        int columns,
+        ReadOnlySpan<float> heightsMetres,
+        GeoidGrid geoid)
     {
-        metres = double.NaN;
+        if (geoid is null)
+            throw new ArgumentNullException(nameof(geoid));
+
+        // The posts are on the earth where this one can be made.
+        _ = new TerrainGrid(southWest, latitudeStep, longitudeStep, rows, columns, heightsMetres);
+        float[] altitudes = heightsMetres.ToArray();
+        for (int i = 0; i < altitudes.Length; i++)
+        {
+            var post = new GeographicPoint(southWest.Latitude + (i / columns * latitudeStep), southWest.Longitude + (i % columns * longitudeStep));
+            altitudes[i] -= (float)geoid.UndulationMetres(post);
+        }
+
+        return new TerrainGrid(southWest, latitudeStep, longitudeStep, rows, columns, altitudes);
+    }
+
+    /// <summary>The altitude of the ground at a place.</summary>
+    /// <param name="point">The place.</param>
+    /// <param name="altitude">Its altitude; not a number unless the answer is that it is known.</param>
+    public TerrainLookup TryAltitude(GeographicPoint point, out AmslAltitude altitude)
+    {
+        altitude = new AmslAltitude(double.NaN);
         double row = (point.Latitude - _southWest.Latitude).Radians / _latitudeStep.Radians;
         double east = (point.Longitude - _southWest.Longitude).Wrapped().Radians;
         double column = (east < -Edge ? east + (2 * Math.PI) : east) / _longitudeStep.Radians;
@@ -66,9 +119,9 @@ public sealed class TerrainGrid
         int west = Math.Max(0, Math.Min(Columns - 2, (int)column));
         (double v, double u) = (row - south, column - west);
         int at = (south * Columns) + west;
-        double southern = ((1 - u) * _heights[at]) + (u * _heights[at + 1]);
-        double northern = ((1 - u) * _heights[at + Columns]) + (u * _heights[at + Columns + 1]);
-        metres = ((1 - v) * southern) + (v * northern);
-        return double.IsNaN(metres) ? TerrainLookup.NoData : TerrainLookup.Known;
+        double southern = ((1 - u) * _altitudes[at]) + (u * _altitudes[at + 1]);
+        double northern = ((1 - u) * _altitudes[at + Columns]) + (u * _altitudes[at + Columns + 1]);
+        altitude = new AmslAltitude(((1 - v) * southern) + (v * northern));
+        return double.IsNaN(altitude.Metres) ? TerrainLookup.NoData : TerrainLookup.Known;
     }
 }

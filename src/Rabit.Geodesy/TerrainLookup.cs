@@ -3,12 +3,12 @@ namespace Rabit.Geodesy;
 /// <summary>What a <see cref="TerrainGrid"/> knows of a place.</summary>
 public enum TerrainLookup
 {
-    /// <summary>Its height.</summary>
+    /// <summary>Its altitude.</summary>
     Known,
 
     /// <summary>The place is outside the grid.</summary>
     Outside,
 
-    /// <summary>A corner of the cell around the place has no height.</summary>
+    /// <summary>A corner of the cell around the place has no altitude.</summary>
     NoData,
 }

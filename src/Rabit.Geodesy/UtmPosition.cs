@@ -3,27 +3,22 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>A place in the Universal Transverse Mercator grid, 80 degrees south to 84 north. A plain value.</summary>
-/// <param name="zone">1 to 60.</param>
-/// <param name="isNorth">Whether northings are from the equator, as in the northern half, and not from 10 000 km south of it.</param>
-/// <param name="eastingMetres">500 km on the central meridian.</param>
-/// <param name="northingMetres">Along the central meridian.</param>
-public readonly struct UtmPosition(int zone, bool isNorth, double eastingMetres, double northingMetres)
+/// <param name="Zone">1 to 60.</param>
+/// <param name="IsNorth">Whether northings are from the equator, as in the northern half, and not from 10 000 km south of it.</param>
+/// <param name="EastingMetres">500 km on the central meridian.</param>
+/// <param name="NorthingMetres">Along the central meridian, from the equator or from 10 000 km south of it.</param>
+/// <example>
+/// <code>
+/// UtmPosition utm = UtmPosition.From(new GeographicPoint(Angle.FromDegrees(47.4), Angle.FromDegrees(8.5)));
+/// Console.WriteLine(utm);                              // zone, half, easting, northing
+/// GeographicPoint back = utm.ToGeographic();
+/// </code>
+/// </example>
+public readonly record struct UtmPosition(int Zone, bool IsNorth, double EastingMetres, double NorthingMetres)
 {
     private const double Scale = 0.9996;
     private const double FalseEasting = 500_000;
     private const double FalseNorthing = 10_000_000;
-
-    /// <summary>1 to 60.</summary>
-    public int Zone { get; } = zone;
-
-    /// <summary>Whether it is counted as north of the equator.</summary>
-    public bool IsNorth { get; } = isNorth;
-
-    /// <summary>500 km on the central meridian.</summary>
-    public double EastingMetres { get; } = eastingMetres;
-
-    /// <summary>From the equator, or from 10 000 km south of it.</summary>
-    public double NorthingMetres { get; } = northingMetres;
 
     /// <summary>In the zone that the place belongs to, those of Norway and Svalbard too.</summary>
     /// <param name="point">80 degrees south to 84 north.</param>
@@ -39,7 +34,7 @@ public readonly struct UtmPosition(int zone, bool isNorth, double eastingMetres,
     {
         double latitude = point.Latitude.Degrees;
         if (!(latitude >= -80 && latitude <= 84) || !point.Longitude.IsFinite)
-            throw new ArgumentOutOfRangeException(nameof(point), $"UTM reaches from 80 degrees south to 84 north; {point.Latitude}, {point.Longitude} is outside.");
+            throw new ArgumentOutOfRangeException(nameof(point), $"UTM reaches from 80 degrees south to 84 north; {point} is outside.");
         int zone = UtmZones.Of(latitude, point.Longitude.Wrapped().Degrees);
         double fromMeridian = (point.Longitude - UtmZones.CentralMeridian(zone)).Wrapped().Radians;
         TransverseMercator.Project(point.Latitude.Radians, fromMeridian, out double x, out double y, out double turn, out double unit);

@@ -77,10 +77,10 @@ public sealed class SimulationOptions
         if (mission is null)
             throw new ArgumentNullException(nameof(mission));
         Home = mission.Home is { } home
-            ? GeodeticPosition.FromRadians(home.LatitudeRadians, home.LongitudeRadians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
-            : GeodeticPosition.FromRadians(mission.Area[0].LatitudeRadians, mission.Area[0].LongitudeRadians, Home.AltitudeAmslMetres);
+            ? GeodeticPosition.FromRadians(home.Latitude.Radians, home.Longitude.Radians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
+            : GeodeticPosition.FromRadians(mission.Area[0].Latitude.Radians, mission.Area[0].Longitude.Radians, Home.AltitudeAmslMetres);
         var frame = new WorldFrame(Home);
-        Area = mission.Area.Select(c => frame.ToWorld(GeodeticPosition.FromRadians(c.LatitudeRadians, c.LongitudeRadians, Home.AltitudeAmslMetres))).ToArray();
+        Area = mission.Area.Select(c => frame.ToWorld(GeodeticPosition.FromRadians(c.Latitude.Radians, c.Longitude.Radians, Home.AltitudeAmslMetres))).ToArray();
     }
 
     /// <summary>Checks, and takes a copy that later changes do not reach.</summary>
@@ -99,11 +99,11 @@ public sealed class SimulationOptions
 
     private IEnumerable<string> FindFaults()
     {
-        if (!(Math.Abs(Home.LatitudeRadians) < 89 * NedMath.RadiansPerDegree) || !(Math.Abs(Home.LongitudeRadians) <= Math.PI)
+        if (!(Math.Abs(Home.Latitude.Radians) < 89 * NedMath.RadiansPerDegree) || !(Math.Abs(Home.Longitude.Radians) <= Math.PI)
             || !(Math.Abs(Home.AltitudeAmslMetres) < 10_000))
         {
             yield return FormattableString.Invariant(
-                $"{nameof(Home)} is {Home.LatitudeRadians}, {Home.LongitudeRadians} radians, {Home.AltitudeAmslMetres} m; it must be a place on earth, not at a pole");
+                $"{nameof(Home)} is {Home.Latitude.Radians}, {Home.Longitude.Radians} radians, {Home.AltitudeAmslMetres} m; it must be a place on earth, not at a pole");
         }
 
         if (!(Math.Abs(HeadingRadians) <= 2 * Math.PI))

@@ -116,15 +116,15 @@ internal sealed class Ground : IDisposable
     /// <summary>A place above home, metres, as a target in latitude and longitude.</summary>
     public void GoTo(double north, double east, double height)
     {
-        GeodeticPosition place = LocalNedFrame.IgnoringGeoid(Options.Home).ToGeodetic(new NedVector(north, east, -height));
+        GeodeticPosition place = LocalNedFrame.IgnoringGeoid(Options.Home).ToGeodetic(new NedPosition(north, east, -height));
         Send(new SetPositionTargetGlobalInt
         {
             TargetSystem = 1,
             TargetComponent = 1,
             CoordinateFrame = MavFrame.GlobalRelativeAltInt,
             TypeMask = (PositionTargetTypemask)3576,
-            LatInt = (int)Math.Round(place.LatitudeRadians / RadiansPerDegree * 1e7),
-            LonInt = (int)Math.Round(place.LongitudeRadians / RadiansPerDegree * 1e7),
+            LatInt = (int)Math.Round(place.Latitude.Degrees * 1e7),
+            LonInt = (int)Math.Round(place.Longitude.Degrees * 1e7),
             Alt = (float)height,
         });
     }

@@ -32,10 +32,10 @@ public class GeodesyBenchmarks
     public EllipsoidPosition FromEcef() => EllipsoidPosition.FromEcef(_ecef);
 
     [Benchmark]
-    public NedVector ToNed() => _frame.ToNed(GeodeticPosition.FromRadians(_there.Latitude.Radians, _there.Longitude.Radians, 500));
+    public NedPosition ToNed() => _frame.ToNed(GeodeticPosition.FromRadians(_there.Latitude.Radians, _there.Longitude.Radians, 500));
 
     [Benchmark]
-    public GeodeticPosition FromNed() => _frame.ToGeodetic(new NedVector(1000, 2000, 10));
+    public GeodeticPosition FromNed() => _frame.ToGeodetic(new NedPosition(1000, 2000, 10));
 
     [Benchmark]
     public GeodesicLine Inverse() => Geodesic.Inverse(_here, _there);

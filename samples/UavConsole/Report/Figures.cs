@@ -1,12 +1,12 @@
 using System;
 using System.Globalization;
+using Rabit.Geodesy;
 
 namespace UavConsole;
 
 /// <summary>Numbers for the report, the same in every culture.</summary>
 internal static class Figures
 {
-    private const double DegreesPerRadian = 180 / Math.PI;
 
     /// <summary>A dash where it is not known.</summary>
     public static string Of(double value, string format = "0.##")
@@ -18,5 +18,5 @@ internal static class Figures
     public static string Clock(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0}:{1:00}", (long)Math.Floor(time.TotalMinutes), time.Seconds);
 
     /// <summary>Degrees with seven decimals: a centimetre.</summary>
-    public static string Degrees(double radians) => Of(radians * DegreesPerRadian, "0.0000000");
+    public static string Degrees(Angle angle) => Of(angle.Degrees, "0.0000000");
 }

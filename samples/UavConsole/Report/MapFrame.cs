@@ -40,7 +40,7 @@ internal sealed class MapFrame
         if (places.Count == 0)
             return null;
         var frame = LocalNedFrame.IgnoringGeoid(data.Record.Mission.Plan?.Home ?? places[0]);
-        NedVector[] points = places.Select(frame.ToNed).ToArray();
+        NedPosition[] points = places.Select(frame.ToNed).ToArray();
         double west = points.Min(p => p.East) - MarginMetres;
         double east = points.Max(p => p.East) + MarginMetres;
         double south = points.Min(p => p.North) - MarginMetres;
@@ -54,11 +54,11 @@ internal sealed class MapFrame
     }
 
     /// <summary>Metres from home.</summary>
-    public NedVector ToNed(GeodeticPosition position) => _frame.ToNed(position);
+    public NedPosition ToNed(GeodeticPosition position) => _frame.ToNed(position);
 
     public (double X, double Y) ToMap(GeodeticPosition position) => ToMap(_frame.ToNed(position));
 
-    public (double X, double Y) ToMap(NedVector ned) => ((ned.East - WestMetres) * UnitsPerMetre, (NorthMetres - ned.North) * UnitsPerMetre);
+    public (double X, double Y) ToMap(NedPosition ned) => ((ned.East - WestMetres) * UnitsPerMetre, (NorthMetres - ned.North) * UnitsPerMetre);
 
     /// <summary>"x,y x,y ..." for SVG.</summary>
     public string Points(IEnumerable<GeodeticPosition> positions) => string.Join(" ", positions.Select(p => Point(ToMap(p))));

@@ -9,7 +9,6 @@ namespace UavConsole;
 /// <summary>The map of the page: ground that was seen, area, fence, lanes, the way that was flown, targets and tracks.</summary>
 internal sealed class ReportMap(PageWriter page, ReportData data, MapFrame frame)
 {
-    private const double DegreesPerRadian = 180 / Math.PI;
     private const int MaxPathPoints = 3_000;
 
     public void Write()
@@ -98,7 +97,7 @@ internal sealed class ReportMap(PageWriter page, ReportData data, MapFrame frame
             "ellipse", "class", "ellipse", "cx", "0", "cy", "0",
             "rx", N(track.Covariance.HalfMajorAxis95Metres * frame.UnitsPerMetre),
             "ry", N(track.Covariance.HalfMinorAxis95Metres * frame.UnitsPerMetre),
-            "transform", $"translate({N(x)} {N(y)}) rotate({N((track.Covariance.MajorAxisRadians * DegreesPerRadian) - 90)})");
+            "transform", $"translate({N(x)} {N(y)}) rotate({N((track.Covariance.MajorAxis.Degrees) - 90)})");
         page.Empty("path", "class", "mark", "d", $"M{N(x)} {N(y - 7)}l7 7l-7 7l-7 -7z", "fill", Colours.Css(track.Class));
         if (track.State != TrackState.Tentative)
             page.Element("text", $"{Figures.Of(track.Id)}", "x", N(x + 12), "y", N(y - 9), "class", "label");

@@ -7,7 +7,6 @@ namespace UavConsole;
 /// <summary>A card for each target: what the camera saw, where the track stands against the truth, and the figures.</summary>
 internal sealed class ReportTargets(PageWriter page, ReportData data)
 {
-    private const double DegreesPerRadian = 180 / Math.PI;
     private const double PlotRadius = 66;
 
     public void Write()
@@ -31,7 +30,7 @@ internal sealed class ReportTargets(PageWriter page, ReportData data)
         {
             page.Element("p", "No confirmed track of this colour stands within 10 m of it.", "class", "note");
             page.Open("dl");
-            Fact("really at", $"{Figures.Degrees(target.Target.Position.LatitudeRadians)}, {Figures.Degrees(target.Target.Position.LongitudeRadians)}");
+            Fact("really at", $"{Figures.Degrees(target.Target.Position.Latitude)}, {Figures.Degrees(target.Target.Position.Longitude)}");
             page.Close().Close();
             return;
         }
@@ -65,7 +64,7 @@ internal sealed class ReportTargets(PageWriter page, ReportData data)
     private void TrackFacts(TargetTrack track)
     {
         Fact("track", $"{Figures.Of(track.Id)}: {Figures.Of(track.Reports)} reports, {Figures.Of(track.Misses)} misses");
-        Fact("stands at", $"{Figures.Degrees(track.Position.LatitudeRadians)}, {Figures.Degrees(track.Position.LongitudeRadians)}");
+        Fact("stands at", $"{Figures.Degrees(track.Position.Latitude)}, {Figures.Degrees(track.Position.Longitude)}");
         Fact("seen", $"{Figures.Clock(track.FirstSeen)} to {Figures.Clock(track.LastSeen)}");
         Fact("size", $"{Figures.Of(track.SizeMetres, "0.0")} m square");
     }
@@ -99,7 +98,7 @@ internal sealed class ReportTargets(PageWriter page, ReportData data)
         page.Empty(
             "ellipse", "class", "ellipse", "cx", "0", "cy", "0",
             "rx", N(track.Covariance.HalfMajorAxis95Metres * scale), "ry", N(track.Covariance.HalfMinorAxis95Metres * scale),
-            "transform", $"rotate({N((track.Covariance.MajorAxisRadians * DegreesPerRadian) - 90)})");
+            "transform", $"rotate({N((track.Covariance.MajorAxis.Degrees) - 90)})");
         page.Empty("path", "class", "mark", "d", "M0 -5l5 5l-5 5l-5 -5z", "fill", Colours.Css(track.Class));
         if (target is not null)
         {

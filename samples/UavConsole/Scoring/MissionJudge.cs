@@ -71,7 +71,7 @@ internal static class MissionJudge
     {
         if (plan is null || (trueEnd is null && record.Vehicle.PositionTime is null))
             return double.NaN;
-        NedVector end = LocalNedFrame.IgnoringGeoid(plan.Home).ToNed(trueEnd ?? record.Vehicle.Position);
+        NedPosition end = LocalNedFrame.IgnoringGeoid(plan.Home).ToNed(trueEnd ?? record.Vehicle.Position);
         return Math.Sqrt((end.North * end.North) + (end.East * end.East));
     }
 

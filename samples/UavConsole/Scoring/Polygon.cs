@@ -5,17 +5,17 @@ using Rabit.Geodesy;
 namespace UavConsole;
 
 /// <summary>An area on the ground: corners in order, in a local frame, metres.</summary>
-internal sealed class Polygon(IReadOnlyList<NedVector> corners)
+internal sealed class Polygon(IReadOnlyList<NedPosition> corners)
 {
     /// <summary>How far a point is from the area, horizontally; 0 inside and on the edge.</summary>
-    public double MetresOutside(NedVector point)
+    public double MetresOutside(NedPosition point)
     {
         bool isInside = false;
         double nearest = double.PositiveInfinity;
         for (int index = 0; index < corners.Count; index++)
         {
-            NedVector a = corners[index];
-            NedVector b = corners[(index + 1) % corners.Count];
+            NedPosition a = corners[index];
+            NedPosition b = corners[(index + 1) % corners.Count];
             if ((a.North > point.North) != (b.North > point.North)
                 && point.East < a.East + ((b.East - a.East) * (point.North - a.North) / (b.North - a.North)))
                 isInside = !isInside;
@@ -25,7 +25,7 @@ internal sealed class Polygon(IReadOnlyList<NedVector> corners)
         return isInside ? 0 : nearest;
     }
 
-    private static double DistanceToEdge(NedVector p, NedVector a, NedVector b)
+    private static double DistanceToEdge(NedPosition p, NedPosition a, NedPosition b)
     {
         double north = b.North - a.North;
         double east = b.East - a.East;

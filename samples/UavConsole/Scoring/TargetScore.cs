@@ -22,5 +22,5 @@ internal sealed class TargetScore(TruthTarget target, TargetTrack? track, double
     public double ErrorMetres => System.Math.Sqrt((ErrorNorthMetres * ErrorNorthMetres) + (ErrorEastMetres * ErrorEastMetres));
 
     /// <summary>Whether the ellipse that should hold the truth with 95 % does; false where it was not found.</summary>
-    public bool EllipseHoldsTruth => Track is not null && Track.Covariance.Holds95(-ErrorNorthMetres, -ErrorEastMetres);
+    public bool EllipseHoldsTruth => Track is not null && Track.Covariance.Contains95(-ErrorNorthMetres, -ErrorEastMetres);
 }

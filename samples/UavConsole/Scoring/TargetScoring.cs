@@ -46,9 +46,9 @@ internal static class TargetScoring
 
         // Both on the ellipsoid: a difference in height is no error.
         var frame = LocalNedFrame.IgnoringGeoid(OnEllipsoid(target.Position));
-        NedVector error = frame.ToNed(OnEllipsoid(track.Position));
+        NedPosition error = frame.ToNed(OnEllipsoid(track.Position));
         return new TargetScore(target, track, error.North, error.East);
     }
 
-    private static GeodeticPosition OnEllipsoid(GeodeticPosition position) => GeodeticPosition.FromRadians(position.LatitudeRadians, position.LongitudeRadians, 0);
+    private static GeodeticPosition OnEllipsoid(GeodeticPosition position) => GeodeticPosition.FromRadians(position.Latitude.Radians, position.Longitude.Radians, 0);
 }

@@ -15,7 +15,6 @@ internal static class TruthFile
 {
     private const string Format = "rabit-truth";
     private const int Version = 1;
-    private const double DegreesPerRadian = 180 / Math.PI;
 
     /// <exception cref="ArgumentException">It cannot be read or is not such a file; the text says what is wrong, on one line.</exception>
     public static Truth Read(string path)
@@ -116,7 +115,7 @@ internal static class TruthFile
     }
 
     private static GeodeticPosition PositionOf(JsonElement element, string where, List<string> faults)
-        => GeodeticPosition.FromRadians(AngleOf(element, "lat_deg", 90, where, faults) / DegreesPerRadian, AngleOf(element, "lon_deg", 180, where, faults) / DegreesPerRadian, 0);
+        => GeodeticPosition.FromDegrees(AngleOf(element, "lat_deg", 90, where, faults), AngleOf(element, "lon_deg", 180, where, faults), 0);
 
     private static double AngleOf(JsonElement element, string name, double limit, string where, List<string> faults)
     {
@@ -133,8 +132,8 @@ internal static class TruthFile
     private static void WritePosition(Utf8JsonWriter json, GeodeticPosition position)
     {
         // Nine decimals: a tenth of a millimetre.
-        json.WriteNumber("lat_deg", Math.Round(position.LatitudeRadians * DegreesPerRadian, 9));
-        json.WriteNumber("lon_deg", Math.Round(position.LongitudeRadians * DegreesPerRadian, 9));
+        json.WriteNumber("lat_deg", Math.Round(position.Latitude.Degrees, 9));
+        json.WriteNumber("lon_deg", Math.Round(position.Longitude.Degrees, 9));
     }
 
     private static ArgumentException Bad(string name, string why, Exception? inner) => new($"--truth {name}: {why}.", nameof(name), inner);

@@ -10,7 +10,6 @@ namespace UavConsole;
 /// <summary>Writes what a mission came to, for programs; docs/uavconsole-summary.md tells the fields.</summary>
 internal static class MissionJson
 {
-    private const double DegreesPerRadian = 180 / Math.PI;
 
     public static void Write(Utf8JsonWriter json, RunSummary summary, MissionOutcome outcome)
     {
@@ -188,15 +187,15 @@ internal static class MissionJson
 
     private static void WritePosition(Utf8JsonWriter json, GeodeticPosition position)
     {
-        WriteNumber(json, "lat_deg", position.LatitudeRadians * DegreesPerRadian, 9);
-        WriteNumber(json, "lon_deg", position.LongitudeRadians * DegreesPerRadian, 9);
+        WriteNumber(json, "lat_deg", position.Latitude.Degrees, 9);
+        WriteNumber(json, "lon_deg", position.Longitude.Degrees, 9);
     }
 
     private static void WriteEllipse(Utf8JsonWriter json, in HorizontalCovariance covariance)
     {
         WriteNumber(json, "ellipse_95_major_m", covariance.HalfMajorAxis95Metres);
         WriteNumber(json, "ellipse_95_minor_m", covariance.HalfMinorAxis95Metres);
-        WriteNumber(json, "ellipse_major_axis_deg", covariance.MajorAxisRadians * DegreesPerRadian);
+        WriteNumber(json, "ellipse_major_axis_deg", covariance.MajorAxis.Degrees);
     }
 
     // JSON has no NaN. Rounded, so that runtimes that print differently give the same text.

@@ -99,7 +99,7 @@ internal sealed class MissionText(TextWriter output, RunSummary summary, Mission
     }
 
     private static string Describe(TargetTrack track)
-        => $"{Colours.Name(track.Class),-8} track {Figures.Of(track.Id)} at {Figures.Degrees(track.Position.LatitudeRadians)} {Figures.Degrees(track.Position.LongitudeRadians)}, "
+        => $"{Colours.Name(track.Class),-8} track {Figures.Of(track.Id)} at {Figures.Degrees(track.Position.Latitude)} {Figures.Degrees(track.Position.Longitude)}, "
             + $"95 % ellipse {Ellipse(track)}, {Figures.Of(track.Reports)} reports";
 
     private static string Ellipse(TargetTrack track)

@@ -65,8 +65,8 @@ internal sealed partial class Telemetry
         {
             TimeUsec = (ulong)_state.BootMicroseconds,
             FixType = hasFix ? GpsFixType.Type3dFix : GpsFixType.NoFix,
-            Lat = DegE7(place.LatitudeRadians),
-            Lon = DegE7(place.LongitudeRadians),
+            Lat = DegE7(place.Latitude.Radians),
+            Lon = DegE7(place.Longitude.Radians),
             Alt = Scaled(place.AltitudeAmslMetres, 1000),
             Eph = hasFix ? (ushort)121 : ushort.MaxValue,
             Epv = hasFix ? (ushort)200 : ushort.MaxValue,
@@ -88,8 +88,8 @@ internal sealed partial class Telemetry
         NedVector local = home.Minus(origin);
         sink.Send(new HomePosition
         {
-            Latitude = DegE7(place.LatitudeRadians),
-            Longitude = DegE7(place.LongitudeRadians),
+            Latitude = DegE7(place.Latitude.Radians),
+            Longitude = DegE7(place.Longitude.Radians),
             Altitude = Scaled(place.AltitudeAmslMetres, 1000),
             X = (float)local.North,
             Y = (float)local.East,
@@ -106,8 +106,8 @@ internal sealed partial class Telemetry
         GeodeticPosition place = frame.ToPlace(origin);
         sink.Send(new GpsGlobalOrigin
         {
-            Latitude = DegE7(place.LatitudeRadians),
-            Longitude = DegE7(place.LongitudeRadians),
+            Latitude = DegE7(place.Latitude.Radians),
+            Longitude = DegE7(place.Longitude.Radians),
             Altitude = Scaled(place.AltitudeAmslMetres, 1000),
             TimeUsec = (ulong)_state.BootMicroseconds,
         });

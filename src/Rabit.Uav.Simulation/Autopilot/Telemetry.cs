@@ -73,9 +73,9 @@ internal sealed partial class Telemetry(FlightController controller, WorldFrame 
     private void SendAttitude() => sink.Send(new Attitude
     {
         TimeBootMs = BootMilliseconds,
-        Roll = (float)_state.Attitude.RollRadians,
-        Pitch = (float)_state.Attitude.PitchRadians,
-        Yaw = (float)_state.Attitude.YawRadians,
+        Roll = (float)_state.Attitude.Roll.Radians,
+        Pitch = (float)_state.Attitude.Pitch.Radians,
+        Yaw = (float)_state.Attitude.Yaw.Radians,
         Rollspeed = (float)_state.Rates.RollRadiansPerSecond,
         Pitchspeed = (float)_state.Rates.PitchRadiansPerSecond,
         Yawspeed = (float)_state.Rates.YawRadiansPerSecond,
@@ -88,8 +88,8 @@ internal sealed partial class Telemetry(FlightController controller, WorldFrame 
         sink.Send(new GlobalPositionInt
         {
             TimeBootMs = BootMilliseconds,
-            Lat = DegE7(place.LatitudeRadians),
-            Lon = DegE7(place.LongitudeRadians),
+            Lat = DegE7(place.Latitude.Radians),
+            Lon = DegE7(place.Longitude.Radians),
             Alt = Scaled(place.AltitudeAmslMetres, 1000),
             RelativeAlt = _state.HasPosition && Home is { } home ? Scaled(home.Down - _state.Position.Down, 1000) : 0,
             Vx = Short(_state.Velocity.North * 100),
@@ -155,7 +155,7 @@ internal sealed partial class Telemetry(FlightController controller, WorldFrame 
 
     private double Heading()
     {
-        double degrees = _state.Attitude.YawRadians / NedMath.RadiansPerDegree;
+        double degrees = _state.Attitude.Yaw.Degrees;
         return degrees < 0 ? degrees + 360 : degrees;
     }
 

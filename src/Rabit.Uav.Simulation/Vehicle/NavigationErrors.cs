@@ -49,9 +49,9 @@ internal sealed class NavigationErrors
 
     /// <summary>The error of the attitude that is told.</summary>
     public EulerAngles ToldAttitude => EulerAngles.FromRadians(
-        _angleConstant.RollRadians + _angle[0].Value,
-        _angleConstant.PitchRadians + _angle[1].Value,
-        _angleConstant.YawRadians + _angle[2].Value);
+        _angleConstant.Roll.Radians + _angle[0].Value,
+        _angleConstant.Pitch.Radians + _angle[1].Value,
+        _angleConstant.Yaw.Radians + _angle[2].Value);
 
     public void Step()
     {

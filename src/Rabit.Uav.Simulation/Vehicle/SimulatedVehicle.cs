@@ -213,9 +213,9 @@ internal sealed class SimulatedVehicle : IFrameSink
             Position = Body.Position.Plus(_errors.ToldPosition),
             Velocity = Body.Velocity.Plus(_errors.ToldVelocity),
             Attitude = EulerAngles.FromRadians(
-                NedMath.Wrapped(Body.Roll + errors.RollRadians),
-                Body.Pitch + errors.PitchRadians,
-                NedMath.Wrapped(Body.Yaw + errors.YawRadians)),
+                NedMath.Wrapped(Body.Roll + errors.Roll.Radians),
+                Body.Pitch + errors.Pitch.Radians,
+                NedMath.Wrapped(Body.Yaw + errors.Yaw.Radians)),
             Rates = Body.Rates,
             AirVelocity = Body.Velocity.Minus(Air.Velocity),
             CameraPitch = Mount.Pitch,

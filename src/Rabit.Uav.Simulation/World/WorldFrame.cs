@@ -22,8 +22,8 @@ internal sealed class WorldFrame
     public WorldFrame(GeodeticPosition origin)
     {
         Origin = origin;
-        _sin = Math.Sin(origin.LatitudeRadians);
-        _cos = Math.Cos(origin.LatitudeRadians);
+        _sin = Math.Sin(origin.Latitude.Radians);
+        _cos = Math.Cos(origin.Latitude.Radians);
         _normal = NormalRadius(_sin);
     }
 
@@ -32,9 +32,9 @@ internal sealed class WorldFrame
     /// <summary>A place in the world, metres.</summary>
     public NedVector ToWorld(GeodeticPosition place)
     {
-        double sin = Math.Sin(place.LatitudeRadians);
-        double cos = Math.Cos(place.LatitudeRadians);
-        double east = place.LongitudeRadians - Origin.LongitudeRadians;
+        double sin = Math.Sin(place.Latitude.Radians);
+        double cos = Math.Cos(place.Latitude.Radians);
+        double east = place.Longitude.Radians - Origin.Longitude.Radians;
         double normal = NormalRadius(sin);
         double radius = normal + place.AltitudeAmslMetres;
         double correction = EccentricitySquared * ((_normal * _sin) - (normal * sin));
@@ -46,8 +46,8 @@ internal sealed class WorldFrame
     /// <summary>The place of a point of the world.</summary>
     public GeodeticPosition ToPlace(NedVector point)
     {
-        double latitude = Origin.LatitudeRadians;
-        double longitude = Origin.LongitudeRadians;
+        double latitude = Origin.Latitude.Radians;
+        double longitude = Origin.Longitude.Radians;
         double altitude = Origin.AltitudeAmslMetres;
         NedVector missing = point;
         for (int pass = 0; pass < Passes; pass++)

@@ -9,7 +9,7 @@ namespace Rabit.Uav.AutopilotInterface;
 // The messages that make up the state, from the units of the wire to SI and radians.
 internal sealed partial class VehicleTracker
 {
-    private const double RadiansPerDegE7 = Math.PI / 180 * 1e-7;
+    private const double RadiansPerDegE7 = Angle.RadiansPerDegree * 1e-7;
     private const int NorthPoleDegE7 = 900_000_000;
     private const int DateLineDegE7 = 1_800_000_000;
 

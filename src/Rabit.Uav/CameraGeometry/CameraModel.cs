@@ -54,7 +54,7 @@ public sealed class CameraModel
     private static readonly TimeSpan MaxReadout = TimeSpan.FromMilliseconds(500);
 
     /// <summary>
-    /// The direction in which a pixel looks, with the lens undone: (x, y, 1) in the axes of the camera. False where the lens formula
+    /// The direction in which a pixel looks, with the lens distortion undone: (x, y, 1) in the axes of the camera. False where it
     /// cannot be undone: outside the picture it may fold.
     /// </summary>
     /// <param name="column">Pixels; the centre of the top left pixel is 0.</param>
@@ -102,14 +102,18 @@ public sealed class CameraModel
         return true;
     }
 
-    /// <summary>What is wrong with it, one line each.</summary>
     /// <summary>How long after the top row's the middle of the exposure of a row is.</summary>
     internal TimeSpan ReadoutOf(double row) => TimeSpan.FromTicks((long)Math.Round(row * RowReadout.Ticks));
 
+    /// <summary>What is wrong with it, one line each.</summary>
     internal IEnumerable<string> FindFaults()
     {
         if (RowReadout < TimeSpan.Zero || ReadoutOf(Height) > MaxReadout)
-            yield return FormattableString.Invariant($"the camera's rows are {RowReadout.TotalMilliseconds} ms apart; that must not be negative, and all {Height} rows not take longer than {MaxReadout.TotalSeconds} s");
+        {
+            yield return FormattableString.Invariant(
+                $"the camera's rows are {RowReadout.TotalMilliseconds} ms apart; that must not be negative, and all {Height} rows not take longer than {MaxReadout.TotalSeconds} s");
+        }
+
         if (Width < 1 || Height < 1)
             yield return FormattableString.Invariant($"the camera's picture is {Width} x {Height}");
         if (!(FocalX > 0 && FocalY > 0) || double.IsInfinity(FocalX + FocalY))

@@ -4,7 +4,7 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.CameraGeometry;
 
 /// <summary>
-/// How a camera sits on the vehicle. Its gimbal turns by yaw, then pitch, from where the optical axis points forward: pitch -pi/2 looks
+/// How a camera sits on the vehicle: misalignment and lever arms. Its gimbal turns by yaw, then pitch, from where the optical axis points forward: pitch -90 degrees looks
 /// straight down with the top of the picture forward. A camera without a gimbal is one whose angles never change, or has a
 /// <see cref="FixedBodyFromCamera"/>. Immutable.
 /// </summary>
@@ -14,61 +14,57 @@ namespace Rabit.Uav.CameraGeometry;
 /// </remarks>
 public sealed class CameraMount
 {
-    /// <summary>Misalignment about forward, radians.</summary>
-    public double MisalignmentRollRadians { get; init; }
+    /// <summary>Misalignment about forward.</summary>
+    public Angle MisalignmentRoll { get; init; }
 
-    /// <summary>Misalignment about right, radians.</summary>
-    public double MisalignmentPitchRadians { get; init; }
+    /// <summary>Misalignment about right.</summary>
+    public Angle MisalignmentPitch { get; init; }
 
-    /// <summary>Misalignment about down, radians.</summary>
-    public double MisalignmentYawRadians { get; init; }
+    /// <summary>Misalignment about down.</summary>
+    public Angle MisalignmentYaw { get; init; }
 
-    /// <summary>Where the gimbal's centre is, from the point whose position the autopilot tells, metres.</summary>
+    /// <summary>Where the gimbal's centre is, from the point whose position the autopilot reports, metres.</summary>
     public BodyVector GimbalLeverArmMetres { get; init; }
 
     /// <summary>Where the camera is from the gimbal's centre, metres, in the axes of the gimbal: forward is along the optical axis.</summary>
     public BodyVector CameraLeverArmMetres { get; init; }
 
     /// <summary>For a camera without a gimbal: from its axes (x right, y down, z along the optical axis) to the body's. The misalignment comes on top.</summary>
-    /// <value>Null, the default, where the angles of the gimbal tell it. See <see cref="Rotation.FromMatrix"/>.</value>
+    /// <value>Null, the default, where the angles of the gimbal say it. See <see cref="Rotation.FromMatrix"/>.</value>
     public Rotation? FixedBodyFromCamera { get; init; }
 
     // x_gimbal = z_camera, y_gimbal = x_camera, z_gimbal = y_camera: a turn by 120 degrees about (1, 1, 1).
     private static Rotation GimbalFromCamera => Rotation.FromQuaternion(1, 1, 1, 1);
 
     /// <summary>Where the camera is and how it stands in the body frame.</summary>
-    /// <param name="gimbalPitchRadians">Up positive. Not used with <see cref="FixedBodyFromCamera"/>.</param>
-    /// <param name="gimbalYawRadians">Right positive. Not used with <see cref="FixedBodyFromCamera"/>.</param>
-    public CameraExtrinsics At(double gimbalPitchRadians, double gimbalYawRadians) => At(gimbalPitchRadians, gimbalYawRadians, default);
+    /// <param name="gimbalPitch">Up positive. Not used with <see cref="FixedBodyFromCamera"/>.</param>
+    /// <param name="gimbalYaw">Right positive. Not used with <see cref="FixedBodyFromCamera"/>.</param>
+    public CameraExtrinsics At(Angle gimbalPitch, Angle gimbalYaw) => At(gimbalPitch, gimbalYaw, default);
 
     /// <summary>As the other, with an error of the misalignment: what would be if it were so.</summary>
-    internal CameraExtrinsics At(double gimbalPitchRadians, double gimbalYawRadians, EulerAngles misalignmentError)
+    internal CameraExtrinsics At(Angle gimbalPitch, Angle gimbalYaw, EulerAngles misalignmentError)
     {
         Rotation gimbal = FixedBodyFromCamera is { } fixedCamera
             ? fixedCamera * GimbalFromCamera.Inverse
-            : Rotation.FromEuler(EulerAngles.FromRadians(0, gimbalPitchRadians, gimbalYawRadians));
-        Rotation bodyFromGimbal = Rotation.FromEuler(EulerAngles.FromRadians(
-            MisalignmentRollRadians + misalignmentError.RollRadians,
-            MisalignmentPitchRadians + misalignmentError.PitchRadians,
-            MisalignmentYawRadians + misalignmentError.YawRadians)) * gimbal;
+            : Rotation.FromEuler(new EulerAngles(Angle.Zero, gimbalPitch, gimbalYaw));
+        Rotation bodyFromGimbal = Rotation.FromEuler(new EulerAngles(
+            MisalignmentRoll + misalignmentError.Roll, MisalignmentPitch + misalignmentError.Pitch, MisalignmentYaw + misalignmentError.Yaw)) * gimbal;
         (double x, double y, double z) = bodyFromGimbal.Apply(CameraLeverArmMetres.Forward, CameraLeverArmMetres.Right, CameraLeverArmMetres.Down);
         return new CameraExtrinsics(
             bodyFromGimbal * GimbalFromCamera,
-            new BodyVector(GimbalLeverArmMetres.Forward + x, GimbalLeverArmMetres.Right + y, GimbalLeverArmMetres.Down + z));
+            GimbalLeverArmMetres + new BodyVector(x, y, z));
     }
 
     /// <summary>What is wrong with it, one line each.</summary>
     internal IEnumerable<string> FindFaults()
     {
-        if (!IsFinite(MisalignmentRollRadians + MisalignmentPitchRadians + MisalignmentYawRadians))
+        if (!(MisalignmentRoll.IsFinite && MisalignmentPitch.IsFinite && MisalignmentYaw.IsFinite))
             yield return "the misalignment of the camera mount is not a number";
-        if (!IsFinite(GimbalLeverArmMetres.Forward + GimbalLeverArmMetres.Right + GimbalLeverArmMetres.Down))
+        if (!GimbalLeverArmMetres.IsFinite)
             yield return $"{nameof(GimbalLeverArmMetres)} is not a number";
-        if (!IsFinite(CameraLeverArmMetres.Forward + CameraLeverArmMetres.Right + CameraLeverArmMetres.Down))
+        if (!CameraLeverArmMetres.IsFinite)
             yield return $"{nameof(CameraLeverArmMetres)} is not a number";
         if (FixedBodyFromCamera is { IsValid: false })
             yield return $"{nameof(FixedBodyFromCamera)} is no rotation";
     }
-
-    private static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
 }

@@ -1,27 +1,27 @@
 namespace Rabit.Uav.CameraGeometry;
 
-/// <summary>Why the place of a pixel is not told.</summary>
+/// <summary>Why a pixel has no place on the ground.</summary>
 public enum GeolocationError
 {
-    /// <summary>It is told.</summary>
+    /// <summary>It has one.</summary>
     None,
 
     /// <summary>The pixel is not in the picture.</summary>
     OutsidePicture,
 
-    /// <summary>The formula of the lens cannot be undone there.</summary>
+    /// <summary>The lens distortion cannot be undone there.</summary>
     LensCannotBeUndone,
 
-    /// <summary>The line of sight points above the horizon, or too little below it.</summary>
+    /// <summary>The ray points above the horizon, or too little below it.</summary>
     NearHorizon,
 
     /// <summary>The camera is below the ground.</summary>
     CameraBelowGround,
 
-    /// <summary>The line of sight leaves the grid of heights, still above it.</summary>
+    /// <summary>The ray leaves the terrain grid, still above it.</summary>
     LeavesTerrain,
 
-    /// <summary>The line of sight may meet the ground where the grid of heights has none.</summary>
+    /// <summary>The ray may intersect the ground where the terrain grid has no altitude.</summary>
     NoTerrainData,
 
     /// <summary>No pose reaches the time of the picture.</summary>

@@ -1,48 +1,43 @@
-using System;
 using Rabit.Geodesy;
 
 namespace Rabit.Uav.CameraGeometry;
 
-/// <summary>A line of sight in a local north-east-down frame. A plain value.</summary>
-/// <param name="fromMetres">Where it begins.</param>
-/// <param name="direction">Where it goes, of any length but 0.</param>
-public readonly struct GroundRay(NedVector fromMetres, NedVector direction)
+/// <summary>A line of sight: a ray in a local north-east-down frame. A plain value.</summary>
+/// <param name="Origin">Where it begins.</param>
+/// <param name="Direction">Where it goes, of any length but 0.</param>
+public readonly record struct GroundRay(NedPosition Origin, NedVector Direction)
 {
-    /// <summary>Where it begins, metres.</summary>
-    public NedVector FromMetres { get; } = fromMetres;
+    /// <summary>How far below the horizon it points.</summary>
+    public Angle Depression => Angle.FromRadians(System.Math.Atan2(Direction.Down, Direction.HorizontalLength));
 
-    /// <summary>Where it goes, of any length but 0.</summary>
-    public NedVector Direction { get; } = direction;
-
-    /// <summary>How far below the horizon it points, radians.</summary>
-    public double DepressionRadians => Math.Atan2(
-        Direction.Down, Math.Sqrt((Direction.North * Direction.North) + (Direction.East * Direction.East)));
-
-    /// <summary>Where it meets a level plane below; false where it begins below that plane, or points too near to the horizon or above it.</summary>
+    /// <summary>
+    /// Where it intersects a level plane below; false where it begins below that plane, or points too near to the horizon or above it.
+    /// </summary>
     /// <param name="downMetres">Where the plane is, down positive.</param>
-    /// <param name="minimumDepressionRadians">It must point further below the horizon than that: near the horizon every error grows without limit.</param>
-    /// <param name="point">Where they meet, metres; nothing if the answer is false.</param>
-    public bool TryIntersectLevel(double downMetres, double minimumDepressionRadians, out NedVector point)
+    /// <param name="minDepression">It must point further below the horizon than that: near the horizon every error grows without limit.</param>
+    /// <param name="point">The intersection; nothing if the answer is false.</param>
+    public bool TryIntersectLevel(double downMetres, Angle minDepression, out NedPosition point)
     {
-        double height = downMetres - FromMetres.Down;
-        if (!(height > 0 && Direction.Down > 0 && DepressionRadians > minimumDepressionRadians))
+        double height = downMetres - Origin.Down;
+        if (!(height > 0 && Direction.Down > 0 && Depression > minDepression))
         {
             point = default;
             return false;
         }
 
-        double scale = height / Direction.Down;
-        point = new NedVector(FromMetres.North + (scale * Direction.North), FromMetres.East + (scale * Direction.East), downMetres);
+        point = (Origin + (height / Direction.Down * Direction)) with { Down = downMetres };
         return true;
     }
 
-    /// <summary>Where it meets a plane that may slope; false where it goes away from it or along it.</summary>
-    internal bool TryIntersectPlane(NedVector on, double downByNorth, double downByEast, out NedVector point)
+    /// <summary>Its origin and direction.</summary>
+    public override string ToString() => $"from {Origin} towards {Direction}";
+
+    /// <summary>Where it intersects a plane that may slope; false where it goes away from it or along it.</summary>
+    internal bool TryIntersectPlane(NedPosition on, double downByNorth, double downByEast, out NedPosition point)
     {
-        double height = on.Down + (downByNorth * (FromMetres.North - on.North)) + (downByEast * (FromMetres.East - on.East)) - FromMetres.Down;
+        double height = on.Down + (downByNorth * (Origin.North - on.North)) + (downByEast * (Origin.East - on.East)) - Origin.Down;
         double scale = height / (Direction.Down - (downByNorth * Direction.North) - (downByEast * Direction.East));
-        point = new NedVector(
-            FromMetres.North + (scale * Direction.North), FromMetres.East + (scale * Direction.East), FromMetres.Down + (scale * Direction.Down));
+        point = Origin + (scale * Direction);
         return scale > 0 && !double.IsInfinity(scale);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 
@@ -8,8 +9,8 @@ namespace Rabit.Uav.Communications;
 internal sealed class OwnPosition(double hertz)
 {
     private static readonly TimeSpan FreshFor = TimeSpan.FromSeconds(3);
-    private const double DegE7PerRadian = 180 / Math.PI * 1e7;
-    private const double CentidegreesPerRadian = 180 / Math.PI * 100;
+    private const double DegE7PerDegree = 1e7;
+    private const double CentidegreesPerDegree = 100;
     private const ushort UnknownHeading = ushort.MaxValue;
     private const double FullTurn = 36_000;
 
@@ -40,14 +41,14 @@ internal sealed class OwnPosition(double hertz)
     private static GlobalPositionInt ToMessage(in VehicleState vehicle, TimeSpan time) => new()
     {
         TimeBootMs = unchecked((uint)(time.Ticks / TimeSpan.TicksPerMillisecond)),
-        Lat = (int)Math.Round(vehicle.Position.LatitudeRadians * DegE7PerRadian),
-        Lon = (int)Math.Round(vehicle.Position.LongitudeRadians * DegE7PerRadian),
+        Lat = (int)Math.Round(vehicle.Position.Latitude.Degrees * DegE7PerDegree),
+        Lon = (int)Math.Round(vehicle.Position.Longitude.Degrees * DegE7PerDegree),
         Alt = Millimetres(vehicle.Position.AltitudeAmslMetres),
         RelativeAlt = Millimetres(vehicle.HeightAboveHomeMetres),
         Vx = CentimetresPerSecond(vehicle.VelocityNed.North),
         Vy = CentimetresPerSecond(vehicle.VelocityNed.East),
         Vz = CentimetresPerSecond(vehicle.VelocityNed.Down),
-        Hdg = vehicle.AttitudeTime is null ? UnknownHeading : Heading(vehicle.Attitude.YawRadians),
+        Hdg = vehicle.AttitudeTime is null ? UnknownHeading : Heading(vehicle.Attitude.Yaw),
     };
 
     private static int Millimetres(double metres) => (int)Math.Round(Math.Max(int.MinValue, Math.Min(int.MaxValue, metres * 1000)));
@@ -56,9 +57,9 @@ internal sealed class OwnPosition(double hertz)
         => (short)Math.Round(Math.Max(short.MinValue, Math.Min(short.MaxValue, metresPerSecond * 100)));
 
     // 0 to 35999 centidegrees.
-    private static ushort Heading(double yawRadians)
+    private static ushort Heading(Angle yaw)
     {
-        double heading = Math.Round(yawRadians * CentidegreesPerRadian) % FullTurn;
+        double heading = Math.Round(yaw.Degrees * CentidegreesPerDegree) % FullTurn;
         return (ushort)(heading < 0 ? heading + FullTurn : heading);
     }
 }

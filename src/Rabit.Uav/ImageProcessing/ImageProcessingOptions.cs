@@ -11,8 +11,6 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>The camera of Image Processing, the classes of targets, and the detector. Read once, when the manager is made.</summary>
 public sealed class ImageProcessingOptions
 {
-    private const double Degree = Math.PI / 180;
-
     // A report's index is a byte between vehicles.
     private const int ReportsLimit = 200;
 
@@ -45,9 +43,9 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 16.</value>
     public int MaxReportsPerPicture { get; set; } = 16;
 
-    /// <summary>How far below the horizon a line of sight must point, radians.</summary>
+    /// <summary>How far below the horizon a line of sight must point.</summary>
     /// <value>The default is 5 degrees: nearer to the horizon every error grows without limit.</value>
-    public double MinDepressionRadians { get; set; } = 5 * Degree;
+    public Angle MinDepression { get; set; } = Angle.FromDegrees(5);
 
     /// <summary>How long a picture waits for a pose of its time.</summary>
     /// <value>The default is 300 ms.</value>

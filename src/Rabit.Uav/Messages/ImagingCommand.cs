@@ -12,10 +12,10 @@ public struct ImagingCommand
     /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down with the top of the picture
     /// forward.
     /// </summary>
-    public double CameraPitchRadians { get; set; }
+    public Angle CameraPitch { get; set; }
 
-    /// <summary>Camera yaw relative to the body, radians, right positive.</summary>
-    public double CameraYawRadians { get; set; }
+    /// <summary>Camera yaw relative to the body, right positive.</summary>
+    public Angle CameraYaw { get; set; }
 
     /// <summary>Altitude of the ground, taken as level, metres above mean sea level.</summary>
     public double GroundAltitudeAmslMetres { get; set; }

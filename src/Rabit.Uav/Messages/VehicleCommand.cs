@@ -15,11 +15,11 @@ public struct VehicleCommand
     /// <summary>What to do; says which of the other properties are read.</summary>
     public VehicleCommandKind Kind { get; set; }
 
-    /// <summary>Latitude of the position, radians, north positive. Of <see cref="VehicleCommandKind.GoTo"/>.</summary>
-    public double LatitudeRadians { get; set; }
+    /// <summary>Latitude of the position, north positive. Of <see cref="VehicleCommandKind.GoTo"/>.</summary>
+    public Angle Latitude { get; set; }
 
-    /// <summary>Longitude of the position, radians, east positive. Of <see cref="VehicleCommandKind.GoTo"/>.</summary>
-    public double LongitudeRadians { get; set; }
+    /// <summary>Longitude of the position, east positive. Of <see cref="VehicleCommandKind.GoTo"/>.</summary>
+    public Angle Longitude { get; set; }
 
     /// <summary>
     /// Height above home, metres, up positive. Of <see cref="VehicleCommandKind.GoTo"/> and
@@ -51,7 +51,7 @@ public struct VehicleCommand
     /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down. Of
     /// <see cref="VehicleCommandKind.PointCamera"/>.
     /// </summary>
-    public double CameraPitchRadians { get; set; }
+    public Angle CameraPitch { get; set; }
 
     /// <summary>
     /// Camera yaw relative to the body, radians, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.

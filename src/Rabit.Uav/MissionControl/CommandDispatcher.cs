@@ -135,8 +135,8 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
     // NaN is a value here: it leaves something to the autopilot.
     private static bool AreSame(in VehicleCommand a, in VehicleCommand b)
         => a.Kind == b.Kind
-            && a.LatitudeRadians.Equals(b.LatitudeRadians) && a.LongitudeRadians.Equals(b.LongitudeRadians)
+            && a.Latitude.Equals(b.Latitude) && a.Longitude.Equals(b.Longitude)
             && a.HeightAboveHomeMetres.Equals(b.HeightAboveHomeMetres)
-            && a.SpeedMetresPerSecond.Equals(b.SpeedMetresPerSecond) && a.YawRadians.Equals(b.YawRadians)
-            && a.CameraPitchRadians.Equals(b.CameraPitchRadians) && a.CameraYawRadians.Equals(b.CameraYawRadians);
+            && a.SpeedMetresPerSecond.Equals(b.SpeedMetresPerSecond) && a.Yaw.Equals(b.Yaw)
+            && a.CameraPitch.Equals(b.CameraPitch) && a.CameraYaw.Equals(b.CameraYaw);
 }

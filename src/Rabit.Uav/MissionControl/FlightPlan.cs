@@ -21,7 +21,7 @@ internal sealed class FlightPlan
         Frame = frame;
         Area = new PlanePolygon(mission.Area.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
         Fence = PlanePolygon.HullOf(Area.Corners.Concat([default])).Grown(mission.FenceMarginMetres);
-        HeadingRadians = mission.LaneHeadingRadians ?? LanePlanner.BestHeading(Area, mission.LaneSpacingMetres);
+        HeadingRadians = mission.LaneHeading?.Radians ?? LanePlanner.BestHeading(Area, mission.LaneSpacingMetres);
         Lanes = LanePlanner.Plan(Area, mission.LaneSpacingMetres, HeadingRadians, from: default);
         Message = ToMessage(mission);
     }
@@ -71,8 +71,8 @@ internal sealed class FlightPlan
 
         if (mission.Home is not { } home)
             return null;
-        NedVector off = frame.ToNed(
-            GeodeticPosition.FromRadians(home.LatitudeRadians, home.LongitudeRadians, frame.Origin.AltitudeAmslMetres));
+        NedPosition off = frame.ToNed(
+            GeodeticPosition.FromRadians(home.Latitude.Radians, home.Longitude.Radians, frame.Origin.AltitudeAmslMetres));
         double distance = new PlanePoint(off.North, off.East).Length;
         if (!(distance <= MaxHomeDistanceMetres))
             return $"the vehicle is {MissionNumbers.Of(distance)} m from the mission's home; the limit is {MissionNumbers.Of(MaxHomeDistanceMetres)} m";
@@ -96,5 +96,5 @@ internal sealed class FlightPlan
     };
 
     private ImmutableArray<GeodeticPosition> Positions(IEnumerable<PlanePoint> points, double down)
-        => points.Select(p => Frame.ToGeodetic(new NedVector(p.North, p.East, down))).ToImmutableArray();
+        => points.Select(p => Frame.ToGeodetic(new NedPosition(p.North, p.East, down))).ToImmutableArray();
 }

@@ -145,8 +145,8 @@ public sealed class MissionControlManager : RabitManager
         if (command.Mode == mode)
             return;
         command.Mode = mode;
-        command.CameraPitchRadians = flight.Mission.CameraPitchRadians;
-        command.CameraYawRadians = flight.Mission.CameraYawRadians;
+        command.CameraPitch = flight.Mission.CameraPitch;
+        command.CameraYaw = flight.Mission.CameraYaw;
         command.GroundAltitudeAmslMetres = flight.GroundAltitudeAmslMetres;
         command.Classes = flight.Mission.Targets;
         _imagingCommand.Post();

@@ -67,7 +67,7 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
     {
         get
         {
-            NedVector ned = Plan!.Frame.ToNed(Vehicle.Position);
+            NedPosition ned = Plan!.Frame.ToNed(Vehicle.Position);
             return new PlanePoint(ned.North, ned.East);
         }
     }
@@ -92,7 +92,7 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
         GeodeticPosition at = Vehicle.Position;
         Plan = FlightPlan.Create(
             Mission,
-            GeodeticPosition.FromRadians(at.LatitudeRadians, at.LongitudeRadians, at.AltitudeAmslMetres - HeightMetres),
+            GeodeticPosition.FromRadians(at.Latitude.Radians, at.Longitude.Radians, at.AltitudeAmslMetres - HeightMetres),
             out string fault);
         if (Plan is not null)
             Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
@@ -105,15 +105,15 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
     /// <summary>Sets a position as the goal.</summary>
     public void SetGoalPosition(PlanePoint to, double heightMetres, double yawRadians)
     {
-        GeodeticPosition position = Plan!.Frame.ToGeodetic(new NedVector(to.North, to.East, -heightMetres));
+        GeodeticPosition position = Plan!.Frame.ToGeodetic(new NedPosition(to.North, to.East, -heightMetres));
         var command = new VehicleCommand
         {
             Kind = VehicleCommandKind.GoTo,
-            LatitudeRadians = position.LatitudeRadians,
-            LongitudeRadians = position.LongitudeRadians,
+            Latitude = position.Latitude,
+            Longitude = position.Longitude,
             HeightAboveHomeMetres = heightMetres,
             SpeedMetresPerSecond = Mission.SpeedMetresPerSecond,
-            YawRadians = yawRadians,
+            Yaw = Angle.FromRadians(yawRadians),
         };
         if (!Commands.IsGoal(command))
             Commands.SetGoal(command, $"go to {MissionNumbers.Of(to)}, height {MissionNumbers.Of(heightMetres)} m", RetryAfter);

@@ -61,11 +61,11 @@ public sealed class MissionPlan
     /// <summary>How each confirmed target is revisited.</summary>
     public RevisitPlan Revisit { get; init; } = new();
 
-    /// <summary>Camera pitch relative to the body, radians, up positive; -pi/2 points straight down.</summary>
-    public double CameraPitchRadians { get; init; } = -Math.PI / 2;
+    /// <summary>Camera pitch relative to the body, up positive; -90 degrees points straight down.</summary>
+    public Angle CameraPitch { get; init; } = Angle.FromDegrees(-90);
 
-    /// <summary>Camera yaw relative to the body, radians, right positive.</summary>
-    public double CameraYawRadians { get; init; }
+    /// <summary>Camera yaw relative to the body, right positive.</summary>
+    public Angle CameraYaw { get; init; }
 
     /// <summary>Whether a gimbal is to be pointed there; otherwise the camera is fixed in that direction.</summary>
     public bool HasGimbal { get; init; }

@@ -74,7 +74,7 @@ internal static class MissionPlanReader
             HeightMetres = fields.Number("heightMetres") ?? fields.Missing("heightMetres"),
             SpeedMetresPerSecond = fields.Number("speedMetresPerSecond") ?? fields.Missing("speedMetresPerSecond"),
             LaneSpacingMetres = fields.Number("laneSpacingMetres") ?? fields.Missing("laneSpacingMetres"),
-            LaneHeadingRadians = ToRadians(fields.Number("laneHeadingDegrees")),
+            LaneHeading = ToAngle(fields.Number("laneHeadingDegrees")),
             Targets = ReadTargets(fields),
             Home = ReadHome(fields),
             FenceMarginMetres = fields.Number("fenceMarginMetres") ?? 40,
@@ -84,8 +84,8 @@ internal static class MissionPlanReader
                 HeightMetres = revisit.Number("heightMetres"),
                 RadiusMetres = revisit.Number("radiusMetres") ?? 10,
             },
-            CameraPitchRadians = ToRadians(camera.Number("pitchDegrees") ?? -90)!.Value,
-            CameraYawRadians = ToRadians(camera.Number("yawDegrees") ?? 0)!.Value,
+            CameraPitch = Angle.FromDegrees(camera.Number("pitchDegrees") ?? -90),
+            CameraYaw = Angle.FromDegrees(camera.Number("yawDegrees") ?? 0),
             HasGimbal = camera.Flag("gimbal") ?? false,
             MinBatteryFractionAtStart = limits.Number("minBatteryFractionAtStart") ?? 0.5,
         };
@@ -126,7 +126,7 @@ internal static class MissionPlanReader
         return corner[0].ValueKind == JsonValueKind.Number && corner[1].ValueKind == JsonValueKind.Number
             && corner[0].TryGetDouble(out double latitude) && corner[1].TryGetDouble(out double longitude)
             && Math.Abs(latitude) <= 90 && Math.Abs(longitude) <= 180
-            ? GeodeticPosition.FromRadians(ToRadians(latitude)!.Value, ToRadians(longitude)!.Value, 0)
+            ? GeodeticPosition.FromDegrees(latitude, longitude, 0)
             : null;
     }
 
@@ -158,13 +158,13 @@ internal static class MissionPlanReader
         home.Renamed(("lat", "latitudeDegrees"), ("lon", "longitudeDegrees"));
         var read = new MissionHome
         {
-            LatitudeRadians = ToRadians(home.Number("latitudeDegrees") ?? home.Missing("latitudeDegrees"))!.Value,
-            LongitudeRadians = ToRadians(home.Number("longitudeDegrees") ?? home.Missing("longitudeDegrees"))!.Value,
+            Latitude = Angle.FromDegrees(home.Number("latitudeDegrees") ?? home.Missing("latitudeDegrees")),
+            Longitude = Angle.FromDegrees(home.Number("longitudeDegrees") ?? home.Missing("longitudeDegrees")),
             GroundAltitudeAmslMetres = home.Number("groundAltitudeAmslMetres"),
         };
         home.RefuseOthers();
         return read;
     }
 
-    private static double? ToRadians(double? degrees) => degrees * Math.PI / 180;
+    private static Angle? ToAngle(double? degrees) => degrees is { } number ? Angle.FromDegrees(number) : null;
 }

@@ -42,12 +42,12 @@ internal static class MissionPlanRules
         yield return ("heightMetres", plan.HeightMetres, 5, 120);
         yield return ("speedMetresPerSecond", plan.SpeedMetresPerSecond, 0.5, 20);
         yield return ("laneSpacingMetres", plan.LaneSpacingMetres, 2, 200);
-        yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeadingRadians ?? 0), -360, 360);
+        yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeading ?? Angle.Zero), -360, 360);
         yield return ("fenceMarginMetres", plan.FenceMarginMetres, 0, 500);
         yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, 120);
         yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
-        yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitchRadians), -90, -20);
-        yield return ("camera.yawDegrees", ToDegrees(plan.CameraYawRadians), -180, 180);
+        yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitch), -90, -20);
+        yield return ("camera.yawDegrees", ToDegrees(plan.CameraYaw), -180, 180);
         yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);
     }
 
@@ -65,7 +65,7 @@ internal static class MissionPlanRules
     {
         if (plan.Home is not { } home)
             yield break;
-        if (!IsPosition(home.LatitudeRadians, home.LongitudeRadians))
+        if (!IsPosition(home.Latitude.Radians, home.Longitude.Radians))
             yield return "home is not a position: latitude must be -90 to 90, longitude -180 to 180 degrees";
         if (home.GroundAltitudeAmslMetres is { } altitude && !(altitude >= -500 && altitude <= 9000))
             yield return FormattableString.Invariant($"home.groundAltitudeAmslMetres is {altitude}; it must be -500 to 9000");
@@ -82,7 +82,7 @@ internal static class MissionPlanRules
 
         for (int i = 0; i < plan.Area.Length; i++)
         {
-            if (!IsPosition(plan.Area[i].LatitudeRadians, plan.Area[i].LongitudeRadians))
+            if (!IsPosition(plan.Area[i].Latitude.Radians, plan.Area[i].Longitude.Radians))
             {
                 yield return FormattableString.Invariant(
                     $"area[{i}] is not a position: latitude must be -90 to 90, longitude -180 to 180 degrees");
@@ -132,5 +132,5 @@ internal static class MissionPlanRules
     private static bool IsPosition(double latitude, double longitude) => Math.Abs(latitude) <= Math.PI / 2 && Math.Abs(longitude) <= Math.PI;
 
     // Degrees of a file are reported as they were given, and not a rounding above their limit.
-    private static double ToDegrees(double radians) => Math.Round(radians * 180 / Math.PI, 9);
+    private static double ToDegrees(Angle angle) => Math.Round(angle.Degrees, 9);
 }

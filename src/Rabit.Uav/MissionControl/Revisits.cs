@@ -65,7 +65,7 @@ internal sealed class Revisits
 
     public static PlanePoint PositionOf(TargetTrack track, MissionFlight flight)
     {
-        NedVector ned = flight.Plan!.Frame.ToNed(track.Position);
+        NedPosition ned = flight.Plan!.Frame.ToNed(track.Position);
         return new PlanePoint(ned.North, ned.East);
     }
 

@@ -74,7 +74,7 @@ internal sealed class SearchRoute
 
     private PlanePoint ToPlane(GeodeticPosition position)
     {
-        NedVector ned = _plan.Frame.ToNed(position);
+        NedPosition ned = _plan.Frame.ToNed(position);
         return new PlanePoint(ned.North, ned.East);
     }
 }

@@ -13,7 +13,7 @@ internal readonly struct Footprint
     private readonly double _n0, _e0, _n1, _e1, _n2, _e2, _n3, _e3;
     private readonly double _turn;
 
-    private Footprint(NedVector a, NedVector b, NedVector c, NedVector d, double turn)
+    private Footprint(NedPosition a, NedPosition b, NedPosition c, NedPosition d, double turn)
     {
         (_n0, _e0, _n1, _e1) = (a.North, a.East, b.North, b.East);
         (_n2, _e2, _n3, _e3) = (c.North, c.East, d.North, d.East);
@@ -52,8 +52,8 @@ internal readonly struct Footprint
         return cross * _turn >= margin * Math.Sqrt((dn * dn) + (de * de));
     }
 
-    private static double Turn(NedVector a, NedVector b, NedVector c)
+    private static double Turn(NedPosition a, NedPosition b, NedPosition c)
         => ((b.North - a.North) * (c.East - b.East)) - ((b.East - a.East) * (c.North - b.North));
 
-    private static double Side(NedVector a, NedVector b) => Math.Abs(a.North - b.North) + Math.Abs(a.East - b.East);
+    private static double Side(NedPosition a, NedPosition b) => Math.Abs(a.North - b.North) + Math.Abs(a.East - b.East);
 }

@@ -4,7 +4,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>A report with its place in the local frame, metres. A plain value.</summary>
-internal readonly struct LocatedReport(in TargetReport report, NedVector place, bool isOwn)
+internal readonly struct LocatedReport(in TargetReport report, NedPosition place, bool isOwn)
 {
     public TargetReport Report { get; } = report;
 

@@ -42,8 +42,8 @@ internal static class ReportCheck
             && IsPlace(observation.TopLeft) && IsPlace(observation.TopRight) && IsPlace(observation.BottomRight) && IsPlace(observation.BottomLeft);
 
     private static bool IsPlace(GeodeticPosition place)
-        => Math.Abs(place.LatitudeRadians) <= Math.PI / 2
-            && Math.Abs(place.LongitudeRadians) <= Math.PI
+        => Math.Abs(place.Latitude.Radians) <= Math.PI / 2
+            && Math.Abs(place.Longitude.Radians) <= Math.PI
             && Math.Abs(place.AltitudeAmslMetres) <= MaxAltitudeMetres;
 
     // Comparisons with NaN are false, so each is written to be true for what is valid.

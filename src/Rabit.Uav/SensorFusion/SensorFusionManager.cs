@@ -177,7 +177,7 @@ public sealed class SensorFusionManager : RabitManager
         _frame = LocalNedFrame.IgnoringGeoid(first);
     }
 
-    private static bool IsFarAway(NedVector place) => !(Math.Abs(place.North) < FarAwayMetres && Math.Abs(place.East) < FarAwayMetres);
+    private static bool IsFarAway(NedPosition place) => !(Math.Abs(place.North) < FarAwayMetres && Math.Abs(place.East) < FarAwayMetres);
 
     private void Share()
     {

@@ -156,8 +156,8 @@ public class FlightTests(ITestOutputHelper output)
         Param1 = -1,
         Param2 = flags,
         Param4 = float.NaN,
-        X = (int)(ground.Options.Home.LatitudeRadians / Ground.RadiansPerDegree * 1e7) + 5389,
-        Y = (int)(ground.Options.Home.LongitudeRadians / Ground.RadiansPerDegree * 1e7),
+        X = (int)(ground.Options.Home.Latitude.Degrees * 1e7) + 5389,
+        Y = (int)(ground.Options.Home.Longitude.Degrees * 1e7),
         Z = 20,
     };
 

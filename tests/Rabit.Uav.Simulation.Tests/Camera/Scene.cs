@@ -30,7 +30,7 @@ internal sealed class Scene
     /// <summary>The last picture, with the panel.</summary>
     public IReadOnlyList<byte> LastPicture => _with;
 
-    public static double Degrees(double degrees) => degrees * Math.PI / 180;
+    public static double Degrees(double degrees) => degrees * Ground.RadiansPerDegree;
 
     /// <summary>320 x 240 without distortion, f 265, the optical axis at (160, 120), no lever arm.</summary>
     public static SimulatedCameraOptions Pinhole() => new()

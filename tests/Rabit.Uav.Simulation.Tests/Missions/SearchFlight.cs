@@ -169,7 +169,7 @@ internal sealed class SearchFlight : IDisposable
 
     private static double Distance(LocalNedFrame frame, TargetTrack track)
     {
-        NedVector d = frame.ToNed(track.Position);
+        NedPosition d = frame.ToNed(track.Position);
         return Math.Sqrt((d.North * d.North) + (d.East * d.East));
     }
 

@@ -69,7 +69,7 @@ public sealed class SearchTests(ITestOutputHelper output)
         using var flight = new SearchFlight(SearchFlight.SmallPlan(), new SimulationOptions { Seed = seed, TargetCount = 3, DistractorCount = 2 });
         flight.Fly(TimeSpan.FromMinutes(10));
         flight.Score();
-        return flight.Log + string.Join("\n", flight.Tracks.Tracks.Select(t => FormattableString.Invariant($"{t.Id} {t.Position.LatitudeRadians:R} {t.Position.LongitudeRadians:R} {t.Reports}")));
+        return flight.Log + string.Join("\n", flight.Tracks.Tracks.Select(t => FormattableString.Invariant($"{t.Id} {t.Position.Latitude.Radians:R} {t.Position.Longitude.Radians:R} {t.Reports}")));
     }
 
     private static double Rmse(IReadOnlyCollection<TargetScore> scores) => Math.Sqrt(scores.Average(s => s.ErrorMetres * s.ErrorMetres));

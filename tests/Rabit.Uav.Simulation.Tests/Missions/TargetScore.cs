@@ -13,7 +13,7 @@ internal sealed class TargetScore(SimulatedTarget target, TargetTrack? track, Ne
 
     public double ErrorMetres { get; } = Math.Sqrt((error.North * error.North) + (error.East * error.East));
 
-    public bool IsInEllipse { get; } = track is not null && track.Covariance.Holds95(error.North, error.East);
+    public bool IsInEllipse { get; } = track is not null && track.Covariance.Contains95(error.North, error.East);
 
     public double HalfAxisMetres { get; } = track?.Covariance.HalfMajorAxis95Metres ?? double.NaN;
 

@@ -100,7 +100,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         var order = new ImagingCommand
         {
             Mode = ImagingMode.Search,
-            CameraPitchRadians = -Math.PI / 2,
+            CameraPitch = Angle.FromDegrees(-90),
             GroundAltitudeAmslMetres = frame.Origin.AltitudeAmslMetres,
         };
         var reactor = new RabitReactor(new VirtualTime((long)seed)) { new SurveyFlight(truth, frame, height, order), manager, sink };

@@ -25,7 +25,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         var options = new SimulationOptions();
         options.TakePlacesFrom(MissionPlan.Parse(Mission, "test"));
 
-        Assert.Equal((10, 20), (Math.Round(options.Home.LatitudeRadians * 180 / Math.PI, 9), Math.Round(options.Home.LongitudeRadians * 180 / Math.PI, 9)));
+        Assert.Equal((10, 20), (Math.Round(options.Home.Latitude.Degrees, 9), Math.Round(options.Home.Longitude.Degrees, 9)));
         Assert.Equal((0, 0), (Math.Round(options.Area[0].North, 3), Math.Round(options.Area[0].East, 3)));
     }
 

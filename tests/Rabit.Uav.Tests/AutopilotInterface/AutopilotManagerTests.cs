@@ -52,7 +52,7 @@ public class AutopilotManagerTests
 
         Assert.Equal(posts + 1, rig.VehiclePosts);
         Assert.Equal(TimeSpan.FromMilliseconds(950), rig.VehicleTime);
-        Assert.Equal(0.2f, rig.Vehicle.Attitude.RollRadians);
+        Assert.Equal(0.2f, rig.Vehicle.Attitude.Roll.Radians);
     }
 
     [Fact]

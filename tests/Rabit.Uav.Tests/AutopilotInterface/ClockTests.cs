@@ -157,7 +157,7 @@ public class ClockTests(ITestOutputHelper output)
         // It says of its positions when they were true; they come 20 ms later.
         PoseSample pose = copter.Rig.Peers.Poses.Last();
         Assert.Equal(PoseSampleKind.Position, pose.Kind);
-        Assert.Equal((30.0, 0.7), (pose.HeightAboveHomeMetres, Math.Round(pose.Position.LatitudeRadians, 3)));
+        Assert.Equal((30.0, 0.7), (pose.HeightAboveHomeMetres, Math.Round(pose.Position.Latitude.Radians, 3)));
         double sentAt = copter.Rig.Vehicle.PositionTime!.Value.TotalSeconds - copter.Latency;
         Assert.InRange(pose.Time.TotalSeconds - sentAt, -0.002, 0.002);
     }
@@ -180,7 +180,7 @@ public class ClockTests(ITestOutputHelper output)
         Assert.Equal(20, rig.Peers.Poses.Count(p => p.Kind == PoseSampleKind.Position));
         Assert.Equal(20, rig.Peers.Poses.Count(p => p.Kind == PoseSampleKind.Attitude));
         PoseSample attitude = rig.Peers.Poses[0];
-        Assert.Equal((0.1, 0.2), (Math.Round(attitude.Attitude.RollRadians, 6), Math.Round(attitude.Rates.YawRadiansPerSecond, 6)));
+        Assert.Equal((0.1, 0.2), (Math.Round(attitude.Attitude.Roll.Radians, 6), Math.Round(attitude.Rates.YawRadiansPerSecond, 6)));
     }
 
     [Fact]

@@ -12,7 +12,7 @@ namespace Rabit.Uav.Tests.AutopilotInterface;
 /// <summary>Commands, as ArduPilot's Copter takes them, and what becomes of acknowledgements.</summary>
 public class CommandTests
 {
-    private const double DegreesPerRadian = 180 / Math.PI;
+    private const double DegreesPerRadian = 1 / Angle.RadiansPerDegree;
 
     [Fact]
     public void Arm_Copter_TakesGuidedAndArms()
@@ -56,7 +56,7 @@ public class CommandTests
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         VehicleCommand At(VehicleCommand c, double speed)
-            => c with { SpeedMetresPerSecond = speed, YawRadians = -Math.PI / 2 };
+            => c with { SpeedMetresPerSecond = speed, Yaw = Angle.FromDegrees(-90) };
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.GoTo, with: c => At(c, 6)).Outcome);
         Assert.Equal([MavCmd.DoReposition, MavCmd.DoChangeSpeed, MavCmd.ConditionYaw], copter.Commands.Skip(2));
         CommandLong speed = OutgoingSink.Decode<CommandLong>(copter.Heard[3].Frame);
@@ -122,7 +122,7 @@ public class CommandTests
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         VehicleCommandResult answer = copter.GiveAndRun(
-            VehicleCommandKind.PointCamera, with: c => c with { CameraPitchRadians = -Math.PI / 2, CameraYawRadians = 30 / DegreesPerRadian });
+            VehicleCommandKind.PointCamera, with: c => c with { CameraPitch = Angle.FromDegrees(-90), CameraYaw = Angle.FromRadians(30 / DegreesPerRadian) });
         Assert.Equal(VehicleCommandOutcome.Accepted, answer.Outcome);
         CommandLong gimbal = copter.Last<CommandLong>();
         Assert.Equal((MavCmd.DoGimbalManagerPitchyaw, -90f, 30f), (gimbal.Command, gimbal.Param1, gimbal.Param2));
@@ -225,20 +225,20 @@ public class CommandTests
 
         foreach (double bad in new[] { double.NaN, double.PositiveInfinity, double.NegativeInfinity, 1e9 })
         {
-            Refuses(VehicleCommandKind.GoTo, "LatitudeRadians", c => c with { LatitudeRadians = bad });
-            Refuses(VehicleCommandKind.GoTo, "LongitudeRadians", c => c with { LongitudeRadians = bad });
+            Refuses(VehicleCommandKind.GoTo, "Latitude", c => c with { Latitude = Angle.FromRadians(bad) });
+            Refuses(VehicleCommandKind.GoTo, "Longitude", c => c with { Longitude = Angle.FromRadians(bad) });
             Refuses(VehicleCommandKind.GoTo, "HeightAboveHomeMetres", c => c with { HeightAboveHomeMetres = bad });
             Refuses(VehicleCommandKind.TakeOff, "HeightAboveHomeMetres", c => c with { HeightAboveHomeMetres = bad });
             Refuses(VehicleCommandKind.Velocity, "VelocityNed", c => c with { VelocityNed = new NedVector(0, bad, 0) });
-            Refuses(VehicleCommandKind.PointCamera, "CameraPitchRadians", c => c with { CameraPitchRadians = bad });
-            Refuses(VehicleCommandKind.PointCamera, "CameraYawRadians", c => c with { CameraYawRadians = bad });
+            Refuses(VehicleCommandKind.PointCamera, "CameraPitch", c => c with { CameraPitch = Angle.FromRadians(bad) });
+            Refuses(VehicleCommandKind.PointCamera, "CameraYaw", c => c with { CameraYaw = Angle.FromRadians(bad) });
         }
 
-        Refuses(VehicleCommandKind.GoTo, "LatitudeRadians", c => c with { LatitudeRadians = 0, LongitudeRadians = 0 });
+        Refuses(VehicleCommandKind.GoTo, "Latitude", c => c with { Latitude = Angle.Zero, Longitude = Angle.Zero });
         Refuses(VehicleCommandKind.GoTo, "HeightAboveHomeMetres", c => c with { HeightAboveHomeMetres = 0 });
         Refuses(VehicleCommandKind.TakeOff, "HeightAboveHomeMetres", c => c with { HeightAboveHomeMetres = -1 });
         Refuses(VehicleCommandKind.GoTo, "SpeedMetresPerSecond", c => c with { SpeedMetresPerSecond = 0 });
-        Refuses(VehicleCommandKind.GoTo, "YawRadians", c => c with { YawRadians = 100 });
+        Refuses(VehicleCommandKind.GoTo, "Yaw", c => c with { Yaw = Angle.FromRadians(100) });
         Refuses(VehicleCommandKind.SetMode, "Mode", c => c with { Mode = null });
         Refuses(VehicleCommandKind.None, "Kind", c => c);
         Refuses((VehicleCommandKind)99, "Kind", c => c);

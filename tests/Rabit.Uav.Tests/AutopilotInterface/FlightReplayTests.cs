@@ -67,10 +67,10 @@ public class FlightReplayTests
 
         Assert.Equal("RTL", end.Mode);
         Assert.Equal(MavLandedState.OnGround, end.LandedState);
-        Assert.InRange(end.Position.LatitudeRadians * 180 / Math.PI, -35.3634, -35.3626);
-        Assert.InRange(end.Position.LongitudeRadians * 180 / Math.PI, 149.165, 149.1661);
+        Assert.InRange(end.Position.Latitude.Degrees, -35.3634, -35.3626);
+        Assert.InRange(end.Position.Longitude.Degrees, 149.165, 149.1661);
         Assert.InRange(end.HeightAboveHomeMetres, -0.1, 0.2);
-        Assert.InRange(end.Attitude.RollRadians, -0.1, 0.1);
+        Assert.InRange(end.Attitude.Roll.Radians, -0.1, 0.1);
         Assert.InRange(end.BatteryVolts, 10, 17);
         Assert.InRange(end.BatteryRemaining, 0.01, 1);
         Assert.True(end.GpsFix >= GpsFixType.Type3dFix);

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Messages;
@@ -43,7 +44,7 @@ public class Px4CommandTests
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
         Assert.Equal(
             VehicleCommandOutcome.Accepted,
-            px4.GiveAndRun(VehicleCommandKind.GoTo, with: c => c with { SpeedMetresPerSecond = 5, YawRadians = 1 }).Outcome);
+            px4.GiveAndRun(VehicleCommandKind.GoTo, with: c => c with { SpeedMetresPerSecond = 5, Yaw = Angle.FromRadians(1) }).Outcome);
         CommandInt place = px4.Last<CommandInt>();
         Assert.Equal((MavCmd.DoReposition, MavFrame.Global, 5f, 1f, 1f), (place.Command, place.Frame, place.Param1, place.Param2, place.Param4));
         Assert.Equal((401_070_457, 57_295_780, 140f), (place.X, place.Y, place.Z));

@@ -102,11 +102,11 @@ internal sealed class ScriptedAutopilot : IDisposable
         {
             Id = ++_id,
             Kind = kind,
-            LatitudeRadians = 0.7,
-            LongitudeRadians = 0.1,
+            Latitude = Angle.FromRadians(0.7),
+            Longitude = Angle.FromRadians(0.1),
             HeightAboveHomeMetres = 40,
             SpeedMetresPerSecond = double.NaN,
-            YawRadians = double.NaN,
+            Yaw = Angle.NaN,
             VelocityNed = new NedVector(3, 1, 0),
             Mode = "GUIDED",
         };

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 using Rabit.Tests.Shared;
 using Rabit.Uav.AutopilotInterface;
@@ -31,8 +32,8 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         Assert.Equal(VehicleEvents.Changed, Update(tracker, message, 2));
 
         VehicleState state = tracker.State;
-        Assert.Equal(-35.3632 * Math.PI / 180, state.Position.LatitudeRadians, 12);
-        Assert.Equal(149.16523 * Math.PI / 180, state.Position.LongitudeRadians, 12);
+        Assert.Equal(-35.3632 * Angle.RadiansPerDegree, state.Position.Latitude.Radians, 12);
+        Assert.Equal(149.16523 * Angle.RadiansPerDegree, state.Position.Longitude.Radians, 12);
         Assert.Equal(584.04, state.Position.AltitudeAmslMetres, 9);
         Assert.Equal(-0.033, state.HeightAboveHomeMetres, 9);
         Assert.Equal((1.5, -2.5, -1.0), (state.VelocityNed.North, state.VelocityNed.East, state.VelocityNed.Down));
@@ -88,9 +89,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         Update(tracker, new Attitude { Roll = 0.1f, Pitch = -0.2f, Yaw = 6, Rollspeed = 1, Pitchspeed = 2, Yawspeed = 3 }, 2);
 
         VehicleState state = tracker.State;
-        Assert.Equal(6 - (2 * Math.PI), state.Attitude.YawRadians, 6);
-        Assert.Equal(0.1f, state.Attitude.RollRadians);
-        Assert.Equal(-0.2f, state.Attitude.PitchRadians);
+        Assert.Equal(6 - (2 * Math.PI), state.Attitude.Yaw.Radians, 6);
+        Assert.Equal(0.1f, state.Attitude.Roll.Radians);
+        Assert.Equal(-0.2f, state.Attitude.Pitch.Radians);
         Assert.Equal((1.0, 2.0, 3.0), (state.Rates.RollRadiansPerSecond, state.Rates.PitchRadiansPerSecond, state.Rates.YawRadiansPerSecond));
     }
 
@@ -235,10 +236,10 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         Update(tracker, Random<ExtendedSysState>(payload), 1);
         Update(tracker, Random<Heartbeat>(payload), 1);
         VehicleState state = tracker.State;
-        return !(Math.Abs(state.Position.LatitudeRadians) <= Math.PI / 2)
-            || !(Math.Abs(state.Position.LongitudeRadians) <= Math.PI)
-            || !(Math.Abs(state.Attitude.YawRadians) <= Math.PI)
-            || !(Math.Abs(state.Attitude.PitchRadians) <= 1.58)
+        return !(Math.Abs(state.Position.Latitude.Radians) <= Math.PI / 2)
+            || !(Math.Abs(state.Position.Longitude.Radians) <= Math.PI)
+            || !(Math.Abs(state.Attitude.Yaw.Radians) <= Math.PI)
+            || !(Math.Abs(state.Attitude.Pitch.Radians) <= 1.58)
             || double.IsInfinity(state.Rates.YawRadiansPerSecond)
             || double.IsNaN(state.Rates.YawRadiansPerSecond)
             || state.BatteryRemaining is < 0 or > 1;

@@ -32,7 +32,7 @@ public class VelocityTests
     public void Velocity_WithHeading_TellsIt()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
-        copter.GiveAndRun(VehicleCommandKind.Velocity, 0.5, c => c with { YawRadians = 1 });
+        copter.GiveAndRun(VehicleCommandKind.Velocity, 0.5, c => c with { Yaw = Angle.FromRadians(1) });
         SetPositionTargetLocalNed target = copter.Last<SetPositionTargetLocalNed>();
         Assert.Equal((1f, 0x09C7), (target.Yaw, (int)target.TypeMask));
     }

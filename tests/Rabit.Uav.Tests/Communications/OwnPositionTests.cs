@@ -74,7 +74,7 @@ public sealed class OwnPositionTests
                 HeightAboveHomeMetres = 30,
                 VelocityNed = new NedVector(1.5, -2.5, 0.05),
                 AttitudeTime = rig.Reactor.Now,
-                Attitude = EulerAngles.FromRadians(0, 0, -1 * Math.PI / 180),
+                Attitude = EulerAngles.FromRadians(0, 0, -1 * Angle.RadiansPerDegree),
             });
             rig.Run(TimeSpan.FromSeconds(0.1));
         }

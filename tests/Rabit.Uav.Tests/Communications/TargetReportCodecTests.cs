@@ -160,8 +160,8 @@ public sealed class TargetReportCodecTests
 
     private static void AssertSound(in TargetReport report, string what)
     {
-        Assert.True(Math.Abs(report.Position.LatitudeRadians) <= (Math.PI / 2) + 1e-9, what);
-        Assert.True(Math.Abs(report.Position.LongitudeRadians) <= Math.PI + 1e-9, what);
+        Assert.True(Math.Abs(report.Position.Latitude.Radians) <= (Math.PI / 2) + 1e-9, what);
+        Assert.True(Math.Abs(report.Position.Longitude.Radians) <= Math.PI + 1e-9, what);
         Assert.True(report.Covariance.HalfMajorAxis95Metres is > 0 and < 1e6, what);
         Assert.False(double.IsNaN(report.SystematicCovariance.HalfMajorAxis95Metres), what);
         Assert.False(double.IsNaN(report.CentreX) || double.IsInfinity(report.CentreY), what);
@@ -173,8 +173,8 @@ public sealed class TargetReportCodecTests
     {
         Assert.Equal((7, expected.PictureNumber, expected.Index, expected.Class), (actual.SourceSystemId, actual.PictureNumber, actual.Index, actual.Class));
         Assert.Equal(expected.Time.TotalSeconds + 5, actual.Time.TotalSeconds, 0.0006);
-        Assert.Equal(expected.Position.LatitudeRadians, actual.Position.LatitudeRadians, 1e-9);
-        Assert.Equal(expected.Position.LongitudeRadians, actual.Position.LongitudeRadians, 1e-9);
+        Assert.Equal(expected.Position.Latitude.Radians, actual.Position.Latitude.Radians, 1e-9);
+        Assert.Equal(expected.Position.Longitude.Radians, actual.Position.Longitude.Radians, 1e-9);
         Assert.Equal(expected.Position.AltitudeAmslMetres, actual.Position.AltitudeAmslMetres, 0.0006);
         AssertEqual(expected.Covariance, actual.Covariance);
         AssertEqual(expected.SystematicCovariance, actual.SystematicCovariance);

@@ -3,8 +3,8 @@ using System.Globalization;
 using System.IO;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Uav.ImageProcessing.Geolocation;
-using Rabit.Uav.Tests.Geometry;
 using Rabit.Vision.Tests.Pictures;
 
 namespace Rabit.Uav.Tests.Geolocate;

@@ -2,10 +2,10 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Text;
+using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Geodesy;
-using Rabit.Uav.Tests.Geometry;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Geolocate;
@@ -98,7 +98,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
         (double seconds, GeodeticPosition vehicle) = HighestPlace(log);
         string request = _run.File("level.json", FormattableString.Invariant($$"""{"ground_alt_m":{{vehicle.AltitudeAmslMetres - 30}},"pixel":[319.5,239.5]}"""));
         Assert.Equal(0, _run.Run(_camera, request, "--telemetry", log, "--time", seconds.ToString("R", CultureInfo.InvariantCulture), "--json"));
-        NedVector ned = LocalNedFrame.IgnoringGeoid(vehicle).ToNed(_run.Place);
+        NedPosition ned = LocalNedFrame.IgnoringGeoid(vehicle).ToNed(_run.Place);
         Assert.True(Math.Sqrt((ned.North * ned.North) + (ned.East * ned.East)) < 20, $"{ned.North} {ned.East}");
         Assert.Equal(2, _run.Run(_camera, request, "--telemetry", log, "--time", "1000000"));
     }
@@ -113,7 +113,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
     // Rolled right, the belly looks left: to the west, since the nose is north.
     private void AssertBelow(double seconds, double metres = 0.02)
     {
-        NedVector ned = World.ToNed(_run.Place);
+        NedPosition ned = World.ToNed(_run.Place);
         Assert.Equal(North(seconds), ned.North, 0.02);
         Assert.Equal(-40 * Math.Tan(Roll(seconds) * Vectors.Degree), ned.East, metres);
         Assert.Equal(500, _run.Json.Number("alt_m"), 0.01);
@@ -130,9 +130,9 @@ public sealed class GeolocateTelemetryTests : IDisposable
         var text = new StringBuilder("time_s,lat_deg,lon_deg,alt_m,vn_mps,ve_mps,vd_mps,roll_deg,pitch_deg,yaw_deg\n");
         for (int tenth = 1000; tenth <= 1100; tenth++)
         {
-            GeodeticPosition p = World.ToGeodetic(new NedVector(North(tenth / 10.0), 0, 0));
+            GeodeticPosition p = World.ToGeodetic(new NedPosition(North(tenth / 10.0), 0, 0));
             if (IsThere(tenth))
-                text.Append(FormattableString.Invariant($"{tenth / 10.0},{p.LatitudeRadians / Vectors.Degree:R},{p.LongitudeRadians / Vectors.Degree:R},{p.AltitudeAmslMetres:R},18,0,0,{Roll(tenth / 10.0):R},0,0\n"));
+                text.Append(FormattableString.Invariant($"{tenth / 10.0},{p.Latitude.Degrees:R},{p.Longitude.Degrees:R},{p.AltitudeAmslMetres:R},18,0,0,{Roll(tenth / 10.0):R},0,0\n"));
         }
 
         return _run.File(name, text.ToString());
@@ -148,12 +148,12 @@ public sealed class GeolocateTelemetryTests : IDisposable
         for (int tenth = 1000; tenth <= 1100; tenth++)
         {
             double seconds = tenth / 10.0;
-            GeodeticPosition p = World.ToGeodetic(new NedVector(North(seconds), 0, 0));
+            GeodeticPosition p = World.ToGeodetic(new NedPosition(North(seconds), 0, 0));
             var place = new GlobalPositionInt
             {
                 TimeBootMs = (uint)(tenth * 100),
-                Lat = (int)Math.Round(p.LatitudeRadians / Vectors.Degree * DegE7),
-                Lon = (int)Math.Round(p.LongitudeRadians / Vectors.Degree * DegE7),
+                Lat = (int)Math.Round(p.Latitude.Degrees * DegE7),
+                Lon = (int)Math.Round(p.Longitude.Degrees * DegE7),
                 Alt = (int)Math.Round(p.AltitudeAmslMetres * 1000),
                 Vx = 1800,
             };

@@ -6,6 +6,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Tests.Geometry;
@@ -61,7 +62,7 @@ public sealed class GeolocateTests : IDisposable
 
         // A larger column is further east, a larger row further south.
         Assert.Equal(0, _run.Run(camera, _run.PathOf("request.json"), "--pixel", "419.5", "339.5", "--json"));
-        NedVector ned = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47, 8, 540)).ToNed(_run.Place);
+        NedPosition ned = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47, 8, 540)).ToNed(_run.Place);
         Assert.Equal((-7.547, 7.547), (Math.Round(ned.North, 3), Math.Round(ned.East, 3)));
         double[] covariance = _run.Json.Numbers("cov_common_ne_m2");
         Assert.True(covariance[0] > 1 && covariance[2] > 1 && _run.Json.Number("half_major_95_m") >= _run.Json.Number("half_minor_95_m"));
@@ -121,6 +122,16 @@ public sealed class GeolocateTests : IDisposable
         Assert.Contains(message, _run.Errors);
     }
 
+    [Theory]
+    [InlineData("\"pixel\"", "\"gimbl\":{},\"pixel\"", "'gimbl' is no key of the request")]
+    [InlineData("\"roll_deg\":0", "\"rol_deg\":3,\"roll_deg\":0", "'rol_deg' is no key of pose")]
+    [InlineData("\"pixel\"", "\"gimbal\":{\"pitch\":-60},\"pixel\"", "'pitch' is no key of gimbal")]
+    public void BadInput_UnknownKey_IsNamed(string before, string after, string message)
+    {
+        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose.Replace(before, after), _run.File("camera.json", GeolocateRun.Camera), "-"));
+        Assert.Contains(message, _run.Errors);
+    }
+
     [Fact]
     public void BadInput_WrongCamera_IsNamed()
     {
@@ -160,8 +171,8 @@ public sealed class GeolocateTests : IDisposable
 
     private static string CameraText(JsonElement c)
     {
-        CameraModel camera = Vectors.Camera(c.GetProperty("cam").GetInt32());
-        CameraMount mount = Vectors.Mount(c.GetProperty("mount"));
+        CameraModel camera = CameraVectors.Camera(c.GetProperty("cam").GetInt32());
+        CameraMount mount = CameraVectors.Mount(c.GetProperty("mount"));
         (BodyVector a, BodyVector b) = (mount.GimbalLeverArmMetres, mount.CameraLeverArmMetres);
         JsonElement turn = c.GetProperty("mount");
         return Text($$"""

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Uav.CameraGeometry;
 using Xunit;
 
@@ -13,7 +14,7 @@ public sealed class CameraTests
     {
         for (int index = 0; index < 6; index++)
         {
-            CameraModel camera = Vectors.Camera(index);
+            CameraModel camera = CameraVectors.Camera(index);
             for (int i = 0; i <= 20; i++)
             {
                 for (int j = 0; j <= 20; j++)
@@ -43,8 +44,8 @@ public sealed class CameraTests
     [Fact]
     public void Project_BehindTheCamera_IsFalse()
     {
-        Assert.False(Vectors.Camera(0).TryProject(0, 0, 0, out _, out _));
-        Assert.False(Vectors.Camera(0).TryProject(0.1, 0, -1, out _, out _));
+        Assert.False(CameraVectors.Camera(0).TryProject(0, 0, 0, out _, out _));
+        Assert.False(CameraVectors.Camera(0).TryProject(0.1, 0, -1, out _, out _));
     }
 
     [Fact]
@@ -52,12 +53,12 @@ public sealed class CameraTests
     {
         Assert.Equal(2, new CameraModel { Width = 0, Height = 480, FocalX = 0, FocalY = 500 }.FindFaults().Count());
         Assert.Single(new CameraModel { Width = 640, Height = 480, FocalX = 500, FocalY = 500, K1 = double.NaN }.FindFaults());
-        Assert.Empty(Vectors.Camera(3).FindFaults());
+        Assert.Empty(CameraVectors.Camera(3).FindFaults());
         Assert.Empty(new CameraMount().FindFaults());
         Assert.Single(new CameraMount { FixedBodyFromCamera = default(Rotation) }.FindFaults());
         Assert.Equal(3, new CameraMount
         {
-            MisalignmentRollRadians = double.NaN,
+            MisalignmentRoll = Angle.NaN,
             GimbalLeverArmMetres = new BodyVector(double.PositiveInfinity, 0, 0),
             CameraLeverArmMetres = new BodyVector(0, double.NaN, 0),
         }.FindFaults().Count());
@@ -66,7 +67,7 @@ public sealed class CameraTests
     [Fact]
     public void Mount_StraightDown_HasTheTopOfThePictureForward()
     {
-        CameraExtrinsics placement = new CameraMount().At(-Math.PI / 2, 0);
+        CameraExtrinsics placement = new CameraMount().At(Angle.FromDegrees(-90), Angle.Zero);
         AssertAxis(placement, (0, 0, 1), forward: 0, right: 0, down: 1);
         AssertAxis(placement, (0, -1, 0), forward: 1, right: 0, down: 0);
         AssertAxis(placement, (1, 0, 0), forward: 0, right: 1, down: 0);
@@ -75,9 +76,9 @@ public sealed class CameraTests
     [Fact]
     public void Mount_ForwardAndToTheSide_LooksThere()
     {
-        AssertAxis(new CameraMount().At(0, 0), (0, 0, 1), forward: 1, right: 0, down: 0);
-        AssertAxis(new CameraMount().At(0, Math.PI / 2), (0, 0, 1), forward: 0, right: 1, down: 0);
-        AssertAxis(new CameraMount().At(-Math.PI / 4, 0), (0, 0, 1), Math.Sqrt(0.5), 0, Math.Sqrt(0.5));
+        AssertAxis(new CameraMount().At(Angle.Zero, Angle.Zero), (0, 0, 1), forward: 1, right: 0, down: 0);
+        AssertAxis(new CameraMount().At(Angle.Zero, Angle.FromDegrees(90)), (0, 0, 1), forward: 0, right: 1, down: 0);
+        AssertAxis(new CameraMount().At(Angle.FromDegrees(-45), Angle.Zero), (0, 0, 1), Math.Sqrt(0.5), 0, Math.Sqrt(0.5));
     }
 
     [Fact]
@@ -87,19 +88,19 @@ public sealed class CameraTests
         var byMatrix = new CameraMount
         {
             FixedBodyFromCamera = Rotation.FromMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1),
-            MisalignmentPitchRadians = 0.02,
+            MisalignmentPitch = Angle.FromRadians(0.02),
             GimbalLeverArmMetres = new BodyVector(0.1, 0.2, 0.3),
             CameraLeverArmMetres = new BodyVector(0.05, -0.02, 0.01),
         };
         var byAngles = new CameraMount
         {
-            MisalignmentPitchRadians = 0.02,
+            MisalignmentPitch = Angle.FromRadians(0.02),
             GimbalLeverArmMetres = new BodyVector(0.1, 0.2, 0.3),
             CameraLeverArmMetres = new BodyVector(0.05, -0.02, 0.01),
         };
-        CameraExtrinsics a = byMatrix.At(0.3, 0.7);
-        CameraExtrinsics b = byAngles.At(-Math.PI / 2, 0);
-        Assert.Equal(0, (a.BodyFromCamera.Inverse * b.BodyFromCamera).AngleRadians, 1e-7);
+        CameraExtrinsics a = byMatrix.At(Angle.FromRadians(0.3), Angle.FromRadians(0.7));
+        CameraExtrinsics b = byAngles.At(Angle.FromDegrees(-90), Angle.Zero);
+        Assert.Equal(0, (a.BodyFromCamera.Inverse * b.BodyFromCamera).Angle.Radians, 1e-7);
         Assert.Equal(b.PositionMetres.Forward, a.PositionMetres.Forward, 1e-12);
         Assert.Equal(b.PositionMetres.Right, a.PositionMetres.Right, 1e-12);
         Assert.Equal(b.PositionMetres.Down, a.PositionMetres.Down, 1e-12);
@@ -108,8 +109,8 @@ public sealed class CameraTests
     [Fact]
     public void GroundRay_NearTheHorizonOrBelowGround_MeetsNothing()
     {
-        double limit = 5 * Vectors.Degree;
-        Assert.True(Ray(5.1).TryIntersectLevel(100, limit, out NedVector point));
+        Angle limit = Angle.FromDegrees(5);
+        Assert.True(Ray(5.1).TryIntersectLevel(100, limit, out NedPosition point));
         Assert.Equal(100, point.Down);
         Assert.Equal(100 / Math.Tan(5.1 * Vectors.Degree), point.North, 1e-6);
         Assert.False(Ray(4.9).TryIntersectLevel(100, limit, out _));

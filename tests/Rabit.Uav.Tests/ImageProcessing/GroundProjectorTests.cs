@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
@@ -13,7 +14,7 @@ namespace Rabit.Uav.Tests.ImageProcessing;
 
 public sealed class GroundProjectorTests
 {
-    private const double Limit = 5 * Vectors.Degree;
+    private static readonly Angle Limit = Angle.FromDegrees(5);
 
     [Fact]
     public void TryLocate_Vectors_FindsTheirTargetsOnFlatGround()
@@ -54,7 +55,7 @@ public sealed class GroundProjectorTests
         {
             JsonElement look = flat[c.Number("flat_case")];
             double[] sigmas = columns.Select(n => c.GetProperty("sigma").Number(n) * (n.EndsWith("_deg", StringComparison.Ordinal) ? Vectors.Degree : 1)).ToArray();
-            var jacobian = new GroundJacobian(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(look.GetProperty("mount")));
+            var jacobian = new GroundJacobian(CameraVectors.Camera(look.GetProperty("cam").GetInt32()), CameraVectors.Mount(look.GetProperty("mount")));
             double[] v = c.Numbers("v_ned");
             double[] w = c.Numbers("omega_body_deg_s");
             Pose pose = PoseOf(look);
@@ -131,16 +132,16 @@ public sealed class GroundProjectorTests
         var random = new Random(Seed);
         var budget = new ErrorBudget
         {
-            AttitudeNoiseRadians = 0.5 * Vectors.Degree,
-            HeadingNoiseRadians = 1.5 * Vectors.Degree,
+            AttitudeNoise = Angle.FromDegrees(0.5),
+            HeadingNoise = Angle.FromDegrees(1.5),
             PositionNoiseMetres = 0.4,
             AltitudeNoiseMetres = 0.6,
             PixelNoise = 0.8,
             TimeNoise = TimeSpan.FromMilliseconds(30),
             PositionBiasMetres = 0,
-            AttitudeBiasRadians = 0,
-            HeadingBiasRadians = 0,
-            MountBiasRadians = 0,
+            AttitudeBias = Angle.Zero,
+            HeadingBias = Angle.Zero,
+            MountBias = Angle.Zero,
             AltitudeBiasMetres = 0,
         };
         var view = new TestView { Attitude = EulerAngles.FromRadians(0.1, -0.15, 0.7), Velocity = new NedVector(6, -3, 0.5), Rates = BodyRates.FromRadiansPerSecond(0.2, -0.1, 0.1) };
@@ -154,7 +155,7 @@ public sealed class GroundProjectorTests
         (double nn, double ne, double ee) = (0, 0, 0);
         for (int i = 0; i < Draws; i++)
         {
-            NedVector ground = view.WithErrors(random, budget).Located(Column + (budget.PixelNoise * Gauss(random)), Row + (budget.PixelNoise * Gauss(random)));
+            NedPosition ground = view.WithErrors(random, budget).Located(Column + (budget.PixelNoise * Gauss(random)), Row + (budget.PixelNoise * Gauss(random)));
             (double north, double east) = (ground.North - truth.North, ground.East - truth.East);
             nn += north * north / Draws;
             ne += north * east / Draws;
@@ -187,8 +188,8 @@ public sealed class GroundProjectorTests
         var projector = new GroundProjector(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
         return projector.At(PoseOf(look), new ImagingCommand
         {
-            CameraPitchRadians = mount.Radians("el"),
-            CameraYawRadians = mount.Radians("az"),
+            CameraPitch = Angle.FromRadians(mount.Radians("el")),
+            CameraYaw = Angle.FromRadians(mount.Radians("az")),
             GroundAltitudeAmslMetres = terrain is null ? look.Number("ground_h") : 0,
         });
     }
@@ -196,8 +197,8 @@ public sealed class GroundProjectorTests
     private static ViewingGeometry SightingOf(JsonElement look, Pose pose) => new()
     {
         Pose = pose,
-        GimbalPitchRadians = look.GetProperty("mount").Radians("el"),
-        GimbalYawRadians = look.GetProperty("mount").Radians("az"),
+        GimbalPitch = Angle.FromRadians(look.GetProperty("mount").Radians("el")),
+        GimbalYaw = Angle.FromRadians(look.GetProperty("mount").Radians("az")),
         GroundDownMetres = look.Number("h") - look.Number("ground_h"),
     };
 }

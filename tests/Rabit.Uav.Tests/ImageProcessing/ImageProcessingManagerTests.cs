@@ -20,7 +20,7 @@ public sealed class ImageProcessingManagerTests
         TargetReport report = Assert.Single(rig.Sink.Reports);
         Assert.Equal((7, 0L, 0, DefaultTargetClasses.Red), (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
         Assert.Equal(TimeSpan.FromSeconds(1.03), report.Time);
-        NedVector ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
+        NedPosition ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
         Assert.Equal(ImagingRig.North, ned.North, 0.05);
         Assert.Equal(ImagingRig.East, ned.East, 0.05);
         Assert.Equal(rig.View.GroundAltitude, report.Position.AltitudeAmslMetres, 0.01);
@@ -196,7 +196,7 @@ public sealed class ImageProcessingManagerTests
         foreach ((GeodeticPosition corner, double column, double row) in corners)
         {
             // A little towards the middle, so that it is in the picture for certain.
-            NedVector ned = frame.ToNed(corner);
+            NedPosition ned = frame.ToNed(corner);
             Assert.True(view.TryProject(ned.North * 0.99, ned.East * 0.99, out double seenColumn, out double seenRow));
             Assert.Equal(column, seenColumn, 6.0);
             Assert.Equal(row, seenRow, 6.0);

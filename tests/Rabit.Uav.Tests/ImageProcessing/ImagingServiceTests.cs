@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Geodesy;
 using Rabit.Tests.Shared;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
@@ -174,12 +175,12 @@ public sealed class ImagingServiceTests
             ColourDetector = new ColourDetectorOptions { MaxAspect = 1, MinSidePixels = 3 },
             DetectorTimeBudget = TimeSpan.Zero,
             MaxReportsPerPicture = 0,
-            MinDepressionRadians = 0,
+            MinDepression = Angle.Zero,
             PoseTimeout = TimeSpan.FromSeconds(-1),
             MaxPoseGap = TimeSpan.Zero,
             FramesWaiting = 0,
             ImageChipSide = 0,
-            Mount = new CameraMount { MisalignmentYawRadians = double.NaN },
+            Mount = new CameraMount { MisalignmentYaw = Angle.NaN },
             Errors = new ErrorBudget { PixelNoise = -1, PositionBiasMetres = double.NaN },
         };
         string text = Assert.Throws<ArgumentException>(() => new ImageProcessingManager(options, new ScriptedCamera([]))).Message;

@@ -36,7 +36,7 @@ public sealed class PoseHistoryTests
         Assert.Equal(0.2, pose.ExtrapolatedSeconds, 1e-9);
         Assert.Equal(100.4, pose.Position.AltitudeAmslMetres, 1e-3);
         Assert.Equal(2, LocalNedFrame.IgnoringGeoid(Place()).ToNed(pose.Position).North, 1e-6);
-        Assert.Equal(0.09, pose.Attitude.ToEuler().YawRadians, 1e-9);
+        Assert.Equal(0.09, pose.Attitude.ToEuler().Yaw.Radians, 1e-9);
         Assert.Equal(Seconds(1.2), pose.Time);
     }
 
@@ -82,7 +82,7 @@ public sealed class PoseHistoryTests
 
         Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.25), out Pose pose));
         Assert.Equal(125, pose.Position.AltitudeAmslMetres, 1e-6);
-        Assert.Equal(1.25, pose.Attitude.ToEuler().YawRadians, 1e-9);
+        Assert.Equal(1.25, pose.Attitude.ToEuler().Yaw.Radians, 1e-9);
         Assert.Equal(0, _history.Refused);
     }
 

@@ -34,7 +34,7 @@ public sealed class RollingShutterTests
         rig.Run(2);
 
         TargetReport report = Assert.Single(rig.Sink.Reports);
-        NedVector ned = World.ToNed(report.Position);
+        NedPosition ned = World.ToNed(report.Position);
         Assert.Equal(North, ned.North, 0.05);
         Assert.Equal(East, ned.East, 0.05);
         Assert.Equal(Exposed + (row * Readout.TotalSeconds), report.Time.TotalSeconds, 0.2e-3);
@@ -127,7 +127,7 @@ public sealed class RollingShutterTests
 
     private static TestView At(double seconds) => new()
     {
-        Position = World.ToGeodetic(new NedVector(NorthAt(seconds), 0, 0)),
+        Position = World.ToGeodetic(new NedPosition(NorthAt(seconds), 0, 0)),
         Attitude = EulerAngles.FromRadians(0, 0, TurnRadiansPerSecond * (seconds - Exposed)),
     };
 
@@ -152,7 +152,7 @@ public sealed class RollingShutterTests
     private static void AssertShown(GeodeticPosition corner, double column, double row)
     {
         double time = Exposed + (row * Readout.TotalSeconds);
-        NedVector ned = World.ToNed(corner);
+        NedPosition ned = World.ToNed(corner);
         At(time).TryProject(ned.North - NorthAt(time), ned.East, out double shownColumn, out double shownRow);
         Assert.Equal(column, shownColumn, 0.01);
         Assert.Equal(row, shownRow, 0.01);

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Tests.Geometry;
@@ -25,7 +26,7 @@ public sealed class SeriesTests
             JsonElement own = series[id];
             double start = own.Each("samples").First()[0].GetDouble();
             double exposed = image.Number("frame_start_camera_clock") - own.Number("clock_offset_s") + (image.Number("exposure_s") / 2);
-            var camera = Vectors.Camera(image.GetProperty("cam").GetInt32());
+            var camera = CameraVectors.Camera(image.GetProperty("cam").GetInt32());
             TimeSpan time = Seconds(exposed + (image.Number("v") * own.Number("line_time_s")) - start);
             PoseLookup answer = histories[id].Find(time, out Pose pose);
             if (image.Text("status") == "not_bracketed")
@@ -40,8 +41,8 @@ public sealed class SeriesTests
             var projector = new GroundProjector(camera, Vectors.Mount(mount), new ErrorBudget(), 5 * Vectors.Degree);
             GroundProjection projection = projector.At(pose, new ImagingCommand
             {
-                CameraPitchRadians = mount.Radians("el"),
-                CameraYawRadians = mount.Radians("az"),
+                CameraPitch = Angle.FromRadians(mount.Radians("el")),
+                CameraYaw = Angle.FromRadians(mount.Radians("az")),
                 GroundAltitudeAmslMetres = image.Number("ground_h"),
             });
             Assert.True(projection.TryProjectToGround(image.Number("u"), image.Number("v"), out GeodeticPosition place));

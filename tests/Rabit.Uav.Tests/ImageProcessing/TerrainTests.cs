@@ -4,9 +4,9 @@ using System.Linq;
 using System.Text;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
-using Rabit.Uav.Tests.Geometry;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -14,10 +14,8 @@ namespace Rabit.Uav.Tests.ImageProcessing;
 
 public sealed class TerrainTests(ITestOutputHelper output)
 {
-    private const string Small = "ncols 3\nnrows 2\nxllcenter 8\nyllcenter 47\ncellsize 0.01\nNODATA_value -1\n10 20 30\n40 50 -1\n";
-
     [Fact]
-    public void Locate_Vectors_MeetTheirTerrainFirst()
+    public void Locate_Vectors_IntersectTheTerrain()
     {
         TerrainGrid[] grids = [.. Vectors.Geolocation.Each("dems").Select(Grid)];
         (double worst, int located, int refused) = (0, 0, 0);
@@ -45,7 +43,7 @@ public sealed class TerrainTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Covariances_OnASlope_AgreeWithErrorsMadeByHand()
+    public void Covariances_OnASlope_AgreeWithDifferences()
     {
         const double Step = 0.01;
         int compared = 0;
@@ -69,35 +67,6 @@ public sealed class TerrainTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Read_TextGrid_HasRowsFromTheNorthAndHolesWhereThereIsNoData()
-    {
-        TerrainGrid grid = AsciiGrid.Read(new StringReader(Small));
-        Assert.Equal(50, grid.HighestMetres);
-        Assert.Equal(40, Height(grid, 47, 8));
-        Assert.Equal(10, Height(grid, 47.01, 8), 1e-6);
-        Assert.Equal(30, Height(grid, 47.005, 8.005), 1e-6);
-        Assert.Equal(TerrainLookup.NoData, grid.TryHeight(Point(47.002, 8.015), out _));
-        Assert.Equal(TerrainLookup.Outside, grid.TryHeight(Point(46.999, 8.01), out _));
-        Assert.Equal(TerrainLookup.Outside, grid.TryHeight(Point(double.NaN, 8.01), out _));
-        Assert.Equal(40, Height(AsciiGrid.Read(new StringReader(Small.Replace("xllcenter 8", "XLLCORNER 7.995"))), 47, 8), 1e-6);
-    }
-
-    [Theory]
-    [InlineData("ncols 3", "ncols 4", "ends after 6")]
-    [InlineData("ncols 3", "ncols 2", "more than")]
-    [InlineData("ncols 3", "ncols x", "'x' is not a number")]
-    [InlineData("ncols 3\n", "", "does not tell its ncols")]
-    [InlineData("cellsize 0.01\n", "", "cellsize")]
-    [InlineData("yllcenter 47", "yllcenter 91", "not on the earth")]
-    [InlineData("10 20 30", "10 q 30", "Line 7 of the grid: 'q'")]
-    [InlineData("nrows 2", "nrows 1", "nrows is 1")]
-    public void Read_BadGrid_SaysWhere(string old, string other, string text)
-    {
-        string bad = Small.Replace(old, other);
-        Assert.Contains(text, Assert.Throws<FormatException>(() => AsciiGrid.Read(new StringReader(bad))).Message, StringComparison.Ordinal);
-    }
-
-    [Fact]
     public void Locate_OverAHole_IsRefusedAndNotGuessed()
     {
         TerrainGrid whole = AsciiGrid.Read(new StringReader(Flat(hole: false)));
@@ -113,8 +82,8 @@ public sealed class TerrainTests(ITestOutputHelper output)
 
     private static ErrorBudget OnlyPixels => new()
     {
-        AttitudeNoiseRadians = 0,
-        HeadingNoiseRadians = 0,
+        AttitudeNoise = Angle.Zero,
+        HeadingNoise = Angle.Zero,
         PositionNoiseMetres = 0,
         AltitudeNoiseMetres = 0,
         PixelNoise = 1,
@@ -139,12 +108,4 @@ public sealed class TerrainTests(ITestOutputHelper output)
             text.Append(hole && i == 60 ? "-9999 " : "100 ");
         return text.ToString();
     }
-
-    private static double Height(TerrainGrid grid, double latitude, double longitude)
-    {
-        Assert.Equal(TerrainLookup.Known, grid.TryHeight(Point(latitude, longitude), out double metres));
-        return metres;
-    }
-
-    private static GeographicPoint Point(double latitude, double longitude) => new(Angle.FromDegrees(latitude), Angle.FromDegrees(longitude));
 }

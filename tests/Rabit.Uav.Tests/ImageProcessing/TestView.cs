@@ -47,8 +47,8 @@ internal sealed class TestView
     public ImagingCommand Order => new()
     {
         Mode = ImagingMode.Search,
-        CameraPitchRadians = CameraPitch,
-        CameraYawRadians = CameraYaw,
+        CameraPitch = Angle.FromRadians(CameraPitch),
+        CameraYaw = Angle.FromRadians(CameraYaw),
         GroundAltitudeAmslMetres = GroundAltitude,
     };
 
@@ -73,7 +73,7 @@ internal sealed class TestView
     /// <summary>Where a point of the ground is seen; false if it is not in the picture.</summary>
     public bool TryProject(double north, double east, out double column, out double row)
     {
-        double[,] nedFromBody = Times(Times(AboutZ(Attitude.YawRadians), AboutY(Attitude.PitchRadians)), AboutX(Attitude.RollRadians));
+        double[,] nedFromBody = Times(Times(AboutZ(Attitude.Yaw.Radians), AboutY(Attitude.Pitch.Radians)), AboutX(Attitude.Roll.Radians));
         double[,] bodyFromGimbal = Times(AboutZ(CameraYaw), AboutY(CameraPitch));
         BodyVector arm = Mount.GimbalLeverArmMetres;
         double[] armNed = Times(nedFromBody, [arm.Forward, arm.Right, arm.Down]);
@@ -99,16 +99,16 @@ internal sealed class TestView
     {
         double late = budget.TimeNoise.TotalSeconds * Draw();
         Rotation turned = Rotation.FromEuler(EulerAngles.FromRadians(
-            Attitude.RollRadians + (budget.AttitudeNoiseRadians * Draw()),
-            Attitude.PitchRadians + (budget.AttitudeNoiseRadians * Draw()),
-            Attitude.YawRadians + (budget.HeadingNoiseRadians * Draw()))).After(Rates, late);
+            Attitude.Roll.Radians + (budget.AttitudeNoise.Radians * Draw()),
+            Attitude.Pitch.Radians + (budget.AttitudeNoise.Radians * Draw()),
+            Attitude.Yaw.Radians + (budget.HeadingNoise.Radians * Draw()))).After(Rates, late);
         _offset = new NedVector(
             (budget.PositionNoiseMetres * Draw()) + (Velocity.North * late), (budget.PositionNoiseMetres * Draw()) + (Velocity.East * late), 0);
         double up = (budget.AltitudeNoiseMetres * Draw()) - (Velocity.Down * late);
         return new TestView
         {
             Attitude = turned.ToEuler(),
-            Position = GeodeticPosition.FromRadians(Position.LatitudeRadians, Position.LongitudeRadians, Position.AltitudeAmslMetres + up),
+            Position = GeodeticPosition.FromRadians(Position.Latitude.Radians, Position.Longitude.Radians, Position.AltitudeAmslMetres + up),
             _offset = _offset,
         };
 
@@ -116,11 +116,11 @@ internal sealed class TestView
     }
 
     /// <summary>Where a pixel is, from the vehicle without its errors.</summary>
-    public NedVector Located(double column, double row)
+    public NedPosition Located(double column, double row)
     {
         if (!Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground))
             throw new InvalidOperationException("The pixel does not show the ground.");
-        return new NedVector(ground.North + _offset.North, ground.East + _offset.East, ground.Down);
+        return ground + _offset;
     }
 
     private NedVector _offset;

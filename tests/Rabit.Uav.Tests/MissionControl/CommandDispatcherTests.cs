@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Xunit;
@@ -93,7 +94,7 @@ public class CommandDispatcherTests
     }
 
     private static VehicleCommand GoTo(double latitude)
-        => new() { Kind = VehicleCommandKind.GoTo, LatitudeRadians = latitude, YawRadians = double.NaN };
+        => new() { Kind = VehicleCommandKind.GoTo, Latitude = Angle.FromRadians(latitude), Yaw = Angle.NaN };
 
     private static VehicleCommandResult Result(long id, VehicleCommandOutcome outcome)
         => new() { Id = id, Kind = VehicleCommandKind.GoTo, Outcome = outcome, Text = outcome == VehicleCommandOutcome.Accepted ? null : "no" };

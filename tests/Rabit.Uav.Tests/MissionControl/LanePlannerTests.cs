@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Tests.Shared;
 using Rabit.Uav.MissionControl;
 using Xunit;
 using Xunit.Abstractions;

@@ -14,14 +14,14 @@ public class MissionPlanTests
         MissionPlan plan = MissionPlan.Parse(TestData.MissionText("north-field.json"), "north-field.json");
         Assert.Equal("north field", plan.Name);
         Assert.Equal(4, plan.Area.Length);
-        Assert.Equal(47.3982397, plan.Area[0].LatitudeRadians * 180 / Math.PI, 9);
-        Assert.Equal(8.5445383, plan.Area[0].LongitudeRadians * 180 / Math.PI, 9);
+        Assert.Equal(47.3982397, plan.Area[0].Latitude.Degrees, 9);
+        Assert.Equal(8.5445383, plan.Area[0].Longitude.Degrees, 9);
         Assert.Equal((40, 6, 30, 40), (plan.HeightMetres, plan.SpeedMetresPerSecond, plan.LaneSpacingMetres, plan.FenceMarginMetres));
         Assert.Null(plan.LaneHeadingRadians);
         Assert.Equal(DefaultTargetClasses.All.ToArray(), plan.Targets.ToArray());
-        Assert.Equal(8.5456, plan.Home!.LongitudeRadians * 180 / Math.PI, 9);
+        Assert.Equal(8.5456, plan.Home!.Longitude.Degrees, 9);
         Assert.True(plan.Revisit.IsEnabled);
-        Assert.Equal(-Math.PI / 2, plan.CameraPitchRadians, 12);
+        Assert.Equal(-Math.PI / 2, plan.CameraPitch.Radians, 12);
         Assert.Equal(0.5, plan.MinBatteryFractionAtStart);
     }
 

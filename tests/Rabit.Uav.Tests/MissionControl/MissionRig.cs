@@ -70,8 +70,8 @@ internal sealed class MissionRig : IDisposable
         using var corners = System.Text.Json.JsonDocument.Parse(area);
         IEnumerable<string> places = corners.RootElement.EnumerateArray().Select(c =>
         {
-            GeodeticPosition p = frame.ToGeodetic(new NedVector(c[0].GetDouble(), c[1].GetDouble(), 0));
-            return string.Format(CultureInfo.InvariantCulture, "[{0:R},{1:R}]", p.LatitudeRadians * 180 / Math.PI, p.LongitudeRadians * 180 / Math.PI);
+            GeodeticPosition p = frame.ToGeodetic(new NedPosition(c[0].GetDouble(), c[1].GetDouble(), 0));
+            return string.Format(CultureInfo.InvariantCulture, "[{0:R},{1:R}]", p.Latitude.Degrees, p.Longitude.Degrees);
         });
         return "{\"area\":[" + string.Join(",", places) + "],\"heightMetres\":40,\"speedMetresPerSecond\":8,\"laneSpacingMetres\":30" + more + "}";
     }

@@ -190,8 +190,8 @@ internal sealed class StandInVehicle : RabitManager
             case VehicleCommandKind.TakeOff:
                 return (North, East, _task.HeightAboveHomeMetres, 0);
             case VehicleCommandKind.GoTo:
-                NedVector to = _frame.ToNed(GeodeticPosition.FromRadians(_task.LatitudeRadians, _task.LongitudeRadians, _frame.Origin.AltitudeAmslMetres));
-                Yaw = _task.YawRadians;
+                NedPosition to = _frame.ToNed(GeodeticPosition.FromRadians(_task.Latitude.Radians, _task.Longitude.Radians, _frame.Origin.AltitudeAmslMetres));
+                Yaw = _task.Yaw.Radians;
                 return (to.North, to.East, _task.HeightAboveHomeMetres, _task.SpeedMetresPerSecond);
             case VehicleCommandKind.Return:
                 bool isHome = Math.Abs(North) < 1 && Math.Abs(East) < 1;
@@ -230,7 +230,7 @@ internal sealed class StandInVehicle : RabitManager
     {
         double n = Height * ((forward * Math.Cos(Yaw)) - (right * Math.Sin(Yaw)));
         double e = Height * ((forward * Math.Sin(Yaw)) + (right * Math.Cos(Yaw)));
-        return _frame.ToGeodetic(new NedVector(North + n, East + e, 0));
+        return _frame.ToGeodetic(new NedPosition(North + n, East + e, 0));
     }
 
     private void SeeTargets()
@@ -303,7 +303,7 @@ internal sealed class StandInVehicle : RabitManager
             : _task.Kind == VehicleCommandKind.Land ? MavLandedState.Landing : MavLandedState.InAir;
         if (HasPosition)
             state.PositionTime = Now;
-        GeodeticPosition at = _frame.ToGeodetic(new NedVector(North, East, -Height));
+        GeodeticPosition at = _frame.ToGeodetic(new NedPosition(North, East, -Height));
         state.Position = at;
         state.HeightAboveHomeMetres = Height;
         state.VelocityNed = new NedVector(_vn, _ve, _vd);

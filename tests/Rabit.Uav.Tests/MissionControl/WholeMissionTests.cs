@@ -89,7 +89,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         {
             VehicleCommand a = sent[i - 1].Command;
             VehicleCommand b = sent[i].Command;
-            Assert.False(a.LatitudeRadians.Equals(b.LatitudeRadians) && a.LongitudeRadians.Equals(b.LongitudeRadians) && a.YawRadians.Equals(b.YawRadians));
+            Assert.False(a.Latitude.Radians.Equals(b.Latitude.Radians) && a.Longitude.Radians.Equals(b.Longitude.Radians) && a.Yaw.Radians.Equals(b.Yaw.Radians));
         }
     }
 
@@ -105,7 +105,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         Assert.Equal(ImagingMode.Search, rig.Vehicle.Imaging.Mode);
         Assert.Equal(488, rig.Vehicle.Imaging.GroundAltitudeAmslMetres, 0.01);
         Assert.Empty(rig.Vehicle.Imaging.Classes);
-        Assert.Equal(-Math.PI / 2, rig.Vehicle.Imaging.CameraPitchRadians, 12);
+        Assert.Equal(-Math.PI / 2, rig.Vehicle.Imaging.CameraPitch.Radians, 12);
         rig.RunUntil(MissionPhase.Returning);
         rig.Run(0.5);
         Assert.Equal(ImagingMode.Off, rig.Vehicle.Imaging.Mode);
@@ -117,7 +117,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         using var rig = new MissionRig(MissionRig.Mission(", \"camera\": {\"gimbal\": true, \"pitchDegrees\": -60}"));
         rig.RunUntil(MissionPhase.Searching);
         Assert.Equal(1, rig.Vehicle.Count(VehicleCommandKind.PointCamera));
-        Assert.Equal(-Math.PI / 3, rig.Vehicle.Commands.Single(c => c.Command.Kind == VehicleCommandKind.PointCamera).Command.CameraPitchRadians, 9);
+        Assert.Equal(-Math.PI / 3, rig.Vehicle.Commands.Single(c => c.Command.Kind == VehicleCommandKind.PointCamera).Command.CameraPitch.Radians, 9);
     }
 
     [Fact]

@@ -140,7 +140,7 @@ public class ForeignReportTests
     }
 
     private static string Describe(TargetTrack t)
-        => FormattableString.Invariant($"{t.Id} {t.State} {t.Position.LatitudeRadians:R} {t.Position.LongitudeRadians:R} {t.Covariance.NorthNorth:R} {t.Reports} {t.Misses}");
+        => FormattableString.Invariant($"{t.Id} {t.State} {t.Position.Latitude.Radians:R} {t.Position.Longitude.Radians:R} {t.Covariance.NorthNorth:R} {t.Reports} {t.Misses}");
 
     private static IEnumerable<TargetReport> HostileReports(TimeSpan now)
     {

@@ -66,7 +66,7 @@ internal sealed class FusionRig : IDisposable
         double north, double east, TargetClassName? targetClass = null, double sigma = 0.5, double common = 0.5) => new()
         {
             SourceSystemId = 1,
-            Position = LocalNedFrame.IgnoringGeoid(Origin).ToGeodetic(new NedVector(north, east, 0)),
+            Position = LocalNedFrame.IgnoringGeoid(Origin).ToGeodetic(new NedPosition(north, east, 0)),
             Covariance = new HorizontalCovariance(sigma * sigma, 0, sigma * sigma),
             SystematicCovariance = new HorizontalCovariance(common * common, 0, common * common),
             Class = targetClass ?? DefaultTargetClasses.Red,
@@ -75,7 +75,7 @@ internal sealed class FusionRig : IDisposable
         };
 
     /// <summary>Where a track is, metres from the origin.</summary>
-    public static NedVector PlaceOf(TargetTrack track) => LocalNedFrame.IgnoringGeoid(Origin).ToNed(track.Position);
+    public static NedPosition PlaceOf(TargetTrack track) => LocalNedFrame.IgnoringGeoid(Origin).ToNed(track.Position);
 
     /// <summary>Half a second goes by, and a picture of 48 by 36 m around a point is searched.</summary>
     public void Observe(double north, double east, params TargetReport[] reports)

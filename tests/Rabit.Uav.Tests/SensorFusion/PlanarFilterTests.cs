@@ -51,8 +51,8 @@ public class PlanarFilterTests(ITestOutputHelper output)
         double Gate(double p) => data.RootElement.GetProperty("chi2_gates").EnumerateArray()
             .Single(g => g.GetProperty("p").GetDouble().Equals(p)).GetProperty("gate").GetDouble();
         Assert.Equal(Gate(0.99), new SensorFusionOptions().Gate, 0.001);
-        Assert.False(new HorizontalCovariance(1, 0, 1).Holds95(Math.Sqrt(Gate(0.95)) + 1e-9, 0));
-        Assert.True(new HorizontalCovariance(1, 0, 1).Holds95(Math.Sqrt(Gate(0.95)) - 1e-9, 0));
+        Assert.False(new HorizontalCovariance(1, 0, 1).Contains95(Math.Sqrt(Gate(0.95)) + 1e-9, 0));
+        Assert.True(new HorizontalCovariance(1, 0, 1).Contains95(Math.Sqrt(Gate(0.95)) - 1e-9, 0));
     }
 
     [Fact]

@@ -243,8 +243,8 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
                 rig.Run(30);
             }
 
-            NedVector place = PlaceOf(rig.Tracks[0]);
-            held += rig.Tracks[0].Covariance.Holds95(place.North, place.East) ? 1 : 0;
+            NedPosition place = PlaceOf(rig.Tracks[0]);
+            held += rig.Tracks[0].Covariance.Contains95(place.North, place.East) ? 1 : 0;
             Assert.Single(rig.Tracks);
         }
 

@@ -14,10 +14,10 @@ namespace Rabit.Uav.Tests.UavConsole;
 /// <summary>A search flight as it might be told: lanes over an area, five targets, one of them not found, one track too many.</summary>
 internal sealed class MadeUpFlight
 {
-    private const double RadiansPerDegree = Math.PI / 180;
+    private const double RadiansPerDegree = Angle.RadiansPerDegree;
     private const double HeightMetres = 40;
     private const double Speed = 6;
-    private static readonly NedVector[] Area = [new(20, 20, 0), new(140, 20, 0), new(140, 180, 0), new(20, 180, 0)];
+    private static readonly NedPosition[] Area = [new(20, 20, 0), new(140, 20, 0), new(140, 180, 0), new(20, 180, 0)];
     private static readonly double[] LaneNorths = [35, 65, 95, 125];
     private static readonly string[] ManagerNames = ["communications", "autopilot", "image processing", "sensor fusion", "mission control", "health", "simulated vehicle", "recorder"];
 
@@ -26,7 +26,7 @@ internal sealed class MadeUpFlight
     private readonly List<PhaseChange> _phases = [];
     private readonly Random _random = new(4);   // of the tests alone; the picture may change with the runtime
     private double _time;
-    private NedVector _at;
+    private NedPosition _at;
 
     private MadeUpFlight() => Fly();
 
@@ -48,8 +48,8 @@ internal sealed class MadeUpFlight
         Name = "search of a meadow",
         Home = Home,
         Area = [.. Area.Select(Frame.ToGeodetic)],
-        Fence = [.. new[] { new NedVector(-15, -15, 0), new NedVector(160, -15, 0), new NedVector(160, 200, 0), new NedVector(-15, 200, 0) }.Select(Frame.ToGeodetic)],
-        Lanes = [.. LaneNorths.SelectMany((n, i) => i % 2 == 0 ? new[] { (n, 20.0), (n, 180.0) } : [(n, 180.0), (n, 20.0)]).Select(p => Frame.ToGeodetic(new NedVector(p.Item1, p.Item2, -HeightMetres)))],
+        Fence = [.. new[] { new NedPosition(-15, -15, 0), new NedPosition(160, -15, 0), new NedPosition(160, 200, 0), new NedPosition(-15, 200, 0) }.Select(Frame.ToGeodetic)],
+        Lanes = [.. LaneNorths.SelectMany((n, i) => i % 2 == 0 ? new[] { (n, 20.0), (n, 180.0) } : [(n, 180.0), (n, 20.0)]).Select(p => Frame.ToGeodetic(new NedPosition(p.Item1, p.Item2, -HeightMetres)))],
         HeightAboveHomeMetres = HeightMetres,
         SpeedMetresPerSecond = Speed,
     };
@@ -79,7 +79,7 @@ internal sealed class MadeUpFlight
                 Mode = "RTL",
                 IsConnected = true,
                 PositionTime = TimeSpan.FromSeconds(flight._time),
-                Position = Frame.ToGeodetic(new NedVector(0.4, -0.5, 0)),
+                Position = Frame.ToGeodetic(new NedPosition(0.4, -0.5, 0)),
                 BatteryTime = TimeSpan.FromSeconds(flight._time),
                 BatteryRemaining = 0.63,
             },
@@ -138,7 +138,7 @@ internal sealed class MadeUpFlight
         Id = id,
         Class = colour,
         State = state,
-        Position = Frame.ToGeodetic(new NedVector(north, east, 0)),
+        Position = Frame.ToGeodetic(new NedPosition(north, east, 0)),
         Covariance = new HorizontalCovariance(1.1, 0.3, 0.8),
         Reports = 12 + id,
         Misses = id % 3,
@@ -188,31 +188,31 @@ internal sealed class MadeUpFlight
         Wait(MissionPhase.WaitingForVehicle, 4);
         Wait(MissionPhase.Arming, 2);
         Begin(MissionPhase.TakingOff);
-        Go(new NedVector(0, 0, -HeightMetres), 2.5, MissionPhase.TakingOff);
+        Go(new NedPosition(0, 0, -HeightMetres), 2.5, MissionPhase.TakingOff);
         Begin(MissionPhase.InTransit);
         for (int lane = 0; lane < LaneNorths.Length; lane++)
         {
             bool isEastward = lane % 2 == 0;
-            Go(new NedVector(LaneNorths[lane], isEastward ? 20 : 180, -HeightMetres), Speed, lane == 0 ? MissionPhase.InTransit : MissionPhase.Searching);
+            Go(new NedPosition(LaneNorths[lane], isEastward ? 20 : 180, -HeightMetres), Speed, lane == 0 ? MissionPhase.InTransit : MissionPhase.Searching);
             Begin(MissionPhase.Searching);
-            Go(new NedVector(LaneNorths[lane], isEastward ? 110 : 90, -HeightMetres), Speed, MissionPhase.Searching);
+            Go(new NedPosition(LaneNorths[lane], isEastward ? 110 : 90, -HeightMetres), Speed, MissionPhase.Searching);
             if (lane is 0 or 2)
             {
-                NedVector back = _at;
+                NedPosition back = _at;
                 Begin(MissionPhase.Revisiting);
-                Go(new NedVector(LaneNorths[lane] + 14, back.East - 18, -HeightMetres), 4, MissionPhase.Revisiting);
+                Go(new NedPosition(LaneNorths[lane] + 14, back.East - 18, -HeightMetres), 4, MissionPhase.Revisiting);
                 Wait(MissionPhase.Revisiting, 5);
                 Go(back, 4, MissionPhase.Revisiting);
                 Begin(MissionPhase.Searching);
             }
 
-            Go(new NedVector(LaneNorths[lane], isEastward ? 180 : 20, -HeightMetres), Speed, MissionPhase.Searching);
+            Go(new NedPosition(LaneNorths[lane], isEastward ? 180 : 20, -HeightMetres), Speed, MissionPhase.Searching);
         }
 
         Begin(MissionPhase.Returning);
-        Go(new NedVector(0.4, -0.5, -HeightMetres), 8, MissionPhase.Returning);
+        Go(new NedPosition(0.4, -0.5, -HeightMetres), 8, MissionPhase.Returning);
         Begin(MissionPhase.Landing);
-        Go(new NedVector(0.4, -0.5, 0), 1.5, MissionPhase.Landing);
+        Go(new NedPosition(0.4, -0.5, 0), 1.5, MissionPhase.Landing);
         Begin(MissionPhase.Done);
         Wait(MissionPhase.Done, 3);
     }
@@ -225,7 +225,7 @@ internal sealed class MadeUpFlight
             Sample(phase, 0, 0);
     }
 
-    private void Go(NedVector to, double speed, MissionPhase phase)
+    private void Go(NedPosition to, double speed, MissionPhase phase)
     {
         while (true)
         {
@@ -234,7 +234,7 @@ internal sealed class MadeUpFlight
             double step = Math.Min(left, speed * 0.2);
             if (left < 1e-6)
                 return;
-            _at = new NedVector(_at.North + (n * step / left), _at.East + (e * step / left), _at.Down + (d * step / left));
+            _at = new NedPosition(_at.North + (n * step / left), _at.East + (e * step / left), _at.Down + (d * step / left));
             Sample(phase, Math.Sqrt((n * n) + (e * e)) / left * speed, Math.Atan2(e, n));
         }
     }
@@ -247,7 +247,7 @@ internal sealed class MadeUpFlight
         {
             Time = TimeSpan.FromSeconds(_time),
             HasPosition = _time > 1,
-            Position = Frame.ToGeodetic(new NedVector(_at.North + (0.3 * Gauss()), _at.East + (0.3 * Gauss()), _at.Down)),
+            Position = Frame.ToGeodetic(new NedPosition(_at.North + (0.3 * Gauss()), _at.East + (0.3 * Gauss()), _at.Down)),
             HeightAboveHomeMetres = -_at.Down + (0.2 * Gauss()),
             GroundSpeed = Math.Max(0, speed + (0.15 * Gauss())),
             YawRadians = yaw,
@@ -264,7 +264,7 @@ internal sealed class MadeUpFlight
     private CameraObservation Look(double yaw)
     {
         (double forward, double right) = (HeightMetres * 240 / 530, HeightMetres * 320 / 530);
-        GeodeticPosition Corner(double f, double r) => Frame.ToGeodetic(new NedVector(
+        GeodeticPosition Corner(double f, double r) => Frame.ToGeodetic(new NedPosition(
             _at.North + (f * Math.Cos(yaw)) - (r * Math.Sin(yaw)), _at.East + (f * Math.Sin(yaw)) + (r * Math.Cos(yaw)), 0));
         return new CameraObservation
         {

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
@@ -17,8 +18,8 @@ internal static class CommandCheck
         VehicleCommandKind.TakeOff => FaultOfHeight(command),
         VehicleCommandKind.Velocity => FaultOfVelocity(command) ?? FaultOfYaw(command),
         VehicleCommandKind.SetMode => string.IsNullOrEmpty(command.Mode) ? "Mode is empty" : null,
-        VehicleCommandKind.PointCamera => FaultOfAngle(nameof(command.CameraPitchRadians), command.CameraPitchRadians, Math.PI)
-            ?? FaultOfAngle(nameof(command.CameraYawRadians), command.CameraYawRadians, 2 * Math.PI),
+        VehicleCommandKind.PointCamera => FaultOfAngle(nameof(command.CameraPitch), command.CameraPitch, 180)
+            ?? FaultOfAngle(nameof(command.CameraYaw), command.CameraYaw, 360),
         VehicleCommandKind.Arm or VehicleCommandKind.Disarm or VehicleCommandKind.Hold or VehicleCommandKind.Return or VehicleCommandKind.Land
             => null,
         _ => FormattableString.Invariant($"Kind is {(int)command.Kind}, which is no command"),
@@ -26,12 +27,12 @@ internal static class CommandCheck
 
     private static string? FaultOfPlace(in VehicleCommand command)
     {
-        if (FaultOfAngle(nameof(command.LatitudeRadians), command.LatitudeRadians, Math.PI / 2) is { } latitude)
+        if (FaultOfAngle(nameof(command.Latitude), command.Latitude, 90) is { } latitude)
             return latitude;
-        if (FaultOfAngle(nameof(command.LongitudeRadians), command.LongitudeRadians, Math.PI) is { } longitude)
+        if (FaultOfAngle(nameof(command.Longitude), command.Longitude, 180) is { } longitude)
             return longitude;
-        return command.LatitudeRadians.Equals(0) && command.LongitudeRadians.Equals(0)
-            ? "LatitudeRadians and LongitudeRadians are both 0, which is no place but an omission"
+        return command.Latitude.Radians.Equals(0) && command.Longitude.Radians.Equals(0)
+            ? "Latitude and Longitude are both 0, which is no place but an omission"
             : null;
     }
 
@@ -46,7 +47,7 @@ internal static class CommandCheck
                 $"SpeedMetresPerSecond is {command.SpeedMetresPerSecond}; it must be above 0 and at most {MaxMetresPerSecond}, or NaN");
 
     private static string? FaultOfYaw(in VehicleCommand command)
-        => double.IsNaN(command.YawRadians) ? null : FaultOfAngle(nameof(command.YawRadians), command.YawRadians, 2 * Math.PI);
+        => double.IsNaN(command.Yaw.Radians) ? null : FaultOfAngle(nameof(command.Yaw), command.Yaw, 360);
 
     private static string? FaultOfVelocity(in VehicleCommand command)
     {
@@ -59,7 +60,8 @@ internal static class CommandCheck
             : FormattableString.Invariant($"VelocityNed is ({north}, {east}, {down}); it must be at most {MaxMetresPerSecond} m/s");
     }
 
-    private static string? FaultOfAngle(string name, double radians, double most) => Math.Abs(radians) <= most
-        ? null
-        : FormattableString.Invariant($"{name} is {radians}; it must be within {most} of 0");
+    private static string? FaultOfAngle(string name, Angle angle, double maxDegrees)
+        => Math.Abs(angle.Radians) <= maxDegrees * Angle.RadiansPerDegree
+            ? null
+            : FormattableString.Invariant($"{name} is {angle}; it must be within {maxDegrees}° of 0");
 }

@@ -58,7 +58,7 @@ internal sealed class CopterProfile : VehicleProfile
                 return "where the vehicle is is not known";
             case VehicleCommandKind.Hold:
                 GeodeticPosition here = StoppingPoint(vehicle);
-                steps.Add(Reposition(MavFrame.GlobalRelativeAltInt, here.LatitudeRadians, here.LongitudeRadians, vehicle.HeightAboveHomeMetres, Plain));
+                steps.Add(Reposition(MavFrame.GlobalRelativeAltInt, here.Latitude.Radians, here.Longitude.Radians, vehicle.HeightAboveHomeMetres, Plain));
                 return null;
             default:
                 return $"{command.Kind} is not known";
@@ -68,18 +68,18 @@ internal sealed class CopterProfile : VehicleProfile
     private static void PlanGoTo(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
     {
         double speed = command.SpeedMetresPerSecond;
-        double yaw = command.YawRadians;
-        steps.Add(Reposition(MavFrame.GlobalRelativeAltInt, command.LatitudeRadians, command.LongitudeRadians, command.HeightAboveHomeMetres, command));
+        Angle yaw = command.Yaw;
+        steps.Add(Reposition(MavFrame.GlobalRelativeAltInt, command.Latitude.Radians, command.Longitude.Radians, command.HeightAboveHomeMetres, command));
         if (!double.IsNaN(speed) && !speed.Equals(context.LastSpeedMetresPerSecond))
             steps.Add(Long(MavCmd.DoChangeSpeed, GroundSpeed, speed, NoThrottle));
-        if (!double.IsNaN(yaw))
+        if (yaw.IsFinite)
             steps.Add(Long(MavCmd.ConditionYaw, Heading(yaw)));
     }
 
     // Rounded to what a float holds below, so that 360 never comes out.
-    private static double Heading(double yawRadians)
+    private static double Heading(Angle yaw)
     {
-        double degrees = Math.Round(yawRadians * DegreesPerRadian, 3) % FullTurnDegrees;
+        double degrees = Math.Round(yaw.Degrees, 3) % FullTurnDegrees;
         return degrees < 0 ? degrees + FullTurnDegrees : degrees;
     }
 }

@@ -49,13 +49,13 @@ internal sealed class Px4Profile : VehicleProfile
                 return null;
             case VehicleCommandKind.GoTo:
                 EnsureCommandedMode(vehicle, steps);
-                steps.Add(Reposition(command.LatitudeRadians, command.LongitudeRadians, homeAmsl + command.HeightAboveHomeMetres, command));
+                steps.Add(Reposition(command.Latitude.Radians, command.Longitude.Radians, homeAmsl + command.HeightAboveHomeMetres, command));
                 return null;
             case VehicleCommandKind.Hold:
                 // The mode alone would let it fly on to the last place.
                 EnsureCommandedMode(vehicle, steps);
                 GeodeticPosition here = StoppingPoint(vehicle);
-                steps.Add(Reposition(here.LatitudeRadians, here.LongitudeRadians, here.AltitudeAmslMetres, Plain));
+                steps.Add(Reposition(here.Latitude.Radians, here.Longitude.Radians, here.AltitudeAmslMetres, Plain));
                 return null;
             default:
                 return $"{command.Kind} is not known";

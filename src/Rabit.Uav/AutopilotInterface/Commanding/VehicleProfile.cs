@@ -10,12 +10,10 @@ namespace Rabit.Uav.AutopilotInterface;
 /// <summary>What commands one make of autopilot takes, and what it does by itself. Stateless.</summary>
 internal abstract class VehicleProfile
 {
-    private protected const double DegreesPerRadian = 180 / Math.PI;
-
     // 1: the custom mode is the one that counts (MAV_MODE_FLAG_CUSTOM_MODE_ENABLED).
     private const float ByCustomMode = 1;
 
-    private const double DegE7PerRadian = DegreesPerRadian * 1e7;
+    private const double DegE7PerRadian = 1e7 / Angle.RadiansPerDegree;
 
     // What both makes brake with by default: ArduCopter WPNAV_ACCEL 2.5 m/s2, PX4 MPC_ACC_HOR 3 m/s2; the weaker overshoots less.
     private const double BrakingMetresPerSecond2 = 2.5;
@@ -111,7 +109,7 @@ internal abstract class VehicleProfile
                 Frame = frame,
                 Param1 = double.IsNaN(command.SpeedMetresPerSecond) ? -1 : (float)command.SpeedMetresPerSecond,
                 Param2 = flags,
-                Param4 = (float)command.YawRadians,
+                Param4 = (float)command.Yaw.Radians,
                 X = DegE7(latitudeRadians),
                 Y = DegE7(longitudeRadians),
                 Z = (float)heightMetres,
@@ -119,7 +117,7 @@ internal abstract class VehicleProfile
         };
 
     // Where the speed and the heading are left to the vehicle.
-    private protected static VehicleCommand Plain { get; } = new() { SpeedMetresPerSecond = double.NaN, YawRadians = double.NaN };
+    private protected static VehicleCommand Plain { get; } = new() { SpeedMetresPerSecond = double.NaN, Yaw = Angle.NaN };
 
     private static CommandStep Arm(bool arms) => Long(MavCmd.ComponentArmDisarm, arms ? 1 : 0);
 
@@ -138,8 +136,8 @@ internal abstract class VehicleProfile
         Request = new MavlinkCommand
         {
             Command = MavCmd.DoGimbalManagerPitchyaw,
-            Param1 = (float)(command.CameraPitchRadians * DegreesPerRadian),
-            Param2 = (float)(command.CameraYawRadians * DegreesPerRadian),
+            Param1 = (float)command.CameraPitch.Degrees,
+            Param2 = (float)command.CameraYaw.Degrees,
             Param3 = float.NaN,
             Param4 = float.NaN,
         },
@@ -153,7 +151,7 @@ internal abstract class VehicleProfile
         NedVector v = vehicle.VelocityNed;
         double speed = Math.Sqrt((v.North * v.North) + (v.East * v.East));
         double seconds = speed / (2 * BrakingMetresPerSecond2);
-        return LocalNedFrame.IgnoringGeoid(vehicle.Position).ToGeodetic(new NedVector(v.North * seconds, v.East * seconds, 0));
+        return LocalNedFrame.IgnoringGeoid(vehicle.Position).ToGeodetic(new NedPosition(v.North * seconds, v.East * seconds, 0));
     }
 
     /// <summary>The steps of a command for a mode by name.</summary>

@@ -51,7 +51,7 @@ internal sealed class VelocityStream
         if (_due <= now)
             _due = now + Period;
 
-        bool hasYaw = !double.IsNaN(_command.YawRadians);
+        bool hasYaw = !double.IsNaN(_command.Yaw.Radians);
         var target = new SetPositionTargetLocalNed
         {
             TimeBootMs = unchecked((uint)(now.Ticks / TimeSpan.TicksPerMillisecond)),
@@ -62,7 +62,7 @@ internal sealed class VelocityStream
             Vx = (float)_command.VelocityNed.North,
             Vy = (float)_command.VelocityNed.East,
             Vz = (float)_command.VelocityNed.Down,
-            Yaw = hasYaw ? (float)_command.YawRadians : 0,
+            Yaw = hasYaw ? (float)_command.Yaw.Radians : 0,
         };
         frame = MavlinkFrame.Create(target, from.SystemId, from.ComponentId, sequence: 0);
         return true;

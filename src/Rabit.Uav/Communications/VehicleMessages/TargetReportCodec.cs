@@ -26,7 +26,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
 
     private const int NameOffset = 58;
     private const byte Version = 2;
-    private const double DegE7PerRadian = 180 / Math.PI * 1e7;
+    private const double DegE7PerRadian = 1e7 / Angle.RadiansPerDegree;
     private const double MaxLatitudeDegE7 = 90e7;
     private const double MaxLongitudeDegE7 = 180e7;
     private const double MaxAltitudeMetres = 20_000;
@@ -62,8 +62,8 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
         destination[3] = (byte)Math.Round(content.Score * byte.MaxValue);
         BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(4), unchecked((uint)content.PictureNumber));
         BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(8), (uint)Math.Max(0, ageMs));
-        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(12), (int)Math.Round(content.Position.LatitudeRadians * DegE7PerRadian));
-        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(16), (int)Math.Round(content.Position.LongitudeRadians * DegE7PerRadian));
+        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(12), (int)Math.Round(content.Position.Latitude.Radians * DegE7PerRadian));
+        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(16), (int)Math.Round(content.Position.Longitude.Radians * DegE7PerRadian));
         BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(20), (int)Math.Round(content.Position.AltitudeAmslMetres * 1000));
         Write(destination.Slice(24), content.Covariance);
         Write(destination.Slice(36), content.SystematicCovariance);
@@ -112,8 +112,8 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
 
     private static bool IsValid(in TargetReport report)
     {
-        double latitude = report.Position.LatitudeRadians * DegE7PerRadian;
-        double longitude = report.Position.LongitudeRadians * DegE7PerRadian;
+        double latitude = report.Position.Latitude.Radians * DegE7PerRadian;
+        double longitude = report.Position.Longitude.Radians * DegE7PerRadian;
         return Math.Abs(latitude) <= MaxLatitudeDegE7 + 0.5
             && Math.Abs(longitude) <= MaxLongitudeDegE7 + 0.5
             && !(Math.Abs(latitude) < 1 && Math.Abs(longitude) < 1)

@@ -17,19 +17,19 @@ public sealed class BiasEstimate
         Unobserved = FindUnobserved();
     }
 
-    /// <summary>How well the looks agree with it.</summary>
+    /// <summary>How well the observations agree with it.</summary>
     public BiasFit Fit { get; }
 
-    /// <summary>The combinations that the looks do not tell, those of which least is known first. North and east of the vehicle are always among them.</summary>
+    /// <summary>The combinations that the observations do not determine (unobservable), those of which least is known first. North and east of the vehicle are always among them.</summary>
     public IReadOnlyList<BiasCombination> Unobserved { get; }
 
-    /// <summary>The points that were looked at, by their numbers.</summary>
+    /// <summary>The points that were observed, by their numbers.</summary>
     public IReadOnlyDictionary<int, BiasPoint> Points => _points;
 
-    /// <summary>A bias, if the looks tell it: if they at least halve what was not known of it.</summary>
+    /// <summary>A bias, if the observations determine it: if they at least halve its prior uncertainty.</summary>
     /// <param name="parameter">Which.</param>
     /// <param name="value">Radians, seconds or metres; not a number if the answer is false.</param>
-    /// <param name="sigma">Its standard deviation; of what is not observed, what was known before.</param>
+    /// <param name="sigma">Its standard deviation; of what is not observed, that of the prior.</param>
     public bool TryGet(BiasParameter parameter, out double value, out double sigma)
     {
         sigma = Math.Sqrt(_covariance[(int)parameter, (int)parameter]);
@@ -44,7 +44,7 @@ public sealed class BiasEstimate
     public double Covariance(BiasParameter a, BiasParameter b) => _covariance[(int)a, (int)b];
 
     /// <summary>
-    /// The best value with what was known before, also where the looks say nothing: a correction that does no harm, and no measurement.
+    /// The best value with the prior, also where the observations say nothing: a correction that does no harm, and no measurement.
     /// </summary>
     /// <param name="parameter">Which.</param>
     public double BestValue(BiasParameter parameter) => _values[(int)parameter];

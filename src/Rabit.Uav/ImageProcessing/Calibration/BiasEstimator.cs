@@ -4,13 +4,14 @@ using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
 /// <summary>
-/// Finds what is wrong in the same way in all looks (mount, attitude, time, height) from many looks at standing points whose places are not
-/// known: weighted least squares over biases and points together, with what was known before. For one thread, after a flight or now and
-/// then; not in a unit of work.
+/// Calibration: finds what is wrong in the same way in all observations (mount, attitude, time, height) from many observations of static
+/// points whose places are not known, by weighted least squares over biases and points together, with a prior for each bias. For one
+/// thread, after a flight or now and then; not in a unit of work.
 /// </summary>
 public sealed class BiasEstimator
 {
@@ -21,15 +22,15 @@ public sealed class BiasEstimator
     private readonly GroundProjector _projector;
     private readonly BiasOptions _options;
     private readonly double[] _priors;
-    private readonly List<BiasLook> _looks = [];
+    private readonly List<BiasObservation> _observations = [];
     private readonly double _groundAmslMetres;
     private int _refused;
 
     /// <summary>Makes it.</summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="mount">Its mount, as it is believed to be.</param>
+    /// <param name="mount">Its mount, as far as it is known.</param>
     /// <param name="ground">Where the ground is; flat and level.</param>
-    /// <param name="options">What is known before; read now.</param>
+    /// <param name="options">The priors and the noise; read now.</param>
     /// <exception cref="ArgumentException">Something is out of its range; the text names all.</exception>
     public BiasEstimator(CameraModel camera, CameraMount mount, AmslAltitude ground, BiasOptions options)
     {
@@ -39,36 +40,37 @@ public sealed class BiasEstimator
         if (faults.Count > 0)
             throw new ArgumentException("Bias estimation: " + string.Join("; ", faults) + ".", nameof(options));
         _model = new BiasModel(camera, mount);
-        _projector = new GroundProjector(camera, mount, new ErrorBudget(), Math.PI / 36);
+        _projector = new GroundProjector(camera, mount, new ErrorBudget(), Angle.FromDegrees(5));
         _priors = _options.Sigmas();
         _groundAmslMetres = ground.Metres;
     }
 
-    /// <summary>Takes a look.</summary>
-    /// <param name="look">The look.</param>
+    /// <summary>Takes an observation.</summary>
+    /// <param name="observation">The observation.</param>
     /// <returns>False where it is of no use: not a number, or its pixel does not show the ground. Counted.</returns>
-    public bool Add(in BiasLook look)
+    public bool Add(in BiasObservation observation)
     {
-        if (!TryStart(look, out NedVector ground) || double.IsNaN(ground.North + ground.East + look.VelocityNed.North + look.VelocityNed.East + look.VelocityNed.Down))
+        if (!TryStart(observation, out NedPosition ground) || !ground.IsFinite || !observation.VelocityNed.IsFinite)
         {
             _refused++;
             return false;
         }
 
-        _looks.Add(look);
+        _observations.Add(observation);
         return true;
     }
 
-    /// <summary>Reckons the biases from all looks so far; null where there are none.</summary>
+    /// <summary>Estimates the biases from all observations so far; null where there are none.</summary>
     public BiasEstimate? Estimate()
     {
-        if (_looks.Count == 0)
+        if (_observations.Count == 0)
             return null;
-        var frame = LocalNedFrame.IgnoringGeoid(_looks[0].Position);
-        double groundDown = _looks[0].Position.AltitudeAmslMetres - _groundAmslMetres;
-        int[] numbers = [.. _looks.Select(l => l.Point).Distinct().OrderBy(p => p)];
+        var frame = LocalNedFrame.IgnoringGeoid(_observations[0].Position);
+        double groundDown = _observations[0].Position.AltitudeAmslMetres - _groundAmslMetres;
+        int[] numbers = [.. _observations.Select(o => o.Point).Distinct().OrderBy(p => p)];
         Dictionary<int, int> indexes = numbers.Select((p, i) => (p, i)).ToDictionary(p => p.p, p => p.i);
-        var system = new BiasSystem(_model, _options, _priors, _looks, _looks.Select(l => indexes[l.Point]).ToArray(), frame, groundDown);
+        int[] pointOf = _observations.Select(o => indexes[o.Point]).ToArray();
+        var system = new BiasSystem(_model, _options, _priors, _observations, pointOf, frame, groundDown);
         Start(system, frame, indexes);
         for (int round = 0; round < MaxRounds && system.Step() > 1e-4; round++)
         {
@@ -79,23 +81,24 @@ public sealed class BiasEstimator
         for (int i = 0; i < numbers.Length; i++)
         {
             int at = Biases + (2 * i);
-            GeodeticPosition place = frame.ToGeodetic(new NedVector(system.Values[at], system.Values[at + 1], groundDown));
+            GeodeticPosition place = frame.ToGeodetic(new NedPosition(system.Values[at], system.Values[at + 1], groundDown));
             points[numbers[i]] = new BiasPoint(
-                place, new HorizontalCovariance(covariance[at, at], covariance[at, at + 1], covariance[at + 1, at + 1]), _looks.Count(l => l.Point == numbers[i]));
+                place, new HorizontalCovariance(covariance[at, at], covariance[at, at + 1], covariance[at + 1, at + 1]),
+                _observations.Count(o => o.Point == numbers[i]));
         }
 
-        return new BiasEstimate(system.Values.Take(Biases).ToArray(), covariance, _priors, points, new BiasFit(fit.Looks, _refused, fit.ResidualPixels, fit.NormalisedSquare));
+        return new BiasEstimate(system.Values.Take(Biases).ToArray(), covariance, _priors, points, fit with { Refused = _refused });
     }
 
-    // Each point where its looks see it on average, as if nothing were wrong.
+    // Each point where its observations see it on average, as if nothing were wrong.
     private void Start(BiasSystem system, in LocalNedFrame frame, Dictionary<int, int> indexes)
     {
         var counts = new int[indexes.Count];
-        foreach (BiasLook look in _looks)
+        foreach (BiasObservation observation in _observations)
         {
-            int point = indexes[look.Point];
-            TryStart(look, out NedVector ground);
-            NedVector vehicle = frame.ToNed(look.Position);
+            int point = indexes[observation.Point];
+            TryStart(observation, out NedPosition ground);
+            NedPosition vehicle = frame.ToNed(observation.Position);
             int at = Biases + (2 * point);
             counts[point]++;
             system.Values[at] += (vehicle.North + ground.North - system.Values[at]) / counts[point];
@@ -103,11 +106,22 @@ public sealed class BiasEstimator
         }
     }
 
-    private bool TryStart(in BiasLook look, out NedVector ground)
+    private bool TryStart(in BiasObservation observation, out NedPosition ground)
     {
         GroundProjection projection = _projector.At(
-            new Pose { Position = look.Position, Attitude = Rotation.FromEuler(look.Attitude), VelocityNed = look.VelocityNed, Rates = look.Rates },
-            new Messages.ImagingCommand { CameraPitchRadians = look.GimbalPitchRadians, CameraYawRadians = look.GimbalYawRadians, GroundAltitudeAmslMetres = _groundAmslMetres });
-        return projection.TryProjectToGround(look.Column, look.Row, out ground);
+            new Pose
+            {
+                Position = observation.Position,
+                Attitude = Rotation.FromEuler(observation.Attitude),
+                VelocityNed = observation.VelocityNed,
+                Rates = observation.Rates,
+            },
+            new ImagingCommand
+            {
+                CameraPitch = observation.GimbalPitch,
+                CameraYaw = observation.GimbalYaw,
+                GroundAltitudeAmslMetres = _groundAmslMetres,
+            });
+        return projection.TryProjectToGround(observation.Column, observation.Row, out ground);
     }
 }

@@ -1,24 +1,23 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>What is known before a <see cref="BiasEstimator"/> sees a look: one standard deviation each. Zero: it is right, and not estimated.</summary>
+/// <summary>The priors of a <see cref="BiasEstimator"/>, and the noise of its observations: one standard deviation each. Zero: it is right, and not estimated.</summary>
 public sealed class BiasOptions
 {
-    private const double Degree = Math.PI / 180;
-
-    /// <summary>Each angle of the mount, radians.</summary>
+    /// <summary>Each angle of the mount.</summary>
     /// <value>The default is 3 degrees.</value>
-    public double MountRadians { get; set; } = 3 * Degree;
+    public Angle Mount { get; set; } = Angle.FromDegrees(3);
 
-    /// <summary>Roll and pitch of the autopilot, radians.</summary>
+    /// <summary>Roll and pitch of the autopilot.</summary>
     /// <value>The default is 0.7 degrees.</value>
-    public double AttitudeRadians { get; set; } = 0.7 * Degree;
+    public Angle Attitude { get; set; } = Angle.FromDegrees(0.7);
 
-    /// <summary>Heading of the autopilot, radians.</summary>
+    /// <summary>Heading of the autopilot.</summary>
     /// <value>The default is 1 degree.</value>
-    public double HeadingRadians { get; set; } = 1 * Degree;
+    public Angle Heading { get; set; } = Angle.FromDegrees(1);
 
     /// <summary>Time of the pictures against the poses'.</summary>
     /// <value>The default is 20 ms.</value>
@@ -32,25 +31,25 @@ public sealed class BiasOptions
     /// <value>The default is 2 m.</value>
     public double HeightMetres { get; set; } = 2;
 
-    /// <summary>Attitude, each angle, anew in each look, radians.</summary>
+    /// <summary>Attitude, each angle, new in each observation.</summary>
     /// <value>The default is 0.3 degrees.</value>
-    public double AttitudeNoiseRadians { get; set; } = 0.3 * Degree;
+    public Angle AttitudeNoise { get; set; } = Angle.FromDegrees(0.3);
 
-    /// <summary>Position, each axis, anew in each look, metres.</summary>
+    /// <summary>Position, each axis, new in each observation, metres.</summary>
     /// <value>The default is 0.3 m.</value>
     public double PositionNoiseMetres { get; set; } = 0.3;
 
-    /// <summary>Place in the picture, each axis, anew in each look, pixels.</summary>
+    /// <summary>Place in the picture, each axis, new in each observation, pixels.</summary>
     /// <value>The default is 0.5 pixels.</value>
     public double PixelNoise { get; set; } = 0.5;
 
-    /// <summary>For how long the noise of attitude and position stays alike; looks that are close together tell less than their number says.</summary>
+    /// <summary>For how long the noise of attitude and position stays alike; observations that are close together count for less than their number.</summary>
     /// <value>The default is 0.5 s.</value>
     public TimeSpan NoiseTime { get; set; } = TimeSpan.FromSeconds(0.5);
 
     internal double[] Sigmas() =>
     [
-        MountRadians, MountRadians, MountRadians, AttitudeRadians, AttitudeRadians, HeadingRadians, Time.TotalSeconds,
+        Mount.Radians, Mount.Radians, Mount.Radians, Attitude.Radians, Attitude.Radians, Heading.Radians, Time.TotalSeconds,
         PositionMetres, PositionMetres, HeightMetres,
     ];
 
@@ -58,9 +57,9 @@ public sealed class BiasOptions
     {
         (string Name, double Value)[] figures =
         [
-            (nameof(MountRadians), MountRadians), (nameof(AttitudeRadians), AttitudeRadians), (nameof(HeadingRadians), HeadingRadians),
+            (nameof(Mount), Mount.Degrees), (nameof(Attitude), Attitude.Degrees), (nameof(Heading), Heading.Degrees),
             (nameof(Time), Time.TotalSeconds), (nameof(PositionMetres), PositionMetres), (nameof(HeightMetres), HeightMetres),
-            (nameof(AttitudeNoiseRadians), AttitudeNoiseRadians), (nameof(PositionNoiseMetres), PositionNoiseMetres),
+            (nameof(AttitudeNoise), AttitudeNoise.Degrees), (nameof(PositionNoiseMetres), PositionNoiseMetres),
             (nameof(NoiseTime), NoiseTime.TotalSeconds),
         ];
         foreach ((string name, double value) in figures)

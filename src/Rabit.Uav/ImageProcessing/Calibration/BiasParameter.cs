@@ -1,6 +1,6 @@
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>What may be wrong in the same way in all looks of a flight.</summary>
+/// <summary>What may be wrong in the same way in all observations of a flight.</summary>
 public enum BiasParameter
 {
     /// <summary>Misalignment of the mount about forward, radians.</summary>
@@ -24,10 +24,10 @@ public enum BiasParameter
     /// <summary>Time stamps of the pictures, by the poses' clock, less the true ones, seconds.</summary>
     Time,
 
-    /// <summary>North of the autopilot less the true one, metres: no look at unknown points can ever tell it.</summary>
+    /// <summary>North of the autopilot less the true one, metres: no observation of unknown points can ever determine it.</summary>
     North,
 
-    /// <summary>East of the autopilot less the true one, metres: no look at unknown points can ever tell it.</summary>
+    /// <summary>East of the autopilot less the true one, metres: no observation of unknown points can ever determine it.</summary>
     East,
 
     /// <summary>Down of the autopilot less the true one, against the ground's, metres.</summary>

@@ -13,9 +13,9 @@ internal sealed class BiasSystem
     private readonly BiasModel _model;
     private readonly BiasOptions _options;
     private readonly double[] _priors;
-    private readonly List<BiasLook> _looks;
+    private readonly List<BiasObservation> _observations;
     private readonly int[] _points;
-    private readonly NedVector[] _vehicles;
+    private readonly NedPosition[] _vehicles;
     private readonly double[] _weights;
     private readonly double _groundDown;
     private readonly int _size;
@@ -26,19 +26,19 @@ internal sealed class BiasSystem
     private double _normalised;
     private int _used;
 
-    public BiasSystem(BiasModel model, BiasOptions options, double[] priors, List<BiasLook> looks, int[] points, in LocalNedFrame frame, double groundDown)
+    public BiasSystem(BiasModel model, BiasOptions options, double[] priors, List<BiasObservation> observations, int[] points, in LocalNedFrame frame, double groundDown)
     {
-        (_model, _options, _priors, _looks, _points, _groundDown) = (model, options, priors, looks, points, groundDown);
-        _vehicles = new NedVector[looks.Count];
-        int most = 0;
-        for (int i = 0; i < looks.Count; i++)
+        (_model, _options, _priors, _observations, _points, _groundDown) = (model, options, priors, observations, points, groundDown);
+        _vehicles = new NedPosition[observations.Count];
+        int last = 0;
+        for (int i = 0; i < observations.Count; i++)
         {
-            _vehicles[i] = frame.ToNed(looks[i].Position);
-            most = Math.Max(most, points[i]);
+            _vehicles[i] = frame.ToNed(observations[i].Position);
+            last = Math.Max(last, points[i]);
         }
 
-        _weights = Weights(looks, options.NoiseTime.TotalSeconds);
-        _size = Biases + (2 * (most + 1));
+        _weights = Weights(observations, options.NoiseTime.TotalSeconds);
+        _size = Biases + (2 * (last + 1));
         Values = new double[_size];
     }
 
@@ -46,7 +46,7 @@ internal sealed class BiasSystem
     public double[] Values { get; }
 
     /// <summary>One step of Gauss and Newton.</summary>
-    /// <returns>The largest change, in standard deviations of before or metres.</returns>
+    /// <returns>The largest change, in standard deviations of the prior or metres.</returns>
     public double Step()
     {
         double[,]? inverse = SymmetricMatrix.Invert(Assemble(out double[] right));
@@ -83,16 +83,16 @@ internal sealed class BiasSystem
         return covariance;
     }
 
-    // How much a look counts among those whose noise is alike: n looks in a row with correlations r count as n / (1 + sum of r).
-    private static double[] Weights(List<BiasLook> looks, double noiseSeconds)
+    // How much an observation counts among those whose noise is alike: n observations in a row with correlations r count as n / (1 + sum of r).
+    private static double[] Weights(List<BiasObservation> observations, double noiseSeconds)
     {
-        var weights = new double[looks.Count];
+        var weights = new double[observations.Count];
         for (int i = 0; i < weights.Length; i++)
         {
             double alike = 0;
-            foreach (BiasLook other in looks)
+            foreach (BiasObservation other in observations)
             {
-                double apart = Math.Abs((other.Time - looks[i].Time).TotalSeconds);
+                double apart = Math.Abs((other.Time - observations[i].Time).TotalSeconds);
                 alike += noiseSeconds > 0 ? Math.Exp(-apart / noiseSeconds) : apart == 0 ? 1 : 0;
             }
 
@@ -115,36 +115,36 @@ internal sealed class BiasSystem
         }
 
         (_squares, _normalised, _used) = (0, 0, 0);
-        for (int i = 0; i < _looks.Count; i++)
-            AddLook(i, matrix, right);
+        for (int i = 0; i < _observations.Count; i++)
+            AddObservation(i, matrix, right);
         for (int i = Biases; i < _size; i++)
             matrix[i, i] += 1e-12;
         return matrix;
     }
 
-    private void AddLook(int index, double[,] matrix, double[] right)
+    private void AddObservation(int index, double[,] matrix, double[] right)
     {
-        BiasLook look = _looks[index];
+        BiasObservation observation = _observations[index];
         int point = Biases + (2 * _points[index]);
         Array.Copy(Values, _at, Biases);
         (_at[Biases], _at[Biases + 1]) = (Values[point], Values[point + 1]);
-        if (!_model.TryProject(look, _vehicles[index], _groundDown, _at, out double column, out double row)
-            || !_model.TryDerive(look, _vehicles[index], _groundDown, _at, _byColumn, _byRow))
+        if (!_model.TryProject(observation, _vehicles[index], _groundDown, _at, out double column, out double row)
+            || !_model.TryDerive(observation, _vehicles[index], _groundDown, _at, _byColumn, _byRow))
             return;
-        (double missColumn, double missRow) = (look.Column - column, look.Row - row);
+        (double residualColumn, double residualRow) = (observation.Column - column, observation.Row - row);
         Noise(out double cc, out double cr, out double rr);
         double determinant = (cc * rr) - (cr * cr);
         (double wcc, double wcr, double wrr) = (rr / determinant, -cr / determinant, cc / determinant);
         _used++;
-        _squares += (missColumn * missColumn) + (missRow * missRow);
-        _normalised += (wcc * missColumn * missColumn) + (2 * wcr * missColumn * missRow) + (wrr * missRow * missRow);
+        _squares += (residualColumn * residualColumn) + (residualRow * residualRow);
+        _normalised += (wcc * residualColumn * residualColumn) + (2 * wcr * residualColumn * residualRow) + (wrr * residualRow * residualRow);
         double weight = _weights[index];
         for (int i = 0; i < Inputs; i++)
         {
             double left = weight * ((_byColumn[i] * wcc) + (_byRow[i] * wcr));
             double leftRow = weight * ((_byColumn[i] * wcr) + (_byRow[i] * wrr));
             int a = i < Biases ? i : point + i - Biases;
-            right[a] += (left * missColumn) + (leftRow * missRow);
+            right[a] += (left * residualColumn) + (leftRow * residualRow);
             for (int j = 0; j < Inputs; j++)
                 matrix[a, j < Biases ? j : point + j - Biases] += (left * _byColumn[j]) + (leftRow * _byRow[j]);
         }
@@ -157,7 +157,7 @@ internal sealed class BiasSystem
         (cc, cr, rr) = (pixel, 0, pixel);
         for (int i = (int)BiasParameter.AttitudeRoll; i < Biases; i++)
         {
-            double sigma = i <= (int)BiasParameter.AttitudeYaw ? _options.AttitudeNoiseRadians
+            double sigma = i <= (int)BiasParameter.AttitudeYaw ? _options.AttitudeNoise.Radians
                 : i >= (int)BiasParameter.North ? _options.PositionNoiseMetres : 0;
             double variance = sigma * sigma;
             cc += variance * _byColumn[i] * _byColumn[i];

@@ -5,8 +5,8 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// How far a position on the ground moves for a small error of each thing that it is reckoned from, by central differences. Fixed memory;
-/// for one thread.
+/// The Jacobian of geolocation: how far a position on the ground moves for a small error of each thing that it is computed from, by
+/// central differences; the covariance follows from it. Fixed memory; for one thread.
 /// </summary>
 internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
 {
@@ -17,12 +17,12 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
     private readonly double[] _east = new double[Inputs];
     private readonly double[] _errors = new double[Inputs];
 
-    /// <summary>Reckons all derivatives for one pixel; false where one cannot be reckoned because a line of sight misses the ground.</summary>
-    public bool TryCompute(in ViewingGeometry sighting, double column, double row)
+    /// <summary>Computes all derivatives for one pixel; false where one cannot be computed because a ray misses the ground.</summary>
+    public bool TryCompute(in ViewingGeometry geometry, double column, double row)
     {
         if (!camera.TryUndistort(column, row, out double x, out double y))
             return false;
-        EulerAngles attitude = sighting.Pose.Attitude.ToEuler();
+        EulerAngles attitude = geometry.Pose.Attitude.ToEuler();
         for (int input = 0; input < Inputs; input++)
         {
             double step = StepOf((ViewingParameter)input);
@@ -34,11 +34,11 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
                 && camera.TryUndistort(column - columnStep, row - rowStep, out minusX, out minusY)))
                 return false;
             _errors[input] = step;
-            bool meets = TryMeetWithErrors(sighting, attitude, plusX, plusY, out NedVector plus);
+            bool isGround = TryIntersectWithErrors(geometry, attitude, plusX, plusY, out NedPosition plus);
             _errors[input] = -step;
-            meets &= TryMeetWithErrors(sighting, attitude, minusX, minusY, out NedVector minus);
+            isGround &= TryIntersectWithErrors(geometry, attitude, minusX, minusY, out NedPosition minus);
             _errors[input] = 0;
-            if (!meets)
+            if (!isGround)
                 return false;
             _north[input] = (plus.North - minus.North) / (2 * step);
             _east[input] = (plus.East - minus.East) / (2 * step);
@@ -77,25 +77,22 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
         _ => 1e-5,
     };
 
-    private bool TryMeetWithErrors(in ViewingGeometry sighting, EulerAngles attitude, double x, double y, out NedVector point)
+    private bool TryIntersectWithErrors(in ViewingGeometry geometry, EulerAngles attitude, double x, double y, out NedPosition point)
     {
         double later = Error(ViewingParameter.Time);
-        NedVector velocity = sighting.Pose.VelocityNed;
-        var vehicle = new NedVector(
-            Error(ViewingParameter.North) + (velocity.North * later),
-            Error(ViewingParameter.East) + (velocity.East * later),
-            Error(ViewingParameter.Down) + (velocity.Down * later));
-        Rotation turned = Rotation.FromEuler(EulerAngles.FromRadians(
-            attitude.RollRadians + Error(ViewingParameter.Roll),
-            attitude.PitchRadians + Error(ViewingParameter.Pitch),
-            attitude.YawRadians + Error(ViewingParameter.Yaw))).After(sighting.Pose.Rates, later);
+        NedPosition vehicle = new NedPosition(Error(ViewingParameter.North), Error(ViewingParameter.East), Error(ViewingParameter.Down))
+            + (later * geometry.Pose.VelocityNed);
+        Rotation rotation = Rotation.FromEuler(EulerAngles.FromRadians(
+            attitude.Roll.Radians + Error(ViewingParameter.Roll),
+            attitude.Pitch.Radians + Error(ViewingParameter.Pitch),
+            attitude.Yaw.Radians + Error(ViewingParameter.Yaw))).After(geometry.Pose.Rates, later);
         CameraExtrinsics placement = mount.At(
-            sighting.GimbalPitchRadians + Error(ViewingParameter.GimbalPitch),
-            sighting.GimbalYawRadians + Error(ViewingParameter.GimbalYaw),
+            geometry.GimbalPitch + Angle.FromRadians(Error(ViewingParameter.GimbalPitch)),
+            geometry.GimbalYaw + Angle.FromRadians(Error(ViewingParameter.GimbalYaw)),
             EulerAngles.FromRadians(Error(ViewingParameter.MountRoll), Error(ViewingParameter.MountPitch), Error(ViewingParameter.MountYaw)));
-        double down = sighting.GroundDownMetres - Error(ViewingParameter.GroundHeight);
-        return ViewingGeometry.Ray(turned, placement, vehicle, x, y).TryIntersectPlane(
-            new NedVector(sighting.GroundPoint.North, sighting.GroundPoint.East, down), sighting.GroundDownByNorth, sighting.GroundDownByEast, out point);
+        double down = geometry.GroundDownMetres - Error(ViewingParameter.GroundHeight);
+        return ViewingGeometry.Ray(rotation, placement, vehicle, x, y).TryIntersectPlane(
+            geometry.GroundPoint with { Down = down }, geometry.GroundDownByNorth, geometry.GroundDownByEast, out point);
     }
 
     private double Error(ViewingParameter input) => _errors[(int)input];

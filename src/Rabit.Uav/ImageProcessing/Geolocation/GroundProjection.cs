@@ -21,43 +21,46 @@ internal readonly struct GroundProjection
         _geometry = new ViewingGeometry
         {
             Pose = pose,
-            GimbalPitchRadians = command.CameraPitchRadians,
-            GimbalYawRadians = command.CameraYawRadians,
+            GimbalPitch = command.CameraPitch,
+            GimbalYaw = command.CameraYaw,
             GroundDownMetres = pose.Position.AltitudeAmslMetres - command.GroundAltitudeAmslMetres,
         };
     }
 
     /// <summary>Where a pixel's ray intersects the ground, metres from the vehicle; or why it does not.</summary>
-    public GeolocationError Locate(double column, double row, out NedVector ground)
+    public GeolocationError Locate(double column, double row, out NedPosition ground)
     {
         ground = default;
         if (!_projector.Camera.TryUndistort(column, row, out double x, out double y))
             return GeolocationError.LensCannotBeUndone;
         GroundRay ray = _geometry.RayOf(_projector.Mount, x, y);
         if (_projector.Terrain is { } terrain)
-            return TerrainRay.Intersect(ray, _frame, terrain, _projector.MinDepressionRadians, out ground);
-        if (ray.TryIntersectLevel(_geometry.GroundDownMetres, _projector.MinDepressionRadians, out ground))
+            return TerrainRay.Intersect(ray, _frame, terrain, _projector.MinDepression, out ground);
+        if (ray.TryIntersectLevel(_geometry.GroundDownMetres, _projector.MinDepression, out ground))
             return GeolocationError.None;
-        return ray.FromMetres.Down < _geometry.GroundDownMetres ? GeolocationError.NearHorizon : GeolocationError.CameraBelowGround;
+        return ray.Origin.Down < _geometry.GroundDownMetres ? GeolocationError.NearHorizon : GeolocationError.CameraBelowGround;
     }
 
     /// <summary>Where a pixel's ray intersects the ground, metres from the vehicle; false near the horizon, above it, or below ground.</summary>
-    public bool TryProjectToGround(double column, double row, out NedVector ground) => Locate(column, row, out ground) == GeolocationError.None;
+    public bool TryProjectToGround(double column, double row, out NedPosition ground) => Locate(column, row, out ground) == GeolocationError.None;
 
     /// <summary>As the other, as a position on the earth.</summary>
     public bool TryProjectToGround(double column, double row, out GeodeticPosition place)
     {
-        bool isGround = TryProjectToGround(column, row, out NedVector ground);
-        place = isGround ? _frame.ToGeodetic(ground) : default;
+        bool isGround = TryProjectToGround(column, row, out NedPosition ground);
+        place = isGround ? ToGeodetic(ground) : default;
         return isGround;
     }
+
+    /// <summary>The position on the earth of a place that <see cref="Locate"/> found.</summary>
+    public GeodeticPosition ToGeodetic(NedPosition ground) => _frame.ToGeodetic(ground);
 
     /// <summary>How far a pixel reaches on the ground.</summary>
     public bool TryScale(double column, double row, out GroundScale scale)
     {
         scale = default;
-        if (!TryProjectToGround(column - 0.5, row, out NedVector left) || !TryProjectToGround(column + 0.5, row, out NedVector right)
-            || !TryProjectToGround(column, row - 0.5, out NedVector above) || !TryProjectToGround(column, row + 0.5, out NedVector below))
+        if (!TryProjectToGround(column - 0.5, row, out NedPosition left) || !TryProjectToGround(column + 0.5, row, out NedPosition right)
+            || !TryProjectToGround(column, row - 0.5, out NedPosition above) || !TryProjectToGround(column, row + 0.5, out NedPosition below))
             return false;
         scale.NorthByColumn = right.North - left.North;
         scale.EastByColumn = right.East - left.East;
@@ -69,8 +72,19 @@ internal readonly struct GroundProjection
     /// <summary>The covariance of a pixel's place: of random errors, new in each observation, and of systematic ones, the same in all.</summary>
     public bool TryCovariances(double column, double row, out HorizontalCovariance random, out HorizontalCovariance systematic)
     {
+        NedPosition ground = default;
+        if (_projector.Terrain is null || TryProjectToGround(column, row, out ground))
+            return TryCovariances(column, row, ground, out random, out systematic);
         (random, systematic) = (default, default);
-        if (!TryComputeJacobian(column, row))
+        return false;
+    }
+
+    /// <summary>As the other, for a pixel that is known to show a place: over terrain that saves the search for it.</summary>
+    public bool TryCovariances(
+        double column, double row, NedPosition ground, out HorizontalCovariance random, out HorizontalCovariance systematic)
+    {
+        (random, systematic) = (default, default);
+        if (!TryComputeJacobian(column, row, ground))
             return false;
         random = _projector.Jacobian.Covariance(_projector.RandomErrors(_geometry.Pose.ExtrapolatedSeconds));
         systematic = _projector.Jacobian.Covariance(_projector.SystematicErrors());
@@ -82,7 +96,10 @@ internal readonly struct GroundProjection
         double column, double row, in PixelCovariance pixel, out HorizontalCovariance random, out HorizontalCovariance systematic)
     {
         (random, systematic) = (default, default);
-        if (!TryComputeJacobian(column, row))
+        NedPosition ground = default;
+        if (_projector.Terrain is not null && !TryProjectToGround(column, row, out ground))
+            return false;
+        if (!TryComputeJacobian(column, row, ground))
             return false;
         GroundJacobian jacobian = _projector.Jacobian;
         random = jacobian.Covariance(_projector.RandomErrors(_geometry.Pose.ExtrapolatedSeconds, pixel));
@@ -92,14 +109,12 @@ internal readonly struct GroundProjection
         return true;
     }
 
-    private bool TryComputeJacobian(double column, double row)
+    private bool TryComputeJacobian(double column, double row, NedPosition ground)
     {
         ViewingGeometry geometry = _geometry;
         if (_projector.Terrain is { } terrain)
         {
             // As if the ground were the plane that touches it there.
-            if (!TryProjectToGround(column, row, out NedVector ground))
-                return false;
             TerrainRay.Slope(_frame, terrain, ground, out double downByNorth, out double downByEast);
             (geometry.GroundPoint, geometry.GroundDownMetres) = (ground, ground.Down);
             (geometry.GroundDownByNorth, geometry.GroundDownByEast) = (downByNorth, downByEast);

@@ -18,11 +18,12 @@ internal sealed class GroundProjector
     private readonly double[] _extrapolated = new double[GroundJacobian.Inputs];
     private readonly double[] _ofDetection = new double[GroundJacobian.Inputs];
 
-    public GroundProjector(CameraModel camera, CameraMount mount, ErrorBudget budget, double minDepressionRadians, TerrainGrid? terrain = null)
+    public GroundProjector(
+        CameraModel camera, CameraMount mount, ErrorBudget budget, Angle minDepression, TerrainGrid? terrain = null)
     {
         Camera = camera;
         Mount = mount;
-        MinDepressionRadians = minDepressionRadians;
+        MinDepression = minDepression;
         Terrain = terrain;
         Jacobian = new GroundJacobian(camera, mount);
         _budget = budget;
@@ -35,7 +36,7 @@ internal sealed class GroundProjector
     public CameraMount Mount { get; }
 
     /// <summary>A ray must point further below the horizon than that.</summary>
-    public double MinDepressionRadians { get; }
+    public Angle MinDepression { get; }
 
     /// <summary>Null where the ground is flat.</summary>
     public TerrainGrid? Terrain { get; }
@@ -58,7 +59,9 @@ internal sealed class GroundProjector
         Array.Copy(_random, _extrapolated, _random.Length);
         for (ViewingParameter input = ViewingParameter.North; input <= ViewingParameter.Yaw; input++)
         {
-            double rate = input <= ViewingParameter.Down ? _budget.AccelerationMetresPerSecondSquared : _budget.AngularAccelerationRadiansPerSecondSquared;
+            double rate = input <= ViewingParameter.Down
+                ? _budget.AccelerationMetresPerSecondSquared
+                : _budget.AngularAccelerationRadiansPerSecondSquared;
             double drift = 0.5 * rate * t * t;
             _extrapolated[(int)input] = Math.Sqrt((_random[(int)input] * _random[(int)input]) + (drift * drift));
         }
@@ -85,8 +88,8 @@ internal sealed class GroundProjector
         var sigmas = new double[GroundJacobian.Inputs];
         sigmas[(int)ViewingParameter.North] = sigmas[(int)ViewingParameter.East] = budget.PositionNoiseMetres;
         sigmas[(int)ViewingParameter.Down] = budget.AltitudeNoiseMetres;
-        sigmas[(int)ViewingParameter.Roll] = sigmas[(int)ViewingParameter.Pitch] = budget.AttitudeNoiseRadians;
-        sigmas[(int)ViewingParameter.Yaw] = budget.HeadingNoiseRadians;
+        sigmas[(int)ViewingParameter.Roll] = sigmas[(int)ViewingParameter.Pitch] = budget.AttitudeNoise.Radians;
+        sigmas[(int)ViewingParameter.Yaw] = budget.HeadingNoise.Radians;
         sigmas[(int)ViewingParameter.Column] = sigmas[(int)ViewingParameter.Row] = budget.PixelNoise;
         sigmas[(int)ViewingParameter.Time] = budget.TimeNoise.TotalSeconds;
         return sigmas;
@@ -97,9 +100,10 @@ internal sealed class GroundProjector
         var sigmas = new double[GroundJacobian.Inputs];
         sigmas[(int)ViewingParameter.North] = sigmas[(int)ViewingParameter.East] = budget.PositionBiasMetres;
         sigmas[(int)ViewingParameter.GroundHeight] = budget.AltitudeBiasMetres;
-        sigmas[(int)ViewingParameter.Roll] = sigmas[(int)ViewingParameter.Pitch] = budget.AttitudeBiasRadians;
-        sigmas[(int)ViewingParameter.Yaw] = budget.HeadingBiasRadians;
-        sigmas[(int)ViewingParameter.MountRoll] = sigmas[(int)ViewingParameter.MountPitch] = sigmas[(int)ViewingParameter.MountYaw] = budget.MountBiasRadians;
+        sigmas[(int)ViewingParameter.Roll] = sigmas[(int)ViewingParameter.Pitch] = budget.AttitudeBias.Radians;
+        sigmas[(int)ViewingParameter.Yaw] = budget.HeadingBias.Radians;
+        for (ViewingParameter input = ViewingParameter.MountRoll; input <= ViewingParameter.MountYaw; input++)
+            sigmas[(int)input] = budget.MountBias.Radians;
         return sigmas;
     }
 }

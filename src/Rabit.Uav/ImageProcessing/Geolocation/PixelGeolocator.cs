@@ -6,9 +6,20 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// Tells where on the ground single pixels are, from poses as the autopilot tells them and a camera: the chain of Image Processing
-/// without its manager. For one thread; fixed memory.
+/// Geolocation of single pixels: where on the ground they are, with their covariance, from poses as the autopilot reports them and a
+/// camera. The chain of Image Processing without its manager. For one thread; fixed memory.
 /// </summary>
+/// <example>
+/// <code>
+/// var geolocator = new PixelGeolocator(new ImageProcessingOptions { Camera = camera, Mount = mount });
+/// geolocator.Add(positionSample);
+/// geolocator.Add(attitudeSample);
+/// var command = new ImagingCommand { CameraPitch = Angle.FromDegrees(-90), GroundAltitudeAmslMetres = 440 };
+/// GeolocationResult result = geolocator.Locate(TimeSpan.FromSeconds(10), command, column: 320, row: 240);
+/// if (result.Error == GeolocationError.None)
+///     Console.WriteLine($"{result.Position}, 95 % within {result.Covariance.HalfMajorAxis95Metres} m");
+/// </code>
+/// </example>
 public sealed class PixelGeolocator
 {
     private readonly ImageProcessingOptions _options;
@@ -23,7 +34,7 @@ public sealed class PixelGeolocator
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(hasCamera: true, nameof(options));
         _camera = _options.Camera!;
-        _projector = new GroundProjector(_camera, _options.Mount, _options.Errors, _options.MinDepressionRadians, _options.Terrain);
+        _projector = new GroundProjector(_camera, _options.Mount, _options.Errors, _options.MinDepression, _options.Terrain);
         _poses = new PoseHistory(_options.MaxPoseGap);
     }
 
@@ -31,38 +42,44 @@ public sealed class PixelGeolocator
     public long RefusedSamples => _poses.Refused;
 
     /// <summary>Takes a position or an attitude.</summary>
-    /// <param name="sample">As the autopilot told it.</param>
+    /// <param name="sample">As the autopilot reported it.</param>
     public void Add(in PoseSample sample) => _poses.Add(sample);
 
     /// <summary>Where a pixel is on the ground.</summary>
     /// <param name="middleOfExposure">Of the first row, by the clock of the poses.</param>
-    /// <param name="order">Where the gimbal looks and how high the ground is; its height is not used where there is terrain.</param>
+    /// <param name="command">Where the gimbal points and how high the ground is; its height is not used where there is terrain.</param>
     /// <param name="column">The centre of the top left pixel is 0.</param>
     /// <param name="row">The centre of the top left pixel is 0.</param>
-    public GeolocationResult Locate(TimeSpan middleOfExposure, in ImagingCommand order, double column, double row)
+    public GeolocationResult Locate(TimeSpan middleOfExposure, in ImagingCommand command, double column, double row)
     {
-        var fix = new GeolocationResult { Time = middleOfExposure };
+        var result = new GeolocationResult { Time = middleOfExposure };
         if (!(column >= -0.5 && column <= _camera.Width - 0.5 && row >= -0.5 && row <= _camera.Height - 0.5))
-            return Refuse(fix, GeolocationError.OutsidePicture);
-        fix.Time += _camera.ReadoutOf(row);
-        PoseLookup answer = _poses.Extrapolate(fix.Time, _options.MaxExtrapolation, out Pose pose);
+            return Refuse(result, GeolocationError.OutsidePicture);
+        result.Time += _camera.ReadoutOf(row);
+        PoseLookup answer = _poses.Extrapolate(result.Time, _options.MaxExtrapolation, out Pose pose);
         if (answer is not (PoseLookup.Known or PoseLookup.Extrapolated))
-            return Refuse(fix, answer switch { PoseLookup.TooOld => GeolocationError.PoseTooOld, PoseLookup.Gap => GeolocationError.PoseGap, _ => GeolocationError.NoPose });
-        fix.Extrapolated = TimeSpan.FromTicks((long)(pose.ExtrapolatedSeconds * TimeSpan.TicksPerSecond));
-        GroundProjection projection = _projector.At(pose, order);
-        GeolocationError refusal = projection.Locate(column, row, out NedVector _);
-        if (refusal != GeolocationError.None)
-            return Refuse(fix, refusal);
-        if (!projection.TryProjectToGround(column, row, out GeodeticPosition place)
-            || !projection.TryCovariances(column, row, out HorizontalCovariance random, out HorizontalCovariance systematic))
-            return Refuse(fix, GeolocationError.NearHorizon);
-        (fix.Position, fix.Covariance, fix.SystematicCovariance) = (place, random, systematic);
-        return fix;
+            return Refuse(result, ErrorOf(answer));
+        result.Extrapolated = TimeSpan.FromTicks((long)(pose.ExtrapolatedSeconds * TimeSpan.TicksPerSecond));
+        GroundProjection projection = _projector.At(pose, command);
+        GeolocationError error = projection.Locate(column, row, out NedPosition ground);
+        if (error != GeolocationError.None)
+            return Refuse(result, error);
+        if (!projection.TryCovariances(column, row, ground, out HorizontalCovariance random, out HorizontalCovariance systematic))
+            return Refuse(result, GeolocationError.NearHorizon);
+        (result.Position, result.Covariance, result.SystematicCovariance) = (projection.ToGeodetic(ground), random, systematic);
+        return result;
     }
 
-    private static GeolocationResult Refuse(GeolocationResult fix, GeolocationError why)
+    private static GeolocationError ErrorOf(PoseLookup answer) => answer switch
     {
-        fix.Refusal = why;
-        return fix;
+        PoseLookup.TooOld => GeolocationError.PoseTooOld,
+        PoseLookup.Gap => GeolocationError.PoseGap,
+        _ => GeolocationError.NoPose,
+    };
+
+    private static GeolocationResult Refuse(GeolocationResult result, GeolocationError why)
+    {
+        result.Error = why;
+        return result;
     }
 }

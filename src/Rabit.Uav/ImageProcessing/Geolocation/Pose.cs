@@ -3,14 +3,14 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
-/// <summary>Where the vehicle was and how it stood at a moment. A plain value.</summary>
+/// <summary>The pose of the vehicle, position and attitude, at a moment. A plain value.</summary>
 internal struct Pose
 {
     public TimeSpan Time { get; set; }
 
     public GeodeticPosition Position { get; set; }
 
-    /// <summary>Metres per second; zero where the autopilot did not tell.</summary>
+    /// <summary>Metres per second; zero where the autopilot did not report it.</summary>
     public NedVector VelocityNed { get; set; }
 
     /// <summary>From the body to north-east-down.</summary>
@@ -18,7 +18,7 @@ internal struct Pose
 
     public BodyRates Rates { get; set; }
 
-    /// <summary>How far beyond the newest sample it was drawn on, seconds; 0 for a pose between samples.</summary>
+    /// <summary>How far beyond the newest sample it was extrapolated, seconds; 0 for a pose between samples.</summary>
     public double ExtrapolatedSeconds { get; set; }
 
     /// <summary>What it was, or will be, at the same velocity and rates.</summary>
@@ -27,7 +27,7 @@ internal struct Pose
         var frame = LocalNedFrame.IgnoringGeoid(Position);
         Pose pose = this;
         pose.Time = Time + TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
-        pose.Position = frame.ToGeodetic(new NedVector(VelocityNed.North * seconds, VelocityNed.East * seconds, VelocityNed.Down * seconds));
+        pose.Position = frame.ToGeodetic(NedPosition.Origin + (seconds * VelocityNed));
         pose.Attitude = Attitude.After(Rates, seconds);
         return pose;
     }

@@ -6,15 +6,15 @@ namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
 /// Positions and attitudes of the last seconds, from which the pose at a moment is interpolated: attitude by SLERP, position by a cubic
-/// through positions and velocities (Hermite). It is drawn on beyond the newest only where that is asked for. Fixed memory; for one thread.
+/// through positions and velocities (Hermite). It is extrapolated beyond the newest only where that is asked for. Fixed memory; for one thread.
 /// </summary>
-internal sealed class PoseHistory(TimeSpan longestGap)
+internal sealed class PoseHistory(TimeSpan maxGap)
 {
     // At 50 attitudes and 10 positions a second some 10 and 25 s; a picture is asked for within half a second.
     private const int AttitudesKept = 512;
     private const int PositionsKept = 256;
 
-    // Samples may come a little out of order; one that is older than this is of a clock that was set anew.
+    // Samples may come a little out of order; one that is older than this is of a clock that was set again.
     private static readonly TimeSpan MaxStepBack = TimeSpan.FromSeconds(2);
 
     private readonly TimedRing<PositionSample> _positions = new(PositionsKept, MaxStepBack);
@@ -31,7 +31,7 @@ internal sealed class PoseHistory(TimeSpan longestGap)
     {
         if (sample.Kind == PoseSampleKind.Position && IsValid(sample.Position))
             _positions.Add(sample.Time, new PositionSample { Position = sample.Position, VelocityNed = sample.VelocityNed });
-        else if (sample.Kind == PoseSampleKind.Attitude && IsValid(sample.Attitude))
+        else if (sample.Kind == PoseSampleKind.Attitude && sample.Attitude.IsFinite)
             _attitudes.Add(sample.Time, new AttitudeSample { Attitude = Rotation.FromEuler(sample.Attitude), Rates = sample.Rates });
         else
             _invalid++;
@@ -41,8 +41,8 @@ internal sealed class PoseHistory(TimeSpan longestGap)
     public PoseLookup Find(TimeSpan time, out Pose pose)
     {
         pose = default;
-        PoseLookup position = _positions.Find(time, longestGap, out TimedPair<PositionSample> positions);
-        PoseLookup attitude = _attitudes.Find(time, longestGap, out TimedPair<AttitudeSample> attitudes);
+        PoseLookup position = _positions.Find(time, maxGap, out TimedPair<PositionSample> positions);
+        PoseLookup attitude = _attitudes.Find(time, maxGap, out TimedPair<AttitudeSample> attitudes);
         if (position != PoseLookup.Known || attitude != PoseLookup.Known)
             return Worse(position, attitude);
         pose.Time = time;
@@ -54,9 +54,9 @@ internal sealed class PoseHistory(TimeSpan longestGap)
 
     /// <summary>The pose at a moment that the samples do not reach, at the velocity and the rates of the newest ones.</summary>
     /// <param name="time">The moment.</param>
-    /// <param name="longest">How far it may be drawn on.</param>
-    /// <param name="pose">Says how far it was drawn on, from which its errors grow.</param>
-    public PoseLookup Extrapolate(TimeSpan time, TimeSpan longest, out Pose pose)
+    /// <param name="max">How far it may be extrapolated.</param>
+    /// <param name="pose">Says how far it was extrapolated, from which its errors grow.</param>
+    public PoseLookup Extrapolate(TimeSpan time, TimeSpan max, out Pose pose)
     {
         PoseLookup answer = Find(time, out pose);
         if (answer != PoseLookup.NotYet
@@ -64,12 +64,12 @@ internal sealed class PoseHistory(TimeSpan longestGap)
             || !_attitudes.TryNewest(out TimeSpan attitudeTime, out AttitudeSample attitude))
             return answer;
         TimeSpan beyond = Later(time - positionTime, time - attitudeTime);
-        if (beyond > longest)
+        if (beyond > max)
             return PoseLookup.NotYet;
 
-        // One kind may reach beyond the moment: then its newest sample is drawn back, which is no worse.
+        // One kind may reach beyond the moment: then it is extrapolated backwards, which is no worse.
         pose.Position = position.Position;
-        pose.VelocityNed = IsFinite(position.VelocityNed) ? position.VelocityNed : default;
+        pose.VelocityNed = position.VelocityNed.IsFinite ? position.VelocityNed : default;
         pose.Attitude = Rotation.Identity;
         pose = pose.After((time - positionTime).TotalSeconds);
         double seconds = (time - attitudeTime).TotalSeconds;
@@ -82,7 +82,7 @@ internal sealed class PoseHistory(TimeSpan longestGap)
 
     private static TimeSpan Later(TimeSpan a, TimeSpan b) => a > b ? a : b;
 
-    // What can never come is told before what may still come.
+    // What can never come is reported before what may still come.
     private static PoseLookup Worse(PoseLookup a, PoseLookup b)
     {
         if (a == PoseLookup.TooOld || b == PoseLookup.TooOld)
@@ -94,23 +94,23 @@ internal sealed class PoseHistory(TimeSpan longestGap)
     {
         NedVector startVelocity = pair.Before.VelocityNed;
         NedVector endVelocity = pair.After.VelocityNed;
-        bool hasVelocity = IsFinite(startVelocity) && IsFinite(endVelocity);
+        bool hasVelocity = startVelocity.IsFinite && endVelocity.IsFinite;
         if (pair.Seconds <= 0)
             return (pair.Before.Position, hasVelocity ? startVelocity : default);
 
         var frame = LocalNedFrame.IgnoringGeoid(pair.Before.Position);
-        NedVector end = frame.ToNed(pair.After.Position);
+        NedVector end = frame.ToNed(pair.After.Position) - NedPosition.Origin;
         double seconds = pair.Seconds;
         if (!hasVelocity)
         {
-            startVelocity = new NedVector(end.North / seconds, end.East / seconds, end.Down / seconds);
+            startVelocity = end / seconds;
             endVelocity = startVelocity;
         }
 
         (double north, double northSpeed) = Cubic(end.North, startVelocity.North, endVelocity.North, seconds, pair.Part);
         (double east, double eastSpeed) = Cubic(end.East, startVelocity.East, endVelocity.East, seconds, pair.Part);
         (double down, double downSpeed) = Cubic(end.Down, startVelocity.Down, endVelocity.Down, seconds, pair.Part);
-        return (frame.ToGeodetic(new NedVector(north, east, down)), new NedVector(northSpeed, eastSpeed, downSpeed));
+        return (frame.ToGeodetic(new NedPosition(north, east, down)), new NedVector(northSpeed, eastSpeed, downSpeed));
     }
 
     // From 0 to the end, with the speeds at both, and its derivative.
@@ -128,17 +128,12 @@ internal sealed class PoseHistory(TimeSpan longestGap)
         double roll = a.RollRadiansPerSecond + (part * (b.RollRadiansPerSecond - a.RollRadiansPerSecond));
         double pitch = a.PitchRadiansPerSecond + (part * (b.PitchRadiansPerSecond - a.PitchRadiansPerSecond));
         double yaw = a.YawRadiansPerSecond + (part * (b.YawRadiansPerSecond - a.YawRadiansPerSecond));
-        return IsFinite(roll + pitch + yaw) ? BodyRates.FromRadiansPerSecond(roll, pitch, yaw) : default;
+        var rates = BodyRates.FromRadiansPerSecond(roll, pitch, yaw);
+        return rates.IsFinite ? rates : default;
     }
 
     private static bool IsValid(GeodeticPosition p)
-        => Math.Abs(p.LatitudeRadians) <= Math.PI / 2 && Math.Abs(p.LongitudeRadians) <= 2 * Math.PI && IsFinite(p.AltitudeAmslMetres);
-
-    private static bool IsValid(EulerAngles a) => IsFinite(a.RollRadians + a.PitchRadians + a.YawRadians);
-
-    private static bool IsFinite(NedVector v) => IsFinite(v.North + v.East + v.Down);
-
-    private static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
+        => Math.Abs(p.Latitude.Radians) <= Math.PI / 2 && Math.Abs(p.Longitude.Radians) <= 2 * Math.PI && p.IsValid;
 
     private struct PositionSample
     {

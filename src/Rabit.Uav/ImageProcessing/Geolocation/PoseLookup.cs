@@ -15,6 +15,6 @@ internal enum PoseLookup
     /// <summary>The samples around it are too far apart.</summary>
     Gap,
 
-    /// <summary>It was drawn on from the newest samples.</summary>
+    /// <summary>It was extrapolated from the newest samples.</summary>
     Extrapolated,
 }

@@ -21,7 +21,7 @@ internal sealed class TimedRing<T>(int capacity, TimeSpan longestStepBack)
     /// <summary>Puts a sample where it belongs; late ones too.</summary>
     public void Add(TimeSpan time, in T value)
     {
-        // Somebody's clock was set anew: the times before and after cannot be compared.
+        // A clock was set again: the times before and after cannot be compared.
         if (_count > 0 && time < TimeAt(_count - 1) - longestStepBack)
         {
             Restarts++;

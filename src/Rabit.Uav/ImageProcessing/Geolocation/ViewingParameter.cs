@@ -1,6 +1,6 @@
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
-/// <summary>What a position on the ground is reckoned from, each of which may be wrong.</summary>
+/// <summary>What a position on the ground is computed from, each of which may be wrong.</summary>
 internal enum ViewingParameter
 {
     /// <summary>The vehicle's position, metres.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Vision;
 
@@ -63,11 +64,11 @@ public sealed class CameraFolder
     /// <param name="path">The folder.</param>
     /// <param name="camera">Pinhole and lens.</param>
     /// <param name="mount">How it sits on the vehicle.</param>
-    /// <param name="gimbalPitchRadians">Where its gimbal points, if it has one, and stays: up positive; the default is straight down.</param>
-    /// <param name="gimbalYawRadians">The same, right positive.</param>
+    /// <param name="gimbalPitch">Where its gimbal points, if it has one, and stays: up positive; null is straight down.</param>
+    /// <param name="gimbalYaw">The same, right positive.</param>
     /// <exception cref="PictureException">The numbers describe no camera, or the folder cannot be written.</exception>
     public static CameraFolder Create(
-        string path, CameraModel camera, CameraMount mount, double gimbalPitchRadians = -Math.PI / 2, double gimbalYawRadians = 0)
+        string path, CameraModel camera, CameraMount mount, Angle? gimbalPitch = null, Angle gimbalYaw = default)
     {
         if (path is null)
             throw new ArgumentNullException(nameof(path));
@@ -82,7 +83,7 @@ public sealed class CameraFolder
         if (faults.Count > 0)
             throw new PictureException(file, string.Join("; ", faults));
 
-        CameraExtrinsics placement = mount.At(gimbalPitchRadians, gimbalYawRadians);
+        CameraExtrinsics placement = mount.At(gimbalPitch ?? Angle.FromDegrees(-90), gimbalYaw);
         try
         {
             Directory.CreateDirectory(path);

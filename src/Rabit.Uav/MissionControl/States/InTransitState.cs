@@ -40,8 +40,8 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         var command = new VehicleCommand
         {
             Kind = VehicleCommandKind.PointCamera,
-            CameraPitchRadians = flight.Mission.CameraPitchRadians,
-            CameraYawRadians = flight.Mission.CameraYawRadians,
+            CameraPitch = flight.Mission.CameraPitch,
+            CameraYaw = flight.Mission.CameraYaw,
         };
         flight.Text = "pointing the camera";
         if (!flight.Commands.IsGoal(command))

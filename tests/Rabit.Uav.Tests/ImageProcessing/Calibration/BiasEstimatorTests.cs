@@ -1,9 +1,9 @@
 using System;
 using System.Linq;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Calibration;
-using Rabit.Uav.Tests.Geometry;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -76,7 +76,7 @@ public sealed class BiasEstimatorTests(ITestOutputHelper output)
         BiasEstimate estimate = flight.Estimator(options).Estimate()!;
         foreach (BiasCombination combination in estimate.Unobserved)
             output.WriteLine(combination.ToString());
-        Assert.True(estimate.Fit.Looks > 60);
+        Assert.True(estimate.Fit.Observations > 60);
 
         // A lag turns the whole flight about the point, which nobody sees, and yaw turns the picture about it; towards the middle roll and height are mixed.
         foreach (BiasParameter parameter in new[] { BiasParameter.MountYaw, BiasParameter.Time, BiasParameter.Down })
@@ -103,7 +103,7 @@ public sealed class BiasEstimatorTests(ITestOutputHelper output)
     public void Estimate_MountAndAttitudeBothUnknown_SaysThatOnlyTheirSumIsSeen()
     {
         BiasOptions options = CalibrationFlight.Options;
-        (options.AttitudeRadians, options.HeadingRadians) = (2 * Vectors.Degree, 2 * Vectors.Degree);
+        (options.Attitude, options.Heading) = (Angle.FromDegrees(2), Angle.FromDegrees(2));
         BiasEstimate estimate = Calibrated(9).Estimator(options).Estimate()!;
         Assert.False(estimate.TryGet(BiasParameter.MountRoll, out _, out _));
         Assert.Contains(estimate.Unobserved, c =>
@@ -115,19 +115,19 @@ public sealed class BiasEstimatorTests(ITestOutputHelper output)
     {
         BiasEstimator estimator = new(CalibrationFlight.Camera, new CameraMount(), CalibrationFlight.Ground, CalibrationFlight.Options);
         Assert.Null(estimator.Estimate());
-        Assert.False(estimator.Add(new BiasLook { Column = 320, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500) }));
-        Assert.False(estimator.Add(new BiasLook { Column = double.NaN, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500), GimbalPitchRadians = -1.5 }));
-        Assert.True(estimator.Add(new BiasLook { Column = 320, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500), GimbalPitchRadians = -1.5 }));
+        Assert.False(estimator.Add(new BiasObservation { Column = 320, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500) }));
+        Assert.False(estimator.Add(new BiasObservation { Column = double.NaN, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500), GimbalPitch = Angle.FromRadians(-1.5) }));
+        Assert.True(estimator.Add(new BiasObservation { Column = 320, Row = 240, Position = GeodeticPosition.FromRadians(0.8, 0.1, 500), GimbalPitch = Angle.FromRadians(-1.5) }));
         Assert.Equal(2, estimator.Estimate()!.Fit.Refused);
     }
 
     [Fact]
     public void Constructor_BadOptions_NamesAll()
     {
-        var options = new BiasOptions { PixelNoise = 0, MountRadians = -1 };
+        var options = new BiasOptions { PixelNoise = 0, Mount = Angle.FromRadians(-1) };
         string text = Assert.Throws<ArgumentException>(() => new BiasEstimator(CalibrationFlight.Camera, new CameraMount(), default, options)).Message;
         Assert.Contains("PixelNoise", text, StringComparison.Ordinal);
-        Assert.Contains("MountRadians", text, StringComparison.Ordinal);
+        Assert.Contains("Mount is", text, StringComparison.Ordinal);
     }
 
     private static CalibrationFlight Calibrated(int seed)

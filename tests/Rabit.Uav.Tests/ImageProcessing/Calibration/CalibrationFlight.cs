@@ -1,9 +1,10 @@
 using System;
 using System.Collections.Generic;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
+using Rabit.Tests.Shared;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Calibration;
-using Rabit.Uav.Tests.Geometry;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Calibration;
 
@@ -16,7 +17,7 @@ internal sealed class CalibrationFlight
     private static readonly LocalNedFrame World = LocalNedFrame.IgnoringGeoid(Home);
 
     private readonly SeededNumbers _numbers;
-    private readonly List<BiasLook> _looks = [];
+    private readonly List<BiasObservation> _observations = [];
     private readonly (double North, double East)[] _points = [(0, 0), (25, -18), (-22, 20), (12, 28), (-15, -25)];
     private double _time;
 
@@ -38,9 +39,9 @@ internal sealed class CalibrationFlight
 
     public static BiasOptions Options => new()
     {
-        MountRadians = 2 * Vectors.Degree,
-        AttitudeRadians = 0,
-        HeadingRadians = 0,
+        Mount = Angle.FromDegrees(2),
+        Attitude = Angle.Zero,
+        Heading = Angle.Zero,
         PositionMetres = 1.5,
         HeightMetres = 1.5,
         NoiseTime = TimeSpan.Zero,
@@ -56,7 +57,7 @@ internal sealed class CalibrationFlight
 
     public static (double North, double East) OffsetOf(GeodeticPosition position)
     {
-        NedVector ned = World.ToNed(position);
+        NedPosition ned = World.ToNed(position);
         return (ned.North, ned.East);
     }
 
@@ -68,7 +69,7 @@ internal sealed class CalibrationFlight
         {
             _time += 0.5;
             Look(
-                new NedVector((Math.Cos(heading) * along) - (Math.Sin(heading) * offset), (Math.Sin(heading) * along) + (Math.Cos(heading) * offset), -height),
+                new NedPosition((Math.Cos(heading) * along) - (Math.Sin(heading) * offset), (Math.Sin(heading) * along) + (Math.Cos(heading) * offset), -height),
                 new NedVector(SpeedMetresPerSecond * Math.Cos(heading), SpeedMetresPerSecond * Math.Sin(heading), 0),
                 EulerAngles.FromRadians(0.02 * _numbers.Gauss(), 0.03 + (0.02 * _numbers.Gauss()), heading),
                 default,
@@ -85,7 +86,7 @@ internal sealed class CalibrationFlight
             _time += 0.5;
             double bank = Math.Atan2(radius, height);
             Look(
-                new NedVector(radius * Math.Cos(angle), radius * Math.Sin(angle), -height),
+                new NedPosition(radius * Math.Cos(angle), radius * Math.Sin(angle), -height),
                 new NedVector(-SpeedMetresPerSecond * Math.Sin(angle), SpeedMetresPerSecond * Math.Cos(angle), 0),
                 EulerAngles.FromRadians(-bank, 0, angle + (Math.PI / 2)),
                 BodyRates.FromRadiansPerSecond(0, -rate * Math.Sin(bank), rate * Math.Cos(bank)),
@@ -96,14 +97,14 @@ internal sealed class CalibrationFlight
     public BiasEstimator Estimator(BiasOptions options)
     {
         var estimator = new BiasEstimator(Camera, new CameraMount(), Ground, options);
-        foreach (BiasLook look in _looks)
-            estimator.Add(look);
+        foreach (BiasObservation observation in _observations)
+            estimator.Add(observation);
         return estimator;
     }
 
-    private void Look(NedVector position, NedVector velocity, EulerAngles attitude, BodyRates rates, bool onlyMiddle)
+    private void Look(NedPosition position, NedVector velocity, EulerAngles attitude, BodyRates rates, bool onlyMiddle)
     {
-        double[,] cameraToNed = Product(Euler(attitude.RollRadians, attitude.PitchRadians, attitude.YawRadians), Product(Euler(Mount[0], Mount[1], Mount[2]), Down()));
+        double[,] cameraToNed = Product(Euler(attitude.Roll.Radians, attitude.Pitch.Radians, attitude.Yaw.Radians), Product(Euler(Mount[0], Mount[1], Mount[2]), Down()));
         double noise = 0.3 * Vectors.Degree;
         for (int point = 0; point < (onlyMiddle ? 1 : _points.Length); point++)
         {
@@ -113,24 +114,24 @@ internal sealed class CalibrationFlight
                 || column < 0 || row < 0 || column > 639 || row > 479)
                 continue;
 
-            // The stamp is late by the time bias: the autopilot tells where it was at that time.
-            var told = new NedVector(
+            // The stamp is late by the time bias: the autopilot reports where it was at that time.
+            var reported = new NedPosition(
                 position.North + (velocity.North * TimeSeconds) + Gps[0] + (0.3 * _numbers.Gauss()),
                 position.East + (velocity.East * TimeSeconds) + Gps[1] + (0.3 * _numbers.Gauss()),
                 position.Down + Gps[2] + (0.3 * _numbers.Gauss()));
             EulerAngles turned = Rotation.FromEuler(attitude).After(rates, TimeSeconds).ToEuler();
-            _looks.Add(new BiasLook
+            _observations.Add(new BiasObservation
             {
                 Point = point,
                 Time = TimeSpan.FromSeconds(_time + (0.001 * point)),
                 Column = column + (0.5 * _numbers.Gauss()),
                 Row = row + (0.5 * _numbers.Gauss()),
-                Position = World.ToGeodetic(told),
+                Position = World.ToGeodetic(reported),
                 VelocityNed = velocity,
                 Attitude = EulerAngles.FromRadians(
-                    turned.RollRadians + (noise * _numbers.Gauss()), turned.PitchRadians + (noise * _numbers.Gauss()), turned.YawRadians + (noise * _numbers.Gauss())),
+                    turned.Roll.Radians + (noise * _numbers.Gauss()), turned.Pitch.Radians + (noise * _numbers.Gauss()), turned.Yaw.Radians + (noise * _numbers.Gauss())),
                 Rates = rates,
-                GimbalPitchRadians = -Math.PI / 2,
+                GimbalPitch = Angle.FromDegrees(-90),
             });
         }
     }

@@ -5,11 +5,11 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Mavlink;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
-using Rabit.Uav.Tests.Geometry;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Calibration;
 

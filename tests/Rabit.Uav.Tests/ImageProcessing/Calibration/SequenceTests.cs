@@ -5,12 +5,12 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
+using Rabit.Geodesy.Tests;
 using Rabit.Mavlink;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Calibration;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
-using Rabit.Uav.Tests.Geometry;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -71,14 +71,14 @@ public sealed class SequenceTests(ITestOutputHelper output)
         double ground = file.RootElement.Number("ground_alt_hae_m");
         var estimator = new BiasEstimator(model, mount, new AmslAltitude(ground), new BiasOptions
         {
-            MountRadians = 1.5 * Vectors.Degree,
-            AttitudeRadians = 0.7 * Vectors.Degree,
-            HeadingRadians = 0.7 * Vectors.Degree,
+            Mount = Angle.FromDegrees(1.5),
+            Attitude = Angle.FromDegrees(0.7),
+            Heading = Angle.FromDegrees(0.7),
             PositionMetres = 1.06,
             HeightMetres = 1.5,
             Time = TimeSpan.FromMilliseconds(1),
         });
-        var single = new GroundProjector(model, mount, new ErrorBudget(), 5 * Vectors.Degree);
+        var single = new GroundProjector(model, mount, new ErrorBudget(), Angle.FromDegrees(5));
         Dictionary<int, JsonElement> targets = truth.RootElement.Each("targets").Where(t => !t.GetProperty("moving").GetBoolean()).ToDictionary(t => t.GetProperty("id").GetInt32());
         double squares = 0;
         var mean = new Dictionary<int, (double North, double East, int Count)>();
@@ -87,7 +87,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
         foreach ((int id, double column, double row, Pose pose) in RecordedSequence.Looks(file, truth, targets.Keys))
         {
             EulerAngles attitude = pose.Attitude.ToEuler();
-            Assert.True(estimator.Add(new BiasLook
+            Assert.True(estimator.Add(new BiasObservation
             {
                 Point = id,
                 Time = pose.Time,
@@ -133,7 +133,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
     private static (double North, double East) Error(in LocalNedFrame world, JsonElement target, GeodeticPosition place)
     {
         double[] truth = target.Numbers("ned_m");
-        NedVector found = world.ToNed(place);
+        NedPosition found = world.ToNed(place);
         return (truth[0] - found.North, truth[1] - found.East);
     }
 

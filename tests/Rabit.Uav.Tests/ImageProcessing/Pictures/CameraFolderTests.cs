@@ -35,7 +35,7 @@ public sealed class CameraFolderTests : IDisposable
         Assert.Equal(
             (-0.214, 0.069, 0.0006, -0.0004, -0.008),
             (folder.Camera.K1, folder.Camera.K2, folder.Camera.P1, folder.Camera.P2, folder.Camera.K3));
-        CameraExtrinsics placement = folder.Mount.At(0, 0);
+        CameraExtrinsics placement = folder.Mount.At(Angle.Zero, Angle.Zero);
         Assert.Equal((0.12, -0.02, 0.06), (placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down));
         (double forward, double right, double down) = placement.BodyFromCamera.Apply(1, 2, 3);
         Assert.Equal(-2, forward, 9);
@@ -58,20 +58,20 @@ public sealed class CameraFolderTests : IDisposable
     public void Open_OfCreate_GivesTheSame(double gimbalYaw)
     {
         var camera = new CameraModel { Width = 64, Height = 48, FocalX = 53.1, FocalY = 52.9, CentreX = 31.25, CentreY = 23.5, K1 = -0.06, K2 = 0.01, P1 = 1e-4, P2 = -2e-4, K3 = 1e-3, RowReadout = TimeSpan.FromTicks(305) };
-        var mount = new CameraMount { GimbalLeverArmMetres = new BodyVector(0.1, -0.2, 0.05), MisalignmentRollRadians = 0.02, CameraLeverArmMetres = new BodyVector(0.01, 0, 0) };
+        var mount = new CameraMount { GimbalLeverArmMetres = new BodyVector(0.1, -0.2, 0.05), MisalignmentRoll = Angle.FromRadians(0.02), CameraLeverArmMetres = new BodyVector(0.01, 0, 0) };
         string path = Path.Combine(_folder.Path, "new", "camera");
 
-        CameraFolder written = CameraFolder.Create(path, camera, mount, gimbalPitchRadians: -1.2, gimbalYawRadians: gimbalYaw);
+        CameraFolder written = CameraFolder.Create(path, camera, mount, gimbalPitch: Angle.FromRadians(-1.2), gimbalYaw: Angle.FromRadians(gimbalYaw));
         CameraFolder read = CameraFolder.Open(path);
 
-        CameraExtrinsics wanted = mount.At(-1.2, gimbalYaw);
+        CameraExtrinsics wanted = mount.At(Angle.FromRadians(-1.2), Angle.FromRadians(gimbalYaw));
         foreach (CameraFolder folder in new[] { written, read })
         {
             Assert.Equal((64, 48, 53.1, 52.9, 31.25, 23.5), (folder.Camera.Width, folder.Camera.Height, folder.Camera.FocalX, folder.Camera.FocalY, folder.Camera.CentreX, folder.Camera.CentreY));
             Assert.Equal((-0.06, 0.01, 1e-4, -2e-4, 1e-3), (folder.Camera.K1, folder.Camera.K2, folder.Camera.P1, folder.Camera.P2, folder.Camera.K3));
             Assert.Equal(30.5, folder.Camera.RowReadout.TotalMilliseconds * 1000, 9);
-            CameraExtrinsics placement = folder.Mount.At(0, 0);
-            Assert.Equal(0, (wanted.BodyFromCamera.Inverse * placement.BodyFromCamera).AngleRadians, 9);
+            CameraExtrinsics placement = folder.Mount.At(Angle.Zero, Angle.Zero);
+            Assert.Equal(0, (wanted.BodyFromCamera.Inverse * placement.BodyFromCamera).Angle.Radians, 9);
             Assert.Equal(wanted.PositionMetres.Forward, placement.PositionMetres.Forward, 12);
             Assert.Equal(wanted.PositionMetres.Right, placement.PositionMetres.Right, 12);
             Assert.Equal(wanted.PositionMetres.Down, placement.PositionMetres.Down, 12);
@@ -83,15 +83,15 @@ public sealed class CameraFolderTests : IDisposable
     {
         CameraFolder folder = CameraFolder.Create(_folder.Path, new CameraModel { Width = 8, Height = 8, FocalX = 9, FocalY = 9 }, new CameraMount());
 
-        Rotation rotation = folder.Mount.At(0, 0).BodyFromCamera;
-        Assert.Equal(0, (rotation.Inverse * Rotation.FromMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)).AngleRadians, 9);
+        Rotation rotation = folder.Mount.At(Angle.Zero, Angle.Zero).BodyFromCamera;
+        Assert.Equal(0, (rotation.Inverse * Rotation.FromMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)).Angle.Radians, 9);
     }
 
     [Fact]
     public void Create_NoCamera_SaysAllThatIsWrong()
     {
         PictureException fault = Assert.Throws<PictureException>(() => CameraFolder.Create(
-            _folder.Path, new CameraModel { Width = 0, Height = 8, FocalX = -1, FocalY = 9 }, new CameraMount { MisalignmentRollRadians = double.NaN }));
+            _folder.Path, new CameraModel { Width = 0, Height = 8, FocalX = -1, FocalY = 9 }, new CameraMount { MisalignmentRoll = Angle.NaN }));
 
         Assert.Contains("0 x 8", fault.Message, StringComparison.Ordinal);
         Assert.Contains("focal length", fault.Message, StringComparison.Ordinal);

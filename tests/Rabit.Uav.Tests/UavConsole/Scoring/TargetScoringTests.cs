@@ -95,7 +95,7 @@ public sealed class TargetScoringTests
     [Fact]
     public void Judge_StandsElsewhereInTruth_Fails()
     {
-        MissionOutcome outcome = MissionJudge.Judge(MadeUpFlight.Record(), MadeUpFlight.Truth, Frame.ToGeodetic(new NedVector(3.1, 0, 0)));
+        MissionOutcome outcome = MissionJudge.Judge(MadeUpFlight.Record(), MadeUpFlight.Truth, Frame.ToGeodetic(new NedPosition(3.1, 0, 0)));
 
         Assert.Equal(["it landed 3.1 m from home"], outcome.Failures);
     }
@@ -106,7 +106,7 @@ public sealed class TargetScoringTests
         FlightRecord good = MadeUpFlight.Record();
         var record = new FlightRecord
         {
-            Samples = [.. good.Samples, new FlightSample { HasPosition = true, Position = Frame.ToGeodetic(new NedVector(50, 204, -40)) }],
+            Samples = [.. good.Samples, new FlightSample { HasPosition = true, Position = Frame.ToGeodetic(new NedPosition(50, 204, -40)) }],
             Mission = good.Mission,
             Vehicle = good.Vehicle,
             Tracks = good.Tracks,
@@ -128,6 +128,6 @@ public sealed class TargetScoringTests
         Class = colour,
         State = state,
         Covariance = OneMetre,
-        Position = Frame.ToGeodetic(new NedVector(north, east, 0)),
+        Position = Frame.ToGeodetic(new NedPosition(north, east, 0)),
     };
 }

@@ -18,9 +18,9 @@ public sealed class TruthFileTests
 
         Truth read = TruthFile.Parse(Encoding.UTF8.GetString(stream.ToArray()), "truth.json");
 
-        Assert.Equal(MadeUpFlight.Truth.Home.LatitudeRadians, read.Home.LatitudeRadians, 10);
+        Assert.Equal(MadeUpFlight.Truth.Home.Latitude.Radians, read.Home.Latitude.Radians, 10);
         Assert.Equal(MadeUpFlight.Truth.Targets.Select(t => (t.Name, t.Class)), read.Targets.Select(t => (t.Name, t.Class)));
-        Assert.All(read.Targets.Zip(MadeUpFlight.Truth.Targets, (a, b) => (a, b)), p => Assert.Equal(p.b.Position.LongitudeRadians, p.a.Position.LongitudeRadians, 10));
+        Assert.All(read.Targets.Zip(MadeUpFlight.Truth.Targets, (a, b) => (a, b)), p => Assert.Equal(p.b.Position.Longitude.Radians, p.a.Position.Longitude.Radians, 10));
     }
 
     [Theory]

@@ -13,7 +13,7 @@ public sealed class CharacterMapTests
     private static readonly MapModel Square = new()
     {
         Area = [new(0, 0, 0), new(100, 0, 0), new(100, 100, 0), new(0, 100, 0)],
-        Home = new NedVector(-10, -10, 0),
+        Home = new NedPosition(-10, -10, 0),
     };
 
     [Theory]
@@ -61,7 +61,7 @@ public sealed class CharacterMapTests
     [InlineData(double.NaN, '+')]
     public void Draw_Vehicle_PointsWhereItHeads(double degrees, char arrow)
     {
-        MapPicture map = CharacterMap.Draw(new MapModel { Vehicle = default(NedVector), VehicleYawRadians = degrees * Math.PI / 180 }, 9, 5);
+        MapPicture map = CharacterMap.Draw(new MapModel { Vehicle = default(NedPosition), VehicleYawRadians = degrees * Angle.RadiansPerDegree }, 9, 5);
 
         Assert.Contains(map.Lines, l => l.Contains(arrow));
     }
@@ -109,8 +109,8 @@ public sealed class CharacterMapTests
         {
             Area = [new(double.NaN, 0, 0), new(1e12, 5, 0), new(0, double.PositiveInfinity, 0)],
             Path = [new(0, 0, 0), new(5e5, 5e5, 0), new(double.NaN, 1, 0)],
-            Vehicle = new NedVector(double.NaN, double.NaN, 0),
-            Home = new NedVector(1e300, 0, 0),
+            Vehicle = new NedPosition(double.NaN, double.NaN, 0),
+            Home = new NedPosition(1e300, 0, 0),
         };
 
         Assert.Equal(13, CharacterMap.Draw(wild, 44, 13).Lines.Count);

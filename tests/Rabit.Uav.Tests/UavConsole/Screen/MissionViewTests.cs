@@ -93,7 +93,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         IsArmed = true,
         Mode = "GUIDED",
         PositionTime = TimeSpan.Zero,
-        Position = MadeUpFlight.Frame.ToGeodetic(new NedVector(65, 90, -40)),
+        Position = MadeUpFlight.Frame.ToGeodetic(new NedPosition(65, 90, -40)),
         HeightAboveHomeMetres = 40.2,
         VelocityNed = new NedVector(0, -6, 0),
         Attitude = EulerAngles.FromRadians(0, 0, -Math.PI / 2),
@@ -110,7 +110,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         State = TrackState.Confirmed,
         Reports = 12,
         Covariance = new HorizontalCovariance(1, 0, 1),
-        Position = MadeUpFlight.Frame.ToGeodetic(new NedVector(48, 60, 0)),
+        Position = MadeUpFlight.Frame.ToGeodetic(new NedPosition(48, 60, 0)),
     };
 
     private static string Draw(LiveScreen screen)

@@ -1,11 +1,11 @@
 using System;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Geodesy;
+using Rabit.Tests.Shared;
 using Xunit;
 using Xunit.Abstractions;
 
-namespace Rabit.Uav.Tests.Geometry;
+namespace Rabit.Geodesy.Tests;
 
 public sealed class GeodesyTests(ITestOutputHelper output)
 {
@@ -45,11 +45,11 @@ public sealed class GeodesyTests(ITestOutputHelper output)
         foreach (JsonElement c in Vectors.Geodesy.Each("enu"))
         {
             var frame = new LocalNedFrame(EllipsoidPlace(origins[c.GetProperty("origin").GetInt32()]), Undulation);
-            NedVector ned = frame.ToNed(EllipsoidPlace(c));
+            NedPosition ned = frame.ToNed(EllipsoidPlace(c));
             worst = Math.Max(worst, Math.Abs(ned.North - c.Number("n")));
             worst = Math.Max(worst, Math.Abs(ned.East - c.Number("e")));
             worst = Math.Max(worst, Math.Abs(ned.Down + c.Number("u")));
-            var expected = new NedVector(c.Number("n"), c.Number("e"), -c.Number("u"));
+            var expected = new NedPosition(c.Number("n"), c.Number("e"), -c.Number("u"));
             worst = Math.Max(worst, Distance(EllipsoidPlace(c).ToEcef(), frame.ToEllipsoid(expected).ToEcef()));
             worst = Math.Max(worst, Distance(EllipsoidPlace(c).ToEcef(), frame.ToGeodetic(expected).ToEllipsoid(Undulation).ToEcef()));
         }
@@ -113,13 +113,15 @@ public sealed class GeodesyTests(ITestOutputHelper output)
             if (c.TryGetProperty("azi_not_unique", out _) || c.TryGetProperty("nearly_antipodal", out _))
                 continue;
             double turn = Math.Max(Math.Abs(Turn(line.StartAzimuth.Degrees, c.Number("azi1"))), Math.Abs(Turn(line.EndAzimuth.Degrees, c.Number("azi2"))));
-            bool isGood = turn <= Degrees || turn * Vectors.Degree * metres <= 1e-9 * (metres < 1 ? 1 : 10);
+
+            // The reference, which was computed with doubles, is itself up to 1.4 nm beside on lines below 100 m (against 40 digits).
+            bool isGood = turn <= Degrees || (metres < 100 && turn * Vectors.Degree * metres <= 3e-9);
             Assert.True(isGood, $"{c}: {line.StartAzimuth.Degrees:R} {line.EndAzimuth.Degrees:R}");
-            if (metres > 10_000)
+            if (metres >= 100)
                 worstTurn = Math.Max(worstTurn, turn);
         }
 
-        output.WriteLine($"inverse {worst:E1} m, azimuth above 10 km {worstTurn:E1} deg, leads {worstEnd:E1} m beside");
+        output.WriteLine($"inverse {worst:E1} m, azimuth from 100 m {worstTurn:E1} deg, leads {worstEnd:E1} m beside");
     }
 
     [Fact]
@@ -180,6 +182,43 @@ public sealed class GeodesyTests(ITestOutputHelper output)
         }
     }
 
+    // Near the upper edge of a band the corner of a coarse square is north of it; at the left side of a zone too.
+    [Theory]
+    [InlineData("13SGE2231")]
+    [InlineData("13UFC81")]
+    [InlineData("52VFS")]
+    [InlineData("60VXS")]
+    [InlineData("01CDA31")]
+    [InlineData("45DUK")]
+    public void Mgrs_CoarseSquareAtTheEdgeOfABand_IsRead(string text)
+    {
+        Assert.True(MgrsPosition.TryParse(text, out MgrsPosition square));
+        Assert.Equal(text, square.ToString());
+    }
+
+    [Theory]
+    [InlineData("32SMT6500050000")]
+    [InlineData("32UMT6500050000")]
+    public void Mgrs_LettersOfAnotherBand_AreRefused(string text) => Assert.False(MgrsPosition.TryParse(text, out _));
+
+    [Fact]
+    public void Mgrs_AnyPlaceAndDigits_ComesBack()
+    {
+        var numbers = new SeededNumbers(41);
+        for (int i = 0; i < 20_000; i++)
+        {
+            // Every other place lies within a kilometre of the edge of a band, every third one of that of a zone.
+            double latitude = i % 2 == 0 ? numbers.Uniform(-80, 84) : -80 + (8 * numbers.Below(21)) + numbers.Uniform(-0.01, 0.01);
+            double longitude = i % 3 == 0 ? -180 + (6 * numbers.Below(61)) + numbers.Uniform(-0.01, 0.01) : numbers.Uniform(-180, 180);
+            var point = new GeographicPoint(Angle.FromDegrees(Math.Max(-80, Math.Min(84, latitude))), Angle.FromDegrees(longitude));
+            for (int digits = 0; digits <= 5; digits++)
+            {
+                string text = MgrsPosition.From(point, digits).ToString();
+                Assert.True(MgrsPosition.TryParse(text, out MgrsPosition back) && back.ToString() == text, $"seed 41, case {i}: {point} as {text}");
+            }
+        }
+    }
+
     [Fact]
     public void Utm_NearThePoles_IsRefused()
     {
@@ -211,8 +250,7 @@ public sealed class GeodesyTests(ITestOutputHelper output)
     private static double Distance(GeographicPoint a, GeographicPoint b)
         => Distance(new EllipsoidPosition(a, default).ToEcef(), new EllipsoidPosition(b, default).ToEcef());
 
-    private static double Distance(EcefPosition a, EcefPosition b)
-        => Math.Sqrt(Math.Pow(a.XMetres - b.XMetres, 2) + Math.Pow(a.YMetres - b.YMetres, 2) + Math.Pow(a.ZMetres - b.ZMetres, 2));
+    private static double Distance(EcefPosition a, EcefPosition b) => a.DistanceTo(b);
 
     private static double Turn(double a, double b) => Math.IEEERemainder(a - b, 360);
 }

@@ -1,7 +1,7 @@
 using System;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Geometry;
+namespace Rabit.Geodesy.Tests;
 
 /// <summary>A test that needs the whole reference sets, of which the repository has a part, and is skipped without them.</summary>
 [AttributeUsage(AttributeTargets.Method)]

@@ -3,16 +3,14 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Geodesy;
 using Rabit.Tests.Shared;
-using Rabit.Uav.CameraGeometry;
 
-namespace Rabit.Uav.Tests.Geometry;
+namespace Rabit.Geodesy.Tests;
 
 /// <summary>Reference values that were made with other libraries (pyproj, scipy, OpenCV), in tests/data/autonomy; angles in degrees.</summary>
 internal static class Vectors
 {
-    public const double Degree = Math.PI / 180;
+    public const double Degree = Angle.RadiansPerDegree;
 
     // Not the base directory: where tests run without a domain of their own, as under Mono, that is the runner's.
     private static readonly string Folder = Path.Combine(Path.GetDirectoryName(typeof(Vectors).Assembly.Location)!, "data", "autonomy");
@@ -47,44 +45,10 @@ internal static class Vectors
 
     public static GeodeticPosition Position(this JsonElement item) => GeodeticPosition.FromRadians(item.Radians("lat"), item.Radians("lon"), item.Number("h"));
 
-    public static CameraModel Camera(int index)
-    {
-        JsonElement c = Geolocation.Each("cameras").ElementAt(index);
-        return new CameraModel
-        {
-            Width = c.GetProperty("width").GetInt32(),
-            Height = c.GetProperty("height").GetInt32(),
-            FocalX = c.Number("fx"),
-            FocalY = c.Number("fy"),
-            CentreX = c.Number("cx"),
-            CentreY = c.Number("cy"),
-            K1 = c.Number("k1"),
-            K2 = c.Number("k2"),
-            P1 = c.Number("p1"),
-            P2 = c.Number("p2"),
-            K3 = c.Number("k3"),
-        };
-    }
-
-    public static CameraMount Mount(JsonElement mount)
-    {
-        double[] gimbal = mount.Numbers("r_gimbal");
-        double[] camera = mount.Numbers("r_cam");
-        return new CameraMount
-        {
-            MisalignmentRollRadians = mount.Radians("roll"),
-            MisalignmentPitchRadians = mount.Radians("pitch"),
-            MisalignmentYawRadians = mount.Radians("yaw"),
-            GimbalLeverArmMetres = new BodyVector(gimbal[0], gimbal[1], gimbal[2]),
-            CameraLeverArmMetres = new BodyVector(camera[0], camera[1], camera[2]),
-        };
-    }
-
     /// <summary>Metres between two places, also across the date line.</summary>
     public static double Distance(GeodeticPosition a, GeodeticPosition b)
     {
-        NedVector d = LocalNedFrame.IgnoringGeoid(a).ToNed(b);
-        return Math.Sqrt((d.North * d.North) + (d.East * d.East) + (d.Down * d.Down));
+        return NedPosition.Origin.DistanceTo(LocalNedFrame.IgnoringGeoid(a).ToNed(b));
     }
 
     /// <summary>A folder of the larger sets; null where it is not there.</summary>

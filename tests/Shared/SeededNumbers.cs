@@ -1,6 +1,6 @@
 using System;
 
-namespace Rabit.Uav.Tests;
+namespace Rabit.Tests.Shared;
 
 /// <summary>Random numbers that are the same on every runtime (Steele, Lea, Flood, OOPSLA 2014, figure 17).</summary>
 internal sealed class SeededNumbers(int seed)

@@ -3,10 +3,10 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>One look at a standing point: where it was in the picture, and what the autopilot said of where the vehicle was then. A plain value.</summary>
-public struct BiasLook
+/// <summary>One observation of a static point: where it was in the picture, and the pose that the autopilot reported for that time. A plain value.</summary>
+public struct BiasObservation
 {
-    /// <summary>Which point; any number, the same for all looks at it.</summary>
+    /// <summary>Which point; any number, the same for all observations of it.</summary>
     public int Point { get; set; }
 
     /// <summary>Middle of the exposure.</summary>
@@ -18,21 +18,21 @@ public struct BiasLook
     /// <summary>Row in the picture.</summary>
     public double Row { get; set; }
 
-    /// <summary>Where the vehicle was, as it was told, at <see cref="Time"/>.</summary>
+    /// <summary>Where the vehicle was, as reported, at <see cref="Time"/>.</summary>
     public GeodeticPosition Position { get; set; }
 
     /// <summary>Its velocity, metres per second.</summary>
     public NedVector VelocityNed { get; set; }
 
-    /// <summary>Its attitude, as it was told.</summary>
+    /// <summary>Its attitude, as reported.</summary>
     public EulerAngles Attitude { get; set; }
 
     /// <summary>Its angular velocity.</summary>
     public BodyRates Rates { get; set; }
 
-    /// <summary>The gimbal's pitch, radians; -pi/2 for a camera that looks down.</summary>
-    public double GimbalPitchRadians { get; set; }
+    /// <summary>The gimbal's pitch; -90 degrees for a camera that looks down.</summary>
+    public Angle GimbalPitch { get; set; }
 
-    /// <summary>The gimbal's yaw, radians.</summary>
-    public double GimbalYawRadians { get; set; }
+    /// <summary>The gimbal's yaw.</summary>
+    public Angle GimbalYaw { get; set; }
 }

@@ -4,18 +4,22 @@ using System.IO;
 using System.Linq;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
-using Rabit.Geodesy;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Geometry.Compiler;
+namespace Rabit.Geodesy.Tests.Compiler;
 
 /// <summary>What mixes frames, units or heights does not compile; the same line with the right things does.</summary>
 public sealed class MixedUnitsTests
 {
     [Theory]
     [InlineData("body and NED", "NedVector v = attitude.ToNed(body);", "NedVector v = attitude.ToNed(ned);")]
+    [InlineData("places added", "NedPosition p = place + ned;", "NedPosition p = place + place;")]
+    [InlineData("a place for a velocity", "NedVector v = place - place;", "NedVector v = place;")]
+    [InlineData("a displacement as a place", "var p = frame.ToGeodetic(NedPosition.Origin + ned);", "var p = frame.ToGeodetic(ned);")]
+    [InlineData("earth-centred places added", "EcefVector v = ecef - ecef;", "var v = ecef + ecef;")]
+    [InlineData("a height above the ellipsoid as terrain", "terrain.TryAltitude(point, out AmslAltitude a);", "terrain.TryAltitude(point, out EllipsoidHeight a);")]
     [InlineData("NED for body", "BodyVector v = attitude.ToBody(ned);", "BodyVector v = ned;")]
-    [InlineData("body in a local frame", "var p = frame.ToGeodetic(ned);", "var p = frame.ToGeodetic(body);")]
+    [InlineData("body in a local frame", "var p = frame.ToGeodetic(place);", "var p = frame.ToGeodetic(body);")]
     [InlineData("a bare number for an angle", "Angle a = Angle.FromDegrees(45.0);", "Angle a = 45.0;")]
     [InlineData("an angle for radians", "double s = Math.Sin(angle.Radians);", "double s = Math.Sin(angle);")]
     [InlineData("degrees as latitude", "var p = new GeographicPoint(Angle.FromDegrees(47), Angle.FromDegrees(8));", "var p = new GeographicPoint(47, 8);")]
@@ -36,7 +40,7 @@ public sealed class MixedUnitsTests
     [InlineData("bare numbers for rates", "var r = BodyRates.FromDegreesPerSecond(10, 0, 0);", "var r = new BodyRates(10, 0, 0);")]
     [InlineData("AMSL in a local frame without a geoid", "var f = new LocalNedFrame(amslPlace, 47.5);", "var f = new LocalNedFrame(amslPlace);")]
     [InlineData("an ellipsoid height where the geoid is ignored", "var f = LocalNedFrame.IgnoringGeoid(amslPlace);", "var f = LocalNedFrame.IgnoringGeoid(amslPlace.ToEllipsoid(0));")]
-    [InlineData("ellipsoid place for AMSL from a frame", "EllipsoidPosition p = frame.ToEllipsoid(ned);", "EllipsoidPosition p = frame.ToGeodetic(ned);")]
+    [InlineData("ellipsoid place for AMSL from a frame", "EllipsoidPosition p = frame.ToEllipsoid(place);", "EllipsoidPosition p = frame.ToGeodetic(place);")]
     [InlineData("rates for a body vector", "NedVector v = attitude.ToNed(body);", "NedVector v = attitude.ToNed(BodyRates.FromDegreesPerSecond(1, 2, 3));")]
     [InlineData("UTM for MGRS", "MgrsPosition m = MgrsPosition.From(point);", "MgrsPosition m = UtmPosition.From(point);")]
     public void Mixed_DoesNotCompile(string what, string right, string wrong)
@@ -48,7 +52,7 @@ public sealed class MixedUnitsTests
     private static List<string> Errors(string line)
     {
         string program = "using System; using Rabit.Geodesy; static class Program { static void Run(BodyVector body, NedVector ned, Rotation attitude, LocalNedFrame frame, "
-            + "Angle angle, AmslAltitude amsl, EllipsoidHeight ellipsoid, HeightAboveGround aboveGround, HeightAboveHome aboveHome, GeographicPoint point, GeodeticPosition amslPlace) { "
+            + "Angle angle, AmslAltitude amsl, EllipsoidHeight ellipsoid, HeightAboveGround aboveGround, HeightAboveHome aboveHome, GeographicPoint point, GeodeticPosition amslPlace, NedPosition place, EcefPosition ecef, TerrainGrid terrain) { "
             + line + " } }";
         string[] trusted = ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator);
         IEnumerable<MetadataReference> references = trusted.Where(f => Path.GetFileName(f).StartsWith("System.", StringComparison.Ordinal))

@@ -1,10 +1,9 @@
 using System;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Geodesy;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Geometry;
+namespace Rabit.Geodesy.Tests;
 
 public sealed class RotationTests
 {
@@ -36,9 +35,9 @@ public sealed class RotationTests
             AssertMatrix(c.Numbers("dcm"), Rotation.FromEuler(angles), 1e-11);
             if (c.TryGetProperty("euler_not_unique", out _) || Math.Abs(Math.Cos(c.Radians("pitch"))) < 0.01 || Math.Abs(c.Number("pitch")) > 90)
                 continue;
-            Assert.Equal(0, Wrapped(angles.RollRadians - c.Radians("roll")), 1e-10);
-            Assert.Equal(0, angles.PitchRadians - c.Radians("pitch"), 1e-10);
-            Assert.Equal(0, Wrapped(angles.YawRadians - c.Radians("yaw")), 1e-10);
+            Assert.Equal(0, Wrapped(angles.Roll.Radians - c.Radians("roll")), 1e-10);
+            Assert.Equal(0, angles.Pitch.Radians - c.Radians("pitch"), 1e-10);
+            Assert.Equal(0, Wrapped(angles.Yaw.Radians - c.Radians("yaw")), 1e-10);
         }
     }
 
@@ -58,7 +57,7 @@ public sealed class RotationTests
             Rotation b = Quaternion(c.Numbers("q2"));
             AssertSame(c.Numbers("q1q2"), a * b, Tolerance);
             AssertSame(c.Numbers("q1_conj_q2"), a.Inverse * b, Tolerance);
-            Assert.Equal(c.Radians("angle_deg"), (a.Inverse * b).AngleRadians, 1e-10);
+            Assert.Equal(c.Radians("angle_deg"), (a.Inverse * b).Angle.Radians, 1e-10);
         }
     }
 
@@ -78,7 +77,7 @@ public sealed class RotationTests
             AssertSame(c.Numbers("q"), at, 1e-10);
             EulerAngles angles = at.ToEuler();
             double[] expected = c.Numbers("rpy");
-            Assert.Equal(0, Wrapped(angles.YawRadians - (expected[2] * Vectors.Degree)), 1e-10);
+            Assert.Equal(0, Wrapped(angles.Yaw.Radians - (expected[2] * Vectors.Degree)), 1e-10);
         }
     }
 

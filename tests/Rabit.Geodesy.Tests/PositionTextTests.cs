@@ -1,7 +1,8 @@
-using Rabit.Geodesy;
+using System;
+using Rabit.Tests.Shared;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Geometry;
+namespace Rabit.Geodesy.Tests;
 
 public sealed class PositionTextTests
 {
@@ -64,4 +65,29 @@ public sealed class PositionTextTests
         => Assert.Equal(
             "48°00'00.000\"N 0°00'00.000\"E",
             PositionText.Format(new GeographicPoint(Angle.FromDegrees(47.99999999999), Angle.Zero), PositionStyle.DegreesMinutesSeconds));
+
+    [Theory]
+    [InlineData(double.NaN, 8)]
+    [InlineData(47, double.NaN)]
+    [InlineData(double.PositiveInfinity, 8)]
+    [InlineData(47, double.NegativeInfinity)]
+    [InlineData(91, 8)]
+    [InlineData(-90.001, 8)]
+    public void Format_NoPlaceOnTheEarth_IsRefused(double latitude, double longitude)
+    {
+        var point = new GeographicPoint(Angle.FromDegrees(latitude), Angle.FromDegrees(longitude));
+        Assert.False(point.IsValid);
+        foreach (PositionStyle style in new[] { PositionStyle.DecimalDegrees, PositionStyle.DegreesMinutesSeconds, PositionStyle.Mgrs })
+            Assert.Throws<ArgumentOutOfRangeException>(() => PositionText.Format(point, style));
+        Assert.StartsWith("no place (", point.ToString(), StringComparison.Ordinal);
+        Assert.False(PositionText.TryParse(point.ToString(), out _));
+    }
+
+    [Fact]
+    public void Format_LongitudeBeyondTheDateLine_IsWrapped()
+    {
+        var point = new GeographicPoint(Angle.FromDegrees(-90), Angle.FromDegrees(190));
+        Assert.Equal("-90.0000000, -170.0000000", PositionText.Format(point, PositionStyle.DecimalDegrees));
+        Assert.Equal("90°00'00.000\"S 170°00'00.000\"W", PositionText.Format(point, PositionStyle.DegreesMinutesSeconds));
+    }
 }
