@@ -7,8 +7,8 @@ using Rabit.Uav.Messages;
 namespace UavConsole;
 
 /// <summary>
-/// Draws a map in characters, north up: lines are dots (Braille patterns); home is H, a track the letter of its colour, ? while it is
-/// not believed, x when it was lost; the vehicle is an arrow. The same model gives the same lines.
+/// Draws a map in characters, north up: lines are dots (Braille patterns); home is H, a track the letter of its
+/// colour, ? while it is tentative, x when it was lost; the vehicle is an arrow. The same model gives the same lines.
 /// </summary>
 internal sealed class CharacterMap
 {
@@ -143,10 +143,10 @@ internal sealed class CharacterMap
     {
         TrackState.Tentative => '?',
         TrackState.Lost => 'x',
-        _ => Colours.Letter(track.Colour),
+        _ => TargetLetters.Letter(track.Colour),
     };
 
-    private static MapInk InkOf(TargetTrack track) => track.State == TrackState.Tentative ? MapInk.Tentative : Colours.Ink(track.Colour);
+    private static MapInk InkOf(TargetTrack track) => track.State == TrackState.Tentative ? MapInk.Tentative : TargetLetters.Ink(track.Colour);
 
     private void Mark(NedVector at, char character, MapInk ink)
     {

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
 
 namespace UavConsole;
 
@@ -14,7 +15,7 @@ internal sealed class MapModel
     /// <summary>Ends of the lanes, two for each.</summary>
     public IReadOnlyList<NedVector> Lanes { get; init; } = [];
 
-    /// <summary>The way that was flown, oldest first.</summary>
+    /// <summary>The path that was flown, oldest first.</summary>
     public IReadOnlyList<NedVector> Path { get; init; } = [];
 
     /// <summary>Null where it is not known.</summary>

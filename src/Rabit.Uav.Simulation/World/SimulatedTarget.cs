@@ -3,8 +3,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// A flat rectangle that lies on the ground of the simulated world: a target of a mission, or a distractor, which looks much like one
-/// and is none. Immutable.
+/// A flat rectangle that lies on the ground of the simulated world: a target of a mission, or a distractor, which
+/// looks much like one and is none. Immutable.
 /// </summary>
 public sealed class SimulatedTarget
 {
@@ -14,7 +14,10 @@ public sealed class SimulatedTarget
     /// <summary>What it is, one line for a person: "red panel 1", "rusty sheet 7".</summary>
     public string Name { get; init; } = string.Empty;
 
-    /// <summary>Its colour, one; <see cref="TargetColours.None"/> for a distractor that has none of these colours, but a near one.</summary>
+    /// <summary>
+    /// Its colour, one; <see cref="TargetColours.None"/> for a distractor that has none of these colours, but a near
+    /// one.
+    /// </summary>
     public TargetColours Colour { get; init; }
 
     /// <summary>Where its centre lies, metres north in the frame of the world.</summary>

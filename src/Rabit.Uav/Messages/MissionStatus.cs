@@ -28,4 +28,7 @@ public struct MissionStatus
 
     /// <summary>Tracks that had their second look.</summary>
     public int Revisits { get; set; }
+
+    /// <summary>Whether the mission was accomplished, and why not.</summary>
+    public MissionResult Result { get; set; }
 }

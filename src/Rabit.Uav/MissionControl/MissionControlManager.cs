@@ -29,6 +29,7 @@ public sealed class MissionControlManager : RabitManager
     private readonly MessagePublisher<MissionStatus> _status;
     private readonly MissionFlight? _flight;
     private readonly MissionMachine? _machine;
+    private readonly MissionAssessment _assessment = new();
     private TimeSpan? _lastStatus;
     private string? _abort; // any thread writes, this manager reads; replaced as a whole
 
@@ -87,6 +88,7 @@ public sealed class MissionControlManager : RabitManager
         if (_flight is not null && _machine is not null)
         {
             TakeIn(_flight);
+            _assessment.Update(_flight);
             _machine.Tick(Volatile.Read(ref _abort));
             PostOrder(_flight, _machine);
         }
@@ -163,6 +165,7 @@ public sealed class MissionControlManager : RabitManager
             status.LanesFlown = _flight.Route?.Flown ?? 0;
             status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;
             status.Revisits = _flight.Looks.Done;
+            status.Result = _assessment.Assess(_flight, phase);
         }
         else
         {
