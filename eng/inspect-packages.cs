@@ -18,13 +18,11 @@ var allowed = new Dictionary<string, string[]>(StringComparer.Ordinal)
     ["Rabit.Mavlink/net10.0"] = [],
     ["Rabit.Mavlink/.NETStandard2.0"] = ["System.Memory", "Microsoft.Bcl.TimeProvider"],
     ["Rabit.Uav/net10.0"] = ["Rabit.Core", "Rabit.Mavlink"],
-    ["Rabit.Uav.Reporting/net10.0"] = ["Rabit.Uav"],
-    ["Rabit.Uav.Reporting/.NETStandard2.0"] = ["Rabit.Uav", "System.Text.Json"],
-    ["Rabit.Uav.Simulation/net10.0"] = ["Rabit.Uav", "Rabit.Uav.Reporting"],
-    ["Rabit.Uav.Simulation/.NETStandard2.0"] = ["Rabit.Uav", "Rabit.Uav.Reporting", "System.Text.Json"],
+    ["Rabit.Uav.Simulation/net10.0"] = ["Rabit.Uav"],
+    ["Rabit.Uav.Simulation/.NETStandard2.0"] = ["Rabit.Uav"],
     ["Rabit.Uav/.NETStandard2.0"] = ["Rabit.Core", "Rabit.Mavlink", "System.Collections.Immutable", "System.Text.Json"],
 };
-string[] packages = ["Rabit.Core", "Rabit.Mavlink", "Rabit.Uav", "Rabit.Uav.Reporting", "Rabit.Uav.Simulation"];
+string[] packages = ["Rabit.Core", "Rabit.Mavlink", "Rabit.Uav", "Rabit.Uav.Simulation"];
 string[] frameworks = ["net10.0", "netstandard2.0"];
 var faults = new List<string>();
 

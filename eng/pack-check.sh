@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-ids=(Rabit.Core Rabit.Mavlink Rabit.Uav Rabit.Uav.Reporting Rabit.Uav.Simulation)
+ids=(Rabit.Core Rabit.Mavlink Rabit.Uav Rabit.Uav.Simulation)
 version=$(dotnet msbuild src/Rabit.Core -getProperty:Version)
 packages=$PWD/artifacts/packages
 work=$PWD/artifacts/pack-check

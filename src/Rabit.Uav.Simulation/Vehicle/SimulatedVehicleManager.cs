@@ -25,7 +25,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
     private readonly VehicleSigning? _signing;
     private TimeSpan _stepped;
     private long _sent;
-    private long _heard;
+    private long _received;
     private long _lost;
     private bool _hasTold;
     private bool _hasToldOfRejection;
@@ -64,7 +64,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
 
         Receive(now);
         Deliver(now);
-        _recorder.CountFrames(_sent, _heard, _lost + _target.Lost);
+        _recorder.CountFrames(_sent, _received, _lost + _target.Lost);
         SleepUntil(now);
     }
 
@@ -81,7 +81,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
                 continue;
             }
 
-            _heard++;
+            _received++;
             _vehicle.Handle(frame, now);
         }
 
