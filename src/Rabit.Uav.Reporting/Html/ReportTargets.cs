@@ -11,6 +11,7 @@ namespace Rabit.Uav.Reporting.Html;
 internal sealed class ReportTargets(PageWriter page, FlightSummary data)
 {
     private const double PlotRadius = 66;
+    private static readonly double[] PlotMetres = [1, 2, 3, 4, 5, 8, 10, 15, 20];
 
     public void Write()
     {
@@ -90,7 +91,7 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
     private void WritePlot(TargetTrack track, TargetScore? target)
     {
         double span = Math.Max(track.Covariance.HalfMajorAxis95Metres, target?.ErrorMetres ?? 0) * 1.25;
-        double metres = new[] { 1, 2, 3, 4, 5, 8, 10, 15, 20 }.FirstOrDefault(m => m >= span);
+        double metres = PlotMetres.FirstOrDefault(m => m >= span);
         if (metres <= 0)
             metres = Math.Max(1, Math.Ceiling(double.IsInfinity(span) || double.IsNaN(span) ? 1 : span));
         double scale = PlotRadius / metres;

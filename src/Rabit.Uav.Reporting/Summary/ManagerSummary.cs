@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using Rabit.Core;
 
 namespace Rabit.Uav.Reporting;
@@ -24,7 +23,7 @@ public sealed class ManagerSummary
         Outcome = result.Outcome.ToString();
         Runs = result.Runs;
         Faults = result.FaultCount;
-        FirstFault = result.Faults.FirstOrDefault()?.ToString();
+        FirstFault = result.Faults.Count == 0 ? null : result.Faults[0].ToString();
         MeanWork = unitOfWorkTime.Mean;
         LongestWork = unitOfWorkTime.Maximum;
         TotalWork = unitOfWorkTime.Total;
