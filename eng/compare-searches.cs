@@ -70,8 +70,8 @@ static (string Name, double North, double East)[] Targets(string file)
     using JsonDocument document = JsonDocument.Parse(File.ReadAllText(file));
     return [.. document.RootElement.GetProperty("mission").GetProperty("tracks").EnumerateArray().Select(t =>
     {
-        double latitude = t.GetProperty("lat_deg").GetDouble();
-        double longitude = t.GetProperty("lon_deg").GetDouble();
-        return (t.GetProperty("id").ToString() + " " + t.GetProperty("color").GetString(), latitude * MetresPerDegree, longitude * MetresPerDegree * Math.Cos(latitude * Math.PI / 180));
+        double latitude = t.GetProperty("latitudeDegrees").GetDouble();
+        double longitude = t.GetProperty("longitudeDegrees").GetDouble();
+        return (t.GetProperty("id").ToString() + " " + t.GetProperty("class").GetString(), latitude * MetresPerDegree, longitude * MetresPerDegree * Math.Cos(latitude * Math.PI / 180));
     })];
 }

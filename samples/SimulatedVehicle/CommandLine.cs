@@ -12,7 +12,7 @@ namespace SimulatedVehicle;
 /// <summary>Reads the command line. Everything wrong with it is one line and exit code 2.</summary>
 internal static class CommandLine
 {
-    private const double StrongestWind = 25;
+    private const double MaxWind = 25;
     private const int MaxTargets = 1000;
 
     public static RootCommand Create(Func<VehicleOptions, int> run)
@@ -20,7 +20,7 @@ internal static class CommandLine
         var defaults = new SimulationOptions();
         var link = new Option<LinkUrl>("--link", "-l")
         {
-            Description = "udpout:HOST:PORT, udpin:ADDRESS:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD: where the vehicle is heard and commanded.",
+            Description = "udpout:HOST:PORT, udpin:ADDRESS:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD: where the vehicle sends its telemetry and takes commands.",
             HelpName = "URL",
             CustomParser = ParseLink,
             DefaultValueFactory = _ => LinkUrl.Parse("udpout:127.0.0.1:14550"),
@@ -60,7 +60,7 @@ internal static class CommandLine
 
         var signKey = new Option<string>("--sign-key")
         {
-            Description = "Signs all the vehicle says with the key in a file, 32 bytes or 64 hexadecimal digits, and hears nothing that is not signed with it.",
+            Description = "Signs what the vehicle sends with the key in a file, 32 bytes or 64 hexadecimal digits, and rejects what is not signed with it.",
             HelpName = "FILE",
         };
 
@@ -107,7 +107,7 @@ internal static class CommandLine
     private static double ParseWind(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;
-        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double speed) && speed <= StrongestWind)
+        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double speed) && speed <= MaxWind)
             return speed;
         result.AddError($"--wind {text}: it must be a number of m/s from 0 to 25.");
         return 0;

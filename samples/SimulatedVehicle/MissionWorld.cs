@@ -5,7 +5,10 @@ using Rabit.Uav.Simulation;
 
 namespace SimulatedVehicle;
 
-/// <summary>Takes from a mission file what the world must agree with: home, if it says one, and the area in which the targets lie.</summary>
+/// <summary>
+/// Takes from a mission file what the world must agree with: home, if it says one, and the area in which the targets
+/// lie.
+/// </summary>
 internal static class MissionWorld
 {
     /// <exception cref="ArgumentException">The file is no mission; the text says why.</exception>

@@ -12,11 +12,14 @@ using Rabit.Vision;
 
 namespace SimulatedVehicle;
 
-/// <summary>The main job: opens the link, runs the vehicle in real time, says when something changes, and writes the truth at the end.</summary>
+/// <summary>
+/// The main job: opens the link, runs the vehicle in real time, says when something changes, and writes the truth at
+/// the end.
+/// </summary>
 internal static class VehicleRun
 {
     private const int BadInput = 2;
-    private static readonly TimeSpan LookEvery = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan ShowEvery = TimeSpan.FromMilliseconds(100);
 
     // Ctrl-C must end all within a second.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
@@ -30,13 +33,13 @@ internal static class VehicleRun
             if (options.MissionFile is not null)
                 MissionWorld.Read(options.MissionFile, options.World);
             var world = new SimulatedWorld(options.World);
-            using TruthFile? truthFile = TruthFile.Open(options.TruthFile);
+            using TruthOutput? truthFile = TruthOutput.Open(options.TruthFile);
             CameraFolder? folder = options.CameraFolder is { } path ? CameraFolder.Create(path, world.CameraModel, world.CameraMount) : null;
             using MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
             using IByteLink link = LinkFactory.Open(options.Link);
-            truthFile?.Write(world, options.World);
+            truthFile?.Write(world);
             int exitCode = Fly(world.CreateVehicle(link, key), world, folder, options);
-            truthFile?.Write(world, options.World);
+            truthFile?.Write(world);
             return exitCode;
         }
         catch (Exception e) when (e is LinkException or PictureException or ArgumentException or PlatformNotSupportedException or IOException or UnauthorizedAccessException)
@@ -48,7 +51,8 @@ internal static class VehicleRun
 
     private static int Fly(RabitManager vehicle, SimulatedWorld world, CameraFolder? folder, VehicleOptions options)
     {
-        // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the truth off.
+        // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the
+        // truth off.
         Console.CancelKeyPress += (_, e) => e.Cancel = true;
         var reactor = new RabitReactor(new ReactorOptions { Log = WriteNews, StopTimeout = StopTimeout }) { vehicle };
         if (folder is not null)
@@ -57,7 +61,7 @@ internal static class VehicleRun
 
         Task<ReactorResult> run = reactor.RunAsync();
         var line = new StatusLine(Console.Out);
-        while (!run.Wait(LookEvery))
+        while (!run.Wait(ShowEvery))
             line.Show(reactor.Now, world.Truth);
         line.Show(reactor.Now, world.Truth);
         return run.GetAwaiter().GetResult().ExitCode;

@@ -49,7 +49,7 @@ internal static class CommandLine
 
     private static readonly Option<bool> Fly = new("--fly") { Description = "Commands the vehicle at the other end of --link: arms it and flies --mission." };
 
-    private static readonly Option<string> Camera = new("--camera") { Description = "A camera for --link: a folder of pictures with their times and camera.json (docs/camera-folder.md), also a growing one.", HelpName = "DIR" };
+    private static readonly Option<string> Camera = new("--camera") { Description = "A camera for --link: a folder of pictures with their times, also a growing one.", HelpName = "DIR" };
 
     private static readonly Option<string> TruthOption = new("--truth") { Description = "Where the targets really are, to score those found over --link.", HelpName = "FILE" };
 
@@ -80,14 +80,14 @@ internal static class CommandLine
 
     private static readonly Option<byte?> SystemId = new("--system-id")
     {
-        Description = "Our MAVLink system id, 1 to 255, and so that of the vehicle that carries us; without it that of the first autopilot heard.",
+        Description = "Our MAVLink system id, 1 to 255, and so that of the vehicle that carries us; without it that of the first autopilot that is received.",
         HelpName = "N",
         CustomParser = ParseSystemId,
     };
 
     public static RootCommand Create(Func<ConsoleOptions, int> run)
     {
-        var command = new RootCommand("Rabit's managers fly a search: a simulated one, or with a real vehicle; or they watch a flight, live or recorded.")
+        var command = new RootCommand("Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or recorded.")
         {
             Links, RealTime, Seed, Targets, Mission, Fly, Camera, TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink,
         };
@@ -156,7 +156,7 @@ internal static class CommandLine
         foreach ((string name, bool isGiven) in new[] { ("--fly", result.GetValue(Fly)), ("--mission", result.GetValue(Mission) is not null), ("--camera", result.GetValue(Camera) is not null) })
         {
             if (isReplay && isGiven)
-                yield return $"{name} needs a live vehicle: a recorded flight is only looked at.";
+                yield return $"{name} needs a live vehicle: a recorded flight is only replayed.";
         }
     }
 
@@ -165,7 +165,7 @@ internal static class CommandLine
         if (result.GetValue(TrustLink) is { Length: > 0 } && result.GetValue(SignKey) is null)
             yield return "--trust-link needs --sign-key FILE: without it no link is signed.";
         if (result.GetValue(SignKey) is not null && isReplay)
-            yield return "--sign-key needs a live vehicle: a recorded flight is only looked at.";
+            yield return "--sign-key needs a live vehicle: a recorded flight is only replayed.";
     }
 
     private static LinkUrl[] ParseLinks(ArgumentResult result)

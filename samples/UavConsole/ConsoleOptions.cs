@@ -33,13 +33,15 @@ internal sealed class ConsoleOptions
     /// <summary>A folder of pictures with their times; null for none.</summary>
     public string? CameraFolder { get; init; }
 
-    /// <summary>Where the targets really are; null where nobody knows.</summary>
+    /// <summary>Where the targets really are; null where that is not known.</summary>
     public string? TruthFile { get; init; }
 
     /// <summary>Where the summary goes as JSON; null for nowhere.</summary>
     public string? SummaryFile { get; init; }
 
-    /// <summary>Where the report goes as HTML; null for the default of a mission, and for nowhere without one.</summary>
+    /// <summary>
+    /// Where the report goes as HTML; null for the default of a mission, and for nowhere without one.
+    /// </summary>
     public string? ReportFile { get; init; }
 
     /// <summary>Where the log of the run goes; null for nowhere.</summary>

@@ -12,12 +12,13 @@ using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.MissionControl;
+using Rabit.Uav.Reporting;
 using Rabit.Uav.Simulation;
 using Rabit.Vision;
 
 namespace UavConsole;
 
-/// <summary>What a run flies or looks at: the UAV, and what is known of the world around it.</summary>
+/// <summary>What a run flies or observes: the UAV, and what is known of the world around it.</summary>
 internal sealed class Flight : IDisposable
 {
     private const string BundledMission = "missions/search.json";
@@ -36,8 +37,8 @@ internal sealed class Flight : IDisposable
     /// <summary>For people.</summary>
     public string Source { get; }
 
-    /// <summary>What is there to be found; null where nobody knows.</summary>
-    public Truth? Truth { get; private init; }
+    /// <summary>Where the targets really are; null where that is not known.</summary>
+    public TargetTruth? Truth { get; private init; }
 
     /// <summary>Where the vehicle really is; null where only the autopilot knows. After the run.</summary>
     public Func<GeodeticPosition?> TruePosition { get; private init; } = () => null;
@@ -75,6 +76,7 @@ internal sealed class Flight : IDisposable
         {
             OpenLinks = [links.A],
             OtherManagers = [world.CreateVehicle(links.B, key)],
+            Subscriptions = [FlightRecorderManager.CreateSubscription()],
             Mission = mission,
             MayCommand = true,
             Camera = world.CreateCamera(),
@@ -84,24 +86,26 @@ internal sealed class Flight : IDisposable
             Time = time,
             Signing = key is null ? null : new SigningOptions(key),   // the vehicle is new each time, and so is its memory of us
         });
-        return new Flight(uav, $"simulated flight: {mission.Name}, seed {Figures.Of(options.Seed)}, {Figures.Of(options.TargetCount)} targets", key)
+        return new Flight(uav, $"simulated flight: {mission.Name}, seed {FlightText.Number(options.Seed)}, {FlightText.Number(options.TargetCount)} targets", key)
         {
-            Truth = TruthOf(world, worldOptions, mission),
+            // Panels of colours that the mission does not search for are not its targets.
+            Truth = TargetTruth.Of(world, mission.Targets),
             TruePosition = () => world.PositionOf(world.Truth.Pose.North, world.Truth.Pose.East),
         };
     }
 
     private static Flight OpenLinks(ConsoleOptions options)
     {
-        // Also where it is not flown: what is wrong with it is said.
+        // Also where it is not flown: what is wrong with it is reported.
         MissionPlan? mission = options.MissionFile is { } missionFile ? ReadMission(missionFile) : null;
-        Truth? truth = options.TruthFile is { } truthFile ? TruthFile.Read(truthFile) : null;
+        TargetTruth? truth = options.TruthFile is { } truthFile ? ReadTruth(truthFile) : null;
         CameraFolder? folder = options.CameraFolder is { } cameraFolder ? OpenCamera(cameraFolder) : null;
         FolderCamera? camera = folder is null ? null : new FolderCamera(folder);
         MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
         UavSystem uav = UavSystem.Open(new UavOptions
         {
             Links = options.Links,
+            Subscriptions = [FlightRecorderManager.CreateSubscription()],
             SystemId = options.SystemId,
             Mission = options.Flies ? mission : null,
             MayCommand = options.Flies,
@@ -110,7 +114,7 @@ internal sealed class Flight : IDisposable
             Imaging = folder is null ? new ImageProcessingOptions() : ImagingOf(folder),
         });
         string links = string.Join(", ", options.Links.Select(l => l.ToString()));
-        return new Flight(uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or listening to " + links, key)
+        return new Flight(uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or observing " + links, key)
         {
             Truth = truth,
             Camera = camera,
@@ -122,7 +126,7 @@ internal sealed class Flight : IDisposable
     {
         int live = options.Links.Count(l => l.Kind != LinkKind.RecordedFile);
         foreach (int link in options.TrustedLinks.Where(l => l < 0 || l >= live))
-            throw new ArgumentException($"--trust-link {Figures.Of(link)}: there are {Figures.Of(live)} live links, numbered from 0.", nameof(options));
+            throw new ArgumentException($"--trust-link {FlightText.Number(link)}: there are {FlightText.Number(live)} live links, numbered from 0.", nameof(options));
         return new SigningOptions(key)
         {
             Links = Enumerable.Range(0, live).Except(options.TrustedLinks).ToArray(),
@@ -130,11 +134,21 @@ internal sealed class Flight : IDisposable
         };
     }
 
-    // Panels of classes that the mission does not look for are no targets of it.
-    private static Truth TruthOf(SimulatedWorld world, SimulationOptions options, MissionPlan mission)
-        => new(options.Home, [.. world.Targets
-            .Where(t => mission.IsTarget(t.Class))
-            .Select(t => new TruthTarget(t.Name, t.Class, world.PositionOf(t.NorthMetres, t.EastMetres)))]);
+    private static TargetTruth ReadTruth(string path)
+    {
+        try
+        {
+            return TruthFile.Parse(File.ReadAllText(path));
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            throw new ArgumentException($"--truth {path} cannot be read: {e.Message}", nameof(path), e);
+        }
+        catch (FormatException e)
+        {
+            throw new ArgumentException($"--truth {path}: {e.Message}", nameof(path), e);
+        }
+    }
 
     private static CameraFolder OpenCamera(string path)
     {

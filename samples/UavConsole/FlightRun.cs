@@ -1,13 +1,16 @@
 using System;
+using System.IO;
 using System.Linq;
 using System.Text;
 using System.Threading.Tasks;
 using Rabit.Core;
 using Rabit.Links;
+using Rabit.Uav.Reporting;
+using Rabit.Uav.Simulation;
 
 namespace UavConsole;
 
-/// <summary>The main job: opens the flight, runs its managers, shows them, and tells at the end what there was.</summary>
+/// <summary>The main job: opens the flight, runs its managers, shows them, and reports at the end.</summary>
 internal static class FlightRun
 {
     private const int BadInput = 2;
@@ -15,7 +18,7 @@ internal static class FlightRun
     // Ctrl-C must end all within a second.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
 
-    // Longer than any battery of the simulation lasts: nothing may hang.
+    // Longer than any battery of the simulation lasts: no run may hang.
     private static readonly TimeSpan MaxSimulation = TimeSpan.FromMinutes(40);
 
     public static int Run(ConsoleOptions options)
@@ -41,14 +44,15 @@ internal static class FlightRun
 
     private static int Fly(Flight flight, RunFiles files, ConsoleOptions options)
     {
-        // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the summary off.
+        // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the
+        // summary off.
         Console.CancelKeyPress += (_, e) => e.Cancel = true;
-        var events = new EventLog(files.Log);
-        RunSummary summary = Show(flight, events, options);
-        new SummaryText(Console.Out, summary).Write();
+        var log = new RunLog(files.Log);
+        FlightSummary summary = Show(flight, log, options);
+        SummaryText.Write(Console.Out, summary);
         try
         {
-            WriteFiles(files, summary, events);
+            WriteFiles(files, summary);
         }
         catch (ArgumentException e)
         {
@@ -56,28 +60,20 @@ internal static class FlightRun
             return BadInput;
         }
 
-        if (events.Failure is not { } failure)
+        if (log.Failure is not { } failure)
             return summary.ExitCode;
         Console.Error.WriteLine("UavConsole: " + FirstLine(failure));
         return BadInput;
     }
 
-    private static RunSummary Show(Flight flight, EventLog events, ConsoleOptions options)
+    private static FlightSummary Show(Flight flight, RunLog log, ConsoleOptions options)
     {
-        var log = new RunLog();
-        RabitReactor reactor = flight.CreateReactor(new ReactorOptions
+        RabitReactor reactor = flight.CreateReactor(new ReactorOptions { StopTimeout = StopTimeout, Log = log.Add });
+        var recorder = new FlightRecorderManager(new FlightRecorderOptions
         {
-            StopTimeout = StopTimeout,
-            Log = entry =>
-            {
-                log.Add(entry);
-                events.Add(entry);
-            },
-        });
-        var recorder = new MissionRecorder(reactor.Select(m => m.Name).ToList(), new RecorderOptions
-        {
+            ManagerNames = reactor.Select(m => m.Name).ToArray(),
             StopsWhenMissionEnds = options.FliesMission,
-            MaxMission = options.IsSimulated ? MaxSimulation : null,
+            MaxMissionTime = options.IsSimulated ? MaxSimulation : null,
             ImageChips = () => flight.Uav.ImageProcessing.ImageChips,
         });
         reactor.Add(recorder);
@@ -93,16 +89,45 @@ internal static class FlightRun
             new LiveScreen(monitor, log, options.FliesMission, flight.Notice).ShowUntilEnd(run);
         ReactorResult result = run.GetAwaiter().GetResult();
         monitor.Refresh();
-        return new RunSummary(flight, monitor, result, options);
+        return Summarise(flight, monitor, result, log, options);
     }
 
-    private static void WriteFiles(RunFiles files, RunSummary summary, EventLog events)
+    private static FlightSummary Summarise(Flight flight, FlightMonitor monitor, ReactorResult result, RunLog log, ConsoleOptions options)
     {
-        files.Summary?.Write(SummaryJson.Write(summary));
+        FlightRecord record = monitor.Record;
+        MissionScore? score = flight.Truth is null ? null : TargetScoring.Score(flight.Truth, record, flight.TruePosition());
+        return new FlightSummary(record, result)
+        {
+            Source = flight.Source,
+            CommandLine = options.CommandLine,
+            Seed = options.IsSimulated ? options.Seed : null,
+            Health = monitor.Health,
+            Links = flight.Uav.Communications.SummariseLinks(),
+            LinkStatus = monitor.Links,
+            OwnFrames = flight.Uav.Communications.CountOwnFrames(),
+            Camera = flight.Camera is null ? null : new CameraSummary(flight.Camera),
+            Managers = result.Managers.Select((m, index) => new ManagerSummary(m, monitor.UnitOfWorkTimeOf(index))).ToArray(),
+            Mission = options.FliesMission ? new MissionSummary(record, score) : null,
+            Events = log.Flight.ToArray(),
+            EventCount = log.Flight.Count,
+        };
+    }
+
+    private static void WriteFiles(RunFiles files, FlightSummary summary)
+    {
+        if (files.Summary is not null)
+        {
+            using var json = new MemoryStream();
+            SummaryJson.Write(json, summary);
+            files.Summary.Write(json.ToArray());
+        }
+
         if (files.Report is null)
             return;
-        files.Report.Write(Encoding.UTF8.GetBytes(MissionReport.Write(summary.ToReport(events))));
-        Console.WriteLine("report: " + System.IO.Path.GetFullPath(files.Report.Path));
+        using var page = new StringWriter();
+        HtmlReport.Write(page, summary);
+        files.Report.Write(Encoding.UTF8.GetBytes(page.ToString()));
+        Console.WriteLine("report: " + Path.GetFullPath(files.Report.Path));
     }
 
     // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.

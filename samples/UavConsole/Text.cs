@@ -1,35 +1,22 @@
 using System;
 using System.Globalization;
 using System.Linq;
-using Rabit.Core;
-using Rabit.Mavlink.Messages;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
 
 namespace UavConsole;
 
-/// <summary>Words for people. Degrees, metres, seconds: here is the edge where radians end.</summary>
+/// <summary>
+/// The words of the screen, beside those of FlightText. Degrees, metres, seconds: here is the edge where radians end.
+/// </summary>
 internal static class Text
 {
-
-    public static string At(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0,10:0.000}  ", time.TotalSeconds);
-
-    public static string Of(StatusText text) => $"{text.Severity.ToString().ToLowerInvariant()}: {Printable(text.Text)}";
-
-    // What came from outside must neither break the line nor steer the terminal.
-    public static string Printable(string text) => new(text.Select(c => Steers(c) ? '.' : c).ToArray());
-
-    public static string Health(in HealthReport health) => health.Text is null ? health.Level.ToString() : $"{health.Level}: {health.Text}";
-
-    public static string Name(MavAutopilot autopilot) => autopilot switch
-    {
-        MavAutopilot.Ardupilotmega => "ArduPilot",
-        MavAutopilot.Px4 => "PX4",
-        _ => autopilot.ToString(),
-    };
+    public static string Of(StatusText text) => $"{text.Severity.ToString().ToLowerInvariant()}: {FlightText.Printable(text.Text)}";
 
     public static string Vehicle(in VehicleState vehicle) => vehicle.SystemId == 0
-        ? "no autopilot heard yet"
-        : $"{Name(vehicle.Autopilot)} {vehicle.VehicleType} {vehicle.SystemId}/{vehicle.ComponentId}, {(vehicle.IsConnected ? "connected" : "LOST")}";
+        ? "no autopilot connected yet"
+        : $"{FlightText.Autopilot(vehicle.Autopilot)} {vehicle.VehicleType} {vehicle.SystemId}/{vehicle.ComponentId}, {(vehicle.IsConnected ? "connected" : "LOST")}";
 
     public static string Flight(in VehicleState vehicle) => vehicle.SystemId == 0
         ? "-"
@@ -38,8 +25,8 @@ internal static class Text
     public static string Position(in VehicleState vehicle) => vehicle.PositionTime is null ? "-" : string.Format(
         CultureInfo.InvariantCulture,
         "{0:0.000000} {1:0.000000}, {2:0.0} m AMSL, {3:0.0} m above home",
-        vehicle.Position.Latitude.Degrees,
-        vehicle.Position.Longitude.Degrees,
+        Angle.FromRadians(vehicle.Position.Latitude.Radians).Degrees,
+        Angle.FromRadians(vehicle.Position.Longitude.Radians).Degrees,
         vehicle.Position.AltitudeAmslMetres,
         vehicle.HeightAboveHomeMetres);
 
@@ -53,9 +40,9 @@ internal static class Text
     public static string Attitude(in VehicleState vehicle) => vehicle.AttitudeTime is null ? "-" : string.Format(
         CultureInfo.InvariantCulture,
         "roll {0:0.0} pitch {1:0.0} yaw {2:0.0} degrees",
-        vehicle.Attitude.Roll.Degrees,
-        vehicle.Attitude.Pitch.Degrees,
-        vehicle.Attitude.Yaw.Degrees);
+        Angle.FromRadians(vehicle.Attitude.Roll.Radians).Degrees,
+        Angle.FromRadians(vehicle.Attitude.Pitch.Radians).Degrees,
+        Angle.FromRadians(vehicle.Attitude.Yaw.Radians).Degrees);
 
     public static string Battery(in VehicleState vehicle) => vehicle.BatteryTime is null ? "-" : string.Format(
         CultureInfo.InvariantCulture,
@@ -84,7 +71,7 @@ internal static class Text
         VehicleState vehicle = monitor.Vehicle;
         string progress = monitor.Progress is { } p ? string.Format(CultureInfo.InvariantCulture, "{0:0}% ", p * 100) : string.Empty;
         string links = string.Join("; ", monitor.Links.Select(l => Link(l)));
-        return At(monitor.Now) + progress + $"{Vehicle(vehicle)}; {Flight(vehicle)}; {Position(vehicle)}; {links}";
+        return FlightText.TimeStamp(monitor.Now) + progress + $"{Vehicle(vehicle)}; {Flight(vehicle)}; {Position(vehicle)}; {links}";
     }
 
     public static string Mission(FlightMonitor monitor)
@@ -93,16 +80,13 @@ internal static class Text
         return string.Format(
             CultureInfo.InvariantCulture,
             "{0}, lane {1} of {2}, {3:0.0} % covered, {4} targets, {5:0.0} times real time",
-            PhaseStyle.Name(mission.Phase),
+            FlightText.Phase(mission.Phase),
             mission.LanesFlown,
             (mission.Plan?.Lanes.Length ?? 0) / 2,
             mission.Coverage * 100,
             monitor.Record.Tracks.Confirmed.Count(),
             monitor.Pace);
     }
-
-    // Format characters turn the direction of a line around, or hide.
-    private static bool Steers(char c) => char.IsControl(c) || char.GetUnicodeCategory(c) == UnicodeCategory.Format;
 
     private static string OrUnknown(double value, string format)
         => double.IsNaN(value) ? "?" : value.ToString(format, CultureInfo.InvariantCulture);

@@ -6,7 +6,7 @@ public enum ScriptedFaultKind
     /// <summary>Nothing.</summary>
     None,
 
-    /// <summary>The vehicle neither hears nor sends for the duration; it flies on.</summary>
+    /// <summary>The vehicle neither receives nor sends for the duration; it flies on.</summary>
     LinkSilent,
 
     /// <summary>The battery is suddenly as empty as the value says: what is left, 0 to 1.</summary>
@@ -15,10 +15,15 @@ public enum ScriptedFaultKind
     /// <summary>The camera gives no pictures for the duration.</summary>
     CameraFreeze,
 
-    /// <summary>The mean wind becomes the value, m/s, within a few seconds; after the duration what it was, or never where that is zero.</summary>
+    /// <summary>
+    /// The mean wind becomes the value, m/s, within a few seconds; after the duration what it was, or never where
+    /// that is zero.
+    /// </summary>
     WindTo,
 
-    /// <summary>The pilot takes the flight mode with the number of the value, by the switch on the remote control.</summary>
+    /// <summary>
+    /// The pilot takes the flight mode with the number of the value, by the switch on the remote control.
+    /// </summary>
     PilotMode,
 
     /// <summary>

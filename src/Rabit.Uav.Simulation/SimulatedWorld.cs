@@ -10,8 +10,8 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// A world to fly in, made from one seed: flat ground, wind, and a multirotor that speaks MAVLink as ArduCopter does. The same seed gives the
-/// same bytes, in virtual time, to whoever asks the same at the same times.
+/// A world to fly in, made from one seed: flat ground, wind, and a multirotor that speaks MAVLink as ArduCopter does.
+/// The same seed gives the same bytes, in virtual time, if it is used in the same way at the same times.
 /// </summary>
 public sealed class SimulatedWorld
 {
@@ -35,13 +35,13 @@ public sealed class SimulatedWorld
             unchecked((ulong)Options.Seed), Options.Area.Select(c => (c.North, c.East)).ToArray(), Options.TargetCount, Options.DistractorCount);
     }
 
-    /// <summary>What is there to be found.</summary>
+    /// <summary>The targets.</summary>
     public IEnumerable<SimulatedTarget> Targets => Things.Where(t => !t.IsDistractor);
 
     /// <summary>The camera's pinhole and lens.</summary>
     public CameraModel CameraModel => Options.Camera.Camera;
 
-    /// <summary>How the camera sits on the vehicle, as far as the vehicle's owner knows: misalignments are for the one who looks to find.</summary>
+    /// <summary>How the camera is mounted, as far as the operator knows: misalignments are to be estimated.</summary>
     public CameraMount CameraMount => new()
     {
         GimbalLeverArmMetres = new BodyVector(Options.Camera.LeverArmForwardMetres, Options.Camera.LeverArmRightMetres, Options.Camera.LeverArmDownMetres),
@@ -60,10 +60,16 @@ public sealed class SimulatedWorld
     internal TruthHistory History { get; } = new(HistoryLength);
 
     /// <summary>
-    /// Makes the manager that runs the vehicle. It may be in the reactor of those who fly it, or in a reactor or a process of its own. Once.
+    /// Makes the manager that runs the vehicle. It may be in the reactor of the companion computer, or in a reactor
+    /// or a process of its own. Once.
     /// </summary>
-    /// <param name="link">Its telemetry; open, and closed by whoever opened it, after the run. That it ends does not end the vehicle.</param>
-    /// <param name="signingKey">Where the link is signed, the key: the vehicle then signs all it says and hears nothing that is not signed with it. Its owner disposes of it.</param>
+    /// <param name="link">
+    /// Its telemetry; open, and closed by the caller after the run. Its end does not end the vehicle.
+    /// </param>
+    /// <param name="signingKey">
+    /// Where the link is signed, the key: the vehicle then signs what it sends and rejects what is not signed with
+    /// it. The caller disposes of it.
+    /// </param>
     /// <exception cref="InvalidOperationException">There is a vehicle already.</exception>
     public RabitManager CreateVehicle(IByteLink link, MavlinkSigningKey? signingKey = null)
     {
@@ -77,15 +83,18 @@ public sealed class SimulatedWorld
     }
 
     /// <summary>
-    /// Makes the camera that the vehicle carries, for a reader of the one who flies it, in the same reactor or one with the same clock.
+    /// Makes the camera of the vehicle, as the source of a reader in the same reactor or in one with the same clock.
     /// </summary>
     public SimulatedCamera CreateCamera()
         => new(Options.Camera.With(Options.Faults), History, Things, unchecked((ulong)Options.Seed));
 
     /// <summary>
-    /// Tells the time of a run which of the managers on board hang, when and for how long (<see cref="ScriptedFaultKind.ManagerHangs"/>). Before the start.
+    /// Adds to the time of a run which of the managers on board hang, when and for how long (<see
+    /// cref="ScriptedFaultKind.ManagerHangs"/>). Before the start.
     /// </summary>
-    /// <param name="time">That of the reactor in which those managers are: a manager that it does not have is an error at the start.</param>
+    /// <param name="time">
+    /// That of the reactor in which those managers are: a manager that it does not have is an error at the start.
+    /// </param>
     public void AddHangsTo(VirtualTime time)
     {
         if (time is null)
@@ -99,6 +108,6 @@ public sealed class SimulatedWorld
     /// <param name="eastMetres">East of home.</param>
     public GeodeticPosition PositionOf(double northMetres, double eastMetres) => Frame.ToPlace(new NedVector(northMetres, eastMetres, 0));
 
-    /// <summary>The vehicle alone, to be stepped by hand.</summary>
+    /// <summary>The vehicle alone, to be stepped by a test.</summary>
     internal SimulatedVehicle CreateVehicle() => new(Options, Frame, History, _recorder);
 }

@@ -11,23 +11,33 @@ public sealed class SimulationOptions
 {
     private const double MaxWind = 25;
 
-    /// <summary>All that is left to chance follows from it: targets, texture, gusts, errors of the sensors, times on the link.</summary>
+    /// <summary>
+    /// All that is left to chance follows from it: targets, texture, gusts, errors of the sensors, times on the link.
+    /// </summary>
     /// <value>The default is 1.</value>
     public long Seed { get; set; } = 1;
 
-    /// <summary>Where the vehicle stands at the start: the origin of the world's frame. The ground is flat and at its altitude.</summary>
+    /// <summary>
+    /// Where the vehicle stands at the start: the origin of the world's frame. The ground is flat and at its
+    /// altitude.
+    /// </summary>
     /// <value>The default is the field near Canberra where ArduPilot's simulated copters start.</value>
     public GeodeticPosition Home { get; set; } = GeodeticPosition.FromDegrees(-35.363_262, 149.165_237, 584.09);
 
-    /// <summary>Where the vehicle looks at the start, radians clockwise from north.</summary>
+    /// <summary>The heading of the vehicle at the start, radians clockwise from north.</summary>
     /// <value>The default is 0.</value>
     public double HeadingRadians { get; set; }
 
-    /// <summary>How long before the start of the run the autopilot was switched on, by its own clock; null: by the seed, 20 to 80 s.</summary>
+    /// <summary>
+    /// How long before the start of the run the autopilot was switched on, by its own clock; null: by the seed, 20 to
+    /// 80 s.
+    /// </summary>
     /// <value>The default is null.</value>
     public TimeSpan? BootedBefore { get; set; }
 
-    /// <summary>How much too fast the autopilot's clock runs, parts per million; null: by the seed, about 20 either way.</summary>
+    /// <summary>
+    /// How much too fast the autopilot's clock runs, parts per million; null: by the seed, about 20 either way.
+    /// </summary>
     /// <value>The default is null.</value>
     public double? ClockDriftPpm { get; set; }
 
@@ -47,7 +57,9 @@ public sealed class SimulationOptions
     /// <value>The default is 1.</value>
     public double BatteryRemaining { get; set; } = 1;
 
-    /// <summary>How long a frame of the vehicle is on its way at least; a jitter of some milliseconds comes on top.</summary>
+    /// <summary>
+    /// How long a frame of the vehicle is on its way at least; a jitter of some milliseconds comes on top.
+    /// </summary>
     /// <value>The default is 20 ms.</value>
     public TimeSpan TelemetryLatency { get; set; } = TimeSpan.FromMilliseconds(20);
 
@@ -55,14 +67,16 @@ public sealed class SimulationOptions
     /// <value>The default is 5.</value>
     public int TargetCount { get; set; } = 5;
 
-    /// <summary>How many things lie there that look like targets and are none.</summary>
+    /// <summary>How many objects lie there that resemble targets and are not.</summary>
     /// <value>The default is 6.</value>
     public int DistractorCount { get; set; } = 6;
 
     /// <summary>The camera under the vehicle.</summary>
     public SimulatedCameraOptions Camera { get; set; } = new();
 
-    /// <summary>The corners of the area in which the targets lie, metres north and east of home; down is not read.</summary>
+    /// <summary>
+    /// The corners of the area in which the targets lie, metres north and east of home; down is not read.
+    /// </summary>
     /// <value>The default is a rectangle of 120 by 160 m that begins 30 m north of home.</value>
     public IReadOnlyList<NedVector> Area { get; set; } =
         [new NedVector(30, -80, 0), new NedVector(150, -80, 0), new NedVector(150, 80, 0), new NedVector(30, 80, 0)];
@@ -70,7 +84,10 @@ public sealed class SimulationOptions
     /// <summary>What goes wrong, in any order.</summary>
     public IReadOnlyList<ScriptedFault> Faults { get; set; } = Array.Empty<ScriptedFault>();
 
-    /// <summary>Takes home and the area in which the targets lie from a mission, so that it can be flown here. Where it names no home, that is its first corner.</summary>
+    /// <summary>
+    /// Takes home and the area in which the targets lie from a mission, so that it can be flown here. Where it names
+    /// no home, that is its first corner.
+    /// </summary>
     /// <param name="mission">The mission.</param>
     public void TakePlacesFrom(MissionPlan mission)
     {

@@ -3,36 +3,13 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Uav.AutopilotInterface;
-using Xunit;
 
 namespace Rabit.Uav.Tests;
 
-/// <summary>What the .json beside a recorded flight lists, and a summary, in the same words.</summary>
+/// <summary>What the .json beside a recorded flight lists, as lines to compare.</summary>
 internal static class SidecarFacts
 {
     private static readonly string[] RangeNames = ["lat", "lon", "alt", "relative_alt"];
-
-    public static void AssertAgrees(JsonElement facts, FlightSummary flight)
-    {
-        Assert.Equal(Number(facts, "first_us"), flight.FirstUtcMicroseconds);
-        Assert.Equal(Number(facts, "last_us"), flight.LastUtcMicroseconds);
-        Assert.Equal(ModeChanges(facts, "armed"), flight.ModeChanges.Select(Text));
-        Assert.Equal(Acknowledgements(facts, "command_acks"), flight.Acknowledgements.Select(Text));
-        Assert.Equal(Texts(facts, "statustext"), flight.StatusTexts.Select(Text));
-        Assert.Equal(Ranges(facts), Ranges(flight));
-    }
-
-    public static IEnumerable<string> Describe(FlightSummary flight) =>
-    [
-        Line(flight.Autopilot!, flight.VehicleType!, flight.SystemId, flight.ComponentId, flight.Frames, flight.FramesOfOthers),
-        Line(flight.HeartbeatsOfOtherAutopilots, flight.RefusedMessages, flight.Losses, flight.Reboots),
-        Line(flight.FirstUtcMicroseconds!, flight.LastUtcMicroseconds!),
-        .. flight.ModeChanges.Select(c => c.Mode + " " + Text(c)),
-        .. flight.Acknowledgements.Select(Text),
-        .. flight.StatusTexts.Select(Text),
-        .. Ranges(flight),
-    ];
 
     /// <summary>Counts by id and source; the sidecar tells directions apart, a log does not.</summary>
     public static IEnumerable<string> Counts(JsonElement facts) => facts.GetProperty("counts").EnumerateArray()
@@ -43,14 +20,14 @@ internal static class SidecarFacts
     public static IEnumerable<string> Sources(JsonElement facts) => facts.GetProperty("sequence").EnumerateArray()
         .Select(s => Line(Number(s, "sysid"), Number(s, "compid"), Number(s, "frames"), Number(s, "missing"), Number(s, "out_of_order")));
 
-    public static IEnumerable<string> ModeChanges(JsonElement facts, string armed) => facts.GetProperty("mode_changes").EnumerateArray()
-        .Select(e => Line(Number(e, "record"), Number(e, "t_us"), Number(e, "custom_mode"), Number(e, "base_mode"), e.GetProperty(armed).GetBoolean(), Number(e, "system_status")));
+    public static IEnumerable<string> ModeChanges(JsonElement facts) => facts.GetProperty("mode_changes").EnumerateArray()
+        .Select(e => Line(Number(e, "record"), Number(e, "t_us"), Number(e, "custom_mode"), Number(e, "base_mode"), e.GetProperty("armed").GetBoolean(), Number(e, "system_status")));
 
-    public static IEnumerable<string> Acknowledgements(JsonElement facts, string list) => facts.GetProperty(list).EnumerateArray()
+    public static IEnumerable<string> Acknowledgements(JsonElement facts) => facts.GetProperty("command_acks").EnumerateArray()
         .Select(e => Line(
             Number(e, "record"), Number(e, "t_us"), Number(e, "command"), Number(e, "result"), Number(e, "progress"), Number(e, "result_param2"), Number(e, "target_system"), Number(e, "target_component")));
 
-    public static IEnumerable<string> Texts(JsonElement facts, string list) => facts.GetProperty(list).EnumerateArray()
+    public static IEnumerable<string> Texts(JsonElement facts) => facts.GetProperty("statustext").EnumerateArray()
         .Select(e => Line(Number(e, "record"), Number(e, "t_us"), Number(e, "sysid"), Number(e, "compid"), Number(e, "severity"), e.GetProperty("text").GetString()!));
 
     public static IEnumerable<string> Ranges(JsonElement facts) => RangeNames.Select(name =>
@@ -60,19 +37,6 @@ internal static class SidecarFacts
     });
 
     public static string Line(params object[] parts) => string.Join(" ", parts.Select(p => Convert.ToString(p, CultureInfo.InvariantCulture)));
-
-    private static IEnumerable<string> Ranges(FlightSummary flight)
-        => RangeNames.Zip(
-            new[] { flight.LatitudeDegE7, flight.LongitudeDegE7, flight.AltitudeAmslMillimetres, flight.HeightAboveHomeMillimetres },
-            (name, range) => Line(name, range!.Value.Minimum, range.Value.Maximum));
-
-    private static string Text(FlightModeChange c)
-        => Line(c.Record, c.UtcMicroseconds, c.CustomMode, (long)c.BaseMode, c.IsArmed, (long)c.SystemStatus);
-
-    private static string Text(FlightAcknowledgement a)
-        => Line(a.Record, a.UtcMicroseconds, (long)a.Command, (long)a.Result, a.Progress, a.ResultParam2, a.TargetSystem, a.TargetComponent);
-
-    private static string Text(FlightStatusText t) => Line(t.Record, t.UtcMicroseconds, t.SystemId, t.ComponentId, (long)t.Severity, t.Text);
 
     private static long Number(JsonElement element, string name) => element.GetProperty(name).GetInt64();
 }

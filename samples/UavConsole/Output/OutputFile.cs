@@ -7,7 +7,9 @@ using Rabit.Uav.Communications;
 
 namespace UavConsole;
 
-/// <summary>A file that a run writes. Opened before the run, so that a wrong path shows at once and not after the flight.</summary>
+/// <summary>
+/// A file that a run writes. Opened before the run, so that a wrong path shows at once and not after the flight.
+/// </summary>
 internal sealed class OutputFile : IDisposable
 {
     private readonly string _option;
@@ -40,8 +42,8 @@ internal sealed class OutputFile : IDisposable
             if (Array.Exists(logs, l => string.Equals(System.IO.Path.GetFullPath(l.Path!), full, StringComparison.Ordinal)))
                 throw new IOException("it is the log that is played.");
 
-            // What was there before stays until there is something to put in its place. One write and no buffer, so that what cannot
-            // be written shows there and not at the end.
+            // What was there before stays until there is something to put in its place. One write and no buffer, so
+            // that what cannot be written shows there and not at the end.
             var stream = new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite, bufferSize: 1);
             if (!Array.Exists(logs, l => IsSameFile(stream, l.Path!)))
                 return new OutputFile(option, path, stream);

@@ -27,7 +27,9 @@ internal sealed class RunFiles : IDisposable
     /// <summary>Null where none is wanted.</summary>
     public OutputFile? Log { get; }
 
-    /// <exception cref="ArgumentException">One cannot be written, or two are the same; a mission, a truth or a key that was read is never written to.</exception>
+    /// <exception cref="ArgumentException">
+    /// One cannot be written, or two are the same; a mission, a truth or a key that was read is never written to.
+    /// </exception>
     public static RunFiles Open(ConsoleOptions options)
     {
         string? report = options.ReportFile ?? (options.FliesMission ? DefaultReport : null);

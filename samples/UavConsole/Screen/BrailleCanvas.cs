@@ -2,7 +2,10 @@ using System;
 
 namespace UavConsole;
 
-/// <summary>A drawing of dots, two across and four down in each character; each character has the ink of what matters most in it.</summary>
+/// <summary>
+/// A drawing of dots, two across and four down in each character; each character has the ink of what matters most in
+/// it.
+/// </summary>
 internal sealed class BrailleCanvas(int columns, int rows)
 {
     public const int DotsAcross = 2;

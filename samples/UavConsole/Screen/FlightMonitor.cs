@@ -4,14 +4,17 @@ using System.Diagnostics;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
 
 namespace UavConsole;
 
-/// <summary>What a view shows: ends of its own for the messages of the managers. One thread, that of the view.</summary>
+/// <summary>
+/// What a view shows: subscribers of its own for the messages of the managers. One thread, that of the view.
+/// </summary>
 internal sealed class FlightMonitor
 {
     private readonly RabitReactor _reactor;
-    private readonly MissionRecorder _recorder;
+    private readonly FlightRecorderManager _recorder;
     private readonly Stopwatch _wall = new();
     private readonly MessageSubscriber<VehicleState> _vehicle;
     private readonly MessageSubscriber<HealthReport> _health;
@@ -22,7 +25,7 @@ internal sealed class FlightMonitor
     /// <param name="reactor">With all managers in it, not started.</param>
     /// <param name="recorder">One of them.</param>
     /// <param name="linkCount">How many links Communications has.</param>
-    public FlightMonitor(RabitReactor reactor, MissionRecorder recorder, int linkCount)
+    public FlightMonitor(RabitReactor reactor, FlightRecorderManager recorder, int linkCount)
     {
         _reactor = reactor;
         _recorder = recorder;
@@ -65,10 +68,12 @@ internal sealed class FlightMonitor
 
     public TimeSpan Now => _reactor.Now;
 
-    /// <summary>How long the units of work of a manager really take: by its status in real time, beside it in virtual time.</summary>
+    /// <summary>
+    /// How long the units of work of a manager really take: by its status in real time, beside it in virtual time.
+    /// </summary>
     public DurationStatistics UnitOfWorkTimeOf(int manager)
     {
-        DurationStatistics real = _reactor.RealStepTime(ManagerNames[manager]);
+        DurationStatistics real = _reactor.RealTurnTime(ManagerNames[manager]);
         return real.Count > 0 ? real : Managers[manager].UnitOfWorkTime;
     }
 

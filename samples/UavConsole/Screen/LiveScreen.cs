@@ -6,7 +6,9 @@ using Spectre.Console;
 
 namespace UavConsole;
 
-/// <summary>The view for a terminal: a mission with its map, or a flight that is watched, a few times a second.</summary>
+/// <summary>
+/// The view for a terminal: a mission with its map, or a flight that is watched, several times a second.
+/// </summary>
 internal sealed class LiveScreen
 {
     private const int MinWidth = 80;

@@ -12,7 +12,7 @@ internal enum MapInk
     /// <summary>The edge of the area.</summary>
     Area,
 
-    /// <summary>The way that was flown.</summary>
+    /// <summary>The path that was flown.</summary>
     Path,
 
     /// <summary>The ellipse of a track.</summary>
@@ -21,7 +21,7 @@ internal enum MapInk
     /// <summary>Home.</summary>
     Home,
 
-    /// <summary>A track that is not believed yet.</summary>
+    /// <summary>A track that is not shown yet.</summary>
     Tentative,
 
     /// <summary>A track of a red target.</summary>

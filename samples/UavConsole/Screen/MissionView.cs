@@ -5,11 +5,15 @@ using System.Linq;
 using System.Text;
 using Rabit.Core;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
 using Spectre.Console;
 
 namespace UavConsole;
 
-/// <summary>The screen of a mission: the map, beside it how far it is, below it the managers and the last decisions. Fits 80 by 24.</summary>
+/// <summary>
+/// The screen of a mission: the map, beside it how far it is, below it the managers and the last decisions. Fits 80
+/// by 24.
+/// </summary>
 internal sealed class MissionView(FlightMonitor monitor)
 {
     private const int PanelWidth = 38;
@@ -33,7 +37,7 @@ internal sealed class MissionView(FlightMonitor monitor)
             lines.Add(MapLine(map, row) + "  " + (row < panel.Count ? panel[row] : string.Empty));
         lines.AddRange(Managers(width));
         string[] last = notes.ToArray();
-        lines.AddRange(last.Skip(last.Length - NotesShown).Select(n => $"[grey]{Markup.Escape(Fit(Text.Printable(n), width))}[/]"));
+        lines.AddRange(last.Skip(last.Length - NotesShown).Select(n => $"[grey]{Markup.Escape(Fit(FlightText.Printable(n), width))}[/]"));
         return new Rows(lines.Select(l => new Markup(l).Overflow(Overflow.Crop)));
     }
 
@@ -41,9 +45,9 @@ internal sealed class MissionView(FlightMonitor monitor)
     {
         FlightRecord record = monitor.Record;
         string name = record.Mission.Plan?.Name ?? "mission";
-        string pace = monitor.Pace > 0 ? string.Format(CultureInfo.InvariantCulture, "   {0} (x{1:0.0})", Figures.Clock(monitor.Now), monitor.Pace) : string.Empty;
+        string pace = monitor.Pace > 0 ? string.Format(CultureInfo.InvariantCulture, "   {0} (x{1:0.0})", FlightText.Clock(monitor.Now), monitor.Pace) : string.Empty;
         string vehicle = Text.Vehicle(monitor.Vehicle);
-        return $"[bold]{Markup.Escape(Fit(Text.Printable($"{name}{pace}   {vehicle}"), width))}[/]";
+        return $"[bold]{Markup.Escape(Fit(FlightText.Printable($"{name}{pace}   {vehicle}"), width))}[/]";
     }
 
     private List<string> Panel()
@@ -59,7 +63,7 @@ internal sealed class MissionView(FlightMonitor monitor)
             Field("vehicle", VehicleText(monitor.Vehicle), "default"),
             Field(string.Empty, string.Format(CultureInfo.InvariantCulture, "{0:0.0} m high, {1:0.0} m/s", monitor.Vehicle.HeightAboveHomeMetres, Speed(monitor.Vehicle)), "default"),
             Field("battery", Text.Battery(monitor.Vehicle), "default"),
-            Field("health", Text.Health(monitor.Health), HealthColour(monitor.Health.Level)),
+            Field("health", FlightText.Health(monitor.Health), HealthColour(monitor.Health.Level)),
         };
         lines.AddRange(Targets(record.Tracks));
         return lines;
@@ -67,34 +71,34 @@ internal sealed class MissionView(FlightMonitor monitor)
 
     private static string PhaseText(FlightRecord record)
     {
-        string text = PhaseStyle.Name(record.Mission.Phase);
+        string text = FlightText.Phase(record.Mission.Phase);
         return record.Authority.State == CommandAuthorityState.TakenAway && record.Authority.TakenBy is { } by ? $"{text}: {by}" : text;
     }
 
     private static string LaneText(in MissionStatus mission)
-        => $"{Figures.Of(mission.LanesFlown)} of {Figures.Of((mission.Plan?.Lanes.Length ?? 0) / 2)} flown, {Figures.Of(mission.Revisits)} second looks";
+        => $"{FlightText.Number(mission.LanesFlown)} of {FlightText.Number((mission.Plan?.Lanes.Length ?? 0) / 2)} flown, {FlightText.Number(mission.Revisits)} revisits";
 
     private static string VehicleText(in VehicleState vehicle)
-        => vehicle.SystemId == 0 ? "not heard yet" : $"{vehicle.Mode}, {(vehicle.IsArmed ? "armed" : "disarmed")}";
+        => vehicle.SystemId == 0 ? "not connected yet" : $"{vehicle.Mode}, {(vehicle.IsArmed ? "armed" : "disarmed")}";
 
     private static double Speed(in VehicleState vehicle)
         => Math.Sqrt((vehicle.VelocityNed.North * vehicle.VelocityNed.North) + (vehicle.VelocityNed.East * vehicle.VelocityNed.East));
 
     private static IEnumerable<string> Targets(TrackList tracks)
     {
-        TargetTrack[] believed = tracks.Tracks.Where(t => t.State != TrackState.Tentative).ToArray();
-        yield return Field("targets", $"{Figures.Of(tracks.Confirmed.Count())} confirmed, {Figures.Of(tracks.Tracks.Length - believed.Length)} tentative", "default");
-        foreach (TargetTrack track in believed.Skip(believed.Length - TargetsShown))
+        TargetTrack[] shown = tracks.Tracks.Where(t => t.State != TrackState.Tentative).ToArray();
+        yield return Field("targets", $"{FlightText.Number(tracks.Confirmed.Count())} confirmed, {FlightText.Number(tracks.Tracks.Length - shown.Length)} tentative", "default");
+        foreach (TargetTrack track in shown.Skip(shown.Length - TargetsShown))
         {
             string text = string.Format(
                 CultureInfo.InvariantCulture,
                 "{0,3} {1} ±{2:0.0} m, {3} reports{4}",
                 track.Id,
-                Colours.Name(track.Class),
+                TargetClassNames.Name(track.Class),
                 track.Covariance.HalfMajorAxis95Metres,
                 track.Reports,
                 track.State == TrackState.Lost ? ", lost" : string.Empty);
-            yield return $"[{InkStyle(Colours.Ink(track.Class))}]{Markup.Escape(Fit(text, PanelWidth))}[/]";
+            yield return $"[{InkStyle(TargetLetters.Ink(track.Class))}]{Markup.Escape(Fit(text, PanelWidth))}[/]";
         }
     }
 
@@ -113,9 +117,9 @@ internal sealed class MissionView(FlightMonitor monitor)
         string line = ManagerLine(
             monitor.ManagerNames[index],
             status.State.ToString(),
-            Figures.Of(status.Runs),
-            Figures.Of(monitor.UnitOfWorkTimeOf(index).Mean.TotalMilliseconds, "0.00"),
-            Figures.Of(status.Faults));
+            FlightText.Number(status.Runs),
+            FlightText.Number(monitor.UnitOfWorkTimeOf(index).Mean.TotalMilliseconds, "0.00"),
+            FlightText.Number(status.Faults));
         string colour = status.Faults > 0 || status.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging ? "red" : "default";
         return $"[{colour}]{Markup.Escape(Fit(line, width))}[/]";
     }
@@ -124,7 +128,7 @@ internal sealed class MissionView(FlightMonitor monitor)
         => $"{Fit(name, 18)}{Fit(state, 8)}{runs,6}{work,5}{faults,2}";
 
     private static string Field(string name, string text, string style)
-        => $"[grey]{name,-9}[/][{style}]{Markup.Escape(Fit(Text.Printable(text), PanelWidth - 9).TrimEnd())}[/]";
+        => $"[grey]{name,-9}[/][{style}]{Markup.Escape(Fit(FlightText.Printable(text), PanelWidth - 9).TrimEnd())}[/]";
 
     private static string Bar(double part)
     {

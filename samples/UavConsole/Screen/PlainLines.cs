@@ -3,6 +3,7 @@ using System.Linq;
 using System.Threading.Tasks;
 using Rabit.Core;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
 
 namespace UavConsole;
 
@@ -30,7 +31,9 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMi
         ShowNews(withFigures: true);
     }
 
-    /// <param name="withFigures">Also where only a figure in the health report has changed, which some do all the time.</param>
+    /// <param name="withFigures">
+    /// Also where only a figure in the health report has changed, which some do all the time.
+    /// </param>
     private void ShowNews(bool withFigures)
     {
         foreach (RabitLogEntry entry in log.TakeAll())
@@ -39,12 +42,12 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMi
         HealthReport health = monitor.Health;
         if (health.Level != _lastHealth.Level || health.Reasons != _lastHealth.Reasons || (withFigures && health.Text != _lastHealth.Text))
         {
-            Console.WriteLine(Text.At(monitor.Now) + "health: " + Text.Health(health));
+            Console.WriteLine(FlightText.TimeStamp(monitor.Now) + "health: " + FlightText.Health(health));
             _lastHealth = health;
         }
 
         foreach (StatusText text in monitor.Texts.TakeWhile(t => t != _lastText).Reverse())
-            Console.WriteLine(Text.At(text.Time) + Text.Of(text));
+            Console.WriteLine(FlightText.TimeStamp(text.Time) + Text.Of(text));
         _lastText = monitor.Texts.FirstOrDefault();
     }
 }

@@ -4,12 +4,15 @@ using System.Globalization;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 
 namespace UavConsole;
 
-/// <summary>The screen of a flight that is watched: managers, vehicle, health, links, texts and a progress bar.</summary>
+/// <summary>
+/// The screen of a flight that is watched: managers, vehicle, health, links, texts and a progress bar.
+/// </summary>
 internal sealed class VehicleView(FlightMonitor monitor, string? notice)
 {
     private const int TextsShown = 4;
@@ -56,7 +59,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
             status.Faults == 0 ? "0" : $"[red]{Number(status.Faults)}[/]");
     }
 
-    private static string Causes(in WakeUpStatistics wakes)
+    private static string Causes(in WakeUpCounts wakes)
     {
         (string Name, long Count)[] causes =
         [
@@ -67,7 +70,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
     }
 
     private static string MeanAndMaximum(in DurationStatistics time)
-        => string.Format(CultureInfo.InvariantCulture, "{0:0.00}/{1:0.0}", time.Mean.TotalMilliseconds, time.Max.TotalMilliseconds);
+        => string.Format(CultureInfo.InvariantCulture, "{0:0.00}/{1:0.0}", time.Mean.TotalMilliseconds, time.Maximum.TotalMilliseconds);
 
     private Grid Vehicle()
     {
@@ -93,7 +96,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
             HealthLevel.Critical => "red",
             _ => "grey",
         };
-        return $"[{colour}]{Plain(Text.Health(health))}[/]{(health.SendsHeartbeat ? "" : " [grey](no heartbeat of ours)[/]")}";
+        return $"[{colour}]{Plain(FlightText.Health(health))}[/]{(health.SendsHeartbeat ? "" : " [grey](no heartbeat of ours)[/]")}";
     }
 
     private IEnumerable<IRenderable> Links() => monitor.Links.Select(link => new Markup(
@@ -105,7 +108,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
 
     private IEnumerable<IRenderable> Texts(IEnumerable<string> notes)
     {
-        IEnumerable<string> texts = monitor.Texts.Take(TextsShown).Reverse().Select(t => Text.At(t.Time) + Text.Of(t));
+        IEnumerable<string> texts = monitor.Texts.Take(TextsShown).Reverse().Select(t => FlightText.TimeStamp(t.Time) + Text.Of(t));
         string[] last = notes.ToArray();
         return texts.Select(t => OneLine(t, "default")).Concat(last.Skip(last.Length - NotesShown).Select(n => OneLine(n, "grey")));
     }

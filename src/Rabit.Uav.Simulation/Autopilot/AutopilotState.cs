@@ -3,7 +3,9 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>What the autopilot knows at a step, as it tells it: with the errors of its sensors. A plain value.</summary>
+/// <summary>
+/// The autopilot's estimate at a step, as it reports it: with the errors of its sensors. A plain value.
+/// </summary>
 internal struct AutopilotState
 {
     /// <summary>By the clock of the run.</summary>

@@ -4,9 +4,11 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>COMMAND_LONG, COMMAND_INT and SET_MODE: does what they say and tells what came of it, in the result codes of ArduCopter.</summary>
+/// <summary>
+/// COMMAND_LONG, COMMAND_INT and SET_MODE: executes them and acknowledges with the result codes of ArduCopter.
+/// </summary>
 internal sealed class CommandHandler(
-    FlightController controller, TargetReader targets, StreamSchedule streams, Telemetry telemetry, Gimbal gimbal, IFrameSink sink)
+    FlightController controller, TargetReader targets, StreamSchedule streams, TelemetrySender telemetry, Gimbal gimbal, IFrameSink sink)
 {
     // "Force": MAVLink common.xml, MAV_CMD_COMPONENT_ARM_DISARM, param 2; ArduPilot takes 2989 for arming as well.
     private const float ForceMagic = 21196;
@@ -91,7 +93,7 @@ internal sealed class CommandHandler(
 
     private MavResult RequestMessage(int messageId)
     {
-        if (!Telemetry.IsKnown(messageId))
+        if (!TelemetrySender.IsKnown(messageId))
             return MavResult.Failed;
         telemetry.Send(messageId);
         return MavResult.Accepted;

@@ -14,7 +14,10 @@ internal static class CopterModes
     public static bool IsArmable(CopterMode mode)
         => mode is CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Loiter or CopterMode.Poshold or CopterMode.Guided;
 
-    /// <summary>Whether the heartbeat sets MAV_MODE_FLAG_GUIDED_ENABLED: in GUIDED always, in others that steer by position while armed.</summary>
+    /// <summary>
+    /// Whether the heartbeat sets MAV_MODE_FLAG_GUIDED_ENABLED: in GUIDED always, in others that steer by position
+    /// while armed.
+    /// </summary>
     public static bool IsGuidedFlag(CopterMode mode, bool isArmed) => mode == CopterMode.Guided
         || (isArmed && mode is (CopterMode.Auto or CopterMode.Loiter or CopterMode.Rtl or CopterMode.Poshold or CopterMode.Brake));
 

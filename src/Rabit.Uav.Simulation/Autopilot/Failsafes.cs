@@ -5,15 +5,15 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// What the autopilot watches by itself: a low battery, which it always tells and by default does nothing about, and a ground station that
-/// has fallen silent, which it watches only if it is told to.
+/// What the autopilot watches by itself: a low battery, which it always reports and by default does nothing about,
+/// and a silent ground station, which it watches only if a parameter says so.
 /// </summary>
 internal sealed class Failsafes(ParameterStore parameters, FlightController controller, Action<MavSeverity, string> say)
 {
     private double _lowSeconds;
     private bool _isBatteryLow;
     private bool _isGroundLost;
-    private TimeSpan? _groundHeard;
+    private TimeSpan? _groundReceived;
 
     public bool IsBatteryLow => _isBatteryLow;
 
@@ -26,7 +26,7 @@ internal sealed class Failsafes(ParameterStore parameters, FlightController cont
     {
         if (systemId != (byte)parameters.GroundSystemId.Value)
             return;
-        _groundHeard = controller.Situation.Time;
+        _groundReceived = controller.Situation.Time;
         if (_isGroundLost)
             say(MavSeverity.Warning, "GCS Failsafe Cleared");
         _isGroundLost = false;
@@ -65,9 +65,9 @@ internal sealed class Failsafes(ParameterStore parameters, FlightController cont
 
     private void JudgeGround()
     {
-        if (_isGroundLost || parameters.GroundFailsafe.Value <= 0 || _groundHeard is not { } heard)
+        if (_isGroundLost || parameters.GroundFailsafe.Value <= 0 || _groundReceived is not { } received)
             return;
-        if ((controller.Situation.Time - heard).TotalSeconds <= parameters.GroundFailsafeTimeout.Value)
+        if ((controller.Situation.Time - received).TotalSeconds <= parameters.GroundFailsafeTimeout.Value)
             return;
         _isGroundLost = true;
         say(MavSeverity.Warning, "GCS Failsafe");

@@ -4,12 +4,12 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// The autopilot without its messages: modes, arming with its checks, take-off, the detection of the ground, fail-safes. It refuses what
-/// ArduCopter refuses, with its words.
+/// The autopilot without its messages: modes, arming with its checks, take-off, the detection of the ground,
+/// fail-safes. It refuses what ArduCopter refuses, with its words.
 /// </summary>
 internal sealed class FlightController
 {
-    private const double GroundSeconds = 2;   // of contact, until it believes it
+    private const double GroundSeconds = 2;   // of contact, until it counts as landed
     private static readonly TimeSpan PreArmLook = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan PreArmEvery = TimeSpan.FromSeconds(30);
 
@@ -48,7 +48,7 @@ internal sealed class FlightController
 
     public double BatteryVolts { get; set; }
 
-    /// <summary>Called when it has armed: home is where it stands, and everybody is told.</summary>
+    /// <summary>Called when it has armed: home is where it is, and HOME_POSITION is sent.</summary>
     public Action? Armed { get; set; }
 
     public MavState Status => IsArmed && Failsafes.IsAnyOn ? MavState.Critical : Situation.IsLanded ? MavState.Standby : MavState.Active;
@@ -78,7 +78,7 @@ internal sealed class FlightController
         if (mode == Mode)
             return true;
 
-        // On the ground any mode may be taken; arming looks again.
+        // On the ground any mode may be taken; arming checks again.
         string? refusal = !IsArmed ? null
             : mode == CopterMode.Auto ? "init failed"
             : CopterModes.NeedsPosition(mode) && !HasPosition ? "requires position" : null;

@@ -23,7 +23,10 @@ internal abstract class FlightMode
 
     public abstract void Enter(FlightSituation situation);
 
-    /// <summary>The command for the next step. It comes with the motors flying or, on the ground, idling; the heading is kept if nothing is said.</summary>
+    /// <summary>
+    /// The command for the next step. It comes with the motors flying or, on the ground, idling; the heading is kept
+    /// if nothing is said.
+    /// </summary>
     public abstract void Fly(FlightSituation situation, ref MotionCommand command);
 
     /// <summary>The velocity that leads to a place and stops there.</summary>

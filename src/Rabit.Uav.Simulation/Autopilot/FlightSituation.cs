@@ -4,8 +4,8 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// What a flight mode flies by: the autopilot's own estimate, not the truth. Metres in the frame of the world, as far as the autopilot
-/// knows it. Set by <see cref="FlightController"/> before each step.
+/// What a flight mode flies by: the autopilot's own estimate, not the truth. Metres in the frame of the world, as far
+/// as the autopilot knows it. Set by <see cref="FlightController"/> before each step.
 /// </summary>
 internal sealed class FlightSituation(ParameterStore parameters)
 {
@@ -27,7 +27,7 @@ internal sealed class FlightSituation(ParameterStore parameters)
     /// <summary>What the weight on the legs says.</summary>
     public bool TouchesGround { get; set; }
 
-    /// <summary>What the autopilot believes: it stands, and waits for a take-off.</summary>
+    /// <summary>By the autopilot's estimate: it is on the ground and waits for a take-off.</summary>
     public bool IsLanded { get; set; } = true;
 
     /// <summary>Metres above home, up positive.</summary>

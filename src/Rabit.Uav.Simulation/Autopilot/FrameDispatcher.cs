@@ -3,7 +3,10 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>Takes in what comes over the link: what is for us goes to whom it concerns, what is for other systems is left alone.</summary>
+/// <summary>
+/// Takes in what comes over the link: what is for us goes to whom it concerns, what is for other systems is left
+/// alone.
+/// </summary>
 internal sealed class FrameDispatcher(
     FlightController controller,
     CommandHandler commands,

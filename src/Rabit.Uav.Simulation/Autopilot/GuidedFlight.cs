@@ -4,15 +4,15 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// GUIDED: take-off, position targets, which persist, and velocity targets, which time out. On the ground it waits for a take-off and
-/// flies to no target.
+/// GUIDED: take-off, position targets, which persist, and velocity targets, which time out. On the ground it waits
+/// for a take-off and flies to no target.
 /// </summary>
 internal sealed class GuidedFlight : FlightMode
 {
     private const double TakeOffReached = 0.1;
     private static readonly TimeSpan SpoolUp = TimeSpan.FromSeconds(3);
 
-    // ArduCopter looks along the flight above 5 % of the speed limit.
+    // ArduCopter turns along the flight above 5 % of the speed limit.
     private const double LooksAlongAbove = 0.05;
 
     private readonly GuidedHeading _heading = new();
@@ -128,8 +128,9 @@ internal sealed class GuidedFlight : FlightMode
 
     private void Take(Task task, FlightSituation situation)
     {
-        // A new kind of task looks along its flight again and flies with the speeds of the parameters, whatever DO_CHANGE_SPEED said
-        // before; a new target of the same kind leaves both as they were told. So the recorded ArduCopter does.
+        // A new kind of task turns along its flight again and flies with the speeds of the parameters, whatever
+        // DO_CHANGE_SPEED said before; a new target of the same kind leaves both as commanded, as the recorded
+        // ArduCopter does.
         if (task != _task)
         {
             _heading.Follow(situation.Yaw);

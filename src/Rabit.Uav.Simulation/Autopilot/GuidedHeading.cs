@@ -3,14 +3,14 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>Where GUIDED looks: along its flight, to a heading that it was told, or round at a rate.</summary>
+/// <summary>The heading in GUIDED: along the flight, a commanded heading, or a commanded rate.</summary>
 internal sealed class GuidedHeading
 {
     private bool _follows = true;
     private double _yaw;
     private double _rate = double.NaN;
 
-    /// <summary>Along the flight; until there is one, as it looks now.</summary>
+    /// <summary>Along the flight; until there is one, the present heading.</summary>
     public void Follow(double yawNow)
     {
         _follows = true;
@@ -34,7 +34,7 @@ internal sealed class GuidedHeading
     }
 
     /// <param name="situation">How it is.</param>
-    /// <param name="along">The flight to look along; zero where it is too slow for that.</param>
+    /// <param name="along">The direction of flight; zero where it is too slow for that.</param>
     /// <param name="command">Gets the heading.</param>
     public void Fly(FlightSituation situation, NedVector along, ref MotionCommand command)
     {

@@ -3,7 +3,8 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// LOITER and BRAKE, and what a pilot flies by hand: it stops and stays. A pilot of the simulation holds the sticks so that it does.
+/// LOITER and BRAKE, and the modes that a pilot flies manually: it stops and stays. A pilot of the simulation holds
+/// the sticks so that it does.
 /// </summary>
 internal sealed class HoldFlight : FlightMode
 {

@@ -2,14 +2,14 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>One parameter: its name, the type that it is told with, and its value.</summary>
+/// <summary>One parameter: its name, the type that it is sent with, and its value.</summary>
 internal sealed class Parameter(string name, MavParamType type, float value)
 {
     public string Name { get; } = name;
 
     public MavParamType Type { get; } = type;
 
-    /// <summary>As it is told: a whole number is sent as a float of the same value (PARAM_ENCODE_C_CAST).</summary>
+    /// <summary>As it is sent: a whole number is sent as a float of the same value (PARAM_ENCODE_C_CAST).</summary>
     public float Value { get; private set; } = value;
 
     /// <summary>A type of whole numbers keeps the whole part.</summary>

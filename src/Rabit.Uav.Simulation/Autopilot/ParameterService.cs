@@ -2,10 +2,10 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>Tells and takes parameters. An unknown name gets no answer, as from ArduPilot.</summary>
+/// <summary>Sends and sets parameters. An unknown name gets no answer, as from ArduPilot.</summary>
 internal sealed class ParameterService(ParameterStore parameters, IFrameSink sink)
 {
-    // What ArduPilot says where nobody asked by index.
+    // What ArduPilot sends where no index was requested.
     private const ushort NoIndex = ushort.MaxValue;
 
     private int _nextOfList = int.MaxValue;

@@ -4,7 +4,10 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>The parameters, by the names that ArduCopter 4.x gives them, in its units. Those that nothing here reads are only kept.</summary>
+/// <summary>
+/// The parameters, by the names that ArduCopter 4.x gives them, in its units. Those that nothing here reads are only
+/// kept.
+/// </summary>
 internal sealed class ParameterStore
 {
     private const float PackMilliampereHours = 8000;

@@ -5,12 +5,13 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Which messages are sent by themselves, and how often: none, until somebody asks. Nothing goes out faster than one message of a kind
-/// in a step.
+/// Which messages are sent by themselves, and how often: none, until requested. Nothing goes out faster than one
+/// message of a kind in a step.
 /// </summary>
 internal sealed class StreamSchedule
 {
-    // ArduPilot's loop runs at 400 Hz and no stream may ask for more than 0.8 of that (see DENIED in the results of 511).
+    // ArduPilot's loop runs at 400 Hz and no stream may ask for more than 0.8 of that (see DENIED in the results of
+    // 511).
     private const double MaxHertz = 320;
     private const int MaxMilliseconds = 60_000;
 
@@ -25,7 +26,7 @@ internal sealed class StreamSchedule
     /// <summary>SET_MESSAGE_INTERVAL: -1 switches off, 0 is the default, which is off here.</summary>
     public MavResult Set(int messageId, double intervalMicroseconds, TimeSpan now)
     {
-        if (!Telemetry.IsKnown(messageId) || double.IsNaN(intervalMicroseconds) || intervalMicroseconds < -1)
+        if (!TelemetrySender.IsKnown(messageId) || double.IsNaN(intervalMicroseconds) || intervalMicroseconds < -1)
             return MavResult.Denied;
         if (intervalMicroseconds <= 0)
         {

@@ -5,10 +5,10 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// SET_POSITION_TARGET_GLOBAL_INT and _LOCAL_NED: silently ignored outside GUIDED; a combination of fields that ArduCopter does not fly
-/// stops the vehicle. Targets of acceleration alone are not simulated and stop it too.
+/// SET_POSITION_TARGET_GLOBAL_INT and _LOCAL_NED: silently ignored outside GUIDED; a combination of fields that
+/// ArduCopter does not fly stops the vehicle. Targets of acceleration alone are not simulated and stop it too.
 /// </summary>
-internal sealed class TargetReader(FlightController controller, Telemetry telemetry, WorldFrame frame)
+internal sealed class TargetReader(FlightController controller, TelemetrySender telemetry, WorldFrame frame)
 {
     private const double RadiansPerDegE7 = NedMath.RadiansPerDegree * 1e-7;
     private const int NorthPoleDegE7 = 900_000_000;
@@ -46,8 +46,8 @@ internal sealed class TargetReader(FlightController controller, Telemetry teleme
 
         bool isBody = axes is MavFrame.BodyNed or MavFrame.BodyOffsetNed;
         bool isOffset = axes is MavFrame.LocalOffsetNed or MavFrame.BodyOffsetNed;
-        NedVector place = Turned(new NedVector(message.X, message.Y, message.Z), isBody).Plus(isBody || isOffset ? controller.Situation.Position : origin);
-        NedVector velocity = Turned(new NedVector(message.Vx, message.Vy, message.Vz), isBody);
+        NedVector place = ToWorldAxes(new NedVector(message.X, message.Y, message.Z), isBody).Plus(isBody || isOffset ? controller.Situation.Position : origin);
+        NedVector velocity = ToWorldAxes(new NedVector(message.Vx, message.Vy, message.Vz), isBody);
         Fly(message.TypeMask, place, velocity, ReadHeading(message.TypeMask, message.Yaw, message.YawRate, isFromNose: isBody));
     }
 
@@ -95,7 +95,7 @@ internal sealed class TargetReader(FlightController controller, Telemetry teleme
         return new HeadingTarget(hasYaw ? yaw + (isFromNose ? controller.Situation.Yaw : 0) : double.NaN, hasRate ? yawRate : double.NaN);
     }
 
-    private NedVector Turned(NedVector vector, bool isBody)
+    private NedVector ToWorldAxes(NedVector vector, bool isBody)
     {
         if (!isBody)
             return vector;

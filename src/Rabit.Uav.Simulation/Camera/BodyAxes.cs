@@ -3,42 +3,44 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// The three axes of something that is turned, forward, right and down, each as an arrow in the frame it is turned against. On purpose
-/// without rotation matrices or quaternions: an error of sign in the geometry of the aircraft must not find its like here. A plain value.
+/// The three axes of a rotated body, forward, right and down, each as a vector in the outer frame. On purpose without
+/// rotation matrices or quaternions: an error of sign in the geometry of the aircraft must not be repeated here. A
+/// plain value.
 /// </summary>
-internal readonly struct BodyAxes(Arrow forward, Arrow right, Arrow down)
+internal readonly struct BodyAxes(Vector3 forward, Vector3 right, Vector3 down)
 {
-    public Arrow Forward { get; } = forward;
+    public Vector3 Forward { get; } = forward;
 
-    public Arrow Right { get; } = right;
+    public Vector3 Right { get; } = right;
 
-    public Arrow Down { get; } = down;
+    public Vector3 Down { get; } = down;
 
     /// <summary>
-    /// What is turned by yaw (to the right), pitch (nose up) and roll (right side down), radians. Where the nose points follows from yaw and
-    /// pitch alone; without roll the right side is level; roll then turns right towards down, and down towards left.
+    /// The axes of a body that is rotated by yaw (to the right), pitch (nose up) and roll (right side down), radians.
+    /// Where the nose points follows from yaw and pitch alone; without roll the right side is level; roll then turns
+    /// right towards down, and down towards left.
     /// </summary>
-    public static BodyAxes Turned(double yaw, double pitch, double roll)
+    public static BodyAxes FromEulerAngles(double yaw, double pitch, double roll)
     {
         (double sinYaw, double cosYaw) = (Math.Sin(yaw), Math.Cos(yaw));
         (double sinPitch, double cosPitch) = (Math.Sin(pitch), Math.Cos(pitch));
         (double sinRoll, double cosRoll) = (Math.Sin(roll), Math.Cos(roll));
 
-        var forward = new Arrow(cosPitch * cosYaw, cosPitch * sinYaw, -sinPitch);
-        var levelRight = new Arrow(-sinYaw, cosYaw, 0);
-        var levelDown = new Arrow(sinPitch * cosYaw, sinPitch * sinYaw, cosPitch);   // forward x right
+        var forward = new Vector3(cosPitch * cosYaw, cosPitch * sinYaw, -sinPitch);
+        var levelRight = new Vector3(-sinYaw, cosYaw, 0);
+        var levelDown = new Vector3(sinPitch * cosYaw, sinPitch * sinYaw, cosPitch);   // forward x right
         return new BodyAxes(forward, Blend(levelRight, cosRoll, levelDown, sinRoll), Blend(levelDown, cosRoll, levelRight, -sinRoll));
     }
 
     /// <summary>These axes, which are given against others, in the frame of those others.</summary>
-    public BodyAxes Within(in BodyAxes outer) => new(outer.Carry(Forward), outer.Carry(Right), outer.Carry(Down));
+    public BodyAxes TransformedBy(in BodyAxes outer) => new(outer.Transform(Forward), outer.Transform(Right), outer.Transform(Down));
 
-    /// <summary>An arrow that is given along these axes, in the frame these axes are given in.</summary>
-    public Arrow Carry(Arrow arrow) => new(
-        (arrow.First * Forward.First) + (arrow.Second * Right.First) + (arrow.Third * Down.First),
-        (arrow.First * Forward.Second) + (arrow.Second * Right.Second) + (arrow.Third * Down.Second),
-        (arrow.First * Forward.Third) + (arrow.Second * Right.Third) + (arrow.Third * Down.Third));
+    /// <summary>A vector that is given along these axes, in the frame these axes are given in.</summary>
+    public Vector3 Transform(Vector3 vector) => new(
+        (vector.First * Forward.First) + (vector.Second * Right.First) + (vector.Third * Down.First),
+        (vector.First * Forward.Second) + (vector.Second * Right.Second) + (vector.Third * Down.Second),
+        (vector.First * Forward.Third) + (vector.Second * Right.Third) + (vector.Third * Down.Third));
 
-    private static Arrow Blend(Arrow a, double partOfA, Arrow b, double partOfB) => new(
+    private static Vector3 Blend(Vector3 a, double partOfA, Vector3 b, double partOfB) => new(
         (a.First * partOfA) + (b.First * partOfB), (a.Second * partOfA) + (b.Second * partOfB), (a.Third * partOfA) + (b.Third * partOfB));
 }

@@ -1,18 +1,18 @@
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Where the camera is and where it looks, in the frame of the world: the optical axis is forward of its axes, right of the picture is
-/// right, down in the picture is down. A plain value.
+/// Where the camera is and where it looks, in the frame of the world: the optical axis is forward of its axes, right
+/// of the picture is right, down in the picture is down. A plain value.
 /// </summary>
 internal readonly struct CameraPose
 {
     public CameraPose(in TruePose pose, SimulatedCameraOptions camera)
     {
-        BodyAxes body = BodyAxes.Turned(pose.Yaw, pose.Pitch, pose.Roll);
-        BodyAxes foot = BodyAxes.Turned(camera.MisalignmentYawRadians, camera.MisalignmentPitchRadians, camera.MisalignmentRollRadians);
-        Axes = BodyAxes.Turned(pose.CameraYaw, pose.CameraPitch, roll: 0).Within(foot).Within(body);
+        BodyAxes body = BodyAxes.FromEulerAngles(pose.Yaw, pose.Pitch, pose.Roll);
+        BodyAxes foot = BodyAxes.FromEulerAngles(camera.MisalignmentYawRadians, camera.MisalignmentPitchRadians, camera.MisalignmentRollRadians);
+        Axes = BodyAxes.FromEulerAngles(pose.CameraYaw, pose.CameraPitch, roll: 0).TransformedBy(foot).TransformedBy(body);
 
-        Arrow lever = body.Carry(new Arrow(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres));
+        Vector3 lever = body.Transform(new Vector3(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres));
         North = pose.North + lever.First;
         East = pose.East + lever.Second;
         Height = -(pose.Down + lever.Third);

@@ -3,7 +3,8 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Two wheel ruts that wind through the ground from north to south, and come back to where they began after one period of it. A plain value.
+/// Two wheel ruts that wind through the ground from north to south, and come back to where they began after one
+/// period of it. A plain value.
 /// </summary>
 internal readonly struct FarmTrack
 {

@@ -2,10 +2,14 @@ using System;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>Paints ground and sky: for each pixel the ray through the lens, met with the flat ground. Allocates nothing.</summary>
+/// <summary>
+/// Paints ground and sky: for each pixel the ray through the lens, met with the flat ground. Allocates nothing.
+/// </summary>
 internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
 {
-    /// <summary>Below this height above the ground the lens is in the grass: the picture is dark, and nothing is seen.</summary>
+    /// <summary>
+    /// Below this height above the ground the lens is in the grass: the picture is dark, and nothing is seen.
+    /// </summary>
     public const double MinHeight = 0.03;
 
     private const double MaxGroundDistance = 3000;
@@ -26,9 +30,9 @@ internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
             return;
         }
 
-        Arrow axis = stance.Axes.Forward;
-        Arrow right = stance.Axes.Right;
-        Arrow below = stance.Axes.Down;
+        Vector3 axis = stance.Axes.Forward;
+        Vector3 right = stance.Axes.Right;
+        Vector3 below = stance.Axes.Down;
         double height = stance.Height;
         double northFrom = stance.North - (GroundTexture.Period * Math.Floor(stance.North / GroundTexture.Period));
         double eastFrom = stance.East - (GroundTexture.Period * Math.Floor(stance.East / GroundTexture.Period));

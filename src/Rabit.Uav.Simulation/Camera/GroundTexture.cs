@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// What the ground looks like: grass, dry grass, bare soil and a farm track, from value noise of several octaves in a tile that repeats
-/// itself, and finer grain from a smaller one. It lies still in the world. Immutable.
+/// What the ground looks like: grass, dry grass, bare soil and a farm track, from value noise of several octaves in a
+/// tile that repeats itself, and finer grain from a smaller one. It lies still in the world. Immutable.
 /// </summary>
 internal sealed class GroundTexture
 {

@@ -4,9 +4,9 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// For each pixel the ray that falls on its centre, as it is before the lens: x to the right and y down at a distance of 1 along the
-/// optical axis. The lens is Brown-Conrady's, which says where a ray falls; where a pixel's ray comes from is found by Newton's method.
-/// Immutable.
+/// For each pixel the ray that falls on its centre, as it is before the lens: x to the right and y down at a distance
+/// of 1 along the optical axis. The lens is Brown-Conrady's, which says where a ray falls; where a pixel's ray comes
+/// from is found by Newton's method. Immutable.
 /// </summary>
 internal sealed class LensRays
 {
@@ -16,7 +16,9 @@ internal sealed class LensRays
     private readonly CameraModel _camera;
     private readonly double[] _rays;
 
-    /// <exception cref="ArgumentException">The distortion is such that no ray falls on some pixel, or that none can be found.</exception>
+    /// <exception cref="ArgumentException">
+    /// The distortion is such that no ray falls on some pixel, or that none can be found.
+    /// </exception>
     public LensRays(CameraModel camera)
     {
         _camera = camera;

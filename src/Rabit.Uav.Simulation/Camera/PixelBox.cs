@@ -32,7 +32,7 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
         {
             double along = (corner & 1) == 0 ? sheet.SideMetres / 2 : -sheet.SideMetres / 2;
             double across = (corner & 2) == 0 ? sheet.WidthMetres / 2 : -sheet.WidthMetres / 2;
-            var way = new Arrow(
+            var way = new Vector3(
                 sheet.NorthMetres + (along * cos) - (across * sin) - stance.North,
                 sheet.EastMetres + (along * sin) + (across * cos) - stance.East,
                 stance.Height);
@@ -86,5 +86,5 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
             Math.Min(lens.Height - 1, (int)Math.Ceiling(bottom + marginY)));
     }
 
-    private static double Along(Arrow way, Arrow axis) => (way.First * axis.First) + (way.Second * axis.Second) + (way.Third * axis.Third);
+    private static double Along(Vector3 way, Vector3 axis) => (way.First * axis.First) + (way.Second * axis.Second) + (way.Third * axis.Third);
 }

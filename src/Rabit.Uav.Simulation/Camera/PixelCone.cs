@@ -1,8 +1,8 @@
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// The rays within one pixel, from those of its neighbours: the lens bends so little within a pixel that a straight line is good to a
-/// thousandth of it. A plain value.
+/// The rays within one pixel, from those of its neighbours: the lens bends so little within a pixel that a straight
+/// line is good to a thousandth of it. A plain value.
 /// </summary>
 internal readonly struct PixelCone
 {

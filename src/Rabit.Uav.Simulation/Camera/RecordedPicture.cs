@@ -3,7 +3,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>A picture on its way to a folder. Whoever holds it owns its buffer. A plain value.</summary>
+/// <summary>A picture on its way to a folder. The holder owns its buffer. A plain value.</summary>
 internal struct RecordedPicture : IDisposable
 {
     public CameraFrame Frame { get; set; }

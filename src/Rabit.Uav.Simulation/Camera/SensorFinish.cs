@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// What lens and sensor do to a picture at the end: darker corners, one side a little lighter than the other, and noise. The noise comes
-/// out of a table, from another place of it in each row of each picture. Allocates nothing for a picture.
+/// What lens and sensor do to a picture at the end: darker corners, one side a little lighter than the other, and
+/// noise. The noise comes out of a table, from another place of it in each row of each picture. Allocates nothing for
+/// a picture.
 /// </summary>
 internal sealed class SensorFinish
 {

@@ -4,9 +4,9 @@ using System.Linq;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Paints the rectangles on the ground over it, each pixel by the part of it that they cover: 4 x 4 rays to a pixel, from two stances
-/// within the exposure, so that a panel is smeared as the camera moves and turns. (The ground is not: it has no sharp edges.)
-/// Allocates nothing.
+/// Paints the rectangles on the ground over it, each pixel by the part of it that they cover: 4 x 4 rays to a pixel,
+/// from two stances within the exposure, so that a panel is smeared as the camera moves and turns. (The ground is
+/// not: it has no sharp edges.) Allocates nothing.
 /// </summary>
 internal sealed class SheetPainter(LensRays lens, IEnumerable<SimulatedTarget> sheets)
 {
@@ -45,8 +45,8 @@ internal sealed class SheetPainter(LensRays lens, IEnumerable<SimulatedTarget> s
         }
     }
 
-    // The picture of a rectangle has straight edges within a pixel: a pixel whose corners are all inside, or all beyond one side, needs
-    // no closer look.
+    // The picture of a rectangle has straight edges within a pixel: a pixel whose corners are all inside, or all
+    // beyond one side, needs no closer look.
     private static int RaysIn(in SheetView view, in PixelCone cone)
     {
         int missed = view.SidesMissed(cone.X(-0.5, -0.5), cone.Y(-0.5, -0.5));

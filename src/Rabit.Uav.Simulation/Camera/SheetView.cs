@@ -3,15 +3,15 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// A flat rectangle on the ground as one stance of the camera sees it: tells of any ray whether it meets the rectangle. Along and across the
-/// rectangle, and downwards, a ray's way is linear in the ray; a ray's place on the ground is one divided by the other, and comparing needs
-/// no division. A plain value.
+/// A flat rectangle on the ground seen from one pose of the camera: says of any ray whether it intersects the
+/// rectangle. Along and across the rectangle, and downwards, a ray's way is linear in the ray; a ray's place on the
+/// ground is one divided by the other, and comparing needs no division. A plain value.
 /// </summary>
 internal readonly struct SheetView
 {
-    private readonly Arrow _along;    // what x, y and 1 of a ray each add
-    private readonly Arrow _across;
-    private readonly Arrow _down;
+    private readonly Vector3 _along;    // what x, y and 1 of a ray each add
+    private readonly Vector3 _across;
+    private readonly Vector3 _down;
     private readonly double _halfSide;
     private readonly double _halfWidth;
 
@@ -21,7 +21,7 @@ internal readonly struct SheetView
         (double north, double east) = (stance.North - sheet.NorthMetres, stance.East - sheet.EastMetres);
         _along = Terms(stance, cos, sin, (north * cos) + (east * sin));
         _across = Terms(stance, -sin, cos, (east * cos) - (north * sin));
-        _down = new Arrow(stance.Axes.Right.Third, stance.Axes.Down.Third, stance.Axes.Forward.Third);
+        _down = new Vector3(stance.Axes.Right.Third, stance.Axes.Down.Third, stance.Axes.Forward.Third);
         _halfSide = sheet.SideMetres / 2;
         _halfWidth = sheet.WidthMetres / 2;
     }
@@ -29,7 +29,10 @@ internal readonly struct SheetView
     /// <summary>Whether a ray meets the rectangle.</summary>
     public bool Contains(double x, double y) => SidesMissed(x, y) == 0;
 
-    /// <summary>Beyond which sides of the rectangle a ray meets the ground, one bit each; all bits for a ray that does not meet it.</summary>
+    /// <summary>
+    /// Beyond which sides of the rectangle a ray meets the ground, one bit each; all bits for a ray that does not
+    /// meet it.
+    /// </summary>
     public int SidesMissed(double x, double y)
     {
         double down = Value(_down, x, y);
@@ -43,13 +46,13 @@ internal readonly struct SheetView
     }
 
     // Where a ray meets the ground: camera + height x (its level part) / (its part downwards); here times that part.
-    private static Arrow Terms(in CameraPose stance, double towardsNorth, double towardsEast, double camera) => new(
+    private static Vector3 Terms(in CameraPose stance, double towardsNorth, double towardsEast, double camera) => new(
         Term(stance.Axes.Right, stance.Height, towardsNorth, towardsEast, camera),
         Term(stance.Axes.Down, stance.Height, towardsNorth, towardsEast, camera),
         Term(stance.Axes.Forward, stance.Height, towardsNorth, towardsEast, camera));
 
-    private static double Term(Arrow axis, double height, double towardsNorth, double towardsEast, double camera)
+    private static double Term(Vector3 axis, double height, double towardsNorth, double towardsEast, double camera)
         => (height * ((axis.First * towardsNorth) + (axis.Second * towardsEast))) + (camera * axis.Third);
 
-    private static double Value(Arrow terms, double x, double y) => (terms.First * x) + (terms.Second * y) + terms.Third;
+    private static double Value(Vector3 terms, double x, double y) => (terms.First * x) + (terms.Second * y) + terms.Third;
 }

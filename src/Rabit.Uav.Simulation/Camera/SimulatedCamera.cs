@@ -7,13 +7,14 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// The camera of the simulated vehicle: pictures of the ground and of what lies on it, as the true pose at the middle of the exposure shows
-/// them, delivered some time after that. It never blocks: real time waits for a delivery, virtual time jumps to it.
+/// The camera of the simulated vehicle: pictures of the ground and of what lies on it, as the true pose at the middle
+/// of the exposure shows them, delivered some time after that. It never blocks: real time waits for a delivery,
+/// virtual time jumps to it.
 /// </summary>
 /// <remarks>
-/// The first exposure begins one period after the reader was opened. A picture that cannot be delivered, because the camera is frozen, no
-/// buffer is free, nobody took the one before in time, or the truth of its moment is not known, is lost, and its number with it. The
-/// figures may be read from any thread.
+/// The first exposure begins one period after the reader was opened. A picture that cannot be delivered, because the
+/// camera is frozen, no buffer is free, the one before was not taken in time, or the truth of its moment is not
+/// known, is lost, and its number with it. The figures may be read from any thread.
 /// </remarks>
 public sealed class SimulatedCamera : IReaderSource<CameraFrame>
 {
@@ -52,10 +53,13 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
     /// <summary>Pictures lost because the camera was frozen.</summary>
     public long FramesFrozen => Interlocked.Read(ref _frozen);
 
-    /// <summary>Pictures lost because no buffer was free: somebody keeps them too long, or has forgotten to give them back.</summary>
+    /// <summary>Pictures lost because no buffer was free: they are kept too long, or not returned.</summary>
     public long FramesWithoutBuffer => Interlocked.Read(ref _withoutBuffer);
 
-    /// <summary>Pictures lost because the next one was due before they could be made: nobody asked, or the truth was not known.</summary>
+    /// <summary>
+    /// Pictures lost because the next one was due before they could be made: none was requested, or the truth was not
+    /// known.
+    /// </summary>
     public long FramesOvertaken => Interlocked.Read(ref _overtaken);
 
     /// <summary>Who holds the buffers now, one name for each.</summary>

@@ -6,8 +6,8 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// What the simulated camera is really like. What the aircraft believes of it is another matter: give that other numbers, and the
-/// difference is an error that the flight has to live with. Read once, when the camera is made.
+/// The true properties of the simulated camera. The aircraft's model of it is separate: give that other numbers, and
+/// the difference is an error that the flight has to live with. Read once, when the camera is made.
 /// </summary>
 public sealed class SimulatedCameraOptions
 {
@@ -29,7 +29,9 @@ public sealed class SimulatedCameraOptions
         P2 = -0.0002,
     };
 
-    /// <summary>Where the camera sits before the point whose position the truth tells, metres forward in body axes.</summary>
+    /// <summary>
+    /// Where the camera sits before the reference point of the true position, metres forward in body axes.
+    /// </summary>
     /// <value>The default is 0.1.</value>
     public double LeverArmForwardMetres { get; set; } = 0.1;
 
@@ -41,15 +43,18 @@ public sealed class SimulatedCameraOptions
     /// <value>The default is 0.05.</value>
     public double LeverArmDownMetres { get; set; } = 0.05;
 
-    /// <summary>How far the foot of the camera's gimbal is turned about the body's forward axis, radians, right side down positive.</summary>
+    /// <summary>
+    /// How far the foot of the camera's gimbal is rotated about the body's forward axis, radians, right side down
+    /// positive.
+    /// </summary>
     /// <value>The default is 0.</value>
     public double MisalignmentRollRadians { get; set; }
 
-    /// <summary>How far the foot of the camera's gimbal is turned nose up, radians.</summary>
+    /// <summary>How far the foot of the camera's gimbal is rotated nose up, radians.</summary>
     /// <value>The default is 0.</value>
     public double MisalignmentPitchRadians { get; set; }
 
-    /// <summary>How far the foot of the camera's gimbal is turned to the right, radians.</summary>
+    /// <summary>How far the foot of the camera's gimbal is rotated to the right, radians.</summary>
     /// <value>The default is 0.</value>
     public double MisalignmentYawRadians { get; set; }
 
@@ -76,7 +81,10 @@ public sealed class SimulatedCameraOptions
     /// <summary>Times without pictures.</summary>
     public IReadOnlyList<CameraFreeze> Freezes { get; set; } = Array.Empty<CameraFreeze>();
 
-    /// <summary>The same camera with a quarter of the pixels, 320 x 240: for long runs in which the pictures are not the point.</summary>
+    /// <summary>
+    /// The same camera with a quarter of the pixels, 320 x 240: for long runs in which the pictures are not the
+    /// point.
+    /// </summary>
     public static SimulatedCameraOptions CreateLowResolution()
     {
         var options = new SimulatedCameraOptions();

@@ -1,8 +1,8 @@
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Value noise: random numbers on the corners of a grid, smoothly blended between them, each octave with half the cells' size and half the
-/// weight of the one before. Square, and without a seam where its copies meet.
+/// Value noise: random numbers on the corners of a grid, smoothly blended between them, each octave with half the
+/// cells' size and half the weight of the one before. Square, and without a seam where its copies meet.
 /// </summary>
 internal static class ValueNoise
 {

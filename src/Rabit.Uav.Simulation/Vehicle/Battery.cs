@@ -3,7 +3,8 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// A lithium polymer pack: charge is counted, the voltage follows from what is left and from the current, U = cells * Uoc(charge) - I * R.
+/// A lithium polymer pack: charge is counted, the voltage follows from what is left and from the current, U = cells *
+/// Uoc(charge) - I * R.
 /// </summary>
 internal sealed class Battery(double capacityAmpereHours, double remaining)
 {
@@ -11,7 +12,8 @@ internal sealed class Battery(double capacityAmpereHours, double remaining)
     private const double Resistance = 0.02;   // ohm, the whole pack and its leads
     private const double SecondsPerHour = 3600;
 
-    // Open-circuit voltage of a cell from empty to full in steps of a tenth: a typical lithium polymer discharge curve, full 4.2 V.
+    // Open-circuit voltage of a cell from empty to full in steps of a tenth: a typical lithium polymer discharge
+    // curve, full 4.2 V.
     private static readonly double[] CellVolts = [3.27, 3.61, 3.69, 3.73, 3.77, 3.80, 3.85, 3.92, 4.00, 4.09, 4.20];
 
     /// <summary>What is left, 0 to 1.</summary>

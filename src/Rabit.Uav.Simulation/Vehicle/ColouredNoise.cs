@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>Noise with a memory (Ornstein-Uhlenbeck): a standard deviation, and the time after which it has forgotten itself by 1/e.</summary>
+/// <summary>
+/// Noise with a memory (Ornstein-Uhlenbeck): a standard deviation, and the time after which it has forgotten itself
+/// by 1/e.
+/// </summary>
 internal sealed class ColouredNoise
 {
     private readonly SimulationRandom _random;

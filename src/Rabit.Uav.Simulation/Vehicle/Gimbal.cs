@@ -3,7 +3,8 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Turns the camera against the body, pitch and yaw, at a limited rate. It follows angles against the body; it does not hold the horizon.
+/// Turns the camera against the body, pitch and yaw, at a limited rate. It follows angles against the body; it does
+/// not hold the horizon.
 /// </summary>
 internal sealed class Gimbal
 {

@@ -4,8 +4,8 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// How a multirotor moves: it leans to accelerate (tilt = atan(a / g)), its attitude follows with a lag, the air drags it along, the ground
-/// stops it. A velocity loop inside, as an autopilot has one, leans against the wind.
+/// How a multirotor moves: it leans to accelerate (tilt = atan(a / g)), its attitude follows with a lag, the air
+/// drags it along, the ground stops it. A velocity loop inside, as an autopilot has one, leans against the wind.
 /// </summary>
 internal sealed class Multirotor
 {
@@ -110,7 +110,8 @@ internal sealed class Multirotor
         Yaw += _yawRate * seconds;
     }
 
-    // North is ahead of a vehicle that looks north: it puts the nose down to get there, and the right side down to go right.
+    // North is ahead of a vehicle that looks north: it puts the nose down to get there, and the right side down to go
+    // right.
     private void Lean(double north, double east, double seconds)
     {
         double forward = (north * Math.Cos(Yaw)) + (east * Math.Sin(Yaw));

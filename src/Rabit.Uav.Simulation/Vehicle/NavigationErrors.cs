@@ -3,8 +3,9 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// What the autopilot's estimate is wrong by. Position: a constant of about a metre on each axis, a slow walk, a quick noise. Attitude and
-/// heading: a constant of some tenths of a degree (how the autopilot sits in the frame, what the iron around the compass does), a quick noise.
+/// What the autopilot's estimate is wrong by. Position: a constant of about a metre on each axis, a slow walk, a
+/// quick noise. Attitude and heading: a constant of some tenths of a degree (how the autopilot sits in the frame,
+/// what the iron around the compass does), a quick noise.
 /// </summary>
 internal sealed class NavigationErrors
 {
@@ -41,13 +42,13 @@ internal sealed class NavigationErrors
     /// <summary>The part of the position's error that changes slowly: what the vehicle is steered by, metres.</summary>
     public NedVector SteadyPosition => _positionConstant.Plus(Of(_walk));
 
-    /// <summary>The whole error of the position that is told, metres.</summary>
+    /// <summary>The whole error of the reported position, metres.</summary>
     public NedVector ToldPosition => SteadyPosition.Plus(Of(_position));
 
-    /// <summary>The error of the velocity that is told, m/s.</summary>
+    /// <summary>The error of the reported velocity, m/s.</summary>
     public NedVector ToldVelocity => Of(_velocity);
 
-    /// <summary>The error of the attitude that is told.</summary>
+    /// <summary>The error of the reported attitude.</summary>
     public EulerAngles ToldAttitude => EulerAngles.FromRadians(
         _angleConstant.Roll.Radians + _angle[0].Value,
         _angleConstant.Pitch.Radians + _angle[1].Value,

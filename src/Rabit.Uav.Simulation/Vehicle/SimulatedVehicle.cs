@@ -7,7 +7,8 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// The vehicle without its link: body, battery, camera mount, sensors and autopilot, in steps of 10 ms. Not for two threads at a time.
+/// The vehicle without its link: body, battery, camera mount, sensors and autopilot, in steps of 10 ms. Not for two
+/// threads at a time.
 /// </summary>
 internal sealed class SimulatedVehicle : IFrameSink
 {
@@ -31,7 +32,7 @@ internal sealed class SimulatedVehicle : IFrameSink
     private readonly NavigationErrors _errors;
     private readonly BootClock _clock;
     private readonly AutopilotAddress _address;
-    private readonly Telemetry _telemetry;
+    private readonly TelemetrySender _telemetry;
     private readonly StreamSchedule _streams = new();
     private readonly ParameterService _parameters;
     private readonly FrameDispatcher _dispatcher;
@@ -63,7 +64,7 @@ internal sealed class SimulatedVehicle : IFrameSink
         Controller = new FlightController(Parameters, Say) { BatteryVolts = Pack.Volts };
         Controller.Situation.StepSeconds = StepSeconds;
         _address = new AutopilotAddress(Parameters);
-        _telemetry = new Telemetry(Controller, frame, constants.Next(), this);
+        _telemetry = new TelemetrySender(Controller, frame, constants.Next(), this);
         _sendMessage = _telemetry.Send;
         _parameters = new ParameterService(Parameters, this);
         var targets = new TargetReader(Controller, _telemetry, frame);
@@ -108,7 +109,7 @@ internal sealed class SimulatedVehicle : IFrameSink
 
     /// <summary>One step.</summary>
     /// <param name="time">Its end, by the clock of the run.</param>
-    /// <param name="utc">Its end, as a GPS would tell it.</param>
+    /// <param name="utc">Its end, as a GPS would report it.</param>
     public void Step(TimeSpan time, DateTimeOffset utc)
     {
         _time = time;
@@ -133,7 +134,8 @@ internal sealed class SimulatedVehicle : IFrameSink
         where T : struct, IMavlinkMessage
         => _outbox.Enqueue(MavlinkFrame.Create(message, _address.SystemId, AutopilotAddress.ComponentId, _sequence++));
 
-    // What the autopilot steers by: the errors that are slow are in it, so that it really flies to where it believes it is.
+    // What the autopilot steers by: the errors that are slow are in it, so that it really flies by its estimated
+    // position.
     private void Feel(TimeSpan time)
     {
         FlightSituation situation = Controller.Situation;
@@ -198,11 +200,11 @@ internal sealed class SimulatedVehicle : IFrameSink
         _recorder.Record(pose, Controller.IsArmed, Controller.Mode, Pack.Remaining, Body.TouchdownSpeed);
     }
 
-    // Answers between two steps tell of the last one.
+    // Answers between two steps report the last one.
     private void Observe(DateTimeOffset? utc)
     {
-        if (utc is { } told)
-            _utcMicroseconds = Controller.HasPosition ? (ulong)((told - DateTimeOffset.FromUnixTimeSeconds(0)).Ticks / TicksPerMicrosecond) : 0;
+        if (utc is { } known)
+            _utcMicroseconds = Controller.HasPosition ? (ulong)((known - DateTimeOffset.FromUnixTimeSeconds(0)).Ticks / TicksPerMicrosecond) : 0;
         EulerAngles errors = _errors.ToldAttitude;
         _telemetry.Update(new AutopilotState
         {

@@ -8,8 +8,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Runs the simulated vehicle by the clock of the run: as many steps of 10 ms as have passed, then what is due goes out over the link.
-/// A link that has ended is told of once; the vehicle lives on.
+/// Runs the simulated vehicle by the clock of the run: as many steps of 10 ms as have passed, then what is due goes
+/// out over the link. A link that has ended is logged once; the vehicle goes on.
 /// </summary>
 internal sealed class SimulatedVehicleManager : RabitManager
 {
@@ -25,7 +25,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
     private readonly VehicleSigning? _signing;
     private TimeSpan _stepped;
     private long _sent;
-    private long _heard;
+    private long _received;
     private long _lost;
     private bool _hasTold;
     private bool _hasToldOfRejection;
@@ -62,13 +62,13 @@ internal sealed class SimulatedVehicleManager : RabitManager
             Take(_stepped);
         }
 
-        Hear(now);
+        Receive(now);
         Deliver(now);
-        _recorder.CountFrames(_sent, _heard, _lost + _target.Lost);
+        _recorder.CountFrames(_sent, _received, _lost + _target.Lost);
         SleepUntil(now);
     }
 
-    private void Hear(TimeSpan now)
+    private void Receive(TimeSpan now)
     {
         while (_reader.TryPop(out LinkFrame received))
         {
@@ -81,14 +81,14 @@ internal sealed class SimulatedVehicleManager : RabitManager
                 continue;
             }
 
-            _heard++;
+            _received++;
             _vehicle.Handle(frame, now);
         }
 
         Take(now);
     }
 
-    // Said once: otherwise nobody would know why the vehicle does not answer.
+    // Logged once: it explains why the vehicle does not answer.
     private bool IsAccepted(in MavlinkFrame frame)
     {
         if (_signing is null || _signing.Accepts(frame))

@@ -3,7 +3,10 @@ using Rabit.Mavlink;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>The vehicle's side of a signed link: it signs all it says, and takes nothing that is not signed rightly. The manager's thread only.</summary>
+/// <summary>
+/// The vehicle's side of a signed link: it signs all it says, and takes nothing that is not signed rightly. The
+/// manager's thread only.
+/// </summary>
 internal sealed class VehicleSigning
 {
     private readonly MavlinkSigningClock _clock = new();

@@ -4,8 +4,8 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Wind: a mean and a gust on each horizontal axis, Ornstein-Uhlenbeck with a standard deviation of a fifth of the mean speed and a time
-/// constant of 5 s. The same at every height.
+/// Wind: a mean and a gust on each horizontal axis, Ornstein-Uhlenbeck with a standard deviation of a fifth of the
+/// mean speed and a time constant of 5 s. The same at every height.
 /// </summary>
 internal sealed class WindField
 {

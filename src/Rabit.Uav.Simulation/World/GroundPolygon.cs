@@ -4,7 +4,11 @@ using System.Linq;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>An area of the ground by its corners, convex or not, any winding, metres north and east. Immutable.</summary>
+/// <summary>
+/// An area of the ground by its corners, convex or not, any winding, metres north and east. On purpose not the
+/// polygon of Mission Control: an error in that one must not be repeated in the world that it is tested in.
+/// Immutable.
+/// </summary>
 internal sealed class GroundPolygon
 {
     private readonly (double North, double East)[] _corners;
@@ -17,7 +21,7 @@ internal sealed class GroundPolygon
             throw new ArgumentException($"An area needs at least 3 corners; it has {_corners.Length}.", parameter);
         int bad = Array.FindIndex(_corners, c => !IsFinite(c.North) || !IsFinite(c.East));
         if (bad >= 0)
-            throw new ArgumentException($"Corner {bad + 1} of the area is no place: {_corners[bad].North} north, {_corners[bad].East} east.", parameter);
+            throw new ArgumentException($"Corner {bad + 1} of the area is not a finite position: {_corners[bad].North} north, {_corners[bad].East} east.", parameter);
         (South, North) = (_corners.Min(c => c.North), _corners.Max(c => c.North));
         (West, East) = (_corners.Min(c => c.East), _corners.Max(c => c.East));
     }
@@ -30,7 +34,9 @@ internal sealed class GroundPolygon
 
     public double East { get; }
 
-    /// <summary>Whether a place is inside: a line from it to the east crosses the edges an odd number of times.</summary>
+    /// <summary>
+    /// Whether a place is inside: a line from it to the east crosses the edges an odd number of times.
+    /// </summary>
     public bool Contains(double north, double east)
     {
         bool isInside = false;

@@ -1,8 +1,8 @@
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// A small seeded generator, the same on every runtime (Steele, Lea, Flood: "Fast splittable pseudorandom number generators",
-/// OOPSLA 2014, figure 17). A changing value: keep it in a field or a local that is not copied.
+/// A small seeded generator, the same on every runtime (Steele, Lea, Flood: "Fast splittable pseudorandom number
+/// generators", OOPSLA 2014, figure 17). A changing value: keep it in a field or a local that is not copied.
 /// </summary>
 internal struct SeededSequence(ulong seed)
 {
@@ -27,8 +27,8 @@ internal struct SeededSequence(ulong seed)
     public int Next(int limit) => (int)(((NextBits() >> 32) * (ulong)limit) >> 32);
 
     /// <summary>
-    /// About normal with mean 0 and deviation 1: the sum of twelve uniform numbers, which needs no function that a runtime may compute
-    /// in its own way. Never beyond 6.
+    /// About normal with mean 0 and deviation 1: the sum of twelve uniform numbers, which needs no function that a
+    /// runtime may compute in its own way. Never beyond 6.
     /// </summary>
     public double NextNormal()
     {
@@ -38,7 +38,9 @@ internal struct SeededSequence(ulong seed)
         return sum;
     }
 
-    /// <summary>A seed for something else that hangs on this one: different purposes and numbers give unrelated sequences.</summary>
+    /// <summary>
+    /// A seed for something else that hangs on this one: different purposes and numbers give unrelated sequences.
+    /// </summary>
     public static ulong Derive(ulong seed, ulong purpose, ulong number = 0) => Mix(Mix(seed + (purpose * Golden)) + ((number + 1) * Golden));
 
     private static ulong Mix(ulong bits)

@@ -3,8 +3,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// A flat rectangle that lies on the ground of the simulated world: a target of a mission, or a distractor, which looks much like one
-/// and is none. Immutable.
+/// A flat rectangle that lies on the ground of the simulated world: a target of a mission, or a distractor, which
+/// looks much like one and is none. Immutable.
 /// </summary>
 public sealed class SimulatedTarget
 {

@@ -4,7 +4,10 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>What the simulated vehicle has really done until now. A snapshot, immutable; all in the frame of the world.</summary>
+/// <summary>
+/// The true state of the simulated vehicle, and what it has done so far. A snapshot, immutable; all in the frame of
+/// the world.
+/// </summary>
 public sealed class SimulatedTruth
 {
     internal SimulatedTruth()
@@ -62,9 +65,12 @@ public sealed class SimulatedTruth
     /// <summary>Frames that the vehicle sent.</summary>
     public long FramesSent { get; internal init; }
 
-    /// <summary>Frames that it heard.</summary>
-    public long FramesHeard { get; internal init; }
+    /// <summary>Frames that it received.</summary>
+    public long FramesReceived { get; internal init; }
 
-    /// <summary>Frames that were lost on either way: by a scripted silence, a full queue, a link that could not take them, or an id that no dialect knows.</summary>
+    /// <summary>
+    /// Frames that were lost on either way: by a scripted silence, a full queue, a link that could not take them, or
+    /// an id that no dialect knows.
+    /// </summary>
     public long FramesLost { get; internal init; }
 }

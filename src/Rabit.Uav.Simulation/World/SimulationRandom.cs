@@ -3,9 +3,9 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// A small seeded generator, the same on every runtime: SplitMix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators",
-/// OOPSLA 2014, figure 17), normal numbers by Box and Muller. Each purpose has a stream of its own, so that one that draws more numbers
-/// than before changes nothing for the others.
+/// A small seeded generator, the same on every runtime: SplitMix64 (Steele, Lea, Flood: "Fast splittable pseudorandom
+/// number generators", OOPSLA 2014, figure 17), normal numbers by Box and Muller. Each purpose has a stream of its
+/// own, so that one that draws more numbers than before changes nothing for the others.
 /// </summary>
 internal sealed class SimulationRandom
 {
@@ -56,7 +56,9 @@ internal sealed class SimulationRandom
         return radius * Math.Cos(angle);
     }
 
-    /// <summary>Normal, mean 0, cut off at two standard deviations: for what is drawn once and must not spoil a whole run.</summary>
+    /// <summary>
+    /// Normal, mean 0, cut off at two standard deviations: for what is drawn once and must not spoil a whole run.
+    /// </summary>
     public double ModestNormal(double sigma)
     {
         while (true)

@@ -11,7 +11,10 @@ internal readonly struct SurfaceColour(int red, int green, int blue)
 
     public int Blue { get; } = blue;
 
-    /// <summary>The colour of one thing of many: a little lighter or darker, and a little off; together at most 10 % of each channel.</summary>
+    /// <summary>
+    /// The colour of one thing of many: a little lighter or darker, and a little off; together at most 10 % of each
+    /// channel.
+    /// </summary>
     public SurfaceColour Vary(ref SeededSequence random)
     {
         double light = 1 + (0.07 * random.NextSigned());

@@ -21,14 +21,22 @@ public static class TargetField
     private const ulong PurposeOfLooks = 0x6C6F6F6B73;
 
     /// <summary>
-    /// Lays out targets, squares of 1 m in each of the five colours in turn, and distractors: the same for the same seed, on every runtime.
+    /// Lays out targets, squares of 1 m in each of the five colours in turn, and distractors: the same for the same
+    /// seed, on every runtime.
     /// </summary>
     /// <param name="seed">Another seed, another layout.</param>
-    /// <param name="area">Corners of the area in order, metres north and east in the frame of the world; any winding, not crossing itself.</param>
+    /// <param name="area">
+    /// Corners of the area in order, metres north and east in the frame of the world; any winding, not crossing
+    /// itself.
+    /// </param>
     /// <param name="targets">How many targets, 0 or more.</param>
-    /// <param name="distractors">How many distractors, 0 or more; those that find no place beside the targets are left out.</param>
+    /// <param name="distractors">
+    /// How many distractors, 0 or more; those that find no place beside the targets are left out.
+    /// </param>
     /// <returns>All things, targets first; the numbers begin at 1.</returns>
-    /// <exception cref="ArgumentException">The area is none, a number is negative, or the targets do not fit into the area.</exception>
+    /// <exception cref="ArgumentException">
+    /// The area is none, a number is negative, or the targets do not fit into the area.
+    /// </exception>
     public static IReadOnlyList<SimulatedTarget> Place(
         ulong seed, IReadOnlyList<(double North, double East)> area, int targets, int distractors)
     {

@@ -16,8 +16,8 @@ internal static class TargetKinds
     ];
 
     /// <summary>
-    /// Things that are no targets: near colours of the right size, and right colours of the wrong size or form. In the order in which
-    /// they are laid out, so that even a few have something of each sort.
+    /// Things that are no targets: near colours of the right size, and right colours of the wrong size or form. In
+    /// the order in which they are laid out, so that even a few have something of each sort.
     /// </summary>
     public static readonly TargetKind[] Distractors =
     [

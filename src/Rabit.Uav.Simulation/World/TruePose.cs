@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Where the simulated vehicle really is and how it really stands, in the frame of the world: flat, north-east-down, metres, origin at
-/// the place where it stood at the start. Angles in radians: yaw clockwise from north, pitch nose up, roll right side down. A plain value.
+/// Where the simulated vehicle really is and how it really stands, in the frame of the world: flat, north-east-down,
+/// metres, origin at the place where it stood at the start. Angles in radians: yaw clockwise from north, pitch nose
+/// up, roll right side down. A plain value.
 /// </summary>
 public struct TruePose
 {

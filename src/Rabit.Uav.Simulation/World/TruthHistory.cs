@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// The true poses of the last seconds: written by the simulated vehicle step by step, read by the simulated camera for moments that have
-/// passed. It stands for the physical world between two devices, so it is the one thing here that is shared, under a lock.
+/// The true poses of the last seconds: written by the simulated vehicle step by step, read by the simulated camera
+/// for moments that have passed. It stands for the physical world between two devices, so it is the one thing here
+/// that is shared, under a lock.
 /// </summary>
 internal sealed class TruthHistory(int capacity)
 {
@@ -22,7 +23,9 @@ internal sealed class TruthHistory(int capacity)
         }
     }
 
-    /// <summary>The pose at a time, linearly between two steps; false where it is not known yet or not any more.</summary>
+    /// <summary>
+    /// The pose at a time, linearly between two steps; false where it is not known yet or not any more.
+    /// </summary>
     public bool TryGet(TimeSpan time, out TruePose pose)
     {
         lock (_gate)

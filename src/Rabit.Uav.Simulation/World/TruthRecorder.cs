@@ -4,7 +4,9 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>Keeps what the vehicle has really done. Written by the vehicle step by step, read by anybody, under a lock.</summary>
+/// <summary>
+/// Keeps what the vehicle has really done. Written by the vehicle step by step, read by anybody, under a lock.
+/// </summary>
 internal sealed class TruthRecorder
 {
     private const double CrashSpeed = 2;
@@ -31,7 +33,7 @@ internal sealed class TruthRecorder
     private bool _hasCrashed;
     private CopterMode _mode;
     private long _sent;
-    private long _heard;
+    private long _received;
     private long _lost;
 
     public void Record(in TruePose pose, bool isArmed, CopterMode mode, double battery, double touchdownSpeed)
@@ -47,10 +49,10 @@ internal sealed class TruthRecorder
         }
     }
 
-    public void CountFrames(long sent, long heard, long lost)
+    public void CountFrames(long sent, long received, long lost)
     {
         lock (_gate)
-            (_sent, _heard, _lost) = (sent, heard, lost);
+            (_sent, _received, _lost) = (sent, received, lost);
     }
 
     public SimulatedTruth Snapshot()
@@ -76,7 +78,7 @@ internal sealed class TruthRecorder
                 MaxSpeedMetresPerSecond = _speed,
                 MaxDistanceMetres = _distance,
                 FramesSent = _sent,
-                FramesHeard = _heard,
+                FramesReceived = _received,
                 FramesLost = _lost,
             };
         }

@@ -4,9 +4,10 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Puts the flat world (north, east, down in metres, origin at home) onto the WGS-84 ellipsoid and back. It is written apart from
-/// <see cref="LocalNedFrame"/> on purpose, so that an error there cannot cancel: differences of latitude and longitude instead of
-/// earth-centred coordinates, and an iteration instead of a closed formula for the way back. Altitudes are taken for heights above the ellipsoid.
+/// Puts the flat world (north, east, down in metres, origin at home) onto the WGS-84 ellipsoid and back. It is
+/// written apart from <see cref="LocalNedFrame"/> on purpose, so that an error there cannot cancel: differences of
+/// latitude and longitude instead of earth-centred coordinates, and an iteration instead of a closed formula for the
+/// way back. Altitudes are taken for heights above the ellipsoid.
 /// </summary>
 internal sealed class WorldFrame
 {

@@ -65,7 +65,9 @@ public sealed partial class AutopilotManager
 
     private void Handle(in LinkFrame frame, VehicleEvents events)
     {
-        _recorder.Record(frame, events, _tracker.State);
+        _statistics.Value.Frames++;
+        _hasNewStatistics = true;
+        Count(events);
         Handle(events, frame.Time);
     }
 

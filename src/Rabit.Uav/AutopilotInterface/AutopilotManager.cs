@@ -30,10 +30,11 @@ public sealed partial class AutopilotManager : RabitManager
     private readonly MessagePublisher<OwnAddress> _ownAddress;
     private readonly MessagePublisher<RecentItems<StatusText>> _statusTexts;
     private readonly MessagePublisher<RecentItems<CommandAcknowledgement>> _acknowledgements;
+    private readonly MessagePublisher<AutopilotStatistics> _statistics;
     private readonly VehicleTracker _tracker;
-    private readonly FlightRecorder _recorder = new();
     private MavlinkRateClient? _rates;
     private TimeSpan _checkedUntil;
+    private bool _hasNewStatistics;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
@@ -50,18 +51,13 @@ public sealed partial class AutopilotManager : RabitManager
         _ownAddress = Publish(MessageNames.OwnAddress, new OwnAddress { ComponentId = _options.ComponentId });
         _statusTexts = Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
         _acknowledgements = Publish(MessageNames.CommandAcknowledgements, RecentItems<CommandAcknowledgement>.None);
+        _statistics = Publish<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands, CommandsWaiting, QueueFullMode.Reject, wakeOnPush: true);
         _answers = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
         _poses = Send<PoseSample>(MessageNames.Poses);
         WakeUpDelay = IdleDelay;
     }
-
-    /// <summary>What was seen so far, frame by frame. A new snapshot at each call. Any thread.</summary>
-    public FlightSummary Flight => _recorder.Summarise();
-
-    /// <summary>What became of the requests for message rates. Any thread.</summary>
-    public RateRequestCounts RateRequests => _recorder.RateRequests;
 
     /// <inheritdoc/>
     protected override void Startup()
@@ -84,6 +80,7 @@ public sealed partial class AutopilotManager : RabitManager
         RequestRates();
         RequestTime();
         ExecuteCommands();
+        PostStatistics();
         WakeUpDelay = _executor.IsBusy || _clock.Requests.IsFast(Now) ? BusyDelay : IdleDelay;
     }
 
@@ -111,8 +108,7 @@ public sealed partial class AutopilotManager : RabitManager
             return VehicleEvents.None;
         VehicleEvents events = _tracker.CheckConnection(_checkedUntil);
         _checkedUntil = now;
-        if (events != VehicleEvents.None)
-            _recorder.Record(events);
+        Count(events);
         Handle(events, now);
         return events;
     }
@@ -169,21 +165,53 @@ public sealed partial class AutopilotManager : RabitManager
             _outgoing.Push(new OutgoingFrame { Frame = frame });
         while (_rates.TryTakeAnswer(out MavlinkStreamRate rate))
             TakeRateAnswer(rate);
-        RateRequestCounts counts = _recorder.RateRequests;
-        _recorder.RateRequests = new RateRequestCounts(counts.Accepted, counts.Refused, counts.Unanswered, _rates.Requests);
+        RateRequestCounts counts = _statistics.Value.RateRequests;
+        if (counts.Sent != _rates.Requests)
+            SetRateRequests(new RateRequestCounts(counts.Accepted, counts.Refused, counts.Unanswered, _rates.Requests));
     }
 
     private void TakeRateAnswer(in MavlinkStreamRate rate)
     {
-        RateRequestCounts counts = _recorder.RateRequests;
+        RateRequestCounts counts = _statistics.Value.RateRequests;
         int accepted = rate.Answer == MavlinkRateAnswer.Accepted ? 1 : 0;
         int refused = rate.Answer == MavlinkRateAnswer.Refused ? 1 : 0;
         int unanswered = rate.Answer == MavlinkRateAnswer.Unanswered ? 1 : 0;
-        _recorder.RateRequests = new RateRequestCounts(counts.Accepted + accepted, counts.Refused + refused, counts.Unanswered + unanswered, counts.Sent);
+        SetRateRequests(new RateRequestCounts(
+            counts.Accepted + accepted, counts.Refused + refused, counts.Unanswered + unanswered, counts.Sent));
         if (refused > 0)
             Log($"the autopilot refuses a rate for {NameOf(rate.MessageId)}");
         if (unanswered > 0)
             Log($"the autopilot does not answer to a rate for {NameOf(rate.MessageId)}");
+    }
+
+    private void Count(VehicleEvents events)
+    {
+        _hasNewStatistics |= events != VehicleEvents.None;
+        ref AutopilotStatistics statistics = ref _statistics.Value;
+        if ((events & VehicleEvents.OfOther) != 0)
+            statistics.FramesOfOthers++;
+        if ((events & VehicleEvents.OtherAutopilot) != 0)
+            statistics.HeartbeatsOfOtherAutopilots++;
+        if ((events & VehicleEvents.Refused) != 0)
+            statistics.RefusedMessages++;
+        if ((events & VehicleEvents.Lost) != 0)
+            statistics.Losses++;
+        if ((events & VehicleEvents.Rebooted) != 0)
+            statistics.Reboots++;
+    }
+
+    private void SetRateRequests(in RateRequestCounts counts)
+    {
+        _statistics.Value.RateRequests = counts;
+        _hasNewStatistics = true;
+    }
+
+    private void PostStatistics()
+    {
+        if (!_hasNewStatistics)
+            return;
+        _hasNewStatistics = false;
+        _statistics.Post();
     }
 
     private void PostOwnAddress(byte systemId)

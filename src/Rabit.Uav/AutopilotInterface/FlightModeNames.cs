@@ -5,16 +5,17 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// The flight mode of a heartbeat as a text. Allocates for a number that it never saw, and for nothing else. One thread.
+/// The flight mode of a heartbeat as a text, by the autopilot's own name. Allocates only for the number of a mode that is not known. One thread.
 /// </summary>
-internal sealed class FlightModeNames
+public sealed class FlightModeNames
 {
-    // A sound autopilot has a handful of modes unknown here; one that sends noise must not fill the memory.
+    // A working autopilot has a handful of modes unknown here; one that sends noise must not fill the memory.
     private const int MaxRemembered = 64;
 
     private readonly Dictionary<uint, string> _unknown = [];
 
-    /// <summary>The name, for example <c>GUIDED</c> or <c>AUTO.LOITER</c>; <c>mode 42</c> where it has none.</summary>
+    /// <summary>Returns the name, for example <c>GUIDED</c> or <c>AUTO.LOITER</c>; <c>mode 42</c> where it has none.</summary>
+    /// <param name="heartbeat">Of the autopilot.</param>
     public string NameOf(in Heartbeat heartbeat)
     {
         if ((heartbeat.BaseMode & MavModeFlag.CustomModeEnabled) == 0)

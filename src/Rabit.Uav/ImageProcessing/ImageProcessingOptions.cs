@@ -99,8 +99,8 @@ public sealed class ImageProcessingOptions
             yield return $"{nameof(DetectorTimeBudget)} is {DetectorTimeBudget}; it must be above zero";
         if (MaxReportsPerPicture is < 1 or > ReportsLimit)
             yield return $"{nameof(MaxReportsPerPicture)} is {MaxReportsPerPicture}; it must be 1 to {ReportsLimit}";
-        if (!(MinDepressionRadians > 0 && MinDepressionRadians < Math.PI / 2))
-            yield return FormattableString.Invariant($"{nameof(MinDepressionRadians)} is {MinDepressionRadians}; it must be between 0 and pi/2");
+        if (!(MinDepression.Degrees > 0 && MinDepression.Degrees < 90))
+            yield return FormattableString.Invariant($"{nameof(MinDepression)} is {MinDepression}; it must be between 0 and 90°");
         if (PoseTimeout < TimeSpan.Zero)
             yield return $"{nameof(PoseTimeout)} is {PoseTimeout}; it must not be negative";
         if (MaxExtrapolation < TimeSpan.Zero || MaxExtrapolation > TimeSpan.FromSeconds(1))

@@ -41,7 +41,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         _detector = new DetectorRunner(
             options.Detector ?? options.CreateColourDetector(), options.DetectorTimeBudget, options.MaxReportsPerPicture, clock);
         _wanted = new WantedClasses(options.TargetClasses);
-        _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepressionRadians, options.Terrain);
+        _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepression, options.Terrain);
         _reports = new TargetReport[options.MaxReportsPerPicture];
     }
 

@@ -1,4 +1,5 @@
 using System.Collections.Immutable;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.Messages;
 
@@ -9,7 +10,7 @@ public struct ImagingCommand
     public ImagingMode Mode { get; set; }
 
     /// <summary>
-    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down with the top of the picture
+    /// Camera pitch relative to the body, up positive; -90 degrees points straight down with the top of the picture
     /// forward.
     /// </summary>
     public Angle CameraPitch { get; set; }

@@ -17,6 +17,9 @@ public static class MessageNames
     /// <summary>Message <see cref="RecentItems{T}"/> of <see cref="CommandAcknowledgement"/>, posted by Autopilot Interface.</summary>
     public const string CommandAcknowledgements = "command acknowledgements";
 
+    /// <summary>Message <see cref="Messages.AutopilotStatistics"/>, posted by Autopilot Interface.</summary>
+    public const string AutopilotStatistics = "autopilot statistics";
+
     /// <summary>Message <see cref="Messages.HealthReport"/>, posted by Health Monitoring.</summary>
     public const string Health = "health";
 

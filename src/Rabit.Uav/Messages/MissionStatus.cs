@@ -35,4 +35,7 @@ public struct MissionStatus
 
     /// <summary>Tracks that were revisited.</summary>
     public int Revisits { get; set; }
+
+    /// <summary>Whether the mission was accomplished, and why not.</summary>
+    public MissionResult Result { get; set; }
 }

@@ -34,9 +34,9 @@ public struct VehicleCommand
     public double SpeedMetresPerSecond { get; set; }
 
     /// <summary>
-    /// Heading to keep, radians clockwise from true north; NaN leaves it to the autopilot. Of GoTo and Velocity.
+    /// Heading to keep, clockwise from true north; <see cref="Angle.NaN"/> leaves it to the autopilot. Of GoTo and Velocity.
     /// </summary>
-    public double YawRadians { get; set; }
+    public Angle Yaw { get; set; }
 
     /// <summary>
     /// Velocity over ground, metres per second, north-east-down. Of <see cref="VehicleCommandKind.Velocity"/>; it is to
@@ -48,13 +48,13 @@ public struct VehicleCommand
     public string? Mode { get; set; }
 
     /// <summary>
-    /// Camera pitch relative to the body, radians, up positive; -pi/2 points straight down. Of
+    /// Camera pitch relative to the body, up positive; -90 degrees points straight down. Of
     /// <see cref="VehicleCommandKind.PointCamera"/>.
     /// </summary>
     public Angle CameraPitch { get; set; }
 
     /// <summary>
-    /// Camera yaw relative to the body, radians, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.
+    /// Camera yaw relative to the body, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.
     /// </summary>
-    public double CameraYawRadians { get; set; }
+    public Angle CameraYaw { get; set; }
 }

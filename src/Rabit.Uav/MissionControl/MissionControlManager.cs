@@ -29,6 +29,7 @@ public sealed class MissionControlManager : RabitManager
     private readonly MessagePublisher<MissionStatus> _status;
     private readonly MissionFlight? _flight;
     private readonly MissionMachine? _machine;
+    private readonly MissionAssessment _assessment = new();
     private TimeSpan? _lastStatus;
     private string? _abort; // written by any thread, read by this manager; replaced as a whole
 
@@ -89,6 +90,7 @@ public sealed class MissionControlManager : RabitManager
         if (_flight is not null && _machine is not null)
         {
             FetchInputs(_flight);
+            _assessment.Update(_flight);
             _machine.Tick(Volatile.Read(ref _abort));
             PostImagingCommand(_flight, _machine);
         }
@@ -165,6 +167,7 @@ public sealed class MissionControlManager : RabitManager
             status.LanesFlown = _flight.Route?.Flown ?? 0;
             status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;
             status.Revisits = _flight.Revisits.Completed;
+            status.Result = _assessment.Assess(_flight, phase);
         }
         else
         {

@@ -45,9 +45,9 @@ public sealed class MissionPlan
     public double LaneSpacingMetres { get; init; }
 
     /// <summary>
-    /// Direction of the lanes, radians clockwise from true north; null for the one that needs the fewest lanes.
+    /// Direction of the lanes, clockwise from true north; null for the one that needs the fewest lanes.
     /// </summary>
-    public double? LaneHeadingRadians { get; init; }
+    public Angle? LaneHeading { get; init; }
 
     /// <summary>The classes of the targets of interest; empty, the default, for all that Image Processing has.</summary>
     public ImmutableArray<TargetClassName> Targets { get; init; } = [];

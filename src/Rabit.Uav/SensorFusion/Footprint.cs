@@ -26,10 +26,10 @@ internal readonly struct Footprint
     /// <summary>The footprint of an observation; an unknown one if its corners are not those of a picture of the ground.</summary>
     public static Footprint Of(in CameraObservation observation, in LocalNedFrame frame)
     {
-        NedVector a = frame.ToNed(observation.TopLeft);
-        NedVector b = frame.ToNed(observation.TopRight);
-        NedVector c = frame.ToNed(observation.BottomRight);
-        NedVector d = frame.ToNed(observation.BottomLeft);
+        NedPosition a = frame.ToNed(observation.TopLeft);
+        NedPosition b = frame.ToNed(observation.TopRight);
+        NedPosition c = frame.ToNed(observation.BottomRight);
+        NedPosition d = frame.ToNed(observation.BottomLeft);
         double turn = Turn(a, b, c);
         bool isConvex = turn > 0
             ? Turn(b, c, d) > 0 && Turn(c, d, a) > 0 && Turn(d, a, b) > 0

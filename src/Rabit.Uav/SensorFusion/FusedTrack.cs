@@ -118,7 +118,7 @@ internal sealed class FusedTrack
         Id = Id,
         State = State,
         Class = Class,
-        Position = frame.ToGeodetic(new NedVector(Filter.North, Filter.East, Down)),
+        Position = frame.ToGeodetic(new NedPosition(Filter.North, Filter.East, Down)),
         VelocityNed = new NedVector(Filter.NorthRate, Filter.EastRate, 0),
         Covariance = Covariance,
         Time = Time,

@@ -147,7 +147,7 @@ public sealed class SensorFusionManager : RabitManager
     {
         if (_located.Count == 0)
             Anchor(report.Position);
-        NedVector place = _frame!.Value.ToNed(report.Position);
+        NedPosition place = _frame!.Value.ToNed(report.Position);
         if (IsFarAway(place))
             _statistics.ReportsRefused++;
         else

@@ -117,7 +117,7 @@ public class GuidedTargetTests
     }
 
     [Fact]
-    public void Yaw_TurnedByCommand_StaysForTheNextTargetOfThatKind()
+    public void Yaw_SetByCommand_StaysForTheNextTargetOfThatKind()
     {
         using var ground = new Ground(new SimulationOptions { WindMetresPerSecond = 0 });
         ground.TakeOff(20);

@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Rabit.Core;
-using Rabit.Geodesy;
 using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Uav.CameraGeometry;
@@ -12,6 +11,7 @@ using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
+using Rabit.Uav.Reporting;
 
 namespace Rabit.Uav.Simulation.Tests.Missions;
 
@@ -118,7 +118,7 @@ internal sealed class SearchFlight : IDisposable
 
     private static MissionPlan Plan(string name) => MissionPlan.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "data", "missions", name + ".json")), name);
 
-    /// <summary>Flies until the mission is over, and then until motors are off or the patience is at its end.</summary>
+    /// <summary>Flies until the mission is over, and then until motors are off or the time limit is reached.</summary>
     public void Fly(TimeSpan atMost)
     {
         Reactor.Start();
@@ -144,34 +144,10 @@ internal sealed class SearchFlight : IDisposable
         Result = Reactor.Finish();
     }
 
-    /// <summary>Each target with the confirmed track that stands for it.</summary>
-    public IReadOnlyList<TargetScore> Score()
-    {
-        List<TargetTrack> free = Tracks.Confirmed.ToList();
-        var scores = new List<TargetScore>();
-        foreach (SimulatedTarget target in World.Targets)
-        {
-            var frame = LocalNedFrame.IgnoringGeoid(World.PositionOf(target.NorthMetres, target.EastMetres));
-            TargetTrack? best = free.Where(t => t.Class == target.Class && Distance(frame, t) < 10).OrderBy(t => Distance(frame, t)).FirstOrDefault();
-            if (best is not null)
-                free.Remove(best);
-            scores.Add(new TargetScore(target, best, best is null ? default : frame.ToNed(best.Position)));
-        }
-
-        FalseTracks = free;
-        return scores;
-    }
-
-    /// <summary>Confirmed tracks without a target, after <see cref="Score"/>.</summary>
-    public IReadOnlyList<TargetTrack> FalseTracks { get; private set; } = [];
+    /// <summary>The tracks compared with the true targets.</summary>
+    public MissionScore Score() => TargetScoring.Score(TargetTruth.Of(World), Tracks.Tracks);
 
     public void Dispose() => _uav.Dispose();
-
-    private static double Distance(LocalNedFrame frame, TargetTrack track)
-    {
-        NedPosition d = frame.ToNed(track.Position);
-        return Math.Sqrt((d.North * d.North) + (d.East * d.East));
-    }
 
     private void Write(RabitLogEntry entry) => _log.Append(entry).Append('\n');
 

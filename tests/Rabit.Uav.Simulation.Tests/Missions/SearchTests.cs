@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -34,8 +35,8 @@ public sealed class SearchTests(ITestOutputHelper output)
             scores.AddRange(Fly(seed));
 
         double rmse = Rmse(scores);
-        double inEllipse = scores.Count(s => s.IsInEllipse) / (double)scores.Count;
-        output.WriteLine(FormattableString.Invariant($"all: RMSE {rmse:0.00} m, {inEllipse:P0} in their ellipses, largest half axis {scores.Max(s => s.HalfAxisMetres):0.00} m"));
+        double inEllipse = scores.Count(s => s.EllipseContainsTruth) / (double)scores.Count;
+        output.WriteLine(FormattableString.Invariant($"all: RMSE {rmse:0.00} m, {inEllipse:P0} in their ellipses, largest half axis {scores.Max(s => s.Track!.Covariance.HalfMajorAxis95Metres):0.00} m"));
         Assert.True(rmse <= LargestRmse, $"RMSE {rmse} m");
         Assert.InRange(inEllipse, 0.85, 1);
     }
@@ -44,19 +45,20 @@ public sealed class SearchTests(ITestOutputHelper output)
     {
         using var flight = new SearchFlight(SearchFlight.BundledPlan(), new SimulationOptions { Seed = seed });
         flight.Fly(TimeSpan.FromMinutes(20));
-        List<TargetScore> scores = flight.Score().ToList();
+        MissionScore score = flight.Score();
+        List<TargetScore> scores = score.Targets.ToList();
         TruePose landing = flight.World.Truth.Landing ?? default;
         double fromHome = Math.Sqrt((landing.North * landing.North) + (landing.East * landing.East));
         output.WriteLine(FormattableString.Invariant(
             $"seed {seed}: {flight.Mission.Phase} at {flight.Reactor.Now}, {flight.Mission.Coverage:P1} seen, landed {fromHome:0.00} m from home, RMSE {Rmse(scores):0.00} m"));
-        foreach (TargetScore score in scores)
-            output.WriteLine("  " + score);
+        foreach (TargetScore target in scores)
+            output.WriteLine("  " + target);
 
         string where = $"seed {seed}: ";
         Assert.True(flight.Mission.Phase == MissionPhase.Done && flight.Mission.Aborted is null, where + flight.Mission.Text + "\n" + flight.Log);
         Assert.All(scores, s => Assert.True(s.Track is not null, where + s));
-        Assert.All(scores, s => Assert.True(s.HalfAxisMetres <= LargestHalfAxis, where + s));
-        Assert.True(flight.FalseTracks.Count == 0, $"{where}{flight.FalseTracks.Count} false tracks");
+        Assert.All(scores, s => Assert.True(s.Track!.Covariance.HalfMajorAxis95Metres <= LargestHalfAxis, where + s));
+        Assert.True(score.FalseTracks.Count == 0, $"{where}{score.FalseTracks.Count} false tracks");
         Assert.True(Rmse(scores) <= LargestRmse, $"{where}RMSE {Rmse(scores)} m");
         Assert.True(flight.Mission.Coverage >= 0.98, $"{where}{flight.Mission.Coverage} seen");
         Assert.True(flight.World.Truth.Landing is not null && fromHome <= 3, $"{where}landed {fromHome} m from home");
@@ -68,7 +70,6 @@ public sealed class SearchTests(ITestOutputHelper output)
     {
         using var flight = new SearchFlight(SearchFlight.SmallPlan(), new SimulationOptions { Seed = seed, TargetCount = 3, DistractorCount = 2 });
         flight.Fly(TimeSpan.FromMinutes(10));
-        flight.Score();
         return flight.Log + string.Join("\n", flight.Tracks.Tracks.Select(t => FormattableString.Invariant($"{t.Id} {t.Position.Latitude.Radians:R} {t.Position.Longitude.Radians:R} {t.Reports}")));
     }
 

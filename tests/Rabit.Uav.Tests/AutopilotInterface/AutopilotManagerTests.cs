@@ -22,7 +22,7 @@ public class AutopilotManagerTests
         Assert.Equal((false, (byte)0), (rig.Vehicle.IsConnected, rig.Vehicle.SystemId));
         Assert.True(double.IsNaN(rig.Vehicle.BatteryRemaining));
         Assert.False(rig.OwnAddress.IsKnown);
-        Assert.Equal(1, rig.Manager.Flight.FramesOfOthers);
+        Assert.Equal(1, rig.Statistics.FramesOfOthers);
     }
 
     [Fact]
@@ -66,7 +66,7 @@ public class AutopilotManagerTests
         rig.Run(1);
 
         Assert.Equal(posts, rig.VehiclePosts);
-        Assert.Equal(1, rig.Manager.Flight.RefusedMessages);
+        Assert.Equal(1, rig.Statistics.RefusedMessages);
     }
 
     [Fact]
@@ -80,7 +80,7 @@ public class AutopilotManagerTests
 
         Assert.False(rig.Vehicle.IsConnected);
         Assert.Equal(TimeSpan.FromSeconds(7), rig.VehicleTime);
-        Assert.Equal(1, rig.Manager.Flight.Losses);
+        Assert.Equal(1, rig.Statistics.Losses);
         Assert.Equal("STABILIZE", rig.Vehicle.Mode);
     }
 
@@ -108,7 +108,7 @@ public class AutopilotManagerTests
         rig.Beat(1);
 
         Assert.True(rig.Vehicle.IsConnected);
-        Assert.Equal(1, rig.Manager.Flight.Losses);
+        Assert.Equal(1, rig.Statistics.Losses);
     }
 
     [Theory]
@@ -121,6 +121,7 @@ public class AutopilotManagerTests
         var manager = new AutopilotManager(new AutopilotOptions { RequestsRates = false });
         var reactor = new RabitReactor(time) { manager, new OutgoingSink(), new AutopilotPeers() };
         QueueSender<LinkFrame> frames = reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
+        MessageSubscriber<AutopilotStatistics> statistics = reactor.Workspace.Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         reactor.Start();
         for (int second = 0; second < 60; second++)
         {
@@ -131,7 +132,8 @@ public class AutopilotManagerTests
 
         reactor.Stop();
         reactor.Finish();
-        Assert.Equal(losses, manager.Flight.Losses);
+        statistics.Fetch();
+        Assert.Equal(losses, statistics.Value.Losses);
     }
 
     [Fact]
@@ -143,6 +145,7 @@ public class AutopilotManagerTests
         var manager = new AutopilotManager(new AutopilotOptions { RequestsRates = false });
         var reactor = new RabitReactor(time) { manager, new OutgoingSink(), new AutopilotPeers() };
         QueueSender<LinkFrame> frames = reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
+        MessageSubscriber<AutopilotStatistics> statistics = reactor.Workspace.Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         reactor.Start();
         frames.Push(AutopilotRig.FrameOf(AutopilotRig.Copter(), TimeSpan.Zero));
         reactor.RunFor(TimeSpan.FromSeconds(8.3));
@@ -150,7 +153,8 @@ public class AutopilotManagerTests
             frames.Push(AutopilotRig.FrameOf(AutopilotRig.Copter(), TimeSpan.FromSeconds(second)));
         reactor.RunFor(TimeSpan.FromSeconds(8.2));
 
-        Assert.Equal((9L, 0L), (manager.Flight.Frames, manager.Flight.Losses));
+        statistics.Fetch();
+        Assert.Equal((9L, 0L), (statistics.Value.Frames, statistics.Value.Losses));
         reactor.Stop();
         reactor.Finish();
     }
@@ -166,7 +170,7 @@ public class AutopilotManagerTests
         rig.Run();
 
         Assert.True(rig.Vehicle.IsConnected);
-        Assert.Equal(1, rig.Manager.Flight.Losses);
+        Assert.Equal(1, rig.Statistics.Losses);
     }
 
     [Fact]
@@ -180,8 +184,8 @@ public class AutopilotManagerTests
         rig.Run();
 
         Assert.Equal(posts, rig.VehiclePosts);
-        Assert.Equal(2, rig.Manager.Flight.FramesOfOthers);
-        Assert.Equal(0, rig.Manager.Flight.HeartbeatsOfOtherAutopilots);
+        Assert.Equal(2, rig.Statistics.FramesOfOthers);
+        Assert.Equal(0, rig.Statistics.HeartbeatsOfOtherAutopilots);
     }
 
     [Fact]
@@ -197,7 +201,7 @@ public class AutopilotManagerTests
 
         Assert.Equal((1, "STABILIZE", false), (rig.Vehicle.SystemId, rig.Vehicle.Mode, rig.Vehicle.IsConnected));
         Assert.Null(rig.Vehicle.PositionTime);
-        Assert.Equal((3L, 2L), (rig.Manager.Flight.FramesOfOthers, rig.Manager.Flight.HeartbeatsOfOtherAutopilots));
+        Assert.Equal((3L, 2L), (rig.Statistics.FramesOfOthers, rig.Statistics.HeartbeatsOfOtherAutopilots));
         Assert.Equal(1, rig.OwnAddress.SystemId);
     }
 
@@ -228,7 +232,6 @@ public class AutopilotManagerTests
         Assert.Equal(AutopilotManager.RecentItemsKept, rig.Texts.Count);
         Assert.Equal(Enumerable.Range(5, 20).Select(i => $"text {24 + 5 - i}"), rig.Texts.Select(t => t.Text));
         Assert.Equal((MavSeverity.Warning, TimeSpan.FromSeconds(1)), (rig.Texts.Newest!.Severity, rig.Texts.Newest.Time));
-        Assert.Equal(27, rig.Manager.Flight.StatusTexts.Count);
     }
 
     [Fact]
@@ -244,7 +247,6 @@ public class AutopilotManagerTests
         Assert.Equal([MavCmd.NavTakeoff, MavCmd.ComponentArmDisarm], rig.Acknowledgements.Select(a => a.Command));
         CommandAcknowledgement oldest = rig.Acknowledgements.Last();
         Assert.Equal((MavResult.Failed, 1, 191), (oldest.Result, oldest.TargetSystem, oldest.TargetComponent));
-        Assert.Equal(3, rig.Manager.Flight.Acknowledgements.Count);
     }
 
     [Fact]

@@ -20,6 +20,7 @@ internal sealed class AutopilotRig : IDisposable
     private readonly MessageSubscriber<RecentItems<StatusText>> _texts;
     private readonly MessageSubscriber<RecentItems<CommandAcknowledgement>> _acknowledgements;
     private readonly MessageSubscriber<CommandAuthority> _authority;
+    private readonly MessageSubscriber<AutopilotStatistics> _statistics;
     private readonly QueueSender<VehicleCommand> _commands;
     private long _index;
 
@@ -33,6 +34,7 @@ internal sealed class AutopilotRig : IDisposable
         _texts = Reactor.Workspace.Subscribe<RecentItems<StatusText>>(MessageNames.StatusTexts);
         _acknowledgements = Reactor.Workspace.Subscribe<RecentItems<CommandAcknowledgement>>(MessageNames.CommandAcknowledgements);
         _authority = Reactor.Workspace.Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
+        _statistics = Reactor.Workspace.Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         _commands = Reactor.Workspace.Send<VehicleCommand>(MessageNames.VehicleCommands);
         Reactor.Start();
         Reactor.RunFor(TimeSpan.Zero);
@@ -47,6 +49,8 @@ internal sealed class AutopilotRig : IDisposable
     public AutopilotPeers Peers { get; } = new();
 
     public CommandAuthority Authority => Fetched(_authority);
+
+    public AutopilotStatistics Statistics => Fetched(_statistics);
 
     public VehicleState Vehicle => Fetched(_vehicle);
 

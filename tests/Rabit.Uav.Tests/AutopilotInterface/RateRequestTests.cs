@@ -3,6 +3,7 @@ using System.Linq;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
+using Rabit.Uav.Messages;
 using Xunit;
 
 namespace Rabit.Uav.Tests.AutopilotInterface;
@@ -56,7 +57,7 @@ public class RateRequestTests
         rig.Run();
 
         Assert.Equal(asked, Asked(rig).Length);
-        Assert.Equal(0, rig.Manager.RateRequests.Accepted);
+        Assert.Equal(0, rig.Statistics.RateRequests.Accepted);
     }
 
     [Fact]
@@ -66,7 +67,7 @@ public class RateRequestTests
         rig.Beat(1);
         rig.Send(new CommandAck { Command = MavCmd.ComponentArmDisarm });
         rig.Run();
-        Assert.Equal(0, rig.Manager.RateRequests.Accepted);
+        Assert.Equal(0, rig.Statistics.RateRequests.Accepted);
     }
 
     [Fact]
@@ -79,7 +80,7 @@ public class RateRequestTests
         rig.Sink.Frames.Clear();
         rig.Beat(20);
         Assert.Empty(Asked(rig));
-        Assert.Equal((1L, 1L), (rig.Manager.RateRequests.Accepted, rig.Manager.RateRequests.Refused));
+        Assert.Equal((1L, 1L), (rig.Statistics.RateRequests.Accepted, rig.Statistics.RateRequests.Refused));
 
         rig.Run(10);
         rig.Beat(1);
@@ -111,7 +112,7 @@ public class RateRequestTests
         rig.Run();
 
         Assert.Equal(30, Assert.Single(Asked(rig)));
-        Assert.Equal((1L, 0L), (rig.Manager.Flight.Reboots, rig.Manager.Flight.Losses));
+        Assert.Equal((1L, 0L), (rig.Statistics.Reboots, rig.Statistics.Losses));
     }
 
     [Fact]
@@ -134,7 +135,7 @@ public class RateRequestTests
 
     private static (long Accepted, long Refused, long Unanswered, long Sent) Counts(AutopilotRig rig)
     {
-        RateRequestCounts counts = rig.Manager.RateRequests;
+        RateRequestCounts counts = rig.Statistics.RateRequests;
         return (counts.Accepted, counts.Refused, counts.Unanswered, counts.Sent);
     }
 }

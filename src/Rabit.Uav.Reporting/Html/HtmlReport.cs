@@ -1,0 +1,160 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Rabit.Uav.Reporting.Html;
+
+namespace Rabit.Uav.Reporting;
+
+/// <summary>
+/// Writes the report of a flight: one page of HTML that needs neither network nor other files, with the map, the
+/// targets, time lines of the flight and of the managers, decisions, health and faults.
+/// </summary>
+/// <example>
+/// <code>
+/// using StreamWriter file = File.CreateText("mission-report.html");
+/// HtmlReport.Write(file, summary);
+/// </code>
+/// </example>
+public sealed class HtmlReport
+{
+    private const int MaxCursorPoints = 600;
+
+    private readonly PageWriter _page = new();
+    private readonly FlightSummary _summary;
+    private readonly MapFrame? _frame;
+
+    private HtmlReport(FlightSummary summary)
+    {
+        _summary = summary;
+        _frame = MapFrame.Of(summary);
+    }
+
+    /// <summary>Writes the whole page.</summary>
+    /// <param name="output">Where to; it is neither flushed nor closed. Its encoding must be UTF-8.</param>
+    /// <param name="summary">What to report.</param>
+    public static void Write(TextWriter output, FlightSummary summary)
+    {
+        if (output is null)
+            throw new ArgumentNullException(nameof(output));
+        var report = new HtmlReport(summary ?? throw new ArgumentNullException(nameof(summary)));
+        report.WritePage();
+        output.Write("<!DOCTYPE html>\n");
+        output.Write(report._page.ToString());
+    }
+
+    private void WritePage()
+    {
+        _page.Open("html", "lang", "en", "xmlns", "http://www.w3.org/1999/xhtml");
+        _page.Open("head").Empty("meta", "charset", "utf-8");
+        _page.Empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
+        _page.Empty("meta", "name", "color-scheme", "content", "light dark");
+        _page.Element("title", Title);
+        _page.Open("style").Raw(Resource("report.css")).Close().Close();
+        _page.Open("body").Open("main");
+        WriteHead();
+        if (_summary.Mission is { } mission)
+            WriteTiles(mission);
+        if (_frame is not null)
+            new ReportMap(_page, _summary, _frame).Write();
+        new ReportTargets(_page, _summary).Write();
+        new ReportTimeLines(_page, _summary).Write();
+        new ReportTables(_page, _summary).Write();
+        _page.Close();
+        WriteScript();
+        _page.Close().Close();
+    }
+
+    private string Title => _summary.Mission switch
+    {
+        null => "Flight report",
+        { Plan.Name: { Length: > 0 } name } => "Mission report: " + name,
+        _ => "Mission report",
+    };
+
+    private void WriteHead()
+    {
+        _page.Open("header").Element("p", "Rabit mission report", "class", "eyebrow");
+        if (_summary.Mission is not { } mission)
+        {
+            _page.Element("h1", "A flight that was observed").Element("p", _summary.Source, "class", "lead").Close();
+            return;
+        }
+
+        _page.Element("h1", mission.Plan is { Name.Length: > 0 } plan ? plan.Name : "Mission");
+        _page.Open("p", "class", "verdict " + (mission.HasPassed ? "good" : "bad"))
+            .Element("strong", mission.HasPassed ? "Mission accomplished" : "Mission failed")
+            .Text(" " + Verdict(mission)).Close();
+        if (mission.Failures.Count > 1)
+        {
+            _page.Open("ul", "class", "failures");
+            foreach (string failure in mission.Failures)
+                _page.Element("li", failure);
+            _page.Close();
+        }
+
+        if (mission.Aborted is { } aborted)
+            _page.Element("p", "The search was given up before its end: " + aborted, "class", "aborted");
+        _page.Element("p", _summary.Source, "class", "lead").Close();
+    }
+
+    private static string Verdict(MissionSummary mission)
+    {
+        if (mission.Failures.Count == 1)
+            return mission.Failures[0];
+        if (mission.Failures.Count > 1)
+            return $"for {FlightText.Number(mission.Failures.Count)} reasons";
+        string targets = mission.Score is { } score ? $"{FlightText.Number(score.Found)} of {FlightText.Number(score.Targets.Count)} targets found, " : string.Empty;
+        return targets + "landed at home";
+    }
+
+    private void WriteTiles(MissionSummary mission)
+    {
+        _page.Open("div", "class", "tiles");
+        if (mission.Score is { } score)
+        {
+            Tile("targets found", $"{FlightText.Number(score.Found)} / {FlightText.Number(score.Targets.Count)}", score.FalseTracks.Count == 0 ? "no false track" : $"{FlightText.Number(score.FalseTracks.Count)} false");
+            Tile("position error", $"{FlightText.Number(score.RmseMetres, "0.00")} m", $"RMS; {FlightText.Number(score.InEllipse)} of {FlightText.Number(score.Found)} in their ellipse");
+        }
+
+        Tile("area covered", $"{FlightText.Number(mission.CoveragePercent, "0.0")} %", $"{FlightText.Number(mission.LanesFlown)} lanes flown");
+        Tile("path flown", $"{FlightText.Number(mission.FlownMetres, "0")} m", mission.OutsideFenceMetres > 0 ? $"{FlightText.Number(mission.OutsideFenceMetres, "0.0")} m outside the fence" : "inside the fence");
+        Tile("flight time", FlightText.Clock(mission.FlightTime) + " min", "motors on");
+        Tile("battery used", $"{FlightText.Number(mission.BatteryUsedPercent, "0")} %", "of its capacity");
+        Tile("landed", mission.HasLanded ? $"{FlightText.Number(mission.DistanceFromHomeMetres, "0.0")} m" : "no", "from home");
+        _page.Close();
+    }
+
+    private void Tile(string name, string value, string note)
+        => _page.Open("div", "class", "tile").Element("span", name).Element("b", value).Element("small", note).Close();
+
+    private void WriteScript()
+    {
+        _page.Open("script", "type", "application/json", "id", "flight").Raw(CursorPoints()).Close();
+        _page.Open("script").Raw(Resource("report.js")).Close();
+    }
+
+    // Numbers only: nothing from outside gets into the script.
+    private string CursorPoints()
+    {
+        if (_frame is null)
+            return "[]";
+        FlightSample[] samples = _summary.Record.Samples.Where(s => s.HasPosition).ToArray();
+        int stride = Math.Max(1, samples.Length / MaxCursorPoints);
+        IEnumerable<string> points = samples.Where((_, index) => index % stride == 0).Select(s =>
+        {
+            (double x, double y) = _frame.ToMap(s.Position);
+            double[] values = [s.Time.TotalSeconds, x, y, s.HeightAboveHomeMetres, s.GroundSpeed, s.BatteryRemaining * 100, s.Coverage * 100];
+            return "[" + string.Join(",", values.Select(v => double.IsNaN(v) || double.IsInfinity(v) ? "null" : FlightText.Number(v, "0.#"))) + "]";
+        });
+        return "[" + string.Join(",", points) + "]";
+    }
+
+    private static string Resource(string name)
+    {
+        using Stream stream = typeof(HtmlReport).Assembly.GetManifestResourceStream("Rabit.Uav.Reporting.Html." + name)!;
+        using var reader = new StreamReader(stream, Encoding.UTF8);
+        return reader.ReadToEnd();
+    }
+}

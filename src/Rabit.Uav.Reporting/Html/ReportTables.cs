@@ -1,0 +1,142 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+
+namespace Rabit.Uav.Reporting.Html;
+
+/// <summary>The tables of the page: decisions and events, health, managers, and how the run was started.</summary>
+internal sealed class ReportTables(PageWriter page, FlightSummary data)
+{
+    private const int MaxEvents = 1_500;
+
+    public void Write()
+    {
+        WriteEvents();
+        WriteHealth();
+        WriteManagers();
+        WriteRun();
+    }
+
+    private void WriteEvents()
+    {
+        FlightEvent[] events = data.Events.Where(e => e.Kind != RabitLogKind.Run).ToArray();
+        FlightEvent[] shown = events.Length <= MaxEvents
+            ? events
+            : events.Take(MaxEvents / 2).Concat(events.Skip(events.Length - (MaxEvents / 2))).ToArray();
+        page.Open("section").Element("h2", "Decisions and events");
+        page.Open("div", "class", "card scroll").Open("table", "class", "events");
+        Head("#time", "by", "what");
+        page.Open("tbody");
+        foreach (FlightEvent e in shown)
+            WriteEvent(e);
+        page.Close().Close().Close();
+        if (data.EventCount > shown.Length)
+            page.Element("p", $"{FlightText.Number(data.EventCount - shown.Length)} more are left out; --log FILE keeps all.", "class", "note");
+        page.Close();
+    }
+
+    private void WriteEvent(FlightEvent e)
+    {
+        string kind = e.Kind switch
+        {
+            RabitLogKind.Fault => "fault",
+            RabitLogKind.Manager when IsDecision(e) => "decision",
+            RabitLogKind.Manager => string.Empty,
+            _ => "quiet",
+        };
+        page.Open("tr", "class", kind);
+        page.Element("td", FlightText.Number(e.Time.TotalSeconds, "0.00"), "class", "number").Element("td", e.Source, "class", "source").Element("td", e.Text);
+        page.Close();
+    }
+
+    // The orders that follow from a decision are many, and not to be in front of it.
+    private static bool IsDecision(FlightEvent e)
+        => e.Source == MissionControlManager.ManagerName && !e.Text.StartsWith("command ", StringComparison.Ordinal);
+
+    private void WriteHealth()
+    {
+        page.Open("section").Element("h2", "Health and faults").Open("div", "class", "card scroll").Open("table");
+        Head("#time", "level", "what", "asked for");
+        page.Open("tbody");
+        foreach (HealthChange change in data.Record.HealthChanges)
+        {
+            HealthReport report = change.Report;
+            page.Open("tr", "class", "h-row-" + report.Level.ToString().ToLowerInvariant());
+            page.Element("td", FlightText.Number(change.Time.TotalSeconds, "0.00"), "class", "number");
+            page.Open("td", "class", "name").Element("b", report.Level.ToString(), "class", "level").Close();
+            page.Element("td", report.Text ?? "nothing to report").Element("td", Advice(report.Advice), "class", "name");
+            page.Close();
+        }
+
+        page.Close().Close().Close().Close();
+    }
+
+    private void WriteManagers()
+    {
+        page.Open("section").Element("h2", "Managers").Open("div", "class", "card scroll").Open("table");
+        Head("manager", "#runs", "#work, mean ms", "#longest ms", "#total s", "#faults", "ended");
+        page.Open("tbody");
+        foreach (ManagerSummary manager in data.Managers)
+        {
+            page.Open("tr", "class", manager.Faults > 0 ? "fault" : string.Empty).Element("td", manager.Name, "class", "name");
+            foreach (string figure in NumbersOf(manager))
+                page.Element("td", figure, "class", "number");
+            page.Element("td", manager.Outcome).Close();
+            if (manager.FirstFault is { } fault)
+                page.Open("tr", "class", "fault").Element("td", "first fault: " + fault, "colspan", "7").Close();
+        }
+
+        page.Close().Close().Close().Close();
+    }
+
+    private static IEnumerable<string> NumbersOf(ManagerSummary manager) =>
+    [
+        FlightText.Number(manager.Runs),
+        FlightText.Number(manager.MeanWork.TotalMilliseconds, "0.000"),
+        FlightText.Number(manager.LongestWork.TotalMilliseconds, "0.0"),
+        FlightText.Number(manager.TotalWork.TotalSeconds, "0.00"),
+        FlightText.Number(manager.Faults),
+    ];
+
+    private void WriteRun()
+    {
+        ImagingStatus imaging = data.Record.Imaging;
+        page.Open("section").Element("h2", "Run").Open("div", "class", "card").Open("dl", "class", "run");
+        Fact("command line", data.CommandLine);
+        Fact("flown", data.Source);
+        if (data.Seed is { } seed)
+            Fact("seed", FlightText.Number(seed));
+        Fact("ended by", data.StopReason);
+        if (imaging.HasCamera)
+        {
+            Fact(
+                "camera",
+                $"{FlightText.Number(imaging.Frames)} pictures, {FlightText.Number(imaging.Looks)} searched, {FlightText.Number(imaging.FramesRefused)} refused, "
+                + $"{FlightText.Number(imaging.FramesDropped)} lost, {FlightText.Number(imaging.Reports)} reports" + (imaging.Fault is { } fault ? $", {fault}" : string.Empty));
+        }
+
+        page.Close().Close().Close();
+    }
+
+    private void Fact(string name, string value) => page.Element("dt", name).Element("dd", value);
+
+    // A # before the name: a column of numbers.
+    private void Head(params string[] names)
+    {
+        page.Open("thead").Open("tr");
+        foreach (string name in names)
+            page.Element("th", name.TrimStart('#'), "scope", "col", "class", name[0] == '#' ? "number" : string.Empty);
+        page.Close().Close();
+    }
+
+    private static string Advice(HealthAdvice advice) => advice switch
+    {
+        HealthAdvice.None => "–",
+        HealthAdvice.ReturnToLaunch => "return to launch",
+        HealthAdvice.Land => "land",
+        _ => advice.ToString(),
+    };
+}

@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Reporting;
+
+/// <summary>What a <see cref="FlightRecorderManager"/> has recorded of a flight so far. Immutable.</summary>
+public sealed class FlightRecord
+{
+    /// <summary>Nothing yet.</summary>
+    public static FlightRecord Empty { get; } = new();
+
+    /// <summary>Oldest first, evenly spaced.</summary>
+    public IReadOnlyList<FlightSample> Samples { get; init; } = [];
+
+    /// <summary>Pictures that were searched, and the ground that they show; evenly spaced.</summary>
+    public IReadOnlyList<CameraObservation> Observations { get; init; } = [];
+
+    /// <summary>The best image chip of each track.</summary>
+    public IReadOnlyList<ImageChip> Pictures { get; init; } = [];
+
+    /// <summary>Changes of the mission's phase, oldest first.</summary>
+    public IReadOnlyList<PhaseChange> Phases { get; init; } = [];
+
+    /// <summary>Changes of the health report, oldest first.</summary>
+    public IReadOnlyList<HealthChange> HealthChanges { get; init; } = [];
+
+    /// <summary>State and counts of each recorded manager over time.</summary>
+    public IReadOnlyList<ManagerTimeLine> Managers { get; init; } = [];
+
+    /// <summary>What the frames contain.</summary>
+    public TelemetryRecord Telemetry { get; init; } = new();
+
+    /// <summary>As last posted.</summary>
+    public AutopilotStatistics Autopilot { get; init; }
+
+    /// <summary>As last posted.</summary>
+    public VehicleState Vehicle { get; init; }
+
+    /// <summary>As last posted.</summary>
+    public MissionStatus Mission { get; init; }
+
+    /// <summary>As last posted.</summary>
+    public HealthReport Health { get; init; }
+
+    /// <summary>As last posted.</summary>
+    public ImagingStatus Imaging { get; init; }
+
+    /// <summary>As last posted.</summary>
+    public CommandAuthority Authority { get; init; }
+
+    /// <summary>As last posted.</summary>
+    public TrackList Tracks { get; init; } = TrackList.None;
+
+    /// <summary>Length of the path that was flown, metres: speed over ground and climb, integrated over time.</summary>
+    public double FlownMetres { get; init; }
+
+    /// <summary>How long the vehicle was armed.</summary>
+    public TimeSpan ArmedTime { get; init; }
+
+    /// <summary>The greatest height above home, metres.</summary>
+    public double MaxHeightAboveHomeMetres { get; init; }
+
+    /// <summary>
+    /// The remaining charge of the battery when it was first reported, 0 to 1; NaN where it never was.
+    /// </summary>
+    public double FirstBatteryRemaining { get; init; } = double.NaN;
+}

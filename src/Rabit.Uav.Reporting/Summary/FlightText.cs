@@ -1,0 +1,79 @@
+using System;
+using System.Globalization;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Reporting;
+
+/// <summary>
+/// Words and figures of a flight for people, the same in every culture: what the summary, the report and a screen
+/// have in common.
+/// </summary>
+public static class FlightText
+{
+    /// <summary>A number; a dash where it is not known.</summary>
+    /// <param name="value">NaN and infinity are not known.</param>
+    /// <param name="format">A format of .NET.</param>
+    public static string Number(double value, string format = "0.##")
+        => double.IsNaN(value) || double.IsInfinity(value) ? "–" : value.ToString(format, CultureInfo.InvariantCulture);
+
+    /// <summary>A whole number.</summary>
+    /// <param name="value">The number.</param>
+    public static string Number(long value) => value.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>Minutes and seconds, <c>12:05</c>.</summary>
+    /// <param name="time">By the clock of the run.</param>
+    public static string Clock(TimeSpan time)
+        => string.Format(CultureInfo.InvariantCulture, "{0}:{1:00}", (long)Math.Floor(time.TotalMinutes), time.Seconds);
+
+    /// <summary>Seconds in a column of 12 characters, to begin a line with.</summary>
+    /// <param name="time">By the clock of the run.</param>
+    public static string TimeStamp(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0,10:0.000}  ", time.TotalSeconds);
+
+    /// <summary>
+    /// A text from outside without what breaks a line, controls a terminal or turns the direction of writing: a dot
+    /// in its place.
+    /// </summary>
+    /// <param name="text">The text.</param>
+    public static string Printable(string text) => new((text ?? throw new ArgumentNullException(nameof(text))).Select(c => IsControl(c) ? '.' : c).ToArray());
+
+    /// <summary>The level, and the text where there is one.</summary>
+    /// <param name="health">The report.</param>
+    public static string Health(in HealthReport health) => health.Text is null ? health.Level.ToString() : $"{health.Level}: {health.Text}";
+
+    /// <summary>The name by which an autopilot is known.</summary>
+    /// <param name="autopilot">As its heartbeat says.</param>
+    public static string Autopilot(MavAutopilot autopilot) => autopilot switch
+    {
+        MavAutopilot.Ardupilotmega => "ArduPilot",
+        MavAutopilot.Px4 => "PX4",
+        _ => autopilot.ToString(),
+    };
+
+    /// <summary>The short name of a phase.</summary>
+    /// <param name="phase">The phase.</param>
+    public static string Phase(MissionPhase phase) => phase switch
+    {
+        MissionPhase.NoMission => "no mission",
+        MissionPhase.WaitingForVehicle => "waiting",
+        MissionPhase.Arming => "arming",
+        MissionPhase.TakingOff => "take-off",
+        MissionPhase.InTransit => "transit",
+        MissionPhase.Searching => "searching",
+        MissionPhase.Looking => "revisit",
+        MissionPhase.Returning => "returning",
+        MissionPhase.Landing => "landing",
+        MissionPhase.Done => "done",
+        MissionPhase.HandedOver => "handed over",
+        MissionPhase.Failed => "failed",
+        _ => phase.ToString(),
+    };
+
+    // Seven decimals: a centimetre.
+    internal static string Degrees(double radians) => Number(Angle.FromRadians(radians).Degrees, "0.0000000");
+
+    // Format characters turn the direction of a line around, or are invisible.
+    private static bool IsControl(char c) => char.IsControl(c) || char.GetUnicodeCategory(c) == UnicodeCategory.Format;
+}

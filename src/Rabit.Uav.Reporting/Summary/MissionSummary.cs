@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Reporting;
+
+/// <summary>
+/// The result of a mission in figures and words: what Mission Control posted (<see cref="MissionResult"/>) and, where
+/// the truth is known, the score of its targets. Immutable.
+/// </summary>
+public sealed class MissionSummary
+{
+    /// <summary>Summarises a mission.</summary>
+    /// <param name="record">The flight.</param>
+    /// <param name="score">
+    /// Null where the truth is not known. Where it is, a mission that was given up after all its targets were found
+    /// has passed.
+    /// </param>
+    public MissionSummary(FlightRecord record, MissionScore? score)
+    {
+        if (record is null)
+            throw new ArgumentNullException(nameof(record));
+        MissionStatus mission = record.Mission;
+        Score = score;
+        Plan = mission.Plan;
+        Phase = mission.Phase;
+        Text = mission.Text;
+        Aborted = mission.Aborted;
+        CoveragePercent = mission.Coverage * 100;
+        LanesFlown = mission.LanesFlown;
+        Revisits = mission.Revisits;
+        FlownMetres = record.FlownMetres;
+        FlightTime = record.ArmedTime;
+        double remaining = record.Vehicle.BatteryTime is null ? double.NaN : record.Vehicle.BatteryRemaining;
+        BatteryUsedPercent = (record.FirstBatteryRemaining - remaining) * 100;
+        HasLanded = mission.Result.HasLanded;
+        DistanceFromHomeMetres = score?.DistanceFromHomeMetres ?? mission.Result.DistanceFromHomeMetres;
+        OutsideFenceMetres = mission.Result.OutsideFenceMetres;
+        Failures = [.. TargetFailures(score), .. FlightFailures(record)];
+    }
+
+    /// <summary>Compared with the truth; null where it is not known.</summary>
+    public MissionScore? Score { get; }
+
+    /// <summary>The plan that was flown; null where Mission Control did not make one.</summary>
+    public SearchPlan? Plan { get; }
+
+    /// <summary>The last phase.</summary>
+    public MissionPhase Phase { get; }
+
+    /// <summary>What Mission Control said of its last phase; null for nothing.</summary>
+    public string? Text { get; }
+
+    /// <summary>Why the search was given up before its end; null where it was not.</summary>
+    public string? Aborted { get; }
+
+    /// <summary>The part of the area that was searched, 0 to 100.</summary>
+    public double CoveragePercent { get; }
+
+    /// <summary>How many segments of the lanes were flown.</summary>
+    public int LanesFlown { get; }
+
+    /// <summary>How many tracks were revisited.</summary>
+    public int Revisits { get; }
+
+    /// <summary>Length of the path that was flown, metres.</summary>
+    public double FlownMetres { get; }
+
+    /// <summary>From arming to disarming.</summary>
+    public TimeSpan FlightTime { get; }
+
+    /// <summary>Used part of the battery, 0 to 100; NaN where the autopilot does not know it.</summary>
+    public double BatteryUsedPercent { get; }
+
+    /// <summary>Whether the vehicle took off and is on the ground with its motors off.</summary>
+    public bool HasLanded { get; }
+
+    /// <summary>
+    /// Horizontal distance from home at the end, metres, by the truth where it is known; NaN where it is not known at
+    /// all.
+    /// </summary>
+    public double DistanceFromHomeMetres { get; }
+
+    /// <summary>The largest distance that the vehicle was outside the fence, metres; 0 where it never was.</summary>
+    public double OutsideFenceMetres { get; }
+
+    /// <summary>Why the mission failed, for people; none where it passed.</summary>
+    public IReadOnlyList<string> Failures { get; }
+
+    /// <summary>Whether the mission did what was asked for.</summary>
+    public bool HasPassed => Failures.Count == 0;
+
+    private static IEnumerable<string> TargetFailures(MissionScore? score)
+    {
+        if (score is null)
+            yield break;
+        foreach (TargetScore missed in score.Targets.Where(t => !t.IsFound))
+            yield return $"target {missed.Name} ({TargetClassNames.Name(missed.Class)}) was not found";
+        foreach (TargetTrack track in score.FalseTracks)
+            yield return $"track {FlightText.Number(track.Id)} ({TargetClassNames.Name(track.Class)}) was confirmed and is not a target";
+    }
+
+    private IEnumerable<string> FlightFailures(FlightRecord record)
+    {
+        MissionResult result = record.Mission.Result;
+        if (Score is null && (result.Failures & MissionFailures.GivenUp) != 0)
+            yield return "the search was given up before its end: " + Aborted;
+        if (!result.HasFlown)
+            yield return "it did not fly" + (Text is { } why ? $" ({why})" : string.Empty);
+        else if (!HasLanded)
+            yield return $"it has not landed: it is armed, {Metres(record.Vehicle.HeightAboveHomeMetres)} high, in mode {record.Vehicle.Mode ?? "not known"}; it is not commanded any more";
+        else if (double.IsNaN(DistanceFromHomeMetres))
+            yield return "where it landed is not known";
+        else if (DistanceFromHomeMetres > MissionResult.MaxLandingDistanceMetres)
+            yield return $"it landed {Metres(DistanceFromHomeMetres)} from home";
+        if (OutsideFenceMetres > 0)
+            yield return $"it was {Metres(OutsideFenceMetres)} outside the fence";
+    }
+
+    private static string Metres(double value) => value.ToString("0.0", CultureInfo.InvariantCulture) + " m";
+}

@@ -1,0 +1,209 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Reporting;
+
+/// <summary>Writes the result of a mission for programs; docs/uavconsole-summary.md describes the fields.</summary>
+internal static class MissionSummaryJson
+{
+
+    public static void Write(Utf8JsonWriter json, FlightSummary summary, MissionSummary mission)
+    {
+        json.WriteStartObject("mission");
+        WriteResult(json, summary, mission);
+        WriteScore(json, mission.Score);
+        WriteTracks(json, summary.Record.Tracks.Tracks);
+        WritePhases(json, summary.Record.Phases);
+        WriteHealth(json, summary.Record.HealthChanges);
+        WriteImaging(json, summary.Record.Imaging);
+        WriteManagers(json, summary.Managers);
+        json.WriteEndObject();
+    }
+
+    private static void WriteResult(Utf8JsonWriter json, FlightSummary summary, MissionSummary mission)
+    {
+        json.WriteString("name", mission.Plan?.Name);
+        json.WriteString("commandLine", summary.CommandLine);
+        if (summary.Seed is { } seed)
+            json.WriteNumber("seed", seed);
+        else
+            json.WriteNull("seed");
+        json.WriteBoolean("passed", mission.HasPassed);
+        json.WriteStartArray("failures");
+        foreach (string failure in mission.Failures)
+            json.WriteStringValue(failure);
+        json.WriteEndArray();
+        json.WriteString("phase", mission.Phase.ToString());
+        json.WriteString("aborted", mission.Aborted);
+        WriteNumber(json, "coveragePercent", mission.CoveragePercent);
+        WriteNumber(json, "pathMetres", mission.FlownMetres);
+        WriteNumber(json, "flightTimeSeconds", mission.FlightTime.TotalSeconds);
+        WriteNumber(json, "runTimeSeconds", summary.RunTime.TotalSeconds);
+        WriteNumber(json, "batteryUsedPercent", mission.BatteryUsedPercent);
+        json.WriteBoolean("landed", mission.HasLanded);
+        WriteNumber(json, "distanceFromHomeMetres", mission.DistanceFromHomeMetres);
+        WriteNumber(json, "outsideFenceMetres", mission.OutsideFenceMetres);
+        json.WriteNumber("lanesFlown", mission.LanesFlown);
+        json.WriteNumber("revisits", mission.Revisits);
+    }
+
+    private static void WriteScore(Utf8JsonWriter json, MissionScore? score)
+    {
+        if (score is null)
+        {
+            json.WriteNull("score");
+            return;
+        }
+
+        json.WriteStartObject("score");
+        json.WriteNumber("targets", score.Targets.Count);
+        json.WriteNumber("found", score.Found);
+        json.WriteNumber("false", score.FalseTracks.Count);
+        WriteNumber(json, "rmseMetres", score.RmseMetres);
+        json.WriteNumber("inEllipse", score.InEllipse);
+        json.WriteStartArray("falseTrackIds");
+        foreach (TargetTrack track in score.FalseTracks)
+            json.WriteNumberValue(track.Id);
+        json.WriteEndArray();
+        json.WriteEndObject();
+
+        json.WriteStartArray("targets");
+        foreach (TargetScore target in score.Targets)
+            WriteTarget(json, target);
+        json.WriteEndArray();
+    }
+
+    private static void WriteTarget(Utf8JsonWriter json, TargetScore target)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", target.Name);
+        json.WriteString("class", TargetClassNames.Name(target.Class));
+        WritePosition(json, target.Position);
+        json.WriteBoolean("found", target.IsFound);
+        if (target.Track is { } track)
+        {
+            json.WriteNumber("trackId", track.Id);
+            WriteNumber(json, "errorMetres", target.ErrorMetres);
+            WriteNumber(json, "errorNorthMetres", target.ErrorNorthMetres);
+            WriteNumber(json, "errorEastMetres", target.ErrorEastMetres);
+            WriteEllipse(json, track.Covariance);
+            json.WriteBoolean("ellipseContainsTruth", target.EllipseContainsTruth);
+        }
+
+        json.WriteEndObject();
+    }
+
+    private static void WriteTracks(Utf8JsonWriter json, IEnumerable<TargetTrack> tracks)
+    {
+        json.WriteStartArray("tracks");
+        foreach (TargetTrack track in tracks.Where(t => t.State != TrackState.Tentative))
+        {
+            json.WriteStartObject();
+            json.WriteNumber("id", track.Id);
+            json.WriteString("state", track.State.ToString());
+            json.WriteString("class", TargetClassNames.Name(track.Class));
+            WritePosition(json, track.Position);
+            WriteEllipse(json, track.Covariance);
+            json.WriteNumber("reports", track.Reports);
+            json.WriteNumber("misses", track.Misses);
+            WriteNumber(json, "firstSeenSeconds", track.FirstSeen.TotalSeconds);
+            WriteNumber(json, "lastSeenSeconds", track.LastSeen.TotalSeconds);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WritePhases(Utf8JsonWriter json, IEnumerable<PhaseChange> phases)
+    {
+        json.WriteStartArray("phases");
+        foreach (PhaseChange change in phases)
+        {
+            json.WriteStartObject();
+            WriteNumber(json, "timeSeconds", change.Time.TotalSeconds);
+            json.WriteString("phase", change.Phase.ToString());
+            json.WriteString("text", change.Text);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteHealth(Utf8JsonWriter json, IEnumerable<HealthChange> changes)
+    {
+        json.WriteStartArray("healthChanges");
+        foreach (HealthChange change in changes)
+        {
+            json.WriteStartObject();
+            WriteNumber(json, "timeSeconds", change.Time.TotalSeconds);
+            json.WriteString("level", change.Report.Level.ToString());
+            json.WriteString("reasons", change.Report.Reasons.ToString());
+            json.WriteString("advice", change.Report.Advice.ToString());
+            json.WriteString("text", change.Report.Text);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteImaging(Utf8JsonWriter json, in ImagingStatus imaging)
+    {
+        json.WriteStartObject("imaging");
+        json.WriteNumber("frames", imaging.Frames);
+        json.WriteNumber("observations", imaging.Looks);
+        json.WriteNumber("framesDropped", imaging.FramesDropped);
+        json.WriteNumber("framesRefused", imaging.FramesRefused);
+        json.WriteNumber("reports", imaging.Reports);
+        json.WriteNumber("detector_failures", imaging.DetectorFailures);
+        json.WriteNumber("detections_refused", imaging.DetectionsRefused);
+        json.WriteNumber("detector_overruns", imaging.DetectorOverruns);
+        json.WriteString("fault", imaging.Fault);
+        json.WriteEndObject();
+    }
+
+    private static void WriteManagers(Utf8JsonWriter json, IEnumerable<ManagerSummary> managers)
+    {
+        json.WriteStartArray("managers");
+        foreach (ManagerSummary manager in managers)
+        {
+            json.WriteStartObject();
+            json.WriteString("name", manager.Name);
+            json.WriteString("outcome", manager.Outcome);
+            json.WriteNumber("runs", manager.Runs);
+            WriteNumber(json, "workMeanMilliseconds", manager.MeanWork.TotalMilliseconds);
+            WriteNumber(json, "workMaxMilliseconds", manager.LongestWork.TotalMilliseconds);
+            WriteNumber(json, "workTotalSeconds", manager.TotalWork.TotalSeconds);
+            json.WriteNumber("faults", manager.Faults);
+            json.WriteString("firstFault", manager.FirstFault);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WritePosition(Utf8JsonWriter json, GeodeticPosition position)
+    {
+        WriteNumber(json, "latitudeDegrees", Angle.FromRadians(position.Latitude.Radians).Degrees, 9);
+        WriteNumber(json, "longitudeDegrees", Angle.FromRadians(position.Longitude.Radians).Degrees, 9);
+    }
+
+    private static void WriteEllipse(Utf8JsonWriter json, in HorizontalCovariance covariance)
+    {
+        WriteNumber(json, "ellipse95HalfMajorAxisMetres", covariance.HalfMajorAxis95Metres);
+        WriteNumber(json, "ellipse95HalfMinorAxisMetres", covariance.HalfMinorAxis95Metres);
+        WriteNumber(json, "ellipseMajorAxisDegrees", Angle.FromRadians(covariance.MajorAxis.Radians).Degrees);
+    }
+
+    // JSON has no NaN. Rounded, so that runtimes that print differently give the same text.
+    private static void WriteNumber(Utf8JsonWriter json, string name, double value, int decimals = 4)
+    {
+        if (!(Math.Abs(value) < 1e15))
+            json.WriteNull(name);
+        else
+            json.WriteNumber(name, (decimal)Math.Round(value, decimals));
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// Pairs tracks with the real targets of the same class: nearest pairs first, each target and each track once.
+/// </summary>
+public static class TargetScoring
+{
+    /// <summary>A track farther from a target than this is not a track of that target, metres.</summary>
+    public const double GateMetres = 10;
+
+    /// <summary>Scores a mission.</summary>
+    /// <param name="truth">The real targets.</param>
+    /// <param name="record">The flight.</param>
+    /// <param name="trueEnd">
+    /// Where the vehicle really is at the end; null where only the autopilot's own position is known.
+    /// </param>
+    public static MissionScore Score(TargetTruth truth, FlightRecord record, GeodeticPosition? trueEnd)
+    {
+        if (record is null)
+            throw new ArgumentNullException(nameof(record));
+        return Score(truth, record.Tracks.Tracks, DistanceFromHome(record.Mission.Plan, trueEnd));
+    }
+
+    /// <summary>Scores tracks.</summary>
+    /// <param name="truth">The real targets.</param>
+    /// <param name="tracks">Confirmed ones count; others are ignored.</param>
+    public static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks) => Score(truth, tracks, null);
+
+    private static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks, double? distanceFromHomeMetres)
+    {
+        if (truth is null)
+            throw new ArgumentNullException(nameof(truth));
+        TargetTrack[] confirmed = (tracks ?? throw new ArgumentNullException(nameof(tracks)))
+            .Where(t => t.State == TrackState.Confirmed).OrderBy(t => t.Id).ToArray();
+        var trackOf = new TargetTrack?[truth.Targets.Count];
+        var isTaken = new HashSet<int>();
+        foreach ((int target, TargetTrack track, _) in Pairs(truth, confirmed))
+        {
+            if (trackOf[target] is null && isTaken.Add(track.Id))
+                trackOf[target] = track;
+        }
+
+        return new MissionScore
+        {
+            Targets = truth.Targets.Select((t, index) => Of(t, trackOf[index])).ToArray(),
+            FalseTracks = confirmed.Where(t => !isTaken.Contains(t.Id)).ToArray(),
+            DistanceFromHomeMetres = distanceFromHomeMetres,
+        };
+    }
+
+    // By distance; among equals by target and track, so that the same tracks always score the same.
+    private static IEnumerable<(int Target, TargetTrack Track, double Metres)> Pairs(TargetTruth truth, TargetTrack[] tracks)
+        => Enumerable.Range(0, truth.Targets.Count)
+            .SelectMany(target => tracks
+                .Where(t => t.Class == truth.Targets[target].Class)
+                .Select(t => (Target: target, Track: t, Metres: Of(truth.Targets[target], t).ErrorMetres)))
+            .Where(p => p.Metres <= GateMetres)
+            .OrderBy(p => p.Metres).ThenBy(p => p.Target).ThenBy(p => p.Track.Id);
+
+    private static TargetScore Of(TruthTarget target, TargetTrack? track)
+    {
+        // Both on the ellipsoid: a difference in height is no error.
+        NedVector error = track is null
+            ? default
+            : LocalNedFrame.IgnoringGeoid(OnEllipsoid(target.Position)).ToNed(OnEllipsoid(track.Position));
+        return new TargetScore
+        {
+            Name = target.Name,
+            Class = target.Class,
+            Position = target.Position,
+            Track = track,
+            ErrorNorthMetres = error.North,
+            ErrorEastMetres = error.East,
+        };
+    }
+
+    private static double? DistanceFromHome(SearchPlan? plan, GeodeticPosition? trueEnd)
+    {
+        if (plan is null || trueEnd is not { } end)
+            return null;
+        NedVector offset = LocalNedFrame.IgnoringGeoid(plan.Home).ToNed(end);
+        return Math.Sqrt((offset.North * offset.North) + (offset.East * offset.East));
+    }
+
+    private static GeodeticPosition OnEllipsoid(GeodeticPosition position)
+        => GeodeticPosition.FromRadians(position.Latitude.Radians, position.Longitude.Radians, 0);
+}

@@ -1,0 +1,26 @@
+namespace Rabit.Uav.Messages;
+
+/// <summary>What Autopilot Interface counted since the start. A plain value.</summary>
+public struct AutopilotStatistics
+{
+    /// <summary>Frames that Communications handed over.</summary>
+    public long Frames { get; set; }
+
+    /// <summary>Those of them that came from other systems or components than the autopilot, or before it was known.</summary>
+    public long FramesOfOthers { get; set; }
+
+    /// <summary>Heartbeats of further autopilots, which are not the vehicle's.</summary>
+    public long HeartbeatsOfOtherAutopilots { get; set; }
+
+    /// <summary>Messages of the autopilot with values out of range (not a number, a latitude beyond the pole, ...), which were ignored.</summary>
+    public long RefusedMessages { get; set; }
+
+    /// <summary>How often the connection to the autopilot was lost.</summary>
+    public long Losses { get; set; }
+
+    /// <summary>How often the autopilot rebooted (its time since boot went down).</summary>
+    public long Reboots { get; set; }
+
+    /// <summary>The results of the requests for message rates.</summary>
+    public RateRequestCounts RateRequests { get; set; }
+}

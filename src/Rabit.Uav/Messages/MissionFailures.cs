@@ -1,0 +1,28 @@
+using System;
+
+namespace Rabit.Uav.Messages;
+
+/// <summary>Why a mission is not accomplished.</summary>
+[Flags]
+public enum MissionFailures
+{
+    /// <summary>Nothing.</summary>
+    None = 0,
+
+    /// <summary>The search was given up before its end; <see cref="MissionStatus.Aborted"/> says why.</summary>
+    GivenUp = 1,
+
+    /// <summary>The vehicle did not take off.</summary>
+    NotFlown = 2,
+
+    /// <summary>The vehicle took off and is still armed.</summary>
+    NotLanded = 4,
+
+    /// <summary>
+    /// The vehicle landed farther from home than <see cref="MissionResult.MaxLandingDistanceMetres"/>, or where is not known.
+    /// </summary>
+    AwayFromHome = 8,
+
+    /// <summary>The vehicle was outside the fence.</summary>
+    OutsideFence = 16,
+}

@@ -1,0 +1,56 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>Watches a mission for its <see cref="MissionResult"/>. Time-free, no I/O; one thread.</summary>
+internal sealed class MissionAssessment
+{
+    // A vehicle that stayed below this never left the ground: the height above home is as noisy as that.
+    private const double FlownHeightMetres = 1;
+
+    private double _maxHeightMetres;
+    private double _outsideFenceMetres;
+
+    /// <summary>Takes in where the vehicle is; at each unit of work.</summary>
+    public void Update(MissionFlight flight)
+    {
+        if (flight.Vehicle.PositionTime is null)
+            return;
+        if (flight.Vehicle.IsArmed)
+            _maxHeightMetres = Math.Max(_maxHeightMetres, flight.HeightMetres);
+        if (flight.Plan is { } plan)
+            _outsideFenceMetres = Math.Max(_outsideFenceMetres, -plan.Fence.SignedDistance(flight.Position));
+    }
+
+    public MissionResult Assess(MissionFlight flight, MissionPhase phase)
+    {
+        bool hasFlown = _maxHeightMetres > FlownHeightMetres;
+        bool hasLanded = hasFlown && !flight.Vehicle.IsArmed;
+        double distance = flight.Plan is null || flight.Vehicle.PositionTime is null ? double.NaN : flight.Position.Length;
+        MissionFailures failures = If(MissionFailures.GivenUp, hasFlown && flight.Aborted is not null)
+            | If(MissionFailures.NotFlown, !hasFlown)
+            | If(MissionFailures.NotLanded, hasFlown && !hasLanded)
+            | If(MissionFailures.AwayFromHome, hasLanded && !(distance <= MissionResult.MaxLandingDistanceMetres))
+            | If(MissionFailures.OutsideFence, _outsideFenceMetres > 0);
+        return new MissionResult
+        {
+            Outcome = OutcomeOf(phase, failures),
+            Failures = failures,
+            HasFlown = hasFlown,
+            HasLanded = hasLanded,
+            DistanceFromHomeMetres = distance,
+            OutsideFenceMetres = _outsideFenceMetres,
+        };
+    }
+
+    private static MissionFailures If(MissionFailures failure, bool holds) => holds ? failure : MissionFailures.None;
+
+    private static MissionOutcome OutcomeOf(MissionPhase phase, MissionFailures failures) => phase switch
+    {
+        MissionPhase.NoMission => MissionOutcome.None,
+        MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed
+            => failures == MissionFailures.None ? MissionOutcome.Accomplished : MissionOutcome.Failed,
+        _ => MissionOutcome.InProgress,
+    };
+}

@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Runtime.InteropServices;
+using System.Text;
+using System.Threading;
+using Xunit;
+
+namespace UavConsole.Tests;
+
+/// <summary>UavConsole as a user starts it: a process of its own, on the runtime that the tests run on.</summary>
+internal sealed class ConsoleProcess : IDisposable
+{
+    public const int Interrupt = 2;
+    public const int Terminate = 15;
+
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(150);
+    private static readonly string Folder = Path.GetDirectoryName(typeof(ConsoleProcess).Assembly.Location)!;
+    private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
+
+    private readonly Process _process;
+    private readonly object _gate = new();
+    private readonly List<string> _output = [];
+    private readonly List<string> _errors = [];
+    private int _openStreams = 2;
+
+    private ConsoleProcess(IEnumerable<string> arguments, string? workingFolder = null)
+    {
+        IEnumerable<string> all = new[] { Path.Combine(Folder, IsMono ? "UavConsole.exe" : "UavConsole.dll") }.Concat(arguments);
+        _process = new Process
+        {
+            StartInfo = new ProcessStartInfo(IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(a => "\"" + a + "\"")))
+            {
+                UseShellExecute = false,
+                WorkingDirectory = workingFolder ?? string.Empty,
+                RedirectStandardInput = true,
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
+                StandardOutputEncoding = Encoding.UTF8,
+                StandardErrorEncoding = Encoding.UTF8,
+            },
+        };
+        _process.OutputDataReceived += (_, e) => Take(_output, e.Data);
+        _process.ErrorDataReceived += (_, e) => Take(_errors, e.Data);
+        _process.Start();
+        _process.BeginOutputReadLine();
+        _process.BeginErrorReadLine();
+    }
+
+    public IReadOnlyList<string> Output
+    {
+        get
+        {
+            lock (_gate)
+                return _output.ToArray();
+        }
+    }
+
+    public IReadOnlyList<string> Errors
+    {
+        get
+        {
+            lock (_gate)
+                return _errors.ToArray();
+        }
+    }
+
+    public static ConsoleProcess Start(params string[] arguments) => new(arguments);
+
+    /// <summary>Starts it and waits for its end.</summary>
+    public static ConsoleProcess Run(out int exitCode, params string[] arguments)
+    {
+        var process = new ConsoleProcess(arguments);
+        exitCode = process.WaitForEnd();
+        return process;
+    }
+
+    /// <summary>Starts it in a folder, and waits for its end.</summary>
+    public static ConsoleProcess RunIn(string workingFolder, out int exitCode, params string[] arguments)
+    {
+        var process = new ConsoleProcess(arguments, workingFolder);
+        exitCode = process.WaitForEnd();
+        return process;
+    }
+
+    /// <summary>Waits for a line that holds a text.</summary>
+    public string WaitFor(string text)
+    {
+        lock (_gate)
+        {
+            DateTime end = DateTime.UtcNow + MaxWait;
+            while (true)
+            {
+                if (_output.Find(l => l.Contains(text)) is { } line)
+                    return line;
+                if (_openStreams == 0 || DateTime.UtcNow > end)
+                    throw new TimeoutException($"No line holds '{text}'. {DescribeLocked()}");
+                Monitor.Wait(_gate, TimeSpan.FromSeconds(1));
+            }
+        }
+    }
+
+    /// <summary>Waits until it runs: managers started, signals handled.</summary>
+    public void WaitForStart() => WaitFor("reactor: starts communications");
+
+    public int WaitForEnd()
+    {
+        bool hasExited = _process.WaitForExit((int)MaxWait.TotalMilliseconds);
+        lock (_gate)
+        {
+            DateTime end = DateTime.UtcNow + MaxWait;
+            while (hasExited && _openStreams > 0 && DateTime.UtcNow < end)
+                Monitor.Wait(_gate, TimeSpan.FromSeconds(1));
+            Assert.True(hasExited, "It does not end. " + DescribeLocked());
+            return _process.ExitCode;
+        }
+    }
+
+    public void Signal(int signal) => Assert.Equal(0, Kill(_process.Id, signal));
+
+    public void Dispose()
+    {
+        if (!_process.HasExited)
+            _process.Kill();
+        _process.Dispose();
+    }
+
+    public override string ToString()
+    {
+        lock (_gate)
+            return DescribeLocked();
+    }
+
+    [DllImport("libc", EntryPoint = "kill")]
+    private static extern int Kill(int process, int signal);
+
+    private void Take(List<string> lines, string? line)
+    {
+        lock (_gate)
+        {
+            if (line is null)
+                _openStreams--;
+            else
+                lines.Add(line);
+            Monitor.PulseAll(_gate);
+        }
+    }
+
+    private string DescribeLocked() => "Output:\n" + string.Join("\n", _output) + "\nErrors:\n" + string.Join("\n", _errors);
+}

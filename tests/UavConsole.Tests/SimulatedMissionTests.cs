@@ -1,0 +1,110 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Uav.Tests.Communications;
+using Rabit.Uav.Tests;
+using Xunit;
+
+namespace UavConsole.Tests;
+
+/// <summary>The simulated search, as a user starts it.</summary>
+public sealed class SimulatedMissionTests : IDisposable
+{
+    private readonly TestLog _folder = new();
+
+    [Fact]
+    public void NoArguments_FliesTheSearchAndLeavesAReport()
+    {
+        using ConsoleProcess console = ConsoleProcess.RunIn(_folder.Folder, out int exitCode, "--summary", "summary.json", "--log", "first.log");
+
+        Assert.True(exitCode == 0, console.ToString());
+        Assert.Empty(console.Errors);
+        Assert.Contains("mission search of a meadow: ACCOMPLISHED", console.Output);
+        string report = Path.Combine(_folder.Folder, "mission-report.html");
+        Assert.Contains("report: " + report, console.Output);
+        string page = File.ReadAllText(report);
+        Assert.InRange(page.Length, 100_000, 2_000_000);
+        Assert.Contains("5 of 5 targets found", page);
+        Assert.DoesNotContain("no picture", page);
+        CheckSummary();
+
+        // The same seed is the same flight, to the byte of its log.
+        using ConsoleProcess again = ConsoleProcess.RunIn(_folder.Folder, out int _, "--seed", "1", "--log", "second.log", "--report", "second.html");
+        Assert.Equal(File.ReadAllBytes(InFolder("first.log")), File.ReadAllBytes(InFolder("second.log")));
+    }
+
+    [Fact]
+    public void Interrupt_InTheMiddle_IsAFailedMissionWithItsReport()
+    {
+        using ConsoleProcess console = ConsoleProcess.Start("--headless", "--realtime", "--report", InFolder("cut.html"), "--targets", "0");
+        console.WaitFor("mission control: command 2: take off");
+
+        console.Signal(ConsoleProcess.Interrupt);
+
+        Assert.Equal(1, console.WaitForEnd());
+        Assert.Contains("  failed: it ", string.Join("\n", console.Output));
+        Assert.Contains("Mission failed", File.ReadAllText(InFolder("cut.html")));
+    }
+
+    [Theory]
+    [InlineData("{", "it is no JSON")]
+    [InlineData("""{"name":"x"}""", "area")]
+    public void Mission_BadFile_IsOneLineAndExitCode2(string json, string expected)
+    {
+        File.WriteAllText(InFolder("bad.json"), json);
+        using ConsoleProcess console = ConsoleProcess.RunIn(_folder.Folder, out int exitCode, "--mission", "bad.json");
+
+        Assert.Equal(2, exitCode);
+        string line = Assert.Single(console.Errors);
+        Assert.StartsWith("UavConsole: --mission bad.json: ", line, StringComparison.Ordinal);
+        Assert.Contains(expected, line);
+        Assert.False(File.Exists(InFolder("mission-report.html")), "It leaves a report behind.");
+    }
+
+    [Fact]
+    public void Mission_NoSuchFile_IsOneLineAndExitCode2()
+    {
+        using ConsoleProcess console = ConsoleProcess.RunIn(_folder.Folder, out int exitCode, "--mission", "/nowhere/m.json");
+
+        Assert.Equal(2, exitCode);
+        Assert.StartsWith("UavConsole: --mission /nowhere/m.json cannot be read: ", Assert.Single(console.Errors), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void RealLink_IsOnlyObservedAndSaysSo()
+    {
+        using ConsoleProcess console = ConsoleProcess.Start("--headless", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}");
+
+        console.WaitFor("observing only: nothing is commanded; --mission FILE --fly flies");
+        console.WaitForStart();
+        console.Signal(ConsoleProcess.Terminate);
+        Assert.Equal(0, console.WaitForEnd());
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    private void CheckSummary()
+    {
+        using JsonDocument document = JsonDocument.Parse(File.ReadAllText(InFolder("summary.json")));
+        JsonElement mission = document.RootElement.GetProperty("mission");
+        JsonElement score = mission.GetProperty("score");
+
+        Assert.True(mission.GetProperty("passed").GetBoolean());
+        Assert.Equal((5, 5, 0), (score.GetProperty("targets").GetInt32(), score.GetProperty("found").GetInt32(), score.GetProperty("false").GetInt32()));
+        Assert.InRange(score.GetProperty("rmseMetres").GetDouble(), 0, 3);
+        Assert.InRange(mission.GetProperty("coveragePercent").GetDouble(), 98, 100);
+        Assert.InRange(mission.GetProperty("distanceFromHomeMetres").GetDouble(), 0, 3);
+        Assert.InRange(mission.GetProperty("batteryUsedPercent").GetDouble(), 5, 60);
+        Assert.Equal("Done", mission.GetProperty("phase").GetString());
+        Assert.Equal(1, mission.GetProperty("seed").GetInt64());
+        Assert.Equal(5, mission.GetProperty("targets").GetArrayLength());
+        Assert.All(mission.GetProperty("targets").EnumerateArray(), t => Assert.InRange(t.GetProperty("ellipse95HalfMajorAxisMetres").GetDouble(), 0.1, 8));
+        Assert.Equal(
+            ["communications", "autopilot", "image processing", "sensor fusion", "mission control", "simulated vehicle", "health", "recorder"],
+            mission.GetProperty("managers").EnumerateArray().Select(m => m.GetProperty("name").GetString()));
+        Assert.All(mission.GetProperty("managers").EnumerateArray(), m => Assert.InRange(m.GetProperty("runs").GetInt64(), 100, 1_000_000));
+    }
+
+    private string InFolder(string file) => Path.Combine(_folder.Folder, file);
+}
