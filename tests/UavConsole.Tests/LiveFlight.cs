@@ -7,6 +7,8 @@ using System.Net;
 using System.Net.Sockets;
 using System.Threading;
 using Rabit.Mavlink;
+using Rabit.Uav.Tests;
+using Rabit.Uav.Tests.Communications;
 
 namespace UavConsole.Tests;
 
@@ -90,7 +92,7 @@ internal sealed class LiveFlight : IDisposable
             while (true)
             {
                 int count = _socket.Receive(datagram);
-                List<MavlinkFrame> frames = Communications.Frames.Read(datagram.Take(count).ToArray());
+                List<MavlinkFrame> frames = Frames.Read(datagram.Take(count).ToArray());
                 lock (_gate)
                 {
                     _received.AddRange(frames);

@@ -90,7 +90,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     {
         using var ground = new Ground();
         ground.Run(1);
-        long received = ground.Truth.FramesHeard;
+        long received = ground.Truth.FramesReceived;
 
         byte[] torn = [0xFD, 200, 0, 0, 0, 1, 1, 0xEF, 0xCD, 0xAB];
         ground.Link.Write(torn, 0, torn.Length);
@@ -98,7 +98,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         ground.Link.Dispose();
         ground.Run(1);
 
-        Assert.Equal(received + 1, ground.Truth.FramesHeard);
+        Assert.Equal(received + 1, ground.Truth.FramesReceived);
     }
 
     [Fact]
