@@ -118,10 +118,15 @@ public sealed partial class MavlinkFrameReader
     {
         while (true)
         {
-            ReadOnlySpan<byte> segment = bytes.First.Span;
-            int length = segment.Length;
+            SequencePosition next = bytes.Start;
+            bytes.TryGet(ref next, out ReadOnlyMemory<byte> memory);
+            ReadOnlySpan<byte> segment = memory.Span;
             bool hasFrame = TryRead(ref segment, out frame, out info);
-            bytes = bytes.Slice(length - segment.Length);
+
+            // By position, not by length: a slice of length zero would stay at an empty segment for ever.
+            bytes = !segment.IsEmpty ? bytes.Slice(memory.Length - segment.Length)
+                : next.GetObject() is null ? bytes.Slice(bytes.End)
+                : bytes.Slice(next);
             if (hasFrame || bytes.IsEmpty)
                 return hasFrame;
         }
