@@ -61,7 +61,7 @@ internal static class HealthRules
                 && c.QuietFor > o.CameraSilentAfter,
             static (in CameraFacts c) => c.Status.LastFrameTime?.Ticks ?? -1),
         new(HealthReasons.DetectorFault, HealthLevel.Warning, HealthAdvice.None,
-            static (in CameraFacts c, HealthOptions o) => c.DetectorFaultAge < o.RememberedFor,
+            static (in CameraFacts c, HealthOptions o) => c.DetectorFaultAge < o.RecentWindow,
             static (in CameraFacts c) => c.DetectorFaults),
     ];
 
