@@ -22,7 +22,7 @@ namespace Rabit.Uav.Communications;
 public sealed class MavlinkLinkTarget(IByteLink link) : IWriterTarget<MavlinkFrame>
 {
     private readonly IByteLink _link = link ?? throw new ArgumentNullException(nameof(link));
-    private readonly byte[] _buffer = new byte[MavlinkFrame.MaximumWireLength];
+    private readonly byte[] _buffer = new byte[MavlinkFrame.MaxWireLength];
     private long _lost;
 
     /// <inheritdoc/>

@@ -286,7 +286,7 @@ public sealed class SubscriptionTests
     }
 
     private static MavlinkMessageInfo[] WithAnotherHeartbeat() => MavlinkDialect.All.Messages
-        .Select(m => m.Id != 0 ? m : new MavlinkMessageInfo(0, m.Name, 51, m.MinimumLength, m.MaximumLength, -1, -1)).ToArray();
+        .Select(m => m.Id != 0 ? m : new MavlinkMessageInfo(0, m.Name, 51, m.MinLength, m.MaxLength, -1, -1)).ToArray();
 
     private sealed class OtherReceiver : RabitManager
     {

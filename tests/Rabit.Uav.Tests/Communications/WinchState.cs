@@ -27,9 +27,9 @@ internal struct WinchState : IMavlinkMessage
 
     public readonly byte CrcExtra => MavlinkCrcExtra;
 
-    public readonly int MinimumLength => Length;
+    public readonly int MinLength => Length;
 
-    public readonly int MaximumLength => Length;
+    public readonly int MaxLength => Length;
 
     public readonly void Encode(Span<byte> payload)
     {
