@@ -92,7 +92,7 @@ internal sealed class MadeUpFlight
                 BatteryRemaining = 0.63,
             },
             Health = new HealthReport { Level = HealthLevel.Good, SendsHeartbeat = true },
-            Imaging = new ImagingStatus { HasCamera = true, Frames = 512, Looks = flight._observations.Count, FramesRefused = 2, Reports = 61 },
+            Imaging = new ImagingStatus { HasCamera = true, Frames = 512, Observations = flight._observations.Count, FramesRefused = 2, Reports = 61 },
             Tracks = new TrackList(TimeSpan.FromSeconds(flight._time), Tracks(finds, hasFalseTrack)),
             FlownMetres = 1423,
             ArmedTime = TimeSpan.FromSeconds(flight._time - 6),
@@ -132,11 +132,11 @@ internal sealed class MadeUpFlight
     };
 
     private static TargetScore Target(string name, TargetClassName targetClass, double north, double east)
-        => new() { Name = name, Colour = colour, Position = Frame.ToGeodetic(new NedVector(north, east, 0)) };
+        => new() { Name = name, Class = targetClass, Position = Frame.ToGeodetic(new NedPosition(north, east, 0)) };
 
     private static TargetScore Found(TargetScore target, TargetTrack? track)
     {
-        NedVector error = track is null ? default : LocalNedFrame.IgnoringGeoid(target.Position).ToNed(track.Position);
+        NedPosition error = track is null ? default : LocalNedFrame.IgnoringGeoid(target.Position).ToNed(track.Position);
         return new TargetScore
         {
             Name = target.Name,
@@ -153,7 +153,7 @@ internal sealed class MadeUpFlight
         (double N, double E)[] errors = [(0.6, -0.5), (-0.3, 0.8), (1.1, 0.2), (-0.4, -0.9), (0.2, 0.7)];
         for (int index = 0; index < finds; index++)
         {
-            NedVector truth = Frame.ToNed(Targets[index].Position);
+            NedPosition truth = Frame.ToNed(Targets[index].Position);
             yield return Track(index + 1, Targets[index].Class, TrackState.Confirmed, truth.North + errors[index].N, truth.East + errors[index].E);
         }
 
@@ -270,7 +270,7 @@ internal sealed class MadeUpFlight
 
     private void Sample(MissionPhase phase, double speed, double yaw)
     {
-        bool isLooking = phase is MissionPhase.Searching or MissionPhase.Looking;
+        bool isLooking = phase is MissionPhase.Searching or MissionPhase.Revisiting;
         double coverage = Math.Min(0.993, _observations.Count / 300.0);
         _samples.Add(new FlightSample
         {

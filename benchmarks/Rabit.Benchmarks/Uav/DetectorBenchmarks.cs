@@ -69,7 +69,7 @@ public class DetectorBenchmarks
 
     private sealed class NadirScale : IGroundScaleSource
     {
-        private readonly NadirScale _scale = new();
+        private readonly GroundProjection _projection = NadirView.CreateProjection();
 
         public bool TryScale(double column, double row, out GroundScale scale) => _projection.TryScale(column, row, out scale);
     }

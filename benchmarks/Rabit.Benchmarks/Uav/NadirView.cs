@@ -25,7 +25,7 @@ internal static class NadirView
 
     public static GroundProjection CreateProjection()
     {
-        var projector = new GroundProjector(Camera, new CameraMount(), new ErrorBudget(), 5 * Math.PI / 180);
+        var projector = new GroundProjector(Camera, new CameraMount(), new ErrorBudget(), Angle.FromDegrees(5));
         return projector.At(
             new Pose { Position = GeodeticPosition.FromRadians(0.84, 0.15, 485), Attitude = Rotation.FromEuler(EulerAngles.FromRadians(0.05, -0.08, 1)) },
             new ImagingCommand { CameraPitch = Angle.FromDegrees(-90), GroundAltitudeAmslMetres = 445 });

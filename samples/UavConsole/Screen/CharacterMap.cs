@@ -52,10 +52,10 @@ internal sealed class CharacterMap
 
     private void Fit()
     {
-        IEnumerable<NedVector> all = _model.Area.Concat(_model.Path).Concat(_model.Tracks.Where(t => t.Track.State != TrackState.Tentative).Select(t => t.Position));
+        IEnumerable<NedPosition> all = _model.Area.Concat(_model.Path).Concat(_model.Tracks.Where(t => t.Track.State != TrackState.Tentative).Select(t => t.Position));
         if (_model.Home is { } home)
             all = all.Append(home);
-        NedVector[] points = all.Where(IsUsable).ToArray();
+        NedPosition[] points = all.Where(IsUsable).ToArray();
         if (points.Length == 0)
             points = [default];
         (double west, double east) = Around(points.Min(p => p.East), points.Max(p => p.East));
@@ -96,11 +96,11 @@ internal sealed class CharacterMap
         if (!(major > _metresPerDot * BrailleCanvas.DotsDown) || !IsUsable(track.Position))
             return;
         (double cos, double sin) = (Math.Cos(covariance.MajorAxis.Radians), Math.Sin(covariance.MajorAxis.Radians));
-        NedVector Edge(int step)
+        NedPosition Edge(int step)
         {
             double angle = 2 * Math.PI * step / EllipseSteps;
             (double along, double across) = (major * Math.Cos(angle), minor * Math.Sin(angle));
-            return new NedVector(track.Position.North + (along * cos) - (across * sin), track.Position.East + (along * sin) + (across * cos), 0);
+            return new NedPosition(track.Position.North + (along * cos) - (across * sin), track.Position.East + (along * sin) + (across * cos), 0);
         }
 
         for (int step = 0; step < EllipseSteps; step++)
@@ -148,7 +148,7 @@ internal sealed class CharacterMap
 
     private static MapInk InkOf(TargetTrack track) => track.State == TrackState.Tentative ? MapInk.Tentative : TargetLetters.Ink(track.Class);
 
-    private void Mark(NedVector at, char character, MapInk ink)
+    private void Mark(NedPosition at, char character, MapInk ink)
     {
         if (!IsUsable(at))
             return;
@@ -161,7 +161,7 @@ internal sealed class CharacterMap
         _inks[row][column] = ink;
     }
 
-    private void Line(NedVector from, NedVector to, MapInk ink, int every = 1)
+    private void Line(NedPosition from, NedPosition to, MapInk ink, int every = 1)
     {
         if (!IsUsable(from) || !IsUsable(to))
             return;
@@ -170,8 +170,8 @@ internal sealed class CharacterMap
         _canvas.Line(x1, y1, x2, y2, ink, every);
     }
 
-    private (double X, double Y) ToDots(NedVector at) => ((at.East - _west) / _metresPerDot, (_north - at.North) / _metresPerDot);
+    private (double X, double Y) ToDots(NedPosition at) => ((at.East - _west) / _metresPerDot, (_north - at.North) / _metresPerDot);
 
     // What an autopilot says before it has a fix may be on the other side of the earth.
-    private static bool IsUsable(NedVector at) => Math.Abs(at.North) < 1e6 && Math.Abs(at.East) < 1e6;
+    private static bool IsUsable(NedPosition at) => Math.Abs(at.North) < 1e6 && Math.Abs(at.East) < 1e6;
 }

@@ -73,7 +73,7 @@ internal sealed class FlightMonitor
     /// </summary>
     public DurationStatistics UnitOfWorkTimeOf(int manager)
     {
-        DurationStatistics real = _reactor.RealTurnTime(ManagerNames[manager]);
+        DurationStatistics real = _reactor.RealStepTime(ManagerNames[manager]);
         return real.Count > 0 ? real : Managers[manager].UnitOfWorkTime;
     }
 

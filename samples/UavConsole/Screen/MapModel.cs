@@ -10,19 +10,19 @@ namespace UavConsole;
 internal sealed class MapModel
 {
     /// <summary>Corners, in order.</summary>
-    public IReadOnlyList<NedVector> Area { get; init; } = [];
+    public IReadOnlyList<NedPosition> Area { get; init; } = [];
 
     /// <summary>Ends of the lanes, two for each.</summary>
-    public IReadOnlyList<NedVector> Lanes { get; init; } = [];
+    public IReadOnlyList<NedPosition> Lanes { get; init; } = [];
 
     /// <summary>The path that was flown, oldest first.</summary>
-    public IReadOnlyList<NedVector> Path { get; init; } = [];
+    public IReadOnlyList<NedPosition> Path { get; init; } = [];
 
     /// <summary>Null where it is not known.</summary>
-    public NedVector? Home { get; init; }
+    public NedPosition? Home { get; init; }
 
     /// <summary>Null where it is not known.</summary>
-    public NedVector? Vehicle { get; init; }
+    public NedPosition? Vehicle { get; init; }
 
     /// <summary>Clockwise from north.</summary>
     public double VehicleYawRadians { get; init; }
@@ -42,7 +42,7 @@ internal sealed class MapModel
         {
             Area = plan is null ? [] : [.. plan.Area.Select(frame.ToNed)],
             Lanes = plan is null ? [] : [.. plan.Lanes.Select(frame.ToNed)],
-            Home = plan is null ? null : new NedVector(0, 0, 0),
+            Home = plan is null ? null : new NedPosition(0, 0, 0),
             Path = [.. samples.Select(s => frame.ToNed(s.Position))],
             Vehicle = samples.Length == 0 ? null : frame.ToNed(samples[samples.Length - 1].Position),
             VehicleYawRadians = samples.Length == 0 ? 0 : samples[samples.Length - 1].YawRadians,

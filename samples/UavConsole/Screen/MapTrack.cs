@@ -4,10 +4,10 @@ using Rabit.Uav.Messages;
 namespace UavConsole;
 
 /// <summary>A track and where it stands on the map. Immutable.</summary>
-internal sealed class MapTrack(NedVector position, TargetTrack track)
+internal sealed class MapTrack(NedPosition position, TargetTrack track)
 {
     /// <summary>In the frame of the map, metres.</summary>
-    public NedVector Position { get; } = position;
+    public NedPosition Position { get; } = position;
 
     public TargetTrack Track { get; } = track;
 }

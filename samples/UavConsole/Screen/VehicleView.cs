@@ -59,7 +59,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
             status.Faults == 0 ? "0" : $"[red]{Number(status.Faults)}[/]");
     }
 
-    private static string Causes(in WakeUpCounts wakes)
+    private static string Causes(in WakeUpStatistics wakes)
     {
         (string Name, long Count)[] causes =
         [
@@ -70,7 +70,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
     }
 
     private static string MeanAndMaximum(in DurationStatistics time)
-        => string.Format(CultureInfo.InvariantCulture, "{0:0.00}/{1:0.0}", time.Mean.TotalMilliseconds, time.Maximum.TotalMilliseconds);
+        => string.Format(CultureInfo.InvariantCulture, "{0:0.00}/{1:0.0}", time.Mean.TotalMilliseconds, time.Max.TotalMilliseconds);
 
     private Grid Vehicle()
     {

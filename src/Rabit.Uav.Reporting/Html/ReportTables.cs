@@ -114,7 +114,7 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
         {
             Fact(
                 "camera",
-                $"{FlightText.Number(imaging.Frames)} pictures, {FlightText.Number(imaging.Looks)} searched, {FlightText.Number(imaging.FramesRefused)} refused, "
+                $"{FlightText.Number(imaging.Frames)} pictures, {FlightText.Number(imaging.Observations)} searched, {FlightText.Number(imaging.FramesRefused)} refused, "
                 + $"{FlightText.Number(imaging.FramesDropped)} lost, {FlightText.Number(imaging.Reports)} reports" + (imaging.Fault is { } fault ? $", {fault}" : string.Empty));
         }
 

@@ -61,8 +61,8 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
     private void Begin(string kind, string name, TargetClassName targetClass, string state)
     {
         page.Open("article", "class", "card target " + kind).Open("h3");
-        page.Element("i", string.Empty, "class", "swatch", "style", "background:" + TargetClassNames.Css(colour));
-        page.Text(name + " ").Element("small", TargetClassNames.Name(colour)).Element("b", state, "class", "state").Close();
+        page.Element("i", string.Empty, "class", "swatch", "style", "background:" + TargetClassNames.Css(targetClass));
+        page.Text(name + " ").Element("small", TargetClassNames.Name(targetClass)).Element("b", state, "class", "state").Close();
     }
 
     private void TrackFacts(TargetTrack track)

@@ -57,7 +57,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
             _last = now;
             AddUp(step, vehicle);
             NoteChanges(now, mission, health);
-            if (imaging.Looks != _imaging.Looks)
+            if (imaging.Observations != _imaging.Observations)
                 _observations.Add(imaging.LastObservation);
             (_vehicle, _mission, _health) = (vehicle, mission, health);
             (_imaging, _authority, _tracks) = (imaging, authority, tracks);

@@ -62,7 +62,7 @@ public static class FlightText
         MissionPhase.TakingOff => "take-off",
         MissionPhase.InTransit => "transit",
         MissionPhase.Searching => "searching",
-        MissionPhase.Looking => "revisit",
+        MissionPhase.Revisiting => "revisit",
         MissionPhase.Returning => "returning",
         MissionPhase.Landing => "landing",
         MissionPhase.Done => "done",

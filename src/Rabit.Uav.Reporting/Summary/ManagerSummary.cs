@@ -25,7 +25,7 @@ public sealed class ManagerSummary
         Faults = result.FaultCount;
         FirstFault = result.Faults.Count == 0 ? null : result.Faults[0].ToString();
         MeanWork = unitOfWorkTime.Mean;
-        LongestWork = unitOfWorkTime.Maximum;
+        LongestWork = unitOfWorkTime.Max;
         TotalWork = unitOfWorkTime.Total;
     }
 

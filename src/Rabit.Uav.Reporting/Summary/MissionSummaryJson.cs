@@ -154,7 +154,7 @@ internal static class MissionSummaryJson
     {
         json.WriteStartObject("imaging");
         json.WriteNumber("frames", imaging.Frames);
-        json.WriteNumber("observations", imaging.Looks);
+        json.WriteNumber("observations", imaging.Observations);
         json.WriteNumber("framesDropped", imaging.FramesDropped);
         json.WriteNumber("framesRefused", imaging.FramesRefused);
         json.WriteNumber("reports", imaging.Reports);

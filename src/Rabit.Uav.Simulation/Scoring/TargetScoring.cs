@@ -67,7 +67,7 @@ public static class TargetScoring
     private static TargetScore Of(TruthTarget target, TargetTrack? track)
     {
         // Both on the ellipsoid: a difference in height is no error.
-        NedVector error = track is null
+        NedPosition error = track is null
             ? default
             : LocalNedFrame.IgnoringGeoid(OnEllipsoid(target.Position)).ToNed(OnEllipsoid(track.Position));
         return new TargetScore
@@ -85,7 +85,7 @@ public static class TargetScoring
     {
         if (plan is null || trueEnd is not { } end)
             return null;
-        NedVector offset = LocalNedFrame.IgnoringGeoid(plan.Home).ToNed(end);
+        NedPosition offset = LocalNedFrame.IgnoringGeoid(plan.Home).ToNed(end);
         return Math.Sqrt((offset.North * offset.North) + (offset.East * offset.East));
     }
 

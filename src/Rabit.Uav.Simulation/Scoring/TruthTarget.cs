@@ -6,7 +6,7 @@ namespace Rabit.Uav.Simulation;
 
 /// <summary>A real target: its class and where it is. Immutable.</summary>
 /// <param name="name">For people.</param>
-/// <param name="colour">The class.</param>
+/// <param name="targetClass">The class.</param>
 /// <param name="position">The centre; the altitude is not used.</param>
 public sealed class TruthTarget(string name, TargetClassName targetClass, GeodeticPosition position)
 {

@@ -85,7 +85,7 @@ public sealed class TargetScoringTests
         var record = new FlightRecord { Mission = new MissionStatus { Plan = new SearchPlan { Home = Home } } };
         var truth = new TargetTruth(Home, []);
 
-        Assert.Equal(3.1, TargetScoring.Score(truth, record, Frame.ToGeodetic(new NedVector(3.1, 0, 0))).DistanceFromHomeMetres!.Value, 6);
+        Assert.Equal(3.1, TargetScoring.Score(truth, record, Frame.ToGeodetic(new NedPosition(3.1, 0, 0))).DistanceFromHomeMetres!.Value, 6);
         Assert.Null(TargetScoring.Score(truth, record, null).DistanceFromHomeMetres);
         Assert.Null(TargetScoring.Score(truth, FlightRecord.Empty, Home).DistanceFromHomeMetres);
     }
@@ -94,7 +94,7 @@ public sealed class TargetScoringTests
         => TargetScoring.Score(new TargetTruth(Home, targets), tracks);
 
     // At another height than the tracks: a difference in height is no error.
-    private static TruthTarget Target(TargetClassName colour, double north, double east) => new("target", colour, Frame.ToGeodetic(new NedVector(north, east, 7)));
+    private static TruthTarget Target(TargetClassName colour, double north, double east) => new("target", colour, Frame.ToGeodetic(new NedPosition(north, east, 7)));
 
     private static TargetTrack Track(int id, TargetClassName colour, double north, double east, TrackState state = TrackState.Confirmed) => new()
     {

@@ -47,10 +47,10 @@ public sealed class TruthFileTests
     {
         var world = new SimulatedWorld(new SimulationOptions { Seed = 7, TargetCount = 20 });
 
-        TargetTruth truth = TargetTruth.Of(world, DefaultTargetClasses.Red | DefaultTargetClasses.Blue);
+        TargetTruth truth = TargetTruth.Of(world, [DefaultTargetClasses.Red, DefaultTargetClasses.Blue]);
 
         Assert.NotEmpty(truth.Targets);
-        Assert.All(truth.Targets, t => Assert.True(t.Class is DefaultTargetClasses.Red or DefaultTargetClasses.Blue));
+        Assert.All(truth.Targets, t => Assert.True(t.Class == DefaultTargetClasses.Red || t.Class == DefaultTargetClasses.Blue));
     }
 
     [Theory]

@@ -130,7 +130,7 @@ public sealed class TargetReportCodecTests
     public void Decode_OldFormWithAColour_IsRefused()
     {
         // Version 1 had 58 bytes, with the flag of one of five colours in the second.
-        var bytes = new byte[VehicleMessageRoute.MaximumLength];
+        var bytes = new byte[VehicleMessageRoute.MaxLength];
         Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, bytes, out _);
         (bytes[0], bytes[1]) = (1, 1);
         Assert.False(Codec.TryDecode(bytes.AsSpan(0, 58), Now, 7, out _));
@@ -139,7 +139,7 @@ public sealed class TargetReportCodecTests
     [Fact]
     public void RoundTrip_ClassThatIsNotDeclaredHere_KeepsItsName()
     {
-        var bytes = new byte[VehicleMessageRoute.MaximumLength];
+        var bytes = new byte[VehicleMessageRoute.MaxLength];
         TargetReport report = VehicleMessageTests.Report(look: 3) with { Class = new TargetClassName("Canis lupus fam.") };
         Assert.True(Codec.TryEncode(report, TimeSpan.Zero, bytes, out int length));
         Assert.Equal(TargetReportCodec.MaxLength, length);

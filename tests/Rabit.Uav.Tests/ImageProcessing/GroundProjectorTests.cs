@@ -41,7 +41,7 @@ public sealed class GroundProjectorTests
         foreach (JsonElement c in rejects)
         {
             GeolocationError expected = c.Text("reason") == "camera_below_ground" ? GeolocationError.CameraBelowGround : GeolocationError.NearHorizon;
-            Assert.Equal(expected, ProjectionOf(c).Locate(c.Number("u"), c.Number("v"), out NedVector _));
+            Assert.Equal(expected, ProjectionOf(c).Locate(c.Number("u"), c.Number("v"), out NedPosition _));
         }
     }
 
@@ -88,7 +88,7 @@ public sealed class GroundProjectorTests
             if (!view.TryProject(north, east, out double column, out double row))
                 continue;
             seen++;
-            Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground), $"seed {Seed}, case {i}");
+            Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedPosition ground), $"seed {Seed}, case {i}");
             Assert.Equal(north, ground.North, 1e-6);
             Assert.Equal(east, ground.East, 1e-6);
         }
@@ -105,7 +105,7 @@ public sealed class GroundProjectorTests
     public void TryLocate_StraightDownNoseNorth_MovesAsTheQuickSignCheckSays(double roll, double pitch, double columns, double rows, int north, int east)
     {
         var view = new TestView { Attitude = EulerAngles.FromDegrees(roll, pitch, 0) };
-        Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedVector ground));
+        Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedPosition ground));
         Assert.Equal((north, east), (Sign(ground.North), Sign(ground.East)));
 
         static int Sign(double metres) => Math.Abs(metres) < 2 ? 0 : Math.Sign(metres);
@@ -148,7 +148,7 @@ public sealed class GroundProjectorTests
         GroundProjection projection = view.Projection(budget);
         const double Column = 480;
         const double Row = 120;
-        Assert.True(projection.TryProjectToGround(Column, Row, out NedVector truth));
+        Assert.True(projection.TryProjectToGround(Column, Row, out NedPosition truth));
         Assert.True(projection.TryCovariances(Column, Row, out HorizontalCovariance stated, out HorizontalCovariance common));
         Assert.Equal(0, common.NorthNorth + common.EastEast);
 
@@ -185,7 +185,7 @@ public sealed class GroundProjectorTests
     internal static GroundProjection ProjectionOf(JsonElement look, TerrainGrid? terrain = null, ErrorBudget? errors = null)
     {
         JsonElement mount = look.GetProperty("mount");
-        var projector = new GroundProjector(Vectors.Camera(look.GetProperty("cam").GetInt32()), Vectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
+        var projector = new GroundProjector(CameraVectors.Camera(look.GetProperty("cam").GetInt32()), CameraVectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
         return projector.At(PoseOf(look), new ImagingCommand
         {
             CameraPitch = Angle.FromRadians(mount.Radians("el")),

@@ -20,7 +20,7 @@ public sealed class OwnDetectorTests
 
         TargetReport report = Assert.Single(rig.Sink.Reports);
         Assert.Equal(("person", 0.7), (report.Class.ToString(), report.Score));
-        NedVector ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
+        NedPosition ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
         Assert.True(rig.View.TryProject(ned.North, ned.East, out double column, out double row));
         Assert.Equal((200, 150), (Math.Round(column), Math.Round(row)));
 

@@ -38,7 +38,7 @@ public sealed class SeriesTests
 
             Assert.Equal(PoseLookup.Known, answer);
             JsonElement mount = image.GetProperty("mount");
-            var projector = new GroundProjector(camera, Vectors.Mount(mount), new ErrorBudget(), 5 * Vectors.Degree);
+            var projector = new GroundProjector(camera, CameraVectors.Mount(mount), new ErrorBudget(), Angle.FromDegrees(5));
             GroundProjection projection = projector.At(pose, new ImagingCommand
             {
                 CameraPitch = Angle.FromRadians(mount.Radians("el")),

@@ -22,7 +22,7 @@ public sealed class TerrainTests(ITestOutputHelper output)
         foreach (JsonElement c in Vectors.Geolocation.Each("dem"))
         {
             GroundProjection projection = GroundProjectorTests.ProjectionOf(c, grids[c.GetProperty("dem").GetInt32()]);
-            GeolocationError refusal = projection.Locate(c.Number("u"), c.Number("v"), out NedVector ground);
+            GeolocationError refusal = projection.Locate(c.Number("u"), c.Number("v"), out NedPosition ground);
             if (c.Text("status") != "ok")
             {
                 Assert.Equal(c.Text("reason") == "ray_leaves_dem" ? GeolocationError.LeavesTerrain : GeolocationError.NearHorizon, refusal);
@@ -53,8 +53,8 @@ public sealed class TerrainTests(ITestOutputHelper output)
             (double u, double v) = (c.Number("u"), c.Number("v"));
             GroundProjection projection = GroundProjectorTests.ProjectionOf(c, grids[c.GetProperty("dem").GetInt32()], OnlyPixels);
             Assert.True(projection.TryCovariances(u, v, out HorizontalCovariance stated, out _));
-            Assert.True(projection.TryProjectToGround(u + Step, v, out NedVector right) & projection.TryProjectToGround(u - Step, v, out NedVector left));
-            Assert.True(projection.TryProjectToGround(u, v + Step, out NedVector below) & projection.TryProjectToGround(u, v - Step, out NedVector above));
+            Assert.True(projection.TryProjectToGround(u + Step, v, out NedPosition right) & projection.TryProjectToGround(u - Step, v, out NedPosition left));
+            Assert.True(projection.TryProjectToGround(u, v + Step, out NedPosition below) & projection.TryProjectToGround(u, v - Step, out NedPosition above));
             double expected = (Squared(right.North - left.North) + Squared(below.North - above.North)) / Squared(2 * Step);
 
             // Where a post's cell ends between the steps there is a kink.
@@ -73,11 +73,11 @@ public sealed class TerrainTests(ITestOutputHelper output)
         TerrainGrid holed = AsciiGrid.Read(new StringReader(Flat(hole: true)));
         LocalNedFrame frame = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.005, 8.005, 200));
         var ray = new GroundRay(default, new NedVector(0, 0, 1));
-        Assert.Equal(GeolocationError.None, TerrainRay.Intersect(ray, frame, whole, 0.1, out NedVector point));
+        Assert.Equal(GeolocationError.None, TerrainRay.Intersect(ray, frame, whole, Angle.FromRadians(0.1), out NedPosition point));
         Assert.Equal(100, point.Down, 1e-4);
-        Assert.Equal(GeolocationError.NoTerrainData, TerrainRay.Intersect(ray, frame, holed, 0.1, out _));
+        Assert.Equal(GeolocationError.NoTerrainData, TerrainRay.Intersect(ray, frame, holed, Angle.FromRadians(0.1), out _));
         LocalNedFrame below = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.005, 8.005, 90));
-        Assert.Equal(GeolocationError.CameraBelowGround, TerrainRay.Intersect(ray, below, whole, 0.1, out _));
+        Assert.Equal(GeolocationError.CameraBelowGround, TerrainRay.Intersect(ray, below, whole, Angle.FromRadians(0.1), out _));
     }
 
     private static ErrorBudget OnlyPixels => new()

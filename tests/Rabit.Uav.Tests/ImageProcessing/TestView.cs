@@ -64,7 +64,7 @@ internal sealed class TestView
 
     public GroundProjection Projection(ErrorBudget budget)
     {
-        var projector = new GroundProjector(Camera, Mount, budget, 5 * Math.PI / 180);
+        var projector = new GroundProjector(Camera, Mount, budget, Angle.FromDegrees(5));
         return projector.At(
             new Pose { Position = Position, Attitude = Rotation.FromEuler(Attitude), VelocityNed = Velocity, Rates = Rates },
             Order);
@@ -118,7 +118,7 @@ internal sealed class TestView
     /// <summary>Where a pixel is, from the vehicle without its errors.</summary>
     public NedPosition Located(double column, double row)
     {
-        if (!Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedVector ground))
+        if (!Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedPosition ground))
             throw new InvalidOperationException("The pixel does not show the ground.");
         return ground + _offset;
     }

@@ -17,7 +17,7 @@ public class MissionPlanTests
         Assert.Equal(47.3982397, plan.Area[0].Latitude.Degrees, 9);
         Assert.Equal(8.5445383, plan.Area[0].Longitude.Degrees, 9);
         Assert.Equal((40, 6, 30, 40), (plan.HeightMetres, plan.SpeedMetresPerSecond, plan.LaneSpacingMetres, plan.FenceMarginMetres));
-        Assert.Null(plan.LaneHeadingRadians);
+        Assert.Null(plan.LaneHeading);
         Assert.Equal(DefaultTargetClasses.All.ToArray(), plan.Targets.ToArray());
         Assert.Equal(8.5456, plan.Home!.Longitude.Degrees, 9);
         Assert.True(plan.Revisit.IsEnabled);

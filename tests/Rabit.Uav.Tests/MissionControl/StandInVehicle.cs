@@ -262,7 +262,7 @@ internal sealed class StandInVehicle : RabitManager
         Id = id,
         State = state ?? (reports >= 3 ? TrackState.Confirmed : TrackState.Tentative),
         Class = colour,
-        Position = _frame.ToGeodetic(new NedVector(n, e, 0)),
+        Position = _frame.ToGeodetic(new NedPosition(n, e, 0)),
         Covariance = new HorizontalCovariance(1, 0, 1),
         Time = Now,
         Reports = reports,

@@ -87,7 +87,7 @@ internal sealed class FusionRig : IDisposable
             (numbered[i].PictureNumber, numbered[i].Index, numbered[i].Time) = (_number, i, Now);
 
         var frame = LocalNedFrame.IgnoringGeoid(Origin);
-        GeodeticPosition At(double n, double e) => frame.ToGeodetic(new NedVector(north + n, east + e, 0));
+        GeodeticPosition At(double n, double e) => frame.ToGeodetic(new NedPosition(north + n, east + e, 0));
         _observations.Push(new CameraObservation
         {
             SourceSystemId = 1,

@@ -37,7 +37,7 @@ public sealed class CharacterMapTests
                 Area = Square.Area,
                 Home = Square.Home,
                 Tracks = [Track(DefaultTargetClasses.Red, 90, 10), Track(DefaultTargetClasses.Blue, 10, 90)],
-                Vehicle = new NedVector(50, 50, -40),
+                Vehicle = new NedPosition(50, 50, -40),
                 VehicleYawRadians = Math.PI / 2,
             },
             40,
@@ -126,7 +126,7 @@ public sealed class CharacterMapTests
     }
 
     private static MapTrack Track(TargetClassName colour, double north, double east, TrackState state = TrackState.Confirmed, double variance = 0.5)
-        => new(new NedVector(north, east, 0), new TargetTrack { Id = 1, Class = colour, State = state, Covariance = new HorizontalCovariance(variance, 0, variance) });
+        => new(new NedPosition(north, east, 0), new TargetTrack { Id = 1, Class = colour, State = state, Covariance = new HorizontalCovariance(variance, 0, variance) });
 
     private static (int Column, int Row) Find(MapPicture map, char mark)
     {
