@@ -128,8 +128,8 @@ public class PartsTests
             {
                 var ned = new NedVector(random.Uniform(-2000, 2000), random.Uniform(-2000, 2000), random.Uniform(-500, 100));
                 GeodeticPosition place = mine.ToPlace(ned);
-                AssertNear(ned, product.ToNed(place) - default(NedPosition));
-                AssertNear(ned, mine.ToWorld(product.ToGeodetic(default(NedPosition) + ned)));
+                AssertNear(ned, product.ToNed(place) - NedPosition.Origin);
+                AssertNear(ned, mine.ToWorld(product.ToGeodetic(NedPosition.Origin + ned)));
                 AssertNear(ned, mine.ToWorld(place));
             }
         }
