@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
@@ -9,7 +10,7 @@ using Rabit.Uav.Messages;
 // A manager of your own beside the six: it warns the ground station when the battery falls below a level. It subscribes to the
 // state of the vehicle, and pushes a STATUSTEXT into the queue of frames that Communications sends to all links.
 //     BatteryAlarm LINK PERCENT       for example 'tlog:flight.tlog?speed=max' 96
-if (args.Length != 2 || !LinkUrl.TryParse(args[0], out LinkUrl? link, out _) || !int.TryParse(args[1], out int percent))
+if (args.Length != 2 || !LinkUrl.TryParse(args[0], out LinkUrl? link, out _) || !int.TryParse(args[1], NumberStyles.None, CultureInfo.InvariantCulture, out int percent))
 {
     Console.Error.WriteLine("BatteryAlarm LINK PERCENT");
     return 2;

@@ -44,7 +44,7 @@ public readonly struct DetectorInput
     public int Height { get; }
 
     /// <summary>How the bytes are arranged: always <see cref="PixelFormat.Rgb24"/>.</summary>
-    public PixelFormat Format => PixelFormat.Rgb24;
+    public PixelFormat Format { get; } = PixelFormat.Rgb24;
 
     /// <summary>Bytes from one row to the next: 3 x <see cref="Width"/>, since rows are not padded.</summary>
     public int StrideBytes => Width * 3;

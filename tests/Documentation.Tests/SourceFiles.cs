@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using Rabit.Tests.Shared;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>The files of the repository that people write, by their path from its root, with slashes.</summary>
 internal static class SourceFiles

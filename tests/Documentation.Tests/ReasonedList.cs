@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>A text file of entries with reasons: "entry: reason" in each line, # for a comment.</summary>
 internal static class ReasonedList

@@ -4,7 +4,7 @@ using System.Linq;
 using Xunit;
 using Xunit.Abstractions;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>Lines of code have at most 120 columns.</summary>
 public sealed class LineLengthTests(ITestOutputHelper output)

@@ -6,7 +6,7 @@ using System.Text.RegularExpressions;
 using Rabit.Core;
 using Rabit.Uav.HealthMonitoring;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>
 /// The drawing and the table of docs/architecture.md, made from the wiring. All edges of one direction between two
@@ -33,7 +33,7 @@ internal static class ArchitectureDrawing
         foreach (string manager in graph.Managers)
             text.Append($"  {IdOf(manager)}[\"{manager}\"]\n");
         foreach (string device in devices)
-            text.Append($"  {IdOf(device)}([\"{device.Substring(device.IndexOf('/') + 1)}\"])\n");
+            text.Append($"  {IdOf(device)}([\"{device.AsSpan(device.IndexOf('/') + 1)}\"])\n");
         foreach (IGrouping<(string, string, bool), Edge> arrow in edges.GroupBy(e => (e.From, e.To, e.IsMessage)))
         {
             string label = string.Join("<br/>", arrow.Select(e => e.Label).Where(l => l.Length > 0));

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>A message or a queue of a wiring: its name, and the managers and devices at its ends.</summary>
 internal sealed class WiringHub(string name, bool isMessage)

@@ -1,10 +1,11 @@
 using System;
 using Rabit.Core;
 using Rabit.Links;
+using Rabit.Uav;
 using Rabit.Uav.ImageProcessing;
-using Rabit.Uav.Tests.ImageProcessing;
+using Rabit.Uav.Simulation;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>The six managers with a link and a camera, wired as in flight; no unit of work is executed.</summary>
 internal static class ComposedSystem
@@ -12,11 +13,12 @@ internal static class ComposedSystem
     /// <summary>The wiring as <see cref="RabitWorkspace.DescribeWiring"/> gives it.</summary>
     public static string DescribeWiring(WiringFormat format)
     {
+        var world = new SimulatedWorld(new SimulationOptions());
         using UavSystem uav = UavSystem.Open(new UavOptions
         {
             OpenLinks = [new MemoryLinkPair("autopilot").A],
-            Camera = new ScriptedCamera(picture: []),
-            Imaging = new ImageProcessingOptions { Camera = new TestView().Camera },
+            Camera = world.CreateCamera(),
+            Imaging = new ImageProcessingOptions { Camera = world.CameraModel },
             Time = new VirtualTime(seed: 1),
         });
 

@@ -5,7 +5,7 @@ using System.Text.RegularExpressions;
 using Xunit;
 using Xunit.Abstractions;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>
 /// Code and documents do not use the words of eng/word-list.txt. eng/words-check.sh prints the same without a build.

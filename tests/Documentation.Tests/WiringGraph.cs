@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>A wiring, read from its Mermaid flowchart.</summary>
 internal sealed class WiringGraph
@@ -39,7 +39,7 @@ internal sealed class WiringGraph
     public IReadOnlyList<WiringHub> Hubs { get; }
 
     /// <summary>A reader or writer is named after its manager: "communications/link 0 in".</summary>
-    public static bool IsDevice(string owner) => owner.IndexOf('/') >= 0;
+    public static bool IsDevice(string owner) => owner.Contains('/', StringComparison.Ordinal);
 
     private static void AddArrow(
         Dictionary<string, string> owners, Dictionary<string, WiringHub> hubs, string from, string to, bool wakes)

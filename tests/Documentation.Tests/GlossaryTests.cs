@@ -7,7 +7,7 @@ using Rabit.Tests.Shared;
 using Xunit;
 using Xunit.Abstractions;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>
 /// docs/glossary.md: its links lead somewhere, and the search terms of the field find the right file.
@@ -62,7 +62,7 @@ public sealed class GlossaryTests(ITestOutputHelper output)
         var words = new Regex(pattern, RegexOptions.IgnoreCase);
         (string Name, int Hits)[] found = texts
             .Select(t => (Name: Path.GetFileName(t.Key), Text: t.Value))
-            .Select(t => (t.Name, words.Matches(t.Text).Count + (words.IsMatch(t.Name) ? HitsOfAName : 0)))
+            .Select(t => (t.Name, words.Count(t.Text) + (words.IsMatch(t.Name) ? HitsOfAName : 0)))
             .OrderByDescending(f => f.Item2).ToArray();
         string first = string.Join(", ", found.Take(5).Select(f => $"{f.Name} {f.Hits}"));
         output.WriteLine($"{term}: {first}");

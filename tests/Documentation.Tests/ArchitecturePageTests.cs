@@ -1,6 +1,6 @@
 using Xunit;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>docs/architecture.md shows the managers as they are wired.</summary>
 public sealed class ArchitecturePageTests

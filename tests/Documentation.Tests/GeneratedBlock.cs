@@ -3,7 +3,7 @@ using System.IO;
 using Rabit.Tests.Shared;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Documentation;
+namespace Rabit.Documentation.Tests;
 
 /// <summary>A part of a document that a test generates, between two comments that name it.</summary>
 internal static class GeneratedBlock
@@ -25,7 +25,7 @@ internal static class GeneratedBlock
         int end = text.IndexOf("<!-- end -->", start, StringComparison.Ordinal);
         Assert.True(start >= begin.Length && end >= start, $"{document} has no block '{name}'.");
         if (Updates)
-            File.WriteAllText(path, text.Substring(0, start) + content + text.Substring(end));
+            File.WriteAllText(path, string.Concat(text.AsSpan(0, start), content, text.AsSpan(end)));
         else if (!string.Equals(text.Substring(start, end - start), content, StringComparison.Ordinal))
             Assert.Fail($"{document} is out of date; RABIT_UPDATE_DOCS=1 writes it. It should have:\n{content}");
     }
