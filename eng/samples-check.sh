@@ -33,6 +33,8 @@ check HelloRabit
 check WatchVehicle "$flight"
 check BatteryAlarm "$flight" 99
 check SimulatedSearch
+check OwnMavlinkMessage
+check OwnDetector
 
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

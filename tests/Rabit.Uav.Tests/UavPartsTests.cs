@@ -19,7 +19,7 @@ public sealed class UavPartsTests
     [InlineData(UavManagers.AutopilotInterface, "subscribes to message 'own address', but|Queue 'autopilot frames' has no receiver|message 'vehicle'")]
     [InlineData(UavManagers.ImageProcessing, "subscribes to message 'imaging', but|Queue 'poses' has no receiver, but 'autopilot' sends to it.")]
     [InlineData(UavManagers.SensorFusion, "subscribes to message 'tracks', but|Queue 'target reports' has no receiver")]
-    [InlineData(UavManagers.MissionControl, "subscribes to message 'mission', but|Queue 'vehicle command answers' has no receiver, but 'autopilot' sends to it.")]
+    [InlineData(UavManagers.MissionControl, "subscribes to message 'mission', but|Queue 'vehicle command results' has no receiver, but 'autopilot' sends to it.")]
     [InlineData(UavManagers.HealthMonitoring, "subscribes to message 'health', but")]
     public void Without_OneManager_TheWiringNamesWhatIsMissing(UavManagers without, string expected)
     {

@@ -45,7 +45,7 @@ public sealed class LiveLinkTests : IDisposable
 
         console.Signal(ConsoleProcess.Interrupt);
         Assert.Equal(0, console.WaitForEnd());
-        Assert.Contains("no autopilot heard yet", string.Join("\n", console.Output));
+        Assert.Contains("no autopilot detected yet", string.Join("\n", console.Output));
     }
 
     [Theory]
@@ -62,7 +62,7 @@ public sealed class LiveLinkTests : IDisposable
 
             Assert.True(exitCode == 0, console.ToString());
             Assert.Contains($"--- summary: {reason} ---", console.Output);
-            Assert.Contains("no autopilot was heard", console.Output);
+            Assert.Contains("no autopilot was connected", console.Output);
             Assert.InRange(took, TimeSpan.Zero, TimeSpan.FromSeconds(1));
             Assert.Empty(console.Errors);
         }

@@ -48,7 +48,7 @@ public sealed class SimulatedMissionTests : IDisposable
     }
 
     [Theory]
-    [InlineData("{", "it is no JSON")]
+    [InlineData("{", "it is not JSON")]
     [InlineData("""{"name":"x"}""", "area")]
     public void Mission_BadFile_IsOneLineAndExitCode2(string json, string expected)
     {

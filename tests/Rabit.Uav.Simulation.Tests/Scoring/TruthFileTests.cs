@@ -59,8 +59,8 @@ public sealed class TruthFileTests
     [InlineData("""{"format":"rabit-mission"}""", "it does not say \"format\": \"rabit-truth\"")]
     [InlineData("""{"format":"rabit-truth","version":2}""", "its version is not 1; home is missing; targets is not a list")]
     [InlineData(
-        """{"format":"rabit-truth","version":1,"home":{"latitudeDegrees":91,"longitudeDegrees":"8"},"targets":[{"class":"pink","latitudeDegrees":1,"longitudeDegrees":2},{"latitudeDegrees":1,"longitudeDegrees":2}]}""",
-        "home: latitudeDegrees is not a number from -90 to 90; home: longitudeDegrees is not a number from -180 to 180; targets[0]: 'pink' is not a class (red, orange, blue, yellow, magenta); targets[1] has no class")]
+        """{"format":"rabit-truth","version":1,"home":{"latitudeDegrees":91,"longitudeDegrees":"8"},"targets":[{"class":"pink and green stripes","latitudeDegrees":1,"longitudeDegrees":2},{"latitudeDegrees":1,"longitudeDegrees":2}]}""",
+        "home: latitudeDegrees is not a number from -90 to 90; home: longitudeDegrees is not a number from -180 to 180; targets[0]: 'pink and green stripes' is not a class: 1 to 16 ASCII characters; targets[1] has no class")]
     [InlineData(
         """{"format":"rabit-truth","version":1,"home":{"lat_deg":47,"lon_deg":8},"targets":[{"color":"red","lat_deg":1,"lon_deg":2},{"color":"red","lat_deg":1,"lon_deg":2}]}""",
         "lat_deg is now latitudeDegrees; lon_deg is now longitudeDegrees; color is now class")]

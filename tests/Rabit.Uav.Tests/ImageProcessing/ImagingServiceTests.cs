@@ -187,7 +187,7 @@ public sealed class ImagingServiceTests
         foreach (string name in new[]
         {
             "Camera does not say", "MinSideMetres of target class red is 2", "red is declared twice", "red has no colour", "DetectorTimeBudget", "MaxAspect is 1", "MinSidePixels is 3", "MaxReportsPerPicture is 0",
-            "MinDepressionRadians is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0", "misalignment",
+            "MinDepression is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0", "misalignment",
             "ErrorBudget.PixelNoise is -1", "ErrorBudget.PositionBiasMetres is NaN",
         })
             Assert.Contains(name, text, StringComparison.Ordinal);

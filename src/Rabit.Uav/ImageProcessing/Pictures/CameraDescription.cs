@@ -33,7 +33,7 @@ internal static class CameraDescription
         }
         catch (JsonException e)
         {
-            throw new PictureException(file, "it is no JSON: " + e.Message, e);
+            throw new PictureException(file, "it is not JSON: " + e.Message, e);
         }
 
         using (document)
