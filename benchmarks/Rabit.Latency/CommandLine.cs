@@ -13,8 +13,8 @@ internal sealed class CommandLine
 
         Modes: MODES; all (the default) is all but soak.
           --quick          a few seconds: shows that every mode works, and judges no figure
-          --rounds N       interleaved rounds, 7 unless told
-          --minutes N      how long the soak lasts, 1 unless told
+          --rounds N       interleaved rounds (default 7)
+          --minutes N      how long the soak lasts (default 1)
           --plant-leak     the soak leaves something behind on purpose, and must fail
           --json FILE      every round's figures for programs
           --into FILE      the tables into a document in Markdown, between its marks

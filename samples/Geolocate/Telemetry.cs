@@ -14,7 +14,7 @@ namespace Geolocate;
 /// </summary>
 internal static class Telemetry
 {
-    // What comes later than that after the picture tells nothing of it.
+    // What comes later than that after the picture says nothing about it.
     private static readonly TimeSpan Beyond = TimeSpan.FromSeconds(2);
 
     private static readonly string[] Columns =

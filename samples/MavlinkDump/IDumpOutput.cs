@@ -7,6 +7,6 @@ internal interface IDumpOutput
 {
     void Add(in MavlinkFrame frame, in TlogRecord record);
 
-    /// <summary>Called once, behind the last record.</summary>
+    /// <summary>Called once, after the last record.</summary>
     void Finish(TlogReader log);
 }

@@ -12,7 +12,7 @@ internal static class Braking
     /// <summary>For starting and for a joystick that is let go: gentle.</summary>
     public const double ComfortMetresPerSecondSquared = 0.8;
 
-    /// <summary>For the safety stop: as hard as nobody falls out of the chair.</summary>
+    /// <summary>For the safety stop: as hard as possible without throwing the driver out of the chair.</summary>
     public const double EmergencyMetresPerSecondSquared = 2;
 
     /// <summary>What the safety stop leaves between footrest and wall, at least.</summary>

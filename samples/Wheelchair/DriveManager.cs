@@ -4,11 +4,11 @@ using Rabit.Core;
 namespace Wheelchair;
 
 /// <summary>
-/// Drives as the driver wants, at 50 Hz, and stops before an obstacle, or when it does not hear from joystick or sensor any more.
+/// Drives as the driver wants, at 50 Hz, and stops before an obstacle, or when it receives nothing from joystick or sensor any more.
 /// </summary>
 internal sealed class DriveManager : RabitManager
 {
-    // Both devices tell every 50 ms: three readings in a row that do not come are a broken device.
+    // Both devices report every 50 ms: three missing readings in a row are a broken device.
     private static readonly TimeSpan OldestInput = TimeSpan.FromMilliseconds(200);
 
     private readonly MessageSubscriber<Joystick> _joystick;

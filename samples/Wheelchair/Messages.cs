@@ -32,7 +32,7 @@ internal readonly struct RangeReading(double distanceMetres, TimeSpan at)
     public TimeSpan At { get; } = at;
 }
 
-/// <summary>What the motors are told.</summary>
+/// <summary>The command to the motors.</summary>
 internal readonly struct MotorCommand(double speedMetresPerSecond, TimeSpan at)
 {
     public double SpeedMetresPerSecond { get; } = speedMetresPerSecond;

@@ -136,7 +136,7 @@ public sealed class UavSystem : IDisposable
             file.Dispose();
     }
 
-    // An aircraft in the air is better off with managers that go on: Health Monitoring sees the fault, and Mission Control comes home.
+    // An aircraft in the air is better off with managers that go on: Health Monitoring sees the fault, and Mission Control returns to launch.
     private void CarryOnAfterFaults()
     {
         foreach (RabitManager manager in Managers().Except(_options.OtherManagers))

@@ -5,8 +5,8 @@ using Rabit.Core;
 namespace Rabit.Benchmarks.Core;
 
 /// <summary>
-/// Does on its own thread what it is told, since that is where messages are posted and fetched. Handing over costs some microseconds;
-/// what it is told is a hundred thousand operations at a time.
+/// Executes on its own thread the operations it is given, since that is where messages are posted and fetched. Handing over costs some microseconds;
+/// it is given a hundred thousand at a time.
 /// </summary>
 internal sealed class MessageManager : RabitManager, IDisposable
 {
@@ -35,7 +35,7 @@ internal sealed class MessageManager : RabitManager, IDisposable
 
     public MessagePublisher<RangeScan> Scan { get; }
 
-    /// <summary>A message that nobody posts while it is measured.</summary>
+    /// <summary>A message that no manager posts while it is measured.</summary>
     public MessageSubscriber<VehiclePose> Quiet { get; }
 
     public void Do(Action work)

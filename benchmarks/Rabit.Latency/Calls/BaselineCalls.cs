@@ -25,7 +25,7 @@ internal sealed class BaselineCalls
         for (int i = 0; i < calls; i++)
         {
             if (IsNews(seen))
-                throw new InvalidOperationException("Nobody has posted.");
+                throw new InvalidOperationException("Nothing was posted.");
         }
     });
 

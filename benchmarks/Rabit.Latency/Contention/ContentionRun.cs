@@ -14,7 +14,7 @@ internal sealed class ContentionRun
 
     public bool IsStopped => _stopped;
 
-    /// <summary>Told by the poster and the fetcher at their ends.</summary>
+    /// <summary>Reported by the poster and the fetcher at their ends.</summary>
     public void Tell(long? posts = null, long? news = null)
     {
         if (posts is { } p)

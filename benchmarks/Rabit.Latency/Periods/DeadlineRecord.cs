@@ -20,7 +20,7 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
 
     public bool IsFull => Count == _times.Length;
 
-    /// <summary>Told at the beginning of each run, the first one included.</summary>
+    /// <summary>Called at the beginning of each run, the first one included.</summary>
     public void Add(long now) => _times[Count++] = now;
 
     /// <summary>When a thread without Rabit is to run next: the first deadline that has not passed. Those in between are missed.</summary>

@@ -24,7 +24,7 @@ internal static class PeriodMode
         Table common = Lateness(options, TenMilliseconds, "100 Hz", options.Pick(20, 300), options.Rounds);
         Require(common, withEvents: true);
 
-        // The event engine counts in milliseconds: it cannot keep every deadline of this period, and says so by its slips.
+        // The event engine counts in milliseconds: it cannot keep every deadline of this period, and says so by its missed deadlines.
         Table fast = Lateness(options, HalfAMillisecond, "2 kHz", options.Pick(100, 2000), options.Rounds);
         Require(fast, withEvents: false);
         return [common, fast, Drift(options)];

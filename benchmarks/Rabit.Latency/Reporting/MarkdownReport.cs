@@ -7,7 +7,7 @@ using Rabit.Latency.Measuring;
 
 namespace Rabit.Latency.Reporting;
 
-/// <summary>Writes tables into a document, between the two marks of this runtime: what stood there is replaced.</summary>
+/// <summary>Writes tables into a document, between the two marks of this runtime: what was there is replaced.</summary>
 internal static class MarkdownReport
 {
     public static void WriteInto(string file, string runtime, string machine, IReadOnlyList<Table> tables)

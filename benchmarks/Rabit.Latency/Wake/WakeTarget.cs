@@ -50,7 +50,7 @@ internal abstract class WakeTarget : IDisposable
         while (Received < due)
         {
             if (MonotonicClock.Now > giveUp)
-                throw new InvalidOperationException("A wake-up was lost: two seconds after the post nobody ran.");
+                throw new InvalidOperationException("A wake-up was lost: two seconds after the post the manager had not run.");
             MonotonicClock.SleepMilliseconds(0.1);
         }
     }

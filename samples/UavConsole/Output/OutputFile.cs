@@ -76,7 +76,7 @@ internal sealed class OutputFile : IDisposable
 
     public void Dispose() => _stream.Dispose();
 
-    // By a link of either kind the log may have a second name; no portable call tells, but its content does.
+    // By a link of either kind the log may have a second name; no portable call shows it, but its content does.
     private static bool IsSameFile(FileStream output, string log)
     {
         using var other = new FileStream(log, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);

@@ -33,7 +33,7 @@ internal sealed class LiveScreen
         _mission = showsMission ? new MissionView(monitor) : null;
     }
 
-    /// <summary>Whether the output is a terminal that can be drawn on.</summary>
+    /// <summary>Whether the output is a terminal that supports the screen.</summary>
     public static bool IsPossible() => !Console.IsOutputRedirected && AnsiConsole.Profile.Capabilities.Ansi && AnsiConsole.Profile.Capabilities.Interactive;
 
     public void ShowUntilEnd(Task run) => AnsiConsole.Live(DrawFitting()).Overflow(VerticalOverflow.Crop).Start(context =>

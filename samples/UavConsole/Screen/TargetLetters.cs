@@ -2,7 +2,7 @@ using Rabit.Uav.Messages;
 
 namespace UavConsole;
 
-/// <summary>How the classes of targets are drawn on the map of the screen.</summary>
+/// <summary>How the classes of targets appear on the map of the screen.</summary>
 internal static class TargetLetters
 {
     private static readonly (TargetClassName Class, char Letter, MapInk Ink)[] Known =

@@ -102,7 +102,7 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
     private IEnumerable<IRenderable> Links() => monitor.Links.Select(link => new Markup(
         $"[bold]link[/] {Plain(ShortName(link.Url))} {Plain(Text.Link(link))}"));
 
-    // The end of a long path tells more than its beginning.
+    // The end of a long path says more than its beginning.
     private static string ShortName(string? url)
         => url is null ? "-" : url.Length <= MaxLinkNameLength ? url : $"...{url.Substring(url.Length - MaxLinkNameLength + 3)}";
 

@@ -43,7 +43,7 @@ public sealed class MessageSubscriber<T>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public MessageStamp Stamp => _binding.Copy().Stamp;
 
-    /// <summary>Whether anybody ever posted the message, fetched or not.</summary>
+    /// <summary>Whether the message was ever posted, fetched or not.</summary>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public bool WasPosted
     {

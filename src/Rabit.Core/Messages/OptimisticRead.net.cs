@@ -11,9 +11,9 @@ internal static class OptimisticRead
     /// <summary>How many posts are kept: a power of two. A fetcher's value is overwritten if one post less comes during one copy.</summary>
     public const int Slots = 8;
 
-    /// <summary>No store behind it is seen before one in front of it.</summary>
+    /// <summary>No store after it is seen before one that precedes it.</summary>
     public static void StoreBarrier() => Volatile.WriteBarrier();
 
-    /// <summary>No load behind it is made before one in front of it.</summary>
+    /// <summary>No load after it is made before one that precedes it.</summary>
     public static void LoadBarrier() => Volatile.ReadBarrier();
 }

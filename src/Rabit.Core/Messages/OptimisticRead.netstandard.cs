@@ -14,9 +14,9 @@ internal static class OptimisticRead
     /// <summary>How many posts are kept where a test makes a fetcher try all the same.</summary>
     public const int Slots = 8;
 
-    /// <summary>No store behind it is seen before one in front of it.</summary>
+    /// <summary>No store after it is seen before one that precedes it.</summary>
     public static void StoreBarrier() => Interlocked.MemoryBarrier();
 
-    /// <summary>No load behind it is made before one in front of it.</summary>
+    /// <summary>No load after it is made before one that precedes it.</summary>
     public static void LoadBarrier() => Interlocked.MemoryBarrier();
 }

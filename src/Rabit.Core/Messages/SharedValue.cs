@@ -33,7 +33,7 @@ namespace Rabit.Core.Messages;
 /// </para>
 /// <para>
 /// Measured gain over a lock alone: see decision 0010. Without cheap barriers (netstandard2.0, and so Mono, whose barriers have
-/// failed on Arm before) there is one slot, and everybody takes the lock: see <see cref="OptimisticRead"/>.
+/// failed on Arm before) there is one slot, and all take the lock: see <see cref="OptimisticRead"/>.
 /// </para>
 /// </remarks>
 internal sealed class SharedValue<T> : SharedMessage<T>
@@ -90,7 +90,7 @@ internal sealed class SharedValue<T> : SharedMessage<T>
             int version;
             if (_tries == 0)
             {
-                // Everybody takes the lock: nothing can move, and no barrier is needed.
+                // All take the lock: nothing can move, and no barrier is needed.
                 version = Version;
                 ref Slot slot = ref SlotOf(version);
                 copy.Value = slot.Value;
@@ -101,7 +101,7 @@ internal sealed class SharedValue<T> : SharedMessage<T>
             Volatile.Write(ref _starvedReaders, true);
             while (!TryRead(copy, out version))
             {
-                // Lapped by posts that began before the poster could see the mark; the next one waits for this lock.
+                // Overwritten by posts that began before the poster could see the mark; the next one waits for this lock.
             }
 
             Volatile.Write(ref _starvedReaders, false);

@@ -25,7 +25,7 @@ namespace Rabit.Core.Queues;
 /// The races it closes:
 /// <list type="bullet">
 /// <item>Two senders at one place: the compare-and-swap lets one of them have it, the other looks again.</item>
-/// <item>A sender is held up between reserving and writing. The receiver finds nothing at that place and leaves what lies behind it, even
+/// <item>A sender is held up between reserving and writing. The receiver finds nothing at that place and leaves what follows it, even
 /// if that was pushed long ago. It is seen all the same by a unit of work that starts later: the sender that was held up wakes the receiver
 /// when it has written.</item>
 /// <item>A wake is skipped where one is pending. The sequence is written by an exchange, a full fence, so the look at the pending wake

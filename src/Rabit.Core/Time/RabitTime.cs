@@ -8,7 +8,7 @@ namespace Rabit.Core;
 /// <summary>
 /// The one seam through which anything in Rabit reads the time or waits. Give one to the reactor: <see cref="RealTime"/>
 /// (threads and the machine's clock) or <see cref="VirtualTime"/> (one thread, a clock that jumps, an order fixed by a seed).
-/// Manager code cannot tell the difference.
+/// Manager code does not see the difference.
 /// </summary>
 public abstract class RabitTime
 {

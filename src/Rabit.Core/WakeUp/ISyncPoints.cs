@@ -14,7 +14,7 @@ namespace Rabit.Core.WakeUp;
 /// <c>Volatile.Read(ref _x)</c> would be. A field that is written once, before its object is handed to another thread, needs no point.
 /// What each one promises is what the .NET memory model promises of the call of the same name, and no more:
 /// <list type="bullet">
-/// <item>volatile: a read is not moved behind its neighbours;</item>
+/// <item>volatile: a read is not moved past its neighbours;</item>
 /// <item>interlocked: in order with everything;</item>
 /// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
 /// </list>

@@ -84,8 +84,8 @@ internal sealed class DefinitionDataWriter
         Number(message.Id - previousId);
         Text(message.Name);
         _bytes.Add(message.CrcExtra);
-        _bytes.Add((byte)message.MinimumLength);
-        _bytes.Add((byte)message.MaximumLength);
+        _bytes.Add((byte)message.MinLength);
+        _bytes.Add((byte)message.MaxLength);
         Number(message.AddressOffset("target_system") + 1);
         Number(message.AddressOffset("target_component") + 1);
         Number(file < 0 ? 0 : file);

@@ -11,7 +11,7 @@ public sealed record EmitOptions(string Namespace)
 {
     /// <summary>
     /// Name of the property of <c>MavlinkDialect</c> that gives the dialect. Only the package itself can add to that class; where
-    /// this is null a class called after the root file, with <c>Dialect</c> behind it, is made in <see cref="Namespace"/>.
+    /// this is null a class called after the root file, with <c>Dialect</c> appended, is made in <see cref="Namespace"/>.
     /// </summary>
     public string? DialectProperty { get; init; }
 

@@ -48,8 +48,8 @@ internal sealed class MessageEmitter
         Constant("int", "MavlinkId", Number(_message.Id), $"Message id: {_message.Id}.");
         Constant("string", "MavlinkName", $"\"{_message.Name}\"", "Name in the definition.");
         Constant("byte", "MavlinkCrcExtra", Number(_message.CrcExtra), "The byte that ends the checksum.");
-        Constant("byte", "MavlinkMinLength", Number(_message.MinimumLength), "Payload bytes without extension fields.");
-        Constant("byte", "MavlinkMaxLength", Number(_message.MaximumLength), "Payload bytes with extension fields.");
+        Constant("byte", "MavlinkMinLength", Number(_message.MinLength), "Payload bytes without extension fields.");
+        Constant("byte", "MavlinkMaxLength", Number(_message.MaxLength), "Payload bytes with extension fields.");
     }
 
     private void Constant(string type, string name, string value, string doc)

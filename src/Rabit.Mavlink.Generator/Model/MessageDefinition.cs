@@ -20,13 +20,13 @@ public sealed class MessageDefinition
         Fields = fields;
         // OrderBy is stable, which the wire order relies on (MAVLink guide, "Field reordering").
         List<FieldDefinition> basic = fields.Where(field => !field.IsExtension).OrderByDescending(field => field.Type.Size).ToList();
-        MinimumLength = basic.Sum(field => field.WireLength);
+        MinLength = basic.Sum(field => field.WireLength);
         CrcExtra = Model.CrcExtra.Compute(name, basic);
         WireFields = basic.Concat(fields.Where(field => field.IsExtension)).ToList();
         foreach (FieldDefinition field in WireFields)
         {
-            _offsets[field] = MaximumLength;
-            MaximumLength += field.WireLength;
+            _offsets[field] = MaxLength;
+            MaxLength += field.WireLength;
         }
     }
 
@@ -43,10 +43,10 @@ public sealed class MessageDefinition
     public IReadOnlyList<FieldDefinition> WireFields { get; }
 
     /// <summary>Payload bytes without extensions.</summary>
-    public int MinimumLength { get; }
+    public int MinLength { get; }
 
     /// <summary>Payload bytes with extensions.</summary>
-    public int MaximumLength { get; }
+    public int MaxLength { get; }
 
     /// <summary>The byte that ends the checksum.</summary>
     public byte CrcExtra { get; }

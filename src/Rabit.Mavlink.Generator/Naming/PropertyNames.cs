@@ -7,7 +7,7 @@ namespace Rabit.Mavlink.Generator.Naming;
 /// <summary>
 /// Names of the properties of a message: <c>custom_mode</c> is CustomMode. A property that would be called like its message is
 /// called Value (<c>AIRSPEED.airspeed</c>: <c>Airspeed.Value</c>); one that would be called like a member that every message has
-/// gets Field behind it; of two that would come out the same, the later one gets a 2 behind it, a third a 3.
+/// gets Field appended; of two that would come out the same, the later one gets a 2 appended, a third a 3.
 /// </summary>
 internal static class PropertyNames
 {

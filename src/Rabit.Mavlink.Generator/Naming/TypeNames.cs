@@ -9,7 +9,7 @@ namespace Rabit.Mavlink.Generator.Naming;
 
 /// <summary>
 /// Names of the types of a dialect. Enums and messages are their names in the definition, in Pascal case. An enum whose name is
-/// taken gets Enum behind it, a message whose name is taken Message, and if that is taken too its id. What the package has
+/// taken gets Enum appended, a message whose name is taken Message, and if that is taken too its id. What the package has
 /// already keeps its name there; only the rest is the dialect's own. Entries that it adds to an enum of the package are in a class
 /// that is called after the dialect and the enum.
 /// </summary>

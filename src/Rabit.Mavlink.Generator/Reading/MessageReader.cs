@@ -43,8 +43,8 @@ internal sealed class MessageReader(EnumReader enums)
             element.Fault(DialectFaultKind.NoFields, $"Message {name} has no field.");
         else if (fields.Count > MaxFields)
             element.Fault(DialectFaultKind.TooManyFields, $"Message {name} has {fields.Count} fields; MAVLink allows {MaxFields}.");
-        else if (message.MaximumLength > MaxPayload)
-            element.Fault(DialectFaultKind.PayloadTooLong, $"Message {name} has {message.MaximumLength} payload bytes; a frame holds {MaxPayload}.");
+        else if (message.MaxLength > MaxPayload)
+            element.Fault(DialectFaultKind.PayloadTooLong, $"Message {name} has {message.MaxLength} payload bytes; a frame holds {MaxPayload}.");
         else if (IsNew(message, element))
             Add(message, read);
     }

@@ -137,7 +137,7 @@ internal sealed class DefinitionData
 
     private MavlinkFieldDefinition ReadField(ref DefinitionCursor cursor, int messageId, Func<string, MavlinkEnumDefinition?> findEnum)
     {
-        // Type in the low four bits, then extension, instance, array; behind it which of the texts are there.
+        // Type in the low four bits, then extension, instance, array; after it which of the texts are there.
         string name = _details.Value.Text(cursor.ReadInt())!;
         int shape = cursor.ReadByte();
         int texts = cursor.ReadByte();

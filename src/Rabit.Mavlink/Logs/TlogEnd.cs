@@ -7,7 +7,7 @@ public enum TlogEnd
     NotReached,
 
     /// <summary>
-    /// All of the file was read and it holds at least one intact record. Damage, if any, is told apart:
+    /// All of the file was read and it holds at least one intact record. Damage, if any, is counted separately:
     /// <see cref="TlogReader.LostBytes"/>.
     /// </summary>
     Complete,

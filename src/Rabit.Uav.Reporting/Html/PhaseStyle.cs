@@ -14,7 +14,7 @@ internal static class PhaseStyle
         MissionPhase.TakingOff => "p-takeoff",
         MissionPhase.InTransit => "p-transit",
         MissionPhase.Searching => "p-search",
-        MissionPhase.Revisiting => "p-look",
+        MissionPhase.Revisiting => "p-revisit",
         MissionPhase.Returning => "p-return",
         MissionPhase.Landing => "p-land",
         MissionPhase.HandedOver => "p-handed",

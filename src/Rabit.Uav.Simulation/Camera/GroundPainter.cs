@@ -22,20 +22,20 @@ internal sealed class GroundPainter(LensRays lens, GroundTexture texture)
     private const uint Haze = 0xC6_CC_D2;
     private const uint Zenith = 0x8C_A8_CC;
 
-    public void Paint(in CameraPose stance, byte[] pixels)
+    public void Paint(in CameraPose pose, byte[] pixels)
     {
-        if (stance.Height < MinHeight)
+        if (pose.Height < MinHeight)
         {
             Fill(pixels, lens.Width * lens.Height * 3);
             return;
         }
 
-        Vector3 axis = stance.Axes.Forward;
-        Vector3 right = stance.Axes.Right;
-        Vector3 below = stance.Axes.Down;
-        double height = stance.Height;
-        double northFrom = stance.North - (GroundTexture.Period * Math.Floor(stance.North / GroundTexture.Period));
-        double eastFrom = stance.East - (GroundTexture.Period * Math.Floor(stance.East / GroundTexture.Period));
+        Vector3 axis = pose.Axes.Forward;
+        Vector3 right = pose.Axes.Right;
+        Vector3 below = pose.Axes.Down;
+        double height = pose.Height;
+        double northFrom = pose.North - (GroundTexture.Period * Math.Floor(pose.North / GroundTexture.Period));
+        double eastFrom = pose.East - (GroundTexture.Period * Math.Floor(pose.East / GroundTexture.Period));
         double leastDown = height / MaxGroundDistance;
         double grainPerDown = 256 * GrainMetres * lens.Focal / height;
         double[] rays = lens.Rays;

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Makes pictures of the simulated world. The same seed, stances and number give the same bytes. One thread;
+/// Makes pictures of the simulated world. The same seed, poses and number give the same bytes. One thread;
 /// allocates nothing for a picture.
 /// </summary>
 internal sealed class PictureRenderer

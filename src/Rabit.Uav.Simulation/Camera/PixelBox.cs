@@ -22,7 +22,7 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
         Math.Min(Left, other.Left), Math.Min(Top, other.Top), Math.Max(Right, other.Right), Math.Max(Bottom, other.Bottom));
 
     /// <summary>The pixels in which a rectangle on the ground may be seen; false if there are none.</summary>
-    public static bool TryFind(SimulatedTarget sheet, in CameraPose stance, LensRays lens, out PixelBox box)
+    public static bool TryFind(SimulatedTarget sheet, in CameraPose pose, LensRays lens, out PixelBox box)
     {
         box = default;
         (double sin, double cos) = (Math.Sin(sheet.HeadingRadians), Math.Cos(sheet.HeadingRadians));
@@ -33,17 +33,17 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
             double along = (corner & 1) == 0 ? sheet.SideMetres / 2 : -sheet.SideMetres / 2;
             double across = (corner & 2) == 0 ? sheet.WidthMetres / 2 : -sheet.WidthMetres / 2;
             var way = new Vector3(
-                sheet.NorthMetres + (along * cos) - (across * sin) - stance.North,
-                sheet.EastMetres + (along * sin) + (across * cos) - stance.East,
-                stance.Height);
-            double depth = Along(way, stance.Axes.Forward);
-            if (depth < 0.05 * stance.Height)
+                sheet.NorthMetres + (along * cos) - (across * sin) - pose.North,
+                sheet.EastMetres + (along * sin) + (across * cos) - pose.East,
+                pose.Height);
+            double depth = Along(way, pose.Axes.Forward);
+            if (depth < 0.05 * pose.Height)
             {
                 behind++;
                 continue;
             }
 
-            (double x, double y) = (Along(way, stance.Axes.Right) / depth, Along(way, stance.Axes.Down) / depth);
+            (double x, double y) = (Along(way, pose.Axes.Right) / depth, Along(way, pose.Axes.Down) / depth);
             (leastX, mostX) = (Math.Min(leastX, x), Math.Max(mostX, x));
             (leastY, mostY) = (Math.Min(leastY, y), Math.Max(mostY, y));
         }

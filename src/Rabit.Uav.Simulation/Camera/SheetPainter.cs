@@ -5,13 +5,13 @@ namespace Rabit.Uav.Simulation;
 
 /// <summary>
 /// Paints the rectangles on the ground over it, each pixel by the part of it that they cover: 4 x 4 rays to a pixel,
-/// from two stances within the exposure, so that a panel is smeared as the camera moves and turns. (The ground is
+/// from two poses within the exposure, so that a panel is smeared as the camera moves and turns. (The ground is
 /// not: it has no sharp edges.) Allocates nothing.
 /// </summary>
 internal sealed class SheetPainter(LensRays lens, IEnumerable<SimulatedTarget> sheets)
 {
     private const int RaysPerSide = 4;
-    private const int RaysPerStance = RaysPerSide * RaysPerSide;
+    private const int RaysPerPose = RaysPerSide * RaysPerSide;
 
     private readonly SimulatedTarget[] _sheets = sheets.ToArray();
 
@@ -54,7 +54,7 @@ internal sealed class SheetPainter(LensRays lens, IEnumerable<SimulatedTarget> s
         int lowerLeft = view.SidesMissed(cone.X(-0.5, 0.5), cone.Y(-0.5, 0.5));
         int lowerRight = view.SidesMissed(cone.X(0.5, 0.5), cone.Y(0.5, 0.5));
         if ((missed | upperRight | lowerLeft | lowerRight) == 0)
-            return RaysPerStance;
+            return RaysPerPose;
         if ((missed & upperRight & lowerLeft & lowerRight) != 0)
             return 0;
 
@@ -75,7 +75,7 @@ internal sealed class SheetPainter(LensRays lens, IEnumerable<SimulatedTarget> s
 
     private static void Cover(byte[] pixels, int at, SurfaceColour surface, int covered)
     {
-        const int All = 2 * RaysPerStance;
+        const int All = 2 * RaysPerPose;
         pixels[at] = (byte)(((pixels[at] * (All - covered)) + (surface.Red * covered)) / All);
         pixels[at + 1] = (byte)(((pixels[at + 1] * (All - covered)) + (surface.Green * covered)) / All);
         pixels[at + 2] = (byte)(((pixels[at + 2] * (All - covered)) + (surface.Blue * covered)) / All);

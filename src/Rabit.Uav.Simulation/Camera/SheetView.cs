@@ -15,13 +15,13 @@ internal readonly struct SheetView
     private readonly double _halfSide;
     private readonly double _halfWidth;
 
-    public SheetView(SimulatedTarget sheet, in CameraPose stance)
+    public SheetView(SimulatedTarget sheet, in CameraPose pose)
     {
         (double sin, double cos) = (Math.Sin(sheet.HeadingRadians), Math.Cos(sheet.HeadingRadians));
-        (double north, double east) = (stance.North - sheet.NorthMetres, stance.East - sheet.EastMetres);
-        _along = Terms(stance, cos, sin, (north * cos) + (east * sin));
-        _across = Terms(stance, -sin, cos, (east * cos) - (north * sin));
-        _down = new Vector3(stance.Axes.Right.Third, stance.Axes.Down.Third, stance.Axes.Forward.Third);
+        (double north, double east) = (pose.North - sheet.NorthMetres, pose.East - sheet.EastMetres);
+        _along = Terms(pose, cos, sin, (north * cos) + (east * sin));
+        _across = Terms(pose, -sin, cos, (east * cos) - (north * sin));
+        _down = new Vector3(pose.Axes.Right.Third, pose.Axes.Down.Third, pose.Axes.Forward.Third);
         _halfSide = sheet.SideMetres / 2;
         _halfWidth = sheet.WidthMetres / 2;
     }
@@ -46,10 +46,10 @@ internal readonly struct SheetView
     }
 
     // Where a ray meets the ground: camera + height x (its level part) / (its part downwards); here times that part.
-    private static Vector3 Terms(in CameraPose stance, double towardsNorth, double towardsEast, double camera) => new(
-        Term(stance.Axes.Right, stance.Height, towardsNorth, towardsEast, camera),
-        Term(stance.Axes.Down, stance.Height, towardsNorth, towardsEast, camera),
-        Term(stance.Axes.Forward, stance.Height, towardsNorth, towardsEast, camera));
+    private static Vector3 Terms(in CameraPose pose, double towardsNorth, double towardsEast, double camera) => new(
+        Term(pose.Axes.Right, pose.Height, towardsNorth, towardsEast, camera),
+        Term(pose.Axes.Down, pose.Height, towardsNorth, towardsEast, camera),
+        Term(pose.Axes.Forward, pose.Height, towardsNorth, towardsEast, camera));
 
     private static double Term(Vector3 axis, double height, double towardsNorth, double towardsEast, double camera)
         => (height * ((axis.First * towardsNorth) + (axis.Second * towardsEast))) + (camera * axis.Third);

@@ -92,7 +92,7 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
                 continue;
             }
 
-            if (!TryGetStance(start + Part(2), out CameraPose middle))
+            if (!TryGetCameraPose(start + Part(2), out CameraPose middle))
                 return ReaderStep.WaitUntil(now + TruthPause);
 
             if (!_pool.TryRent(Owner, out BufferLease lease))
@@ -122,7 +122,7 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
 
     private CameraFrame Expose(TimeSpan start, in CameraPose middle, BufferLease lease)
     {
-        if (!TryGetStance(start + Part(1), out CameraPose early) || !TryGetStance(start + Part(3), out CameraPose late))
+        if (!TryGetCameraPose(start + Part(1), out CameraPose early) || !TryGetCameraPose(start + Part(3), out CameraPose late))
             (early, late) = (middle, middle);
         _renderer.Render(middle, early, late, _number, lease.Array);
         return new CameraFrame
@@ -147,10 +147,10 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
         return false;
     }
 
-    private bool TryGetStance(TimeSpan time, out CameraPose stance)
+    private bool TryGetCameraPose(TimeSpan time, out CameraPose cameraPose)
     {
         bool isKnown = _truth.TryGet(time, out TruePose pose);
-        stance = isKnown ? new CameraPose(pose, _options) : default;
+        cameraPose = isKnown ? new CameraPose(pose, _options) : default;
         return isKnown;
     }
 

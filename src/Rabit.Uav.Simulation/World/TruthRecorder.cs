@@ -5,7 +5,7 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Keeps what the vehicle has really done. Written by the vehicle step by step, read by anybody, under a lock.
+/// Keeps what the vehicle has really done. Written by the vehicle step by step, read by any thread, under a lock.
 /// </summary>
 internal sealed class TruthRecorder
 {

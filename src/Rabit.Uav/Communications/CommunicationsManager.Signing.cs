@@ -23,7 +23,7 @@ public sealed partial class CommunicationsManager
         return new LinkSigning(options, _options.Links.Count, new QueuedTimestampStore(store, _timestamps, writer));
     }
 
-    // What is not verified goes nowhere: were it forwarded, it would be accepted behind links that are not signed.
+    // What is not verified goes nowhere: were it forwarded, it would be accepted beyond links that are not signed.
     private bool IsAccepted(LinkPort port, in MavlinkFrame frame)
     {
         if (_signing is null || !_signing.IsSigned(port.Number))

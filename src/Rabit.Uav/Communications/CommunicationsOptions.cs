@@ -15,7 +15,7 @@ public sealed class CommunicationsOptions
     /// <summary>Live links, open. They stay the caller's to dispose, after the run.</summary>
     public IReadOnlyList<IByteLink> Links { get; set; } = Array.Empty<IByteLink>();
 
-    /// <summary>Recorded logs that are played, open. They are numbered behind the live links, and stay the caller's to dispose.</summary>
+    /// <summary>Recorded logs that are played, open. They are numbered after the live links, and stay the caller's to dispose.</summary>
     public IReadOnlyList<RecordedFile> RecordedFiles { get; set; } = Array.Empty<RecordedFile>();
 
     /// <summary>How many frames of one link may wait to be handled.</summary>

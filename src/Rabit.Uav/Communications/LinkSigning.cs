@@ -30,7 +30,7 @@ internal sealed class LinkSigning
 
     public void Save() => _clock.Save();
 
-    /// <summary>Recorded logs are numbered behind the live links, and never signed.</summary>
+    /// <summary>Recorded logs are numbered after the live links, and never signed.</summary>
     public bool IsSigned(int link) => link < _signers.Length && _signers[link] is not null;
 
     public MavlinkSignatureResult Verify(in MavlinkFrame frame, int link) => _verifier.Verify(frame, link);

@@ -8,7 +8,7 @@ public sealed class StatusText
 {
     /// <summary>Makes one.</summary>
     /// <param name="time">When it came in, by the clock of the run.</param>
-    /// <param name="severity">How grave.</param>
+    /// <param name="severity">How severe.</param>
     /// <param name="text">The text, or the piece of it that one message holds.</param>
     public StatusText(TimeSpan time, MavSeverity severity, string text)
     {
@@ -20,7 +20,7 @@ public sealed class StatusText
     /// <summary>When it came in, by the clock of the run.</summary>
     public TimeSpan Time { get; }
 
-    /// <summary>How grave.</summary>
+    /// <summary>How severe.</summary>
     public MavSeverity Severity { get; }
 
     /// <summary>The text, or the piece of it that one message holds.</summary>

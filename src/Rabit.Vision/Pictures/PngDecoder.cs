@@ -5,8 +5,8 @@ using System.IO.Compression;
 namespace Rabit.Vision;
 
 /// <summary>
-/// Reads one PNG. The chunks are checked at once, so that the size is known, and believed, before memory is spent on it; the pixels when
-/// they are wanted.
+/// Reads one PNG. The chunks are checked at once, so that the size is known and validated before memory is spent on it; the pixels when
+/// they are asked for.
 /// </summary>
 internal sealed class PngDecoder
 {
@@ -15,7 +15,7 @@ internal sealed class PngDecoder
     private readonly byte[] _file;
     private readonly int _length;
     private readonly string _name;
-    private readonly byte[] _data;   // all IDAT chunks, one behind the other
+    private readonly byte[] _data;   // all IDAT chunks, one after the other
     private int _dataLength;
     private byte[]? _palette;
     private PngColour _colour;
@@ -52,7 +52,7 @@ internal sealed class PngDecoder
     public void Decode(byte[] pixels)
     {
         if ((_data[0] & 0x0F) != 8 || ((_data[0] << 8) | _data[1]) % 31 != 0 || (_data[1] & 0x20) != 0)
-            throw Fault("its pixels are not packed as PNG wants it");
+            throw Fault("its pixels are not packed as PNG requires");
 
         using var packed = new MemoryStream(_data, 2, _dataLength - 6);
         using var deflate = new DeflateStream(packed, CompressionMode.Decompress);

@@ -20,7 +20,7 @@ public sealed class RgbPicture
     /// <summary>Makes a picture of bytes, which are not copied.</summary>
     /// <param name="width">Columns, 1 to <see cref="MaxPixelsPerSide"/>.</param>
     /// <param name="height">Rows, 1 to <see cref="MaxPixelsPerSide"/>.</param>
-    /// <param name="pixels">At least width x height x 3 bytes; what is behind them does not belong to the picture.</param>
+    /// <param name="pixels">At least width x height x 3 bytes; what follows them does not belong to the picture.</param>
     /// <exception cref="ArgumentException">The size is out of range, or the bytes are too few.</exception>
     public RgbPicture(int width, int height, byte[] pixels)
     {

@@ -26,7 +26,7 @@ public class DefinitionTests
             MavlinkMessageDefinition? found = MavlinkDialect.All.FindDefinition(message.Id);
             Assert.NotNull(found);
             Assert.Equal(
-                (message.Name, message.CrcExtra, message.MinimumLength, message.MaximumLength),
+                (message.Name, message.CrcExtra, message.MinLength, message.MaxLength),
                 (found.Info.Name, found.Info.CrcExtra, found.Info.MinLength, found.Info.MaxLength));
             Assert.Equal(message.Fields.Select(field => Describe(field, message.OffsetOf(field))), found.Fields.Select(Describe));
         }

@@ -30,8 +30,8 @@ public class DialectReaderTests
         Assert.Equal("d f b e a c g h i", string.Join(" ", message.WireFields.Select(field => field.Name)));
         Assert.Equal("a b c d e f g h i", string.Join(" ", message.Fields.Select(field => field.Name)));
         Assert.Equal(new[] { 0, 8, 12, 14, 18, 19, 24, 25, 26 }, message.WireFields.Select(message.OffsetOf));
-        Assert.Equal(25, message.MinimumLength);
-        Assert.Equal(34, message.MaximumLength);
+        Assert.Equal(25, message.MinLength);
+        Assert.Equal(34, message.MaxLength);
     }
 
     [Fact]

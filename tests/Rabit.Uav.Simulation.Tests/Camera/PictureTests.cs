@@ -168,8 +168,8 @@ public class PictureTests(ITestOutputHelper output)
         TruePose pose = Scene.Pose(40);
         void Work()
         {
-            var stance = new CameraPose(pose, options);
-            renderer.Render(stance, stance, stance, 5, pixels);
+            var cameraPose = new CameraPose(pose, options);
+            renderer.Render(cameraPose, cameraPose, cameraPose, 5, pixels);
         }
 
         Work();
@@ -210,17 +210,17 @@ public class PictureTests(ITestOutputHelper output)
     private static byte[] Shoot(PictureRenderer renderer, SimulatedCameraOptions options, TruePose pose, double north, double east)
     {
         (pose.North, pose.East) = (north, east);
-        var stance = new CameraPose(pose, options);
+        var cameraPose = new CameraPose(pose, options);
         byte[] pixels = new byte[options.Camera.Width * options.Camera.Height * 3];
-        renderer.Render(stance, stance, stance, 0, pixels);
+        renderer.Render(cameraPose, cameraPose, cameraPose, 0, pixels);
         return pixels;
     }
 
     private static byte[] Render(SimulatedCameraOptions options, ulong seed, long number, IReadOnlyList<SimulatedTarget>? things = null, double height = 60)
     {
-        var stance = new CameraPose(Scene.Pose(height), options);
+        var cameraPose = new CameraPose(Scene.Pose(height), options);
         byte[] pixels = new byte[options.Camera.Width * options.Camera.Height * 3];
-        new PictureRenderer(options, things ?? Things, seed).Render(stance, stance, stance, number, pixels);
+        new PictureRenderer(options, things ?? Things, seed).Render(cameraPose, cameraPose, cameraPose, number, pixels);
         return pixels;
     }
 

@@ -69,10 +69,10 @@ internal sealed class Scene
     /// <summary>The same, where the camera moves.</summary>
     public (double U, double V, double Pixels) Find(in TruePose middle, in TruePose early, in TruePose late, SimulatedTarget panel)
     {
-        var stance = new CameraPose(middle, _options);
+        var cameraPose = new CameraPose(middle, _options);
         var from = new CameraPose(early, _options);
         var to = new CameraPose(late, _options);
-        _ground.Paint(stance, _without);
+        _ground.Paint(cameraPose, _without);
         Array.Copy(_without, _with, _with.Length);
         new SheetPainter(_lens, [panel]).Paint(from, to, _with);
         return Centroid(panel);

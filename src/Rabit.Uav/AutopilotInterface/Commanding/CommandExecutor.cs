@@ -16,10 +16,10 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     /// <summary>How long a heartbeat may take to show a mode whose command was accepted: three at 1 Hz, two of them lost.</summary>
     public static readonly TimeSpan ModeTimeout = TimeSpan.FromSeconds(3.5);
 
-    /// <summary>How long a text that says why may come behind a refusal.</summary>
+    /// <summary>How long a text that says why may come after a refusal.</summary>
     public static readonly TimeSpan ReasonWait = TimeSpan.FromSeconds(0.3);
 
-    // Modes, places and the like may be done twice, so that what fell silent is sent again. On the wire between autopilot and companion nothing is
+    // Modes, places and the like may be done twice, so that what is not answered is sent again. On the wire between autopilot and companion nothing is
     // doubled, so that what was answered need not be waited for: a command to hold goes out at once.
     private static readonly MavlinkCommandOptions ExchangeOptions = new()
     {
@@ -128,7 +128,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     /// <summary>Does what is due.</summary>
     public void Run(in VehicleState vehicle, in OwnAddress own, TimeSpan now)
     {
-        // Each turn ends a phase; a command has a handful of steps.
+        // Each iteration ends a phase; a command has a handful of steps.
         while (RunPhase(vehicle, now))
         {
         }
