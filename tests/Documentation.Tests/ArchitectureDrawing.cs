@@ -27,7 +27,7 @@ internal static class ArchitectureDrawing
     private static string Flowchart(WiringGraph graph)
     {
         var text = new StringBuilder("flowchart LR\n");
-        List<Edge> edges = graph.Hubs.SelectMany(EdgesOf).ToList();
+        List<Edge> edges = graph.Channels.SelectMany(EdgesOf).ToList();
         List<string> devices = edges.SelectMany(e => new[] { e.From, e.To })
             .Where(WiringGraph.IsDevice).Distinct(StringComparer.Ordinal).ToList();
         foreach (string manager in graph.Managers)
@@ -44,22 +44,22 @@ internal static class ArchitectureDrawing
         return text.ToString();
     }
 
-    private static IEnumerable<Edge> EdgesOf(WiringHub hub)
-        => from source in hub.From
-           from target in hub.To
+    private static IEnumerable<Edge> EdgesOf(WiringChannel channel)
+        => from source in channel.From
+           from target in channel.To
            where !string.Equals(target.Owner, HealthManager.ManagerName, StringComparison.Ordinal)
-           let label = WiringGraph.IsDevice(source) || WiringGraph.IsDevice(target.Owner) ? string.Empty : hub.Name
-           select new Edge(source, target.Owner, hub.IsMessage, label);
+           let label = WiringGraph.IsDevice(source) || WiringGraph.IsDevice(target.Owner) ? string.Empty : channel.Name
+           select new Edge(source, target.Owner, channel.IsMessage, label);
 
     private static string Table(WiringGraph graph, Dictionary<string, string> types)
     {
         var text = new StringBuilder("| name | kind | type | from | to (**woken by it**) |\n|---|---|---|---|---|\n");
-        foreach (WiringHub hub in graph.Hubs.Where(h => !h.Name.EndsWith(StatusSuffix, StringComparison.Ordinal)))
+        foreach (WiringChannel channel in graph.Channels.Where(h => !h.Name.EndsWith(StatusSuffix, StringComparison.Ordinal)))
         {
-            string readers = string.Join(", ", hub.To.Select(t => t.Wakes ? $"**{t.Owner}**" : t.Owner));
-            string kind = hub.IsMessage ? "message" : "queue";
+            string readers = string.Join(", ", channel.To.Select(t => t.Wakes ? $"**{t.Owner}**" : t.Owner));
+            string kind = channel.IsMessage ? "message" : "queue";
             string to = readers.Length > 0 ? readers : "code outside managers";
-            text.Append($"| {hub.Name} | {kind} | `{types[hub.Name]}` | {string.Join(", ", hub.From)} | {to} |\n");
+            text.Append($"| {channel.Name} | {kind} | `{types[channel.Name]}` | {string.Join(", ", channel.From)} | {to} |\n");
         }
 
         const string Status = $"| MANAGER{StatusSuffix} | message | `{nameof(ManagerStatus)}` | every manager |";

@@ -17,7 +17,7 @@ public sealed class LineLengthTests(ITestOutputHelper output)
     private static readonly string[] Folders = ["src", "samples", "tests", "benchmarks"];
 
     [Fact]
-    public void Lines_OfTheCode_AreAtMostSoLong()
+    public void Lines_OfTheCode_AreNotLongerThanTheLimit()
     {
         string[] faults = Folders.SelectMany(folder => SourceFiles.Below(folder, "*.cs"))
             .SelectMany(LongLines).ToArray();

@@ -9,7 +9,7 @@ namespace Rabit.Links.Tests;
 /// <summary>What every link promises, see <see cref="IByteLink"/>.</summary>
 public abstract class ByteLinkContract
 {
-    // Small enough for what the smallest way (a pty) holds when nobody reads: 40 writes of at most 60 bytes.
+    // Small enough for what the smallest way (a pty) holds when the peer does not read: 40 writes of at most 60 bytes.
     private const int WritesPerBatch = 40;
     private const int Batches = 25;
 
@@ -159,7 +159,7 @@ public abstract class ByteLinkContract
 
         bed.Link.Dispose();
 
-        Assert.True(collector.EndsWithin(LinkTestBed.Patience));
+        Assert.True(collector.EndsWithin(LinkTestBed.TestTimeout));
         if (bed.Link.Blocks) Assert.Equal(LinkReadKind.Ended, collector.WaitForEnd().Kind); // else the next read found it disposed
     }
 
@@ -224,7 +224,7 @@ public abstract class ByteLinkContract
             int count = ReadSome(bed.Link, buffer);
             long bytes = AllocatedBytes() - before;
 
-            // A collection in between, which any test beside this one may cause, books what is left of this thread's buffer.
+            // A collection in between, which any test beside this one may cause, counters what is left of this thread's buffer.
             if (i >= warmUp && GC.CollectionCount(0) == collections) allocated += bytes;
             Assert.Equal(3, count);
             bed.PeerReceives(20);

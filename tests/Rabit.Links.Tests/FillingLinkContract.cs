@@ -14,7 +14,7 @@ public abstract class FillingLinkContract : ConnectedLinkContract
     protected abstract LinkTestBed Open(LinkOptions options);
 
     [Fact]
-    public void Write_NobodyReads_ThrowsAfterTheTimeoutAndCountsTheRest()
+    public void Write_PeerDoesNotRead_ThrowsAfterTheTimeoutAndCountsTheRest()
     {
         using LinkTestBed bed = Open(new LinkOptions(writeTimeout: TimeSpan.FromMilliseconds(50)));
         LinkCounters before = bed.Link.Counters;
@@ -40,7 +40,7 @@ public abstract class FillingLinkContract : ConnectedLinkContract
 
         bed.Link.Unblock();
 
-        Assert.True(writer.Join(LinkTestBed.Patience));
+        Assert.True(writer.Join(LinkTestBed.TestTimeout));
         Assert.True(fault?.LinkEnded);
         Assert.Equal(MoreThanFits.Length, bed.Link.Counters.BytesWritten + bed.Link.Counters.BytesDropped);
     }

@@ -30,7 +30,7 @@ internal sealed class LinkCollector
     {
         lock (_gate)
         {
-            Await(() => _bytes.Count >= count || _done, LinkTestBed.Patience);
+            Await(() => _bytes.Count >= count || _done, LinkTestBed.TestTimeout);
             if (_bytes.Count < count) throw new InvalidOperationException($"{_bytes.Count} of {count} bytes came; {_end}", _fault);
             byte[] taken = _bytes.Take(count).ToArray();
             _bytes.RemoveRange(0, count);
@@ -41,7 +41,7 @@ internal sealed class LinkCollector
     /// <summary>Waits for the end of the link.</summary>
     public LinkRead WaitForEnd()
     {
-        if (!EndsWithin(LinkTestBed.Patience)) throw new TimeoutException($"{_link.Url} did not end");
+        if (!EndsWithin(LinkTestBed.TestTimeout)) throw new TimeoutException($"{_link.Url} did not end");
         return _fault is null ? _end : throw new InvalidOperationException("the link threw", _fault);
     }
 

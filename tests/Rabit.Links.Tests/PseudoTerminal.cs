@@ -65,8 +65,8 @@ internal sealed unsafe class PseudoTerminal : IDisposable
     private void WaitForBytes()
     {
         var entry = new Libc.PollEntry { Descriptor = _master, Events = Libc.PollIn };
-        DateTime deadline = DateTime.UtcNow + LinkTestBed.Patience;
-        while (Libc.poll(&entry, 1, (int)LinkTestBed.Patience.TotalMilliseconds) <= 0)
+        DateTime deadline = DateTime.UtcNow + LinkTestBed.TestTimeout;
+        while (Libc.poll(&entry, 1, (int)LinkTestBed.TestTimeout.TotalMilliseconds) <= 0)
         {
             if (DateTime.UtcNow > deadline) throw new TimeoutException("nothing came out of the pseudo terminal");
         }

@@ -55,7 +55,7 @@ public sealed class SerialLinkTests : FillingLinkContract
     }
 
     [Fact]
-    public void Describe_NoPermission_TellsOfTheGroup() =>
+    public void Describe_NoPermission_NamesTheGroup() =>
         Assert.Contains("'dialout'", Errno.Describe(Errno.AccessDenied), StringComparison.Ordinal);
 
     [Theory]
@@ -89,8 +89,8 @@ public sealed class SerialLinkTests : FillingLinkContract
 
             bed.Link.Dispose();
 
-            Assert.True(collector.EndsWithin(LinkTestBed.Patience));
-            Assert.True(unblocker.Join(LinkTestBed.Patience));
+            Assert.True(collector.EndsWithin(LinkTestBed.TestTimeout));
+            Assert.True(unblocker.Join(LinkTestBed.TestTimeout));
         }
     }
 

@@ -24,7 +24,7 @@ public sealed class TcpClientLinkTests : FillingLinkContract
     }
 
     [Fact]
-    public void Open_NobodyListens_SaysSo()
+    public void Open_NoListener_SaysSo()
     {
         var listener = new TcpListener(IPAddress.Loopback, 0);
         listener.Start();
@@ -90,7 +90,7 @@ public sealed class TcpClientLinkTests : FillingLinkContract
             listener.Start();
             Link = TcpClientLink.Open("127.0.0.1", ((IPEndPoint)listener.LocalEndpoint).Port, options);
             _peer = listener.AcceptSocket();
-            _peer.ReceiveTimeout = (int)Patience.TotalMilliseconds;
+            _peer.ReceiveTimeout = (int)TestTimeout.TotalMilliseconds;
             listener.Stop();
         }
 

@@ -5,7 +5,7 @@ namespace Rabit.Links.Tests;
 
 internal static class UnknownHost
 {
-    /// <summary>Opening a link to a host that nobody knows (RFC 6761 keeps <c>.invalid</c> free) says so, with or without a name service.</summary>
+    /// <summary>Opening a link to an unknown host (RFC 6761 keeps <c>.invalid</c> free) says so, with or without a name service.</summary>
     public static void Check(string scheme)
     {
         string url = $"{scheme}:no-such-host.invalid:14550";

@@ -55,7 +55,7 @@ public class ArchitectureTests
             .Select(v => v.Substring(0, v.IndexOf(' '))).Distinct(StringComparer.Ordinal).OrderBy(n => n, StringComparer.Ordinal);
 
         Assert.Equal(
-            ["ByAttribute", "ByBase", "ByCall", "ByField", "ByGenericArgument", "ByLambda", "ByLocal", "ByMail", "BySignature"], violators);
+            ["ByAttribute", "ByBase", "ByCall", "ByField", "ByGenericArgument", "ByLambda", "ByLocal", "ByMessage", "BySignature"], violators);
     }
 
     private static string[] RabitReferences(Assembly assembly)

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Rabit.Uav.Tests;
 
-/// <summary>A port of this computer that nobody uses at the moment.</summary>
+/// <summary>A port of this computer that is not in use at the moment.</summary>
 internal static class FreePort
 {
     public static int Udp()

@@ -15,12 +15,12 @@ namespace Rabit.Uav.Tests.Planted.Communications
 
 namespace Rabit.Uav.Tests.Planted.Messages
 {
-    internal struct Mail
+    internal struct Posting
     {
         public int Number { get; set; }
     }
 
-    internal sealed class ByMail
+    internal sealed class ByMessage
     {
         public Communications.Neighbour? Sender { get; set; }
     }
@@ -30,7 +30,7 @@ namespace Rabit.Uav.Tests.Planted.MissionControl
 {
     internal sealed class Innocent
     {
-        public Messages.Mail Mail { get; set; }
+        public Messages.Posting Posting { get; set; }
     }
 
     internal sealed class ByField

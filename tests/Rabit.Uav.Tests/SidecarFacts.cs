@@ -11,7 +11,7 @@ internal static class SidecarFacts
 {
     private static readonly string[] RangeNames = ["lat", "lon", "alt", "relative_alt"];
 
-    /// <summary>Counts by id and source; the sidecar tells directions apart, a log does not.</summary>
+    /// <summary>Counts by id and source; the sidecar distinguishes directions, a log does not.</summary>
     public static IEnumerable<string> Counts(JsonElement facts) => facts.GetProperty("counts").EnumerateArray()
         .GroupBy(c => (Id: c[1].GetInt32(), System: c[2].GetInt32(), Component: c[3].GetInt32(), Version: c[4].GetInt32()))
         .Select(g => Line(g.Key.Id, g.Key.System, g.Key.Component, g.Key.Version, g.Sum(c => c[6].GetInt64())))

@@ -38,7 +38,7 @@ public sealed class UavSystemTests
 
     [Theory]
     [MemberData(nameof(Flights))]
-    public void Replay_AnySpeedAndAnySeed_TellsTheSame(string name)
+    public void Replay_AnySpeedAndAnySeed_GivesTheSame(string name)
     {
         string expected;
         using (UavSystem uav = Run(out _, out _, 0, Url(name, "max")))

@@ -12,7 +12,7 @@ internal static class Allocated
         .CreateDelegate(typeof(Func<long>));
 
     /// <summary>Whether this runtime counts the bytes of a thread.</summary>
-    public static bool CanTell
+    public static bool IsSupported
     {
         get
         {

@@ -63,7 +63,7 @@ public sealed class BadInputTests : IDisposable
     [Fact]
     public void Link_FileWithoutOneRecord_SaysSo()
     {
-        _log.Raw(Encoding.ASCII.GetBytes(string.Concat(Enumerable.Repeat("This is a letter to my aunt, not a log.\n", 500))));
+        _log.Raw(Encoding.ASCII.GetBytes(string.Concat(Enumerable.Repeat("This is prose, not a log.\n", 500))));
 
         AssertRefused($"link {_log.Url}: no intact record in it: it is no telemetry log", "--link", _log.Url);
     }

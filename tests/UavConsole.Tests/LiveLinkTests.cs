@@ -99,7 +99,7 @@ public sealed class LiveLinkTests : IDisposable
     }
 
     [Fact]
-    public void SecondLinkWithNobodyOnIt_DoesNotFloodThePlainLines()
+    public void SecondLinkWithoutAPeer_DoesNotFloodThePlainLines()
     {
         using ConsoleProcess console = ConsoleProcess.Start(
             "--headless", "--link", $"udpin:127.0.0.1:{_port}", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}");

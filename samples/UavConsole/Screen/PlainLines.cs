@@ -10,18 +10,18 @@ namespace UavConsole;
 /// <summary>The view for pipes, files and services: a line when something changes, and one every few seconds.</summary>
 internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMission = false)
 {
-    private static readonly TimeSpan LookEvery = TimeSpan.FromMilliseconds(100);
-    private const int LooksPerLine = 50;
+    private static readonly TimeSpan RefreshPeriod = TimeSpan.FromMilliseconds(100);
+    private const int RefreshesPerLine = 50;
 
     private HealthReport _lastHealth;
     private StatusText? _lastText;
 
     public void ShowUntilEnd(Task run)
     {
-        for (int look = 1; !run.Wait(LookEvery); look++)
+        for (int refresh = 1; !run.Wait(RefreshPeriod); refresh++)
         {
             monitor.Refresh();
-            bool isTimeForALine = look % LooksPerLine == 0;
+            bool isTimeForALine = refresh % RefreshesPerLine == 0;
             ShowNews(withFigures: isTimeForALine);
             if (isTimeForALine)
                 Console.WriteLine(Text.StatusLine(monitor) + (showsMission ? "; " + Text.Mission(monitor) : string.Empty));

@@ -5,11 +5,11 @@ namespace Rabit.Core.Messages;
 
 /// <summary>The global copy of a struct, or of the reference to an immutable object, with the last few posts beside the latest.</summary>
 /// <remarks>
-/// Requirements (contract 2.2 to 2.5): a value that a fetch returns was posted, whole, with its time and its version, on any
-/// processor; never one older than the version that made the fetch look; nothing is allocated; neither posters nor fetchers are
+/// Requirements (contract 2.2 to 2.5): no torn read: a value that a fetch returns was posted, whole, with its time and its version,
+/// on any processor; never one older than the version that made the fetch look; nothing is allocated; neither posters nor fetchers are
 /// starved; a thread that is pushed off its processor in the middle of a post or a fetch blocks no other thread for good.
 /// <para>
-/// Each post goes into the next of a few slots and then becomes the latest version. A fetcher copies the slot of the latest
+/// A seqlock over a few slots: each post goes into the next slot and then becomes the latest version. A fetcher copies the slot of the latest
 /// version, and then looks whether a post has begun in that slot meanwhile; if so, the value was overwritten, and it discards its
 /// copy and tries again. A poster that is pushed off its processor half-way leaves the latest version whole, so no fetcher ever waits for it.
 /// </para>

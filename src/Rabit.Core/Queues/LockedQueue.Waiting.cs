@@ -7,7 +7,7 @@ using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Queues;
 
-/// <content>Readers and async code that wait: for room, or for something to pop. Tasks are completed outside the lock.</content>
+/// <content>Readers and async code that wait: for room (back-pressure), or for something to pop. Tasks are completed outside the lock.</content>
 internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
 {
     private readonly TaskCompletionSource<bool> _drained = new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -22,7 +22,7 @@ internal sealed class Failsafes(ParameterStore parameters, FlightController cont
     public double ConsumedAmpereHours { get; set; }
 
     /// <summary>A heartbeat of a ground station came.</summary>
-    public void HearGround(byte systemId)
+    public void ReceiveGroundHeartbeat(byte systemId)
     {
         if (systemId != (byte)parameters.GroundSystemId.Value)
             return;
@@ -43,11 +43,11 @@ internal sealed class Failsafes(ParameterStore parameters, FlightController cont
     {
         if (!controller.IsArmed)
             return;
-        JudgeBattery();
-        JudgeGround();
+        CheckBattery();
+        CheckGroundStation();
     }
 
-    private void JudgeBattery()
+    private void CheckBattery()
     {
         bool isLow = controller.BatteryVolts < parameters.BatteryLowVolts.Value;
         _lowSeconds = isLow ? _lowSeconds + controller.Situation.StepSeconds : 0;
@@ -63,7 +63,7 @@ internal sealed class Failsafes(ParameterStore parameters, FlightController cont
         Act((int)parameters.BatteryLowAction.Value);
     }
 
-    private void JudgeGround()
+    private void CheckGroundStation()
     {
         if (_isGroundLost || parameters.GroundFailsafe.Value <= 0 || _groundReceived is not { } received)
             return;

@@ -10,7 +10,7 @@ namespace Rabit.Uav.Simulation;
 internal sealed class FlightController
 {
     private const double GroundSeconds = 2;   // of contact, until it counts as landed
-    private static readonly TimeSpan PreArmLook = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan PreArmCheckPeriod = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan PreArmEvery = TimeSpan.FromSeconds(30);
 
     private readonly Action<MavSeverity, string> _say;
@@ -20,7 +20,7 @@ internal sealed class FlightController
     private FlightMode _flight;
     private double _contactSeconds;
     private TimeSpan _idleSince;
-    private TimeSpan _nextPreArm = PreArmLook;
+    private TimeSpan _nextPreArm = PreArmCheckPeriod;
 
     /// <param name="parameters">Read as it flies.</param>
     /// <param name="say">Takes the status texts.</param>
@@ -152,7 +152,7 @@ internal sealed class FlightController
             Yaw = double.NaN,
         };
         _flight.Fly(situation, ref command);
-        JudgeGround(command);
+        CheckGroundContact(command);
         DisarmWhereDone();
         return command;
     }
@@ -170,7 +170,7 @@ internal sealed class FlightController
         _flight.Enter(Situation);
     }
 
-    private void JudgeGround(in MotionCommand command)
+    private void CheckGroundContact(in MotionCommand command)
     {
         FlightSituation situation = Situation;
         if (command.Motors == MotorState.Flying && command.Velocity.Down < 0)
@@ -213,7 +213,7 @@ internal sealed class FlightController
         if (Situation.Time < _nextPreArm)
             return;
         string? reason = FindReasonNotToArm(isForced: false, looksAtMode: false);
-        _nextPreArm = Situation.Time + (reason is null ? PreArmLook : PreArmEvery);
+        _nextPreArm = Situation.Time + (reason is null ? PreArmCheckPeriod : PreArmEvery);
         if (reason is not null)
             _say(MavSeverity.Critical, "PreArm: " + reason);
     }

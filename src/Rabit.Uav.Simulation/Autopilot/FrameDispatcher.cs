@@ -25,7 +25,7 @@ internal sealed class FrameDispatcher(
         var sender = new Sender(frame.SystemId, frame.ComponentId);
         switch (frame.MessageId)
         {
-            case Heartbeat.MavlinkId: controller.Failsafes.HearGround(frame.SystemId); break;
+            case Heartbeat.MavlinkId: controller.Failsafes.ReceiveGroundHeartbeat(frame.SystemId); break;
             case CommandLong.MavlinkId: frame.TryDecode(out CommandLong commandLong); commands.Handle(commandLong, sender); break;
             case CommandInt.MavlinkId: frame.TryDecode(out CommandInt commandInt); commands.Handle(commandInt, sender); break;
             case SetMode.MavlinkId: frame.TryDecode(out SetMode mode); commands.Handle(mode, sender); break;

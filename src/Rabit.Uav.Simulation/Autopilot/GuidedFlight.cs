@@ -13,7 +13,7 @@ internal sealed class GuidedFlight : FlightMode
     private static readonly TimeSpan SpoolUp = TimeSpan.FromSeconds(3);
 
     // ArduCopter turns along the flight above 5 % of the speed limit.
-    private const double LooksAlongAbove = 0.05;
+    private const double PointsAlongAbove = 0.05;
 
     private readonly GuidedHeading _heading = new();
     private Task _task;
@@ -122,8 +122,8 @@ internal sealed class GuidedFlight : FlightMode
 
         EndTasks(situation);
         command.Velocity = Velocity(situation);
-        bool looksAlong = situation.Parameters.YawBehaviour.Value > 0 && command.Velocity.HorizontalLength() > LooksAlongAbove * _speed;
-        _heading.Fly(situation, looksAlong ? command.Velocity : default, ref command);
+        bool pointsAlong = situation.Parameters.YawBehaviour.Value > 0 && command.Velocity.HorizontalLength() > PointsAlongAbove * _speed;
+        _heading.Fly(situation, pointsAlong ? command.Velocity : default, ref command);
     }
 
     private void Take(Task task, FlightSituation situation)

@@ -43,13 +43,13 @@ internal sealed class NavigationErrors
     public NedVector SteadyPosition => _positionConstant.Plus(Of(_walk));
 
     /// <summary>The whole error of the reported position, metres.</summary>
-    public NedVector ToldPosition => SteadyPosition.Plus(Of(_position));
+    public NedVector EstimatedPosition => SteadyPosition.Plus(Of(_position));
 
     /// <summary>The error of the reported velocity, m/s.</summary>
-    public NedVector ToldVelocity => Of(_velocity);
+    public NedVector EstimatedVelocity => Of(_velocity);
 
     /// <summary>The error of the reported attitude.</summary>
-    public EulerAngles ToldAttitude => EulerAngles.FromRadians(
+    public EulerAngles EstimatedAttitude => EulerAngles.FromRadians(
         _angleConstant.Roll.Radians + _angle[0].Value,
         _angleConstant.Pitch.Radians + _angle[1].Value,
         _angleConstant.Yaw.Radians + _angle[2].Value);

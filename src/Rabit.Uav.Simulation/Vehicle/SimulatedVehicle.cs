@@ -205,15 +205,15 @@ internal sealed class SimulatedVehicle : IFrameSink
     {
         if (utc is { } known)
             _utcMicroseconds = Controller.HasPosition ? (ulong)((known - DateTimeOffset.FromUnixTimeSeconds(0)).Ticks / TicksPerMicrosecond) : 0;
-        EulerAngles errors = _errors.ToldAttitude;
+        EulerAngles errors = _errors.EstimatedAttitude;
         _telemetry.Update(new AutopilotState
         {
             Time = _time,
             BootMicroseconds = _clock.Microseconds(_time),
             UtcMicroseconds = _utcMicroseconds,
             HasPosition = Controller.HasPosition,
-            Position = Body.Position.Plus(_errors.ToldPosition),
-            Velocity = Body.Velocity.Plus(_errors.ToldVelocity),
+            Position = Body.Position.Plus(_errors.EstimatedPosition),
+            Velocity = Body.Velocity.Plus(_errors.EstimatedVelocity),
             Attitude = EulerAngles.FromRadians(
                 NedMath.Wrapped(Body.Roll + errors.Roll.Radians),
                 Body.Pitch + errors.Pitch.Radians,

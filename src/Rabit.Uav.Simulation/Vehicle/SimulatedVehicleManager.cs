@@ -27,8 +27,8 @@ internal sealed class SimulatedVehicleManager : RabitManager
     private long _sent;
     private long _received;
     private long _lost;
-    private bool _hasTold;
-    private bool _hasToldOfRejection;
+    private bool _hasReportedEnd;
+    private bool _hasReportedRejection;
 
     /// <param name="name">Of the manager.</param>
     /// <param name="vehicle">What flies.</param>
@@ -93,9 +93,9 @@ internal sealed class SimulatedVehicleManager : RabitManager
     {
         if (_signing is null || _signing.Accepts(frame))
             return true;
-        if (!_hasToldOfRejection)
+        if (!_hasReportedRejection)
             Log(FormattableString.Invariant($"a frame of {frame.SystemId}/{frame.ComponentId} was rejected: it is not signed with the key, or not in time; all such are"));
-        _hasToldOfRejection = true;
+        _hasReportedRejection = true;
         return false;
     }
 
@@ -109,19 +109,19 @@ internal sealed class SimulatedVehicleManager : RabitManager
     {
         while (_delayed.TryTake(now, out MavlinkFrame frame))
         {
-            if (_vehicle.IsSilent || HasNobodyBehindIt() || _writer.Push(_signing is null ? frame : _signing.Sign(frame)) == PushResult.Rejected)
+            if (_vehicle.IsSilent || IsLinkGone() || _writer.Push(_signing is null ? frame : _signing.Sign(frame)) == PushResult.Rejected)
                 _lost++;
             else
                 _sent++;
         }
     }
 
-    private bool HasNobodyBehindIt()
+    private bool IsLinkGone()
     {
         bool hasEnded = _reader.State is DeviceState.Ended or DeviceState.Faulted || _writer.State is DeviceState.Ended or DeviceState.Faulted;
-        if (hasEnded && !_hasTold)
+        if (hasEnded && !_hasReportedEnd)
             Log("the link has ended; the vehicle flies on without it");
-        _hasTold |= hasEnded;
+        _hasReportedEnd |= hasEnded;
         return hasEnded;
     }
 

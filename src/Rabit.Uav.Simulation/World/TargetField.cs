@@ -18,7 +18,7 @@ public static class TargetField
     private const int Attempts = 40;
 
     private const ulong PurposeOfPlaces = 0x706C616365;
-    private const ulong PurposeOfLooks = 0x6C6F6F6B73;
+    private const ulong PurposeOfAppearance = 0x6C6F6F6B73;
 
     /// <summary>
     /// Lays out targets, squares of 1 m in each of the five colours in turn, and distractors: the same for the same
@@ -48,7 +48,7 @@ public static class TargetField
         }
 
         List<(double North, double East)> places = FindPlaces(seed, polygon, targets, distractors);
-        var random = new SeededSequence(SeededSequence.Derive(seed, PurposeOfLooks));
+        var random = new SeededSequence(SeededSequence.Derive(seed, PurposeOfAppearance));
         int firstPanel = random.Next(TargetKinds.Panels.Length);
         var things = new SimulatedTarget[places.Count];
         for (int i = 0; i < things.Length; i++)

@@ -6,7 +6,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
 
-// The messages that make up the state, from the units of the wire to SI and radians.
+// Telemetry: the messages that make up the state, from the units of the wire to SI and radians.
 internal sealed partial class VehicleTracker
 {
     private const double RadiansPerDegE7 = Angle.RadiansPerDegree * 1e-7;

@@ -6,7 +6,7 @@ namespace Rabit.Uav.Messages;
 /// </summary>
 public struct OwnAddress
 {
-    /// <summary>1 to 255; 0 while it is not known, because no autopilot was received yet and none was configured.</summary>
+    /// <summary>1 to 255; 0 while it is not known, because no autopilot was connected yet and none was configured.</summary>
     public byte SystemId { get; set; }
 
     /// <summary>1 to 255; 191 is MAV_COMP_ID_ONBOARD_COMPUTER.</summary>

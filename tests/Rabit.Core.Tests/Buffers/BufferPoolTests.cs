@@ -40,7 +40,7 @@ public sealed class BufferPoolTests
     }
 
     [Fact, Trait("Clause", "2.5")]
-    public void Describe_AllGivenBack_NamesNobody()
+    public void Describe_AllGivenBack_NamesNoOwner()
     {
         Rent("a").Dispose();
         Assert.Equal("Pool 'pictures': 2 of 2 buffers are free, 0 times none was.", _pool.Describe());
@@ -197,7 +197,7 @@ public sealed class BufferPoolTests
                         Interlocked.Increment(ref clashes);
                 }
 
-                // A stale copy that is disposed again and again, perhaps while somebody else has it, does no harm.
+                // A stale copy that is disposed again and again, perhaps while another owner has it, does no harm.
                 lease.Dispose();
                 owned.Dispose();
                 owned.Dispose();

@@ -81,8 +81,8 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         {
             for (int i = 0; i < 10; i++)
                 Assert.Equal(i < 2 ? PushResult.Queued : PushResult.QueuedDroppedOldest, sender.Push(Take(pool, i)));
-            QueueCounters books = sender.Counters;
-            Assert.Equal((10, 8, 2), (books.Pushed, books.Dropped, books.Resident));
+            QueueCounters counters = sender.Counters;
+            Assert.Equal((10, 8, 2), (counters.Pushed, counters.Dropped, counters.Resident));
         });
         Assert.Equal(1, pool.Free);
         run.On(sink, () =>
@@ -136,8 +136,8 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         run.Finish();
 
         Assert.Equal(3, pool.Free);
-        QueueCounters books = outside.Counters;
-        Assert.Equal((3, 3, 0), (books.Pushed, books.Dropped, books.Resident));
+        QueueCounters counters = outside.Counters;
+        Assert.Equal((3, 3, 0), (counters.Pushed, counters.Dropped, counters.Resident));
         Assert.Equal(PushResult.Rejected, outside.Push(default));
         Assert.Equal(0, outside.Counters.Resident);
     }
@@ -146,11 +146,11 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
     public void Finish_BufferOfAWatchedPoolNotGivenBack_IsAnErrorThatNamesPoolAndOwner()
     {
         var pool = new BufferPool("pictures", 3, 8);
-        var sound = new BufferPool("sounds", 1, 8);
+        var microphone = new BufferPool("sounds", 1, 8);
         using TestRun run = NewRun();
         ScriptedManager keeper = run.Add("keeper");
         run.Reactor.Workspace.Watch(pool);
-        run.Reactor.Workspace.Watch(sound);
+        run.Reactor.Workspace.Watch(microphone);
         run.Reactor.Workspace.Watch(pool);
 
         run.StartAndSettle();
@@ -158,16 +158,16 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         {
             Assert.True(pool.TryRent("keeper", out _));
             Assert.True(pool.TryRent("keeper", out _));
-            Assert.True(sound.TryRent("keeper", out BufferLease heard));
-            heard.Dispose();
+            Assert.True(microphone.TryRent("keeper", out BufferLease lease));
+            lease.Dispose();
         });
         ReactorResult result = run.Finish();
 
-        const string Told = "Pool 'pictures' did not get all of its buffers back: 'keeper' has 2.";
+        const string Expected = "Pool 'pictures' did not get all of its buffers back: 'keeper' has 2.";
         Assert.Equal(1, result.ExitCode);
-        Assert.Equal(Told, result.Failure!.Message);
+        Assert.Equal(Expected, result.Failure!.Message);
         Assert.Equal("the test is over", result.StopReason);
-        Assert.Equal(Told, Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault).Text);
+        Assert.Equal(Expected, Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault).Text);
     }
 
     [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
@@ -214,7 +214,7 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "2.5"), Trait("Clause", "3.1")]
-    public void Queue_ValueThatThrowsWhenDisposed_IsToldAndTheQueueGoesOn()
+    public void Queue_ValueThatThrowsWhenDisposed_IsReportedAndTheQueueGoesOn()
     {
         using TestRun run = NewRun();
         ScriptedManager source = run.Add("source");
@@ -236,9 +236,9 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         run.On(source, () => sender.Push(new Grenade(3)));
         Assert.Equal(0, run.Finish().ExitCode);
 
-        IEnumerable<RabitLogEntry> told = run.Log.Where(e => e.Kind == RabitLogKind.Fault);
-        Assert.Equal(["bang 1", "bang 3"], told.Select(e => e.Exception!.Message));
-        Assert.All(told, e => Assert.Equal("queue", e.Source));
+        IEnumerable<RabitLogEntry> faults = run.Log.Where(e => e.Kind == RabitLogKind.Fault);
+        Assert.Equal(["bang 1", "bang 3"], faults.Select(e => e.Exception!.Message));
+        Assert.All(faults, e => Assert.Equal("queue", e.Source));
     }
 
     private static Picture Take(BufferPool pool, int number)

@@ -79,8 +79,8 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
         }
 
         run.Until(() => reader.State == DeviceState.Ended, "the reader ends");
-        QueueCounters books = CountersOf(run, manager, reader);
-        Assert.Equal((20, 20, 0, 0), (books.Pushed, books.Popped, books.Dropped, books.Rejected));
+        QueueCounters counters = CountersOf(run, manager, reader);
+        Assert.Equal((20, 20, 0, 0), (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected));
         run.Finish();
         Assert.Equal(0, reader.Discarded);
     }
@@ -131,7 +131,7 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.8"), Trait("Clause", "1.7")]
-    public void Reader_SourceThatThrows_EndsFaultedAndHarmsNobodyElse()
+    public void Reader_SourceThatThrows_EndsFaultedAndHarmsNoOther()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");

@@ -6,14 +6,14 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
 
-/// <summary>Contract 1.8 and 4.4: what a manager and the log are told of a device, and what is not counted or told.</summary>
+/// <summary>Contract 1.8 and 4.4: what a manager and the log get to know of a device, and what is not counted or reported.</summary>
 public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
 {
     // Only a test that fails waits this long.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
 
     [Fact, Trait("Clause", "1.8")]
-    public void Reader_FailsAndIsOpenAgain_WakesItsManagerEachTimeAndIsTold()
+    public void Reader_FailsAndIsOpenAgain_WakesItsManagerEachTimeAndIsReported()
     {
         using TestRun run = NewRun();
         using var woken = new ManualResetEventSlim();
@@ -33,7 +33,7 @@ public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
             hasFailed = true;
             throw new IOException("unplugged");
         };
-        source.OnOpen = () => Assert.True(++opens == 1 || woken.Wait(Patience));
+        source.OnOpen = () => Assert.True(++opens == 1 || woken.Wait(TestTimeout));
         manager.AttachReader("line", source, reconnect: ReconnectPolicy.After(TimeSpan.FromMilliseconds(2), TimeSpan.FromMilliseconds(2)));
 
         run.StartAndSettle();
@@ -46,7 +46,7 @@ public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.8")]
-    public void Writer_TargetThrowsWhileItsManagerShutsDown_IsToldAndTheRestIsCounted()
+    public void Writer_TargetThrowsWhileItsManagerShutsDown_IsReportedAndTheRestIsCounted()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
@@ -72,7 +72,7 @@ public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.8")]
-    public void Reader_CloseThrows_IsToldWithItsName()
+    public void Reader_CloseThrows_IsReportedWithItsName()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");

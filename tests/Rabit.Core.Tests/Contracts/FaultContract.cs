@@ -107,7 +107,7 @@ public abstract class FaultContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.7")]
-    public void CarryOn_AfterASoundUnit_StartsTheBackOffAnew()
+    public void CarryOn_AfterASuccessfulUnit_RestartsTheBackOff()
     {
         var begins = new List<TimeSpan>();
         using TestRun run = NewRun(options => options.Time = CreateTime());
@@ -115,7 +115,7 @@ public abstract class FaultContract(TimeKind kind) : ContractTests(kind)
         faulty.FaultPolicy = FaultPolicy.CarryOnAfter(TimeSpan.FromMilliseconds(2), TimeSpan.FromSeconds(1000));
         faulty.WakeUpDelay = TimeSpan.FromMilliseconds(1);
 
-        // Eight faults in a row would end in a back-off of 256 ms; with a sound unit between them it stays at 2 ms.
+        // Eight faults in a row would end in a back-off of 256 ms; with a successful unit between them it stays at 2 ms.
         faulty.OnUnit = () =>
         {
             begins.Add(faulty.Time);
@@ -210,7 +210,7 @@ public abstract class FaultContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.7")]
-    public void Log_ThatThrows_HarmsNobody()
+    public void Log_ThatThrows_HarmsNoManager()
     {
         using TestRun run = NewRun(options => options.Log = _ => throw new InvalidOperationException("the disk is full"));
         ScriptedManager manager = run.Add("m");

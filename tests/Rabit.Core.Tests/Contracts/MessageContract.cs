@@ -7,7 +7,7 @@ namespace Rabit.Core.Tests.Contracts;
 public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
 {
     [Fact, Trait("Clause", "2.1")]
-    public void LocalCopies_Changed_NobodySeesItBeforePostAndFetch()
+    public void LocalCopies_Changed_NoManagerSeesItBeforePostAndFetch()
     {
         using MessagePair pair = Connect();
         pair.Run.On(pair.Poster, () => pair.Publisher.Value.Number = 7);
@@ -324,8 +324,8 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
             Assert.True(pair.Subscriber.IsFresh(TimeSpan.FromMinutes(10)));
             Assert.False(pair.Subscriber.IsFresh(TimeSpan.FromSeconds(4)));
             Assert.False(pair.Subscriber.IsFresh(TimeSpan.Zero));
-            string told = Assert.Throws<ArgumentOutOfRangeException>(() => pair.Subscriber.IsFresh(TimeSpan.FromTicks(-1))).Message;
-            Assert.Contains("'sample'", told, StringComparison.Ordinal);
+            string message = Assert.Throws<ArgumentOutOfRangeException>(() => pair.Subscriber.IsFresh(TimeSpan.FromTicks(-1))).Message;
+            Assert.Contains("'sample'", message, StringComparison.Ordinal);
         });
         pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(pair.Poster.Time + TimeSpan.FromHours(1)));
         pair.Run.On(pair.Fetcher, () =>

@@ -70,7 +70,7 @@ public abstract class PeriodContract(TimeKind kind) : ContractTests(kind)
 public sealed class PeriodContractInRealTime() : PeriodContract(TimeKind.Real)
 {
     [Fact, Trait("Clause", "1.3")]
-    public void Period_WorkLongerThanIt_CountsSlipsAndRunsNoBurst()
+    public void Period_WorkLongerThanIt_CountsMissedDeadlinesAndRunsNoBurst()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
@@ -94,7 +94,7 @@ public sealed class PeriodContractInRealTime() : PeriodContract(TimeKind.Real)
         run.Finish();
 
         // Four deadlines passed: one run at once, and then the grid again.
-        Assert.True(run.StatusOf(manager).MissedDeadlines >= 4, $"{run.StatusOf(manager).MissedDeadlines} slips");
+        Assert.True(run.StatusOf(manager).MissedDeadlines >= 4, $"{run.StatusOf(manager).MissedDeadlines} missed deadlines");
         Assert.True(begins[3] - begins[1] >= TimeSpan.FromTicks(period.Ticks * 4), "the deadlines that passed were caught up on");
     }
 }
@@ -102,7 +102,7 @@ public sealed class PeriodContractInRealTime() : PeriodContract(TimeKind.Real)
 public sealed class PeriodContractInVirtualTime() : PeriodContract(TimeKind.Virtual)
 {
     [Fact, Trait("Clause", "1.3")]
-    public void Period_ModelledWorkLongerThanIt_SlipsByTheBook()
+    public void Period_ModelledWorkLongerThanIt_MissesDeadlinesAsSpecified()
     {
         var time = new VirtualTime(seed: 1);
         time.SetUnitOfWorkDuration("m", TimeSpan.FromMilliseconds(25));

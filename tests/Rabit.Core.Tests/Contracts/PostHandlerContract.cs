@@ -53,7 +53,7 @@ public abstract class PostHandlerContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "2.6")]
-    public void Handler_ThatThrows_HarmsNobodyAndIsReported()
+    public void Handler_ThatThrows_HarmsNoManagerAndIsReported()
     {
         using TestRun run = NewRun();
         ScriptedManager poster = run.Add("poster");

@@ -51,9 +51,9 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
             [PushResult.Queued, PushResult.Queued, PushResult.Rejected], Push(pair.Sender, 1, 2, 3)));
         pair.Run.On(pair.Sink, () =>
         {
-            AssertBooks(pair.Receiver.Counters, pushed: 2, popped: 0, dropped: 0, rejected: 1, resident: 2);
+            AssertCounters(pair.Receiver.Counters, pushed: 2, popped: 0, dropped: 0, rejected: 1, resident: 2);
             Assert.Equal([1, 2], PopAll(pair.Receiver));
-            AssertBooks(pair.Receiver.Counters, pushed: 2, popped: 2, dropped: 0, rejected: 1, resident: 0);
+            AssertCounters(pair.Receiver.Counters, pushed: 2, popped: 2, dropped: 0, rejected: 1, resident: 0);
             Assert.Equal(2, pair.Receiver.Counters.Capacity);
         });
     }
@@ -67,12 +67,12 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
             Assert.Equal(
                 [PushResult.Queued, PushResult.Queued, PushResult.QueuedDroppedOldest, PushResult.QueuedDroppedOldest],
                 Push(pair.Sender, 1, 2, 3, 4));
-            AssertBooks(pair.Sender.Counters, pushed: 4, popped: 0, dropped: 2, rejected: 0, resident: 2);
+            AssertCounters(pair.Sender.Counters, pushed: 4, popped: 0, dropped: 2, rejected: 0, resident: 2);
         });
         pair.Run.On(pair.Sink, () =>
         {
             Assert.Equal([3, 4], PopAll(pair.Receiver));
-            AssertBooks(pair.Receiver.Counters, pushed: 4, popped: 2, dropped: 2, rejected: 0, resident: 0);
+            AssertCounters(pair.Receiver.Counters, pushed: 4, popped: 2, dropped: 2, rejected: 0, resident: 0);
         });
     }
 
@@ -85,12 +85,12 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
             Assert.Equal(
                 [PushResult.Queued, PushResult.Queued, PushResult.Queued, PushResult.QueuedDroppedNewest, PushResult.QueuedDroppedNewest],
                 Push(pair.Sender, 1, 2, 3, 4, 5));
-            AssertBooks(pair.Sender.Counters, pushed: 5, popped: 0, dropped: 2, rejected: 0, resident: 3);
+            AssertCounters(pair.Sender.Counters, pushed: 5, popped: 0, dropped: 2, rejected: 0, resident: 3);
         });
         pair.Run.On(pair.Sink, () =>
         {
             Assert.Equal([1, 2, 5], PopAll(pair.Receiver));
-            AssertBooks(pair.Receiver.Counters, pushed: 5, popped: 3, dropped: 2, rejected: 0, resident: 0);
+            AssertCounters(pair.Receiver.Counters, pushed: 5, popped: 3, dropped: 2, rejected: 0, resident: 0);
         });
     }
 
@@ -105,7 +105,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         {
             Assert.Equal(0, pair.Sender.PushFrom([]));
             Assert.Equal(putIn, pair.Sender.PushFrom([0, 1, 2, 3, 4, 5]));
-            AssertBooks(pair.Sender.Counters, pushed: putIn, popped: 0, dropped: putIn - 4, rejected: 6 - putIn, resident: 4);
+            AssertCounters(pair.Sender.Counters, pushed: putIn, popped: 0, dropped: putIn - 4, rejected: 6 - putIn, resident: 4);
         });
         pair.Run.Until(() => pair.Sink.Units == 2, "the push wakes the sink");
         pair.Run.On(pair.Sink, () =>
@@ -153,7 +153,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
 
         QueueResult queue = Assert.Single(result.Queues);
         Assert.Equal("queue", queue.Name);
-        AssertBooks(queue.Counters, pushed: 3, popped: 1, dropped: 0, rejected: 0, resident: 2);
+        AssertCounters(queue.Counters, pushed: 3, popped: 1, dropped: 0, rejected: 0, resident: 2);
         Assert.Contains("queue queue: 2 values were left", result.ToString(), StringComparison.Ordinal);
         Assert.Contains(pair.Run.Log, e => e.Kind == RabitLogKind.Note && e.Source == "queue" && e.Text.Contains("2 values", StringComparison.Ordinal));
     }
@@ -181,12 +181,12 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
 
         Assert.Equal(PushResult.Rejected, outside.Push(2));
         Assert.Equal(0, outside.PushFrom([3, 4]));
-        AssertBooks(outside.Counters, pushed: 1, popped: 0, dropped: 0, rejected: 3, resident: 1);
+        AssertCounters(outside.Counters, pushed: 1, popped: 0, dropped: 0, rejected: 3, resident: 1);
         Assert.Equal(1, outside.Counters.HighWater);
     }
 
     [Fact, Trait("Clause", "3.1"), Trait("Clause", "4.2")]
-    public void WaitAtMost_WithoutSense_IsAWiringFault()
+    public void MaxWait_WithoutSense_IsAWiringFault()
     {
         using TestRun run = NewRun();
         ScriptedManager sink = run.Add("sink");
@@ -205,7 +205,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [InlineData(1, QueueFullMode.DropOldest)]
     [InlineData(3, QueueFullMode.Reject)]
     [InlineData(7, QueueFullMode.DropOldest)]
-    public void Books_RandomPushesAndPops_BalanceAndAgreeWithAModel(int capacity, QueueFullMode whenFull)
+    public void Counters_RandomPushesAndPops_BalanceAndAgreeWithAModel(int capacity, QueueFullMode whenFull)
     {
         const int Seed = 20171;
         var random = new Random(Seed);
@@ -230,8 +230,8 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
                     Assert.Equal(model.Count > 0 ? model.Dequeue() : 0, value);
                 }
 
-                QueueCounters books = receiver.Counters;
-                Assert.True(books.Pushed == books.Popped + books.Dropped + books.Resident, $"seed {Seed}, step {i}");
+                QueueCounters counters = receiver.Counters;
+                Assert.True(counters.Pushed == counters.Popped + counters.Dropped + counters.Resident, $"seed {Seed}, step {i}");
                 Assert.Equal(model.Count, receiver.Count);
             }
         });
@@ -339,8 +339,8 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         Assert.Contains("'sink'", text, StringComparison.Ordinal);
     }
 
-    private static void AssertBooks(QueueCounters books, long pushed, long popped, long dropped, long rejected, int resident)
-        => Assert.Equal((pushed, popped, dropped, rejected, resident), (books.Pushed, books.Popped, books.Dropped, books.Rejected, books.Resident));
+    private static void AssertCounters(QueueCounters counters, long pushed, long popped, long dropped, long rejected, int resident)
+        => Assert.Equal((pushed, popped, dropped, rejected, resident), (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected, counters.Resident));
 
     private static PushResult[] Push(QueueSender<int> sender, params int[] values) => values.Select(v => sender.Push(v)).ToArray();
 

@@ -13,7 +13,7 @@ namespace Rabit.Core.Tests.Contracts;
 public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
 {
     // Only a test that fails waits this long.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
     private static readonly TimeSpan Limit = TimeSpan.FromMilliseconds(30);
 
     [Fact, Trait("Clause", "3.1")]
@@ -37,7 +37,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
             Assert.Equal(PushResult.Queued, await InTime(pushes[i - 1]));
         }
 
-        AssertBooks(outside.Counters, pushed: 5, popped: 5, rejected: 0, resident: 0, highWater: 2);
+        AssertCounters(outside.Counters, pushed: 5, popped: 5, rejected: 0, resident: 0, highWater: 2);
     }
 
     [Fact, Trait("Clause", "3.1")]
@@ -55,7 +55,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         run.Until(() => run.Reactor.Now >= begin + Limit, "the time is up");
 
         Assert.Equal(PushResult.TimedOut, await InTime(late));
-        AssertBooks(outside.Counters, pushed: 1, popped: 0, rejected: 1, resident: 1, highWater: 1);
+        AssertCounters(outside.Counters, pushed: 1, popped: 0, rejected: 1, resident: 1, highWater: 1);
         run.On(sink, () => Assert.True(receiver.TryPop(out _)));
         Assert.Equal(PushResult.Queued, await InTime(outside.PushAsync(3).AsTask()));
     }
@@ -161,7 +161,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         {
             Assert.True(reader.TryPop(out int value));
             Assert.Equal(1, value);
-            AssertBooks(reader.Counters, pushed: 1, popped: 1, rejected: 2, resident: 0, highWater: 1);
+            AssertCounters(reader.Counters, pushed: 1, popped: 1, rejected: 2, resident: 0, highWater: 1);
         });
         Assert.True(end - begin >= Limit + Limit);
         if (!Kind.HasThreads)
@@ -185,8 +185,8 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         run.StartAndSettle();
 
         Task feeding = Feed();
-        var patience = Stopwatch.StartNew();
-        while (!feeding.IsCompleted && patience.Elapsed < Patience)
+        var waited = Stopwatch.StartNew();
+        while (!feeding.IsCompleted && waited.Elapsed < TestTimeout)
             run.Reactor.RunFor(TimeSpan.FromMilliseconds(1));
         Assert.True(feeding.IsCompleted);
         await feeding;
@@ -207,7 +207,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
                 await writer.WriteAsync(i).ConfigureAwait(false);
                 while (await writer.WaitToWriteAsync().ConfigureAwait(false) && !writer.TryWrite(i + 1))
                 {
-                    // Somebody else was faster; here nobody is.
+                    // Another receiver was faster; here there is none.
                     run.Board.Write("refused");
                 }
             }
@@ -320,10 +320,10 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         Assert.Contains("'queue'", Assert.Throws<InvalidOperationException>(() => outside.AsChannelWriter()).Message, StringComparison.Ordinal);
     }
 
-    private static void AssertBooks(QueueCounters books, long pushed, long popped, long rejected, int resident, int highWater)
+    private static void AssertCounters(QueueCounters counters, long pushed, long popped, long rejected, int resident, int highWater)
         => Assert.Equal(
             (pushed, popped, 0, rejected, resident, highWater),
-            (books.Pushed, books.Popped, books.Dropped, books.Rejected, books.Resident, books.HighWater));
+            (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected, counters.Resident, counters.HighWater));
 
     private static int Pop(QueueReceiver<int> receiver) => receiver.TryPop(out int value) ? value : -1;
 
@@ -335,7 +335,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
 
     private static async Task<TResult> InTime<TResult>(Task<TResult> task)
     {
-        Assert.Same(task, await Task.WhenAny(task, Task.Delay(Patience)).ConfigureAwait(false));
+        Assert.Same(task, await Task.WhenAny(task, Task.Delay(TestTimeout)).ConfigureAwait(false));
         return await task.ConfigureAwait(false);
     }
 

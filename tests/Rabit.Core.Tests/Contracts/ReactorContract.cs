@@ -308,7 +308,7 @@ public abstract class ReactorContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "4.3")]
-    public void Log_OfARun_TellsStartStopAndHowEachEnded()
+    public void Log_OfARun_HasStartStopAndHowEachEnded()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");

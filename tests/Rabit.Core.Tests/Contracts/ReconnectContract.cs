@@ -48,7 +48,7 @@ public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.8")]
-    public void Reader_SourceIsAway_BacksOffByDoublingAndTellsOnce()
+    public void Reader_SourceIsAway_BacksOffByDoublingAndReportsOnce()
     {
         var opens = new List<TimeSpan>();
         using TestRun run = NewRun();

@@ -39,7 +39,7 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.7")]
-    public void Restart_WhileItWaits_IsTold()
+    public void Restart_WhileItWaits_IsReported()
     {
         using TestRun run = NewRun();
         ScriptedManager faulty = AddRestarting(run, milliseconds: 3_600_000, most: 3);
@@ -176,7 +176,7 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.7")]
-    public void Restart_ShutdownThrowsToo_IsToldAndRestartsAllTheSame()
+    public void Restart_ShutdownThrowsToo_IsReportedAndRestartsAllTheSame()
     {
         using TestRun run = NewRun();
         ScriptedManager faulty = AddRestarting(run, milliseconds: 2, most: 3);
@@ -265,7 +265,7 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.7"), Trait("Clause", "3.1")]
-    public void StopManager_ItsQueueAndMessages_StayAndTellTheTruth()
+    public void StopManager_ItsQueueAndMessages_StayAndAreCorrect()
     {
         using TestRun run = NewRun();
         ScriptedManager faulty = run.Add("faulty");

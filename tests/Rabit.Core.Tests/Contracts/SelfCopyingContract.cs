@@ -10,7 +10,7 @@ namespace Rabit.Core.Tests.Contracts;
 public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
 {
     [Fact, Trait("Clause", "2.1"), Trait("Clause", "2.5")]
-    public void PostAndFetch_SelfCopyingClass_CopiesIntoInstancesThatNobodyShares()
+    public void PostAndFetch_SelfCopyingClass_CopiesIntoInstancesThatAreNotShared()
     {
         using Pair pair = Connect();
         pair.Run.On(pair.Poster, () =>
@@ -100,7 +100,7 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "2.4"), Trait("Clause", "2.5")]
-    public void Post_CopyMethodThrows_TellsThePosterAndHarmsNobody()
+    public void Post_CopyMethodThrows_ThrowsToThePosterAndHarmsNoOther()
     {
         using Pair pair = Connect();
         pair.Run.On(pair.Poster, () =>
@@ -110,9 +110,9 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
             pair.Publisher.Value.Fill(8);
             pair.Publisher.Value.OnCopy = () => throw new FormatException("bad point");
 
-            InvalidOperationException told = Assert.Throws<InvalidOperationException>(pair.Publisher.Post);
+            InvalidOperationException thrown = Assert.Throws<InvalidOperationException>(pair.Publisher.Post);
 
-            AssertNames(told, "'scan'", "TestScan.CopyTo", "posted", "FormatException", "bad point");
+            AssertNames(thrown, "'scan'", "TestScan.CopyTo", "posted", "FormatException", "bad point");
             Assert.Equal(1, pair.Publisher.Stamp.Version);
         });
         pair.Run.On(pair.Fetcher, () =>
@@ -136,7 +136,7 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "2.4"), Trait("Clause", "2.5")]
-    public void Fetch_CopyMethodThrows_TellsTheFetcherWhoKeepsItsWholeValueAndTriesAgain()
+    public void Fetch_CopyMethodThrows_ThrowsToTheFetcherWhoKeepsItsWholeValueAndTriesAgain()
     {
         using Pair pair = Connect();
         bool fails = false;
@@ -177,9 +177,9 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
         pair.Poster.WakeUp();
         Assert.Equal(1, pair.Run.FinishByItself().ExitCode);
 
-        RabitLogEntry told = pair.Run.Log.First(e => e.Kind == RabitLogKind.Fault);
-        Assert.Equal("poster", told.Source);
-        Assert.Contains("'scan'", told.Text, StringComparison.Ordinal);
+        RabitLogEntry entry = pair.Run.Log.First(e => e.Kind == RabitLogKind.Fault);
+        Assert.Equal("poster", entry.Source);
+        Assert.Contains("'scan'", entry.Text, StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "2.5")]
@@ -198,7 +198,7 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "2.5"), Trait("Clause", "4.2")]
-    public void Start_SelfCopyingClassThatCannotBeTrusted_IsToldWithItsName()
+    public void Start_SelfCopyingClassThatCannotBeTrusted_IsReportedWithItsName()
     {
         Assert.Contains("'m': Open copies itself but is not sealed", FaultOf(new Open()), StringComparison.Ordinal);
         Assert.Contains("'m': ClonesToItself.Clone gives the same instance", FaultOf(new ClonesToItself()), StringComparison.Ordinal);
@@ -209,7 +209,7 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "2.5")]
-    public void Subscribe_OptionalAndNobodyPublishes_IsNull()
+    public void Subscribe_OptionalWithoutAPublisher_IsNull()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
@@ -222,8 +222,8 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
         });
     }
 
-    private static void AssertNames(Exception told, params string[] parts)
-        => Assert.All(parts, part => Assert.Contains(part, told.Message, StringComparison.Ordinal));
+    private static void AssertNames(Exception thrown, params string[] parts)
+        => Assert.All(parts, part => Assert.Contains(part, thrown.Message, StringComparison.Ordinal));
 
     private string FaultOf<T>(T? initial)
     {

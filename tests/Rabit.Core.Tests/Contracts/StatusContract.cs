@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
 
-/// <summary>Contract 4.4: what a manager tells of itself (counts and simple times).</summary>
+/// <summary>Contract 4.4: what a manager reports of itself (counts and simple times).</summary>
 public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
 {
     [Fact, Trait("Clause", "4.4")]
@@ -136,7 +136,7 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "4.4")]
-    public void ResetStatistics_Later_StartsTheFiguresAnewAndKeepsFaults()
+    public void ResetStatistics_Later_ResetsTheFiguresAndKeepsFaults()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
@@ -152,7 +152,7 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         run.OnAndSettle(manager, () => { });
         manager.ResetStatistics();
         run.On(manager, () => { });
-        run.Until(() => run.StatusOf(manager).Runs == 1, "the figures start anew");
+        run.Until(() => run.StatusOf(manager).Runs == 1, "the figures start again");
         ManagerStatus status = run.StatusOf(manager);
         ReactorResult result = run.Finish();
 

@@ -33,7 +33,7 @@ internal sealed class TestBoard
 
     public int Count(string entry) => Entries.Count(e => string.Equals(e, entry, StringComparison.Ordinal));
 
-    /// <summary>Tells a waiting test to look again.</summary>
+    /// <summary>Makes a waiting test check again.</summary>
     public void Changed()
     {
         lock (Gate)

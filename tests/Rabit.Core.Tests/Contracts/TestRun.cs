@@ -74,7 +74,7 @@ internal sealed class TestRun : IDisposable
     {
         ScriptedManager.Job job = manager.Enqueue(action);
         manager.WakeUp();
-        Until(() => job.IsDone, $"{manager.Name} does what the test tells it");
+        Until(() => job.IsDone, $"{manager.Name} does the job of the test");
         job.Rethrow();
     }
 

@@ -23,10 +23,10 @@ public abstract class TimeKind
     private sealed class RealKind : TimeKind
     {
         // Only a test that fails waits this long.
-        private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
+        private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
 
         // For conditions that change without a pulse, such as the state of a device.
-        private static readonly TimeSpan LookAgain = TimeSpan.FromMilliseconds(20);
+        private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(20);
 
         public override bool HasThreads => true;
 
@@ -39,9 +39,9 @@ public abstract class TimeKind
             {
                 while (!condition())
                 {
-                    if (waited.Elapsed > Patience)
+                    if (waited.Elapsed > TestTimeout)
                         return false;
-                    Monitor.Wait(board.Gate, LookAgain);
+                    Monitor.Wait(board.Gate, PollPeriod);
                 }
             }
 

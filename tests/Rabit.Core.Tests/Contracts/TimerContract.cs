@@ -27,7 +27,7 @@ public abstract class TimerContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.3")]
-    public void WakeUpDelay_Longest_IsLegalAndWakesStillCome()
+    public void WakeUpDelay_MaxValue_IsLegalAndWakesStillCome()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");

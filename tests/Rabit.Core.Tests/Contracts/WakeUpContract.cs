@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
 
-/// <summary>Contract 1.4 and 1.5: wake-ups do not stack, none is lost, and their causes are told.</summary>
+/// <summary>Contract 1.4 and 1.5: wake-ups do not stack, none is lost, and their causes are reported.</summary>
 public abstract class WakeUpContract(TimeKind kind) : ContractTests(kind)
 {
     [Fact, Trait("Clause", "1.4")]
@@ -120,7 +120,7 @@ public abstract class WakeUpContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "1.5")]
-    public void Causes_SeveralTogether_AreAllTold()
+    public void Causes_SeveralTogether_AreAllReported()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");

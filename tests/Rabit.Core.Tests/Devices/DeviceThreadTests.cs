@@ -14,7 +14,7 @@ public sealed class DeviceThreadTests
     private static readonly TimeSpan ShortTimeout = TimeSpan.FromSeconds(1);
 
     [Fact, Trait("Clause", "1.8")]
-    public void Reader_BlockedInRead_HoldsNobodyUpAndEndsWhenUnblocked()
+    public void Reader_BlockedInRead_BlocksNoManagerAndEndsWhenUnblocked()
     {
         using var source = new BlockedSource();
         using var run = new TestRun(TimeKind.Real);
@@ -50,7 +50,7 @@ public sealed class DeviceThreadTests
     }
 
     [Fact, Trait("Clause", "1.8"), Trait("Clause", "1.6")]
-    public void Reader_UnblockThrows_IsReportedAndEverybodyIsStopped()
+    public void Reader_UnblockThrows_IsReportedAndAllAreStopped()
     {
         using var source = new BlockedSource { UnblockError = new InvalidOperationException("stuck") };
         using var run = new TestRun(TimeKind.Real);

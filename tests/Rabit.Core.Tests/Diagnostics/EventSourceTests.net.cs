@@ -14,7 +14,7 @@ public sealed class EventSourceTests
     [Fact, Trait("Clause", "4.4")]
     public void Listener_ToRabitCore_SeesTheLogAndEveryUnitOfWork()
     {
-        // Other tests run beside this one, and an event source serves the whole process: the name tells them apart.
+        // Other tests run beside this one, and an event source serves the whole process: the name distinguishes them.
         string name = "seen-" + Guid.NewGuid().ToString("N");
         using var listener = new Listener(name);
         using var run = new TestRun(TimeKind.Virtual);

@@ -8,9 +8,9 @@ namespace Rabit.Core.Tests.Exploration;
 /// Folds the places of a thread's code that go on alike, however they were reached: a loop that tries again comes back to where it was.
 /// </summary>
 /// <remarks>
-/// Two places of one piece that are about to do the same are claimed to be alike. The claim is watched: whatever the thread is told at the
+/// Two places of one piece that are about to do the same are claimed to be alike. The claim is watched: whatever the thread is received at the
 /// one, in the whole exploration, its code is run with at the other too, and must do the same for some steps on. A claim that breaks is never
-/// made again, and the exploration begins anew. This is how a program is tested against an automaton (Chow: "Testing software design modeled by
+/// made again, and the exploration begins again. This is how a program is tested against an automaton (Chow: "Testing software design modeled by
 /// finite-state machines", IEEE TSE 1978): it is exact unless the code hides a difference for longer than it is watched.
 /// What is watched grows with the number of answers to the power of the steps. So a large exploration follows, from each place, only a few answers
 /// that lead to the same kind of operation for all the steps; the others are watched for one step.
@@ -26,7 +26,7 @@ internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
     public FoldedPlace this[int number] => _places[number];
 
     /// <summary>Forgets all but which places are not alike.</summary>
-    public void BeginAnew()
+    public void Restart()
     {
         _places.Clear();
         _alike.Clear();
@@ -60,13 +60,13 @@ internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
     }
 
     /// <exception cref="ClaimBroken">Two places that were taken for alike are not.</exception>
-    public FoldedPlace After(FoldedPlace place, int told)
+    public FoldedPlace After(FoldedPlace place, int received)
     {
-        if (place.ByAnswer.TryGetValue(told, out FoldedPlace? known))
+        if (place.ByAnswer.TryGetValue(received, out FoldedPlace? known))
             return known;
 
-        FoldedPlace after = PlaceOf(place.Place.After(told));
-        FoldedPlace.Answer answer = place.Add(told, after);
+        FoldedPlace after = PlaceOf(place.Place.After(received));
+        FoldedPlace.Answer answer = place.Add(received, after);
         foreach (FoldClaim claim in place.Claims.ToArray())
             Follow(claim, answer);
         return after;
@@ -74,7 +74,7 @@ internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
 
     private void Follow(FoldClaim claim, in FoldedPlace.Answer answer)
     {
-        CodePlace there = claim.Place.After(answer.Told);
+        CodePlace there = claim.Place.After(answer.Received);
         int steps = StepsAfter(answer, claim.Steps);
         if (!GoOnAlike(answer.Place, there, steps))
         {
@@ -93,7 +93,7 @@ internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
             return true;
         if (folded.Place.Tree != place.Tree || !folded.Place.Operation.IsLike(place.Operation) || !folded.Place.From.Equals(place.From) || place.Operation.Kind == SyncKind.End)
             return false;
-        return steps == 0 || folded.Next.TrueForAll(next => GoOnAlike(next.Place, place.After(next.Told), StepsAfter(next, steps)));
+        return steps == 0 || folded.Next.TrueForAll(next => GoOnAlike(next.Place, place.After(next.Received), StepsAfter(next, steps)));
     }
 
     private void Watch(FoldedPlace folded, FoldClaim claim)
@@ -102,7 +102,7 @@ internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
             return;
         folded.Claims.Add(claim);
         foreach (FoldedPlace.Answer next in folded.Next)
-            Watch(next.Place, claim with { Place = claim.Place.After(next.Told), Steps = StepsAfter(next, claim.Steps) });
+            Watch(next.Place, claim with { Place = claim.Place.After(next.Received), Steps = StepsAfter(next, claim.Steps) });
     }
 
     internal sealed class ClaimBroken : Exception;

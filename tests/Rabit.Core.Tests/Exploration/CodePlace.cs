@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>A place in the code of a thread: what it was told on the way, and what it is about to do.</summary>
+/// <summary>A place in the code of a thread: what it was received on the way, and what it is about to do.</summary>
 internal sealed class CodePlace(CodeTree? tree, SyncOperation operation, object from, CodePlace? before, int result)
 {
     private readonly Dictionary<int, CodePlace> _next = [];
@@ -18,13 +18,13 @@ internal sealed class CodePlace(CodeTree? tree, SyncOperation operation, object 
     /// <summary>Null at the beginning of a piece, and at the end of the thread.</summary>
     public CodePlace? Before { get; } = before;
 
-    /// <summary>What the place before was told.</summary>
+    /// <summary>What the place before was received.</summary>
     public int Result { get; } = result;
 
-    public CodePlace After(int told)
+    public CodePlace After(int received)
     {
-        if (!_next.TryGetValue(told, out CodePlace? place))
-            _next.Add(told, place = Tree!.After(this, told));
+        if (!_next.TryGetValue(received, out CodePlace? place))
+            _next.Add(received, place = Tree!.After(this, received));
         return place;
     }
 }

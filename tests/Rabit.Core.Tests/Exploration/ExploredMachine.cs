@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>The machine that the explored threads run on: processors, memory, kernel and clock. It takes one step at a time, as it is told.</summary>
+/// <summary>The machine that the explored threads run on: processors, memory, kernel and clock. It takes one step at a time, as it is asked to.</summary>
 internal sealed class ExploredMachine
 {
     private const int Asleep = 1;
@@ -66,7 +66,7 @@ internal sealed class ExploredMachine
         {
             SyncKind.Write => _options.Memory != MemoryModel.SequentiallyConsistent && !IsNoted(place, 0) && _writers.IsLone(operation.Location, thread),
 
-            // A clock that stands still for good: nobody can tell when it is read.
+            // A clock that stands still for good: no thread sees when it is read.
             SyncKind.ReadClock => state.TicksLeft == 0 && !IsNoted(place, (int)state.Now.Ticks),
             _ => false,
         };
@@ -75,8 +75,8 @@ internal sealed class ExploredMachine
     /// <summary>The state before the first step.</summary>
     public void Begin(ExploredState state)
     {
-        _places.BeginAnew();
-        _updates.BeginAnew();
+        _places.Restart();
+        _updates.Restart();
         Array.Clear(state.Numbers, 0, state.Numbers.Length);
         for (int location = 0; location < _shape.Locations; location++)
             state.Numbers[_shape.Counts + location] = 1;
@@ -99,7 +99,7 @@ internal sealed class ExploredMachine
     /// <param name="state">Changed where the step is taken; else it may be spoilt.</param>
     /// <param name="thread">The thread.</param>
     /// <param name="choice">Which of the ways in which the step may go, from 0.</param>
-    /// <param name="result">What the thread is told.</param>
+    /// <param name="result">What the thread is received.</param>
     public StepKind Take(ExploredState state, int thread, int choice, out int result)
     {
         FoldedPlace place = _places[state.Place(thread)];
@@ -141,7 +141,7 @@ internal sealed class ExploredMachine
     }
 
     // What the model notes happens then and not earlier.
-    private bool IsNoted(FoldedPlace place, int told) => _places.After(place, told).Place.Operation.Kind is SyncKind.Note or SyncKind.ReadOldest;
+    private bool IsNoted(FoldedPlace place, int received) => _places.After(place, received).Place.Operation.Kind is SyncKind.Note or SyncKind.ReadOldest;
 
     private void Forget(ExploredState state)
     {
@@ -270,18 +270,18 @@ internal sealed class ExploredMachine
         while (true)
         {
             SyncOperation operation = place.Place.Operation;
-            int told = 0;
+            int received = 0;
             if (operation.Kind == SyncKind.Note)
                 operation.Note!(state);
             else if (operation.Kind == SyncKind.ReadOldest)
-                told = _recorder.InitialValue(operation.Location) ^ _memory.Oldest(state.Numbers, thread, operation.Location);
+                received = _recorder.InitialValue(operation.Location) ^ _memory.Oldest(state.Numbers, thread, operation.Location);
 
-            // A clock that stands still for good may be read at once: nobody can tell.
+            // A clock that stands still for good may be read at once: no thread sees a difference.
             else if (operation.Kind == SyncKind.ReadClock && state.TicksLeft == 0)
-                told = (int)state.Now.Ticks;
+                received = (int)state.Now.Ticks;
             else
                 break;
-            place = _places.After(place, told);
+            place = _places.After(place, received);
         }
 
         state.Place(thread) = place.Number;

@@ -11,7 +11,7 @@ namespace Rabit.Core.Tests.Exploration;
 /// plain writes may come to light in another order than they were made, and plain reads may be answered early (Arm).
 /// <list type="bullet">
 /// <item>A volatile write hands on its thread's view, and a volatile read takes it over: what was done before is seen after.</item>
-/// <item>A plain write may slip before racing writes of other threads that its thread has not seen, but not between an interlocked operation
+/// <item>A plain write may move before racing writes of other threads that its thread has not seen, but not between an interlocked operation
 /// and the write that this read; so may a volatile one.</item>
 /// <item>An interlocked operation sees the newest write, hands on and takes over as volatile ones do, and is a full fence.</item>
 /// <item>A full fence takes over what all fences before it have handed on, and all that plain reads before it were shown.</item>
@@ -118,7 +118,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
         HandOnToFences(s, thread);
     }
 
-    /// <summary>A signal shows whoever it wakes what its setter saw; it is taken for no fence.</summary>
+    /// <summary>A signal shows the thread that it wakes what its setter saw; it is taken for no fence.</summary>
     public void HandOn(int[] s, int thread, int signalView) => Join(s, signalView, View(thread, Own));
 
     public void TakeOver(int[] s, int thread, int signalView)
@@ -127,7 +127,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
         Join(s, View(thread, AtFence), signalView);
     }
 
-    /// <summary>Forgets the writes that nobody may be shown any more.</summary>
+    /// <summary>Forgets the writes that no thread may be shown any more.</summary>
     public void Forget(int[] s, bool[] hasEnded)
     {
         for (int thread = 0; thread < shape.Threads && model != MemoryModel.Weak; thread++)
@@ -217,7 +217,7 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
         int count = s[shape.Counts + location] -= by;
         Array.Copy(s, Write(location, by), s, Write(location, 0), count * shape.WriteSize);
         Array.Clear(s, Write(location, count), by * shape.WriteSize);
-        s[Write(location, 0) + 1] = 0;   // the oldest in sight: nothing can slip before it, and all see it
+        s[Write(location, 0) + 1] = 0;   // the oldest in sight: nothing can move before it, and all see it
         ForEachView(s, location, by, static (entry, by) => Math.Max(0, entry - by));
     }
 

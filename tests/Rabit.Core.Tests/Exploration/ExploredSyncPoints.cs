@@ -44,13 +44,13 @@ internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
     /// <summary>A remark of the model, on what is done next.</summary>
     /// <param name="about">Compared: two notes that do the same have the same.</param>
     /// <param name="note">What it does.</param>
-    /// <param name="mayNeverCome">Whether what is done next may as well never be done: nobody may count on it.</param>
+    /// <param name="mayNeverCome">Whether what is done next may as well never be done: no code may count on it.</param>
     public static void NoteNext(object about, Action<ExploredState> note, bool mayNeverCome = false)
         => Perform(new SyncOperation(SyncKind.NoteOfNext) { About = about, Note = note, MayNeverCome = mayNeverCome });
 
     /// <summary>
     /// The oldest value that a plain read might be shown, now or ever after: views only grow. Where a check bears the newer ones if it bears
-    /// the oldest, and the code does not, this stands for the read; nobody else can tell whether somebody has read.
+    /// the oldest, and the code does not, this stands for the read; no other thread sees whether one has read.
     /// </summary>
     public static int OldestSeen(ref int location) => Perform(SyncKind.ReadOldest, ref location);
 

@@ -10,7 +10,7 @@ namespace Rabit.Core.Tests.Exploration;
 /// <remarks>
 /// Depth first, each state once. That the number of interleavings comes out all the same is simple: those from a state on are those
 /// from its successors on, added up. Nothing is taken by chance. Two things are not walked twice: places in the code that go on alike
-/// (<see cref="CodeFold"/>), and retries of a compare-and-swap (<see cref="RetriedUpdates"/>). A step that is in nobody's way is taken alone
+/// (<see cref="CodeFold"/>), and retries of a compare-and-swap (<see cref="RetriedUpdates"/>). A step that conflicts with no other is taken alone
 /// (<see cref="LoneWriters"/>), so the interleavings that are counted are those that remain. Tests explore with and without.
 /// </remarks>
 internal sealed class Explorer
@@ -33,7 +33,7 @@ internal sealed class Explorer
     }
 
     /// <summary>Explores to the end, or to the first fault.</summary>
-    /// <param name="model">Made anew for each exploration.</param>
+    /// <param name="model">Made again for each exploration.</param>
     /// <param name="memory">What the memory may show.</param>
     public static ExplorationResult Explore(ExploredModel model, MemoryModel memory = MemoryModel.Weak) => Explore(model, new ExplorerOptions(memory));
 
@@ -55,7 +55,7 @@ internal sealed class Explorer
             }
             catch (CodeFold.ClaimBroken)
             {
-                // Two places in the code are not alike: they are told apart from now on.
+                // Two places in the code are not alike: they are distinguished from now on.
             }
         }
     }

@@ -13,7 +13,7 @@ internal sealed record ExplorerOptions(MemoryModel Memory)
     /// </summary>
     public int WatchedAnswers { get; init; } = int.MaxValue;
 
-    /// <summary>Whether a step that is in nobody's way is taken at once and alone (<see cref="LoneWriters"/>).</summary>
+    /// <summary>Whether a step that conflicts with no other is taken at once and alone (<see cref="LoneWriters"/>).</summary>
     public bool TakesFreeSteps { get; init; } = true;
 
     /// <summary>Whether a compare-and-swap that is tried until it succeeds is one step (<see cref="RetriedUpdates"/>).</summary>

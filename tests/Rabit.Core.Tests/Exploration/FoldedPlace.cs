@@ -14,7 +14,7 @@ internal sealed class FoldedPlace(CodePlace place, int number)
 
     public List<Answer> Next { get; } = [];
 
-    /// <summary>The same, by what the thread is told.</summary>
+    /// <summary>The same, by what the thread is received.</summary>
     public Dictionary<int, FoldedPlace> ByAnswer { get; } = [];
 
     /// <summary>How many of the values of the location this place is known to be a retried update for; see <see cref="RetriedUpdates"/>.</summary>
@@ -24,18 +24,18 @@ internal sealed class FoldedPlace(CodePlace place, int number)
     public List<FoldClaim> Claims { get; } = [];
 
     /// <summary>Notes what comes after an answer.</summary>
-    public Answer Add(int told, FoldedPlace place)
+    public Answer Add(int received, FoldedPlace place)
     {
         SyncOperation operation = place.Place.Operation;
-        var answer = new Answer(told, place, Next.Count(n => n.Place.Place.Operation.Kind == operation.Kind && n.Place.Place.Operation.Location == operation.Location));
+        var answer = new Answer(received, place, Next.Count(n => n.Place.Place.Operation.Kind == operation.Kind && n.Place.Place.Operation.Location == operation.Location));
         Next.Add(answer);
-        ByAnswer.Add(told, place);
+        ByAnswer.Add(received, place);
         return answer;
     }
 
     /// <summary>An answer, and where it leads.</summary>
-    /// <param name="Told">What the thread is told.</param>
+    /// <param name="Received">What the thread is received.</param>
     /// <param name="Place">Where it is then.</param>
     /// <param name="Rank">How many answers that lead to an operation of the same kind in the same location came up before this one.</param>
-    internal readonly record struct Answer(int Told, FoldedPlace Place, int Rank);
+    internal readonly record struct Answer(int Received, FoldedPlace Place, int Rank);
 }

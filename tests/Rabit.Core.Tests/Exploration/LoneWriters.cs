@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// Finds the locations that one thread writes and the others read at most, plainly or volatile. Such a write need not wait for a turn of its own.
+/// Finds the locations that one thread writes and the others read at most, plainly or volatile. Such a write need not wait for a step of its own.
 /// </summary>
 /// <remarks>
 /// A plain write to such a location may be taken as soon as its thread comes to it, and nothing else is tried there. Nothing is lost by that:
@@ -15,8 +15,8 @@ namespace Rabit.Core.Tests.Exploration;
 /// So it is a left mover (Lipton: "Reduction", CACM 1975), and a set of steps that persists of one alone (Godefroid: "Partial-order methods for
 /// the verification of concurrent systems", LNCS 1032, 1996); no state comes twice in one run, so none is put off for ever. It needs a memory that may
 /// show old values: on a sequentially consistent one it is not done.
-/// That a location is one of these is not believed but watched in all that is explored; where another thread breaks it, the exploration begins
-/// anew without. That is enough: the first step of a run that breaks it comes after steps that do not, and these are explored in some order.
+/// That a location is one of these is not assumed but watched in all that is explored; where another thread breaks it, the exploration begins
+/// again without. That is enough: the first step of a run that breaks it comes after steps that do not, and these are explored in some order.
 /// </remarks>
 internal sealed class LoneWriters
 {

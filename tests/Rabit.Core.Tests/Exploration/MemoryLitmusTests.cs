@@ -6,7 +6,7 @@ using Xunit;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// The classic small programs that tell memories apart (Alglave, Maranget, Tautschnig: "Herding cats", TOPLAS 2014, figure 3), run by the
+/// The classic small programs that distinguish memory models (Alglave, Maranget, Tautschnig: "Herding cats", TOPLAS 2014, figure 3), run by the
 /// explorer: what x86 and Arm do is found, and what volatile, interlocked operations and fences forbid is not.
 /// </summary>
 public sealed class MemoryLitmusTests
@@ -28,7 +28,7 @@ public sealed class MemoryLitmusTests
             Write(mine, 1, kind);
             if (kind == "fence")
                 P.Fence();
-            Tell(note, Read(others, kind == "interlocked" ? "volatile" : kind));
+            Record(note, Read(others, kind == "interlocked" ? "volatile" : kind));
         }
 
         Assert.Equal(isPossible, Outcomes(2, () => Side(_x, _y, 0), () => Side(_y, _x, 1)).Contains("0 0"));
@@ -51,10 +51,10 @@ public sealed class MemoryLitmusTests
 
         void Reader()
         {
-            Tell(0, Read(_y, kind));
+            Record(0, Read(_y, kind));
             if (kind == "fence")
                 P.Fence();
-            Tell(1, P.Read(ref _x[0]));
+            Record(1, P.Read(ref _x[0]));
         }
 
         HashSet<string> outcomes = Outcomes(2, Writer, Reader);
@@ -70,7 +70,7 @@ public sealed class MemoryLitmusTests
         HashSet<string> outcomes = Outcomes(
             2,
             () => { P.Write(ref _x[0], 1); P.Write(ref _x[0], 2); },
-            () => { Tell(0, P.Read(ref _x[0])); Tell(1, P.Read(ref _x[0])); });
+            () => { Record(0, P.Read(ref _x[0])); Record(1, P.Read(ref _x[0])); });
 
         Assert.Equal(["0 0", "0 1", "0 2", "1 1", "1 2", "2 2"], outcomes.OrderBy(o => o, StringComparer.Ordinal));
     }
@@ -83,8 +83,8 @@ public sealed class MemoryLitmusTests
     {
         HashSet<string> outcomes = Outcomes(
             2,
-            () => { Write(_x, 1, kind); Write(_y, 2, kind); TellTheEnd(); },
-            () => { Write(_y, 1, kind); Write(_x, 2, kind); TellTheEnd(); });
+            () => { Write(_x, 1, kind); Write(_y, 2, kind); RecordTheEnd(); },
+            () => { Write(_y, 1, kind); Write(_x, 2, kind); RecordTheEnd(); });
 
         Assert.Equal(isPossible, outcomes.Contains("1 1"));
     }
@@ -94,8 +94,8 @@ public sealed class MemoryLitmusTests
     {
         HashSet<string> outcomes = Outcomes(
             2,
-            () => Tell(0, P.Exchange(ref _x[0], 1)),
-            () => Tell(1, P.CompareExchange(ref _x[0], 2, 1)));
+            () => Record(0, P.Exchange(ref _x[0], 1)),
+            () => Record(1, P.CompareExchange(ref _x[0], 2, 1)));
 
         Assert.Equal(["0 0", "0 1"], outcomes.OrderBy(o => o, StringComparer.Ordinal));
     }
@@ -106,8 +106,8 @@ public sealed class MemoryLitmusTests
         HashSet<string> outcomes = Outcomes(
             2,
             MemoryModel.SequentiallyConsistent,
-            () => { P.Write(ref _x[0], 1); Tell(0, P.Read(ref _y[0])); },
-            () => { P.Write(ref _y[0], 1); Tell(1, P.Read(ref _x[0])); });
+            () => { P.Write(ref _x[0], 1); Record(0, P.Read(ref _y[0])); },
+            () => { P.Write(ref _y[0], 1); Record(1, P.Read(ref _x[0])); });
 
         Assert.Equal(["0 1", "1 0", "1 1"], outcomes.OrderBy(o => o, StringComparer.Ordinal));
     }
@@ -122,8 +122,8 @@ public sealed class MemoryLitmusTests
         HashSet<string> buffering = Outcomes(
             2,
             MemoryModel.StoreBuffers,
-            () => { Write(_x, 1, kind); Tell(0, P.Read(ref _y[0])); },
-            () => { Write(_y, 1, kind); Tell(1, P.Read(ref _x[0])); });
+            () => { Write(_x, 1, kind); Record(0, P.Read(ref _y[0])); },
+            () => { Write(_y, 1, kind); Record(1, P.Read(ref _x[0])); });
         HashSet<string> passing = new MemoryLitmusTests().PassThroughStoreBuffers(kind);
 
         Assert.Equal(delays, buffering.Contains("0 0"));
@@ -148,7 +148,7 @@ public sealed class MemoryLitmusTests
             2,
             MemoryModel.StoreBuffers,
             () => { Write(_x, 1, kind); Write(_y, 1, kind); },
-            () => { Tell(0, P.Read(ref _y[0])); Tell(1, P.Read(ref _x[0])); });
+            () => { Record(0, P.Read(ref _y[0])); Record(1, P.Read(ref _x[0])); });
 
     private static void Write(int[] location, int value, string kind)
     {
@@ -168,13 +168,13 @@ public sealed class MemoryLitmusTests
             _ => P.Read(ref location[0]),
         };
 
-    private static void Tell(int note, int value) => ExploredSyncPoints.Note((note, value), state => state.Note(note) = value);
+    private static void Record(int note, int value) => ExploredSyncPoints.Note((note, value), state => state.Note(note) = value);
 
-    // What the locations hold in the end: whoever tells last tells after all writes.
-    private void TellTheEnd()
+    // What the locations hold in the end: the last one to record does so after all writes.
+    private void RecordTheEnd()
     {
-        Tell(0, Read(_x, "interlocked"));
-        Tell(1, Read(_y, "interlocked"));
+        Record(0, Read(_x, "interlocked"));
+        Record(1, Read(_y, "interlocked"));
     }
 
     private HashSet<string> Outcomes(int notes, params Action[] threads) => Outcomes(notes, MemoryModel.Weak, threads);

@@ -12,6 +12,6 @@ internal enum MemoryModel
     /// </summary>
     StoreBuffers,
 
-    /// <summary>Any that the rules of the .NET memory model leave open, as <see cref="ExploredMemory"/> tells.</summary>
+    /// <summary>Any that the rules of the .NET memory model leave open, as <see cref="ExploredMemory"/> says.</summary>
     Weak,
 }

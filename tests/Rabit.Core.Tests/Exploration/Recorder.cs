@@ -6,7 +6,7 @@ namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
 /// Runs a piece of code up to its next synchronisation point: the points before it get the results that the script gives them; at the next
-/// one the code is left. So a thread needs no thread, and its state is what it was told so far.
+/// one the code is left. So a thread needs no thread, and its state is what it was received so far.
 /// </summary>
 /// <remarks>
 /// A location is known by a number that is written into it when it is first met; what it holds at any time is the explorer's business.
@@ -28,7 +28,7 @@ internal sealed class Recorder
 
     /// <summary>Runs a piece of code with what its points answered so far.</summary>
     /// <param name="code">Returns what it begins with next time, or null at its end.</param>
-    /// <param name="script">What it did so far, and what it was told.</param>
+    /// <param name="script">What it did so far, and what it was received.</param>
     /// <param name="next">The operation at which it was left; default where it came to its end.</param>
     /// <param name="rest">What the code returned.</param>
     /// <returns>False where the code came to its end.</returns>

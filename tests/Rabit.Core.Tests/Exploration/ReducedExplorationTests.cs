@@ -65,7 +65,7 @@ public sealed class ReducedExplorationTests(ITestOutputHelper output)
     [InlineData(SeededFault.UnfencedAlreadySetRead)]
     [InlineData(SeededFault.StopWithoutASignal)]
     [InlineData(SeededFault.WakesThatStack)]
-    public void Explore_SeededFaultWithoutReductions_HasTheSameVerdict(SeededFault fault)
+    public void Explore_SeededFaultWithoutReductions_HasTheSameResult(SeededFault fault)
     {
         WakeUpScenario scenario = SeededFaultTests.ScenarioOf(fault);
         ExplorerOptions whole = Reduced with { TakesFreeSteps = false, MergesRetries = false };

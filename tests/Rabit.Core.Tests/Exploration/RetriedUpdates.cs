@@ -9,8 +9,8 @@ namespace Rabit.Core.Tests.Exploration;
 /// <remarks>
 /// Nothing is lost by that. A run in which the swap fails is, for all others, a run in which the thread read later; what the failed swap does
 /// beside, being a fence, is to hurry the thread's own writes, and that only takes choices from the others.
-/// That the code is of that kind is not believed but tried with every value that the location has ever had, up to what it does after
-/// the swap; where a new value shows otherwise, the exploration begins anew without.
+/// That the code is of that kind is not assumed but tried with every value that the location has ever had, up to what it does after
+/// the swap; where a new value shows otherwise, the exploration begins again without.
 /// </remarks>
 internal sealed class RetriedUpdates
 {
@@ -18,7 +18,7 @@ internal sealed class RetriedUpdates
     private readonly HashSet<(int Location, int Value)> _met = [];
     private readonly HashSet<CodePlace> _others = [];
 
-    public void BeginAnew()
+    public void Restart()
     {
         _values.Clear();
         _met.Clear();
@@ -58,21 +58,21 @@ internal sealed class RetriedUpdates
         return true;
     }
 
-    // Whether the code, told one value and then that another was found, does what it does when it is told the other at once.
-    private static bool Retries(CodePlace place, int told, int found)
+    // Whether the code, received one value and then that another was found, does what it does when it is received the other at once.
+    private static bool Retries(CodePlace place, int received, int found)
     {
-        CodePlace swap = place.After(told);
+        CodePlace swap = place.After(received);
         CodePlace atOnce = place.After(found);
-        if (!IsSwapOf(swap, place, told) || !IsSwapOf(atOnce, place, found))
+        if (!IsSwapOf(swap, place, received) || !IsSwapOf(atOnce, place, found))
             return false;
-        if (told == found)
+        if (received == found)
             return true;
         CodePlace again = swap.After(found);
         return again.Operation.IsLike(atOnce.Operation) && again.After(found).Operation.IsLike(atOnce.After(found).Operation);
     }
 
-    private static bool IsSwapOf(CodePlace swap, CodePlace place, int told)
+    private static bool IsSwapOf(CodePlace swap, CodePlace place, int received)
         => swap.Operation.Kind == SyncKind.CompareExchange
             && swap.Operation.Location == place.Operation.Location
-            && swap.Operation.Comparand == told;
+            && swap.Operation.Comparand == received;
 }

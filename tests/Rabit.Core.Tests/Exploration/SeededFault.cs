@@ -21,12 +21,12 @@ public enum SeededFault
     /// <summary>A wake before the start-up barrier opens is forgotten.</summary>
     WakeDroppedDuringStartup,
 
-    /// <summary>A waker that reads that its cause is set already goes home, without a fence.</summary>
+    /// <summary>A waker that reads that its cause is set already returns, without a fence.</summary>
     UnfencedAlreadySetRead,
 
     /// <summary>A stop waits for the timer.</summary>
     StopWithoutASignal,
 
-    /// <summary>Each wake is a turn of its own.</summary>
+    /// <summary>Each wake is a unit of work of its own.</summary>
     WakesThatStack,
 }

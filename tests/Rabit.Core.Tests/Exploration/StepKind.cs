@@ -5,7 +5,7 @@ internal enum StepKind
 {
     Taken,
 
-    /// <summary>A wait returned early: it may, but nobody may count on it.</summary>
+    /// <summary>A wait returned early: it may, but no code may count on it.</summary>
     WithoutReason,
 
     /// <summary>The thread waits, and there is nothing to go on for.</summary>

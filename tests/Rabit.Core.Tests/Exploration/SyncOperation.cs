@@ -14,10 +14,10 @@ internal readonly record struct SyncOperation(SyncKind Kind, int Location = 0, i
     /// <summary>What a note does to the model's own numbers; null for the others.</summary>
     public Action<ExploredState>? Note { get; init; }
 
-    /// <summary>Whether the step that this note belongs to may as well never come: nobody may count on it.</summary>
+    /// <summary>Whether the step that this note belongs to may as well never come: no code may count on it.</summary>
     public bool MayNeverCome { get; init; }
 
-    /// <summary>What tells a note from others; compared.</summary>
+    /// <summary>What distinguishes a note from others; compared.</summary>
     public object? About { get; init; }
 
     /// <summary>Whether the two are the same operation, their notes apart.</summary>

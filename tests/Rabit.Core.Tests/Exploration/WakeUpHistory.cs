@@ -84,7 +84,7 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
     /// <summary>The sleeper has ended: nothing of this matters any more.</summary>
     public void End(ExploredState s)
     {
-        s.Require(s.Note(StopCalled) != 0, "the sleeper ended, and nobody had stopped it");
+        s.Require(s.Note(StopCalled) != 0, "the sleeper ended, and was not stopped");
         for (int note = 0; note < Size; note++)
             s.Note(note) = 0;
         s.Note(IsOver) = 1;

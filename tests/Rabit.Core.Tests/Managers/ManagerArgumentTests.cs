@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Managers;
 
-/// <summary>Contract 4.2: what a manager is told wrongly is refused at once, with an error that names the manager and the thing.</summary>
+/// <summary>Contract 4.2: what a manager is given wrongly is refused at once, with an error that names the manager and the thing.</summary>
 public sealed class ManagerArgumentTests
 {
     private readonly TestBoard _board = new();
@@ -75,10 +75,10 @@ public sealed class ManagerArgumentTests
 
     private ScriptedManager New() => new("m", _board);
 
-    private static void AssertRefused(string parameter, string told, Action bad)
+    private static void AssertRefused(string parameter, string expected, Action bad)
     {
         ArgumentException thrown = Assert.ThrowsAny<ArgumentException>(bad);
         Assert.Equal(parameter, thrown.ParamName);
-        Assert.Contains(told, thrown.Message, StringComparison.Ordinal);
+        Assert.Contains(expected, thrown.Message, StringComparison.Ordinal);
     }
 }

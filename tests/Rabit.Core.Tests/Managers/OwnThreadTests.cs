@@ -16,10 +16,10 @@ public sealed class OwnThreadTests
         foreach (string name in new[] { "a", "b" })
         {
             ScriptedManager manager = run.Add(name);
-            void Tell() => run.Board.Write($"{name} {Thread.CurrentThread.Name} {Environment.CurrentManagedThreadId}");
-            manager.OnStartup = Tell;
-            manager.OnUnit = Tell;
-            manager.OnShutdown = Tell;
+            void WriteThread() => run.Board.Write($"{name} {Thread.CurrentThread.Name} {Environment.CurrentManagedThreadId}");
+            manager.OnStartup = WriteThread;
+            manager.OnUnit = WriteThread;
+            manager.OnShutdown = WriteThread;
         }
 
         run.StartAndSettle();
@@ -39,8 +39,8 @@ public sealed class OwnThreadTests
     {
         using var run = new TestRun(TimeKind.Real);
         ScriptedManager manager = run.Add("m");
-        void Tell() => run.Board.Write(Thread.CurrentThread.Name + " " + Environment.CurrentManagedThreadId);
-        var source = new ScriptedSource(new TestBoard(), TimeSpan.Zero, 1) { OnOpen = Tell, OnRead = Tell, OnClose = Tell };
+        void WriteThread() => run.Board.Write(Thread.CurrentThread.Name + " " + Environment.CurrentManagedThreadId);
+        var source = new ScriptedSource(new TestBoard(), TimeSpan.Zero, 1) { OnOpen = WriteThread, OnRead = WriteThread, OnClose = WriteThread };
         manager.AttachReader("line", source);
 
         run.Start();
@@ -66,7 +66,7 @@ public sealed class OwnThreadTests
         run.Until(() => manager.Units >= Units, "the timer wakes it");
         run.Finish();
 
-        // Whoever waits looks at the clock before and after each wait: a handful of looks for each unit, not thousands.
+        // A wait reads the clock before and after: a handful of reads for each unit, not thousands.
         Assert.True(clock.Reads < 20 * manager.Units, $"{clock.Reads} looks at the clock in {manager.Units} units");
     }
 

@@ -31,7 +31,7 @@ public sealed class PeriodGridTests
     }
 
     [Fact]
-    public void Next_WorkPastOneDeadline_IsOneSlipAndOneRunAtOnce()
+    public void Next_WorkPastOneDeadline_IsOneMissedDeadlineAndOneRunAtOnce()
     {
         Next(10, 100, 103);
         Assert.Equal((120, 1), Next(10, begin: 110, end: 123));
@@ -54,7 +54,7 @@ public sealed class PeriodGridTests
     }
 
     [Fact]
-    public void Next_EndOnTheDeadlineItself_IsASlip()
+    public void Next_EndOnTheDeadlineItself_IsAMissedDeadline()
     {
         Next(10, 100, 103);
         Assert.Equal((120, 1), Next(10, begin: 110, end: 120));
@@ -69,8 +69,8 @@ public sealed class PeriodGridTests
 
     private (int Due, int MissedDeadlines) Next(int period, int begin, int end)
     {
-        TimeSpan due = _grid.Next(Milliseconds(period), Milliseconds(begin), Milliseconds(end), out long slips);
-        return ((int)due.TotalMilliseconds, (int)slips);
+        TimeSpan due = _grid.Next(Milliseconds(period), Milliseconds(begin), Milliseconds(end), out long missed);
+        return ((int)due.TotalMilliseconds, (int)missed);
     }
 
     private static TimeSpan Milliseconds(int milliseconds) => TimeSpan.FromMilliseconds(milliseconds);

@@ -69,7 +69,7 @@ public sealed class MessageModelTests(ITestOutputHelper output)
         }
     }
 
-    // The same ones each time, and one that nobody has tried yet.
+    // The same ones each time, and one that was not tried yet.
     private IEnumerable<ulong> Seeds()
     {
         ulong fresh = unchecked((ulong)Guid.NewGuid().GetHashCode());
@@ -112,7 +112,7 @@ public sealed class MessageModelTests(ITestOutputHelper output)
             fill(side.Copy, number);
             shared.Post(side.Copy, side.Owner, time);
 
-            // What it had not seen of others is covered now, and will be told with its next news.
+            // What it had not seen of others is covered now, and will be reported with its next news.
             side.Covered += _posts.Count - side.Seen;
             _posts.Add(new Post(number, time, After(VersionAt(_posts.Count))));
             side.Seen = _posts.Count;
@@ -146,7 +146,7 @@ public sealed class MessageModelTests(ITestOutputHelper output)
 
         private int VersionAt(int posts) => posts == 0 ? firstVersion : _posts[posts - 1].Version;
 
-        // Counts by hand, zero left out.
+        // Plain counts, zero left out.
         private static int After(int version) => version == -1 ? 1 : version == int.MaxValue ? int.MinValue : version + 1;
 
         private void Check(bool isSo, Side side, string what)

@@ -27,7 +27,7 @@ public sealed class MessageStressTests
     private static readonly TimeSpan MinTime = TimeSpan.FromMilliseconds(150);
 
     // Only a test that fails takes this long.
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(60);
 
     public static TheoryData<int, int> Ways() => new() { { 1, 4 }, { 1, 1 }, { 1, 0 }, { 2, 4 }, { 2, 0 } };
 
@@ -73,7 +73,7 @@ public sealed class MessageStressTests
         done.AssertFine();
     }
 
-    // The numbers of one poster go up; those of two are told apart by being odd and even.
+    // The numbers of one poster go up; those of two differ by being odd and even.
     private static void Post<T>(SharedMessage<T> shared, Progress done, int poster, Action<LocalCopy<T>, long> fill)
     {
         var owner = new EndpointOwner("poster " + poster, isManager: true, new WakeUpEvent());
@@ -121,13 +121,13 @@ public sealed class MessageStressTests
         }
     }
 
-    /// <summary>How far everybody is, and the first thing that went wrong.</summary>
+    /// <summary>How far all threads are, and the first thing that went wrong.</summary>
     private sealed class Progress(int posters, int fetchers)
     {
         private readonly Stopwatch _elapsed = Stopwatch.StartNew();
         private readonly int[] _posts = new int[posters];   // each written by its thread, read by all
         private readonly int[] _news = new int[fetchers];   // same
-        private string? _failure;                           // written once by whoever is first, by compare-and-swap
+        private string? _failure;                           // written once by the first thread, by compare-and-swap
 
         public int Posters => posters;
 
@@ -135,7 +135,7 @@ public sealed class MessageStressTests
         {
             get
             {
-                if (_elapsed.Elapsed > Patience)
+                if (_elapsed.Elapsed > TestTimeout)
                     Fail($"standing still: posts {string.Join(" ", _posts)}, news {string.Join(" ", _news)}");
                 return Volatile.Read(ref _failure) is not null || (_elapsed.Elapsed > MinTime && HaveAll(_posts, MinPosts) && HaveAll(_news, MinNews));
             }

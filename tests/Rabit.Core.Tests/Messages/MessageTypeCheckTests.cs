@@ -104,8 +104,8 @@ public sealed class MessageTypeCheckTests
             }
 
             run.Start();
-            string told = Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.TrustImmutable(typeof(Plain))).Message;
-            Assert.Contains("Plain", told, StringComparison.Ordinal);
+            string message = Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.TrustImmutable(typeof(Plain))).Message;
+            Assert.Contains("Plain", message, StringComparison.Ordinal);
         }
     }
 
@@ -164,12 +164,12 @@ public sealed class MessageTypeCheckTests
         public ImmutableList<Tree> Children { get; } = children;
     }
 
-    internal abstract class SoundBase
+    internal abstract class ValidBase
     {
         protected readonly int Number = 1;
     }
 
-    internal sealed class Derived : SoundBase;
+    internal sealed class Derived : ValidBase;
 
     internal struct HoldsImmutables
     {
@@ -242,9 +242,9 @@ public sealed class MessageTypeCheckTests
         public int[] Numbers = [1, 2];
     }
 
-    internal sealed class FromVouched : SoundSibling;
+    internal sealed class FromVouched : ValidSibling;
 
-    internal class SoundSibling : Vouched
+    internal class ValidSibling : Vouched
     {
         public int[] More = [];
     }

@@ -5,7 +5,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Messages;
 
-/// <summary>Contract 2.4: a fetched value is one that somebody posted, whole, and neither side starves the other.</summary>
+/// <summary>Contract 2.4: a fetched value is one that was posted, whole, and neither side starves the other.</summary>
 [Trait("Category", "Stress")]
 public sealed class TornValueTests
 {

@@ -55,9 +55,9 @@ public abstract class ManagerDefectsContract(TimeKind kind) : ContractTests(kind
         }
     }
 
-    // There: a wait without a condition took a wake of nobody for a wake-up, and counted it.
+    // There: a wait without a condition took a spurious wake for a wake-up, and counted it.
     [Fact, Trait("Defect", "3")]
-    public void Run_NobodyWoke_DoesNotHappen()
+    public void Run_NoWakeUp_DoesNotHappen()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
@@ -203,10 +203,10 @@ public abstract class ManagerDefectsContract(TimeKind kind) : ContractTests(kind
         run.StartAndSettle();
         manager.ResetStatistics();
         run.On(manager, () => { });
-        run.Until(() => run.StatusOf(manager) is { Runs: 1, WakeUps.Request: 1 }, "the figures begin anew");
+        run.Until(() => run.StatusOf(manager) is { Runs: 1, WakeUps.Request: 1 }, "the figures begin again");
     }
 
-    // There: getters gave the manager's own message object to whoever asked, on any thread.
+    // There: getters gave the manager's own message object to every caller, on any thread.
     [Fact, Trait("Defect", "11")]
     public void Status_ReadByAnother_IsACopyOfItsOwn()
     {
@@ -251,7 +251,7 @@ public abstract class ManagerDefectsContract(TimeKind kind) : ContractTests(kind
         Assert.False(wasPosted);
     }
 
-    // There: a manager posted before others had come to the end of their start-up, and nobody heard it.
+    // There: a manager posted before others had come to the end of their start-up, and the post was missed.
     [Fact, Trait("Defect", "32")]
     public void Startup_OfTheLast_ComesBeforeTheFirstUnitOfAll()
     {

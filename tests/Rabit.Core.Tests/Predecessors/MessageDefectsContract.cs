@@ -9,7 +9,7 @@ namespace Rabit.Core.Tests.Predecessors;
 /// <summary>What publish-subscribe messages of the predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
 public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind)
 {
-    // There: subscribers were told while the message's mutex was held; one that posted or fetched could stand still for ever.
+    // There: subscribers were called while the message's mutex was held; one that posted or fetched could stand still for ever.
     [Fact, Trait("Defect", "18")]
     public void Handlers_ThatPostToEachOther_DoNotStandStill()
     {
@@ -72,7 +72,7 @@ public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind
         Assert.Equal(100, news);
     }
 
-    // There: the copy of a copy held the original, so that whoever changed one changed all.
+    // There: the copy of a copy held the original, so that a change of one changed all.
     [Fact, Trait("Defect", "21")]
     public void Post_ThenAChangeOfTheLocalCopy_LeavesWhatWasPosted()
     {
@@ -111,7 +111,7 @@ public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind
 
     // There: a message that existed was not found by its name, and one that did not was made of nothing and used.
     [Fact, Trait("Defect", "15")]
-    public void Start_MessageThatNobodyPosts_IsRefusedByNameAndTheOthersAreFound()
+    public void Start_MessageWithoutAPublisher_IsRefusedByNameAndTheOthersAreFound()
     {
         using TestRun run = NewRun();
         ScriptedManager a = run.Add("a");
@@ -126,7 +126,7 @@ public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind
         Assert.DoesNotContain("'there'", text, StringComparison.Ordinal);
     }
 
-    // There (in C#): a post by name told its caller an error, whatever had come of it.
+    // There (in C#): a post by name returned an error to its caller, whatever had come of it.
     [Fact, Trait("Defect", "C#")]
     public void Post_ByAnEndFromTheWorkspace_ArrivesAndSaysNothingElse()
     {

@@ -42,7 +42,7 @@ public abstract class QueueDefectsContract(TimeKind kind) : ContractTests(kind)
 
     // There: a push into a full queue woke the receiver for a value that had been thrown away, uncounted.
     [Fact, Trait("Defect", "22")]
-    public void Push_IntoAFullQueue_SaysSoCountsItAndWakesNobody()
+    public void Push_IntoAFullQueue_SaysSoCountsItAndWakesNoManager()
     {
         using TestRun run = NewRun();
         ScriptedManager sink = run.Add("sink");

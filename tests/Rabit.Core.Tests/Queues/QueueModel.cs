@@ -15,7 +15,7 @@ internal sealed class QueueModel(int capacity, QueueFullMode whenFull)
 
     public int Waiting => _waiting.Count;
 
-    public (long Pushed, long Popped, long Dropped, long Rejected, int Resident, int HighWater) Books
+    public (long Pushed, long Popped, long Dropped, long Rejected, int Resident, int HighWater) Counters
         => (_pushed, _popped, _dropped, _rejected, _values.Count, _highWater);
 
     public PushResult Push(int value)

@@ -47,7 +47,7 @@ public sealed class QueueModelTests
     [InlineData(QueueKinds.Ring)]
     public void Counters_PositionsWrapRound_GoOnCounting(string kind)
     {
-        // The positions start where they have been after 2^31 values and wrap after ten more; the books count from the start.
+        // The positions start where they have been after 2^31 values and wrap after ten more; the counters count from the start.
         foreach (int start in new[] { int.MaxValue - 10, -10 })
         {
             MessageQueue<int> queue = QueueKinds.Create<int>(kind, 4, receiver: null, start);
@@ -167,10 +167,10 @@ public sealed class QueueModelTests
                     break;
             }
 
-            QueueCounters books = queue.Counters;
-            Assert.Equal(model.Books, (books.Pushed, books.Popped, books.Dropped, books.Rejected, books.Resident, books.HighWater));
-            Assert.Equal(books.Pushed, books.Popped + books.Dropped + books.Resident);
-            Assert.Equal(books.Resident, queue.Count);
+            QueueCounters counters = queue.Counters;
+            Assert.Equal(model.Counters, (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected, counters.Resident, counters.HighWater));
+            Assert.Equal(counters.Pushed, counters.Popped + counters.Dropped + counters.Resident);
+            Assert.Equal(counters.Resident, queue.Count);
         }
 
         while (queue.TryPop(out int value))

@@ -9,7 +9,7 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Queues;
 
-/// <summary>Contract 3.1 with real threads: senders and a receiver flat out, and somebody who reads the books all the while.</summary>
+/// <summary>Contract 3.1 with real threads: senders and a receiver flat out, and a thread that reads the counters all the while.</summary>
 [Trait("Category", "Stress")]
 public sealed class QueueStressTests
 {
@@ -24,7 +24,7 @@ public sealed class QueueStressTests
 
     [Theory, Trait("Clause", "3.1")]
     [MemberData(nameof(Kinds))]
-    public void Queue_SendersAndReceiverFlatOut_LosesNothingAndKeepsItsBooks(string kind, int capacity)
+    public void Queue_SendersAndReceiverFlatOut_LosesNothingAndCountsAll(string kind, int capacity)
     {
         // The ring positions wrap round on the way.
         MessageQueue<Entry> queue = QueueKinds.Create<Entry>(kind, capacity, new WakeUpEvent(), start: -1000);
@@ -45,7 +45,7 @@ public sealed class QueueStressTests
 
         long[] received = new long[putIn.Length];
         threads.Add(new Thread(() => Receive(queue, received, drops, faults, ref sending)));
-        threads.Add(new Thread(() => ReadBooks(queue, faults, ref sending)));
+        threads.Add(new Thread(() => ReadCounters(queue, faults, ref sending)));
 
         foreach (Thread thread in threads)
             thread.Start();
@@ -53,11 +53,11 @@ public sealed class QueueStressTests
             thread.Join();
 
         Assert.Empty(faults);
-        QueueCounters books = queue.Counters;
-        Assert.Equal(putIn.Sum(), books.Pushed);
-        Assert.Equal(received.Sum(), books.Popped);
-        Assert.Equal((books.Pushed - books.Popped, 0), (books.Dropped, books.Resident));
-        Assert.InRange(books.HighWater, 1, capacity);
+        QueueCounters counters = queue.Counters;
+        Assert.Equal(putIn.Sum(), counters.Pushed);
+        Assert.Equal(received.Sum(), counters.Popped);
+        Assert.Equal((counters.Pushed - counters.Popped, 0), (counters.Dropped, counters.Resident));
+        Assert.InRange(counters.HighWater, 1, capacity);
         if (!drops)
             Assert.Equal(putIn, received);
     }
@@ -118,15 +118,15 @@ public sealed class QueueStressTests
         }
     }
 
-    private static void ReadBooks(MessageQueue<Entry> queue, List<string> faults, ref int sending)
+    private static void ReadCounters(MessageQueue<Entry> queue, List<string> faults, ref int sending)
     {
         long popped = 0;
         while (Volatile.Read(ref sending) > 0)
         {
-            QueueCounters books = queue.Counters;
-            if (books.Pushed != books.Popped + books.Dropped + books.Resident || books.Resident < 0 || books.Resident > books.Capacity || books.Popped < popped)
-                Add(faults, $"books: {books.Pushed} pushed, {books.Popped} popped, {books.Dropped} dropped, {books.Resident} resident");
-            popped = books.Popped;
+            QueueCounters counters = queue.Counters;
+            if (counters.Pushed != counters.Popped + counters.Dropped + counters.Resident || counters.Resident < 0 || counters.Resident > counters.Capacity || counters.Popped < popped)
+                Add(faults, $"counters: {counters.Pushed} pushed, {counters.Popped} popped, {counters.Dropped} dropped, {counters.Resident} resident");
+            popped = counters.Popped;
             Thread.Yield();
         }
     }

@@ -5,7 +5,7 @@ using Rabit.Core.Tests.Contracts;
 
 namespace Rabit.Core.Tests.Reactors;
 
-/// <summary>A fifth of a second of three managers, with one of everything that the event log tells of.</summary>
+/// <summary>A fifth of a second of three managers, with one of everything that the event log records.</summary>
 internal static class ClimateMission
 {
     public static string EventLogOf(long seed)

@@ -7,8 +7,8 @@ using System.Text.RegularExpressions;
 namespace Rabit.Core.Tests.Reactors;
 
 /// <summary>
-/// Whether an event log tells of a legal run, whatever the order among equals: time does not go back, versions count by one, the
-/// books of queues balance, nobody runs without a reason, and every wake is followed by a run at the same instant. For runs
+/// Whether an event log is that of a legal run, whatever the order among equals: time does not go back, versions count by one, the
+/// counters of queues balance, no manager runs without a reason, and every wake is followed by a run at the same instant. For runs
 /// without modelled durations.
 /// </summary>
 internal sealed class EventLogCheck
@@ -58,7 +58,7 @@ internal sealed class EventLogCheck
         if (seconds < _seconds)
             _faults.Add($"time goes back to {time}");
         if (!_stops)
-            _faults.AddRange(_woken.Values.Select(line => "nobody ran for: " + line));
+            _faults.AddRange(_woken.Values.Select(line => "no run for: " + line));
         _woken.Clear();
         _seconds = seconds;
         _now = time;
@@ -69,7 +69,7 @@ internal sealed class EventLogCheck
         bool wasWoken = _woken.Remove(who);
         bool hasTimer = causes.Contains("Timer", StringComparison.Ordinal) || causes.Contains("Start", StringComparison.Ordinal);
         if (!wasWoken && !hasTimer)
-            _faults.Add($"{who} is woken by {causes} at {_now}, but nobody woke it");
+            _faults.Add($"{who} is woken by {causes} at {_now}, without a wake-up");
     }
 
     private void Post(string what)
@@ -99,7 +99,7 @@ internal sealed class EventLogCheck
                     break;
                 default:
                     if (string.Equals(words[0], "holds", StringComparison.Ordinal) && holds != long.Parse(words[1], CultureInfo.InvariantCulture))
-                        _faults.Add($"queue {name} holds {words[1]} at {_now}, by its books {holds}");
+                        _faults.Add($"queue {name} holds {words[1]} at {_now}, by its counters {holds}");
                     break;
             }
         }

@@ -88,7 +88,7 @@ public sealed class EventLogTests
     }
 
     [Fact, Trait("Clause", "5.2")]
-    public void EventLog_PostAndWakeFromOutside_AreToldAsOutside()
+    public void EventLog_PostAndWakeFromOutside_AreLoggedAsOutside()
     {
         using var log = new StringWriter();
         using var run = new TestRun(TimeKind.Virtual, o => o.Time = new VirtualTime { EventLog = log });

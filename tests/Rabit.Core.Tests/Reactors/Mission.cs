@@ -22,7 +22,7 @@ internal sealed class Mission : IDisposable
 
     public long Lines { get; private set; }
 
-    /// <summary>Runs it, and tells what its log amounts to.</summary>
+    /// <summary>Runs it, and returns what its log amounts to.</summary>
     /// <returns>SHA-256 of the log, and of what each manager computed.</returns>
     public string Run(TimeSpan duration, int steps = 1)
     {

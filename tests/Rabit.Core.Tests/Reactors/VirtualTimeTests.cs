@@ -27,7 +27,7 @@ public sealed class VirtualTimeTests
     }
 
     [Fact, Trait("Clause", "5.2")]
-    public void Clock_WithAStart_TellsThatWallTime()
+    public void Clock_WithAStart_HasThatWallTime()
     {
         var start = new DateTimeOffset(2024, 5, 6, 7, 8, 9, TimeSpan.Zero);
         Assert.Equal(start, new VirtualTime(seed: 3, start).Clock.GetUtcNow());

@@ -19,8 +19,8 @@ public sealed class WorkspaceStressTests
     // Linux keeps 15 characters of a thread's name.
     private const string Prefix = "hundred";
 
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
-    private static readonly TimeSpan LookAgain = TimeSpan.FromMilliseconds(20);
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(20);
 
     [Theory, Trait("Clause", "4.1"), Trait("Clause", "4.3")]
     [InlineData(WaitEngine.Event)]
@@ -32,7 +32,7 @@ public sealed class WorkspaceStressTests
         for (int round = 0; round < 5; round++)
             maxThreads = Math.Max(maxThreads, RunAll(engine, reactors));
 
-        // That the threads can be seen at all, where the system tells of threads.
+        // That the threads can be seen at all, where the system lists threads.
         if (Directory.Exists("/proc/self/task"))
             Assert.Equal(2 * Workspaces, maxThreads);
         WaitUntil(() => ThreadsAlive() == 0, () => $"{ThreadsAlive()} threads are left");
@@ -51,10 +51,10 @@ public sealed class WorkspaceStressTests
         Thread[] threads = [.. Enumerable.Range(0, Workspaces).Select(number => new Thread(() => RunOne(number)))];
         foreach (Thread thread in threads)
             thread.Start();
-        Assert.True(allRun.Wait(Patience), $"{allRun.CurrentCount} workspaces do not come to their end");
+        Assert.True(allRun.Wait(TestTimeout), $"{allRun.CurrentCount} workspaces do not come to their end");
         int threadsAlive = ThreadsAlive();
         mayStop.Set();
-        Assert.All(threads, thread => Assert.True(thread.Join(Patience), "a workspace does not stop"));
+        Assert.All(threads, thread => Assert.True(thread.Join(TestTimeout), "a workspace does not stop"));
         Assert.Empty(failures);
         return threadsAlive;
 
@@ -66,9 +66,9 @@ public sealed class WorkspaceStressTests
             reactor.Add(ping);
             reactor.Add(pong);
             reactor.Start();
-            bool isDone = ping.Done.Wait(Patience) && pong.Done.Wait(Patience);
+            bool isDone = ping.Done.Wait(TestTimeout) && pong.Done.Wait(TestTimeout);
             allRun.Signal();
-            mayStop.Wait(Patience);
+            mayStop.Wait(TestTimeout);
             reactor.Stop();
             ReactorResult result = reactor.Finish();
             lock (failures)
@@ -112,8 +112,8 @@ public sealed class WorkspaceStressTests
         using var never = new ManualResetEventSlim();
         while (!condition())
         {
-            Assert.True(waited.Elapsed < Patience, fault());
-            never.Wait(LookAgain);
+            Assert.True(waited.Elapsed < TestTimeout, fault());
+            never.Wait(PollPeriod);
         }
     }
 

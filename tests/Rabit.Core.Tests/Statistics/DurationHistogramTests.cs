@@ -58,7 +58,7 @@ public sealed class DurationHistogramTests
     }
 
     [Fact, Trait("Clause", "4.4")]
-    public void Clear_Later_StartsAnew()
+    public void Clear_Later_StartsAgain()
     {
         var histogram = new DurationHistogram();
         histogram.Add(TimeSpan.FromSeconds(1));

@@ -99,18 +99,18 @@ public sealed class PolicyTests
     [Fact]
     public void HangPolicy_MadeFromAnother_KeepsWhatIsNotSaid()
     {
-        void Tell(ManagerHang hang)
+        void OnHang(ManagerHang hang)
         {
         }
 
-        HangPolicy all = HangPolicy.Report.AndStopSystem().AndCall(Tell).WithLimits(Second);
+        HangPolicy all = HangPolicy.Report.AndStopSystem().AndCall(OnHang).WithLimits(Second);
         AssertLimits(all, TimeSpan.FromSeconds(30), Second, TimeSpan.FromSeconds(5));
         Assert.True(all.StopsSystem);
-        Assert.Equal(Tell, all.Callback);
+        Assert.Equal(OnHang, all.Callback);
 
         HangPolicy other = all.WithLimits(Minute, startup: Second, shutdown: Timeout.InfiniteTimeSpan).AndStopSystem();
         AssertLimits(other, Second, Minute, Timeout.InfiniteTimeSpan);
-        Assert.Equal(Tell, other.Callback);
+        Assert.Equal(OnHang, other.Callback);
     }
 
     [Fact]
@@ -129,10 +129,10 @@ public sealed class PolicyTests
         Assert.Equal(shutdown, policy.ShutdownLimit);
     }
 
-    private static void AssertRefused(Func<object> bad, string parameter, string told = "")
+    private static void AssertRefused(Func<object> bad, string parameter, string expected = "")
     {
         ArgumentException thrown = Assert.ThrowsAny<ArgumentException>(bad);
         Assert.Equal(parameter, thrown.ParamName);
-        Assert.Contains(told, thrown.Message, StringComparison.Ordinal);
+        Assert.Contains(expected, thrown.Message, StringComparison.Ordinal);
     }
 }

@@ -37,7 +37,7 @@ public sealed class RestartWindowTests
     }
 
     [Fact]
-    public void TryTake_PolicyWithAnotherNumber_BeginsAnew()
+    public void TryTake_PolicyWithAnotherNumber_BeginsAgain()
     {
         foreach (int at in new[] { 0, 10, 20 })
             Take(Three, at);
@@ -56,7 +56,7 @@ public sealed class RestartWindowTests
         => Assert.Equal(Seconds(seconds), BackOff.Delay(Seconds(1), Seconds(10), count));
 
     [Fact]
-    public void Delay_LongestOfAll_DoesNotOverflow()
+    public void Delay_MaxValue_DoesNotOverflow()
         => Assert.Equal(TimeSpan.MaxValue, BackOff.Delay(new TimeSpan((long.MaxValue / 2) + 1), TimeSpan.MaxValue, 1));
 
     private (bool Taken, int Delay) Take(FaultPolicy policy, int at)

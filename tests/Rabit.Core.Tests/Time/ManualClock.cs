@@ -22,7 +22,7 @@ internal sealed class ManualClock(long frequency = TimeSpan.TicksPerSecond) : Ti
         set => Interlocked.Exchange(ref _utcTicks, value.UtcTicks);
     }
 
-    /// <summary>Called by whoever reads the timestamp, on that thread.</summary>
+    /// <summary>Called when the timestamp is read, on that thread.</summary>
     public Action? OnRead { get; set; }
 
     public override long GetTimestamp()

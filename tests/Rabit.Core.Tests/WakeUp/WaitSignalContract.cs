@@ -10,7 +10,7 @@ namespace Rabit.Core.Tests.WakeUp;
 /// <summary>What every wait engine keeps to: a signal ends the wait, is kept for one wait, and a timer is never early.</summary>
 public abstract class WaitSignalContract
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
 
     private readonly RunClock _clock = new(TimeProvider.System);
 
@@ -86,7 +86,7 @@ public abstract class WaitSignalContract
         Volatile.Write(ref isSet, true);
         signal.Set();
 
-        Assert.True(sleeper.Join(Patience), "the sleeper sleeps on");
+        Assert.True(sleeper.Join(TestTimeout), "the sleeper sleeps on");
     }
 
     [Fact]
@@ -102,7 +102,7 @@ public abstract class WaitSignalContract
             for (int round = 1; round <= Rounds; round++)
             {
                 while (Volatile.Read(ref pings) < round)
-                    ping.Wait(_clock.Now + Patience);
+                    ping.Wait(_clock.Now + TestTimeout);
                 Volatile.Write(ref pongs, round);
                 pong.Set();
             }
@@ -116,12 +116,12 @@ public abstract class WaitSignalContract
             var waited = Stopwatch.StartNew();
             while (Volatile.Read(ref pongs) < round)
             {
-                Assert.True(waited.Elapsed < Patience, $"a signal was lost in round {round}");
-                pong.Wait(_clock.Now + Patience);
+                Assert.True(waited.Elapsed < TestTimeout, $"a signal was lost in round {round}");
+                pong.Wait(_clock.Now + TestTimeout);
             }
         }
 
-        Assert.True(other.Join(Patience));
+        Assert.True(other.Join(TestTimeout));
     }
 
     [Fact]

@@ -118,7 +118,7 @@ public sealed class WakeUpEventTests
                     if (ends && signal.Count == signalsBefore)
                         return "a wake did not signal the sleeper";
                     if (sleepsFor == 0 && signal.Count != signalsBefore)
-                        return "a wake signalled nobody";
+                        return "a wake signalled no thread";
                     break;
                 case Step.RequestStop:
                     wakeUp.RequestStop();

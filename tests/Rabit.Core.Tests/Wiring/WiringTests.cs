@@ -108,7 +108,7 @@ public sealed class WiringTests
     }
 
     [Fact, Trait("Clause", "4.2")]
-    public void Notes_WhatLooksOdd_IsInTheLogAndNoFault()
+    public void Notes_OddWiring_IsInTheLogAndNoFault()
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");

@@ -31,7 +31,7 @@ public class DocumentedCodeTests
     }
 
     [Fact]
-    public void ReceiveAndSend_OfTheReadme_HaveFifteenLinesAtMost()
+    public void ReceiveAndSend_OfTheReadme_HaveNoMoreThanFifteenLines()
     {
         List<string> blocks = BlocksOf("src/Rabit.Mavlink/README.md");
         string[] loops = [.. blocks.Where(block => block.Contains("TcpClient", StringComparison.Ordinal))];

@@ -127,7 +127,7 @@ public class AllocationTests(ITestOutputHelper output)
         prepare?.Invoke();
         work();
         long allocated = Allocated.By(work, prepare);
-        output.WriteLine(Allocated.CanTell ? $"{allocated} bytes" : "this runtime does not count bytes per thread");
+        output.WriteLine(Allocated.IsSupported ? $"{allocated} bytes" : "this runtime does not count bytes per thread");
         Assert.Equal(0, allocated);
     }
 }

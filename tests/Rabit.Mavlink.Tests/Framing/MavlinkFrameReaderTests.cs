@@ -60,7 +60,7 @@ public class MavlinkFrameReaderTests
     }
 
     [Fact]
-    public void TryRead_UnknownIdRightBehindAFrame_IsDeliveredAtOnceUnchecked()
+    public void TryRead_UnknownIdRightAfterAFrame_IsDeliveredAtOnceUnchecked()
     {
         List<FoundFrame> found = Feed(Wire.Join(Known, Unknown));
 

@@ -54,7 +54,7 @@ public class MavlinkSenderTests
     }
 
     [Fact]
-    public void Write_BufferWriter_PutsFrameBehindFrame()
+    public void Write_BufferWriter_AppendsFrameByFrame()
     {
         var buffer = new GrowingBuffer();
         int length = _sender.Write(new Attitude { Yaw = 1 }, buffer);

@@ -17,7 +17,7 @@ public class ReaderWorkTests(ITestOutputHelper output)
     private const int MaxPerByte = 90;
 
     [Fact]
-    public void ChecksumBytes_SoundFlight_AreNoMoreThanTheBytes()
+    public void ChecksumBytes_IntactFlight_AreNoMoreThanTheBytes()
     {
         byte[] flight = TestData.Bytes("ardupilot-flight.tlog");
         var reader = new MavlinkFrameReader(MavlinkDialect.All);
@@ -72,8 +72,8 @@ public class ReaderWorkTests(ITestOutputHelper output)
         }
 
         var random = new Random(2026);
-        byte[] telling = [0xFD, 0xFD, 0xFE, 0xFE, 0xFF, 0xFE, 0, 0, 1, 0x83, 0x40];
+        byte[] headers = [0xFD, 0xFD, 0xFE, 0xFE, 0xFF, 0xFE, 0, 0, 1, 0x83, 0x40];
         for (int count = 0; count < 1000; count++)
-            yield return Enumerable.Range(0, random.Next(1, 13)).Select(_ => random.Next(6) == 0 ? (byte)ids[random.Next(ids.Length)] : telling[random.Next(telling.Length)]).ToArray();
+            yield return Enumerable.Range(0, random.Next(1, 13)).Select(_ => random.Next(6) == 0 ? (byte)ids[random.Next(ids.Length)] : headers[random.Next(headers.Length)]).ToArray();
     }
 }

@@ -15,7 +15,7 @@ public class ResyncTests
     private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All, MavlinkInvalidFramePolicy.SkipFrame);
 
     [Fact]
-    public void SkipFrame_DamagedFrameThatCarriesOne_DeliversOnlyWhatIsBehind()
+    public void SkipFrame_DamagedFrameThatCarriesOne_DeliversOnlyWhatFollows()
     {
         byte[] outer = Tunnel();
         outer[4] ^= 1;
@@ -56,7 +56,7 @@ public class ResyncTests
     }
 
     [Fact]
-    public void SkipFrame_SoundFlight_IsReadAsInTheOtherMode()
+    public void SkipFrame_IntactFlight_IsReadAsInTheOtherMode()
     {
         byte[] stream = Stream("px4-flight.tlog");
         string[] expected = FrameCollector.Read(stream, 1000, new MavlinkFrameReader(MavlinkDialect.All)).Select(frame => frame.ToString()).ToArray();

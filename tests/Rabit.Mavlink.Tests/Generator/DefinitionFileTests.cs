@@ -19,7 +19,7 @@ public class DefinitionFileTests
 
     [Theory]
     [MemberData(nameof(Files))]
-    public void File_AsTheSchemaWantsIt_HasMarksThenDescriptionThenContent(string name)
+    public void File_AsTheSchemaRequires_HasMarksThenDescriptionThenContent(string name)
     {
         XElement root = XElement.Parse(Definitions.PackageFiles.Single(file => System.IO.Path.GetFileName(file.Path) == name).Text);
         foreach (XElement element in root.Descendants().Where(element => element.Name.LocalName is "message" or "enum" or "entry"))

@@ -49,7 +49,7 @@ public class DialectReaderTests
     }
 
     [Fact]
-    public void AddressOffset_CommandLong_IsBehindTheFloatsAndTheCommand()
+    public void AddressOffset_CommandLong_IsAfterTheFloatsAndTheCommand()
     {
         MessageDefinition message = Definitions.All.Messages.Single(candidate => candidate.Name == "COMMAND_LONG");
         Assert.Equal(30, message.AddressOffset("target_system"));

@@ -101,7 +101,7 @@ public class TlogReaderTests
     }
 
     [Fact]
-    public void TryRead_GarbageBeforeBetweenAndBehind_CountsItAndNamesTheFirst()
+    public void TryRead_GarbageBeforeBetweenAndAfter_CountsItAndNamesTheFirst()
     {
         var garbage = new byte[1000];
         new Random(2).NextBytes(garbage);
@@ -157,7 +157,7 @@ public class TlogReaderTests
     [Theory]
     [InlineData(Day)]
     [InlineData(-Day)]
-    public void TryRead_ClockSetWhileRecording_BelievesIt(long step)
+    public void TryRead_ClockSetWhileRecording_AcceptsIt(long step)
     {
         TlogReader log = _log.Record(Start).Record(Start + 1).Record(Start + step).Record(Start + step + 1).Read(out List<ReadRecord> records);
 
@@ -165,7 +165,7 @@ public class TlogReaderTests
     }
 
     [Fact]
-    public void TryRead_OneRecordADay_BelievesThemAllButALastOneThatNothingConfirms()
+    public void TryRead_OneRecordADay_AcceptsThemAllButALastOneThatNothingConfirms()
     {
         TlogReader log = _log.Record(Start).Record(Start + Day).Record(Start + (2 * Day)).Read(out List<ReadRecord> records);
 

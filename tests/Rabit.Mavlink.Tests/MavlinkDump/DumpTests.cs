@@ -52,7 +52,7 @@ public sealed class DumpTests : IDisposable
         AssertRefused($"{_folder}: that is a folder.", _folder);
         File.WriteAllText(_log, "");
         AssertRefused($"{_log}: the file is empty.", _log);
-        File.WriteAllText(_log, string.Concat(Enumerable.Repeat("This is a letter to my aunt, not a log.\n", 500)));
+        File.WriteAllText(_log, string.Concat(Enumerable.Repeat("This is prose, not a log.\n", 500)));
         AssertRefused($"{_log}: no intact record in it: it is no telemetry log.", _log, "--json");
     }
 
@@ -84,7 +84,7 @@ public sealed class DumpTests : IDisposable
     }
 
     [Fact]
-    public void Damage_IsToldAndTheRestIsShown()
+    public void Damage_IsReportedAndTheRestIsShown()
     {
         byte[] garbage = Encoding.ASCII.GetBytes("noise");
         LogBuilder log = new LogBuilder().Record(LogBuilder.Start);

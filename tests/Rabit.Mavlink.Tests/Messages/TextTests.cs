@@ -36,7 +36,7 @@ public class TextTests
     public void Constructor_Null_IsRefused() => Assert.Throws<ArgumentNullException>(() => new Text16((string)null!));
 
     [Fact]
-    public void Decode_BytesBehindTheFirstZero_AreKeptButNotRead()
+    public void Decode_BytesAfterTheFirstZero_AreKeptButNotRead()
     {
         var payload = new byte[ParamRequestRead.MavlinkMaxLength];
         "AB\0CD".Select(character => (byte)character).ToArray().CopyTo(payload, 4);

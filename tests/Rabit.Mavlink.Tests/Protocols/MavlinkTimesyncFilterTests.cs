@@ -69,7 +69,7 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
     [InlineData(0.05)]
     [InlineData(-0.3)]
     [InlineData(40)]
-    public void Take_ClockSteps_StartsAnewAndForgetsTheMessages(double step)
+    public void Take_ClockSteps_RestartsAndForgetsTheMessages(double step)
     {
         var link = new TwoClocks(7) { Drift = Drift };
         link.Run(120);
@@ -88,7 +88,7 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
     [InlineData(-3)]
     [InlineData(20)]
     [InlineData(-20)]
-    public void Hear_DelayOfAllMessagesChanges_MovesTheOffsetLittle(double milliseconds)
+    public void AddOneWay_DelayOfAllMessagesChanges_MovesTheOffsetLittle(double milliseconds)
     {
         double worst = 0;
         for (ulong seed = 1; seed <= 20; seed++)
@@ -108,7 +108,7 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Hear_OfAnotherClockOrWithoutAnswers_IsNotTaken()
+    public void AddOneWay_OfAnotherClockOrWithoutAnswers_IsNotTaken()
     {
         var filter = new MavlinkTimesyncFilter();
         filter.AddOneWay(TimeSpan.FromSeconds(1), 500);
@@ -134,7 +134,7 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void TakeAndHear_Often_AllocateNothing()
+    public void AddRoundTripAndOneWay_Often_AllocateNothing()
     {
         var filter = new MavlinkTimesyncFilter();
         Assert.Equal(0, Allocated.By(() =>

@@ -74,7 +74,7 @@ public class ParameterLossTests(ITestOutputHelper output)
     [Theory]
     [InlineData(0)]
     [InlineData(20)]
-    public void List_ThatGrowsMeanwhile_IsReadAnew(int lossPercent)
+    public void List_ThatGrowsMeanwhile_IsReadAgain(int lossPercent)
     {
         for (ulong seed = 1; seed <= 10; seed++)
         {

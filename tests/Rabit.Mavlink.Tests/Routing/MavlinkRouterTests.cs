@@ -230,7 +230,7 @@ public class MavlinkRouterTests
     }
 
     [Fact]
-    public void Counters_AfterFrames_TellWhatWasDecided()
+    public void Counters_AfterFrames_SayWhatWasDecided()
     {
         MavlinkRouterCounters before = _router.Counters;
         Receive(Autopilot, 1, 1);

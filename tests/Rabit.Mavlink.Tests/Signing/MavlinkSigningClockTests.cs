@@ -21,7 +21,7 @@ public class MavlinkSigningClockTests
     }
 
     [Fact]
-    public void Advance_SoundWallClock_IsFollowed()
+    public void Advance_ValidWallClock_IsFollowed()
     {
         var clock = new MavlinkSigningClock();
         for (int second = 0; second < 100; second++)
@@ -32,7 +32,7 @@ public class MavlinkSigningClockTests
     }
 
     [Fact]
-    public void Advance_WallClockStepsOneHourBack_NeverGoesBackNorStands()
+    public void Advance_WallClockStepsOneHourBack_NeverGoesBackNorStops()
     {
         var clock = new MavlinkSigningClock();
         Advance(clock, Keys.Noon, 0);
@@ -121,7 +121,7 @@ public class MavlinkSigningClockTests
     }
 
     [Fact]
-    public void New_PowerFailedAtAnyMoment_GoesOnBehindAllThatWasUsed()
+    public void New_PowerFailedAtAnyMoment_ContinuesAfterAllThatWasUsed()
     {
         // The computer has no clock of its own: each start finds itself in 1970.
         long last = -1;

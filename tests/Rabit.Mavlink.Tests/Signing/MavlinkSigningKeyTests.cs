@@ -116,7 +116,7 @@ public class MavlinkSigningKeyTests
     }
 
     [Fact]
-    public void PublicMembers_OfAllThatHasAKey_TellNothingOfIt()
+    public void PublicMembers_OfAllThatHasAKey_DiscloseNothingOfIt()
     {
         var clock = Keys.ClockAt(Keys.Noon);
         var sender = new MavlinkSender(1, 191) { Signer = new MavlinkSigner(Keys.One, 0, clock) };
@@ -126,17 +126,17 @@ public class MavlinkSigningKeyTests
         {
             Assert.DoesNotContain(holder.GetType().GetFields(), field => field.IsPublic && !field.IsLiteral);
             foreach (string text in TextsOf(holder))
-                AssertTellsNothing(text);
+                AssertDisclosesNothing(text);
         }
     }
 
     [Fact]
-    public void Exceptions_AboutKeys_TellNothingOfThem()
+    public void Exceptions_AboutKeys_DiscloseNothingOfThem()
     {
         byte[] tooLong = [.. Keys.Bytes(1), 99];
-        AssertTellsNothing(Assert.Throws<ArgumentException>(() => new MavlinkSigningKey(tooLong)).ToString());
-        AssertTellsNothing(Assert.Throws<ArgumentException>(() => Keys.One.CopyTo(new byte[31])).ToString());
-        AssertTellsNothing(Assert.Throws<ArgumentOutOfRangeException>(() => Keys.One.CreateSetup(0, 0, 0)).ToString());
+        AssertDisclosesNothing(Assert.Throws<ArgumentException>(() => new MavlinkSigningKey(tooLong)).ToString());
+        AssertDisclosesNothing(Assert.Throws<ArgumentException>(() => Keys.One.CopyTo(new byte[31])).ToString());
+        AssertDisclosesNothing(Assert.Throws<ArgumentOutOfRangeException>(() => Keys.One.CreateSetup(0, 0, 0)).ToString());
     }
 
     private static IEnumerable<string> TextsOf(object holder) => holder.GetType()
@@ -145,7 +145,7 @@ public class MavlinkSigningKeyTests
         .Append(holder.ToString()!);
 
     // No three bytes of the key in a row, in hexadecimal, Base64 or decimal.
-    private static void AssertTellsNothing(string text)
+    private static void AssertDisclosesNothing(string text)
     {
         byte[] secret = Keys.Bytes(1);
         for (int start = 0; start + 3 <= secret.Length; start++)

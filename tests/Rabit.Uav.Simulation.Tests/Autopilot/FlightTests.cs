@@ -114,7 +114,7 @@ public class FlightTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void GoTo_DefaultHeading_LooksAlongTheFlight()
+    public void GoTo_DefaultHeading_PointsAlongTheFlight()
     {
         using var ground = new Ground(new SimulationOptions { WindMetresPerSecond = 0 });
         ground.TakeOff(20);

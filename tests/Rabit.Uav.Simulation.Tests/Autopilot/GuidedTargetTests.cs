@@ -149,7 +149,7 @@ public class GuidedTargetTests
     }
 
     [Fact]
-    public void Pause_StopsUntilToldToGoOn()
+    public void Pause_StopsUntilContinued()
     {
         using var ground = new Ground(new SimulationOptions { WindMetresPerSecond = 0 });
         ground.TakeOff(20);

@@ -60,7 +60,7 @@ public class ProtocolTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void AllStreams_InFlight_TellTheTruthWithinTheirErrors()
+    public void AllStreams_InFlight_ReportTheTruthWithinTheirErrors()
     {
         using var ground = new Ground(new SimulationOptions { Seed = 5 });
         output.WriteLine("seed 5");
@@ -106,7 +106,7 @@ public class ProtocolTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Home_OnArming_IsToldToEverybody()
+    public void Home_OnArming_IsBroadcast()
     {
         using var ground = new Ground();
         ground.Run(6);
@@ -149,7 +149,7 @@ public class ProtocolTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Timesync_AgainstADriftingClock_TellsItsTime()
+    public void Timesync_AgainstADriftingClock_AnswersWithItsTime()
     {
         using var ground = new Ground(new SimulationOptions { BootedBefore = TimeSpan.FromSeconds(42), ClockDriftPpm = 200, TelemetryLatency = TimeSpan.Zero });
         ground.Stream(Attitude.MavlinkId, 10);

@@ -6,7 +6,7 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Simulation.Tests.Camera;
 
-/// <summary>A simulated camera in virtual time over a vehicle that flies north at an even speed, 40 m up, and somebody who takes its pictures.</summary>
+/// <summary>A simulated camera in virtual time over a vehicle that flies north at an even speed, 40 m up, and a manager that takes its pictures.</summary>
 internal sealed class CameraRun : IDisposable
 {
     private static readonly TimeSpan Step = TimeSpan.FromMilliseconds(10);

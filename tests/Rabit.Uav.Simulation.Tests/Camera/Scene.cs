@@ -52,7 +52,7 @@ internal sealed class Scene
         Surface = new SurfaceColour(212, 36, 150),
     };
 
-    /// <summary>A pose over the origin, angles in degrees; the camera looks straight down if it is not told otherwise.</summary>
+    /// <summary>A pose over the origin, angles in degrees; the camera looks straight down if not set otherwise.</summary>
     public static TruePose Pose(double height, double roll = 0, double pitch = 0, double yaw = 0, double cameraPitch = -90, double cameraYaw = 0) => new()
     {
         Down = -height,

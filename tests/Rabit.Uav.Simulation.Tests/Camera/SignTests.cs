@@ -34,7 +34,7 @@ public class SignTests
 
     [Theory]
     [MemberData(nameof(Looks))]
-    public void OpticalAxis_AttitudeAndGimbal_LooksWhereItShould(
+    public void OpticalAxis_AttitudeAndGimbal_PointsWhereItShould(
         double roll, double pitch, double yaw, double cameraPitch, double cameraYaw, double north, double east)
     {
         var scene = new Scene();

@@ -12,7 +12,7 @@ namespace Rabit.Uav.Simulation.Tests.Missions;
 public sealed class FaultTests(ITestOutputHelper output)
 {
     private static readonly TimeSpan InTheLanes = TimeSpan.FromSeconds(50);
-    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(10);
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromMinutes(10);
 
     [Fact]
     public void Search_NothingGoesWrong_IsDone()
@@ -24,7 +24,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void LinkSilent_ForTwoSeconds_IsNothingToGoHomeFor()
+    public void LinkSilent_ForTwoSeconds_IsNoReasonToReturn()
     {
         using SearchFlight flight = Fly(Fault(ScriptedFaultKind.LinkSilent, 0, seconds: 2));
 
@@ -33,7 +33,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void LinkSilent_ForLong_GoesHomeOnceItIsBack()
+    public void LinkSilent_ForLong_ReturnsToLaunchOnceItIsBack()
     {
         using SearchFlight flight = Fly(Fault(ScriptedFaultKind.LinkSilent, 0, seconds: 15));
 
@@ -42,7 +42,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void BatteryLow_InALane_GoesHome()
+    public void BatteryLow_InALane_ReturnsToLaunch()
     {
         using SearchFlight flight = Fly(Fault(ScriptedFaultKind.BatteryTo, 0.20));
 
@@ -63,7 +63,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void CameraFreeze_InALane_GoesHome()
+    public void CameraFreeze_InALane_ReturnsToLaunch()
     {
         using SearchFlight flight = Fly(Fault(ScriptedFaultKind.CameraFreeze, 0, seconds: 1000));
 
@@ -72,7 +72,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void CameraFreeze_Short_IsNothingToGoHomeFor()
+    public void CameraFreeze_Short_IsNoReasonToReturn()
     {
         using SearchFlight flight = Fly(Fault(ScriptedFaultKind.CameraFreeze, 0, seconds: 1.5));
 
@@ -81,7 +81,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Wind_AboveTheLimit_GoesHome()
+    public void Wind_AboveTheLimit_ReturnsToLaunch()
     {
         using SearchFlight flight = Fly(Fault(ScriptedFaultKind.WindTo, 15));
 
@@ -90,7 +90,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Manager_ThrowsOnce_GoesHome()
+    public void Manager_ThrowsOnce_ReturnsToLaunch()
     {
         var payload = new PayloadManager(throwsAt: InTheLanes) { FaultPolicy = FaultPolicy.CarryOn };
         using SearchFlight flight = Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), payload));
@@ -100,7 +100,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Manager_StatusGrowsOld_GoesHome()
+    public void Manager_StatusGrowsOld_ReturnsToLaunch()
     {
         // Its work takes 30 s and it says that it sleeps 40 s in between, so 45 s after its first run it is stuck.
         var time = new VirtualTime(seed: 5);
@@ -113,7 +113,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Manager_HangsForLong_IsFoundByTheWatchdogAndGoesHome()
+    public void Manager_HangsForLong_IsFoundByTheWatchdogAndReturnsToLaunch()
     {
         using SearchFlight flight = Fly(Hang("sensor fusion", seconds: 20));
 
@@ -127,7 +127,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Manager_HangsForAMoment_IsNothingToGoHomeFor()
+    public void Manager_HangsForAMoment_IsNoReasonToReturn()
     {
         using SearchFlight flight = Fly(Hang("sensor fusion", seconds: 4));
 
@@ -142,14 +142,14 @@ public sealed class FaultTests(ITestOutputHelper output)
     {
         using var flight = new SearchFlight(
             SearchFlight.SmallPlan(), SearchFlight.SmallWorld(Fault(ScriptedFaultKind.PilotMode, mode)));
-        flight.FlyUntil(f => f.IsOver, Patience);
+        flight.FlyUntil(f => f.IsOver, TestTimeout);
         output.WriteLine(flight.Log);
         Assert.Equal(MissionPhase.HandedOver, flight.Mission.Phase);
         Assert.Equal(CommandAuthorityState.TakenAway, flight.Authority.State);
         TimeSpan over = flight.Reactor.Now;
         Assert.True(over - InTheLanes < TimeSpan.FromSeconds(3), $"it took until {over}");
 
-        flight.FlyUntil(f => f.Reactor.Now > over + TimeSpan.FromSeconds(20), Patience);
+        flight.FlyUntil(f => f.Reactor.Now > over + TimeSpan.FromSeconds(20), TestTimeout);
 
         Assert.Equal((uint)mode, flight.World.Truth.CustomMode);
         flight.End();
@@ -159,7 +159,7 @@ public sealed class FaultTests(ITestOutputHelper output)
 
     private SearchFlight Fly(SearchFlight flight)
     {
-        flight.Fly(Patience);
+        flight.Fly(TestTimeout);
         output.WriteLine(flight.Log);
         Assert.True(flight.IsOver, $"it hangs in {flight.Mission.Phase}: {flight.Mission.Text}");
         Assert.Empty(flight.Camera.BufferHolders());

@@ -11,13 +11,13 @@ namespace Rabit.Uav.Simulation.Tests.Missions;
 /// <summary>The simulated search that UavConsole flies without arguments, from arming to landing.</summary>
 public sealed class SearchTests(ITestOutputHelper output)
 {
-    private const double LargestRmse = 3;
-    private const double LargestHalfAxis = 8;
+    private const double MaxRmse = 3;
+    private const double MaxHalfAxis = 8;
 
     [Theory]
     [InlineData(1)]
     [InlineData(7)]
-    public void Search_OneSeed_FindsAllAndComesHome(long seed) => Fly(seed);
+    public void Search_OneSeed_FindsAllAndReturns(long seed) => Fly(seed);
 
     [Fact]
     public void Search_SameSeed_GivesTheSameLogToTheByte()
@@ -37,7 +37,7 @@ public sealed class SearchTests(ITestOutputHelper output)
         double rmse = Rmse(scores);
         double inEllipse = scores.Count(s => s.EllipseContainsTruth) / (double)scores.Count;
         output.WriteLine(FormattableString.Invariant($"all: RMSE {rmse:0.00} m, {inEllipse:P0} in their ellipses, largest half axis {scores.Max(s => s.Track!.Covariance.HalfMajorAxis95Metres):0.00} m"));
-        Assert.True(rmse <= LargestRmse, $"RMSE {rmse} m");
+        Assert.True(rmse <= MaxRmse, $"RMSE {rmse} m");
         Assert.InRange(inEllipse, 0.85, 1);
     }
 
@@ -57,9 +57,9 @@ public sealed class SearchTests(ITestOutputHelper output)
         string where = $"seed {seed}: ";
         Assert.True(flight.Mission.Phase == MissionPhase.Done && flight.Mission.Aborted is null, where + flight.Mission.Text + "\n" + flight.Log);
         Assert.All(scores, s => Assert.True(s.Track is not null, where + s));
-        Assert.All(scores, s => Assert.True(s.Track!.Covariance.HalfMajorAxis95Metres <= LargestHalfAxis, where + s));
+        Assert.All(scores, s => Assert.True(s.Track!.Covariance.HalfMajorAxis95Metres <= MaxHalfAxis, where + s));
         Assert.True(score.FalseTracks.Count == 0, $"{where}{score.FalseTracks.Count} false tracks");
-        Assert.True(Rmse(scores) <= LargestRmse, $"{where}RMSE {Rmse(scores)} m");
+        Assert.True(Rmse(scores) <= MaxRmse, $"{where}RMSE {Rmse(scores)} m");
         Assert.True(flight.Mission.Coverage >= 0.98, $"{where}{flight.Mission.Coverage} seen");
         Assert.True(flight.World.Truth.Landing is not null && fromHome <= 3, $"{where}landed {fromHome} m from home");
         Assert.Empty(flight.Camera.BufferHolders());

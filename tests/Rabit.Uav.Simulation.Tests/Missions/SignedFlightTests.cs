@@ -26,7 +26,7 @@ public sealed class SignedFlightTests
     }
 
     [Fact]
-    public void Mission_WrongKey_NeitherSideBelievesTheOther()
+    public void Mission_WrongKey_NeitherSideAcceptsTheOther()
     {
         using MavlinkSigningKey key = MavlinkSigningKey.FromPassphrase("ours");
         using MavlinkSigningKey vehicleKey = MavlinkSigningKey.FromPassphrase("the vehicle's");

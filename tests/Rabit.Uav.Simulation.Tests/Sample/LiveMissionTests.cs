@@ -13,7 +13,7 @@ namespace Rabit.Uav.Simulation.Tests.Sample;
 [Trait("Category", "Long")]
 public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
 {
-    private static readonly TimeSpan MissionPatience = TimeSpan.FromMinutes(5);
+    private static readonly TimeSpan MissionTimeout = TimeSpan.FromMinutes(5);
 
     private readonly string _folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), $"rabit-live-{Guid.NewGuid():N}")).FullName;
 
@@ -35,7 +35,7 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
         using var console = new SampleProcess(
             "UavConsole", [.. signing, "--link", $"udpin:127.0.0.1:{port}", "--mission", mission, "--fly", "--camera", In("pictures"), "--truth", truth,
             "--headless", "--summary", summary, "--report", In("report.html")]);
-        int exitCode = console.WaitForEnd(MissionPatience);
+        int exitCode = console.WaitForEnd(MissionTimeout);
         output.WriteLine(console.Output);
         vehicle.Interrupt();
 

@@ -14,10 +14,10 @@ internal sealed class SampleProcess : IDisposable
 {
     private const int InterruptSignal = 2;
 
-    private static readonly TimeSpan DefaultPatience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan DefaultTestTimeout = TimeSpan.FromSeconds(60);
 
     // For conditions that come true without a line of output, such as a file that is there.
-    private static readonly TimeSpan LookAgain = TimeSpan.FromMilliseconds(100);
+    private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(100);
 
     private static readonly string Folder = Path.GetDirectoryName(typeof(SampleProcess).Assembly.Location)!;
     private static readonly bool IsMono = Type.GetType("Mono.Runtime") is not null;
@@ -66,8 +66,8 @@ internal sealed class SampleProcess : IDisposable
         {
             while (!condition())
             {
-                Assert.True(waited.Elapsed < DefaultPatience && !HasEnded, Output);
-                Monitor.Wait(_lines, LookAgain);
+                Assert.True(waited.Elapsed < DefaultTestTimeout && !HasEnded, Output);
+                Monitor.Wait(_lines, PollPeriod);
             }
         }
     }
@@ -75,9 +75,9 @@ internal sealed class SampleProcess : IDisposable
     /// <summary>Ctrl-C.</summary>
     public void Interrupt() => Assert.Equal(0, Kill(_process.Id, InterruptSignal));
 
-    public int WaitForEnd(TimeSpan? patience = null)
+    public int WaitForEnd(TimeSpan? timeout = null)
     {
-        Assert.True(_process.WaitForExit((int)(patience ?? DefaultPatience).TotalMilliseconds), "it does not end: " + Output);
+        Assert.True(_process.WaitForExit((int)(timeout ?? DefaultTestTimeout).TotalMilliseconds), "it does not end: " + Output);
         _process.WaitForExit();
         return _process.ExitCode;
     }

@@ -14,10 +14,10 @@ namespace Rabit.Uav.Simulation.Tests.Sample;
 /// <summary>The program of its own, over UDP in real time.</summary>
 public class SimulatedVehicleTests
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(30);
 
     [Fact]
-    public void Udp_GroundStationComesLate_IsHeardAnsweredAndStoppedInOrder()
+    public void Udp_GroundStationComesLate_IsConnectedAnsweredAndStoppedInOrder()
     {
         int port = FreePort();
         string truth = Path.Combine(Path.GetTempPath(), $"rabit-truth-{Guid.NewGuid():N}.json");
@@ -69,7 +69,7 @@ public class SimulatedVehicleTests
     {
         var clock = Stopwatch.StartNew();
         byte[] bytes = new byte[2048];
-        while (clock.Elapsed < Patience)
+        while (clock.Elapsed < TestTimeout)
         {
             // One datagram is one frame.
             LinkRead read = link.Read(bytes);

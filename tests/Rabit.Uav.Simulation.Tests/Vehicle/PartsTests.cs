@@ -73,8 +73,8 @@ public class PartsTests
         Assert.InRange(Sigma(north), 0.75, 1.0);   // normal with 1 m, cut at 2 m: 0.88
         Assert.InRange(north.Average(), -0.15, 0.15);
         Assert.InRange(north.Max(), 1.5, 2);
-        Assert.InRange(Sigma(all.Select(e => e.ToldPosition.East - e.SteadyPosition.East)), 0.26, 0.34);
-        Assert.InRange(Sigma(all.Select(e => e.ToldAttitude.Roll.Radians)) / Degree, 0.6, 0.78);
+        Assert.InRange(Sigma(all.Select(e => e.EstimatedPosition.East - e.SteadyPosition.East)), 0.26, 0.34);
+        Assert.InRange(Sigma(all.Select(e => e.EstimatedAttitude.Roll.Radians)) / Degree, 0.6, 0.78);
     }
 
     [Fact]
@@ -89,7 +89,7 @@ public class PartsTests
             double before = errors.SteadyPosition.North;
             errors.Step();
             largest = Math.Max(largest, Math.Abs(errors.SteadyPosition.North - before));
-            noise.Add(errors.ToldAttitude.Pitch.Radians);
+            noise.Add(errors.EstimatedAttitude.Pitch.Radians);
         }
 
         Assert.InRange(largest, 0, 0.02);

@@ -25,7 +25,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
     [InlineData(2, 40)]
     [InlineData(3, 25)]
     [InlineData(4, 60)]
-    public void Survey_TruePoses_EveryTargetInEveryLookIsReportedWhereItIs(int seed, double height)
+    public void Survey_TruePoses_EveryTargetInEveryPictureIsReportedWhereItIs(int seed, double height)
     {
         Survey survey = Fly((ulong)seed, height);
         double groundSample = height / 530;
@@ -60,7 +60,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         foreach (string line in missed.Concat(wrong).Take(30))
             output.WriteLine(line);
 
-        Assert.True(expected > 50, $"{expected} sights of targets are too few to tell");
+        Assert.True(expected > 50, $"{expected} targets in view are too few to decide");
         Assert.True(found >= 0.98 * expected, $"seed {seed}: {expected - found} of {expected} sights were missed");
         Assert.True(wrong.Length == 0, $"seed {seed}: {wrong.Length} reports of nothing, first {wrong.FirstOrDefault()}");
         Assert.True(rms < (0.25 * groundSample) + 0.1, $"seed {seed}: off by {rms} m");
@@ -68,8 +68,8 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
 
     [Theory, Trait("Category", "Long")]
     [MemberData(nameof(ManySeeds))]
-    public void Survey_ManySeeds_EveryTargetInEveryLookIsReportedWhereItIs(int seed, double height)
-        => Survey_TruePoses_EveryTargetInEveryLookIsReportedWhereItIs(seed, height);
+    public void Survey_ManySeeds_EveryTargetInEveryPictureIsReportedWhereItIs(int seed, double height)
+        => Survey_TruePoses_EveryTargetInEveryPictureIsReportedWhereItIs(seed, height);
 
     public static TheoryData<int, double> ManySeeds()
     {

@@ -6,7 +6,7 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation.Tests.Vision;
 
 /// <summary>
-/// Stands for vehicle and autopilot: flies lanes over a square, leaning this way and that, writes the truth for the camera, and tells
+/// Stands for vehicle and autopilot: flies lanes over a square, leaning this way and that, writes the truth for the camera, and reports
 /// Image Processing the same truth as poses, 10 positions and 50 attitudes a second, 30 ms late.
 /// </summary>
 internal sealed class SurveyFlight : RabitManager
@@ -49,13 +49,13 @@ internal sealed class SurveyFlight : RabitManager
         }
 
         _truth.Add(PoseAt(_step));
-        long told = _step - Late;
-        if (told >= 0 && told % 2 == 0)
-            Tell(PoseAt(told), hasPosition: told % 10 == 0);
+        long reported = _step - Late;
+        if (reported >= 0 && reported % 2 == 0)
+            Send(PoseAt(reported), hasPosition: reported % 10 == 0);
         _step++;
     }
 
-    private void Tell(in TruePose pose, bool hasPosition)
+    private void Send(in TruePose pose, bool hasPosition)
     {
         _poses.Push(new PoseSample
         {
@@ -75,7 +75,7 @@ internal sealed class SurveyFlight : RabitManager
         }
     }
 
-    // Up one lane and down the next; the turn is done on the spot within a second, as far as the camera can tell.
+    // Up one lane and down the next; the turn is done on the spot within a second, as far as the camera sees.
     private TruePose PoseAt(long step)
     {
         double t = step * 0.01;

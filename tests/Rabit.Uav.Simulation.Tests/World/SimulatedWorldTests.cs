@@ -62,7 +62,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void LinkSilent_NeitherHearsNorSends_AndFliesOn()
+    public void LinkSilent_NeitherReceivesNorSends_AndFliesOn()
     {
         using var ground = new Ground(With(new ScriptedFault
         {
@@ -86,7 +86,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void LinkEnds_BehindATornFrame_FramesBehindItAreReceived()
+    public void LinkEnds_AfterATornFrame_FramesAfterItAreReceived()
     {
         using var ground = new Ground();
         ground.Run(1);
@@ -102,7 +102,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void BatteryTo_IsToldWithWarningAndCriticalStatus()
+    public void BatteryTo_IsReportedWithWarningAndCriticalStatus()
     {
         using var ground = new Ground(With(new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromSeconds(35), Value = 0.08 }));
         ground.Stream(SysStatus.MavlinkId, 2);
@@ -135,7 +135,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void GroundFailsafe_SwitchedOn_ReturnsWhenTheGroundFallsSilent()
+    public void GroundFailsafe_SwitchedOn_ReturnsWhenTheGroundStationIsLost()
     {
         using var ground = new Ground();
         ground.Send(new ParamSet { TargetSystem = 1, TargetComponent = 1, ParamId = new Text16("FS_GCS_ENABLE"), ParamValue = 1 });

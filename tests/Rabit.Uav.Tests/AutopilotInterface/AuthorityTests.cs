@@ -21,7 +21,7 @@ public class AuthorityTests
         copter.Run(1.5);
         VehicleCommandResult answer = copter.GiveAndRun(kind);
         Assert.Equal((VehicleCommandOutcome.NotInCommand, "observing only", kind), (answer.Outcome, answer.Text, answer.Kind));
-        Assert.Empty(copter.Heard);
+        Assert.Empty(copter.Received);
         Assert.Equal(CommandAuthorityState.Observing, copter.Authority);
     }
 
@@ -48,8 +48,8 @@ public class AuthorityTests
         copter.Script = (_, _) => null;   // so that it is still at it
         long id = copter.Give(kind);
         copter.Run(1);
-        int heard = copter.Heard.Count;
-        Assert.True(heard > 2);
+        int received = copter.Received.Count;
+        Assert.True(received > 2);
 
         copter.Mode = (uint)CopterMode.Loiter;
         copter.Latency = 0;
@@ -58,7 +58,7 @@ public class AuthorityTests
 
         CommandAuthority authority = copter.Rig.Authority;
         Assert.Equal((CommandAuthorityState.TakenAway, "mode LOITER"), (authority.State, authority.TakenBy));
-        Assert.Equal(heard, copter.Heard.Count);
+        Assert.Equal(received, copter.Received.Count);
         VehicleCommandResult answer = copter.Answers.Single(a => a.Id == id);
         if (kind != VehicleCommandKind.Velocity)   // that was accepted when it began
             Assert.Equal((VehicleCommandOutcome.NotInCommand, "mode LOITER took the command away"), (answer.Outcome, answer.Text));
@@ -67,7 +67,7 @@ public class AuthorityTests
         copter.Mode = (uint)CopterMode.Guided;
         copter.Run(3);
         Assert.Equal(VehicleCommandOutcome.NotInCommand, copter.GiveAndRun(VehicleCommandKind.Return).Outcome);
-        Assert.Equal(heard, copter.Heard.Count);
+        Assert.Equal(received, copter.Received.Count);
     }
 
     [Fact]
@@ -99,7 +99,7 @@ public class AuthorityTests
         copter.Run(0.5);
         Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
 
-        copter.Beat((uint)CopterMode.Guided);   // now somebody did that
+        copter.Beat((uint)CopterMode.Guided);   // now it was done by other means
         copter.Run(0.1);
         Assert.Equal((CommandAuthorityState.TakenAway, "mode GUIDED"), (copter.Authority, copter.Rig.Authority.TakenBy));
     }
@@ -191,7 +191,7 @@ public class AuthorityTests
         copter.Run(2);
         long id = copter.Give(VehicleCommandKind.GoTo);
         copter.Say(new SystemTime { TimeBootMs = 1_000 });
-        copter.Latency = 5;   // nothing more is heard before we look
+        copter.Latency = 5;   // nothing more is received before we look
         copter.Run(0.1);
         Assert.Equal(expected, copter.Authority);
         if (isArmed)

@@ -26,7 +26,7 @@ public class AutopilotManagerTests
     }
 
     [Fact]
-    public void VehicleState_FirstHeartbeat_TellsWhoAndHow()
+    public void VehicleState_FirstHeartbeat_SaysWhoAndHow()
     {
         using var rig = new AutopilotRig();
         rig.Send(AutopilotRig.Copter(CopterMode.Guided, AutopilotRig.Armed, MavState.Active), system: 7, component: 1);
@@ -56,7 +56,7 @@ public class AutopilotManagerTests
     }
 
     [Fact]
-    public void VehicleState_FramesThatTellNothing_IsNotPosted()
+    public void VehicleState_FramesWithoutNews_IsNotPosted()
     {
         using var rig = new AutopilotRig();
         rig.Beat(1);
@@ -114,7 +114,7 @@ public class AutopilotManagerTests
     [Theory]
     [InlineData(60, 0)]
     [InlineData(20, 1)]
-    public void IsConnected_UnitsOfWorkThatTakeEightSeconds_AreNotMisjudged(int heartbeats, int losses)
+    public void IsConnected_UnitsOfWorkThatTakeEightSeconds_AreNoLoss(int heartbeats, int losses)
     {
         var time = new VirtualTime(1);
         time.SetUnitOfWorkDuration(AutopilotManager.ManagerName, TimeSpan.FromSeconds(8));

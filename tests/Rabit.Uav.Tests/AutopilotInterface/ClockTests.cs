@@ -61,7 +61,7 @@ public class ClockTests(ITestOutputHelper output)
     [InlineData(0.1)]
     [InlineData(-30)]
     [InlineData(1000)]
-    public void Timesync_ClockJumps_IsStartedAnew(double jump)
+    public void Timesync_ClockJumps_IsRestarted(double jump)
     {
         var link = new JitteryLink(seed: 4, drift: 20e-6, jitterMs: 5);
         for (int second = 0; second < 60; second++)
@@ -184,7 +184,7 @@ public class ClockTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Manager_OnAReplay_AsksNobody()
+    public void Manager_OnAReplay_SendsNoRequest()
     {
         using var copter = new ScriptedAutopilot(mayCommand: false);
         copter.Run(10);
@@ -232,9 +232,9 @@ public class ClockTests(ITestOutputHelper output)
                 _now += 0.05;
                 if (!Clock.Requests.TryNext(Now, out Timesync request))
                     continue;
-                double heard = _now + Delay();
-                double back = heard + Delay() + SlowWayBack(_answers++);
-                Clock.Take(new Timesync { Ts1 = request.Ts1, Tc1 = (long)(Theirs(heard) * 1e9) }, TimeSpan.FromSeconds(back));
+                double received = _now + Delay();
+                double back = received + Delay() + SlowWayBack(_answers++);
+                Clock.Take(new Timesync { Ts1 = request.Ts1, Tc1 = (long)(Theirs(received) * 1e9) }, TimeSpan.FromSeconds(back));
             }
         }
 

@@ -20,8 +20,8 @@ public class CommandAnswerTests
         int tries = 0;
         copter.Script = (frame, command) => tries++ < lost ? null : copter.Accept(frame, command);
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.TakeOff).Outcome);
-        Assert.Equal(Enumerable.Range(0, lost + 1), copter.Heard.Skip(2).Select(f => (int)OutgoingSink.Decode<CommandLong>(f.Frame).Confirmation));
-        double[] times = copter.Heard.Skip(2).Select(f => f.Time.TotalSeconds).ToArray();
+        Assert.Equal(Enumerable.Range(0, lost + 1), copter.Received.Skip(2).Select(f => (int)OutgoingSink.Decode<CommandLong>(f.Frame).Confirmation));
+        double[] times = copter.Received.Skip(2).Select(f => f.Time.TotalSeconds).ToArray();
         for (int i = 1; i < times.Length; i++)
             Assert.InRange(times[i] - times[i - 1], 0.69, 0.8);
     }
@@ -33,7 +33,7 @@ public class CommandAnswerTests
         copter.Script = (_, _) => null;
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
         Assert.Equal((VehicleCommandOutcome.TimedOut, "no answer to NavTakeoff, sent 4 times"), (answer.Outcome, answer.Text));
-        Assert.Equal(4, copter.Heard.Count - 2);
+        Assert.Equal(4, copter.Received.Count - 2);
     }
 
     [Theory]
@@ -51,7 +51,7 @@ public class CommandAnswerTests
     }
 
     [Fact]
-    public void Acknowledgements_ToEverybodyOrOfAnotherCommandOrComponent_CountByTheirKind()
+    public void Acknowledgements_BroadcastOrOfAnotherCommandOrComponent_CountByTheirKind()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (_, command) =>
@@ -89,7 +89,7 @@ public class CommandAnswerTests
             VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
             Assert.Equal(
                 (VehicleCommandOutcome.Refused, $"ComponentArmDisarm: {result} (Arm: Compass not calibrated)"), (answer.Outcome, answer.Text));
-            Assert.Equal(2, copter.Heard.Count);
+            Assert.Equal(2, copter.Received.Count);
         }
     }
 
@@ -106,7 +106,7 @@ public class CommandAnswerTests
         long id = copter.Give(VehicleCommandKind.TakeOff);
         copter.Run(7.9);
         Assert.DoesNotContain(copter.Answers, a => a.Id == id);
-        Assert.Equal(1, copter.Heard.Count - 2);
+        Assert.Equal(1, copter.Received.Count - 2);
         copter.Run(1);
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.Answers.Single(a => a.Id == id).Outcome);
     }
@@ -132,7 +132,7 @@ public class CommandAnswerTests
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
         Assert.Equal(expected, answer.Outcome);
         Assert.Equal(6, tries);
-        double[] times = copter.Heard.Skip(2).Select(f => f.Time.TotalSeconds).ToArray();
+        double[] times = copter.Received.Skip(2).Select(f => f.Time.TotalSeconds).ToArray();
         Assert.All(times.Zip(times.Skip(1), (a, b) => b - a), pause => Assert.InRange(pause, 0.99, 1.2));
     }
 

@@ -23,15 +23,15 @@ public class CommandTests
 
         Assert.Equal((VehicleCommandOutcome.Accepted, null), (answer.Outcome, answer.Text));
         Assert.Equal([MavCmd.DoSetMode, MavCmd.ComponentArmDisarm], copter.Commands);
-        CommandLong mode = OutgoingSink.Decode<CommandLong>(copter.Heard[0].Frame);
+        CommandLong mode = OutgoingSink.Decode<CommandLong>(copter.Received[0].Frame);
         Assert.Equal((1f, 4f, 1, 1, 0), (mode.Param1, mode.Param2, mode.TargetSystem, mode.TargetComponent, mode.Confirmation));
         Assert.Equal(1f, copter.Last<CommandLong>().Param1);
-        Assert.Equal((1, 191), (copter.Heard[0].Frame.SystemId, copter.Heard[0].Frame.ComponentId));
+        Assert.Equal((1, 191), (copter.Received[0].Frame.SystemId, copter.Received[0].Frame.ComponentId));
         Assert.Equal((CommandAuthorityState.Ours, null), (copter.Authority, copter.Rig.Authority.TakenBy));
     }
 
     [Fact]
-    public void TakeOff_Copter_TellsTheHeightAboveHome()
+    public void TakeOff_Copter_SendsTheHeightAboveHome()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.TakeOff).Outcome);
@@ -52,14 +52,14 @@ public class CommandTests
     }
 
     [Fact]
-    public void GoTo_SpeedAndHeading_FollowThePlaceAndSpeedIsToldOnlyWhenItChanges()
+    public void GoTo_SpeedAndHeading_FollowThePlaceAndSpeedIsSentOnlyWhenItChanges()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         VehicleCommand At(VehicleCommand c, double speed)
             => c with { SpeedMetresPerSecond = speed, Yaw = Angle.FromDegrees(-90) };
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.GoTo, with: c => At(c, 6)).Outcome);
         Assert.Equal([MavCmd.DoReposition, MavCmd.DoChangeSpeed, MavCmd.ConditionYaw], copter.Commands.Skip(2));
-        CommandLong speed = OutgoingSink.Decode<CommandLong>(copter.Heard[3].Frame);
+        CommandLong speed = OutgoingSink.Decode<CommandLong>(copter.Received[3].Frame);
         Assert.Equal((1f, 6f, -1f), (speed.Param1, speed.Param2, speed.Param3));
         Assert.Equal(270f, copter.Last<CommandLong>().Param1);
 
@@ -110,11 +110,11 @@ public class CommandTests
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "brake" }).Outcome);
         Assert.Equal((uint)CopterMode.Brake, copter.Mode);
-        int heard = copter.Heard.Count;
+        int received = copter.Received.Count;
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "FBWA" });
         Assert.Equal(VehicleCommandOutcome.Refused, answer.Outcome);
         Assert.Contains("'FBWA'", answer.Text, StringComparison.Ordinal);
-        Assert.Equal(heard, copter.Heard.Count);
+        Assert.Equal(received, copter.Received.Count);
     }
 
     [Fact]
@@ -130,7 +130,7 @@ public class CommandTests
     }
 
     [Fact]
-    public void Disarm_IsAskedForAndTheRefusalTold()
+    public void Disarm_IsAskedForAndTheRefusalReported()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (_, _) => MavResult.Failed;
@@ -175,8 +175,8 @@ public class CommandTests
     {
         using var copter = new ScriptedAutopilot { Beats = false };
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
-        Assert.Equal((VehicleCommandOutcome.TimedOut, "no autopilot was received"), (answer.Outcome, answer.Text));
-        Assert.Empty(copter.Heard);
+        Assert.Equal((VehicleCommandOutcome.TimedOut, "no autopilot is connected"), (answer.Outcome, answer.Text));
+        Assert.Empty(copter.Received);
 
         copter.Give(VehicleCommandKind.Arm);
         copter.Run(1);
@@ -194,7 +194,7 @@ public class CommandTests
         copter.Run(7);
         Assert.False(copter.Rig.Vehicle.IsConnected);
         Assert.Equal(VehicleCommandOutcome.TimedOut, copter.GiveAndRun(VehicleCommandKind.Return).Outcome);
-        Assert.Equal(4, copter.Heard.Count - 2);
+        Assert.Equal(4, copter.Received.Count - 2);
     }
 
     [Theory]
@@ -207,15 +207,15 @@ public class CommandTests
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
         Assert.Equal(VehicleCommandOutcome.Refused, answer.Outcome);
         Assert.Contains(expected, answer.Text, StringComparison.Ordinal);
-        Assert.Empty(copter.Heard);
+        Assert.Empty(copter.Received);
         Assert.Equal(CommandAuthorityState.Free, copter.Authority);
     }
 
     [Fact]
-    public void Command_UnsoundFigures_IsRefusedByNameAndNothingSent()
+    public void Command_InvalidFigures_IsRefusedByNameAndNothingSent()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
-        int heard = copter.Heard.Count;
+        int received = copter.Received.Count;
         void Refuses(VehicleCommandKind kind, string name, Func<VehicleCommand, VehicleCommand> with)
         {
             VehicleCommandResult answer = copter.GiveAndRun(kind, 0.2, with);
@@ -242,6 +242,6 @@ public class CommandTests
         Refuses(VehicleCommandKind.SetMode, "Mode", c => c with { Mode = null });
         Refuses(VehicleCommandKind.None, "Kind", c => c);
         Refuses((VehicleCommandKind)99, "Kind", c => c);
-        Assert.Equal(heard, copter.Heard.Count);
+        Assert.Equal(received, copter.Received.Count);
     }
 }

@@ -16,7 +16,7 @@ public class Px4CommandTests
     {
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
         Assert.Equal([MavCmd.DoSetMode, MavCmd.ComponentArmDisarm], px4.Commands);
-        CommandLong mode = OutgoingSink.Decode<CommandLong>(px4.Heard[0].Frame);
+        CommandLong mode = OutgoingSink.Decode<CommandLong>(px4.Received[0].Frame);
         Assert.Equal((1f, 4f, 3f), (mode.Param1, mode.Param2, mode.Param3));
     }
 
@@ -88,10 +88,10 @@ public class Px4CommandTests
     public void Velocity_IsRefused()
     {
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
-        int heard = px4.Heard.Count;
+        int received = px4.Received.Count;
         VehicleCommandResult answer = px4.GiveAndRun(VehicleCommandKind.Velocity);
         Assert.Equal((VehicleCommandOutcome.Refused, "velocities are not supported on PX4 yet"), (answer.Outcome, answer.Text));
-        Assert.Equal(heard, px4.Heard.Count);
+        Assert.Equal(received, px4.Received.Count);
     }
 
     [Fact]

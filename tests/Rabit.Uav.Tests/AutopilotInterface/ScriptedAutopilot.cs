@@ -12,14 +12,14 @@ namespace Rabit.Uav.Tests.AutopilotInterface;
 
 /// <summary>
 /// An autopilot that answers commands as a test says, with a delay each way, beside an Autopilot Interface in virtual time. It beats once a
-/// second and tells its position ten times.
+/// second and sends its position ten times.
 /// </summary>
 internal sealed class ScriptedAutopilot : IDisposable
 {
     private const double Step = 0.01;
 
     private readonly List<(double Due, Action Act)> _due = [];
-    private readonly List<(TimeSpan Time, MavlinkFrame Frame)> _heard = [];
+    private readonly List<(TimeSpan Time, MavlinkFrame Frame)> _received = [];
     private double _nextBeat;
     private double _nextPosition;
     private int _taken;
@@ -56,9 +56,9 @@ internal sealed class ScriptedAutopilot : IDisposable
     public NedVector VelocityNed { get; set; }
 
     /// <summary>Commands and set-points that came, and when they were sent.</summary>
-    public IReadOnlyList<(TimeSpan Time, MavlinkFrame Frame)> Heard => _heard;
+    public IReadOnlyList<(TimeSpan Time, MavlinkFrame Frame)> Received => _received;
 
-    public IEnumerable<MavCmd> Commands => _heard.Where(f => CommandOf(f.Frame) is not null).Select(f => CommandOf(f.Frame)!.Value);
+    public IEnumerable<MavCmd> Commands => _received.Where(f => CommandOf(f.Frame) is not null).Select(f => CommandOf(f.Frame)!.Value);
 
     public IReadOnlyList<VehicleCommandResult> Answers => Rig.Peers.Answers;
 
@@ -73,9 +73,9 @@ internal sealed class ScriptedAutopilot : IDisposable
 
     public T Last<T>()
         where T : struct, IMavlinkMessage
-        => OutgoingSink.Decode<T>(_heard.Last(f => f.Frame.TryDecode(out T _)).Frame);
+        => OutgoingSink.Decode<T>(_received.Last(f => f.Frame.TryDecode(out T _)).Frame);
 
-    /// <summary>Does what it is told, and says so.</summary>
+    /// <summary>Does what it is commanded, and acknowledges it.</summary>
     public MavResult? Accept(MavlinkFrame frame, MavCmd command)
     {
         switch (command)
@@ -205,7 +205,7 @@ internal sealed class ScriptedAutopilot : IDisposable
             if (frame.MessageId is CommandLong.MavlinkId or CommandInt.MavlinkId or SetPositionTargetLocalNed.MavlinkId
                 or SetPositionTargetGlobalInt.MavlinkId)
             {
-                _heard.Add((time, frame));
+                _received.Add((time, frame));
             }
 
             if (CommandOf(frame) is { } command)

@@ -14,9 +14,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     private static readonly TimeSpan Timeout = TimeSpan.FromSeconds(5);
 
     [Fact]
-    public void Fold_Position_IsInSiAndRadians()
+    public void Update_Position_IsInSiAndRadians()
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         var message = new GlobalPositionInt
         {
             Lat = -353_632_000,
@@ -49,9 +49,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     [InlineData(int.MaxValue, int.MaxValue)]
     [InlineData(int.MinValue, int.MinValue)]
     [InlineData(0, 0)]
-    public void Fold_PlaceThatIsNone_IsRefused(int latitude, int longitude)
+    public void Update_PlaceThatIsNone_IsRefused(int latitude, int longitude)
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         Assert.Equal(VehicleEvents.Refused, Update(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude, Alt = 1 }, 2));
         Assert.Null(tracker.State.PositionTime);
     }
@@ -60,9 +60,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     [InlineData(900_000_000, 1_800_000_000)]
     [InlineData(-900_000_000, -1_800_000_000)]
     [InlineData(0, 1)]
-    public void Fold_PlaceAtTheLimit_IsTaken(int latitude, int longitude)
+    public void Update_PlaceAtTheLimit_IsTaken(int latitude, int longitude)
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         Assert.Equal(VehicleEvents.Changed, Update(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude }, 2));
     }
 
@@ -74,18 +74,18 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     [InlineData(7, 0, 0, 0)]
     [InlineData(0, 1.6f, 0, 0)]
     [InlineData(float.MaxValue, 0, 0, 0)]
-    public void Fold_AttitudeThatIsNone_IsRefused(float roll, float pitch, float yaw, float yawRate)
+    public void Update_AttitudeThatIsNone_IsRefused(float roll, float pitch, float yaw, float yawRate)
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         var message = new Attitude { Roll = roll, Pitch = pitch, Yaw = yaw, Yawspeed = yawRate };
         Assert.Equal(VehicleEvents.Refused, Update(tracker, message, 2));
         Assert.Null(tracker.State.AttitudeTime);
     }
 
     [Fact]
-    public void Fold_YawFromZeroToTwoPi_IsWrapped()
+    public void Update_YawFromZeroToTwoPi_IsWrapped()
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         Update(tracker, new Attitude { Roll = 0.1f, Pitch = -0.2f, Yaw = 6, Rollspeed = 1, Pitchspeed = 2, Yawspeed = 3 }, 2);
 
         VehicleState state = tracker.State;
@@ -102,20 +102,20 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     [InlineData(12_000, 0, 100, 12, 0, 1)]
     [InlineData(12_000, 0, 101, 12, 0, double.NaN)]
     [InlineData(12_000, 0, -128, 12, 0, double.NaN)]
-    public void Fold_SysStatus_UnknownIsNotANumber(int millivolts, short centiamperes, sbyte percent, double volts, double amperes, double remaining)
+    public void Update_SysStatus_UnknownIsNotANumber(int millivolts, short centiamperes, sbyte percent, double volts, double amperes, double remaining)
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         Update(tracker, new SysStatus { VoltageBattery = (ushort)millivolts, CurrentBattery = centiamperes, BatteryRemaining = percent }, 2);
         AssertBattery(tracker, volts, amperes, remaining);
     }
 
     [Fact]
-    public void State_BeforeAnyBattery_IsNotANumber() => AssertBattery(Heard(), double.NaN, double.NaN, double.NaN);
+    public void State_BeforeAnyBattery_IsNotANumber() => AssertBattery(ConnectedTracker(), double.NaN, double.NaN, double.NaN);
 
     [Fact]
-    public void Fold_BatteryStatus_AddsTheCells()
+    public void Update_BatteryStatus_AddsTheCells()
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         Update(tracker, Battery(500, 55, 4_100, 4_110, 4_120), 2);
         AssertBattery(tracker, 12.33, 5, 0.55);
         Update(tracker, Battery(-1, -1), 30);
@@ -123,9 +123,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Fold_BatteryStatusOfAnotherBattery_ChangesNothing()
+    public void Update_BatteryStatusOfAnotherBattery_ChangesNothing()
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         BatteryStatus second = Battery(500, 55, 4_100);
         second.Id = 1;
         Assert.Equal(VehicleEvents.None, Update(tracker, second, 2));
@@ -133,9 +133,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Fold_TwoBatteryMessages_FillEachOthersGapsForAWhile()
+    public void Update_TwoBatteryMessages_FillEachOthersGapsForAWhile()
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         Update(tracker, Battery(500, 55, 12_000), 2);
         Update(tracker, new SysStatus { VoltageBattery = 11_000, CurrentBattery = -1, BatteryRemaining = -1 }, 3);
         AssertBattery(tracker, 11, 5, 0.55);
@@ -144,9 +144,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Fold_GpsAndTime_AreTaken()
+    public void Update_GpsAndTime_AreTaken()
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         Update(tracker, new GpsRawInt { FixType = GpsFixType.RtkFixed, SatellitesVisible = 17 }, 2);
         Update(tracker, new SystemTime { TimeUnixUsec = 1_795_227_296_098_321, TimeBootMs = 100 }, 3);
         Update(tracker, new ExtendedSysState { LandedState = MavLandedState.InAir }, 3);
@@ -161,9 +161,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     [InlineData(0UL)]
     [InlineData(12_345UL)]
     [InlineData(ulong.MaxValue)]
-    public void Fold_TimeThatIsNotSet_IsZero(ulong microseconds)
+    public void Update_TimeThatIsNotSet_IsZero(ulong microseconds)
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         Update(tracker, new SystemTime { TimeUnixUsec = microseconds }, 2);
         Assert.Equal(0, tracker.State.GpsUtcMicroseconds);
     }
@@ -176,7 +176,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     [InlineData(MavType.Quadrotor, MavAutopilot.Invalid, 1, 1)]
     [InlineData(MavType.Quadrotor, MavAutopilot.Px4, 0, 1)]
     [InlineData(MavType.Quadrotor, MavAutopilot.Px4, 1, 0)]
-    public void Fold_HeartbeatOfNoAutopilot_IsNotOurs(MavType type, MavAutopilot autopilot, byte system, byte component)
+    public void Update_HeartbeatOfNoAutopilot_IsNotOurs(MavType type, MavAutopilot autopilot, byte system, byte component)
     {
         var tracker = new VehicleTracker(null, Timeout);
         LinkFrame frame = AutopilotRig.FrameOf(new Heartbeat { Type = type, Autopilot = autopilot }, TimeSpan.Zero, system, component);
@@ -185,12 +185,12 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Fold_HostileFrames_NeverThrow()
+    public void Update_HostileFrames_NeverThrow()
     {
         const int Seed = 20_261_121;
         output.WriteLine($"seed {Seed}");
         var random = new Random(Seed);
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         var payload = new byte[255];
         for (int i = 0; i < 20_000; i++)
         {
@@ -200,9 +200,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Fold_KnownMessages_AllocatesNothing()
+    public void Update_KnownMessages_AllocatesNothing()
     {
-        VehicleTracker tracker = Heard();
+        VehicleTracker tracker = ConnectedTracker();
         LinkFrame[] frames =
         [
             AutopilotRig.FrameOf(AutopilotRig.Copter((CopterMode)99), TimeSpan.Zero),
@@ -252,7 +252,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         return message;
     }
 
-    private static VehicleTracker Heard()
+    private static VehicleTracker ConnectedTracker()
     {
         var tracker = new VehicleTracker(null, Timeout);
         Assert.Equal(VehicleEvents.Changed | VehicleEvents.Found, Update(tracker, AutopilotRig.Copter(), 1));

@@ -9,7 +9,7 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.AutopilotInterface;
 
-/// <summary>Velocities: repeated here, and never longer than somebody wants them.</summary>
+/// <summary>Velocities: repeated here, and never longer than they are commanded.</summary>
 public class VelocityTests
 {
     [Fact]
@@ -29,7 +29,7 @@ public class VelocityTests
     }
 
     [Fact]
-    public void Velocity_WithHeading_TellsIt()
+    public void Velocity_WithHeading_SendsIt()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.GiveAndRun(VehicleCommandKind.Velocity, 0.5, c => c with { Yaw = Angle.FromRadians(1) });
@@ -47,10 +47,10 @@ public class VelocityTests
         copter.Run(6);
 
         Assert.InRange(SetPoints(copter).Last() - givenAt, 1.2, 1.6);
-        (TimeSpan time, MavlinkFrame hold) = copter.Heard[copter.Heard.Count - 1];
+        (TimeSpan time, MavlinkFrame hold) = copter.Received[copter.Received.Count - 1];
         Assert.Equal(MavCmd.DoReposition, ScriptedAutopilot.CommandOf(hold));
         Assert.InRange(time.TotalSeconds - givenAt, 1.4, 1.8);
-        Assert.Equal(2, copter.Answers.Count);   // of Arm and Velocity: nobody asked for the hold
+        Assert.Equal(2, copter.Answers.Count);   // of Arm and Velocity: the hold was not commanded
         Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
     }
 
@@ -95,10 +95,10 @@ public class VelocityTests
         copter.Run(1.3);
         Assert.Equal((uint)CopterMode.Guided, copter.Mode);
         Assert.NotEmpty(SetPoints(copter));
-        TimeSpan asked = copter.Heard.Last(f => ScriptedAutopilot.CommandOf(f.Frame) == MavCmd.DoSetMode).Time;
+        TimeSpan asked = copter.Received.Last(f => ScriptedAutopilot.CommandOf(f.Frame) == MavCmd.DoSetMode).Time;
         Assert.True(SetPoints(copter)[0] > asked.TotalSeconds);
     }
 
     private static double[] SetPoints(ScriptedAutopilot copter)
-        => copter.Heard.Where(f => f.Frame.MessageId == SetPositionTargetLocalNed.MavlinkId).Select(f => f.Time.TotalSeconds).ToArray();
+        => copter.Received.Where(f => f.Frame.MessageId == SetPositionTargetLocalNed.MavlinkId).Select(f => f.Time.TotalSeconds).ToArray();
 }

@@ -118,7 +118,7 @@ internal sealed class CommunicationsRig : IDisposable
 
     public List<MavlinkFrame> ReceivedFrames(int link) => Frames.Read(Received(link));
 
-    /// <summary>How a link is, as told within the next second.</summary>
+    /// <summary>How a link is, as reported within the next second.</summary>
     public LinkStatus Status(int link)
     {
         Run(TimeSpan.FromMilliseconds(700));

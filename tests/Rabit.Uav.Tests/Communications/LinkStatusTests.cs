@@ -8,7 +8,7 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.Communications;
 
-/// <summary>What Communications tells of a link.</summary>
+/// <summary>What Communications reports of a link.</summary>
 public sealed class LinkStatusTests
 {
     [Fact]

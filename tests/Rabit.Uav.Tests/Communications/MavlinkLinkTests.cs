@@ -18,7 +18,7 @@ public sealed class MavlinkLinkTests
     private static readonly byte[] TornFrame = [0xFD, 200, 0, 0, 0, 1, 1, 0xEF, 0xCD, 0xAB];
 
     [Fact]
-    public void Source_LinkEndsBehindATornFrame_StillDeliversTheFramesBehindIt()
+    public void Source_LinkEndsAfterATornFrame_StillDeliversTheFramesAfterIt()
     {
         var pair = new MemoryLinkPair("link", 4096);
         var source = new MavlinkLinkSource(pair.A, number: 3);

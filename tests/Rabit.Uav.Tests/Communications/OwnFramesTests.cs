@@ -69,7 +69,7 @@ public sealed class OwnFramesTests
     }
 
     [Fact]
-    public void SetupSigning_ToEverybody_GoesNowhere()
+    public void SetupSigning_Broadcast_GoesNowhere()
     {
         using CommunicationsRig rig = new CommunicationsRig(links: 1).As(1);
 

@@ -10,7 +10,7 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.Communications;
 
-/// <summary>Where we are, told to ground and others.</summary>
+/// <summary>Our position, sent to ground and other vehicles.</summary>
 public sealed class OwnPositionTests
 {
     [Theory]
@@ -39,7 +39,7 @@ public sealed class OwnPositionTests
     }
 
     [Fact]
-    public void Position_OldOrAddressUnknown_IsNotTold()
+    public void Position_OldOrAddressUnknown_IsNotSent()
     {
         using var rig = new CommunicationsRig(links: 1);
         Fly(rig, 3);

@@ -64,7 +64,7 @@ public sealed class RecordedLogTests
         rig.Run(TimeSpan.FromSeconds(1));
         Assert.Equal([Heartbeat.MavlinkId, CommandAck.MavlinkId], rig.Autopilot.Taken.Select(f => f.Frame.MessageId));
 
-        // On a live link they are somebody else's.
+        // On a live link they are another system's.
         rig.Send(0, Frames.Of(answer, sequence: 1));
         rig.Run(TimeSpan.FromSeconds(1));
         Assert.Equal(2, rig.Autopilot.Taken.Count);
@@ -132,7 +132,7 @@ public sealed class RecordedLogTests
     }
 
     [Fact]
-    public void StopInTheMiddle_DropsNothingForWantOfRoom()
+    public void StopInTheMiddle_DropsNothingForLackOfRoom()
     {
         using var log = new TestLog();
         log.Raw(SameStamp(5000));
@@ -180,7 +180,7 @@ public sealed class RecordedLogTests
     }
 
     [Fact]
-    public void ClockStepsBack_LongFlightBehindIt_IsPlayedToItsEnd()
+    public void ClockStepsBack_LongFlightAfterIt_IsPlayedToItsEnd()
     {
         const int count = 900_000;
         using var log = new TestLog();

@@ -76,7 +76,7 @@ public sealed class SigningFileTests : IDisposable
     }
 
     [Fact]
-    public void Clock_FilesThatCannotBeWritten_IsToldAndNotThrown()
+    public void Clock_FilesThatCannotBeWritten_IsReportedAndNotThrown()
     {
         var store = new FileTimestampStore(Path.Combine(_folder, "no such folder", "clock"));
         Assert.Equal(0, store.Read(0, new byte[12]));

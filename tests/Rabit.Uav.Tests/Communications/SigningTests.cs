@@ -60,7 +60,7 @@ public sealed class SigningTests : IDisposable
     }
 
     [Fact]
-    public void FramesRejected_WithoutEnd_AreToldOfWhenTheyHaveDoubled()
+    public void FramesRejected_WithoutEnd_AreReportedWhenTheyHaveDoubled()
     {
         using CommunicationsRig rig = Rig(1, o => o.Links = [0]);
         for (int i = 0; i < 100; i++)
@@ -149,7 +149,7 @@ public sealed class SigningTests : IDisposable
         Assert.Single(rig.Log, e => e.Text.Contains("could not be stored"));
         store.IsBroken = false;
         rig.Run(TimeSpan.FromSeconds(3));
-        Assert.Equal(2, store.Writes);   // the first is believed once the second was tried
+        Assert.Equal(2, store.Writes);   // the first is trusted once the second was tried
         rig.Run(TimeSpan.FromSeconds(20));
         Assert.Equal(2, store.Writes);
     }

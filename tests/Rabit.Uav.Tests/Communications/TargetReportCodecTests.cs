@@ -46,7 +46,7 @@ public sealed class TargetReportCodecTests
     }
 
     [Fact]
-    public void Decode_RandomBytes_NeverThrowsAndWhatItTakesIsSound()
+    public void Decode_RandomBytes_NeverThrowsAndWhatItTakesIsValid()
     {
         const int Seed = 22;
         var random = new Random(Seed);
@@ -57,12 +57,12 @@ public sealed class TargetReportCodecTests
             if (bytes.Length > 1 && i % 2 == 0)
                 (bytes[0], bytes[1]) = (2, (byte)(bytes.Length - 58));
             if (Codec.TryDecode(bytes, Now, 7, out TargetReport report))
-                AssertSound(report, $"seed {Seed}, case {i}");
+                AssertValid(report, $"seed {Seed}, case {i}");
         }
     }
 
     [Fact]
-    public void Decode_MutatedReports_NeverThrowAndWhatIsTakenIsSound()
+    public void Decode_MutatedReports_NeverThrowAndWhatIsTakenIsValid()
     {
         const int Seed = 23;
         var random = new Random(Seed);
@@ -77,7 +77,7 @@ public sealed class TargetReportCodecTests
             if (!Codec.TryDecode(bytes, Now, 7, out TargetReport report))
                 continue;
             taken++;
-            AssertSound(report, $"seed {Seed}, case {i}");
+            AssertValid(report, $"seed {Seed}, case {i}");
         }
 
         Assert.InRange(taken, 10_000, 190_000);
@@ -158,7 +158,7 @@ public sealed class TargetReportCodecTests
 
     private static bool Encodes(in TargetReport report) => Codec.TryEncode(report, TimeSpan.Zero, new byte[128], out _);
 
-    private static void AssertSound(in TargetReport report, string what)
+    private static void AssertValid(in TargetReport report, string what)
     {
         Assert.True(Math.Abs(report.Position.Latitude.Radians) <= (Math.PI / 2) + 1e-9, what);
         Assert.True(Math.Abs(report.Position.Longitude.Radians) <= Math.PI + 1e-9, what);

@@ -29,7 +29,7 @@ internal sealed class TestLog : IDisposable
 
     public string Url => "tlog:" + Path;
 
-    /// <summary>Adds a record; the stamp is told from <see cref="Start"/>.</summary>
+    /// <summary>Adds a record; the stamp counts from <see cref="Start"/>.</summary>
     public TestLog Record(long microseconds, byte[] frame)
     {
         var stamp = new byte[8];

@@ -24,7 +24,7 @@ internal sealed class ReportSink : RabitManager
     }
 }
 
-/// <summary>Communications with mail, in virtual time.</summary>
+/// <summary>Communications with vehicle messages, in virtual time.</summary>
 internal sealed class VehicleMessageRig : IDisposable
 {
     private readonly ReportSink _sink = new();

@@ -48,7 +48,7 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Message_Addressed_GoesThereAloneAndToNobodyUnseen()
+    public void Message_Addressed_GoesThereAloneAndToNoUnknownAddress()
     {
         using var air = new TwoVehicles();
         air.Send(from: 0, Report(look: 1), to: 2);   // not seen yet
@@ -65,12 +65,12 @@ public sealed class VehicleMessageTests
     public void Message_ThatComesIn_IsForwardedToOtherLinksButNotBackAndNotToTheAutopilot()
     {
         using var rig = new VehicleMessageRig(links: 3);
-        byte[] letter = Letter(Report(look: 1), system: 5);
-        rig.Rig.Send(0, letter);
+        byte[] frame = FrameOf(Report(look: 1), system: 5);
+        rig.Rig.Send(0, frame);
         Assert.Equal(5, Assert.Single(rig.Reports).SourceSystemId);
         Assert.Empty(rig.Rig.Received(0));
-        Assert.Equal(letter, rig.Rig.Received(1));
-        Assert.Equal(letter, rig.Rig.Received(2));
+        Assert.Equal(frame, rig.Rig.Received(1));
+        Assert.Equal(frame, rig.Rig.Received(2));
         Assert.Empty(rig.Rig.Autopilot.Taken);
     }
 
@@ -87,9 +87,9 @@ public sealed class VehicleMessageTests
     public void Message_ForAnotherVehicle_IsNotOurs()
     {
         using var rig = new VehicleMessageRig(links: 1);
-        rig.Rig.Send(0, Letter(Report(look: 1), system: 5, target: 9));
+        rig.Rig.Send(0, FrameOf(Report(look: 1), system: 5, target: 9));
         Assert.Empty(rig.Reports);
-        rig.Rig.Send(0, Letter(Report(look: 1), system: 5, target: 1));
+        rig.Rig.Send(0, FrameOf(Report(look: 1), system: 5, target: 1));
         Assert.Single(rig.Reports);
     }
 
@@ -97,8 +97,8 @@ public sealed class VehicleMessageTests
     public void Message_OfOurOwnSystem_IsAnEcho()
     {
         using var rig = new VehicleMessageRig(links: 1);
-        rig.Rig.Send(0, Letter(Report(look: 1), system: 1, component: 192));
-        rig.Rig.Send(0, Letter(Report(look: 1), system: 1, component: 191));   // the router counts this one
+        rig.Rig.Send(0, FrameOf(Report(look: 1), system: 1, component: 192));
+        rig.Rig.Send(0, FrameOf(Report(look: 1), system: 1, component: 191));   // the router counts this one
         Assert.Empty(rig.Reports);
         Assert.Equal(1, rig.Counts.Echoes);
     }
@@ -107,11 +107,11 @@ public sealed class VehicleMessageTests
     public void Message_ThatComesTwice_CountsOnceWithinTheWindow()
     {
         using var rig = new VehicleMessageRig(links: 2);
-        rig.Rig.Send(0, Letter(Report(look: 1, index: 0), system: 5), Letter(Report(look: 1, index: 1), system: 5));
-        rig.Rig.Send(1, Letter(Report(look: 1, index: 0), system: 5), Letter(Report(look: 1, index: 0), system: 6));
+        rig.Rig.Send(0, FrameOf(Report(look: 1, index: 0), system: 5), FrameOf(Report(look: 1, index: 1), system: 5));
+        rig.Rig.Send(1, FrameOf(Report(look: 1, index: 0), system: 5), FrameOf(Report(look: 1, index: 0), system: 6));
         Assert.Equal((3, 1L), (rig.Reports.Count, rig.Counts.Duplicates));
         rig.Rig.Run(TimeSpan.FromSeconds(11));
-        rig.Rig.Send(0, Letter(Report(look: 1, index: 0), system: 5));   // it has started anew
+        rig.Rig.Send(0, FrameOf(Report(look: 1, index: 0), system: 5));   // it has restarted
         Assert.Equal(4, rig.Reports.Count);
     }
 
@@ -169,7 +169,7 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Options_BadOnes_AreToldTogether()
+    public void Options_BadOnes_AreReportedTogether()
     {
         var route = new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), "out", "in");
         var pair = new MemoryLinkPair("a", 100);
@@ -200,7 +200,7 @@ public sealed class VehicleMessageTests
         CentreY = 17.25,
     };
 
-    private static byte[] Letter(in TargetReport report, byte system, byte component = 191, byte target = 0)
+    private static byte[] FrameOf(in TargetReport report, byte system, byte component = 191, byte target = 0)
     {
         var codec = new TargetReportCodec();
         var buffer = new byte[128];

@@ -39,7 +39,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
     {
         Assert.Equal(0, _run.Run(_camera, _request, "--telemetry", Table("log.csv"), "--time", time, "--json"));
 
-        // A table has no rates: what is drawn on does not go on rolling.
+        // A table has no rates: what is extrapolated does not go on rolling.
         double drawnOn = _run.Json.Number("extrapolated_s");
         AssertBelow(double.Parse(time, CultureInfo.InvariantCulture), drawnOn > 0 ? 0.1 : 0.02);
         Assert.Equal(time == "110.05" ? 0.05 : 0, drawnOn, 1e-6);
@@ -92,7 +92,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
     }
 
     [Fact]
-    public void Log_RecordedFlight_LooksNearTheVehicle()
+    public void Log_RecordedFlight_LocatesPixelsNearTheVehicle()
     {
         string log = TestData.PathOf("ardupilot-flight.tlog");
         (double seconds, GeodeticPosition vehicle) = HighestPlace(log);

@@ -74,7 +74,7 @@ public sealed class CameraTests
     }
 
     [Fact]
-    public void Mount_ForwardAndToTheSide_LooksThere()
+    public void Mount_ForwardAndToTheSide_PointsThere()
     {
         AssertAxis(new CameraMount().At(Angle.Zero, Angle.Zero), (0, 0, 1), forward: 1, right: 0, down: 0);
         AssertAxis(new CameraMount().At(Angle.Zero, Angle.FromDegrees(90)), (0, 0, 1), forward: 0, right: 1, down: 0);

@@ -45,7 +45,7 @@ public class HealthManagerTests
     }
 
     [Fact]
-    public void Report_AutopilotInterfaceFallsSilent_StateExpires()
+    public void Report_AutopilotInterfaceStopsPosting_StateExpires()
     {
         using var rig = new HealthRig();
         rig.Fly(3);

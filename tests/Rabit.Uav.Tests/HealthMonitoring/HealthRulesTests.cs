@@ -66,7 +66,7 @@ public class HealthRulesTests
     [InlineData(0, false, 0, false, HealthReasons.NoAutopilot, HealthLevel.Warning)]
     [InlineData(1, true, 1, false, HealthReasons.None, HealthLevel.Unknown)]
     [InlineData(1, true, 5, false, HealthReasons.None, HealthLevel.Unknown)]
-    [InlineData(1, true, 5.1, false, HealthReasons.AutopilotLost, HealthLevel.Critical)]    // nobody told us, but we can count
+    [InlineData(1, true, 5.1, false, HealthReasons.AutopilotLost, HealthLevel.Critical)]    // not reported, but we can count
     [InlineData(1, false, 1, false, HealthReasons.AutopilotLost, HealthLevel.Critical)]
     [InlineData(1, false, 60, true, HealthReasons.None, HealthLevel.Unknown)]               // the log is at its end
     public void Autopilot_IsEvaluatedByItsHeartbeat(

@@ -3,7 +3,7 @@ using Rabit.Core;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;
 
-/// <summary>A manager that works in its own rhythm, and in the way that a test says.</summary>
+/// <summary>A manager that works with its own period, and in the way that a test says.</summary>
 internal sealed class WorkingManager : RabitManager
 {
     private readonly Action<TimeSpan> _work;

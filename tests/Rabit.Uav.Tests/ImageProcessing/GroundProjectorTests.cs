@@ -61,7 +61,7 @@ public sealed class GroundProjectorTests
             Pose pose = PoseOf(look);
             pose.VelocityNed = new NedVector(v[0], v[1], v[2]);
             pose.Rates = BodyRates.FromDegreesPerSecond(w[0], w[1], w[2]);
-            Assert.True(jacobian.TryCompute(SightingOf(look, pose), look.Number("u"), look.Number("v")));
+            Assert.True(jacobian.TryCompute(ViewingGeometryOf(look, pose), look.Number("u"), look.Number("v")));
 
             HorizontalCovariance covariance = jacobian.Covariance(sigmas);
 
@@ -194,7 +194,7 @@ public sealed class GroundProjectorTests
         });
     }
 
-    private static ViewingGeometry SightingOf(JsonElement look, Pose pose) => new()
+    private static ViewingGeometry ViewingGeometryOf(JsonElement look, Pose pose) => new()
     {
         Pose = pose,
         GimbalPitch = Angle.FromRadians(look.GetProperty("mount").Radians("el")),

@@ -11,7 +11,7 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>Pictures with the poses around them, as an autopilot tells them: other clock, gaps, rolling shutters.</summary>
+/// <summary>Pictures with the poses around them, as an autopilot sends them: other clock, gaps, rolling shutters.</summary>
 public sealed class SeriesTests
 {
     [Fact]

@@ -16,7 +16,7 @@ public class ForeignReportTests
     {
         using var rig = new FusionRig();
         Confirm(rig);
-        int mail = rig.Mail.Count;
+        int sent = rig.SentReports.Count;
         for (int i = 0; i < 4; i++)
         {
             TargetReport report = Report(0.5, 0.5);
@@ -28,7 +28,7 @@ public class ForeignReportTests
             Assert.Equal(4 + i, rig.Only.Reports);
         }
 
-        Assert.Equal(mail, rig.Mail.Count);
+        Assert.Equal(sent, rig.SentReports.Count);
         Assert.InRange(rig.Only.BestPictureNumber, 1, 3);
     }
 
@@ -144,14 +144,14 @@ public class ForeignReportTests
 
     private static IEnumerable<TargetReport> HostileReports(TimeSpan now)
     {
-        TargetReport Sound()
+        TargetReport Valid()
         {
             TargetReport report = Report(0, 0);
             (report.SourceSystemId, report.Time) = (2, now);
             return report;
         }
 
-        TargetReport With(Func<TargetReport, TargetReport> change) => change(Sound());
+        TargetReport With(Func<TargetReport, TargetReport> change) => change(Valid());
         yield return With(r => { r.Position = GeodeticPosition.FromRadians(double.NaN, 0, 0); return r; });
         yield return With(r => { r.Position = GeodeticPosition.FromRadians(0.8, double.PositiveInfinity, 0); return r; });
         yield return With(r => { r.Position = GeodeticPosition.FromRadians(9, 0, 0); return r; });

@@ -17,7 +17,7 @@ internal sealed class FusionRig : IDisposable
     private readonly QueueSender<TargetReport> _reports;
     private readonly QueueSender<CameraObservation> _observations;
     private readonly MessageSubscriber<TrackList> _tracks;
-    private readonly MailBox _mail = new();
+    private readonly OutgoingReports _sentReports = new();
     private long _number;
 
     public FusionRig(Action<SensorFusionOptions>? change = null)
@@ -25,7 +25,7 @@ internal sealed class FusionRig : IDisposable
         var options = new SensorFusionOptions();
         change?.Invoke(options);
         Manager = new SensorFusionManager(options);
-        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), StopsOnSignals = false }) { Manager, _mail };
+        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), StopsOnSignals = false }) { Manager, _sentReports };
         _reports = _reactor.Workspace.Send<TargetReport>(MessageNames.TargetReports);
         _observations = _reactor.Workspace.Send<CameraObservation>(MessageNames.CameraObservations);
         _tracks = _reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks);
@@ -36,7 +36,7 @@ internal sealed class FusionRig : IDisposable
 
     public SensorFusionCounters Counters => Manager.Counters;
 
-    public List<Envelope<TargetReport>> Mail => _mail.Items;
+    public List<Envelope<TargetReport>> SentReports => _sentReports.Items;
 
     public TimeSpan Now => _reactor.Now;
 
@@ -117,18 +117,18 @@ internal sealed class FusionRig : IDisposable
     }
 
     /// <summary>In the place of Communications.</summary>
-    private sealed class MailBox : RabitManager
+    private sealed class OutgoingReports : RabitManager
     {
-        private readonly QueueReceiver<Envelope<TargetReport>> _mail;
+        private readonly QueueReceiver<Envelope<TargetReport>> _sentReports;
 
-        public MailBox()
-            : base("mail") => _mail = Receive<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
+        public OutgoingReports()
+            : base("outgoing reports") => _sentReports = Receive<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
 
         public List<Envelope<TargetReport>> Items { get; } = [];
 
         protected override void ExecuteUnitOfWork()
         {
-            while (_mail.TryPop(out Envelope<TargetReport> envelope))
+            while (_sentReports.TryPop(out Envelope<TargetReport> envelope))
                 Items.Add(envelope);
         }
     }

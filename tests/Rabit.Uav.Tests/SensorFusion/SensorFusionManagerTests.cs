@@ -170,13 +170,13 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Mail_ConfirmedTrack_IsSharedOnceASecond()
+    public void VehicleMessages_ConfirmedTrack_IsSharedOnceASecond()
     {
         using var rig = new FusionRig();
         for (int i = 0; i < 22; i++)
             rig.Observe(0, 0, Report(0, 0));
-        Assert.InRange(rig.Mail.Count, 9, 11);
-        Assert.All(rig.Mail, m => Assert.Equal((0, 0, 1), (m.TargetSystemId, m.SourceSystemId, m.Content.SourceSystemId)));
+        Assert.InRange(rig.SentReports.Count, 9, 11);
+        Assert.All(rig.SentReports, m => Assert.Equal((0, 0, 1), (m.TargetSystemId, m.SourceSystemId, m.Content.SourceSystemId)));
     }
 
     [Fact]

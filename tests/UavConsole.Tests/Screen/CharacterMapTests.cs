@@ -67,7 +67,7 @@ public sealed class CharacterMapTests
     }
 
     [Fact]
-    public void Draw_TrackStates_AreTold()
+    public void Draw_TrackStates_AreShown()
     {
         MapPicture map = CharacterMap.Draw(
             new MapModel

@@ -27,7 +27,7 @@ internal sealed partial class CommandExecutor
         {
             if (now - _phaseSince < AutopilotWait)
                 return false;
-            Finish(VehicleCommandOutcome.TimedOut, "no autopilot was received", now);
+            Finish(VehicleCommandOutcome.TimedOut, "no autopilot is connected", now);
             return false;
         }
 

@@ -5,8 +5,8 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Maps the autopilot's time since boot to our clock: by its answers to TIMESYNC, and where there are none, by when its messages
-/// come in. No I/O, one thread, allocates nothing.
+/// Time synchronization: maps the autopilot's time since boot to our clock, by its answers to TIMESYNC, and where there are none, by
+/// when its messages come in. No I/O, one thread, allocates nothing.
 /// </summary>
 internal sealed class AutopilotClock
 {

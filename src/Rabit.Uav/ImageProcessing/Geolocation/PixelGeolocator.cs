@@ -6,8 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// Geolocation of single pixels: where on the ground they are, with their covariance, from poses as the autopilot reports them and a
-/// camera. The chain of Image Processing without its manager. For one thread; fixed memory.
+/// Geolocation of single pixels (direct georeferencing): where on the ground they are, with their covariance, from poses as the
+/// autopilot reports them and a camera. The chain of Image Processing without its manager. For one thread; fixed memory.
 /// </summary>
 /// <example>
 /// <code>

@@ -78,7 +78,7 @@ public sealed class BiasEstimatorTests(ITestOutputHelper output)
             output.WriteLine(combination.ToString());
         Assert.True(estimate.Fit.Observations > 60);
 
-        // A lag turns the whole flight about the point, which nobody sees, and yaw turns the picture about it; towards the middle roll and height are mixed.
+        // A lag turns the whole flight about the point, which is not visible, and yaw turns the picture about it; towards the middle roll and height are mixed.
         foreach (BiasParameter parameter in new[] { BiasParameter.MountYaw, BiasParameter.Time, BiasParameter.Down })
             Assert.False(estimate.TryGet(parameter, out _, out _), parameter.ToString());
         Assert.Contains(estimate.Unobserved, c => Math.Abs(c.Weights[BiasParameter.Time]) > 0.3 && Math.Abs(c.Weights[BiasParameter.MountYaw]) > 0.3);
@@ -86,7 +86,7 @@ public sealed class BiasEstimatorTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Estimate_AnyFlight_NeverTellsTheVehiclesHorizontalBias()
+    public void Estimate_AnyFlight_NeverFindsTheVehiclesHorizontalBias()
     {
         BiasEstimate estimate = Calibrated(8).Estimator(CalibrationFlight.Options).Estimate()!;
         foreach (BiasParameter axis in new[] { BiasParameter.North, BiasParameter.East })
@@ -111,7 +111,7 @@ public sealed class BiasEstimatorTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Add_LookThatShowsNoGround_IsRefusedAndCounted()
+    public void Add_ObservationThatShowsNoGround_IsRefusedAndCounted()
     {
         BiasEstimator estimator = new(CalibrationFlight.Camera, new CameraMount(), CalibrationFlight.Ground, CalibrationFlight.Options);
         Assert.Null(estimator.Estimate());

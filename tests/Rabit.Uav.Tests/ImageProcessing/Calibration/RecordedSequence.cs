@@ -45,7 +45,7 @@ internal static class RecordedSequence
         };
     }
 
-    /// <summary>The poses at each look at one of the standing targets, as the clocks and the telemetry tell them.</summary>
+    /// <summary>The poses at each observation of one of the standing targets, as clocks and telemetry have them.</summary>
     public static IEnumerable<(int Id, double Column, double Row, Pose Pose)> Looks(JsonDocument file, JsonDocument truth, ICollection<int> standing)
     {
         var history = new PoseHistory(TimeSpan.FromSeconds(1));

@@ -59,7 +59,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
     }
 
     [SequenceFact]
-    public void Estimate_ManyLooksAtStandingTargets_IsBetterThanTheirMean()
+    public void Estimate_ManyObservationsOfStandingTargets_IsBetterThanTheirMean()
     {
         using JsonDocument file = RecordedSequence.Open("camera.json");
         using JsonDocument truth = RecordedSequence.Open("truth.json");

@@ -79,7 +79,7 @@ public sealed class CameraFolderTests : IDisposable
     }
 
     [Fact]
-    public void Create_DefaultMount_LooksDownWithTheTopForward()
+    public void Create_DefaultMount_PointsDownWithTheTopForward()
     {
         CameraFolder folder = CameraFolder.Create(_folder.Path, new CameraModel { Width = 8, Height = 8, FocalX = 9, FocalY = 9 }, new CameraMount());
 

@@ -8,7 +8,7 @@ using Rabit.Vision.Tests.Pictures;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
 
-/// <summary>A folder that is watched as a camera, in virtual time that begins at <see cref="StartUtc"/>, and somebody who takes its pictures.</summary>
+/// <summary>A folder that is watched as a camera, in virtual time that begins at <see cref="StartUtc"/>, and a manager that takes its pictures.</summary>
 internal sealed class FolderCameraRig : IDisposable
 {
     public static readonly DateTimeOffset StartUtc = new(2026, 5, 4, 12, 0, 0, TimeSpan.Zero);

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Rabit.Documentation.Tests;
 
 /// <summary>A message or a queue of a wiring: its name, and the managers and devices at its ends.</summary>
-internal sealed class WiringHub(string name, bool isMessage)
+internal sealed class WiringChannel(string name, bool isMessage)
 {
     public string Name { get; } = name;
 
