@@ -15,7 +15,7 @@ public sealed class DocumentedTestNameTests
     private const string Omission = "...";
 
     private static readonly Regex Quoted = new("`([^`]+)`", RegexOptions.Compiled);
-    private static readonly Regex ClassName = new(@"^(?<class>\w+(?:Tests|Contract))(?:\.(?<method>\w+))?(?:\.\.\.)?$", RegexOptions.Compiled);
+    private static readonly Regex ClassName = new(@"^(?<class>\w+(?:Tests|Contract))(?:\.(?<method>(?!cs$)\w+))?(?:\.\.\.)?$", RegexOptions.Compiled);
     private static readonly Regex End = new(@"^\.\.\._(?<end>\w+)$", RegexOptions.Compiled);
     private static readonly Regex Begin = new(@"^(?<begin>\w+_)\.\.\.$", RegexOptions.Compiled);
     private static readonly Regex Declaration = new(

@@ -24,7 +24,7 @@ internal static unsafe class Cpus
         for (int i = 0; i < Words; i++)
             set[i] = 0;
         set[cpu / 64] = 1UL << (cpu % 64);
-        if (Libc.sched_setaffinity(0, new UIntPtr(Words * sizeof(ulong)), set) != 0)
+        if (LinuxCalls.sched_setaffinity(0, new UIntPtr(Words * sizeof(ulong)), set) != 0)
             throw new InvalidOperationException($"A thread cannot be pinned to CPU {cpu}: error {Marshal.GetLastWin32Error()}.");
     }
 
@@ -33,7 +33,7 @@ internal static unsafe class Cpus
         ulong* set = stackalloc ulong[Words];
         for (int i = 0; i < Words; i++)
             set[i] = 0;
-        if (Libc.sched_getaffinity(0, new UIntPtr(Words * sizeof(ulong)), set) < 0)
+        if (LinuxCalls.sched_getaffinity(0, new UIntPtr(Words * sizeof(ulong)), set) < 0)
             throw new InvalidOperationException($"The CPUs cannot be asked for: error {Marshal.GetLastWin32Error()}.");
         var cpus = new List<int>();
         for (int cpu = 0; cpu < Words * 64; cpu++)

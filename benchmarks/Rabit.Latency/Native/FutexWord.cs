@@ -14,13 +14,13 @@ internal sealed unsafe class FutexWord : IDisposable
     public void Set()
     {
         if (Interlocked.Exchange(ref *_word, 1) == 0)
-            Libc.FutexWake(_word);
+            LinuxCalls.FutexWake(_word);
     }
 
     public void Wait()
     {
         while (Interlocked.Exchange(ref *_word, 0) == 0)
-            Libc.FutexWait(_word, 0);
+            LinuxCalls.FutexWait(_word, 0);
     }
 
     /// <summary>Waits for a signal or an absolute time of CLOCK_MONOTONIC.</summary>
@@ -32,7 +32,7 @@ internal sealed unsafe class FutexWord : IDisposable
         {
             if (MonotonicClock.Now >= nanoseconds)
                 return false;
-            Libc.FutexWaitUntil(_word, 0, &until);
+            LinuxCalls.FutexWaitUntil(_word, 0, &until);
         }
 
         return true;

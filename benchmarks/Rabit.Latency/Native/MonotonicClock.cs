@@ -4,18 +4,18 @@ namespace Rabit.Latency.Native;
 /// <summary>CLOCK_MONOTONIC in nanoseconds: what all measured threads read, whatever they are measured for.</summary>
 internal static unsafe class MonotonicClock
 {
-    public static long Now => Read(Libc.ClockMonotonic);
+    public static long Now => Read(LinuxCalls.ClockMonotonic);
 
     /// <summary>CPU time of this process so far, all threads, in nanoseconds.</summary>
-    public static long CpuTime => Read(Libc.ClockOfProcess);
+    public static long CpuTime => Read(LinuxCalls.ClockOfProcess);
 
     /// <summary>CPU time of the calling thread so far: what others do on the machine is not in it.</summary>
-    public static long ThreadTime => Read(Libc.ClockOfThread);
+    public static long ThreadTime => Read(LinuxCalls.ClockOfThread);
 
     public static void SleepUntil(long nanoseconds)
     {
         TimeSpec until = TimeSpec.FromNanoseconds(nanoseconds);
-        while (Libc.clock_nanosleep(Libc.ClockMonotonic, Libc.AbsoluteTime, &until, null) != 0)
+        while (LinuxCalls.clock_nanosleep(LinuxCalls.ClockMonotonic, LinuxCalls.AbsoluteTime, &until, null) != 0)
         {
             // A Unix signal, as Mono's collector sends: the time is absolute, so it just goes on.
         }
@@ -26,7 +26,7 @@ internal static unsafe class MonotonicClock
     private static long Read(int clock)
     {
         TimeSpec time;
-        _ = Libc.clock_gettime(clock, &time);
+        _ = LinuxCalls.clock_gettime(clock, &time);
         return time.TotalNanoseconds;
     }
 }

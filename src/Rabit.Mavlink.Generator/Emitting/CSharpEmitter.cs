@@ -21,7 +21,7 @@ public static class CSharpEmitter
             throw new ArgumentNullException(nameof(dialect));
         if (options is null)
             throw new ArgumentNullException(nameof(options));
-        var names = new TypeNames(dialect, options.Existing);
+        var names = new GeneratedTypeNames(dialect, options.Existing);
         var sources = new List<GeneratedSource>();
         foreach (ArrayType array in names.OwnArrays)
             Add(sources, options, array.Name, writer => ArrayEmitter.Emit(writer, array));

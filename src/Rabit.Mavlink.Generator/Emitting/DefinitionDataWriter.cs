@@ -35,14 +35,14 @@ internal sealed class DefinitionDataWriter
     /// <param name="dialect">The whole dialect.</param>
     /// <param name="names">Which of its types are its own.</param>
     /// <param name="parts">The files that can be asked for by themselves.</param>
-    public static string Write(Dialect dialect, TypeNames names, IReadOnlyCollection<DialectPart> parts)
+    public static string Write(Dialect dialect, GeneratedTypeNames names, IReadOnlyCollection<DialectPart> parts)
     {
         var writer = new DefinitionDataWriter([], []);
         writer.WriteAll(dialect, names, parts);
         return writer.Literal();
     }
 
-    private void WriteAll(Dialect dialect, TypeNames names, IReadOnlyCollection<DialectPart> parts)
+    private void WriteAll(Dialect dialect, GeneratedTypeNames names, IReadOnlyCollection<DialectPart> parts)
     {
         List<string> files = dialect.Parts.Select(part => part.File).Distinct(System.StringComparer.Ordinal).ToList();
         Number(FormatVersion);

@@ -9,7 +9,7 @@ namespace Rabit.Mavlink.Generator.Emitting;
 /// <summary>Writes the dialect as a value: what a receiver must know of each message, and what a tool may ask.</summary>
 internal static class DialectEmitter
 {
-    public static GeneratedSource Emit(Dialect dialect, EmitOptions options, TypeNames names)
+    public static GeneratedSource Emit(Dialect dialect, EmitOptions options, GeneratedTypeNames names)
     {
         bool isPackage = options.DialectProperty is not null;
         string className = isPackage ? "MavlinkDialect" : names.DialectClass;

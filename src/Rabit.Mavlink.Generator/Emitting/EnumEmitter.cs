@@ -7,7 +7,7 @@ using Rabit.Mavlink.Generator.Naming;
 namespace Rabit.Mavlink.Generator.Emitting;
 
 /// <summary>Writes one enum.</summary>
-internal sealed class EnumEmitter(Dialect dialect, TypeNames names, SourceWriter writer)
+internal sealed class EnumEmitter(Dialect dialect, GeneratedTypeNames names, SourceWriter writer)
 {
     public void Emit(EnumDefinition definition)
     {

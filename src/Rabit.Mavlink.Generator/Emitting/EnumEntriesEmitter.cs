@@ -11,7 +11,7 @@ namespace Rabit.Mavlink.Generator.Emitting;
 /// Writes the entries that a dialect adds to an enum of the package: constants of the package's type, so that an enum
 /// is one type and its values go into messages of both without a cast.
 /// </summary>
-internal sealed class EnumEntriesEmitter(Dialect dialect, TypeNames names, SourceWriter writer)
+internal sealed class EnumEntriesEmitter(Dialect dialect, GeneratedTypeNames names, SourceWriter writer)
 {
     // What every class has from object; a constant of that name would hide it.
     private static readonly HashSet<string> Inherited = new(StringComparer.Ordinal)

@@ -15,7 +15,7 @@ public sealed class ExistingTypes
     private readonly Dictionary<int, MessageDefinition> _messages;
     private readonly Dictionary<string, EnumDefinition> _enums;
     private readonly HashSet<ArrayType> _arrays;
-    private readonly TypeNames _names;
+    private readonly GeneratedTypeNames _names;
     private readonly Dialect _dialect;
 
     /// <summary>Takes the dialect from which the package's types were generated.</summary>
@@ -28,7 +28,7 @@ public sealed class ExistingTypes
         _messages = dialect.Messages.ToDictionary(message => message.Id);
         _enums = dialect.Enums.ToDictionary(definition => definition.Name, StringComparer.Ordinal);
         _arrays = [.. ArrayType.AllOf(dialect.Messages)];
-        _names = new TypeNames(dialect);
+        _names = new GeneratedTypeNames(dialect);
     }
 
     /// <summary>The namespace of the package's types.</summary>

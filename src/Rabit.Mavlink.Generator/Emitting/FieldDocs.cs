@@ -8,7 +8,7 @@ namespace Rabit.Mavlink.Generator.Emitting;
 /// <summary>What the doc of a property says: what the definition says of the field.</summary>
 internal static class FieldDocs
 {
-    public static void Write(SourceWriter writer, FieldDefinition field, TypeNames names, bool isRenamed)
+    public static void Write(SourceWriter writer, FieldDefinition field, GeneratedTypeNames names, bool isRenamed)
     {
         List<string> facts = Facts(field, names).ToList();
         string head = field.Description is null ? "" : DocComment.Sentence(field.Description);
@@ -25,7 +25,7 @@ internal static class FieldDocs
         return $"{DocComment.Code(field.Name)}, {what}.";
     }
 
-    private static IEnumerable<string> Facts(FieldDefinition field, TypeNames names)
+    private static IEnumerable<string> Facts(FieldDefinition field, GeneratedTypeNames names)
     {
         if (field.Units is not null)
             yield return field.Multiplier is null

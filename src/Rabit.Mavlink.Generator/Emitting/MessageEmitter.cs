@@ -9,13 +9,13 @@ namespace Rabit.Mavlink.Generator.Emitting;
 /// <summary>Writes one message as a plain struct: one variable and one property per field, encode and decode in wire order.</summary>
 internal sealed class MessageEmitter
 {
-    private readonly TypeNames _names;
+    private readonly GeneratedTypeNames _names;
     private readonly MessageDefinition _message;
     private readonly SourceWriter _writer;
     private readonly string _typeName;
     private readonly IReadOnlyDictionary<FieldDefinition, string> _properties;
 
-    public MessageEmitter(TypeNames names, MessageDefinition message, SourceWriter writer)
+    public MessageEmitter(GeneratedTypeNames names, MessageDefinition message, SourceWriter writer)
     {
         _names = names;
         _message = message;

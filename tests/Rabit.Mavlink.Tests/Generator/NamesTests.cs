@@ -76,7 +76,7 @@ public class NamesTests
             <enums><enum name="A_B"/><enum name="MAVLINK_PAYLOAD"/></enums>
             <messages><message id="1" name="A_B"><field type="uint8_t" name="a"/></message><message id="2" name="AB"><field type="uint8_t" name="a"/></message><message id="3" name="TEXT8"><field type="char[8]" name="a"/></message></messages>
             """)).Dialect;
-        var names = new TypeNames(dialect);
+        var names = new GeneratedTypeNames(dialect);
         Assert.Equal("AB", names.OfEnum("A_B"));
         Assert.Equal("MavlinkPayloadEnum", names.OfEnum("MAVLINK_PAYLOAD"));
         Assert.Equal(new[] { "ABMessage", "AbMessage2", "Text8Message" }, dialect.Messages.Select(names.OfMessage));

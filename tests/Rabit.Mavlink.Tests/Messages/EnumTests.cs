@@ -15,7 +15,7 @@ public class EnumTests
     [Fact]
     public void Enums_AllOfTheDefinitions_KeepNamesValuesAndFlags()
     {
-        var names = new TypeNames(Generator.Definitions.All);
+        var names = new GeneratedTypeNames(Generator.Definitions.All);
         foreach (EnumDefinition definition in Generator.Definitions.All.Enums)
         {
             Type type = typeof(MavType).Assembly.GetType("Rabit.Mavlink.Messages." + names.OfEnum(definition.Name), throwOnError: true)!;

@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 namespace Rabit.Latency.Native;
 
 /// <summary>The calls of Linux that the limits are made of; the runner's own, so that a fault of the library's does not hide in both.</summary>
-internal static unsafe class Libc
+internal static unsafe class LinuxCalls
 {
     public const int ClockMonotonic = 1;
     public const int ClockOfProcess = 2;   // CLOCK_PROCESS_CPUTIME_ID: all threads, user and kernel, in nanoseconds

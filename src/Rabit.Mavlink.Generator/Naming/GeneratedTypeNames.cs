@@ -13,7 +13,7 @@ namespace Rabit.Mavlink.Generator.Naming;
 /// already keeps its name there; only the rest is the dialect's own. Entries that it adds to an enum of the package are in a class
 /// that is called after the dialect and the enum.
 /// </summary>
-internal sealed class TypeNames
+internal sealed class GeneratedTypeNames
 {
     private readonly Dictionary<string, string> _enums = new(StringComparer.Ordinal);
     private readonly Dictionary<int, string> _messages = [];
@@ -28,7 +28,7 @@ internal sealed class TypeNames
         "MavlinkPayload", "MavlinkArray", "MavlinkText", "MavlinkDialect", "MavlinkDialectData", "IMavlinkMessage",
     };
 
-    public TypeNames(Dialect dialect, ExistingTypes? existing = null)
+    public GeneratedTypeNames(Dialect dialect, ExistingTypes? existing = null)
     {
         _existing = existing;
         OwnMessages = dialect.Messages.Where(message => !Exists(_messages, message.Id, existing?.Find(message))).ToList();
