@@ -6,8 +6,8 @@ cd "$(dirname "$0")/.."
 
 list=eng/word-list.txt
 allowed=$(sed -n 's/^allow \(.*\) => .*$/\1/p' "$list" | paste -sd'|')
-texts=('src/*.cs' 'samples/*.cs' 'docs/*.md' 'src/*.md' README.md CONTRIBUTING.md)
-code=('src/*.cs' 'samples/*.cs')
+code=('src/*.cs' 'samples/*.cs' 'tests/*.cs' 'benchmarks/*.cs')
+texts=("${code[@]}" 'docs/*.md' 'src/*.md' 'benchmarks/*.md' README.md CONTRIBUTING.md)
 
 find_all() {
     while IFS= read -r entry; do

@@ -12,7 +12,7 @@ internal sealed class CommandLine
         Rabit.Latency [MODE ...] [options]: measures Rabit beside peers and limits, in the same run.
 
         Modes: MODES; all (the default) is all but soak.
-          --quick          a few seconds: shows that every mode works, and judges no figure
+          --quick          a few seconds: shows that every mode works, and checks no figure
           --rounds N       interleaved rounds (default 7)
           --minutes N      how long the soak lasts (default 1)
           --plant-leak     the soak leaves something behind on purpose, and must fail

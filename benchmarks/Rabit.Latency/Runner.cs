@@ -69,17 +69,17 @@ internal static class Runner
         if (line.Document is not null)
             MarkdownReport.WriteInto(line.Document, Machine.Runtime, machine, tables);
         bool isFlat = !(line.Options.IsQuick || line.Modes.Contains(Soak)) || SoakMode.Run(line.Options, output);
-        return Judge(tables, line.Options, output) && isFlat ? 0 : Failed;
+        return Check(tables, line.Options, output) && isFlat ? 0 : Failed;
     }
 
-    // A quick run measures too little to judge by; it shows that everything works.
-    private static bool Judge(List<Table> tables, RunOptions options, TextWriter output)
+    // A quick run measures too little to decide by; it shows that everything works.
+    private static bool Check(List<Table> tables, RunOptions options, TextWriter output)
     {
         Requirement[] all = [.. tables.SelectMany(t => t.Requirements)];
         output.WriteLine();
         if (options.IsQuick)
         {
-            output.WriteLine($"{tables.Count} tables; a quick run is not judged by its figures.");
+            output.WriteLine($"{tables.Count} tables; a quick run is not checked by its figures.");
             return true;
         }
 

@@ -117,7 +117,7 @@ public sealed class UdpListenLinkTests : ByteLinkContract
     }
 
     [Fact]
-    public void Read_LargestDatagramThroughASmallBuffer_LosesNothing()
+    public void Read_MaxDatagramThroughASmallBuffer_LosesNothing()
     {
         using UdpListenLink link = UdpListenLink.Open("127.0.0.1", 0);
         using UdpSendLink sender = UdpSendLink.Open("127.0.0.1", link.Port);

@@ -286,11 +286,11 @@ internal sealed class MadeUpFlight
             Health = _time < 1.5 ? HealthLevel.Warning : _time is > 88 and < 96 ? HealthLevel.Warning : HealthLevel.Good,
         });
         if (isLooking && _samples.Count % 3 == 0)
-            _observations.Add(Look(yaw));
+            _observations.Add(Observe(yaw));
         _time += 0.2;
     }
 
-    private CameraObservation Look(double yaw)
+    private CameraObservation Observe(double yaw)
     {
         (double forward, double right) = (HeightMetres * 240 / 530, HeightMetres * 320 / 530);
         GeodeticPosition Corner(double f, double r) => Frame.ToGeodetic(new NedPosition(

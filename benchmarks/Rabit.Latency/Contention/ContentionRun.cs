@@ -15,7 +15,7 @@ internal sealed class ContentionRun
     public bool IsStopped => _stopped;
 
     /// <summary>Reported by the poster and the fetcher at their ends.</summary>
-    public void Tell(long? posts = null, long? news = null)
+    public void Report(long? posts = null, long? news = null)
     {
         if (posts is { } p)
             Interlocked.Exchange(ref _posts, p);
@@ -63,7 +63,7 @@ internal sealed class ContentionRun
         long posts = 0;
         for (; !_stopped; posts++)
             post();
-        Tell(posts: posts);
+        Report(posts: posts);
     }
 
     public void Fetch(Func<bool> fetch)
@@ -75,6 +75,6 @@ internal sealed class ContentionRun
                 news++;
         }
 
-        Tell(news: news);
+        Report(news: news);
     }
 }

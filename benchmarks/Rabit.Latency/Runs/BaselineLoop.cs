@@ -16,7 +16,7 @@ internal sealed class BaselineLoop
     private TimeSpan _end;
     private long _left;
 
-    /// <summary>When the last run began and ended: read by whoever times it.</summary>
+    /// <summary>When the last run began and ended: read by the measurement.</summary>
     public TimeSpan Took { get; private set; }
 
     public void Run(long runs)

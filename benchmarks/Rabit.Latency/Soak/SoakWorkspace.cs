@@ -31,7 +31,7 @@ internal sealed class SoakWorkspace
         _reactor.Start();
         while (_reactor.RunFor(duration) && !_hammers.TrueForAll(h => h.HasRun) && _reactor.Now < MaxStart)
         {
-            // Once more: somebody has not run yet.
+            // Once more: a manager has not run yet.
         }
 
         _reactor.Stop();

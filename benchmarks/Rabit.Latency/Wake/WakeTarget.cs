@@ -5,7 +5,7 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Wake;
 
-/// <summary>A sleeper that tells how long after the post its first line ran.</summary>
+/// <summary>A sleeper that reports how long after the post its first line ran.</summary>
 internal abstract class WakeTarget : IDisposable
 {
     private readonly LatencyHistogram _histogram = new();   // the sleeper's while it runs; read when all posts were received

@@ -12,8 +12,8 @@ namespace Rabit.Core.Queues;
 /// released.
 /// </summary>
 /// <remarks>
-/// A push looks inside the lock whether a wake is pending, and skips its own if so. No wake is lost by that: the receiver takes its
-/// wake-ups before it pops. Had it popped in a section of the lock before ours, its take would have come before our look, and we would
+/// A push checks inside the lock whether a wake is pending, and skips its own if so. No wake is lost by that: the receiver takes its
+/// wake-ups before it pops. Had it popped in a section of the lock before ours, its take would have come before our check, and we would
 /// not have seen the old wake; so its next pop comes in a section after ours and sees the value.
 /// </remarks>
 internal sealed partial class LockedQueue<T>(

@@ -57,7 +57,7 @@ internal abstract class MessageQueue<T>(
     /// <summary>Wakes the senders that asked for it. After the pop, outside every lock.</summary>
     protected void WakeSenders()
     {
-        // The pop before the look: a sender that takes its wake-ups after our look sees the room.
+        // The pop before the check: a sender that takes its wake-ups after our check sees the room.
         Interlocked.MemoryBarrier();
         foreach (WakeUpEvent sender in _popTargets)
         {

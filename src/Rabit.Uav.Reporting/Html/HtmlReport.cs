@@ -85,7 +85,7 @@ public sealed class HtmlReport
         _page.Element("h1", mission.Plan is { Name.Length: > 0 } plan ? plan.Name : "Mission");
         _page.Open("p", "class", "verdict " + (mission.HasPassed ? "good" : "bad"))
             .Element("strong", mission.HasPassed ? "Mission accomplished" : "Mission failed")
-            .Text(" " + Verdict(mission)).Close();
+            .Text(" " + ResultText(mission)).Close();
         if (mission.Failures.Count > 1)
         {
             _page.Open("ul", "class", "failures");
@@ -99,7 +99,7 @@ public sealed class HtmlReport
         _page.Element("p", _summary.Source, "class", "lead").Close();
     }
 
-    private static string Verdict(MissionSummary mission)
+    private static string ResultText(MissionSummary mission)
     {
         if (mission.Failures.Count == 1)
             return mission.Failures[0];

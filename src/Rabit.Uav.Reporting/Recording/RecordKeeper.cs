@@ -12,7 +12,7 @@ namespace Rabit.Uav.Reporting;
 /// The lists behind a <see cref="FlightRecord"/>: written by the recorder's thread, read by any thread, under a lock
 /// of its own.
 /// </summary>
-internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IReadOnlyList<ImageChip>> album)
+internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IReadOnlyList<ImageChip>> imageChips)
 {
     // At five a second an hour fits before every second one goes.
     private const int MaxSamples = 20_000;
@@ -25,7 +25,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
     private readonly DecimatedSeries<CameraObservation> _observations = new(MaxObservations);
     private readonly DecimatedSeries<ManagerSample>[] _managers = managerNames.Select(_ => new DecimatedSeries<ManagerSample>(MaxManagerSamples)).ToArray();
     private readonly List<PhaseChange> _phases = [];
-    private readonly TrackPictures _pictures = new(album);
+    private readonly TrackPictures _pictures = new(imageChips);
     private readonly List<HealthChange> _healthChanges = [];
     private readonly TelemetryRecorder _telemetry = new();
     private VehicleState _vehicle;

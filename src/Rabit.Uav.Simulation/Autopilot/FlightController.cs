@@ -96,7 +96,7 @@ internal sealed class FlightController
     {
         if (IsArmed)
             return true;
-        string? refusal = FindReasonNotToArm(isForced, looksAtMode: true);
+        string? refusal = FindReasonNotToArm(isForced, checksMode: true);
         if (refusal is not null)
         {
             _say(MavSeverity.Critical, "Arm: " + refusal);
@@ -212,20 +212,20 @@ internal sealed class FlightController
     {
         if (Situation.Time < _nextPreArm)
             return;
-        string? reason = FindReasonNotToArm(isForced: false, looksAtMode: false);
+        string? reason = FindReasonNotToArm(isForced: false, checksMode: false);
         _nextPreArm = Situation.Time + (reason is null ? PreArmCheckPeriod : PreArmEvery);
         if (reason is not null)
             _say(MavSeverity.Critical, "PreArm: " + reason);
     }
 
-    private string? FindReasonNotToArm(bool isForced, bool looksAtMode)
+    private string? FindReasonNotToArm(bool isForced, bool checksMode)
     {
         ParameterStore parameters = Situation.Parameters;
         if (CopterModes.NeedsPosition(Mode) && !HasPosition)
             return "Need Position Estimate";
         if (isForced)
             return null;
-        if (looksAtMode && !CopterModes.IsArmable(Mode))
+        if (checksMode && !CopterModes.IsArmable(Mode))
             return CopterModes.NameOf(Mode) + " mode not armable";
         if (parameters.ArmingCheck.Value.Equals(0))
             return null;

@@ -136,14 +136,14 @@ public sealed class BufferPoolTests
     [Fact, Trait("Clause", "2.5")]
     public void RentHandOnAndGiveBack_SteadyState_AllocatesNothing()
     {
-        Turn();
+        RentAndGiveBack();
         Assert.Equal(0, Allocated.By(() =>
         {
             for (int i = 0; i < 1000; i++)
-                Turn();
+                RentAndGiveBack();
         }));
 
-        void Turn()
+        void RentAndGiveBack()
         {
             _pool.TryRent("camera", out BufferLease lease);
             lease.Span[0]++;
@@ -162,7 +162,7 @@ public sealed class BufferPoolTests
         long clashes = 0;
         long got = 0;
         using var start = new ManualResetEventSlim();
-        Thread[] threads = Enumerable.Range(1, Threads).Select(n => new Thread(() => Rival((byte)n))).ToArray();
+        Thread[] threads = Enumerable.Range(1, Threads).Select(n => new Thread(() => Contender((byte)n))).ToArray();
         foreach (Thread thread in threads)
             thread.Start();
         start.Set();
@@ -174,9 +174,9 @@ public sealed class BufferPoolTests
         Assert.Equal(3, pool.Free);
         Assert.Empty(pool.Holders());
 
-        void Rival(byte number)
+        void Contender(byte number)
         {
-            string name = "rival " + number;
+            string name = "contender " + number;
             start.Wait();
             for (int i = 0; i < Rounds; i++)
             {

@@ -15,7 +15,7 @@ public enum SeededFault
     /// <summary>The sleeper is signalled first and finds the cause too late.</summary>
     FlagSetAfterTheSignal,
 
-    /// <summary>The sleeper marks itself asleep and waits, without another look at the causes.</summary>
+    /// <summary>The sleeper marks itself asleep and waits, without another check of the causes.</summary>
     WaitWithoutRecheck,
 
     /// <summary>A wake before the start-up barrier opens is forgotten.</summary>

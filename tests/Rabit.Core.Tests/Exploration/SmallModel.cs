@@ -4,12 +4,12 @@ using System.Linq;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>A few short threads, and a look at each end.</summary>
-internal sealed class SmallModel(int notes, Action<ExploredState> look, params Action[] threads) : ExploredModel
+/// <summary>A few short threads, and a check at each end.</summary>
+internal sealed class SmallModel(int notes, Action<ExploredState> check, params Action[] threads) : ExploredModel
 {
     public override IReadOnlyList<ExploredThread> Threads { get; } = threads.Select((code, i) => new OnePieceThread($"thread {i}", code)).ToArray();
 
     public override int Notes => notes;
 
-    public override void CheckQuiet(ExploredState state, Func<int, bool> mayRest) => look(state);
+    public override void CheckQuiet(ExploredState state, Func<int, bool> mayRest) => check(state);
 }

@@ -67,7 +67,7 @@ public sealed class OwnThreadTests
         run.Finish();
 
         // A wait reads the clock before and after: a handful of reads for each unit, not thousands.
-        Assert.True(clock.Reads < 20 * manager.Units, $"{clock.Reads} looks at the clock in {manager.Units} units");
+        Assert.True(clock.Reads < 20 * manager.Units, $"{clock.Reads} reads of the clock in {manager.Units} units");
     }
 
     private sealed class CountingClock : TimeProvider

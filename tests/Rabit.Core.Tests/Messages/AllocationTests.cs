@@ -148,7 +148,7 @@ public sealed class AllocationTests
     }
 
     [Fact, Trait("Clause", "2.5")]
-    public void VirtualTurns_SteadyState_AllocateNothing()
+    public void VirtualSteps_SteadyState_AllocateNothing()
     {
         using var run = new TestRun(TimeKind.Virtual);
         ScriptedPair();

@@ -11,7 +11,7 @@ namespace Rabit.Core.Tests.Messages;
 
 /// <summary>
 /// Contract 2.2 to 2.4 against a model that is too simple to be wrong: a list of all posts. Random sequences of posts, fetches and
-/// looks by several owners, every way in which a global copy is kept, from versions near the wrap-around as well.
+/// checks by several owners, every way in which a global copy is kept, from versions near the wrap-around as well.
 /// </summary>
 public sealed class MessageModelTests(ITestOutputHelper output)
 {

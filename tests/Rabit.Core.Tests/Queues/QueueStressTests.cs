@@ -95,7 +95,7 @@ public sealed class QueueStressTests
         var batch = new Entry[5];
         while (true)
         {
-            // Before the look: what is sent after it is seen by the next.
+            // Before the check: what is sent after it is seen by the next.
             bool isLast = Volatile.Read(ref sending) == 0;
             int popped = 0;
             if (queue.TryPop(out batch[0]))

@@ -57,7 +57,7 @@ public sealed class VirtualTimeTests
     }
 
     [Fact, Trait("Clause", "5.2")]
-    public void Turns_OfAllManagers_AreTakenOnTheThreadThatRuns()
+    public void Steps_OfAllManagers_AreTakenOnTheThreadThatRuns()
     {
         var threads = new HashSet<int>();
         using TestRun run = NewRun(new VirtualTime());
@@ -166,7 +166,7 @@ public sealed class VirtualTimeTests
     }
 
     [Fact, Trait("Clause", "5.2"), Trait("Clause", "4.4")]
-    public void Pace_WakeFromAnotherThread_IsTakenBetweenTurnsAndWithoutLatency()
+    public void Pace_WakeFromAnotherThread_IsTakenBetweenStepsAndWithoutLatency()
     {
         using var isPacing = new ManualResetEventSlim();
         using TestRun run = NewRun(new VirtualTime { Pace = 10 });

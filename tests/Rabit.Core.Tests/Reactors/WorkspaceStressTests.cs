@@ -14,7 +14,7 @@ namespace Rabit.Core.Tests.Reactors;
 public sealed class WorkspaceStressTests
 {
     private const int Workspaces = 100;
-    private const int Turns = 50;
+    private const int RoundTrips = 50;
 
     // Linux keeps 15 characters of a thread's name.
     private const string Prefix = "hundred";
@@ -140,11 +140,11 @@ public sealed class WorkspaceStressTests
             if (_begins)
                 _sender.Push(1);
             _begins = false;
-            while (_receiver.TryPop(out int turn))
+            while (_receiver.TryPop(out int trip))
             {
-                if (turn <= Turns)
-                    _sender.Push(turn + 1);
-                if (turn >= Turns)
+                if (trip <= RoundTrips)
+                    _sender.Push(trip + 1);
+                if (trip >= RoundTrips)
                     Done.Set();
             }
         }

@@ -60,7 +60,7 @@ public sealed class WakeStressTests
     [Fact, Trait("Clause", "1.4"), Trait("Clause", "1.8")]
     public void TwoManagers_ThatAnswerEachOther_NeverStandStill()
     {
-        const int Turns = 20_000;
+        const int RoundTrips = 20_000;
         using var run = new TestRun(TimeKind.Real);
         ScriptedManager left = run.Add("left");
         ScriptedManager right = run.Add("right");
@@ -74,7 +74,7 @@ public sealed class WakeStressTests
             while (fromRight.TryPop(out int value))
             {
                 Volatile.Write(ref last, value);
-                if (value < Turns)
+                if (value < RoundTrips)
                     toRight.Push(value + 1);
             }
         };
@@ -86,7 +86,7 @@ public sealed class WakeStressTests
 
         run.StartAndSettle();
         run.On(left, () => toRight.Push(1));
-        run.Until(() => Volatile.Read(ref last) >= Turns, "the ball goes to and fro to the end");
+        run.Until(() => Volatile.Read(ref last) >= RoundTrips, "the ball goes to and fro to the end");
         Assert.Equal(0, run.Finish().ExitCode);
     }
 

@@ -16,7 +16,7 @@ public class DialectReaderTests
     }
 
     [Fact]
-    public void WireFields_MixedSizes_LargestFirstStableExtensionsLast()
+    public void WireFields_MixedSizes_SortedBySizeStableExtensionsLast()
     {
         MessageDefinition message = Definitions.ReadMessages("""
             <message id="1" name="ORDER">

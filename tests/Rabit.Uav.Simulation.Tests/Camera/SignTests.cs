@@ -12,7 +12,7 @@ public class SignTests
 
     private static readonly double Tan10 = Math.Tan(Scene.Degrees(10));
 
-    public static TheoryData<double, double, double, double, double, double, double> Looks => new()
+    public static TheoryData<double, double, double, double, double, double, double> Poses => new()
     {
         // roll, pitch, yaw, camera pitch, camera yaw: where the optical axis meets the ground, heights north and east.
         { 0, 0, 0, -90, 0, 0, 0 },
@@ -33,7 +33,7 @@ public class SignTests
     };
 
     [Theory]
-    [MemberData(nameof(Looks))]
+    [MemberData(nameof(Poses))]
     public void OpticalAxis_AttitudeAndGimbal_PointsWhereItShould(
         double roll, double pitch, double yaw, double cameraPitch, double cameraYaw, double north, double east)
     {

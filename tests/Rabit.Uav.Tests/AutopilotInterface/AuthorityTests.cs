@@ -191,7 +191,7 @@ public class AuthorityTests
         copter.Run(2);
         long id = copter.Give(VehicleCommandKind.GoTo);
         copter.Say(new SystemTime { TimeBootMs = 1_000 });
-        copter.Latency = 5;   // nothing more is received before we look
+        copter.Latency = 5;   // nothing more is received before we decide
         copter.Run(0.1);
         Assert.Equal(expected, copter.Authority);
         if (isArmed)

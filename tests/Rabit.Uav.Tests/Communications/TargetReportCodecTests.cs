@@ -67,7 +67,7 @@ public sealed class TargetReportCodecTests
         const int Seed = 23;
         var random = new Random(Seed);
         var good = new byte[VehicleMessageRoute.MaxLength];
-        Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, good, out int length);
+        Codec.TryEncode(VehicleMessageTests.Report(picture: 3), TimeSpan.Zero, good, out int length);
         int taken = 0;
         for (int i = 0; i < 200_000; i++)
         {
@@ -97,7 +97,7 @@ public sealed class TargetReportCodecTests
     public void Decode_OneWrongByte_IsRefused(int offset, byte value)
     {
         var bytes = new byte[VehicleMessageRoute.MaxLength];
-        Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, bytes, out int length);
+        Codec.TryEncode(VehicleMessageTests.Report(picture: 3), TimeSpan.Zero, bytes, out int length);
         Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), Now, 7, out _));
         Assert.False(Codec.TryDecode(bytes.AsSpan(0, length - 1), Now, 7, out _));
         Assert.False(Codec.TryDecode(bytes.AsSpan(0, length + 1), Now, 7, out _));
@@ -108,7 +108,7 @@ public sealed class TargetReportCodecTests
     [Fact]
     public void Encode_WhatDoesNotFit_IsRefused()
     {
-        TargetReport good = VehicleMessageTests.Report(look: 1);
+        TargetReport good = VehicleMessageTests.Report(picture: 1);
         Assert.True(Encodes(good));
         Assert.False(Encodes(good with { Class = TargetClassName.None }));
         Assert.False(Encodes(good with { Index = 256 }));
@@ -131,7 +131,7 @@ public sealed class TargetReportCodecTests
     {
         // Version 1 had 58 bytes, with the flag of one of five colours in the second.
         var bytes = new byte[VehicleMessageRoute.MaxLength];
-        Codec.TryEncode(VehicleMessageTests.Report(look: 3), TimeSpan.Zero, bytes, out _);
+        Codec.TryEncode(VehicleMessageTests.Report(picture: 3), TimeSpan.Zero, bytes, out _);
         (bytes[0], bytes[1]) = (1, 1);
         Assert.False(Codec.TryDecode(bytes.AsSpan(0, 58), Now, 7, out _));
     }
@@ -140,7 +140,7 @@ public sealed class TargetReportCodecTests
     public void RoundTrip_ClassThatIsNotDeclaredHere_KeepsItsName()
     {
         var bytes = new byte[VehicleMessageRoute.MaxLength];
-        TargetReport report = VehicleMessageTests.Report(look: 3) with { Class = new TargetClassName("Canis lupus fam.") };
+        TargetReport report = VehicleMessageTests.Report(picture: 3) with { Class = new TargetClassName("Canis lupus fam.") };
         Assert.True(Codec.TryEncode(report, TimeSpan.Zero, bytes, out int length));
         Assert.Equal(TargetReportCodec.MaxLength, length);
         Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), Now, 7, out TargetReport back));

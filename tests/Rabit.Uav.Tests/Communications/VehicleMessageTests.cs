@@ -15,14 +15,14 @@ public sealed class VehicleMessageTests
     public void Message_TwoVehicles_FallsIntoTheQueueOverThere()
     {
         using var air = new TwoVehicles();
-        air.Send(from: 0, Report(look: 7, index: 2));
+        air.Send(from: 0, Report(picture: 7, index: 2));
         TargetReport report = Assert.Single(air.Received(1));
         Assert.Equal((1, 7L, 2, DefaultTargetClasses.Orange), (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
         Assert.Empty(air.Received(0));
         Assert.Equal((1L, 0L), (air.Counts(0).Sent, air.Counts(0).Delivered));
         Assert.Equal((0L, 1L), (air.Counts(1).Sent, air.Counts(1).Delivered));
 
-        air.Send(from: 1, Report(look: 7, index: 2));
+        air.Send(from: 1, Report(picture: 7, index: 2));
         Assert.Equal(2, Assert.Single(air.Received(0)).SourceSystemId);
     }
 
@@ -31,7 +31,7 @@ public sealed class VehicleMessageTests
     {
         using var air = new TwoVehicles();
         air.Run(5);
-        TargetReport sent = Report(look: 1);
+        TargetReport sent = Report(picture: 1);
         sent.Time = air.Now - TimeSpan.FromSeconds(1.5);
         air.Send(from: 0, sent);
         Assert.InRange((air.Received(1)[0].Time - sent.Time).TotalMilliseconds, 0, 5);
@@ -41,7 +41,7 @@ public sealed class VehicleMessageTests
     public void Message_SourceInTheContent_IsIgnored()
     {
         using var air = new TwoVehicles();
-        TargetReport lie = Report(look: 1);
+        TargetReport lie = Report(picture: 1);
         lie.SourceSystemId = 99;
         air.Send(from: 0, lie);
         Assert.Equal(1, air.Received(1)[0].SourceSystemId);
@@ -51,12 +51,12 @@ public sealed class VehicleMessageTests
     public void Message_Addressed_GoesThereAloneAndToNoUnknownAddress()
     {
         using var air = new TwoVehicles();
-        air.Send(from: 0, Report(look: 1), to: 2);   // not seen yet
+        air.Send(from: 0, Report(picture: 1), to: 2);   // not seen yet
         Assert.Empty(air.Received(1));
         Assert.Equal(1, air.Counts(0).Unsendable);
-        air.Send(from: 1, Report(look: 1));          // now it is
-        air.Send(from: 0, Report(look: 2), to: 2);
-        air.Send(from: 0, Report(look: 3), to: 77);
+        air.Send(from: 1, Report(picture: 1));          // now it is
+        air.Send(from: 0, Report(picture: 2), to: 2);
+        air.Send(from: 0, Report(picture: 3), to: 77);
         Assert.Equal(2, Assert.Single(air.Received(1)).PictureNumber);
         Assert.Equal(2, air.Counts(0).Unsendable);
     }
@@ -65,7 +65,7 @@ public sealed class VehicleMessageTests
     public void Message_ThatComesIn_IsForwardedToOtherLinksButNotBackAndNotToTheAutopilot()
     {
         using var rig = new VehicleMessageRig(links: 3);
-        byte[] frame = FrameOf(Report(look: 1), system: 5);
+        byte[] frame = FrameOf(Report(picture: 1), system: 5);
         rig.Rig.Send(0, frame);
         Assert.Equal(5, Assert.Single(rig.Reports).SourceSystemId);
         Assert.Empty(rig.Rig.Received(0));
@@ -87,9 +87,9 @@ public sealed class VehicleMessageTests
     public void Message_ForAnotherVehicle_IsNotOurs()
     {
         using var rig = new VehicleMessageRig(links: 1);
-        rig.Rig.Send(0, FrameOf(Report(look: 1), system: 5, target: 9));
+        rig.Rig.Send(0, FrameOf(Report(picture: 1), system: 5, target: 9));
         Assert.Empty(rig.Reports);
-        rig.Rig.Send(0, FrameOf(Report(look: 1), system: 5, target: 1));
+        rig.Rig.Send(0, FrameOf(Report(picture: 1), system: 5, target: 1));
         Assert.Single(rig.Reports);
     }
 
@@ -97,8 +97,8 @@ public sealed class VehicleMessageTests
     public void Message_OfOurOwnSystem_IsAnEcho()
     {
         using var rig = new VehicleMessageRig(links: 1);
-        rig.Rig.Send(0, FrameOf(Report(look: 1), system: 1, component: 192));
-        rig.Rig.Send(0, FrameOf(Report(look: 1), system: 1, component: 191));   // the router counts this one
+        rig.Rig.Send(0, FrameOf(Report(picture: 1), system: 1, component: 192));
+        rig.Rig.Send(0, FrameOf(Report(picture: 1), system: 1, component: 191));   // the router counts this one
         Assert.Empty(rig.Reports);
         Assert.Equal(1, rig.Counts.Echoes);
     }
@@ -107,11 +107,11 @@ public sealed class VehicleMessageTests
     public void Message_ThatComesTwice_CountsOnceWithinTheWindow()
     {
         using var rig = new VehicleMessageRig(links: 2);
-        rig.Rig.Send(0, FrameOf(Report(look: 1, index: 0), system: 5), FrameOf(Report(look: 1, index: 1), system: 5));
-        rig.Rig.Send(1, FrameOf(Report(look: 1, index: 0), system: 5), FrameOf(Report(look: 1, index: 0), system: 6));
+        rig.Rig.Send(0, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 1), system: 5));
+        rig.Rig.Send(1, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 0), system: 6));
         Assert.Equal((3, 1L), (rig.Reports.Count, rig.Counts.Duplicates));
         rig.Rig.Run(TimeSpan.FromSeconds(11));
-        rig.Rig.Send(0, FrameOf(Report(look: 1, index: 0), system: 5));   // it has restarted
+        rig.Rig.Send(0, FrameOf(Report(picture: 1, index: 0), system: 5));   // it has restarted
         Assert.Equal(4, rig.Reports.Count);
     }
 
@@ -122,7 +122,7 @@ public sealed class VehicleMessageTests
         for (int second = 0; second < 5; second++)
         {
             for (int i = 0; i < 50; i++)
-                air.Push(0, Report(look: second, index: i));
+                air.Push(0, Report(picture: second, index: i));
             air.Run(1);
         }
 
@@ -137,7 +137,7 @@ public sealed class VehicleMessageTests
     public void Message_AddressNotKnown_IsNotSent()
     {
         using var rig = new VehicleMessageRig(links: 1, knowsAddress: false);
-        rig.Send(Report(look: 1));
+        rig.Send(Report(picture: 1));
         Assert.Empty(rig.Rig.Received(0));
         Assert.Equal(1, rig.Counts.Unsendable);
     }
@@ -186,9 +186,9 @@ public sealed class VehicleMessageTests
         Assert.Throws<ArgumentNullException>(() => new VehicleMessageRoute<TargetReport>(null!, "out", "in"));
     }
 
-    internal static TargetReport Report(long look, int index = 0) => new()
+    internal static TargetReport Report(long picture, int index = 0) => new()
     {
-        PictureNumber = look,
+        PictureNumber = picture,
         Index = index,
         Position = GeodeticPosition.FromRadians(0.7, 0.1, 101.25),
         Covariance = new HorizontalCovariance(1.5, 0.25, 2),

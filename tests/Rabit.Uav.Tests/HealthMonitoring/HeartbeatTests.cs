@@ -207,19 +207,19 @@ public class HeartbeatTests
     private sealed class ReportWatcher : RabitManager
     {
         private readonly MessageSubscriber<HealthReport> _report;
-        private readonly Action<HealthReport> _look;
+        private readonly Action<HealthReport> _check;
 
-        public ReportWatcher(Action<HealthReport> look)
+        public ReportWatcher(Action<HealthReport> check)
             : base("watcher")
         {
             _report = Subscribe<HealthReport>(MessageNames.Health, wakeOnPost: true);
-            _look = look;
+            _check = check;
         }
 
         protected override void ExecuteUnitOfWork()
         {
             if (_report.Fetch())
-                _look(_report.Value);
+                _check(_report.Value);
         }
     }
 }

@@ -53,15 +53,15 @@ public sealed class GroundProjectorTests
         string[] columns = holder.Each("jacobian_columns").Select(n => n.GetString()!).ToArray();
         foreach (JsonElement c in Vectors.Geolocation.Each("covariance"))
         {
-            JsonElement look = flat[c.Number("flat_case")];
+            JsonElement view = flat[c.Number("flat_case")];
             double[] sigmas = columns.Select(n => c.GetProperty("sigma").Number(n) * (n.EndsWith("_deg", StringComparison.Ordinal) ? Vectors.Degree : 1)).ToArray();
-            var jacobian = new GroundJacobian(CameraVectors.Camera(look.GetProperty("cam").GetInt32()), CameraVectors.Mount(look.GetProperty("mount")));
+            var jacobian = new GroundJacobian(CameraVectors.Camera(view.GetProperty("cam").GetInt32()), CameraVectors.Mount(view.GetProperty("mount")));
             double[] v = c.Numbers("v_ned");
             double[] w = c.Numbers("omega_body_deg_s");
-            Pose pose = PoseOf(look);
+            Pose pose = PoseOf(view);
             pose.VelocityNed = new NedVector(v[0], v[1], v[2]);
             pose.Rates = BodyRates.FromDegreesPerSecond(w[0], w[1], w[2]);
-            Assert.True(jacobian.TryCompute(ViewingGeometryOf(look, pose), look.Number("u"), look.Number("v")));
+            Assert.True(jacobian.TryCompute(ViewingGeometryOf(view, pose), view.Number("u"), view.Number("v")));
 
             HorizontalCovariance covariance = jacobian.Covariance(sigmas);
 
@@ -180,25 +180,25 @@ public sealed class GroundProjectorTests
     internal static double Gauss(Random random)
         => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 
-    internal static Pose PoseOf(JsonElement look) => new() { Position = look.Position(), Attitude = Rotation.FromEuler(look.Euler()) };
+    internal static Pose PoseOf(JsonElement view) => new() { Position = view.Position(), Attitude = Rotation.FromEuler(view.Euler()) };
 
-    internal static GroundProjection ProjectionOf(JsonElement look, TerrainGrid? terrain = null, ErrorBudget? errors = null)
+    internal static GroundProjection ProjectionOf(JsonElement view, TerrainGrid? terrain = null, ErrorBudget? errors = null)
     {
-        JsonElement mount = look.GetProperty("mount");
-        var projector = new GroundProjector(CameraVectors.Camera(look.GetProperty("cam").GetInt32()), CameraVectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
-        return projector.At(PoseOf(look), new ImagingCommand
+        JsonElement mount = view.GetProperty("mount");
+        var projector = new GroundProjector(CameraVectors.Camera(view.GetProperty("cam").GetInt32()), CameraVectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
+        return projector.At(PoseOf(view), new ImagingCommand
         {
             CameraPitch = Angle.FromRadians(mount.Radians("el")),
             CameraYaw = Angle.FromRadians(mount.Radians("az")),
-            GroundAltitudeAmslMetres = terrain is null ? look.Number("ground_h") : 0,
+            GroundAltitudeAmslMetres = terrain is null ? view.Number("ground_h") : 0,
         });
     }
 
-    private static ViewingGeometry ViewingGeometryOf(JsonElement look, Pose pose) => new()
+    private static ViewingGeometry ViewingGeometryOf(JsonElement view, Pose pose) => new()
     {
         Pose = pose,
-        GimbalPitch = Angle.FromRadians(look.GetProperty("mount").Radians("el")),
-        GimbalYaw = Angle.FromRadians(look.GetProperty("mount").Radians("az")),
-        GroundDownMetres = look.Number("h") - look.Number("ground_h"),
+        GimbalPitch = Angle.FromRadians(view.GetProperty("mount").Radians("el")),
+        GimbalYaw = Angle.FromRadians(view.GetProperty("mount").Radians("az")),
+        GroundDownMetres = view.Number("h") - view.Number("ground_h"),
     };
 }

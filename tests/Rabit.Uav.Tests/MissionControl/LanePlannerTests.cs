@@ -91,7 +91,7 @@ public class LanePlannerTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void CoverageGrid_LargestArea_HasNotTooManyCells()
+    public void CoverageGrid_MaxArea_HasNotTooManyCells()
         => Assert.InRange(new CoverageGrid(new PlanePolygon([new(0, 0), new(0, 2000), new(2000, 2000), new(2000, 0)])).Cells, 200_000, 251_000);
 
     [Fact]

@@ -211,7 +211,7 @@ internal sealed class StandInVehicle : RabitManager
         if (!CameraSees || _imagingCommand.Value.Mode != ImagingMode.Search || Now < _nextPicture)
             return;
         _nextPicture = Now + TimeSpan.FromSeconds(0.5);
-        var look = new CameraObservation
+        var observation = new CameraObservation
         {
             SourceSystemId = 1,
             Number = ++_picture,
@@ -221,8 +221,8 @@ internal sealed class StandInVehicle : RabitManager
             BottomRight = Corner(-0.45, 0.6),
             BottomLeft = Corner(-0.45, -0.6),
         };
-        Observations.Add(look);
-        _searched.Push(look);
+        Observations.Add(observation);
+        _searched.Push(observation);
         SeeTargets();
     }
 

@@ -195,7 +195,7 @@ public class WholeMissionTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Status_WholeFlight_IsPostedOnceASecondAtLeast()
+    public void Status_WholeFlight_IsPostedEverySecond()
     {
         using var rig = new MissionRig(MissionRig.Mission());
         rig.Run(1);

@@ -208,7 +208,7 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         var random = new SeededNumbers(seed);
         (double North, double East)[] targets = [(0, 0), (8, -12), (-10, 15)];
         using var rig = new FusionRig();
-        for (int look = 0; look < 120; look++)
+        for (int picture = 0; picture < 120; picture++)
         {
             List<TargetReport> reports = targets.Where(_ => random.Uniform() < 0.9)
                 .Select(t => Report(t.North + (0.5 * random.Gauss()), t.East + (0.5 * random.Gauss()))).ToList();

@@ -9,7 +9,7 @@ namespace Rabit.Uav.ImageProcessing;
 internal sealed class PictureListing
 {
     // A file may appear within the same tick of the file system's clock as the last listing; so the folder is listed now and then in any case.
-    private const int LooksPerListing = 10;
+    private const int ChecksPerListing = 10;
 
     private readonly string _folder;
     private readonly HashSet<string> _seen = new(StringComparer.Ordinal);
@@ -32,7 +32,7 @@ internal sealed class PictureListing
         try
         {
             DateTime changed = Directory.GetLastWriteTimeUtc(_folder);
-            bool isDue = _looks++ % LooksPerListing == 0;
+            bool isDue = _looks++ % ChecksPerListing == 0;
             if (changed == _changed && !isDue)
                 return;
             _changed = changed;

@@ -68,7 +68,7 @@ internal sealed class CalibrationFlight
         for (double along = -70; along <= 70; along += SpeedMetresPerSecond * 0.5)
         {
             _time += 0.5;
-            Look(
+            Observe(
                 new NedPosition((Math.Cos(heading) * along) - (Math.Sin(heading) * offset), (Math.Sin(heading) * along) + (Math.Cos(heading) * offset), -height),
                 new NedVector(SpeedMetresPerSecond * Math.Cos(heading), SpeedMetresPerSecond * Math.Sin(heading), 0),
                 EulerAngles.FromRadians(0.02 * _numbers.Gauss(), 0.03 + (0.02 * _numbers.Gauss()), heading),
@@ -85,7 +85,7 @@ internal sealed class CalibrationFlight
         {
             _time += 0.5;
             double bank = Math.Atan2(radius, height);
-            Look(
+            Observe(
                 new NedPosition(radius * Math.Cos(angle), radius * Math.Sin(angle), -height),
                 new NedVector(-SpeedMetresPerSecond * Math.Sin(angle), SpeedMetresPerSecond * Math.Cos(angle), 0),
                 EulerAngles.FromRadians(-bank, 0, angle + (Math.PI / 2)),
@@ -102,7 +102,7 @@ internal sealed class CalibrationFlight
         return estimator;
     }
 
-    private void Look(NedPosition position, NedVector velocity, EulerAngles attitude, BodyRates rates, bool onlyMiddle)
+    private void Observe(NedPosition position, NedVector velocity, EulerAngles attitude, BodyRates rates, bool onlyMiddle)
     {
         double[,] cameraToNed = Product(Euler(attitude.Roll.Radians, attitude.Pitch.Radians, attitude.Yaw.Radians), Product(Euler(Mount[0], Mount[1], Mount[2]), Down()));
         double noise = 0.3 * Vectors.Degree;

@@ -46,7 +46,7 @@ internal static class RecordedSequence
     }
 
     /// <summary>The poses at each observation of one of the standing targets, as clocks and telemetry have them.</summary>
-    public static IEnumerable<(int Id, double Column, double Row, Pose Pose)> Looks(JsonDocument file, JsonDocument truth, ICollection<int> standing)
+    public static IEnumerable<(int Id, double Column, double Row, Pose Pose)> Observations(JsonDocument file, JsonDocument truth, ICollection<int> standing)
     {
         var history = new PoseHistory(TimeSpan.FromSeconds(1));
         var clock = new SequenceClock();

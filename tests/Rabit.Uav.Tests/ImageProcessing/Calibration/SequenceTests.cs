@@ -83,8 +83,8 @@ public sealed class SequenceTests(ITestOutputHelper output)
         double squares = 0;
         var mean = new Dictionary<int, (double North, double East, int Count)>();
         var world = LocalNedFrame.IgnoringGeoid(WorldOrigin(file));
-        int looks = 0;
-        foreach ((int id, double column, double row, Pose pose) in RecordedSequence.Looks(file, truth, targets.Keys))
+        int observations = 0;
+        foreach ((int id, double column, double row, Pose pose) in RecordedSequence.Observations(file, truth, targets.Keys))
         {
             EulerAngles attitude = pose.Attitude.ToEuler();
             Assert.True(estimator.Add(new BiasObservation
@@ -104,7 +104,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
             squares += (north * north) + (east * east);
             mean.TryGetValue(id, out (double North, double East, int Count) sum);
             mean[id] = (sum.North + north, sum.East + east, sum.Count + 1);
-            looks++;
+            observations++;
         }
 
         BiasEstimate estimate = estimator.Estimate()!;
@@ -114,9 +114,9 @@ public sealed class SequenceTests(ITestOutputHelper output)
             (double north, double east) = Error(world, targets[p.Key], p.Value.Position);
             return p.Value.Covariance.MahalanobisSquared(north, east);
         }).ToArray();
-        double meanOfLooks = Math.Sqrt(mean.Values.Average(m => Math.Pow(m.North / m.Count, 2) + Math.Pow(m.East / m.Count, 2)));
+        double meanOfObservations = Math.Sqrt(mean.Values.Average(m => Math.Pow(m.North / m.Count, 2) + Math.Pow(m.East / m.Count, 2)));
         output.WriteLine(FormattableString.Invariant(
-            $"{looks} looks: single RMSE {Math.Sqrt(squares / looks):0.00} m, mean of looks {meanOfLooks:0.00} m, estimated: mean {errors.Average():0.00} m, worst {errors.Max():0.00} m, Mahalanobis squared {square.Average():0.00}, chi2 {estimate.Fit.NormalisedSquare:0.00}"));
+            $"{observations} observations: single RMSE {Math.Sqrt(squares / observations):0.00} m, mean of observations {meanOfObservations:0.00} m, estimated: mean {errors.Average():0.00} m, worst {errors.Max():0.00} m, Mahalanobis squared {square.Average():0.00}, chi2 {estimate.Fit.NormalisedSquare:0.00}"));
         for (BiasParameter parameter = BiasParameter.MountRoll; parameter <= BiasParameter.Down; parameter++)
         {
             bool isSeen = estimate.TryGet(parameter, out _, out double sigma);
