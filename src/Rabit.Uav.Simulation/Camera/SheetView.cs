@@ -17,8 +17,8 @@ internal readonly struct SheetView
 
     public SheetView(SimulatedTarget sheet, in CameraPose stance)
     {
-        (double sin, double cos) = (Math.Sin(sheet.HeadingRadians), Math.Cos(sheet.HeadingRadians));
-        (double north, double east) = (stance.North - sheet.NorthMetres, stance.East - sheet.EastMetres);
+        (double sin, double cos) = (Math.Sin(sheet.Heading.Radians), Math.Cos(sheet.Heading.Radians));
+        (double north, double east) = (stance.North - sheet.Position.North, stance.East - sheet.Position.East);
         _along = Terms(stance, cos, sin, (north * cos) + (east * sin));
         _across = Terms(stance, -sin, cos, (east * cos) - (north * sin));
         _down = new Vector3(stance.Axes.Right.Third, stance.Axes.Down.Third, stance.Axes.Forward.Third);
