@@ -12,7 +12,7 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Tests.Geometry;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Geolocate;
+namespace Geolocate.Tests;
 
 /// <summary>Geolocate with a pose: JSON in and out, the text for people, terrain, and what it refuses.</summary>
 public sealed class GeolocateTests : IDisposable
@@ -29,8 +29,8 @@ public sealed class GeolocateTests : IDisposable
         {
             JsonElement mount = c.GetProperty("mount");
             string request = Text($$"""
-                {"pose":{"lat_deg":{{c.Number("lat")}},"lon_deg":{{c.Number("lon")}},"alt_m":{{c.Number("h")}},"roll_deg":{{c.Number("roll")}},"pitch_deg":{{c.Number("pitch")}},"yaw_deg":{{c.Number("yaw")}}},
-                 "gimbal":{"pitch_deg":{{mount.Number("el")}},"yaw_deg":{{mount.Number("az")}}},"ground_alt_m":{{c.Number("ground_h")}},"pixel":[{{c.Number("u")}},{{c.Number("v")}}]}
+                {"pose":{"latitudeDegrees":{{c.Number("lat")}},"longitudeDegrees":{{c.Number("lon")}},"altitudeAmslMetres":{{c.Number("h")}},"rollDegrees":{{c.Number("roll")}},"pitchDegrees":{{c.Number("pitch")}},"yawDegrees":{{c.Number("yaw")}}},
+                 "gimbal":{"pitchDegrees":{{mount.Number("el")}},"yawDegrees":{{mount.Number("az")}}},"groundAltitudeAmslMetres":{{c.Number("ground_h")}},"pixel":[{{c.Number("u")}},{{c.Number("v")}}]}
                 """);
             int code = _run.RunWith(request, _run.File("camera.json", CameraText(c)), "-", "--json");
             if (c.Text("status") == "ok")
@@ -64,8 +64,19 @@ public sealed class GeolocateTests : IDisposable
         Assert.Equal(0, _run.Run(camera, _run.PathOf("request.json"), "--pixel", "419.5", "339.5", "--json"));
         NedPosition ned = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47, 8, 540)).ToNed(_run.Place);
         Assert.Equal((-7.547, 7.547), (Math.Round(ned.North, 3), Math.Round(ned.East, 3)));
-        double[] covariance = _run.Json.Numbers("cov_common_ne_m2");
-        Assert.True(covariance[0] > 1 && covariance[2] > 1 && _run.Json.Number("half_major_95_m") >= _run.Json.Number("half_minor_95_m"));
+        double[] covariance = _run.Json.Numbers("systematicCovarianceSquareMetres");
+        Assert.True(covariance[0] > 1 && covariance[2] > 1 && _run.Json.Number("ellipse95HalfMajorAxisMetres") >= _run.Json.Number("ellipse95HalfMinorAxisMetres"));
+    }
+
+    [Fact]
+    public void Camera_FixedAndTiltedForward_LooksNorthOfTheVehicle()
+    {
+        // 45 degrees up from straight down: what lies 40 m ahead is on the optical axis.
+        string camera = _run.File("camera.json", GeolocateRun.Camera.Replace(
+            "\"gimbal\":{}", "\"bodyFromCamera\":[[0,-0.70710678118654752,0.70710678118654752],[1,0,0],[0,0.70710678118654752,0.70710678118654752]]"));
+        Assert.Equal(0, _run.RunWith(GeolocateRun.Pose, camera, "-", "--json"));
+        NedPosition ned = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47, 8, 540)).ToNed(_run.Place);
+        Assert.Equal((40, 0), (Math.Round(ned.North, 3), Math.Round(ned.East, 3) + 0.0));
     }
 
     [Fact]
@@ -77,17 +88,17 @@ public sealed class GeolocateTests : IDisposable
         // 100 m about the place at 510 m, with a hole 20 to 50 m to the east.
         string grid = _run.File("grid.asc", Grid((row, column) => column is 7 or 8 ? -9999 : 510));
         Assert.Equal(0, _run.Run(camera, request, "--terrain", grid, "--json"));
-        Assert.Equal(510, _run.Json.Number("alt_m"), 0.01);
-        Assert.Equal(2, _run.Run(camera, _run.File("east.json", GeolocateRun.Pose.Replace("\"roll_deg\":0", "\"roll_deg\":-48")), "--terrain", grid, "--json"));
+        Assert.Equal(510, _run.Json.Number("altitudeAmslMetres"), 0.01);
+        Assert.Equal(2, _run.Run(camera, _run.File("east.json", GeolocateRun.Pose.Replace("\"rollDegrees\":0", "\"rollDegrees\":-48")), "--terrain", grid, "--json"));
         Assert.Equal("NoTerrainData", _run.Json.Text("reason"));
-        Assert.Equal(2, _run.Run(camera, _run.File("north.json", GeolocateRun.Pose.Replace("\"pitch_deg\":0", "\"pitch_deg\":75")), "--terrain", grid));
+        Assert.Equal(2, _run.Run(camera, _run.File("north.json", GeolocateRun.Pose.Replace("\"pitchDegrees\":0", "\"pitchDegrees\":75")), "--terrain", grid));
         Assert.StartsWith("refused: LeavesTerrain: ", _run.Output, StringComparison.Ordinal);
         Assert.Equal(1, _run.Run(camera, request, "--terrain", _run.File("bad.asc", "ncols 5")));
     }
 
     [Theory]
-    [InlineData("\"roll_deg\":0", "\"roll_deg\":89", "NearHorizon")]
-    [InlineData("\"alt_m\":540", "\"alt_m\":499", "CameraBelowGround")]
+    [InlineData("\"rollDegrees\":0", "\"rollDegrees\":89", "NearHorizon")]
+    [InlineData("\"altitudeAmslMetres\":540", "\"altitudeAmslMetres\":499", "CameraBelowGround")]
     [InlineData("[319.5,239.5]", "[640,10]", "OutsidePicture")]
     public void Text_NoPlace_TellsTheReason(string before, string after, string reason)
     {
@@ -104,7 +115,7 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("go together", "--time", "3")]
     [InlineData("--time is Infinity; it must be seconds", "--telemetry", "poses.csv", "--time", "Infinity")]
     [InlineData("--time is 922337203684; it must be seconds", "--telemetry", "poses.csv", "--time", "922337203684")]
-    [InlineData("'pose' is missing")]
+    [InlineData("the request: pose is missing")]
     public void BadInput_IsNamedAndEndsWithOne(string message, params string[] more)
     {
         string[] arguments = [_run.File("camera.json", GeolocateRun.Camera), .. more];
@@ -114,35 +125,76 @@ public sealed class GeolocateTests : IDisposable
     }
 
     [Theory]
-    [InlineData("\"lat_deg\":47", "\"lat_deg\":147", "'lat_deg' is 147; it must be -90 to 90")]
-    [InlineData("\"lon_deg\":8", "\"lon_deg\":-188", "'lon_deg' is -188; it must be -180 to 180")]
-    public void BadInput_PoseThatIsNowhere_IsNamed(string before, string after, string message)
+    [InlineData("\"latitudeDegrees\":47", "\"latitudeDegrees\":147", "pose.latitudeDegrees is 147; it must be -90 to 90")]
+    [InlineData("\"longitudeDegrees\":8", "\"longitudeDegrees\":-188", "pose.longitudeDegrees is -188; it must be -180 to 180")]
+    [InlineData("\"pixel\"", "\"gimbl\":{},\"pixel\"", "gimbl is unknown; there are pose, gimbal, groundAltitudeAmslMetres, pixel")]
+    [InlineData("\"rollDegrees\":0", "\"rolDegrees\":3,\"rollDegrees\":0", "pose.rolDegrees is unknown")]
+    [InlineData("\"rollDegrees\":0", "\"rollDegrees\":3,\"rollDegrees\":0", "pose.rollDegrees is there twice")]
+    [InlineData("\"pixel\"", "\"gimbal\":{\"pitch\":-60},\"pixel\"", "gimbal.pitch is unknown; there are pitchDegrees, yawDegrees")]
+    [InlineData("\"rollDegrees\":0", "\"rollDegrees\":\"0\"", "pose.rollDegrees is \"0\"; it must be a number")]
+    [InlineData("\"rollDegrees\":0", "\"rollDegrees\":null", "pose.rollDegrees is null; it must be a number")]
+    [InlineData("[319.5,239.5]", "[319.5]", "pixel is [319.5]; it must be a list of two numbers")]
+    [InlineData("[319.5,239.5]", "[319.5,true]", "pixel[1] is true; it must be a number")]
+    [InlineData("\"pixel\"", "\"gimbal\":[1],\"pixel\"", "gimbal is [1]; it must be an object")]
+    [InlineData(",\"groundAltitudeAmslMetres\":500", "", "groundAltitudeAmslMetres is missing")]
+    [InlineData("\"yawDegrees\":0}", "\"yawDegrees\":0", "it is no JSON")]
+    public void BadInput_Request_NamesFileAndFieldInOneLine(string before, string after, string message)
     {
-        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose.Replace(before, after), _run.File("camera.json", GeolocateRun.Camera), "-"));
-        Assert.Contains(message, _run.Errors);
+        Assert.Contains(before, GeolocateRun.Pose, StringComparison.Ordinal);
+        string request = _run.File("request.json", GeolocateRun.Pose.Replace(before, after));
+
+        Assert.Equal(1, _run.Run(_run.File("camera.json", GeolocateRun.Camera), request));
+
+        Assert.StartsWith(request + ": " + message, _run.Errors, StringComparison.Ordinal);
+        Assert.Single(_run.Errors.TrimEnd().Split('\n'));
     }
 
     [Theory]
-    [InlineData("\"pixel\"", "\"gimbl\":{},\"pixel\"", "'gimbl' is no key of the request")]
-    [InlineData("\"roll_deg\":0", "\"rol_deg\":3,\"roll_deg\":0", "'rol_deg' is no key of pose")]
-    [InlineData("\"pixel\"", "\"gimbal\":{\"pitch\":-60},\"pixel\"", "'pitch' is no key of gimbal")]
-    public void BadInput_UnknownKey_IsNamed(string before, string after, string message)
+    [InlineData("latitudeDegrees", "lat_deg", "pose.lat_deg is of an older form of the file; it is pose.latitudeDegrees now")]
+    [InlineData("yawDegrees", "yaw_deg", "pose.yaw_deg is of an older form of the file; it is pose.yawDegrees now")]
+    [InlineData("groundAltitudeAmslMetres", "ground_alt_m", "ground_alt_m is of an older form of the file; it is groundAltitudeAmslMetres now")]
+    public void BadInput_NameOfTheOldForm_IsRefusedWithTheNewOne(string now, string old, string message)
     {
-        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose.Replace(before, after), _run.File("camera.json", GeolocateRun.Camera), "-"));
+        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose.Replace(now, old), _run.File("camera.json", GeolocateRun.Camera), "-"));
+        Assert.Equal("the standard input: " + message, _run.Errors.TrimEnd());
+    }
+
+    [Theory]
+    [InlineData("\"fx\":530", "\"fx\":-1", "focal length")]
+    [InlineData("\"fx\":530", "\"fx\":\"530\"", "camera.fx is \"530\"; it must be a number")]
+    [InlineData("distortion", "dist_k1_k2_p1_p2_k3", "it is camera.distortion now")]
+    [InlineData("\"gimbal\":{}", "\"gimbal\":{\"roll_deg\":1}", "camera.mount.gimbal.roll_deg is unknown")]
+    [InlineData(",\"gimbal\":{}", "", "camera.mount.bodyFromCamera is missing")]
+    [InlineData("{\"camera\"", "\"camera\"", "it is no JSON")]
+    public void BadInput_Camera_NamesFileAndFieldInOneLine(string before, string after, string message)
+    {
+        Assert.Contains(before, GeolocateRun.Camera, StringComparison.Ordinal);
+        string camera = _run.File("camera.json", GeolocateRun.Camera.Replace(before, after));
+
+        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose, camera, "-"));
+
+        Assert.StartsWith(camera + ": ", _run.Errors, StringComparison.Ordinal);
         Assert.Contains(message, _run.Errors);
+        Assert.Single(_run.Errors.TrimEnd().Split('\n'));
     }
 
     [Fact]
-    public void BadInput_WrongCamera_IsNamed()
+    public void BadInput_FileThatIsNotThere_IsNamed()
     {
-        string request = _run.File("request.json", GeolocateRun.Pose);
-        Assert.Equal(1, _run.Run(_run.PathOf("missing.json"), request));
+        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose, _run.PathOf("missing.json"), "-"));
+        Assert.Contains("missing.json: no such file", _run.Errors);
+        string camera = _run.File("camera.json", GeolocateRun.Camera);
+        Assert.Equal(1, _run.Run(camera, _run.PathOf("missing.json")));
         Assert.Contains("missing.json", _run.Errors);
-        Assert.Equal(1, _run.Run(_run.File("camera.json", "{"), request));
-        Assert.Equal(1, _run.Run(_run.File("camera.json", GeolocateRun.Camera.Replace("\"fx\":530", "\"fx\":-1")), request));
-        Assert.Contains("focal length", _run.Errors);
-        Assert.Equal(1, _run.Run(_run.File("camera.json", GeolocateRun.Camera), _run.File("flat.json", GeolocateRun.Pose.Replace(",\"ground_alt_m\":500", ""))));
-        Assert.Contains("ground_alt_m", _run.Errors);
+        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose, camera, "-", "--terrain", _run.File("bad.asc", "ncols 5")));
+        Assert.Contains("bad.asc: ", _run.Errors);
+    }
+
+    [Fact]
+    public void Help_NamesEveryFieldOfAPose()
+    {
+        Assert.Equal(0, _run.Run("--help"));
+        Assert.All(Telemetry.Names, n => Assert.Contains(n, _run.Output));
     }
 
     [Fact]
@@ -177,9 +229,10 @@ public sealed class GeolocateTests : IDisposable
         JsonElement turn = c.GetProperty("mount");
         return Text($$"""
             {"camera":{"width":{{camera.Width}},"height":{{camera.Height}},"fx":{{camera.FocalX}},"fy":{{camera.FocalY}},"cx":{{camera.CentreX}},"cy":{{camera.CentreY}},
-              "dist_k1_k2_p1_p2_k3":[{{camera.K1}},{{camera.K2}},{{camera.P1}},{{camera.P2}},{{camera.K3}}]},
-             "mount":{"roll_deg":{{turn.Number("roll")}},"pitch_deg":{{turn.Number("pitch")}},"yaw_deg":{{turn.Number("yaw")}},
-              "lever_arm_body_m":[{{a.Forward}},{{a.Right}},{{a.Down}}],"lever_arm_gimbal_m":[{{b.Forward}},{{b.Right}},{{b.Down}}]} }
+              "distortion":[{{camera.K1}},{{camera.K2}},{{camera.P1}},{{camera.P2}},{{camera.K3}}],
+              "mount":{"leverArmBodyMetres":[{{a.Forward}},{{a.Right}},{{a.Down}}],
+               "gimbal":{"misalignmentRollDegrees":{{turn.Number("roll")}},"misalignmentPitchDegrees":{{turn.Number("pitch")}},
+                "misalignmentYawDegrees":{{turn.Number("yaw")}},"leverArmGimbalMetres":[{{b.Forward}},{{b.Right}},{{b.Down}}]} } } }
             """);
     }
 
