@@ -15,7 +15,7 @@ namespace Geolocate;
 /// </summary>
 internal static class Telemetry
 {
-    // What comes later than that after the picture tells nothing of it.
+    // Poses later than that after the picture are not needed for it.
     private static readonly TimeSpan Beyond = TimeSpan.FromSeconds(2);
 
     /// <summary>What a pose has, in a request and as the columns of a table.</summary>

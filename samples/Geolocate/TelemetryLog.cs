@@ -12,7 +12,7 @@ namespace Geolocate;
 /// <summary>A telemetry log of MAVLink: GLOBAL_POSITION_INT and ATTITUDE of the first autopilot in it, by that autopilot's clock.</summary>
 internal static class TelemetryLog
 {
-    // Nobody's autopilot has run for 30 years: such a time is one of the log's stamps.
+    // No autopilot has run for 30 years: such a time is one of the log's stamps.
     private const double EarliestUtcSeconds = 1e9;
     private const double RadiansPerDegE7 = Angle.RadiansPerDegree * 1e-7;
 
@@ -38,7 +38,7 @@ internal static class TelemetryLog
         return sent.Count == 2 ? time : throw new FormatException($"{file} has no positions or no attitudes of an autopilot.");
     }
 
-    // By the message that was quickest: late by the shortest delay of the link, which a log cannot tell.
+    // By the message that was quickest: late by the shortest delay of the link, which is not in a log.
     private static TimeSpan StampsLessBoot(string file)
     {
         TimeSpan least = TimeSpan.MaxValue;

@@ -40,10 +40,10 @@ public sealed class GeolocateTelemetryTests : IDisposable
     {
         Assert.Equal(0, _run.Run(_camera, _request, "--telemetry", Table("log.csv"), "--time", time, "--json"));
 
-        // A table has no rates: what is drawn on does not go on rolling.
-        double drawnOn = _run.Json.Number("extrapolatedSeconds");
-        AssertBelow(double.Parse(time, CultureInfo.InvariantCulture), drawnOn > 0 ? 0.1 : 0.02);
-        Assert.Equal(time == "110.05" ? 0.05 : 0, drawnOn, 1e-6);
+        // A table has no rates: an extrapolated pose does not go on rolling.
+        double extrapolated = _run.Json.Number("extrapolatedSeconds");
+        AssertBelow(double.Parse(time, CultureInfo.InvariantCulture), extrapolated > 0 ? 0.1 : 0.02);
+        Assert.Equal(time == "110.05" ? 0.05 : 0, extrapolated, 1e-6);
     }
 
     [Fact]

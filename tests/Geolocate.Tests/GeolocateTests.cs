@@ -51,7 +51,7 @@ public sealed class GeolocateTests : IDisposable
     }
 
     [Fact]
-    public void Text_PixelAndPose_TellsPlaceAndEllipse()
+    public void Text_PixelAndPose_GivesPlaceAndEllipse()
     {
         string camera = _run.File("camera.json", GeolocateRun.Camera);
         Assert.Equal(0, _run.Run(camera, _run.File("request.json", GeolocateRun.Pose)));
@@ -100,7 +100,7 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("\"rollDegrees\":0", "\"rollDegrees\":89", "NearHorizon")]
     [InlineData("\"altitudeAmslMetres\":540", "\"altitudeAmslMetres\":499", "CameraBelowGround")]
     [InlineData("[319.5,239.5]", "[640,10]", "OutsidePicture")]
-    public void Text_NoPlace_TellsTheReason(string before, string after, string reason)
+    public void Text_NoPlace_GivesTheReason(string before, string after, string reason)
     {
         Assert.Equal(2, _run.RunWith(GeolocateRun.Pose.Replace(before, after), _run.File("camera.json", GeolocateRun.Camera), "-"));
         Assert.StartsWith($"refused: {reason}: ", _run.Output, StringComparison.Ordinal);
