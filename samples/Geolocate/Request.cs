@@ -28,7 +28,7 @@ internal sealed class Request
     public static Request Read(CommandLine line, TextReader input)
     {
         CameraFolder camera = CameraFolder.OpenFile(line.Camera);
-        JsonFields request = Fields(line.Request, input);
+        RequestFields request = Fields(line.Request, input);
         var options = new ImageProcessingOptions { Camera = camera.Camera, Mount = camera.Mount };
         if (line.Terrain is not null)
             options.Terrain = TerrainOf(line.Terrain);
@@ -51,7 +51,7 @@ internal sealed class Request
             ? seconds : throw new FormatException(FormattableString.Invariant($"--time is {seconds}; it must be seconds, {MaxSeconds} at most."));
     }
 
-    private static JsonFields Fields(string? file, TextReader input)
+    private static RequestFields Fields(string? file, TextReader input)
     {
         (string text, string name) = file switch
         {
@@ -59,7 +59,7 @@ internal sealed class Request
             "-" => (input.ReadToEnd(), "the standard input"),
             _ => (File.ReadAllText(file), file),
         };
-        return JsonFields.Parse(text, name, "pose", "gimbal", GroundAltitude, "pixel");
+        return RequestFields.Parse(text, name, "pose", "gimbal", GroundAltitude, "pixel");
     }
 
     private static TerrainGrid TerrainOf(string file)
@@ -75,9 +75,9 @@ internal sealed class Request
         }
     }
 
-    private static ImagingCommand CommandOf(JsonFields request, bool hasTerrain)
+    private static ImagingCommand CommandOf(RequestFields request, bool hasTerrain)
     {
-        JsonFields? gimbal = request.Has("gimbal") ? request.Object("gimbal", "pitchDegrees", "yawDegrees") : null;
+        RequestFields? gimbal = request.Has("gimbal") ? request.Object("gimbal", "pitchDegrees", "yawDegrees") : null;
         return new ImagingCommand
         {
             GroundAltitudeAmslMetres = hasTerrain ? request.OptionalNumber(GroundAltitude) : request.Number(GroundAltitude),
@@ -86,7 +86,7 @@ internal sealed class Request
         };
     }
 
-    private static void AddPose(PixelGeolocator locator, JsonFields pose) => Telemetry.Add(locator, default, [
+    private static void AddPose(PixelGeolocator locator, RequestFields pose) => Telemetry.Add(locator, default, [
         pose.Degrees("latitudeDegrees", 90), pose.Degrees("longitudeDegrees", 180), pose.Number("altitudeAmslMetres"),
         pose.OptionalNumber("velocityNorthMetresPerSecond"), pose.OptionalNumber("velocityEastMetresPerSecond"),
         pose.OptionalNumber("velocityDownMetresPerSecond"),

@@ -10,13 +10,13 @@ namespace Geolocate;
 /// The fields of one JSON object. The first that is unknown, missing or of a wrong type is refused with the file and the path of the field: a misspelt
 /// one that is left out of account would give the wrong place.
 /// </summary>
-internal sealed class JsonFields
+internal sealed class RequestFields
 {
     private readonly string _file;
     private readonly string _prefix;
     private readonly Dictionary<string, JsonElement> _values = new(StringComparer.Ordinal);
 
-    private JsonFields(JsonElement element, string file, string path, string[] known)
+    private RequestFields(JsonElement element, string file, string path, string[] known)
     {
         (_file, _prefix) = (file, path.Length == 0 ? "" : path + ".");
         if (element.ValueKind != JsonValueKind.Object)
@@ -38,12 +38,12 @@ internal sealed class JsonFields
     /// <param name="file">What it is called.</param>
     /// <param name="known">Names of the fields that it may have.</param>
     /// <exception cref="FormatException">It is no JSON, no object, or has other fields.</exception>
-    public static JsonFields Parse(string json, string file, params string[] known)
+    public static RequestFields Parse(string json, string file, params string[] known)
     {
         try
         {
             using JsonDocument document = JsonDocument.Parse(json);
-            return new JsonFields(document.RootElement.Clone(), file, "", known);
+            return new RequestFields(document.RootElement.Clone(), file, "", known);
         }
         catch (JsonException e)
         {
@@ -53,7 +53,7 @@ internal sealed class JsonFields
 
     public bool Has(string name) => _values.ContainsKey(name);
 
-    public JsonFields Object(string name, params string[] known) => new(Required(name), _file, _prefix + name, known);
+    public RequestFields Object(string name, params string[] known) => new(Required(name), _file, _prefix + name, known);
 
     public double Number(string name) => Number(Required(name), name);
 
