@@ -47,7 +47,7 @@ internal sealed class RequestFields
         }
         catch (JsonException e)
         {
-            throw new FormatException($"{file}: it is no JSON: {e.Message}", e);
+            throw new FormatException($"{file}: it is not JSON: {e.Message}", e);
         }
     }
 

@@ -137,7 +137,7 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("[319.5,239.5]", "[319.5,true]", "pixel[1] is true; it must be a number")]
     [InlineData("\"pixel\"", "\"gimbal\":[1],\"pixel\"", "gimbal is [1]; it must be an object")]
     [InlineData(",\"groundAltitudeAmslMetres\":500", "", "groundAltitudeAmslMetres is missing")]
-    [InlineData("\"yawDegrees\":0}", "\"yawDegrees\":0", "it is no JSON")]
+    [InlineData("\"yawDegrees\":0}", "\"yawDegrees\":0", "it is not JSON")]
     public void BadInput_Request_NamesFileAndFieldInOneLine(string before, string after, string message)
     {
         Assert.Contains(before, GeolocateRun.Pose, StringComparison.Ordinal);
@@ -165,7 +165,7 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("distortion", "dist_k1_k2_p1_p2_k3", "it is camera.distortion now")]
     [InlineData("\"gimbal\":{}", "\"gimbal\":{\"roll_deg\":1}", "camera.mount.gimbal.roll_deg is unknown")]
     [InlineData(",\"gimbal\":{}", "", "camera.mount.bodyFromCamera is missing")]
-    [InlineData("{\"camera\"", "\"camera\"", "it is no JSON")]
+    [InlineData("{\"camera\"", "\"camera\"", "it is not JSON")]
     public void BadInput_Camera_NamesFileAndFieldInOneLine(string before, string after, string message)
     {
         Assert.Contains(before, GeolocateRun.Camera, StringComparison.Ordinal);

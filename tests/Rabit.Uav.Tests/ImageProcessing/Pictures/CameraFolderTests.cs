@@ -105,8 +105,8 @@ public sealed class CameraFolderTests : IDisposable
     [InlineData("{}", "camera is missing")]
     [InlineData("{\"camera\":5}", "camera is missing or no object")]
     [InlineData("{\"camera\":{}}", "camera.width is missing; camera.height is missing; camera.fx is missing")]
-    [InlineData("nonsense", "no JSON")]
-    [InlineData("", "no JSON")]
+    [InlineData("nonsense", "not JSON")]
+    [InlineData("", "not JSON")]
     public void Open_WrongDescription_SaysWhy(string json, string reason)
     {
         PictureException fault = Assert.Throws<PictureException>(() => Open(json));
