@@ -60,7 +60,7 @@ internal static class Answer
         {
             writer.WriteStartObject();
             writer.WriteString("status", fix.Error == GeolocationError.None ? "ok" : "refused");
-            writer.WriteNumber("time_s", fix.Time.TotalSeconds);
+            writer.WriteNumber("timeSeconds", fix.Time.TotalSeconds);
             if (fix.Error == GeolocationError.None)
                 WritePlace(writer, fix);
             else
@@ -78,15 +78,15 @@ internal static class Answer
     private static void WritePlace(Utf8JsonWriter writer, GeolocationResult fix)
     {
         HorizontalCovariance all = fix.Covariance + fix.SystematicCovariance;
-        writer.WriteNumber("lat_deg", fix.Position.Latitude.Degrees);
-        writer.WriteNumber("lon_deg", fix.Position.Longitude.Degrees);
-        writer.WriteNumber("alt_m", fix.Position.AltitudeAmslMetres);
-        WriteCovariance(writer, "cov_per_look_ne_m2", fix.Covariance);
-        WriteCovariance(writer, "cov_common_ne_m2", fix.SystematicCovariance);
-        writer.WriteNumber("half_major_95_m", all.HalfMajorAxis95Metres);
-        writer.WriteNumber("half_minor_95_m", all.HalfMinorAxis95Metres);
-        writer.WriteNumber("major_axis_deg", all.MajorAxis.Degrees);
-        writer.WriteNumber("extrapolated_s", fix.Extrapolated.TotalSeconds);
+        writer.WriteNumber("latitudeDegrees", fix.Position.Latitude.Degrees);
+        writer.WriteNumber("longitudeDegrees", fix.Position.Longitude.Degrees);
+        writer.WriteNumber("altitudeAmslMetres", fix.Position.AltitudeAmslMetres);
+        WriteCovariance(writer, "randomCovarianceSquareMetres", fix.Covariance);
+        WriteCovariance(writer, "systematicCovarianceSquareMetres", fix.SystematicCovariance);
+        writer.WriteNumber("ellipse95HalfMajorAxisMetres", all.HalfMajorAxis95Metres);
+        writer.WriteNumber("ellipse95HalfMinorAxisMetres", all.HalfMinorAxis95Metres);
+        writer.WriteNumber("ellipseMajorAxisDegrees", all.MajorAxis.Degrees);
+        writer.WriteNumber("extrapolatedSeconds", fix.Extrapolated.TotalSeconds);
     }
 
     private static void WriteCovariance(Utf8JsonWriter writer, string name, HorizontalCovariance covariance)

@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
-using System.Text.Json;
+using Rabit.Vision;
 
 namespace Geolocate;
 
@@ -11,15 +11,19 @@ internal static class Program
     private const string Usage = """
         usage: Geolocate camera.json [request.json] [--pixel U V] [--telemetry log.csv|log.tlog --time SECONDS] [--terrain grid.asc] [--json]
 
-        camera.json    width, height, fx, fy, cx, cy, dist_k1_k2_p1_p2_k3, row_readout_us, and the mount (see the sample's own camera.json)
-        request.json   pose, pixel and ground; - reads it from the standard input
+        camera.json    the camera and its mount, as docs/camera-folder.md describes them
+        request.json   what is asked; - reads it from the standard input:
+                         pose      latitudeDegrees, longitudeDegrees, altitudeAmslMetres, rollDegrees, pitchDegrees, yawDegrees; optional
+                                   velocityNorthMetresPerSecond, velocityEastMetresPerSecond, velocityDownMetresPerSecond
+                         gimbal    pitchDegrees, yawDegrees; optional: straight down. Of no effect for a fixed camera
+                         groundAltitudeAmslMetres   not needed with --terrain
+                         pixel     [column, row]; not needed with --pixel
         --pixel        column and row, instead of those of the request
-        --telemetry    poses over time, instead of one: a .tlog of MAVLink, or a table with the columns
-                       time_s,lat_deg,lon_deg,alt_m,vn_mps,ve_mps,vd_mps,roll_deg,pitch_deg,yaw_deg
+        --telemetry    poses over time, instead of one: a .tlog of MAVLink, or a table (CSV) with timeSeconds and the fields of a pose as columns
         --time         middle of the exposure (of the top row) by the clock of the telemetry; of a .tlog seconds since the autopilot
                        started, or since 1970 by the stamps of the log
         --terrain      heights of the ground, an ARC/INFO ASCII grid in degrees
-        --json         JSON out
+        --json         JSON out: status "ok" with place, covariances and ellipse, or "refused" with reason and text
 
         Ends with 0 for a place, 2 for a refusal, 1 for bad input.
         """;
@@ -39,9 +43,10 @@ internal static class Program
             CommandLine line = CommandLine.Parse(args);
             return Answer.Write(Request.Read(line, input).Locate(), line.IsJson, output);
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or JsonException or FormatException or ArgumentException or InvalidOperationException)
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or FormatException or PictureException or ArgumentException)
         {
-            errors.WriteLine(e.Message);
+            // An ArgumentException has the name of its parameter on a line of its own on some runtimes.
+            errors.WriteLine(e.Message.Replace("\r", "").Replace('\n', ' '));
             return 1;
         }
     }

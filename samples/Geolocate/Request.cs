@@ -1,66 +1,48 @@
 using System;
 using System.IO;
-using System.Linq;
-using System.Text.Json;
 using Rabit.Geodesy;
-using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
+using Rabit.Vision;
 
 namespace Geolocate;
 
 /// <summary>A pixel and all that is needed to find its place.</summary>
 internal sealed class Request
 {
+    private const string GroundAltitude = "groundAltitudeAmslMetres";
     private const double MaxSeconds = 1e11;   // some 3000 years: far below what a TimeSpan holds
 
     private readonly PixelGeolocator _locator;
     private readonly TimeSpan _time;
-    private readonly ImagingCommand _order;
+    private readonly ImagingCommand _command;
     private readonly double _column;
     private readonly double _row;
 
-    private Request(PixelGeolocator locator, TimeSpan time, ImagingCommand order, double column, double row)
-        => (_locator, _time, _order, _column, _row) = (locator, time, order, column, row);
+    private Request(PixelGeolocator locator, TimeSpan time, ImagingCommand command, double column, double row)
+        => (_locator, _time, _command, _column, _row) = (locator, time, command, column, row);
 
-    /// <exception cref="FormatException">Something is missing or no number.</exception>
+    /// <exception cref="FormatException">Something is missing, unknown or of a wrong type.</exception>
+    /// <exception cref="PictureException">The file describes no camera.</exception>
     public static Request Read(CommandLine line, TextReader input)
     {
-        using JsonDocument camera = JsonDocument.Parse(File.ReadAllText(line.Camera));
-        using JsonDocument request = JsonDocument.Parse(line.Request is null ? "{}" : line.Request == "-" ? input.ReadToEnd() : File.ReadAllText(line.Request));
-        JsonElement asked = request.RootElement;
-        RefuseOthers(asked, "the request", "pose", "gimbal", "ground_alt_m", "pixel");
-        var options = new ImageProcessingOptions { Camera = CameraOf(Part(camera.RootElement, "camera")), Mount = MountOf(camera.RootElement) };
+        CameraFolder camera = CameraFolder.OpenFile(line.Camera);
+        RequestFields request = Fields(line.Request, input);
+        var options = new ImageProcessingOptions { Camera = camera.Camera, Mount = camera.Mount };
         if (line.Terrain is not null)
-        {
-            using var reader = new StreamReader(line.Terrain);
-            options.Terrain = AsciiGrid.Read(reader);
-        }
-
+            options.Terrain = TerrainOf(line.Terrain);
         var locator = new PixelGeolocator(options);
         TimeSpan time = TimeSpan.FromSeconds(TimeOf(line));
         if (line.Telemetry is null)
-            AddPose(locator, Part(asked, "pose"));
+            AddPose(locator, request.Object("pose", [.. Telemetry.Names]));
         else
             time = Telemetry.Read(line.Telemetry, time, locator);
-        bool hasGround = asked.TryGetProperty("ground_alt_m", out JsonElement ground);
-        if (!hasGround && options.Terrain is null)
-            throw new FormatException("The request has no ground_alt_m, and there is no --terrain.");
-        bool hasGimbal = asked.TryGetProperty("gimbal", out JsonElement gimbal);
-        if (hasGimbal)
-            RefuseOthers(gimbal, "gimbal", "pitch_deg", "yaw_deg");
-        var order = new ImagingCommand
-        {
-            GroundAltitudeAmslMetres = hasGround ? ground.GetDouble() : 0,
-            CameraPitch = Angle.FromDegrees(hasGimbal ? Number(gimbal, "pitch_deg") : -90),
-            CameraYaw = Angle.FromDegrees(hasGimbal ? Number(gimbal, "yaw_deg") : 0),
-        };
-        (double column, double row) = line.Pixel ?? (Numbers(asked, "pixel", 2)[0], Numbers(asked, "pixel", 2)[1]);
-        return new Request(locator, time, order, column, row);
+        (double column, double row) = line.Pixel ?? request.Pair("pixel");
+        return new Request(locator, time, CommandOf(request, options.Terrain is not null), column, row);
     }
 
-    public GeolocationResult Locate() => _locator.Locate(_time, _order, _column, _row);
+    public GeolocationResult Locate() => _locator.Locate(_time, _command, _column, _row);
 
     private static double TimeOf(CommandLine line)
     {
@@ -69,83 +51,44 @@ internal sealed class Request
             ? seconds : throw new FormatException(FormattableString.Invariant($"--time is {seconds}; it must be seconds, {MaxSeconds} at most."));
     }
 
-    private static CameraModel CameraOf(JsonElement camera)
+    private static RequestFields Fields(string? file, TextReader input)
     {
-        double[] lens = camera.TryGetProperty("dist_k1_k2_p1_p2_k3", out _) ? Numbers(camera, "dist_k1_k2_p1_p2_k3", 5) : new double[5];
-        return new CameraModel
+        (string text, string name) = file switch
         {
-            Width = (int)Number(camera, "width"),
-            Height = (int)Number(camera, "height"),
-            FocalX = Number(camera, "fx"),
-            FocalY = Number(camera, "fy"),
-            CentreX = Number(camera, "cx"),
-            CentreY = Number(camera, "cy"),
-            K1 = lens[0],
-            K2 = lens[1],
-            P1 = lens[2],
-            P2 = lens[3],
-            K3 = lens[4],
-            RowReadout = TimeSpan.FromTicks((long)Math.Round(Optional(camera, "row_readout_us") * 10)),
+            null => ("{}", "the request"),
+            "-" => (input.ReadToEnd(), "the standard input"),
+            _ => (File.ReadAllText(file), file),
         };
+        return RequestFields.Parse(text, name, "pose", "gimbal", GroundAltitude, "pixel");
     }
 
-    // In the camera or beside it: both are met.
-    private static CameraMount MountOf(JsonElement file)
+    private static TerrainGrid TerrainOf(string file)
     {
-        if (!file.TryGetProperty("mount", out JsonElement mount) && !Part(file, "camera").TryGetProperty("mount", out mount))
-            return new CameraMount();
-        RefuseOthers(mount, "mount", "roll_deg", "pitch_deg", "yaw_deg", "lever_arm_body_m", "lever_arm_gimbal_m", "R_body_from_cam");
-        double[] arm = Arm(mount, "lever_arm_body_m");
-        double[] cameraArm = Arm(mount, "lever_arm_gimbal_m");
-        Rotation? turn = null;
-        if (mount.TryGetProperty("R_body_from_cam", out JsonElement rows))
-            turn = Rotation.FromMatrix([.. rows.EnumerateArray().SelectMany(r => r.EnumerateArray()).Select(n => n.GetDouble())]);
-        return new CameraMount
+        using var reader = new StreamReader(file);
+        try
         {
-            FixedBodyFromCamera = turn,
-            GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
-            CameraLeverArmMetres = new BodyVector(cameraArm[0], cameraArm[1], cameraArm[2]),
-            MisalignmentRoll = Angle.FromDegrees(Optional(mount, "roll_deg")),
-            MisalignmentPitch = Angle.FromDegrees(Optional(mount, "pitch_deg")),
-            MisalignmentYaw = Angle.FromDegrees(Optional(mount, "yaw_deg")),
-        };
-    }
-
-    private static void AddPose(PixelGeolocator locator, JsonElement pose)
-    {
-        RefuseOthers(pose, "pose", "lat_deg", "lon_deg", "alt_m", "vn_mps", "ve_mps", "vd_mps", "roll_deg", "pitch_deg", "yaw_deg");
-        Telemetry.Add(locator, default, [
-            AngleOf(pose, "lat_deg", 90), AngleOf(pose, "lon_deg", 180), Number(pose, "alt_m"),
-            Optional(pose, "vn_mps"), Optional(pose, "ve_mps"), Optional(pose, "vd_mps"),
-            Number(pose, "roll_deg"), Number(pose, "pitch_deg"), Number(pose, "yaw_deg")]);
-    }
-
-    // A misspelt key that is left out of account would give the wrong place.
-    private static void RefuseOthers(JsonElement element, string where, params string[] known)
-    {
-        foreach (JsonProperty property in element.EnumerateObject())
+            return AsciiGrid.Read(reader);
+        }
+        catch (FormatException e)
         {
-            if (!known.Contains(property.Name))
-                throw new FormatException($"'{property.Name}' is no key of {where}; there are {string.Join(", ", known)}.");
+            throw new FormatException($"{file}: {e.Message}", e);
         }
     }
 
-    private static double[] Arm(JsonElement mount, string name) => mount.TryGetProperty(name, out _) ? Numbers(mount, name, 3) : new double[3];
-
-    private static JsonElement Part(JsonElement element, string name)
-        => element.TryGetProperty(name, out JsonElement part) ? part : throw new FormatException($"'{name}' is missing.");
-
-    private static double Number(JsonElement element, string name) => Part(element, name).GetDouble();
-
-    private static double AngleOf(JsonElement element, string name, double max)
-        => Number(element, name) is var degrees && Math.Abs(degrees) <= max
-            ? degrees : throw new FormatException(FormattableString.Invariant($"'{name}' is {degrees}; it must be -{max} to {max}."));
-
-    private static double Optional(JsonElement element, string name) => element.TryGetProperty(name, out JsonElement value) ? value.GetDouble() : 0;
-
-    private static double[] Numbers(JsonElement element, string name, int count)
+    private static ImagingCommand CommandOf(RequestFields request, bool hasTerrain)
     {
-        double[] numbers = [.. Part(element, name).EnumerateArray().Select(n => n.GetDouble())];
-        return numbers.Length == count ? numbers : throw new FormatException($"'{name}' has {numbers.Length} numbers, not {count}.");
+        RequestFields? gimbal = request.Has("gimbal") ? request.Object("gimbal", "pitchDegrees", "yawDegrees") : null;
+        return new ImagingCommand
+        {
+            GroundAltitudeAmslMetres = hasTerrain ? request.OptionalNumber(GroundAltitude) : request.Number(GroundAltitude),
+            CameraPitch = Angle.FromDegrees(gimbal?.Number("pitchDegrees") ?? -90),
+            CameraYaw = Angle.FromDegrees(gimbal?.Number("yawDegrees") ?? 0),
+        };
     }
+
+    private static void AddPose(PixelGeolocator locator, RequestFields pose) => Telemetry.Add(locator, default, [
+        pose.Degrees("latitudeDegrees", 90), pose.Degrees("longitudeDegrees", 180), pose.Number("altitudeAmslMetres"),
+        pose.OptionalNumber("velocityNorthMetresPerSecond"), pose.OptionalNumber("velocityEastMetresPerSecond"),
+        pose.OptionalNumber("velocityDownMetresPerSecond"),
+        pose.Number("rollDegrees"), pose.Number("pitchDegrees"), pose.Number("yawDegrees")]);
 }

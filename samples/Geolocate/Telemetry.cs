@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
@@ -14,11 +15,18 @@ namespace Geolocate;
 /// </summary>
 internal static class Telemetry
 {
-    // What comes later than that after the picture says nothing about it.
+    // Poses later than that after the picture are not needed for it.
     private static readonly TimeSpan Beyond = TimeSpan.FromSeconds(2);
 
-    private static readonly string[] Columns =
-        ["time_s", "lat_deg", "lon_deg", "alt_m", "vn_mps", "ve_mps", "vd_mps", "roll_deg", "pitch_deg", "yaw_deg"];
+    /// <summary>What a pose has, in a request and as the columns of a table.</summary>
+    public static IReadOnlyList<string> Names { get; } =
+    [
+        "latitudeDegrees", "longitudeDegrees", "altitudeAmslMetres",
+        "velocityNorthMetresPerSecond", "velocityEastMetresPerSecond", "velocityDownMetresPerSecond",
+        "rollDegrees", "pitchDegrees", "yawDegrees",
+    ];
+
+    private static readonly string[] Columns = ["timeSeconds", .. Names];   // after Names, which it takes
 
     /// <returns>The time by the clock of the poses.</returns>
     /// <exception cref="FormatException">The file cannot be understood.</exception>
@@ -71,7 +79,11 @@ internal static class Telemetry
     private static int PlaceOf(string column, string[] header, string file)
     {
         int place = Array.FindIndex(header, w => w.Trim() == column);
-        return place >= 0 ? place : throw new FormatException($"The first line of {file} names no column {column}.");
+        if (place >= 0)
+            return place;
+        throw new FormatException(header.Select(w => w.Trim()).FirstOrDefault(w => OldNames.NewNameOf(w) == column) is { } old
+            ? $"The first line of {file} names a column {old}, of an older form of the file; it is {column} now."
+            : $"The first line of {file} names no column {column}.");
     }
 
     private static double Number(string word, int line, string file)

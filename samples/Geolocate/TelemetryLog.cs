@@ -38,7 +38,7 @@ internal static class TelemetryLog
         return sent.Count == 2 ? time : throw new FormatException($"{file} has no positions or no attitudes of an autopilot.");
     }
 
-    // By the message that was quickest: late by the shortest delay of the link, which a log does not show.
+    // By the message that was quickest: late by the shortest delay of the link, which is not in a log.
     private static TimeSpan StampsLessBoot(string file)
     {
         TimeSpan least = TimeSpan.MaxValue;

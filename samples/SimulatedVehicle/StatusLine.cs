@@ -22,9 +22,9 @@ internal sealed class StatusLine(TextWriter output)
             "{0,10:0.000}  {1}; north {2:0.0} east {3:0.0} height {4:0.0} m, battery {5:0} %",
             time.TotalSeconds,
             state,
-            truth.Pose.North,
-            truth.Pose.East,
-            Math.Max(0, -truth.Pose.Down),
+            truth.Pose.Position.North,
+            truth.Pose.Position.East,
+            Math.Max(0, -truth.Pose.Position.Down),
             truth.BatteryRemaining * 100));
     }
 }

@@ -90,7 +90,7 @@ internal sealed class Flight : IDisposable
         {
             // Panels of colours that the mission does not search for are not its targets.
             Truth = TargetTruth.Of(world, mission.Targets),
-            TruePosition = () => world.PositionOf(world.Truth.Pose.North, world.Truth.Pose.East),
+            TruePosition = () => world.PositionOf(world.Truth.Pose.Position with { Down = 0 }),
         };
     }
 

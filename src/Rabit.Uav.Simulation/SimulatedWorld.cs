@@ -32,7 +32,7 @@ public sealed class SimulatedWorld
         Options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         Frame = new WorldFrame(Options.Home);
         Things = TargetField.Place(
-            unchecked((ulong)Options.Seed), Options.Area.Select(c => (c.North, c.East)).ToArray(), Options.TargetCount, Options.DistractorCount);
+            unchecked((ulong)Options.Seed), Options.Area, Options.TargetCount, Options.DistractorCount);
     }
 
     /// <summary>The targets.</summary>
@@ -103,10 +103,9 @@ public sealed class SimulatedWorld
             time.AddLongUnitOfWork(fault.Manager!, fault.At, fault.Duration);
     }
 
-    /// <summary>Where something of the world is: on the ground, by the earth's coordinates.</summary>
-    /// <param name="northMetres">North of home.</param>
-    /// <param name="eastMetres">East of home.</param>
-    public GeodeticPosition PositionOf(double northMetres, double eastMetres) => Frame.ToPlace(new NedVector(northMetres, eastMetres, 0));
+    /// <summary>Where something of the world is, by the earth's coordinates.</summary>
+    /// <param name="position">In the frame of the world.</param>
+    public GeodeticPosition PositionOf(NedPosition position) => Frame.ToPlace(position - NedPosition.Origin);
 
     /// <summary>The vehicle alone, to be stepped by a test.</summary>
     internal SimulatedVehicle CreateVehicle() => new(Options, Frame, History, _recorder);

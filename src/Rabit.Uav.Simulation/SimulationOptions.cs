@@ -24,9 +24,9 @@ public sealed class SimulationOptions
     /// <value>The default is the field near Canberra where ArduPilot's simulated copters start.</value>
     public GeodeticPosition Home { get; set; } = GeodeticPosition.FromDegrees(-35.363_262, 149.165_237, 584.09);
 
-    /// <summary>The heading of the vehicle at the start, radians clockwise from north.</summary>
+    /// <summary>The heading of the vehicle at the start, clockwise from north.</summary>
     /// <value>The default is 0.</value>
-    public double HeadingRadians { get; set; }
+    public Angle Heading { get; set; }
 
     /// <summary>
     /// How long before the start of the run the autopilot was switched on, by its own clock; null: by the seed, 20 to
@@ -49,9 +49,9 @@ public sealed class SimulationOptions
     /// <value>The default is 3.</value>
     public double WindMetresPerSecond { get; set; } = 3;
 
-    /// <summary>Where the wind comes from, radians clockwise from north; null: by the seed.</summary>
+    /// <summary>Where the wind comes from, clockwise from north; null: by the seed.</summary>
     /// <value>The default is null.</value>
-    public double? WindFromRadians { get; set; }
+    public Angle? WindFrom { get; set; }
 
     /// <summary>What is left in the battery at the start, 0 to 1.</summary>
     /// <value>The default is 1.</value>
@@ -75,11 +75,11 @@ public sealed class SimulationOptions
     public SimulatedCameraOptions Camera { get; set; } = new();
 
     /// <summary>
-    /// The corners of the area in which the targets lie, metres north and east of home; down is not read.
+    /// The corners of the area in which the targets lie, from home; down is not read.
     /// </summary>
     /// <value>The default is a rectangle of 120 by 160 m that begins 30 m north of home.</value>
-    public IReadOnlyList<NedVector> Area { get; set; } =
-        [new NedVector(30, -80, 0), new NedVector(150, -80, 0), new NedVector(150, 80, 0), new NedVector(30, 80, 0)];
+    public IReadOnlyList<NedPosition> Area { get; set; } =
+        [new NedPosition(30, -80, 0), new NedPosition(150, -80, 0), new NedPosition(150, 80, 0), new NedPosition(30, 80, 0)];
 
     /// <summary>What goes wrong, in any order.</summary>
     public IReadOnlyList<ScriptedFault> Faults { get; set; } = Array.Empty<ScriptedFault>();
@@ -97,7 +97,9 @@ public sealed class SimulationOptions
             ? GeodeticPosition.FromRadians(home.Latitude.Radians, home.Longitude.Radians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
             : GeodeticPosition.FromRadians(mission.Area[0].Latitude.Radians, mission.Area[0].Longitude.Radians, Home.AltitudeAmslMetres);
         var frame = new WorldFrame(Home);
-        Area = mission.Area.Select(c => frame.ToWorld(GeodeticPosition.FromRadians(c.Latitude.Radians, c.Longitude.Radians, Home.AltitudeAmslMetres))).ToArray();
+        Area = mission.Area
+            .Select(c => GeodeticPosition.FromRadians(c.Latitude.Radians, c.Longitude.Radians, Home.AltitudeAmslMetres))
+            .Select(c => NedPosition.Origin + frame.ToWorld(c)).ToArray();
     }
 
     /// <summary>Checks, and takes a copy that later changes do not reach.</summary>
@@ -123,8 +125,8 @@ public sealed class SimulationOptions
                 $"{nameof(Home)} is {Home.Latitude.Radians}, {Home.Longitude.Radians} radians, {Home.AltitudeAmslMetres} m; it must be a place on earth, not at a pole");
         }
 
-        if (!(Math.Abs(HeadingRadians) <= 2 * Math.PI))
-            yield return FormattableString.Invariant($"{nameof(HeadingRadians)} is {HeadingRadians}; it must be an angle of at most one turn");
+        if (!(Math.Abs(Heading.Radians) <= 2 * Math.PI))
+            yield return FormattableString.Invariant($"{nameof(Heading)} is {Heading}; it must be an angle of at most one turn");
         if (BootedBefore is { } booted && (booted < TimeSpan.Zero || booted > TimeSpan.FromDays(20)))
             yield return FormattableString.Invariant($"{nameof(BootedBefore)} is {booted}; it must be 0 to 20 days");
         if (ClockDriftPpm is { } drift && !(Math.Abs(drift) <= 1000))
@@ -133,8 +135,8 @@ public sealed class SimulationOptions
             yield return FormattableString.Invariant($"{nameof(PositionAfter)} is {PositionAfter}; it must not be negative");
         if (!IsWind(WindMetresPerSecond))
             yield return FormattableString.Invariant($"{nameof(WindMetresPerSecond)} is {WindMetresPerSecond}; it must be 0 to {MaxWind}");
-        if (WindFromRadians is { } from && !(Math.Abs(from) <= 2 * Math.PI))
-            yield return FormattableString.Invariant($"{nameof(WindFromRadians)} is {from}; it must be an angle of at most one turn");
+        if (WindFrom is { } from && !(Math.Abs(from.Radians) <= 2 * Math.PI))
+            yield return FormattableString.Invariant($"{nameof(WindFrom)} is {from}; it must be an angle of at most one turn");
         if (!(BatteryRemaining >= 0 && BatteryRemaining <= 1))
             yield return FormattableString.Invariant($"{nameof(BatteryRemaining)} is {BatteryRemaining}; it must be 0 to 1");
         if (TelemetryLatency < TimeSpan.Zero || TelemetryLatency > TimeSpan.FromSeconds(10))

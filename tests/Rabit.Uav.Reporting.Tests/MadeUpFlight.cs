@@ -279,7 +279,7 @@ internal sealed class MadeUpFlight
             Position = Frame.ToGeodetic(new NedPosition(_at.North + (0.3 * Gauss()), _at.East + (0.3 * Gauss()), _at.Down)),
             HeightAboveHomeMetres = -_at.Down + (0.2 * Gauss()),
             GroundSpeed = Math.Max(0, speed + (0.15 * Gauss())),
-            YawRadians = yaw,
+            Yaw = Angle.FromRadians(yaw),
             BatteryRemaining = _time < 1 ? double.NaN : 0.98 - (_time * 0.0018),
             Phase = phase,
             Coverage = coverage,

@@ -147,7 +147,7 @@ internal sealed class Ground : IDisposable
         Assert(SetMode(CopterMode.Guided) == MavResult.Accepted);
         Assert(Command(MavCmd.ComponentArmDisarm, 1) == MavResult.Accepted);
         Assert(Command(MavCmd.NavTakeoff, p7: (float)height) == MavResult.Accepted);
-        RunUntil(() => -Truth.Pose.Down > height - 2 && Math.Abs(Truth.Pose.DownSpeed) < 0.1, 60, "up");
+        RunUntil(() => -Truth.Pose.Position.Down > height - 2 && Math.Abs(Truth.Pose.VelocityNed.Down) < 0.1, 60, "up");
         Run(2);
     }
 

@@ -45,7 +45,7 @@ internal sealed class MapModel
             Home = plan is null ? null : new NedPosition(0, 0, 0),
             Path = [.. samples.Select(s => frame.ToNed(s.Position))],
             Vehicle = samples.Length == 0 ? null : frame.ToNed(samples[samples.Length - 1].Position),
-            VehicleYawRadians = samples.Length == 0 ? 0 : samples[samples.Length - 1].YawRadians,
+            VehicleYawRadians = samples.Length == 0 ? 0 : samples[samples.Length - 1].Yaw.Radians,
             Tracks = [.. record.Tracks.Tracks.Select(t => new MapTrack(frame.ToNed(t.Position), t))],
         };
     }

@@ -23,7 +23,7 @@ public struct FlightSample
     public double GroundSpeed { get; set; }
 
     /// <summary>Clockwise from north.</summary>
-    public double YawRadians { get; set; }
+    public Angle Yaw { get; set; }
 
     /// <summary>Remaining charge, 0 to 1; NaN where it is not known.</summary>
     public double BatteryRemaining { get; set; }

@@ -143,7 +143,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
         Position = _vehicle.Position,
         HeightAboveHomeMetres = _vehicle.HeightAboveHomeMetres,
         GroundSpeed = Math.Sqrt((_vehicle.VelocityNed.North * _vehicle.VelocityNed.North) + (_vehicle.VelocityNed.East * _vehicle.VelocityNed.East)),
-        YawRadians = _vehicle.Attitude.Yaw.Radians,
+        Yaw = _vehicle.Attitude.Yaw,
         BatteryRemaining = _vehicle.BatteryTime is null ? double.NaN : _vehicle.BatteryRemaining,
         Phase = _mission.Phase,
         Coverage = _mission.Coverage,

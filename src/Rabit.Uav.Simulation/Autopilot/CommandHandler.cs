@@ -171,6 +171,6 @@ internal sealed class CommandHandler(
 
     private static MavResult Result(bool isDone) => isDone ? MavResult.Accepted : MavResult.Failed;
 
-    // What is no number, or does not fit, becomes an unknown number.
+    // What is no number, or does not fit, becomes the largest one, which is no mode and no id.
     private static uint WholeNumber(float value) => value >= 0 && value < MaxNumber ? (uint)value : uint.MaxValue;
 }

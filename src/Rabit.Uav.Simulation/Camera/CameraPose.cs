@@ -8,14 +8,15 @@ internal readonly struct CameraPose
 {
     public CameraPose(in TruePose pose, SimulatedCameraOptions camera)
     {
-        BodyAxes body = BodyAxes.FromEulerAngles(pose.Yaw, pose.Pitch, pose.Roll);
-        BodyAxes foot = BodyAxes.FromEulerAngles(camera.MisalignmentYawRadians, camera.MisalignmentPitchRadians, camera.MisalignmentRollRadians);
-        Axes = BodyAxes.FromEulerAngles(pose.CameraYaw, pose.CameraPitch, roll: 0).TransformedBy(foot).TransformedBy(body);
+        BodyAxes body = BodyAxes.FromEulerAngles(pose.Attitude.Yaw.Radians, pose.Attitude.Pitch.Radians, pose.Attitude.Roll.Radians);
+        BodyAxes foot = BodyAxes.FromEulerAngles(
+            camera.MisalignmentYaw.Radians, camera.MisalignmentPitch.Radians, camera.MisalignmentRoll.Radians);
+        Axes = BodyAxes.FromEulerAngles(pose.CameraYaw.Radians, pose.CameraPitch.Radians, roll: 0).TransformedBy(foot).TransformedBy(body);
 
         Vector3 lever = body.Transform(new Vector3(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres));
-        North = pose.North + lever.First;
-        East = pose.East + lever.Second;
-        Height = -(pose.Down + lever.Third);
+        North = pose.Position.North + lever.First;
+        East = pose.Position.East + lever.Second;
+        Height = -(pose.Position.Down + lever.Third);
     }
 
     public BodyAxes Axes { get; }

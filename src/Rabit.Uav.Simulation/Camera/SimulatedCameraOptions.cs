@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Simulation;
@@ -44,19 +45,18 @@ public sealed class SimulatedCameraOptions
     public double LeverArmDownMetres { get; set; } = 0.05;
 
     /// <summary>
-    /// How far the foot of the camera's gimbal is rotated about the body's forward axis, radians, right side down
-    /// positive.
+    /// How far the foot of the camera's gimbal is rotated about the body's forward axis, right side down positive.
     /// </summary>
     /// <value>The default is 0.</value>
-    public double MisalignmentRollRadians { get; set; }
+    public Angle MisalignmentRoll { get; set; }
 
-    /// <summary>How far the foot of the camera's gimbal is rotated nose up, radians.</summary>
+    /// <summary>How far the foot of the camera's gimbal is rotated nose up.</summary>
     /// <value>The default is 0.</value>
-    public double MisalignmentPitchRadians { get; set; }
+    public Angle MisalignmentPitch { get; set; }
 
-    /// <summary>How far the foot of the camera's gimbal is rotated to the right, radians.</summary>
+    /// <summary>How far the foot of the camera's gimbal is rotated to the right.</summary>
     /// <value>The default is 0.</value>
-    public double MisalignmentYawRadians { get; set; }
+    public Angle MisalignmentYaw { get; set; }
 
     /// <summary>Pictures per second.</summary>
     /// <value>The default is 2.</value>

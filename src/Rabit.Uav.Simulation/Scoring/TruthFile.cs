@@ -135,12 +135,12 @@ public static class TruthFile
     private static void WritePose(Utf8JsonWriter json, in TruePose pose)
     {
         json.WriteNumber("timeSeconds", Math.Round(pose.Time.TotalSeconds, 3));
-        json.WriteNumber("northMetres", Math.Round(pose.North, 3));
-        json.WriteNumber("eastMetres", Math.Round(pose.East, 3));
-        json.WriteNumber("heightMetres", Math.Round(-pose.Down, 3) + 0.0);
-        json.WriteNumber("rollDegrees", Degrees(pose.Roll, 2));
-        json.WriteNumber("pitchDegrees", Degrees(pose.Pitch, 2));
-        json.WriteNumber("yawDegrees", Degrees(pose.Yaw, 2));
+        json.WriteNumber("northMetres", Math.Round(pose.Position.North, 3));
+        json.WriteNumber("eastMetres", Math.Round(pose.Position.East, 3));
+        json.WriteNumber("heightMetres", Math.Round(-pose.Position.Down, 3) + 0.0);
+        json.WriteNumber("rollDegrees", Degrees(pose.Attitude.Roll.Radians, 2));
+        json.WriteNumber("pitchDegrees", Degrees(pose.Attitude.Pitch.Radians, 2));
+        json.WriteNumber("yawDegrees", Degrees(pose.Attitude.Yaw.Radians, 2));
         json.WriteEndObject();
     }
 

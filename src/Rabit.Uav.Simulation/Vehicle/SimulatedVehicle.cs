@@ -51,15 +51,15 @@ internal sealed class SimulatedVehicle : IFrameSink
         _recorder = recorder;
         _script = new FaultScript(options.Faults);
         _errors = new NavigationErrors(options.Seed, StepSeconds);
-        Body = new Multirotor { Yaw = options.HeadingRadians };
+        Body = new Multirotor { Yaw = options.Heading.Radians };
         Parameters = new ParameterStore();
         Pack = new Battery(Parameters.BatteryCapacity.Value / 1000, options.BatteryRemaining);
 
         var constants = new SimulationRandom(options.Seed, "vehicle constants");
         _clock = new BootClock(
             options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80)), options.ClockDriftPpm ?? constants.ModestNormal(20));
-        double from = options.WindFromRadians ?? constants.Uniform(-Math.PI, Math.PI);
-        Air = new WindField(new SimulationRandom(options.Seed, "wind"), options.WindMetresPerSecond, from, StepSeconds);
+        double fromRadians = options.WindFrom?.Radians ?? constants.Uniform(-Math.PI, Math.PI);
+        Air = new WindField(new SimulationRandom(options.Seed, "wind"), options.WindMetresPerSecond, fromRadians, StepSeconds);
 
         Controller = new FlightController(Parameters, Say) { BatteryVolts = Pack.Volts };
         Controller.Situation.StepSeconds = StepSeconds;
@@ -184,17 +184,11 @@ internal sealed class SimulatedVehicle : IFrameSink
         var pose = new TruePose
         {
             Time = _time,
-            North = Body.Position.North,
-            East = Body.Position.East,
-            Down = Body.Position.Down,
-            NorthSpeed = Body.Velocity.North,
-            EastSpeed = Body.Velocity.East,
-            DownSpeed = Body.Velocity.Down,
-            Roll = Body.Roll,
-            Pitch = Body.Pitch,
-            Yaw = Body.Yaw,
-            CameraPitch = Mount.Pitch,
-            CameraYaw = Mount.Yaw,
+            Position = NedPosition.Origin + Body.Position,
+            VelocityNed = Body.Velocity,
+            Attitude = EulerAngles.FromRadians(Body.Roll, Body.Pitch, Body.Yaw),
+            CameraPitch = Angle.FromRadians(Mount.Pitch),
+            CameraYaw = Angle.FromRadians(Mount.Yaw),
         };
         _history.Add(pose);
         _recorder.Record(pose, Controller.IsArmed, Controller.Mode, Pack.Remaining, Body.TouchdownSpeed);

@@ -1,3 +1,4 @@
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Simulation;
@@ -17,22 +18,19 @@ public sealed class SimulatedTarget
     /// <summary>Its class; <see cref="TargetClassName.None"/> for a distractor that has the colour of no class, but a near one.</summary>
     public TargetClassName Class { get; init; }
 
-    /// <summary>Where its centre lies, metres north in the frame of the world.</summary>
-    public double NorthMetres { get; init; }
+    /// <summary>Where its centre lies in the frame of the world; on the ground, at 0 down.</summary>
+    public NedPosition Position { get; init; }
 
-    /// <summary>Where its centre lies, metres east in the frame of the world.</summary>
-    public double EastMetres { get; init; }
-
-    /// <summary>Its length along <see cref="HeadingRadians"/>, metres.</summary>
+    /// <summary>Its length along <see cref="Heading"/>, metres.</summary>
     /// <value>The default is 1: all targets are squares of 1 m.</value>
     public double SideMetres { get; init; } = 1;
 
-    /// <summary>Its length across <see cref="HeadingRadians"/>, metres.</summary>
+    /// <summary>Its length across <see cref="Heading"/>, metres.</summary>
     /// <value>The default is 1.</value>
     public double WidthMetres { get; init; } = 1;
 
-    /// <summary>Where its side points, radians clockwise from north.</summary>
-    public double HeadingRadians { get; init; }
+    /// <summary>Where its side points, clockwise from north.</summary>
+    public Angle Heading { get; init; }
 
     /// <summary>Whether it is a distractor: a track of it that is confirmed is a false one.</summary>
     public bool IsDistractor { get; init; }

@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 
@@ -26,8 +28,7 @@ public static class TargetField
     /// </summary>
     /// <param name="seed">Another seed, another layout.</param>
     /// <param name="area">
-    /// Corners of the area in order, metres north and east in the frame of the world; any winding, not crossing
-    /// itself.
+    /// Corners of the area in order, in the frame of the world; any winding, not crossing itself. Down is not read.
     /// </param>
     /// <param name="targets">How many targets, 0 or more.</param>
     /// <param name="distractors">
@@ -38,9 +39,9 @@ public static class TargetField
     /// The area is none, a number is negative, or the targets do not fit into the area.
     /// </exception>
     public static IReadOnlyList<SimulatedTarget> Place(
-        ulong seed, IReadOnlyList<(double North, double East)> area, int targets, int distractors)
+        ulong seed, IReadOnlyList<NedPosition> area, int targets, int distractors)
     {
-        var polygon = new GroundPolygon(area, nameof(area));
+        var polygon = new GroundPolygon(area?.Select(c => (c.North, c.East)).ToArray()!, nameof(area));
         if (targets < 0 || distractors < 0)
         {
             throw new ArgumentOutOfRangeException(
@@ -69,11 +70,10 @@ public static class TargetField
             Id = id,
             Name = kind.Name + " " + id.ToString(CultureInfo.InvariantCulture),
             Class = kind.Class,
-            NorthMetres = place.North,
-            EastMetres = place.East,
+            Position = new NedPosition(place.North, place.East, 0),
             SideMetres = kind.SideMetres,
             WidthMetres = kind.WidthMetres,
-            HeadingRadians = 2 * Math.PI * random.NextUnit(),
+            Heading = Angle.FromRadians(2 * Math.PI * random.NextUnit()),
             IsDistractor = isDistractor,
             Surface = kind.Surface.Vary(ref random),
         };

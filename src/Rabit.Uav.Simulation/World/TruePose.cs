@@ -1,47 +1,29 @@
 using System;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
 /// Where the simulated vehicle really is and how it really stands, in the frame of the world: flat, north-east-down,
-/// metres, origin at the place where it stood at the start. Angles in radians: yaw clockwise from north, pitch nose
-/// up, roll right side down. A plain value.
+/// metres, origin at the place where it stood at the start. A plain value.
 /// </summary>
 public struct TruePose
 {
     /// <summary>When, by the clock of the run.</summary>
     public TimeSpan Time { get; set; }
 
-    /// <summary>Metres north.</summary>
-    public double North { get; set; }
+    /// <summary>Where, in the frame of the world; the ground is at 0 down.</summary>
+    public NedPosition Position { get; set; }
 
-    /// <summary>Metres east.</summary>
-    public double East { get; set; }
+    /// <summary>Velocity over ground, m/s.</summary>
+    public NedVector VelocityNed { get; set; }
 
-    /// <summary>Metres down; the ground is at 0.</summary>
-    public double Down { get; set; }
+    /// <summary>Yaw clockwise from north and not wrapped, pitch nose up, roll right side down.</summary>
+    public EulerAngles Attitude { get; set; }
 
-    /// <summary>Metres per second, over ground.</summary>
-    public double NorthSpeed { get; set; }
+    /// <summary>Camera pitch against the body, up positive; -90 degrees is straight down.</summary>
+    public Angle CameraPitch { get; set; }
 
-    /// <summary>Metres per second, over ground.</summary>
-    public double EastSpeed { get; set; }
-
-    /// <summary>Metres per second, down positive.</summary>
-    public double DownSpeed { get; set; }
-
-    /// <summary>Radians.</summary>
-    public double Roll { get; set; }
-
-    /// <summary>Radians.</summary>
-    public double Pitch { get; set; }
-
-    /// <summary>Radians, not wrapped.</summary>
-    public double Yaw { get; set; }
-
-    /// <summary>Camera pitch against the body, radians, up positive; -pi/2 is straight down.</summary>
-    public double CameraPitch { get; set; }
-
-    /// <summary>Camera yaw against the body, radians, right positive.</summary>
-    public double CameraYaw { get; set; }
+    /// <summary>Camera yaw against the body, right positive.</summary>
+    public Angle CameraYaw { get; set; }
 }

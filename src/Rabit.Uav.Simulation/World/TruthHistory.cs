@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.Simulation;
 
@@ -52,19 +53,16 @@ internal sealed class TruthHistory(int capacity)
         return new TruePose
         {
             Time = time,
-            North = Mix(a.North, b.North, part),
-            East = Mix(a.East, b.East, part),
-            Down = Mix(a.Down, b.Down, part),
-            NorthSpeed = Mix(a.NorthSpeed, b.NorthSpeed, part),
-            EastSpeed = Mix(a.EastSpeed, b.EastSpeed, part),
-            DownSpeed = Mix(a.DownSpeed, b.DownSpeed, part),
-            Roll = Mix(a.Roll, b.Roll, part),
-            Pitch = Mix(a.Pitch, b.Pitch, part),
-            Yaw = Mix(a.Yaw, b.Yaw, part),
+            Position = a.Position + (part * (b.Position - a.Position)),
+            VelocityNed = a.VelocityNed + (part * (b.VelocityNed - a.VelocityNed)),
+            Attitude = new EulerAngles(
+                Mix(a.Attitude.Roll, b.Attitude.Roll, part),
+                Mix(a.Attitude.Pitch, b.Attitude.Pitch, part),
+                Mix(a.Attitude.Yaw, b.Attitude.Yaw, part)),
             CameraPitch = Mix(a.CameraPitch, b.CameraPitch, part),
             CameraYaw = Mix(a.CameraYaw, b.CameraYaw, part),
         };
     }
 
-    private static double Mix(double a, double b, double part) => a + ((b - a) * part);
+    private static Angle Mix(Angle a, Angle b, double part) => a + (part * (b - a));
 }

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.ImageProcessing.Geolocation;
 
@@ -94,15 +95,15 @@ internal sealed class TruthRecorder
 
     private void Move(in TruePose pose, double touchdownSpeed)
     {
-        bool isAirborne = pose.Down < 0;
+        bool isAirborne = pose.Position.Down < 0;
         if (isAirborne)
         {
             _hasFlown = true;
             _airtime += pose.Time - _pose.Time;
-            _flown += Length(pose.North - _pose.North, pose.East - _pose.East);
-            _height = Math.Max(_height, -pose.Down);
-            _speed = Math.Max(_speed, Length(pose.NorthSpeed, pose.EastSpeed));
-            _distance = Math.Max(_distance, Length(pose.North, pose.East));
+            _flown += pose.Position.HorizontalDistanceTo(_pose.Position);
+            _height = Math.Max(_height, -pose.Position.Down);
+            _speed = Math.Max(_speed, pose.VelocityNed.HorizontalLength);
+            _distance = Math.Max(_distance, pose.Position.HorizontalDistanceTo(NedPosition.Origin));
         }
         else if (_isAirborne)
         {
@@ -114,6 +115,4 @@ internal sealed class TruthRecorder
         _isAirborne = isAirborne;
         _pose = pose;
     }
-
-    private static double Length(double a, double b) => Math.Sqrt((a * a) + (b * b));
 }

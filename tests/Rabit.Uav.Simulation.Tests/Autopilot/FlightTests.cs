@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
@@ -22,7 +23,7 @@ public class FlightTests(ITestOutputHelper output)
         Assert.Equal(MavState.Active, ground.Heartbeat.SystemStatus);
         ground.GoTo(100, 40, 30);
         Assert.Equal(MavResult.Accepted, ground.Command(MavCmd.DoChangeSpeed, 1, 6, -1));
-        ground.RunUntil(() => Distance(ground, 100, 40) < 4 && -ground.Truth.Pose.Down > 26, 60, "at the target");
+        ground.RunUntil(() => Distance(ground, 100, 40) < 4 && -ground.Truth.Pose.Position.Down > 26, 60, "at the target");
         ground.Run(15);
         Assert.True(Distance(ground, 100, 40) < 4, $"{Distance(ground, 100, 40)} m");
         Assert.InRange(ground.Truth.MaxSpeedMetresPerSecond, 5, 7.5);
@@ -52,8 +53,8 @@ public class FlightTests(ITestOutputHelper output)
         ground.RunUntil(() => !ground.IsArmed, 60, "disarmed");
 
         TruePose landing = ground.Truth.Landing!.Value;
-        Assert.InRange(landing.North - above.North, -1, 1);
-        Assert.InRange(landing.East - above.East, -1, 1);
+        Assert.InRange(landing.Position.North - above.Position.North, -1, 1);
+        Assert.InRange(landing.Position.East - above.Position.East, -1, 1);
         Assert.Contains("Disarming motors", ground.Texts);
         Assert.Equal(CopterMode.Land, (CopterMode)ground.Heartbeat.CustomMode);
     }
@@ -64,10 +65,10 @@ public class FlightTests(ITestOutputHelper output)
         using var ground = new Ground(new SimulationOptions { WindMetresPerSecond = 0 });
         ground.TakeOff(25);
         ground.Command(MavCmd.NavLand);
-        ground.RunUntil(() => -ground.Truth.Pose.Down < 15, 60, "at 15 m");
-        Assert.InRange(ground.Truth.Pose.DownSpeed, 1.3, 1.6);
-        ground.RunUntil(() => -ground.Truth.Pose.Down < 5, 60, "at 5 m");
-        Assert.InRange(ground.Truth.Pose.DownSpeed, 0.4, 0.6);
+        ground.RunUntil(() => -ground.Truth.Pose.Position.Down < 15, 60, "at 15 m");
+        Assert.InRange(ground.Truth.Pose.VelocityNed.Down, 1.3, 1.6);
+        ground.RunUntil(() => -ground.Truth.Pose.Position.Down < 5, 60, "at 5 m");
+        Assert.InRange(ground.Truth.Pose.VelocityNed.Down, 0.4, 0.6);
     }
 
     [Fact]
@@ -79,7 +80,7 @@ public class FlightTests(ITestOutputHelper output)
         ground.RunUntil(() => Distance(ground, 60, 0) < 4, 60, "out");
         ground.Command(MavCmd.NavReturnToLaunch);
         ground.RunUntil(() => Distance(ground, 60, 0) > 10, 60, "on the way");
-        Assert.InRange(-ground.Truth.Pose.Down, 12, 18);
+        Assert.InRange(-ground.Truth.Pose.Position.Down, 12, 18);
     }
 
     [Fact]
@@ -98,7 +99,7 @@ public class FlightTests(ITestOutputHelper output)
     [Fact]
     public void Hover_InWind_HoldsItsPlace()
     {
-        using var ground = new Ground(new SimulationOptions { Seed = 3, WindMetresPerSecond = 10, WindFromRadians = 1 });
+        using var ground = new Ground(new SimulationOptions { Seed = 3, WindMetresPerSecond = 10, WindFrom = Angle.FromRadians(1) });
         ground.TakeOff(20);
         ground.Run(5);
         TruePose start = ground.Truth.Pose;
@@ -106,7 +107,7 @@ public class FlightTests(ITestOutputHelper output)
         for (int second = 0; second < 60; second++)
         {
             ground.Run(1);
-            worst = Math.Max(worst, Distance(ground, start.North, start.East));
+            worst = Math.Max(worst, Distance(ground, start.Position.North, start.Position.East));
         }
 
         output.WriteLine($"{worst:0.00} m at most");
@@ -120,7 +121,7 @@ public class FlightTests(ITestOutputHelper output)
         ground.TakeOff(20);
         ground.GoTo(0, 80, 20);
         ground.Run(8);
-        Assert.InRange(ground.Truth.Pose.Yaw, (Math.PI / 2) - 0.1, (Math.PI / 2) + 0.1);
+        Assert.InRange(ground.Truth.Pose.Attitude.Yaw.Radians, (Math.PI / 2) - 0.1, (Math.PI / 2) + 0.1);
     }
 
     [Fact]
@@ -138,13 +139,13 @@ public class FlightTests(ITestOutputHelper output)
     {
         using var ground = new Ground();
         ground.Run(1);
-        Assert.Equal(-Math.PI / 2, ground.Truth.Pose.CameraPitch, 6);
+        Assert.Equal(-Math.PI / 2, ground.Truth.Pose.CameraPitch.Radians, 6);
         Assert.Equal(MavResult.Accepted, ground.Command(MavCmd.DoGimbalManagerPitchyaw, -30, 20, float.NaN, float.NaN));
         ground.Run(0.5);
-        Assert.InRange(ground.Truth.Pose.CameraPitch / Ground.RadiansPerDegree, -62, -57);
+        Assert.InRange(ground.Truth.Pose.CameraPitch.Radians / Ground.RadiansPerDegree, -62, -57);
         ground.Run(1);
-        Assert.Equal(-30, ground.Truth.Pose.CameraPitch / Ground.RadiansPerDegree, 3);
-        Assert.Equal(20, ground.Truth.Pose.CameraYaw / Ground.RadiansPerDegree, 3);
+        Assert.Equal(-30, ground.Truth.Pose.CameraPitch.Radians / Ground.RadiansPerDegree, 3);
+        Assert.Equal(20, ground.Truth.Pose.CameraYaw.Radians / Ground.RadiansPerDegree, 3);
     }
 
     internal static CommandInt Reposition(Ground ground, float flags) => new()
@@ -164,7 +165,7 @@ public class FlightTests(ITestOutputHelper output)
     internal static double Distance(Ground ground, double north, double east)
     {
         TruePose pose = ground.Truth.Pose;
-        return Math.Sqrt(((pose.North - north) * (pose.North - north)) + ((pose.East - east) * (pose.East - east)));
+        return Math.Sqrt(((pose.Position.North - north) * (pose.Position.North - north)) + ((pose.Position.East - east) * (pose.Position.East - east)));
     }
 
     private static MavLandedState[] Changes(MavLandedState[] states) => states.Where((s, i) => i == 0 || states[i - 1] != s).ToArray();

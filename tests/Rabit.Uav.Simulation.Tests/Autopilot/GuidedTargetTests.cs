@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
@@ -17,12 +18,12 @@ public class GuidedTargetTests
         ground.TakeOff(20);
         ground.Fly(5, 0, 0);
         ground.Run(2.9);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, 4.5, 5.5);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, 4.5, 5.5);
         ground.Run(4);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, -0.3, 0.3);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, -0.3, 0.3);
         TruePose stopped = ground.Truth.Pose;
         ground.Run(20);
-        Assert.True(FlightTests.Distance(ground, stopped.North, stopped.East) < 1.5, "and it stays");
+        Assert.True(FlightTests.Distance(ground, stopped.Position.North, stopped.Position.East) < 1.5, "and it stays");
     }
 
     [Fact]
@@ -36,8 +37,8 @@ public class GuidedTargetTests
             ground.Run(1);
         }
 
-        Assert.InRange(ground.Truth.Pose.EastSpeed, -4.3, -3.7);
-        Assert.InRange(ground.Truth.Pose.DownSpeed, -0.6, -0.4);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.East, -4.3, -3.7);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.Down, -0.6, -0.4);
     }
 
     [Fact]
@@ -62,7 +63,7 @@ public class GuidedTargetTests
         ground.GoTo(100, 0, 20);
         ground.Fly(5, 0, 0);
         ground.Run(10);
-        Assert.True(FlightTests.Distance(ground, pose.North, pose.East) < 2);
+        Assert.True(FlightTests.Distance(ground, pose.Position.North, pose.Position.East) < 2);
         Assert.Equal(frames, ground.Count<CommandAck>());
     }
 
@@ -76,10 +77,10 @@ public class GuidedTargetTests
         ground.TakeOff(20);
         ground.GoTo(200, 0, 20);
         ground.Run(8);
-        Assert.True(ground.Truth.Pose.NorthSpeed > 5);
+        Assert.True(ground.Truth.Pose.VelocityNed.North > 5);
         ground.Send(new SetPositionTargetLocalNed { TargetSystem = 1, TargetComponent = 1, CoordinateFrame = axes, TypeMask = (PositionTargetTypemask)mask, Vx = 5 });
         ground.Run(8);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, -0.5, 0.5);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, -0.5, 0.5);
     }
 
     [Fact]
@@ -97,7 +98,7 @@ public class GuidedTargetTests
     [Fact]
     public void BodyVelocity_GoesWhereTheNoseIs()
     {
-        using var ground = new Ground(new SimulationOptions { WindMetresPerSecond = 0, HeadingRadians = 90 * Degree });
+        using var ground = new Ground(new SimulationOptions { WindMetresPerSecond = 0, Heading = Angle.FromDegrees(90) });
         ground.TakeOff(20);
         for (int second = 0; second < 5; second++)
         {
@@ -112,8 +113,8 @@ public class GuidedTargetTests
             ground.Run(1);
         }
 
-        Assert.InRange(ground.Truth.Pose.EastSpeed, 3.5, 4.5);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, -0.5, 0.5);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.East, 3.5, 4.5);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, -0.5, 0.5);
     }
 
     [Fact]
@@ -126,7 +127,7 @@ public class GuidedTargetTests
         Assert.Equal(MavResult.Accepted, ground.Command(MavCmd.ConditionYaw, 200, 30, 1, 0));
         ground.GoTo(60, 0, 20);
         ground.Run(10);
-        Assert.Equal(200, Math.Round((ground.Truth.Pose.Yaw / Degree) + 720) % 360);
+        Assert.Equal(200, Math.Round((ground.Truth.Pose.Attitude.Yaw.Radians / Degree) + 720) % 360);
     }
 
     [Fact]
@@ -137,15 +138,15 @@ public class GuidedTargetTests
         ground.GoTo(300, 0, 20);
         ground.Command(MavCmd.DoChangeSpeed, 1, 4, -1);
         ground.Run(10);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, 3.7, 4.3);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, 3.7, 4.3);
         ground.GoTo(301, 0, 20);
         ground.Run(5);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, 3.7, 4.3);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, 3.7, 4.3);
         ground.Fly(0, 0, 0);
         ground.Run(2);
         ground.GoTo(300, 0, 20);
         ground.Run(8);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, 9, 11);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, 9, 11);
     }
 
     [Fact]
@@ -157,10 +158,10 @@ public class GuidedTargetTests
         ground.Run(6);
         Assert.Equal(MavResult.Accepted, ground.Command(MavCmd.DoPauseContinue, 0));
         ground.Run(10);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, -0.3, 0.3);
-        double stopped = ground.Truth.Pose.North;
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, -0.3, 0.3);
+        double stopped = ground.Truth.Pose.Position.North;
         Assert.Equal(MavResult.Accepted, ground.Command(MavCmd.DoPauseContinue, 1));
         ground.Run(5);
-        Assert.True(ground.Truth.Pose.North > stopped + 10);
+        Assert.True(ground.Truth.Pose.Position.North > stopped + 10);
     }
 }

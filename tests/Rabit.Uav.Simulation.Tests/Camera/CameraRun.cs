@@ -52,7 +52,7 @@ internal sealed class CameraRun : IDisposable
         {
             TruePose pose = Scene.Pose(40);
             pose.Time = _truthUntil;
-            pose.North = Speed * _truthUntil.TotalSeconds;
+            pose.Position = pose.Position with { North = Speed * _truthUntil.TotalSeconds };
             Truth.Add(pose);
         }
 

@@ -12,7 +12,7 @@ namespace Rabit.Uav.Simulation.Tests.Camera;
 public class PictureTests(ITestOutputHelper output)
 {
     private static readonly IReadOnlyList<SimulatedTarget> Things =
-        TargetField.Place(9, [(-60, -80), (60, -80), (60, 80), (-60, 80)], targets: 5, distractors: 10);
+        TargetField.Place(9, Scene.Corners((-60, -80), (60, -80), (60, 80), (-60, 80)), targets: 5, distractors: 10);
 
     [Fact]
     public void Render_SameSeedAndPose_GivesTheSameBytes()
@@ -209,8 +209,8 @@ public class PictureTests(ITestOutputHelper output)
 
     private static byte[] Shoot(PictureRenderer renderer, SimulatedCameraOptions options, TruePose pose, double north, double east)
     {
-        (pose.North, pose.East) = (north, east);
-        var cameraPose = new CameraPose(pose, options);
+        pose.Position = pose.Position with { North = north, East = east };
+        var stance = new CameraPose(pose, options);
         byte[] pixels = new byte[options.Camera.Width * options.Camera.Height * 3];
         renderer.Render(cameraPose, cameraPose, cameraPose, 0, pixels);
         return pixels;

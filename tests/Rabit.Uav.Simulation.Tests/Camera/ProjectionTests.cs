@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
@@ -60,9 +61,9 @@ public class ProjectionTests(ITestOutputHelper output)
             LeverArmForwardMetres = 0.3,
             LeverArmRightMetres = -0.2,
             LeverArmDownMetres = 0.4,
-            MisalignmentRollRadians = 0.03,
-            MisalignmentPitchRadians = -0.05,
-            MisalignmentYawRadians = 0.08,
+            MisalignmentRoll = Angle.FromRadians(0.03),
+            MisalignmentPitch = Angle.FromRadians(-0.05),
+            MisalignmentYaw = Angle.FromRadians(0.08),
         });
         int seen = 0;
         double worst = 0;
@@ -70,10 +71,10 @@ public class ProjectionTests(ITestOutputHelper output)
         {
             TruePose pose = Scene.Pose(
                 20 + (60 * random.NextDouble()), Spread(random, 35), Spread(random, 35), Spread(random, 400), -90 + (50 * random.NextDouble()), Spread(random, 180));
-            (pose.North, pose.East) = (Spread(random, 500), Spread(random, 500));
+            pose.Position = pose.Position with { North = Spread(random, 500), East = Spread(random, 500) };
             (double north, double east) = GroundBelow(pose, random);
             var panel = Scene.Panel(north, east, heading: Spread(random, 3), side: 0.6);
-            (double wantedU, double wantedV, double depth) = Expected(pose, panel.NorthMetres, panel.EastMetres);
+            (double wantedU, double wantedV, double depth) = Expected(pose, panel.Position.North, panel.Position.East);
             if (depth < 10 || depth > 120 || wantedU is < 10 or > 309 || wantedV is < 10 or > 229)
                 continue;
 
@@ -111,16 +112,16 @@ public class ProjectionTests(ITestOutputHelper output)
     private static double Red(Scene scene, int u, int v) => scene.LastPicture[((v * 320) + u) * 3];
 
     private static (double North, double East) GroundBelow(in TruePose pose, Random random)
-        => (pose.North + Spread(random, -pose.Down), pose.East + Spread(random, -pose.Down));
+        => (pose.Position.North + Spread(random, -pose.Position.Down), pose.Position.East + Spread(random, -pose.Position.Down));
 
     private static double Spread(Random random, double most) => ((2 * random.NextDouble()) - 1) * most;
 
     private static (double U, double V, double Depth) Expected(in TruePose pose, double north, double east)
     {
-        double[,] body = Euler(pose.Yaw, pose.Pitch, pose.Roll);
-        double[,] gimbal = Times(body, Times(Euler(0.08, -0.05, 0.03), Euler(pose.CameraYaw, pose.CameraPitch, 0)));
+        double[,] body = Euler(pose.Attitude.Yaw.Radians, pose.Attitude.Pitch.Radians, pose.Attitude.Roll.Radians);
+        double[,] gimbal = Times(body, Times(Euler(0.08, -0.05, 0.03), Euler(pose.CameraYaw.Radians, pose.CameraPitch.Radians, 0)));
         double[] arm = Apply(body, [0.3, -0.2, 0.4]);
-        double[] way = [north - pose.North - arm[0], east - pose.East - arm[1], -pose.Down - arm[2]];
+        double[] way = [north - pose.Position.North - arm[0], east - pose.Position.East - arm[1], -pose.Position.Down - arm[2]];
         (double x, double y, double z) = (Column(gimbal, 1, way), Column(gimbal, 2, way), Column(gimbal, 0, way));   // right, down, along the axis
 
         // Far beyond the edge of the picture the formula of the lens folds back into it; no lens does.

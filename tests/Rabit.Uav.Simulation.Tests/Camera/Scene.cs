@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
@@ -40,13 +41,16 @@ internal sealed class Scene
         LeverArmDownMetres = 0,
     };
 
+    /// <summary>Corners of an area on the ground.</summary>
+    public static NedPosition[] Corners(params (double North, double East)[] corners)
+        => Array.ConvertAll(corners, c => new NedPosition(c.North, c.East, 0));
+
     /// <summary>A magenta panel of 1 m.</summary>
     public static SimulatedTarget Panel(double north, double east, double heading = 0, double side = 1) => new()
     {
         Class = DefaultTargetClasses.Magenta,
-        NorthMetres = north,
-        EastMetres = east,
-        HeadingRadians = heading,
+        Position = new NedPosition(north, east, 0),
+        Heading = Angle.FromRadians(heading),
         SideMetres = side,
         WidthMetres = side,
         Surface = new SurfaceColour(212, 36, 150),
@@ -55,12 +59,10 @@ internal sealed class Scene
     /// <summary>A pose over the origin, angles in degrees; the camera looks straight down if not set otherwise.</summary>
     public static TruePose Pose(double height, double roll = 0, double pitch = 0, double yaw = 0, double cameraPitch = -90, double cameraYaw = 0) => new()
     {
-        Down = -height,
-        Roll = Degrees(roll),
-        Pitch = Degrees(pitch),
-        Yaw = Degrees(yaw),
-        CameraPitch = Degrees(cameraPitch),
-        CameraYaw = Degrees(cameraYaw),
+        Position = new NedPosition(0, 0, -height),
+        Attitude = EulerAngles.FromDegrees(roll, pitch, yaw),
+        CameraPitch = Angle.FromDegrees(cameraPitch),
+        CameraYaw = Angle.FromDegrees(cameraYaw),
     };
 
     /// <summary>Where the panel is seen, and on how many pixels; pixels 0 if it is not seen.</summary>

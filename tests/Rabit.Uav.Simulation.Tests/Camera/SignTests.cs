@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Xunit;
 
@@ -99,9 +100,9 @@ public class SignTests
     public void Misalignment_OfTheMount_TurnsLikeTheVehicle(double roll, double pitch, double yaw, int north, int east)
     {
         SimulatedCameraOptions options = Scene.Pinhole();
-        options.MisalignmentRollRadians = Scene.Degrees(roll);
-        options.MisalignmentPitchRadians = Scene.Degrees(pitch);
-        options.MisalignmentYawRadians = Scene.Degrees(yaw);
+        options.MisalignmentRoll = Angle.FromDegrees(roll);
+        options.MisalignmentPitch = Angle.FromDegrees(pitch);
+        options.MisalignmentYaw = Angle.FromDegrees(yaw);
 
         (double u, double v, _) = new Scene(options).Find(Scene.Pose(Height), Scene.Panel(north * Tan10 * Height, east * Tan10 * Height));
 
@@ -113,7 +114,7 @@ public class SignTests
     public void Misalignment_Yaw_TurnsThePictureLikeTheVehicle()
     {
         SimulatedCameraOptions options = Scene.Pinhole();
-        options.MisalignmentYawRadians = Scene.Degrees(90);
+        options.MisalignmentYaw = Angle.FromDegrees(90);
 
         (double u, double v, _) = new Scene(options).Find(Scene.Pose(Height), Scene.Panel(5, 0));
 
@@ -133,7 +134,7 @@ public class SignTests
     public void Heading_OfAStrip_IsClockwiseFromNorth()
     {
         // 3 m by 0.3 m, pointing north-east: in a picture with north at the top from the lower left to the upper right.
-        var strip = new SimulatedTarget { HeadingRadians = Scene.Degrees(45), SideMetres = 3, WidthMetres = 0.3, Surface = new SurfaceColour(212, 36, 150) };
+        var strip = new SimulatedTarget { Heading = Angle.FromDegrees(45), SideMetres = 3, WidthMetres = 0.3, Surface = new SurfaceColour(212, 36, 150) };
         var scene = new Scene();
         scene.Find(Scene.Pose(10), strip);
 

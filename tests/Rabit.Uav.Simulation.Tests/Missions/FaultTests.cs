@@ -177,7 +177,7 @@ public sealed class FaultTests(ITestOutputHelper output)
     private static double DistanceFromHome(SearchFlight flight)
     {
         TruePose pose = flight.World.Truth.Pose;
-        return Math.Sqrt((pose.North * pose.North) + (pose.East * pose.East));
+        return Math.Sqrt((pose.Position.North * pose.Position.North) + (pose.Position.East * pose.Position.East));
     }
 
     private static ScriptedFault Hang(string manager, double seconds)

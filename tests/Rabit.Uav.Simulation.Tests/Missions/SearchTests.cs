@@ -48,7 +48,7 @@ public sealed class SearchTests(ITestOutputHelper output)
         MissionScore score = flight.Score();
         List<TargetScore> scores = score.Targets.ToList();
         TruePose landing = flight.World.Truth.Landing ?? default;
-        double fromHome = Math.Sqrt((landing.North * landing.North) + (landing.East * landing.East));
+        double fromHome = Math.Sqrt((landing.Position.North * landing.Position.North) + (landing.Position.East * landing.Position.East));
         output.WriteLine(FormattableString.Invariant(
             $"seed {seed}: {flight.Mission.Phase} at {flight.Reactor.Now}, {flight.Mission.Coverage:P1} seen, landed {fromHome:0.00} m from home, RMSE {Rmse(scores):0.00} m"));
         foreach (TargetScore target in scores)

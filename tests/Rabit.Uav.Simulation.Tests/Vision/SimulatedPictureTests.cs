@@ -6,6 +6,7 @@ using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Simulation.Tests.Camera;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -84,7 +85,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         var camera = new SimulatedCameraOptions();
         var truth = new TruthHistory(400);
         var frame = new WorldFrame(GeodeticPosition.FromRadians(0.8395, 0.1486, 445));
-        IReadOnlyList<SimulatedTarget> things = TargetField.Place(seed, [(-5, -10), (-5, 65), (75, 65), (75, -10)], 10, 10);
+        IReadOnlyList<SimulatedTarget> things = TargetField.Place(seed, Scene.Corners((-5, -10), (-5, 65), (75, 65), (75, -10)), 10, 10);
         var source = new SimulatedCamera(camera, truth, things, seed);
         var manager = new ImageProcessingManager(
             new ImageProcessingOptions
@@ -122,7 +123,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         public double ErrorOf(TargetReport report, SimulatedTarget target)
         {
             NedVector at = frame.ToWorld(report.Position);
-            return Math.Sqrt(Math.Pow(at.North - target.NorthMetres, 2) + Math.Pow(at.East - target.EastMetres, 2));
+            return Math.Sqrt(Math.Pow(at.North - target.Position.North, 2) + Math.Pow(at.East - target.Position.East, 2));
         }
 
         public string Describe(TargetReport report)
@@ -141,7 +142,7 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
                 double length = Math.Sqrt((north * north) + (east * east));
 
                 // Clockwise seen from above: the inside is to the right.
-                double inside = ((north * (target.EastMetres - a.East)) - (east * (target.NorthMetres - a.North))) / length;
+                double inside = ((north * (target.Position.East - a.East)) - (east * (target.Position.North - a.North))) / length;
                 if (inside < margin)
                     return false;
             }

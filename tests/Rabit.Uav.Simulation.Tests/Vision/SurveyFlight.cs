@@ -61,7 +61,7 @@ internal sealed class SurveyFlight : RabitManager
         {
             Kind = PoseSampleKind.Attitude,
             Time = pose.Time,
-            Attitude = EulerAngles.FromRadians(pose.Roll, pose.Pitch, Math.IEEERemainder(pose.Yaw, 2 * Math.PI)),
+            Attitude = EulerAngles.FromRadians(pose.Attitude.Roll.Radians, pose.Attitude.Pitch.Radians, Math.IEEERemainder(pose.Attitude.Yaw.Radians, 2 * Math.PI)),
         });
         if (hasPosition)
         {
@@ -69,8 +69,8 @@ internal sealed class SurveyFlight : RabitManager
             {
                 Kind = PoseSampleKind.Position,
                 Time = pose.Time,
-                Position = _frame.ToPlace(new NedVector(pose.North, pose.East, pose.Down)),
-                VelocityNed = new NedVector(pose.NorthSpeed, pose.EastSpeed, pose.DownSpeed),
+                Position = _frame.ToPlace(pose.Position - NedPosition.Origin),
+                VelocityNed = pose.VelocityNed,
             });
         }
     }
@@ -86,14 +86,13 @@ internal sealed class SurveyFlight : RabitManager
         return new TruePose
         {
             Time = TimeSpan.FromMilliseconds(step * 10),
-            North = isNorthward ? onLane : LaneLength - onLane,
-            East = lane * LaneSpacing,
-            Down = -_height,
-            NorthSpeed = isNorthward ? Speed : -Speed,
-            Roll = 0.12 * Math.Sin(0.9 * t),
-            Pitch = -0.08 + (0.06 * Math.Sin(0.7 * t)),
-            Yaw = (isNorthward ? 0 : Math.PI) + (0.2 * Math.Sin(0.3 * t)),
-            CameraPitch = -Math.PI / 2,
+            Position = new NedPosition(isNorthward ? onLane : LaneLength - onLane, lane * LaneSpacing, -_height),
+            VelocityNed = new NedVector(isNorthward ? Speed : -Speed, 0, 0),
+            Attitude = EulerAngles.FromRadians(
+                0.12 * Math.Sin(0.9 * t),
+                -0.08 + (0.06 * Math.Sin(0.7 * t)),
+                (isNorthward ? 0 : Math.PI) + (0.2 * Math.Sin(0.3 * t))),
+            CameraPitch = Angle.FromDegrees(-90),
         };
     }
 }

@@ -80,7 +80,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         Assert.Empty(ground.Frames);
         Assert.Equal(CopterMode.Guided, (CopterMode)ground.Truth.CustomMode);
         Assert.True(ground.Truth.FramesLost > lost);
-        Assert.True(ground.Truth.Pose.North > 20);
+        Assert.True(ground.Truth.Pose.Position.North > 20);
         ground.Run(3);
         Assert.True(ground.Count<Heartbeat>() >= 2);
     }
@@ -176,7 +176,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         Assert.Equal(CopterMode.Guided, (CopterMode)ground.Heartbeat.CustomMode);
         ground.Run(8);
         Assert.Equal(CopterMode.Loiter, (CopterMode)ground.Heartbeat.CustomMode);
-        Assert.InRange(ground.Truth.Pose.NorthSpeed, -0.5, 0.5);
+        Assert.InRange(ground.Truth.Pose.VelocityNed.North, -0.5, 0.5);
     }
 
     [Fact]
@@ -207,7 +207,7 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         ground.Run(0.5);
         ground.Link.Unblock();
         ground.Run(20);
-        Assert.InRange(ground.Truth.Pose.North, 45, 55);
+        Assert.InRange(ground.Truth.Pose.Position.North, 45, 55);
         Assert.Single(ground.Log, l => l.Text.Contains("the link has ended"));
     }
 

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Simulation.Tests.Camera;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -9,18 +11,18 @@ namespace Rabit.Uav.Simulation.Tests.World;
 
 public class TargetFieldTests(ITestOutputHelper output)
 {
-    private static readonly (double North, double East)[] Rectangle = [(30, -80), (150, -80), (150, 80), (30, 80)];
+    private static readonly NedPosition[] Rectangle = Scene.Corners((30, -80), (150, -80), (150, 80), (30, 80));
 
     // A U, open to the north, and turned the other way round.
-    private static readonly (double North, double East)[] Horseshoe =
-        [(0, 0), (100, 0), (100, 30), (30, 30), (30, 70), (100, 70), (100, 100), (0, 100)];
+    private static readonly NedPosition[] Horseshoe =
+        Scene.Corners((0, 0), (100, 0), (100, 30), (30, 30), (30, 70), (100, 70), (100, 100), (0, 100));
 
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
     public void Place_ManySeeds_KeepsAllDistances(bool isHorseshoe)
     {
-        (double North, double East)[] area = isHorseshoe ? Horseshoe : Rectangle;
+        NedPosition[] area = isHorseshoe ? Horseshoe : Rectangle;
         for (ulong seed = 0; seed < 300; seed++)
         {
             IReadOnlyList<SimulatedTarget> things = TargetField.Place(seed, area, targets: 5, distractors: 6);
@@ -40,7 +42,7 @@ public class TargetFieldTests(ITestOutputHelper output)
         for (ulong seed = 0; seed < 300; seed++)
         {
             foreach (SimulatedTarget thing in TargetField.Place(seed, Rectangle, targets: 5, distractors: 0))
-                quarters[(thing.NorthMetres > 90 ? 2 : 0) + (thing.EastMetres > 0 ? 1 : 0)]++;
+                quarters[(thing.Position.North > 90 ? 2 : 0) + (thing.Position.East > 0 ? 1 : 0)]++;
         }
 
         output.WriteLine(string.Join(" ", quarters));
@@ -62,7 +64,7 @@ public class TargetFieldTests(ITestOutputHelper output)
         // A flight that is known by its seed is to find the same world in years to come, on every runtime.
         SimulatedTarget first = TargetField.Place(1, Rectangle, 5, 6)[0];
 
-        Assert.Equal("red panel 1 94.380571 -33.440573 5.039165", $"{first.Name} {first.NorthMetres:F6} {first.EastMetres:F6} {first.HeadingRadians:F6}");
+        Assert.Equal("red panel 1 94.380571 -33.440573 5.039165", $"{first.Name} {first.Position.North:F6} {first.Position.East:F6} {first.Heading.Radians:F6}");
     }
 
     [Fact]
@@ -97,7 +99,7 @@ public class TargetFieldTests(ITestOutputHelper output)
     [Fact]
     public void Place_RoomForTheTargetsOnly_LeavesDistractorsOut()
     {
-        (double, double)[] tiny = [(0, 0), (0, 11), (11, 11), (11, 0)];
+        NedPosition[] tiny = Scene.Corners((0, 0), (0, 11), (11, 11), (11, 0));
 
         Assert.False(Assert.Single(TargetField.Place(1, tiny, targets: 1, distractors: 6)).IsDistractor);
     }
@@ -105,20 +107,20 @@ public class TargetFieldTests(ITestOutputHelper output)
     [Fact]
     public void Place_NoRoom_SaysSo()
     {
-        (double, double)[] small = [(0, 0), (0, 30), (30, 30), (30, 0)];
+        NedPosition[] small = Scene.Corners((0, 0), (0, 30), (30, 30), (30, 0));
 
         ArgumentException fault = Assert.Throws<ArgumentException>(() => TargetField.Place(1, small, targets: 20, distractors: 3));
 
         Assert.Contains("20 targets do not fit into the area", fault.Message, StringComparison.Ordinal);
-        Assert.Throws<ArgumentException>(() => TargetField.Place(1, [(0, 0), (0, 7), (7, 7), (7, 0)], targets: 1, distractors: 0));
-        Assert.Throws<ArgumentException>(() => TargetField.Place(1, [(0, 0), (50, 50), (100, 100)], targets: 1, distractors: 0));
+        Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (0, 7), (7, 7), (7, 0)), targets: 1, distractors: 0));
+        Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (50, 50), (100, 100)), targets: 1, distractors: 0));
     }
 
     [Fact]
     public void Place_NoArea_SaysWhy()
     {
-        Assert.Contains("3 corners", Assert.Throws<ArgumentException>(() => TargetField.Place(1, [(0, 0), (1, 1)], 1, 0)).Message, StringComparison.Ordinal);
-        Assert.Contains("Corner 2", Assert.Throws<ArgumentException>(() => TargetField.Place(1, [(0, 0), (1, double.NaN), (5, 5)], 1, 0)).Message, StringComparison.Ordinal);
+        Assert.Contains("3 corners", Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (1, 1)), 1, 0)).Message, StringComparison.Ordinal);
+        Assert.Contains("Corner 2", Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (1, double.NaN), (5, 5)), 1, 0)).Message, StringComparison.Ordinal);
         Assert.Throws<ArgumentNullException>(() => TargetField.Place(1, null!, 1, 0));
         Assert.Throws<ArgumentOutOfRangeException>(() => TargetField.Place(1, Rectangle, -1, 0));
         Assert.Throws<ArgumentOutOfRangeException>(() => TargetField.Place(1, Rectangle, 0, -1));
@@ -128,14 +130,14 @@ public class TargetFieldTests(ITestOutputHelper output)
     public void Place_Nothing_IsEmpty() => Assert.Empty(TargetField.Place(1, Rectangle, 0, 0));
 
     // Another way than the product's: the area as a sum of angles, and the distance to many points of the edge.
-    private static bool IsWellInside((double North, double East)[] area, SimulatedTarget thing)
+    private static bool IsWellInside(NedPosition[] area, SimulatedTarget thing)
     {
         double turn = 0;
         double nearest = double.MaxValue;
         for (int i = 0; i < area.Length; i++)
         {
-            (double n1, double e1) = (area[i].North - thing.NorthMetres, area[i].East - thing.EastMetres);
-            (double n2, double e2) = (area[(i + 1) % area.Length].North - thing.NorthMetres, area[(i + 1) % area.Length].East - thing.EastMetres);
+            (double n1, double e1) = (area[i].North - thing.Position.North, area[i].East - thing.Position.East);
+            (double n2, double e2) = (area[(i + 1) % area.Length].North - thing.Position.North, area[(i + 1) % area.Length].East - thing.Position.East);
             turn += Math.Atan2((n1 * e2) - (n2 * e1), (n1 * n2) + (e1 * e2));
             for (int step = 0; step <= 1000; step++)
             {
@@ -148,7 +150,7 @@ public class TargetFieldTests(ITestOutputHelper output)
     }
 
     private static double Distance(SimulatedTarget a, SimulatedTarget b)
-        => Math.Sqrt(Math.Pow(a.NorthMetres - b.NorthMetres, 2) + Math.Pow(a.EastMetres - b.EastMetres, 2));
+        => Math.Sqrt(Math.Pow(a.Position.North - b.Position.North, 2) + Math.Pow(a.Position.East - b.Position.East, 2));
 
     private static bool IsWithinTenth(int value, int nominal) => Math.Abs(value - nominal) <= (0.1 * nominal) + 0.5;
 
@@ -163,5 +165,5 @@ public class TargetFieldTests(ITestOutputHelper output)
     };
 
     private static string Text(IEnumerable<SimulatedTarget> things) => string.Join(
-        "; ", things.Select(t => $"{t.Name} {t.NorthMetres:R} {t.EastMetres:R} {t.HeadingRadians:R} {t.Surface.Red} {t.Surface.Green} {t.Surface.Blue}"));
+        "; ", things.Select(t => $"{t.Name} {t.Position.North:R} {t.Position.East:R} {t.Heading.Radians:R} {t.Surface.Red} {t.Surface.Green} {t.Surface.Blue}"));
 }

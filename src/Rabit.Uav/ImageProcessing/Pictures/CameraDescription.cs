@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Json;
 using Rabit.Vision;
@@ -17,8 +16,6 @@ internal static class CameraDescription
     private const int Version = 2;
     private const string Distortion = "distortion";
     private const string RowReadout = "rowReadoutMicroseconds";
-    private const string BodyFromCamera = "bodyFromCamera";
-    private const string LeverArm = "leverArmBodyMetres";
     private const string FrameStart = "frameStartMicroseconds";
     private const string Exposure = "exposureMicroseconds";
     private const double TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000.0;
@@ -42,21 +39,16 @@ internal static class CameraDescription
             var root = new JsonFields(document.RootElement, string.Empty, faults);
             JsonFields camera = root.RequiredObject("camera");
             CameraModel model = ReadModel(camera);
-            JsonFields mount = camera.RequiredObject("mount");
-            mount.Renamed(("R_body_from_cam", BodyFromCamera), ("lever_arm_body_m", LeverArm));
-            double[] matrix = mount.RequiredMatrix(BodyFromCamera);
-            double[] arm = mount.RequiredNumbers(LeverArm, 3);
-            mount.RefuseOthers();
+            CameraMount mount = CameraMountDescription.Read(camera.RequiredObject("mount"), faults);
             camera.RefuseOthers();
             List<ListedPicture> listed = ReadFrames(root, faults);
 
             // Where a number is missing, what it would have meant is not worth a second fault.
-            CameraMount where = new();
             if (faults.Count == 0)
-                where = Check(model, matrix, arm, faults);
+                faults.AddRange(FindFaults(model, mount));
             if (faults.Count > 0)
                 throw new PictureException(file, string.Join("; ", faults));
-            return new CameraFolder(folder, model, where, listed);
+            return new CameraFolder(folder, model, mount, listed);
         }
     }
 
@@ -79,7 +71,7 @@ internal static class CameraDescription
             if (camera.RowReadout > TimeSpan.Zero)
                 json.WriteNumber(RowReadout, camera.RowReadout.TotalMilliseconds * 1000);
             json.WriteStartObject("mount");
-            json.WriteStartArray(BodyFromCamera);
+            json.WriteStartArray(CameraMountDescription.BodyFromCamera);
             (double x1, double x2, double x3) = placement.BodyFromCamera.Apply(1, 0, 0);
             (double y1, double y2, double y3) = placement.BodyFromCamera.Apply(0, 1, 0);
             (double z1, double z2, double z3) = placement.BodyFromCamera.Apply(0, 0, 1);
@@ -87,7 +79,8 @@ internal static class CameraDescription
             WriteNumbers(json, name: null, [x2, y2, z2]);
             WriteNumbers(json, name: null, [x3, y3, z3]);
             json.WriteEndArray();
-            WriteNumbers(json, LeverArm, [placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down]);
+            WriteNumbers(
+                json, CameraMountDescription.LeverArm, [placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down]);
             json.WriteEndObject();
             json.WriteEndObject();
             json.WriteString("timeSource", "names of the pictures: number, start of the exposure in us since 1970 UTC, exposure in us");
@@ -120,34 +113,12 @@ internal static class CameraDescription
         };
     }
 
-    private static CameraMount Check(CameraModel model, double[] matrix, double[] arm, List<string> faults)
+    private static IEnumerable<string> FindFaults(CameraModel model, CameraMount mount)
     {
-        faults.AddRange(model.FindFaults());
+        IEnumerable<string> faults = model.FindFaults();
         if (RgbPicture.FindSizeFault(model.Width, model.Height) is { } fault)
-            faults.Add(fault);
-        if (!TryRotation(matrix, out Rotation rotation, out string reason))
-            faults.Add("camera.mount." + BodyFromCamera + ": " + reason);
-        var mount = new CameraMount { FixedBodyFromCamera = rotation, GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]) };
-        faults.AddRange(mount.FindFaults());
-        return mount;
-    }
-
-    private static bool TryRotation(double[] matrix, out Rotation rotation, out string reason)
-    {
-        (rotation, reason) = (Rotation.Identity, string.Empty);
-        try
-        {
-            rotation = Rotation.FromMatrix(matrix);
-            return true;
-        }
-        catch (ArgumentException e)
-        {
-            // What is wrong, without the name of the parameter that a runtime puts on another line.
-            reason = e.Message.Split('\r', '\n')[0];
-            int at = reason.IndexOf(" (Parameter", StringComparison.Ordinal);
-            reason = at < 0 ? reason : reason.Substring(0, at);
-            return false;
-        }
+            faults = faults.Append(fault);
+        return faults.Concat(mount.FindFaults());
     }
 
     private static void WriteNumbers(Utf8JsonWriter json, string? name, IEnumerable<double> numbers)

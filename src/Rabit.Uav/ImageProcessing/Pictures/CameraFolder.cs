@@ -32,7 +32,7 @@ public sealed class CameraFolder
     /// <summary>Pinhole and lens.</summary>
     public CameraModel Camera { get; }
 
-    /// <summary>How the camera sits on the vehicle: not to be turned, where camera.json was read.</summary>
+    /// <summary>How the camera sits on the vehicle: fixed, or on a gimbal where camera.json says so.</summary>
     public CameraMount Mount { get; }
 
     /// <summary>Pictures that camera.json lists, by the start of their exposure.</summary>
@@ -50,14 +50,19 @@ public sealed class CameraFolder
         string file = System.IO.Path.Combine(path, DescriptionFile);
         if (!File.Exists(file))
             throw new PictureException(path, $"there is no {DescriptionFile} in it, which says what the camera is like");
-        try
-        {
-            return CameraDescription.Parse(File.ReadAllBytes(file), file, path);
-        }
-        catch (Exception e) when (FileFaults.IsFileFault(e))
-        {
-            throw new PictureException(file, "it cannot be read: " + e.Message, e);
-        }
+        return OpenFile(file, path);
+    }
+
+    /// <summary>Reads the description of a camera from a file of any name; its folder is that of the camera.</summary>
+    /// <param name="file">The file, in the form of camera.json.</param>
+    /// <exception cref="PictureException">There is no such file, or a wrong one; the text names all that is wrong.</exception>
+    public static CameraFolder OpenFile(string file)
+    {
+        if (file is null)
+            throw new ArgumentNullException(nameof(file));
+        if (!File.Exists(file))
+            throw new PictureException(file, "no such file");
+        return OpenFile(file, System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(file))!);
     }
 
     /// <summary>Makes a folder, if there is none, and writes the description of its camera, replacing one that is there.</summary>
@@ -96,5 +101,17 @@ public sealed class CameraFolder
 
         var fixedMount = new CameraMount { FixedBodyFromCamera = placement.BodyFromCamera, GimbalLeverArmMetres = placement.PositionMetres };
         return new CameraFolder(path, camera, fixedMount, []);
+    }
+
+    private static CameraFolder OpenFile(string file, string folder)
+    {
+        try
+        {
+            return CameraDescription.Parse(File.ReadAllBytes(file), file, folder);
+        }
+        catch (Exception e) when (FileFaults.IsFileFault(e))
+        {
+            throw new PictureException(file, "it cannot be read: " + e.Message, e);
+        }
     }
 }

@@ -21,6 +21,8 @@ public sealed class CameraFolderTests : IDisposable
                    {"file":"frames/a.png","frameStartMicroseconds":468985841,"exposureMicroseconds":1095}]}
         """;
 
+    private const string Fixed = "\"bodyFromCamera\":[[0.0,-1.0,0.0],[1.0,0.0,0.0],[0.0,0.0,1.0]]";
+
     private readonly SamplePictures.TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
@@ -103,8 +105,8 @@ public sealed class CameraFolderTests : IDisposable
     [InlineData("{}", "camera is missing")]
     [InlineData("{\"camera\":5}", "camera is missing or no object")]
     [InlineData("{\"camera\":{}}", "camera.width is missing; camera.height is missing; camera.fx is missing")]
-    [InlineData("nonsense", "no JSON")]
-    [InlineData("", "no JSON")]
+    [InlineData("nonsense", "not JSON")]
+    [InlineData("", "not JSON")]
     public void Open_WrongDescription_SaysWhy(string json, string reason)
     {
         PictureException fault = Assert.Throws<PictureException>(() => Open(json));
@@ -156,6 +158,51 @@ public sealed class CameraFolderTests : IDisposable
             "camera.rowReadoutMicrosecond is unknown; did you mean rowReadoutMicroseconds?",
             Assert.Throws<PictureException>(() => Open(Known.Replace("\"height\"", "\"rowReadoutMicrosecond\":3,\"height\""))).Message,
             StringComparison.Ordinal);
+
+    [Fact]
+    public void Open_MountOnAGimbal_GivesItsMisalignmentAndLeverArms()
+    {
+        CameraMount mount = Open(Known.Replace(
+            Fixed,
+            """
+            "gimbal":{"misalignmentRollDegrees":1,"misalignmentPitchDegrees":-2,"misalignmentYawDegrees":3,"leverArmGimbalMetres":[0.01,0.02,0.03]}
+            """)).Mount;
+
+        Assert.Null(mount.FixedBodyFromCamera);
+        Assert.Equal((1, -2, 3), (mount.MisalignmentRoll.Degrees, mount.MisalignmentPitch.Degrees, mount.MisalignmentYaw.Degrees));
+        Assert.Equal((new BodyVector(0.12, -0.02, 0.06), new BodyVector(0.01, 0.02, 0.03)), (mount.GimbalLeverArmMetres, mount.CameraLeverArmMetres));
+    }
+
+    [Fact]
+    public void Open_EmptyGimbal_HasNoMisalignment()
+    {
+        CameraMount mount = Open(Known.Replace(Fixed, "\"gimbal\":{}")).Mount;
+
+        Assert.Equal((null, Angle.Zero, Angle.Zero, Angle.Zero), (mount.FixedBodyFromCamera, mount.MisalignmentRoll, mount.MisalignmentPitch, mount.MisalignmentYaw));
+        Assert.Equal(default, mount.CameraLeverArmMetres);
+    }
+
+    [Theory]
+    [InlineData("\"gimbal\":{\"roll\":1}", "camera.mount.gimbal.roll is unknown")]
+    [InlineData("\"gimbal\":3", "camera.mount.gimbal is 3; it must be an object")]
+    [InlineData("\"gimbal\":{\"misalignmentYawDegrees\":\"1\"}", "camera.mount.gimbal.misalignmentYawDegrees is \"1\"; it must be a number")]
+    [InlineData("\"gimbal\":{},\"bodyFromCamera\":[[1,0,0],[0,1,0],[0,0,1]]", "it must have one of them")]
+    [InlineData("\"note\":0", "camera.mount.bodyFromCamera is missing")]
+    public void Open_WrongGimbal_IsNamed(string gimbal, string reason)
+        => Assert.Contains(
+            reason, Assert.Throws<PictureException>(() => Open(Known.Replace(Fixed, gimbal))).Message, StringComparison.Ordinal);
+
+    [Fact]
+    public void OpenFile_OfAnotherName_ReadsItAndHasItsFolder()
+    {
+        File.WriteAllText(_folder.File("nadir.json"), Known);
+
+        CameraFolder read = CameraFolder.OpenFile(_folder.File("nadir.json"));
+
+        Assert.Equal((_folder.Path, 640), (read.Path, read.Camera.Width));
+        Assert.Contains("none.json: no such file", Assert.Throws<PictureException>(() => CameraFolder.OpenFile(_folder.File("none.json"))).Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentNullException>(() => CameraFolder.OpenFile(null!));
+    }
 
     [Fact]
     public void Open_MarkOfUtf8AtTheBeginning_IsRead()

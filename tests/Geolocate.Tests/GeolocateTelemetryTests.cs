@@ -6,9 +6,10 @@ using Rabit.Geodesy;
 using Rabit.Geodesy.Tests;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.Tests;
 using Xunit;
 
-namespace Rabit.Uav.Tests.Geolocate;
+namespace Geolocate.Tests;
 
 /// <summary>Geolocate with poses over time: a table or a telemetry log, and a time.</summary>
 public sealed class GeolocateTelemetryTests : IDisposable
@@ -26,7 +27,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
     public GeolocateTelemetryTests()
     {
         _camera = _run.File("camera.json", GeolocateRun.Camera);
-        _request = _run.File("request.json", """{"ground_alt_m":500,"pixel":[319.5,239.5]}""");
+        _request = _run.File("request.json", """{"groundAltitudeAmslMetres":500,"pixel":[319.5,239.5]}""");
     }
 
     public void Dispose() => _run.Dispose();
@@ -39,10 +40,10 @@ public sealed class GeolocateTelemetryTests : IDisposable
     {
         Assert.Equal(0, _run.Run(_camera, _request, "--telemetry", Table("log.csv"), "--time", time, "--json"));
 
-        // A table has no rates: what is extrapolated does not go on rolling.
-        double drawnOn = _run.Json.Number("extrapolated_s");
-        AssertBelow(double.Parse(time, CultureInfo.InvariantCulture), drawnOn > 0 ? 0.1 : 0.02);
-        Assert.Equal(time == "110.05" ? 0.05 : 0, drawnOn, 1e-6);
+        // A table has no rates: an extrapolated pose does not go on rolling.
+        double extrapolated = _run.Json.Number("extrapolatedSeconds");
+        AssertBelow(double.Parse(time, CultureInfo.InvariantCulture), extrapolated > 0 ? 0.1 : 0.02);
+        Assert.Equal(time == "110.05" ? 0.05 : 0, extrapolated, 1e-6);
     }
 
     [Fact]
@@ -68,11 +69,12 @@ public sealed class GeolocateTelemetryTests : IDisposable
     {
         Assert.Equal(2, _run.Run(_camera, _request, "--telemetry", Table("log.csv"), "--time", time, "--json"));
         Assert.Equal(("refused", reason), (_run.Json.Text("status"), _run.Json.Text("reason")));
-        Assert.Equal(double.Parse(time, CultureInfo.InvariantCulture), _run.Json.Number("time_s"), 1e-6);
+        Assert.Equal(double.Parse(time, CultureInfo.InvariantCulture), _run.Json.Number("timeSeconds"), 1e-6);
     }
 
     [Theory]
-    [InlineData("time_s,lat_deg\n1,2", "names no column lon_deg")]
+    [InlineData("timeSeconds,latitudeDegrees\n1,2", "names no column longitudeDegrees")]
+    [InlineData("timeSeconds,lat_deg\n1,2", "names a column lat_deg, of an older form of the file; it is latitudeDegrees now")]
     [InlineData("1,2,3", "Line 1 of")]
     [InlineData("1,47,8,540,0,0,0,0,0,0\n2,47,8,540,0,0,0,0,zero,0", "Line 2 of")]
     public void Table_Wrong_IsNamed(string text, string message)
@@ -88,7 +90,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
     {
         Assert.Equal(0, _run.Run(_camera, _request, "--telemetry", Log(), "--time", time, "--json"));
         AssertBelow(102.04);
-        Assert.Equal(102.04, _run.Json.Number("time_s"), 1e-3);
+        Assert.Equal(102.04, _run.Json.Number("timeSeconds"), 1e-3);
     }
 
     [Fact]
@@ -96,7 +98,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
     {
         string log = TestData.PathOf("ardupilot-flight.tlog");
         (double seconds, GeodeticPosition vehicle) = HighestPlace(log);
-        string request = _run.File("level.json", FormattableString.Invariant($$"""{"ground_alt_m":{{vehicle.AltitudeAmslMetres - 30}},"pixel":[319.5,239.5]}"""));
+        string request = _run.File("level.json", FormattableString.Invariant($$"""{"groundAltitudeAmslMetres":{{vehicle.AltitudeAmslMetres - 30}},"pixel":[319.5,239.5]}"""));
         Assert.Equal(0, _run.Run(_camera, request, "--telemetry", log, "--time", seconds.ToString("R", CultureInfo.InvariantCulture), "--json"));
         NedPosition ned = LocalNedFrame.IgnoringGeoid(vehicle).ToNed(_run.Place);
         Assert.True(Math.Sqrt((ned.North * ned.North) + (ned.East * ned.East)) < 20, $"{ned.North} {ned.East}");
@@ -116,7 +118,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
         NedPosition ned = World.ToNed(_run.Place);
         Assert.Equal(North(seconds), ned.North, 0.02);
         Assert.Equal(-40 * Math.Tan(Roll(seconds) * Vectors.Degree), ned.East, metres);
-        Assert.Equal(500, _run.Json.Number("alt_m"), 0.01);
+        Assert.Equal(500, _run.Json.Number("altitudeAmslMetres"), 0.01);
     }
 
     private static double North(double seconds) => 18 * (seconds - 100);
@@ -127,7 +129,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
 
     private string Table(string name)
     {
-        var text = new StringBuilder("time_s,lat_deg,lon_deg,alt_m,vn_mps,ve_mps,vd_mps,roll_deg,pitch_deg,yaw_deg\n");
+        var text = new StringBuilder("timeSeconds,latitudeDegrees,longitudeDegrees,altitudeAmslMetres,velocityNorthMetresPerSecond,velocityEastMetresPerSecond,velocityDownMetresPerSecond,rollDegrees,pitchDegrees,yawDegrees\n");
         for (int tenth = 1000; tenth <= 1100; tenth++)
         {
             GeodeticPosition p = World.ToGeodetic(new NedPosition(North(tenth / 10.0), 0, 0));

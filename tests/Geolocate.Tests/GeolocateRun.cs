@@ -5,22 +5,22 @@ using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Geodesy.Tests;
 using Rabit.Uav.ImageProcessing.Geolocation;
-using Rabit.Vision.Tests.Pictures;
 
-namespace Rabit.Uav.Tests.Geolocate;
+namespace Geolocate.Tests;
 
 /// <summary>The sample Geolocate, with files in a folder of its own.</summary>
 internal sealed class GeolocateRun : IDisposable
 {
-    private readonly SamplePictures.TemporaryFolder _folder = new();
+    private readonly string _folder = Path.Combine(Path.GetTempPath(), "rabit-" + Guid.NewGuid().ToString("N"));
 
     /// <summary>A camera that looks straight down from 40 m.</summary>
     public const string Camera = """
-        {"camera":{"width":640,"height":480,"fx":530,"fy":530,"cx":319.5,"cy":239.5}}
+        {"camera":{"width":640,"height":480,"fx":530,"fy":530,"cx":319.5,"cy":239.5,
+          "distortion":[0,0,0,0,0],"mount":{"leverArmBodyMetres":[0,0,0],"gimbal":{}}}}
         """;
 
     public const string Pose = """
-        {"pose":{"lat_deg":47,"lon_deg":8,"alt_m":540,"roll_deg":0,"pitch_deg":0,"yaw_deg":0},"ground_alt_m":500,"pixel":[319.5,239.5]}
+        {"pose":{"latitudeDegrees":47,"longitudeDegrees":8,"altitudeAmslMetres":540,"rollDegrees":0,"pitchDegrees":0,"yawDegrees":0},"groundAltitudeAmslMetres":500,"pixel":[319.5,239.5]}
         """;
 
     public string Output { get; private set; } = "";
@@ -30,7 +30,7 @@ internal sealed class GeolocateRun : IDisposable
     /// <summary>Of the last run with --json.</summary>
     public JsonElement Json => JsonDocument.Parse(Output).RootElement;
 
-    public GeodeticPosition Place => GeodeticPosition.FromDegrees(Json.Number("lat_deg"), Json.Number("lon_deg"), Json.Number("alt_m"));
+    public GeodeticPosition Place => GeodeticPosition.FromDegrees(Json.Number("latitudeDegrees"), Json.Number("longitudeDegrees"), Json.Number("altitudeAmslMetres"));
 
     public string File(string name, string text)
     {
@@ -41,8 +41,8 @@ internal sealed class GeolocateRun : IDisposable
 
     public string PathOf(string name)
     {
-        Directory.CreateDirectory(_folder.Path);
-        return Path.Combine(_folder.Path, name);
+        Directory.CreateDirectory(_folder);
+        return Path.Combine(_folder, name);
     }
 
     public int Run(params string[] arguments) => RunWith("", arguments);
@@ -52,10 +52,14 @@ internal sealed class GeolocateRun : IDisposable
         using var output = new StringWriter(CultureInfo.InvariantCulture);
         using var errors = new StringWriter(CultureInfo.InvariantCulture);
         using var reader = new StringReader(input);
-        int code = global::Geolocate.Program.Run(arguments, reader, output, errors);
+        int code = Program.Run(arguments, reader, output, errors);
         (Output, Errors) = (output.ToString(), errors.ToString());
         return code;
     }
 
-    public void Dispose() => _folder.Dispose();
+    public void Dispose()
+    {
+        if (Directory.Exists(_folder))
+            Directory.Delete(_folder, recursive: true);
+    }
 }

@@ -1,0 +1,73 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.Json;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>Reads the mount of camera.json: a fixed camera by its rotation, or one on a gimbal.</summary>
+internal static class CameraMountDescription
+{
+    public const string BodyFromCamera = "bodyFromCamera";
+    public const string LeverArm = "leverArmBodyMetres";
+    private const string Gimbal = "gimbal";
+    private const string CameraLeverArm = "leverArmGimbalMetres";
+
+    /// <param name="mount">The object of the mount.</param>
+    /// <param name="faults">Those that <paramref name="mount"/> adds to; where there are any, what is returned is of no use.</param>
+    public static CameraMount Read(JsonFields mount, List<string> faults)
+    {
+        mount.Renamed(("R_body_from_cam", BodyFromCamera), ("lever_arm_body_m", LeverArm));
+        double[] arm = mount.RequiredNumbers(LeverArm, 3);
+        var position = new BodyVector(arm[0], arm[1], arm[2]);
+        CameraMount read = mount.Has(Gimbal) ? OnGimbal(mount, position, faults) : Fixed(mount, position, faults);
+        mount.RefuseOthers();
+        return read;
+    }
+
+    private static CameraMount OnGimbal(JsonFields mount, BodyVector position, List<string> faults)
+    {
+        if (mount.Has(BodyFromCamera))
+            faults.Add($"camera.mount has both {BodyFromCamera}, of a fixed camera, and {Gimbal}; it must have one of them");
+        JsonFields gimbal = mount.Object(Gimbal);
+        double[] arm = gimbal.Has(CameraLeverArm) ? gimbal.RequiredNumbers(CameraLeverArm, 3) : new double[3];
+        var read = new CameraMount
+        {
+            GimbalLeverArmMetres = position,
+            CameraLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
+            MisalignmentRoll = Angle.FromDegrees(gimbal.Number("misalignmentRollDegrees") ?? 0),
+            MisalignmentPitch = Angle.FromDegrees(gimbal.Number("misalignmentPitchDegrees") ?? 0),
+            MisalignmentYaw = Angle.FromDegrees(gimbal.Number("misalignmentYawDegrees") ?? 0),
+        };
+        gimbal.RefuseOthers();
+        return read;
+    }
+
+    private static CameraMount Fixed(JsonFields mount, BodyVector position, List<string> faults)
+    {
+        int before = faults.Count;
+        double[] matrix = mount.RequiredMatrix(BodyFromCamera);
+        if (!TryRotation(matrix, out Rotation rotation, out string reason) && faults.Count == before && mount.Has(BodyFromCamera))
+            faults.Add("camera.mount." + BodyFromCamera + ": " + reason);
+        return new CameraMount { FixedBodyFromCamera = rotation, GimbalLeverArmMetres = position };
+    }
+
+    private static bool TryRotation(double[] matrix, out Rotation rotation, out string reason)
+    {
+        (rotation, reason) = (Rotation.Identity, string.Empty);
+        try
+        {
+            rotation = Rotation.FromMatrix(matrix);
+            return true;
+        }
+        catch (ArgumentException e)
+        {
+            // What is wrong, without the name of the parameter that a runtime puts on another line.
+            reason = e.Message.Split('\r', '\n')[0];
+            int at = reason.IndexOf(" (Parameter", StringComparison.Ordinal);
+            reason = at < 0 ? reason : reason.Substring(0, at);
+            return false;
+        }
+    }
+}
