@@ -210,7 +210,7 @@ public class PictureTests(ITestOutputHelper output)
     private static byte[] Shoot(PictureRenderer renderer, SimulatedCameraOptions options, TruePose pose, double north, double east)
     {
         pose.Position = pose.Position with { North = north, East = east };
-        var stance = new CameraPose(pose, options);
+        var cameraPose = new CameraPose(pose, options);
         byte[] pixels = new byte[options.Camera.Width * options.Camera.Height * 3];
         renderer.Render(cameraPose, cameraPose, cameraPose, 0, pixels);
         return pixels;
