@@ -1,9 +1,10 @@
 #:property PublishAot=false
-#pragma warning disable MA0048 // a program of one file, run as "dotnet run eng/compare-searches.cs", is named after what it does
+// a program of one file, run as "dotnet run eng/compare-searches.cs", is named after what it does
+#pragma warning disable MA0048
 
-// Compares two simulated searches of one seed, flown under two runtimes: the same steps and decisions at the same times, and
-// targets at the same places to a centimetre. Numbers in the text of a decision may differ by its last digit.
-// Usage: dotnet run eng/compare-searches.cs -- A.log A.json B.log B.json
+// Compares two simulated searches of one seed, flown under two runtimes: the same steps and decisions at the same
+// times, and targets at the same places to a centimetre. Numbers in the text of a decision may differ by its last
+// digit. Usage: dotnet run eng/compare-searches.cs -- A.log A.json B.log B.json
 using System;
 using System.Collections.Generic;
 using System.Globalization;
@@ -30,7 +31,9 @@ for (int i = 0; i < Math.Min(a.Length, b.Length); i++)
 double largest = CompareTargets();
 foreach (string fault in faults.Take(20))
     Console.WriteLine(fault);
-Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{a.Length} lines, {a.Zip(b).Count(p => p.First != p.Second)} with another last digit; targets differ by at most {largest * 1000:0.000} mm"));
+Console.WriteLine(
+    string.Create(CultureInfo.InvariantCulture, $"{a.Length} lines, {a.Zip(b).Count(p => p.First != p.Second)} with "
+        + $"another last digit; targets differ by at most {largest * 1000:0.000} mm"));
 return faults.Count == 0 ? 0 : 1;
 
 // Everything but numbers to the byte, times to the digit, other numbers to their last digit.
@@ -43,7 +46,8 @@ static bool AreAlike(string a, string b)
     double[] y = Numbers(b);
     return x.Length == 0 || x[0].Equals(y[0]) && x.Zip(y).All(p => Math.Abs(p.First - p.Second) <= LastDigit);
 
-    static double[] Numbers(string line) => [.. Regex.Matches(line, Number).Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
+    static double[] Numbers(string line)
+        => [.. Regex.Matches(line, Number).Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
 }
 
 double CompareTargets()
@@ -72,6 +76,7 @@ static (string Name, double North, double East)[] Targets(string file)
     {
         double latitude = t.GetProperty("latitudeDegrees").GetDouble();
         double longitude = t.GetProperty("longitudeDegrees").GetDouble();
-        return (t.GetProperty("id").ToString() + " " + t.GetProperty("class").GetString(), latitude * MetresPerDegree, longitude * MetresPerDegree * Math.Cos(latitude * Math.PI / 180));
+        return (t.GetProperty("id").ToString() + " " + t.GetProperty("class").GetString(), latitude * MetresPerDegree,
+            longitude * MetresPerDegree * Math.Cos(latitude * Math.PI / 180));
     })];
 }

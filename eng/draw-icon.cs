@@ -1,8 +1,9 @@
 #:property PublishAot=false
-#pragma warning disable MA0048 // a program of one file, run as "dotnet run eng/draw-icon.cs -- src/icon.png", is named after what it does
+// a program of one file, run as "dotnet run eng/draw-icon.cs -- src/icon.png", is named after what it does
+#pragma warning disable MA0048
 
-// Draws the icon of the packages, 128 x 128 pixels: a rabbit's head on a blue field. Ellipses only, each pixel the mean of
-// 4 x 4 samples. The same program gives the same picture; the PNG is checked in, so a build does not need this.
+// Draws the icon of the packages, 128 x 128 pixels: a rabbit's head on a blue field. Ellipses only, each pixel the mean
+// of 4 x 4 samples. The same program gives the same picture; the PNG is checked in, so a build does not need this.
 using System;
 using System.Buffers.Binary;
 using System.IO;
@@ -70,7 +71,9 @@ static byte[] Pixel(int x, int y)
         alpha += weight;
     }
 
-    return alpha == 0 ? [0, 0, 0, 0] : [(byte)(red / alpha), (byte)(green / alpha), (byte)(blue / alpha), (byte)(alpha / (Samples * Samples))];
+    return alpha == 0
+        ? [0, 0, 0, 0]
+        : [(byte)(red / alpha), (byte)(green / alpha), (byte)(blue / alpha), (byte)(alpha / (Samples * Samples))];
 }
 
 // Alpha, red, green, blue; what lies on top comes first.
@@ -85,10 +88,14 @@ static uint Color(double x, double y)
         return Pink;
     if (IsInEllipse(x, y, 47, 42, 5, 22, -0.22) || IsInEllipse(x, y, 81, 42, 5, 22, 0.22))
         return Pink;
-    return IsInEllipse(x, y, 64, 86, 32, 27, 0) || IsInEllipse(x, y, 47, 41, 11, 31, -0.22) || IsInEllipse(x, y, 81, 41, 11, 31, 0.22) ? White : Blue;
+    return IsInEllipse(x, y, 64, 86, 32, 27, 0) || IsInEllipse(x, y, 47, 41, 11, 31, -0.22)
+        || IsInEllipse(x, y, 81, 41, 11, 31, 0.22)
+        ? White
+        : Blue;
 }
 
-static bool IsInEllipse(double x, double y, double centerX, double centerY, double radiusX, double radiusY, double turnedBy)
+static bool IsInEllipse(
+    double x, double y, double centerX, double centerY, double radiusX, double radiusY, double turnedBy)
 {
     double dx = x - centerX, dy = y - centerY;
     double along = ((dx * Math.Cos(turnedBy)) + (dy * Math.Sin(turnedBy))) / radiusX;

@@ -1,8 +1,9 @@
 #:property PublishAot=false
-#pragma warning disable MA0048 // a program of one file, run as "dotnet run eng/inspect-packages.cs -- FOLDER", is named after what it does
+// a program of one file, run as "dotnet run eng/inspect-packages.cs -- FOLDER", is named after what it does
+#pragma warning disable MA0048
 
-// Looks into the packages of a folder: is everything there that a user should find? Given a second folder, made from the
-// same sources elsewhere: are its packages the same, byte for byte?
+// Looks into the packages of a folder: is everything there that a user should find? Given a second folder, made from
+// the same sources elsewhere: are its packages the same, byte for byte?
 using System;
 using System.Collections.Generic;
 using System.IO;
@@ -30,7 +31,8 @@ var faults = new List<string>();
 foreach (string id in packages)
 {
     // The version begins with a digit; Rabit.Uav.Simulation is no version of Rabit.Uav.
-    string[] files = [.. Directory.GetFiles(args[0], id + ".*.nupkg").Where(f => char.IsDigit(Path.GetFileName(f)[id.Length + 1]))];
+    string[] files =
+        [.. Directory.GetFiles(args[0], id + ".*.nupkg").Where(f => char.IsDigit(Path.GetFileName(f)[id.Length + 1]))];
     if (files.Length != 1)
     {
         faults.Add($"{id}: {files.Length} packages in {args[0]}, not one");
@@ -59,16 +61,33 @@ void Inspect(string id, string file)
     Check(Text("id") == id, "id");
     Check(Text("description").Length > 20 && Text("description") != "Package Description", "description");
     Check(Text("tags").Length > 0, "tags");
-    Check(Text("license") == "MIT" && metadata.Elements().Any(e => e.Name.LocalName == "license" && e.Attribute("type")?.Value == "expression"), "licence expression");
-    Check(Text("readme") == "README.md" && Read(package, "README.md").Contains("```csharp", StringComparison.Ordinal), "readme with a program");
-    Check(Text("icon") == "icon.png" && Bytes(package, "icon.png") is [0x89, (byte)'P', (byte)'N', (byte)'G', ..], "icon");
-    Check(Text("releaseNotes").Contains("CHANGELOG.md", StringComparison.Ordinal) && package.GetEntry("CHANGELOG.md") is not null, "release notes");
-    foreach (ZipArchiveEntry assembly in package.Entries.Where(e => e.FullName.EndsWith(".dll", StringComparison.Ordinal)))
-        Check(PathOfSymbols(Bytes(package, assembly.FullName)) is var path && (path.StartsWith("/_", StringComparison.Ordinal) || Path.GetFileName(path) == path), $"freedom from the packer's paths: {assembly.FullName} says {path}");
+    Check(
+        Text("license") == "MIT"
+            && metadata.Elements()
+                .Any(e => e.Name.LocalName == "license" && e.Attribute("type")?.Value == "expression"),
+        "licence expression");
+    Check(
+        Text("readme") == "README.md" && Read(package, "README.md").Contains("```csharp", StringComparison.Ordinal),
+        "readme with a program");
+    Check(
+        Text("icon") == "icon.png" && Bytes(package, "icon.png") is [0x89, (byte)'P', (byte)'N', (byte)'G', ..],
+        "icon");
+    Check(
+        Text("releaseNotes").Contains("CHANGELOG.md", StringComparison.Ordinal)
+            && package.GetEntry("CHANGELOG.md") is not null,
+        "release notes");
+    foreach (ZipArchiveEntry assembly
+        in package.Entries.Where(e => e.FullName.EndsWith(".dll", StringComparison.Ordinal)))
+        Check(
+            PathOfSymbols(Bytes(package, assembly.FullName)) is var path
+                && (path.StartsWith("/_", StringComparison.Ordinal) || Path.GetFileName(path) == path),
+            $"freedom from the packer's paths: {assembly.FullName} says {path}");
     foreach (string framework in frameworks)
     {
         Check(package.GetEntry($"lib/{framework}/{id}.dll") is not null, $"assembly for {framework}");
-        Check(Read(package, $"lib/{framework}/{id}.xml").Contains("<member name=\"T:", StringComparison.Ordinal), $"documentation for {framework}");
+        Check(
+            Read(package, $"lib/{framework}/{id}.xml").Contains("<member name=\"T:", StringComparison.Ordinal),
+            $"documentation for {framework}");
     }
 
     string symbols = Path.ChangeExtension(file, ".snupkg");
@@ -88,21 +107,31 @@ void Inspect(string id, string file)
     foreach (XElement group in metadata.Descendants().Where(e => e.Name.LocalName == "group"))
     {
         string framework = group.Attribute("targetFramework")!.Value;
-        string[] unwanted = [.. group.Elements().Select(e => e.Attribute("id")!.Value).Except(allowed.GetValueOrDefault($"{id}/{framework}", []), StringComparer.Ordinal)];
+        string[] unwanted = [.. group.Elements().Select(e => e.Attribute("id")!.Value)
+            .Except(allowed.GetValueOrDefault($"{id}/{framework}", []), StringComparer.Ordinal)];
         Check(unwanted.Length == 0, $"freedom from {string.Join(", ", unwanted)} for {framework}");
     }
 
     if (id == "Rabit.Mavlink")
     {
         Check(package.GetEntry("analyzers/dotnet/cs/Rabit.Mavlink.Generator.Roslyn.dll") is not null, "generator");
-        Check(Read(package, "lib/net10.0/Rabit.Mavlink.xml").Contains("AttitudeQuaternion", StringComparison.Ordinal), "documentation of messages");
-        foreach (string needed in new[] { "build/Rabit.Mavlink.props", "build/Rabit.Mavlink.targets", "buildTransitive/Rabit.Mavlink.props", "buildTransitive/Rabit.Mavlink.targets", "definitions/all.xml", "definitions/common.xml" })
+        Check(
+            Read(package, "lib/net10.0/Rabit.Mavlink.xml").Contains("AttitudeQuaternion", StringComparison.Ordinal),
+            "documentation of messages");
+        foreach (string needed in new[]
+        {
+            "build/Rabit.Mavlink.props", "build/Rabit.Mavlink.targets", "buildTransitive/Rabit.Mavlink.props",
+            "buildTransitive/Rabit.Mavlink.targets", "definitions/all.xml", "definitions/common.xml"
+        })
             Check(package.GetEntry(needed) is not null, needed);
     }
 
     // A package that depends on Rabit.Mavlink, directly or not, passes its generator on.
-    foreach (XElement dependency in metadata.Descendants().Where(e => e.Name.LocalName == "dependency" && packages.Contains(e.Attribute("id")!.Value, StringComparer.Ordinal)))
-        Check(dependency.Attribute("exclude")?.Value.Contains("Analyzers", StringComparison.Ordinal) != true, $"way for the generator: it excludes the analyzers of {dependency.Attribute("id")!.Value}");
+    foreach (XElement dependency in metadata.Descendants().Where(
+        e => e.Name.LocalName == "dependency" && packages.Contains(e.Attribute("id")!.Value, StringComparer.Ordinal)))
+        Check(
+            dependency.Attribute("exclude")?.Value.Contains("Analyzers", StringComparison.Ordinal) != true,
+            $"way for the generator: it excludes the analyzers of {dependency.Attribute("id")!.Value}");
 
     void Check(bool holds, string what)
     {
@@ -114,7 +143,8 @@ void Inspect(string id, string file)
 // Every source is in the symbols, and under no path of the machine that packed.
 void InspectSources(string id, string framework, byte[] pdb)
 {
-    var embeddedSource = new Guid("0E8A571B-6926-466E-B4AD-8AB04611F5FE");   // Portable PDB specification, "Embedded Source"
+    // Portable PDB specification, "Embedded Source"
+    var embeddedSource = new Guid("0E8A571B-6926-466E-B4AD-8AB04611F5FE");
     using MetadataReaderProvider provider = MetadataReaderProvider.FromPortablePdbStream(new MemoryStream(pdb));
     MetadataReader reader = provider.GetMetadataReader();
     foreach (DocumentHandle handle in reader.Documents)
@@ -122,7 +152,8 @@ void InspectSources(string id, string framework, byte[] pdb)
         string name = reader.GetString(reader.GetDocument(handle).Name);
         if (!name.StartsWith("/_", StringComparison.Ordinal))
             faults.Add($"{id}: its symbols for {framework} have a path of the packer: {name}");
-        if (!reader.GetCustomDebugInformation(handle).Any(info => reader.GetGuid(reader.GetCustomDebugInformation(info).Kind) == embeddedSource))
+        if (!reader.GetCustomDebugInformation(handle)
+            .Any(info => reader.GetGuid(reader.GetCustomDebugInformation(info).Kind) == embeddedSource))
             faults.Add($"{id}: its symbols for {framework} do not hold the source {name}");
     }
 }
@@ -140,7 +171,8 @@ void Compare(string file)
     // Everything but the container's own records, which carry random names.
     using ZipArchive one = ZipFile.OpenRead(file);
     using ZipArchive two = ZipFile.OpenRead(other);
-    static IEnumerable<string> Names(ZipArchive package) => package.Entries.Select(e => e.FullName).Where(n => !n.StartsWith("_rels/", StringComparison.Ordinal) && !n.StartsWith("package/", StringComparison.Ordinal));
+    static IEnumerable<string> Names(ZipArchive package) => package.Entries.Select(e => e.FullName).Where(
+        n => !n.StartsWith("_rels/", StringComparison.Ordinal) && !n.StartsWith("package/", StringComparison.Ordinal));
     foreach (string entry in Names(one).Union(Names(two), StringComparer.Ordinal))
     {
         if (!Bytes(one, entry).SequenceEqual(Bytes(two, entry)))
@@ -148,13 +180,15 @@ void Compare(string file)
     }
 }
 
-static string PackageList([CallerFilePath] string thisFile = "") => Path.Combine(Path.GetDirectoryName(thisFile)!, "packages.txt");
+static string PackageList([CallerFilePath] string thisFile = "")
+    => Path.Combine(Path.GetDirectoryName(thisFile)!, "packages.txt");
 
 // Where the compiler wrote the symbols, as the assembly says.
 static string PathOfSymbols(byte[] assembly)
 {
     using var reader = new PEReader(new MemoryStream(assembly));
-    DebugDirectoryEntry[] entries = [.. reader.ReadDebugDirectory().Where(e => e.Type == DebugDirectoryEntryType.CodeView)];
+    DebugDirectoryEntry[] entries =
+        [.. reader.ReadDebugDirectory().Where(e => e.Type == DebugDirectoryEntryType.CodeView)];
     return entries.Length == 0 ? "" : reader.ReadCodeViewDebugDirectoryData(entries[0]).Path;
 }
 

@@ -1,12 +1,13 @@
 #:property PublishAot=false
-#pragma warning disable MA0048, MA0047, CA1050 // a program of one file, run as "dotnet run eng/mutation-run.cs", is named after what it does and needs no namespace
+// a program of one file, run as "dotnet run eng/mutation-run.cs", is named after what it does and needs no namespace
+#pragma warning disable MA0048, MA0047, CA1050
 #pragma warning disable MA0004 // a program has no synchronisation context
 
-// Runs the mutants of Rabit.Core that Stryker made (eng/mutation.sh), each against the tests that reach it. All mutants are in one assembly and
-// one is switched on at a time, so a process that has started once tries hundreds of them; Stryker itself starts one for each few.
-// Usage: dotnet run eng/mutation-run.cs -- REPORT.json TESTS.dll SEED MINUTES
-// REPORT.json is Stryker's, TESTS.dll lies beside the mutated Rabit.Core.dll. The mutants are tried in an order drawn with SEED, and as many as
-// come up in so many MINUTES: what was tried is then a random sample.
+// Runs the mutants of Rabit.Core that Stryker made (eng/mutation.sh), each against the tests that reach it. All mutants
+// are in one assembly and one is switched on at a time, so a process that has started once tries hundreds of them;
+// Stryker itself starts one for each few. Usage: dotnet run eng/mutation-run.cs -- REPORT.json TESTS.dll SEED MINUTES
+// REPORT.json is Stryker's, TESTS.dll lies beside the mutated Rabit.Core.dll. The mutants are tried in an order drawn
+// with SEED, and as many as come up in so many MINUTES: what was tried is then a random sample.
 using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
@@ -33,12 +34,16 @@ HashSet<int> statics;
 using (var first = new WorkerProcess(tests))
 {
     string answer = first.Ask("coverage");
-    using JsonDocument coverage = JsonDocument.Parse(answer.StartsWith('{') ? answer : throw new InvalidOperationException(answer));
+    using JsonDocument coverage = JsonDocument.Parse(
+        answer.StartsWith('{') ? answer : throw new InvalidOperationException(answer));
     statics = coverage.RootElement.GetProperty("Statics").Deserialize<HashSet<int>>()!;
     reached = coverage.RootElement.GetProperty("Reached").Deserialize<Dictionary<int, string[]>>()!;
 }
 
-Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{mutants.Count} mutants, {mutants.Count(m => statics.Contains(m.Id))} of them in static state"));
+Console.WriteLine(
+    string.Create(
+        CultureInfo.InvariantCulture,
+        $"{mutants.Count} mutants, {mutants.Count(m => statics.Contains(m.Id))} of them in static state"));
 Mutant[] order = [.. mutants];
 new Random(int.Parse(args[2], CultureInfo.InvariantCulture)).Shuffle(order);
 var queue = new ConcurrentQueue<Mutant>(order);
@@ -110,7 +115,8 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
                     continue;
                 int line = mutant.GetProperty("location").GetProperty("start").GetProperty("line").GetInt32();
                 string replacement = Regex.Replace(mutant.GetProperty("replacement").GetString() ?? "", @"\s+", " ");
-                mutants.Add(new Mutant(int.Parse(mutant.GetProperty("id").GetString()!, CultureInfo.InvariantCulture), name, line,
+                mutants.Add(new Mutant(
+                    int.Parse(mutant.GetProperty("id").GetString()!, CultureInfo.InvariantCulture), name, line,
                     $"[{mutant.GetProperty("mutatorName").GetString()}] {replacement}"));
             }
         }
@@ -122,12 +128,18 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
     {
         // 95 %: the normal approximation, with the correction for a sample that is a good part of the whole.
         double share = mutants.Count(m => m.Outcome is "Killed" or "Timeout") / (double)mutants.Count;
-        double error = 1.96 * Math.Sqrt(share * (1 - share) / mutants.Count * (all - mutants.Count) / Math.Max(all - 1, 1));
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{mutants.Count} of {all} mutants tried: {share:0.0 %} +- {error:0.0 %}"));
-        Console.WriteLine("| where | mutants | killed | timeout | survived | not reached | score |\n|---|---|---|---|---|---|---|");
-        foreach (IGrouping<string, Mutant> file in mutants.GroupBy(m => m.File, StringComparer.Ordinal).OrderBy(g => g.Key, StringComparer.Ordinal))
+        double error =
+            1.96 * Math.Sqrt(share * (1 - share) / mutants.Count * (all - mutants.Count) / Math.Max(all - 1, 1));
+        Console.WriteLine(string.Create(
+            CultureInfo.InvariantCulture, $"{mutants.Count} of {all} mutants tried: {share:0.0 %} +- {error:0.0 %}"));
+        Console.WriteLine(
+            "| where | mutants | killed | timeout | survived | not reached | score |\n|---|---|---|---|---|---|---|");
+        foreach (IGrouping<string, Mutant> file
+            in mutants.GroupBy(m => m.File, StringComparer.Ordinal).OrderBy(g => g.Key, StringComparer.Ordinal))
             WriteRow(file.Key, file);
-        foreach (IGrouping<string, Mutant> folder in mutants.GroupBy(m => m.File.Split('/')[0] + "/", StringComparer.Ordinal).OrderBy(g => g.Key, StringComparer.Ordinal))
+        foreach (IGrouping<string, Mutant> folder in mutants
+            .GroupBy(m => m.File.Split('/')[0] + "/", StringComparer.Ordinal)
+            .OrderBy(g => g.Key, StringComparer.Ordinal))
             WriteRow(folder.Key, folder);
         WriteRow("all", mutants);
     }
@@ -137,7 +149,9 @@ internal sealed record Mutant(int Id, string File, int Line, string What)
         int[] counts = Outcomes.Select(outcome => mutants.Count(m => m.Outcome == outcome)).ToArray();
         int all = mutants.Count();
         double score = 100.0 * (counts[0] + counts[1]) / all;
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {where} | {all} | {string.Join(" | ", counts)} | {score:0.0} % |"));
+        Console.WriteLine(
+            string.Create(
+                CultureInfo.InvariantCulture, $"| {where} | {all} | {string.Join(" | ", counts)} | {score:0.0} % |"));
     }
 }
 
@@ -148,7 +162,13 @@ internal sealed class WorkerProcess : IDisposable
 
     public WorkerProcess(string tests, int? mutant = null)
     {
-        var start = new ProcessStartInfo(Environment.ProcessPath!) { UseShellExecute = false, RedirectStandardInput = true, RedirectStandardOutput = true, RedirectStandardError = true };
+        var start = new ProcessStartInfo(Environment.ProcessPath!)
+        {
+            UseShellExecute = false,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true
+        };
         start.ArgumentList.Add("worker");
         start.ArgumentList.Add(tests);
         start.Environment["STRYKER_MUTANT_ID_CONTROL_VAR"] = "RABIT_MUTANT";
@@ -194,14 +214,15 @@ internal sealed class Worker
     public const string Mark = "answer: ";
 
     // Without threads of their own and fast: virtual time, models and units.
-    private const string Fast = "InVirtualTime$|ModelTests$|VirtualTimeTests$|(BufferPool|MessageTypeCheck|SharedMessage)Tests$"
-        + "|(PeriodGrid|DurationStatistics|DurationHistogram|Watchdog|Policy|ManagerArgument|RestartWindow|WakeUpStatistics)Tests$"
-        + "|WiringTests$|Modelled(Duration|Hang)Tests$|EventLogTests$|RealTimeRequestTests$";
+    private const string Fast =
+        "InVirtualTime$|ModelTests$|VirtualTimeTests$|(BufferPool|MessageTypeCheck|SharedMessage)Tests$"
+            + "|(PeriodGrid|DurationStatistics|DurationHistogram|Watchdog|Policy|ManagerArgument|RestartWindow|WakeUpStatistics)Tests$"
+            + "|WiringTests$|Modelled(Duration|Hang)Tests$|EventLogTests$|RealTimeRequestTests$";
 
     private static readonly TimeSpan CheckInterval = TimeSpan.FromMilliseconds(100);
 
-    // A test of these takes a few milliseconds. It hangs when it has used so much of a processor, or, where it waits, so much time; times in which
-    // this process itself stood still do not count.
+    // A test of these takes a few milliseconds. It hangs when it has used so much of a processor, or, where it waits,
+    // so much time; times in which this process itself stood still do not count.
     private static readonly TimeSpan MaxWork = TimeSpan.FromSeconds(4);
     private const int MaxChecks = 250;
 
@@ -214,14 +235,17 @@ internal sealed class Worker
     private Worker(Assembly tests)
     {
         _control = Assembly.Load("Rabit.Core").GetTypes().Single(t => t.Name == "MutantControl");
-        _classes = [.. tests.GetTypes().Where(t => !t.IsAbstract && Regex.IsMatch(t.FullName!, Fast) && Tests(t).Any())];
+        _classes =
+            [.. tests.GetTypes().Where(t => !t.IsAbstract && Regex.IsMatch(t.FullName!, Fast) && Tests(t).Any())];
     }
 
     public static int Run(string path)
     {
         string folder = Path.GetDirectoryName(path)!;
         AssemblyLoadContext.Default.Resolving += (context, name) =>
-            File.Exists(Path.Combine(folder, name.Name + ".dll")) ? context.LoadFromAssemblyPath(Path.Combine(folder, name.Name + ".dll")) : null;
+            File.Exists(Path.Combine(folder, name.Name + ".dll"))
+                ? context.LoadFromAssemblyPath(Path.Combine(folder, name.Name + ".dll"))
+                : null;
         var worker = new Worker(AssemblyLoadContext.Default.LoadFromAssemblyPath(path));
         while (Console.ReadLine() is { } question)
         {
@@ -241,7 +265,9 @@ internal sealed class Worker
             return Coverage();
         int mutant = int.Parse(words[1], CultureInfo.InvariantCulture);
         bool all = words[0] == "all";
-        IEnumerable<Type> classes = all ? _classes : words[2].Split(',').Select(name => _classes.Single(c => c.FullName == name));
+        IEnumerable<Type> classes = all
+            ? _classes
+            : words[2].Split(',').Select(name => _classes.Single(c => c.FullName == name));
         foreach (Type type in classes)
         {
             Switch(mutant);
@@ -285,7 +311,9 @@ internal sealed class Worker
             }
         }
 
-        return JsonSerializer.Serialize(new Covered(statics, reached.ToDictionary(p => p.Key, p => p.Value.Select(t => t.FullName!).OrderBy(n => _times[n]).ToArray())));
+        return JsonSerializer.Serialize(new Covered(
+            statics,
+            reached.ToDictionary(p => p.Key, p => p.Value.Select(t => t.FullName!).OrderBy(n => _times[n]).ToArray())));
     }
 
     // On a thread of its own, which has no state of the thread from others.
@@ -334,7 +362,8 @@ internal sealed class Worker
 
     private static void RunOne(Type type, MethodInfo test, object?[] row)
     {
-        object?[] made = [.. type.GetConstructors()[0].GetParameters().Select(p => DispatchProxy.Create(p.ParameterType, typeof(Silent)))];
+        object?[] made = [.. type.GetConstructors()[0].GetParameters()
+            .Select(p => DispatchProxy.Create(p.ParameterType, typeof(Silent)))];
         object instance = Activator.CreateInstance(type, made)!;
         try
         {
@@ -356,7 +385,8 @@ internal sealed class Worker
         Attribute[] sources = [.. test.GetCustomAttributes().Where(a => a.GetType().GetMethod("GetData") is not null)];
         return sources.Length == 0
             ? [[]]
-            : sources.SelectMany(a => (IEnumerable<object?[]?>)a.GetType().GetMethod("GetData")!.Invoke(a, [test])!).Select(row => Completed(test, row));
+            : sources.SelectMany(a => (IEnumerable<object?[]?>)a.GetType().GetMethod("GetData")!.Invoke(a, [test])!)
+                .Select(row => Completed(test, row));
     }
 
     private static object?[] Completed(MethodInfo test, object?[]? row)

@@ -7,12 +7,14 @@ using BenchmarkDotNet.Jobs;
 using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
 
-// Without arguments all of them; `-- --filter *Queue*` chooses, `-- --list flat` lists, `-- --job Dry` only tries whether they run.
+// Without arguments all of them; `-- --filter *Queue*` chooses, `-- --list flat` lists, `-- --job Dry` only tries
+// whether they run.
 
 bool chooses = args.Any(a => a is "--filter" or "-f" or "--list" or "--help" or "--info" or "--version");
 string[] arguments = chooses ? args : [.. args, "--filter", "*"];
 
-// BenchmarkDotNet builds everything once more, for a process of its own: without the analyzers, and with time for a small machine.
+// BenchmarkDotNet builds everything once more, for a process of its own: without the analyzers, and with time for a
+// small machine.
 Job build = Job.Default.WithArguments([new MsBuildArgument("/p:RunAnalyzers=false")]).AsMutator();
 IConfig config = ManualConfig.Create(DefaultConfig.Instance)
     .WithBuildTimeout(TimeSpan.FromMinutes(10))
@@ -21,7 +23,10 @@ IConfig config = ManualConfig.Create(DefaultConfig.Instance)
 List<Summary> summaries = [.. BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments, config)];
 
 // It goes on after a benchmark that failed; the caller must know all the same.
-string[] failed = [.. summaries.SelectMany(s => s.Reports).Where(r => !r.Success).Select(r => r.BenchmarkCase.DisplayInfo)];
+string[] failed =
+    [.. summaries.SelectMany(s => s.Reports).Where(r => !r.Success).Select(r => r.BenchmarkCase.DisplayInfo)];
 foreach (string name in failed)
     Console.Error.WriteLine("failed: " + name);
-return failed.Length > 0 || summaries.Exists(s => s.HasCriticalValidationErrors) || (!chooses && summaries.Count == 0) ? 1 : 0;
+return failed.Length > 0 || summaries.Exists(s => s.HasCriticalValidationErrors) || (!chooses && summaries.Count == 0)
+    ? 1
+    : 0;

@@ -54,7 +54,8 @@ internal sealed class CommandLine
             else if (IsOneOf(known, word))
                 modes.Add(word);
             else
-                throw new FormatException($"'{word}' is not known.\n\n" + Usage.Replace("MODES", string.Join(", ", known)));
+                throw new FormatException(
+                    $"'{word}' is not known.\n\n" + Usage.Replace("MODES", string.Join(", ", known)));
         }
 
         if (modes.Count == 0)
@@ -77,7 +78,8 @@ internal sealed class CommandLine
     {
         if (!values.TryGetValue(name, out string? text))
             return otherwise;
-        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || !(number > 0) || number > 1e6)
+        if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || !(number > 0)
+            || number > 1e6)
             throw new FormatException($"{name} is '{text}'; it must be a number above zero.");
         return number;
     }

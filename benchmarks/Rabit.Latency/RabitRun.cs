@@ -7,7 +7,8 @@ namespace Rabit.Latency;
 /// <summary>Reactors that are measured.</summary>
 internal static class RabitRun
 {
-    public static string NameOf(WaitEngine engine) => engine == WaitEngine.Futex ? "Rabit, futex engine" : "Rabit, event engine";
+    public static string NameOf(WaitEngine engine)
+        => engine == WaitEngine.Futex ? "Rabit, futex engine" : "Rabit, event engine";
 
     public static RabitReactor Create(WaitEngine engine, bool keepsStatistics = true) => new(new ReactorOptions
     {

@@ -55,7 +55,8 @@ internal static class Runner
         string machine = Machine.Describe();
         output.WriteLine(machine);
         var tables = new List<Table>();
-        foreach ((string name, Func<RunOptions, IReadOnlyList<Table>> run) in Modes.Where(m => line.Modes.Contains(m.Name)))
+        foreach ((string name, Func<RunOptions, IReadOnlyList<Table>> run)
+            in Modes.Where(m => line.Modes.Contains(m.Name)))
         {
             foreach (Table table in run(line.Options))
             {

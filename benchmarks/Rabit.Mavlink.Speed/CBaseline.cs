@@ -26,7 +26,8 @@ internal sealed class CBaseline
     /// <summary>Runs it once more.</summary>
     public void Run()
     {
-        var start = new ProcessStartInfo(_program, $"\"{PathOf("frames")}\" \"{PathOf("crc-extra")}\" \"{PathOf("lengths")}\"")
+        var start = new ProcessStartInfo(
+            _program, $"\"{PathOf("frames")}\" \"{PathOf("crc-extra")}\" \"{PathOf("lengths")}\"")
         {
             RedirectStandardOutput = true,
             UseShellExecute = false,
@@ -45,7 +46,8 @@ internal sealed class CBaseline
     }
 
     /// <summary>Its best time per frame; null for what it does not do.</summary>
-    public double? SecondsPerFrame(string? name) => name is not null && _seconds.TryGetValue(name, out double seconds) ? seconds : null;
+    public double? SecondsPerFrame(string? name)
+        => name is not null && _seconds.TryGetValue(name, out double seconds) ? seconds : null;
 
     // All frames as MAVLink 2 without signature, which is what the baseline knows.
     private void Write(FrameSet set)

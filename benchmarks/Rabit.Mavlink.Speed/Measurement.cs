@@ -19,7 +19,8 @@ internal sealed class Measurement(string name, int frames, int bytesOnWire, Acti
 
     // Not in the reference assemblies of net472.
     private static readonly Func<long>? AllocatedBytesSoFar = (Func<long>?)typeof(GC)
-        .GetMethod("GetAllocatedBytesForCurrentThread", BindingFlags.Public | BindingFlags.Static)?.CreateDelegate(typeof(Func<long>));
+        .GetMethod("GetAllocatedBytesForCurrentThread", BindingFlags.Public | BindingFlags.Static)
+            ?.CreateDelegate(typeof(Func<long>));
 
     private int _callsPerPass = 1;
     private double _bestSeconds = double.MaxValue;

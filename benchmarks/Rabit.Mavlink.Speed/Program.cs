@@ -4,11 +4,10 @@ using System.IO;
 using System.Reflection;
 using Rabit.Mavlink.Speed;
 
-// The speed of Rabit.Mavlink on one core, beside what bounds it: a copy of the bytes and the checksum alone, in the same run.
-//   no arguments      the recorded flights and the golden frames, about 3 minutes
-//   FLIGHT.tlog ...   those logs instead
-//   --baseline EXE    beside the C baseline (c/baseline.c, compiled), in turn with it
-//   --quick           one flight in some 20 s; exit code 1 where a row is slower than its generous limit, or allocates
+// The speed of Rabit.Mavlink on one core, beside what bounds it: a copy of the bytes and the checksum alone, in the
+//   same run. no arguments the recorded flights and the golden frames, about 3 minutes FLIGHT.tlog ... those logs
+//   instead --baseline EXE beside the C baseline (c/baseline.c, compiled), in turn with it --quick one flight in some
+//   20 s; exit code 1 where a row is slower than its generous limit, or allocates
 string data = Path.Combine(Path.GetDirectoryName(Assembly.GetExecutingAssembly().Location)!, "data");
 var files = new List<string>();
 bool isQuick = false;

@@ -11,7 +11,9 @@ internal abstract class SampleMessage
 {
     private static readonly Dictionary<int, Type> Types = typeof(MavlinkFrame).Assembly.GetTypes()
         .Where(type => type.IsValueType && typeof(IMavlinkMessage).IsAssignableFrom(type))
-        .ToDictionary(type => (int)type.GetField("MavlinkId")!.GetRawConstantValue()!, type => typeof(Typed<>).MakeGenericType(type));
+        .ToDictionary(
+            type => (int)type.GetField("MavlinkId")!.GetRawConstantValue()!,
+            type => typeof(Typed<>).MakeGenericType(type));
 
     /// <summary>Reads the message of a frame.</summary>
     public static SampleMessage Of(in MavlinkFrame frame)
@@ -34,6 +36,7 @@ internal abstract class SampleMessage
 
         public override bool Decode(in MavlinkFrame frame) => frame.TryDecode(out _message);
 
-        public override int Write(MavlinkSender sender, byte[] destination) => sender.Write(_message, destination.AsSpan());
+        public override int Write(MavlinkSender sender, byte[] destination)
+            => sender.Write(_message, destination.AsSpan());
     }
 }

@@ -53,7 +53,9 @@ internal sealed class SpeedTable
     {
         output.WriteLine();
         output.WriteLine(Text($"{_set.Name}: {_set.Frames.Length} frames, {_set.Stream.Length} bytes"));
-        output.WriteLine("                                    ns/frame   Mframes/s      MB/s   x limit    gen0   bytes" + (_baseline is null ? "" : "     C ns   C / this"));
+        output.WriteLine(
+            "                                    ns/frame   Mframes/s      MB/s   x limit    gen0   bytes"
+                + (_baseline is null ? "" : "     C ns   C / this"));
         int all = _set.Frames.Length;
         int few = _signed.Length;
         Measurement copy = Row("copy of the bytes", all, Copy);
@@ -82,8 +84,14 @@ internal sealed class SpeedTable
     }
 
     private Measurement Row(
-        string name, int frames, Action work, double maxRatio = double.PositiveInfinity, double maxRatioOnMono = double.PositiveInfinity, string? cName = null) =>
-        new(name, frames, frames == _set.Frames.Length ? _set.Stream.Length : _fewBytes, work) { CName = cName, MaxRatio = (maxRatio, maxRatioOnMono) };
+        string name, int frames, Action work, double maxRatio = double.PositiveInfinity,
+        double maxRatioOnMono = double.PositiveInfinity, string? cName = null)
+            =>
+            new(name, frames, frames == _set.Frames.Length ? _set.Stream.Length : _fewBytes, work)
+            {
+                CName = cName,
+                MaxRatio = (maxRatio, maxRatioOnMono)
+            };
 
     private void Measure(Measurement[] rows)
     {
@@ -106,8 +114,11 @@ internal sealed class SpeedTable
     {
         double perFrame = row.SecondsPerFrame;
         double ratio = perFrame / limit;
-        string beside = _baseline?.SecondsPerFrame(row.CName) is { } c ? Text($"{c * 1e9,9:0.0}{c / perFrame,11:0.00}") : "";
-        bool isGood = ratio <= (RuntimeName.IsMono ? row.MaxRatio.Mono : row.MaxRatio.Net) && row.AllocatedBytes == 0 && row.Collections == 0;
+        string beside = _baseline?.SecondsPerFrame(row.CName) is { } c
+            ? Text($"{c * 1e9,9:0.0}{c / perFrame,11:0.00}")
+            : "";
+        bool isGood = ratio <= (RuntimeName.IsMono ? row.MaxRatio.Mono : row.MaxRatio.Net) && row.AllocatedBytes == 0
+            && row.Collections == 0;
         output.WriteLine(Text(
             $"  {row.Name,-32}{perFrame * 1e9,10:0.0}{1e-6 / perFrame,12:0.00}{row.BytesPerSecond / 1e6,10:0}{ratio,10:0.00}{row.Collections,8}{row.AllocatedBytes,8}{beside}{(isGood ? "" : "  TOO MUCH")}"));
         return isGood;

@@ -1,6 +1,7 @@
 // Our side of eng/node-mavlink-check.sh.
-//   NodeMavlinkCheck write FOLDER GOLDEN LOG     writes ours.bin (1000 frames, half of them signed) and flight.bin (the frames of a .tlog)
-//   NodeMavlinkCheck compare FOLDER GOLDEN       reads theirs.bin and node.json, and prints what agrees and how fast each side is
+//   NodeMavlinkCheck write FOLDER GOLDEN LOG writes ours.bin (1000 frames, half of them signed) and flight.bin (the
+//   frames of a .tlog) NodeMavlinkCheck compare FOLDER GOLDEN reads theirs.bin and node.json, and prints what agrees
+//   and how fast each side is
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
@@ -21,7 +22,8 @@ string folder = args[1];
 JsonElement[] lines = [.. File.ReadLines(args[2])
     .Select(line => JsonDocument.Parse(line).RootElement)
     .Where(line => line.GetProperty("peer").GetString() == "agree")];
-MavlinkFrame[] golden = [.. lines.Select(line => Frames(Convert.FromHexString(line.GetProperty("v2").GetString()!))[0])];
+MavlinkFrame[] golden =
+    [.. lines.Select(line => Frames(Convert.FromHexString(line.GetProperty("v2").GetString()!))[0])];
 return args[0] == "write" ? Write(args[3]) : Compare();
 
 int Write(string log)
@@ -58,11 +60,13 @@ int Compare()
         MavlinkFrame frame = theirs[index];
         MavlinkFrame expected = golden[index % golden.Length];
         string name = $"frame {index} {lines[index % golden.Length].GetProperty("name")}: {frame}";
-        if ((frame.MessageId, frame.SystemId, frame.ComponentId, frame.Sequence) != (expected.MessageId, (byte)9, (byte)190, (byte)index))
+        if ((frame.MessageId, frame.SystemId, frame.ComponentId, frame.Sequence)
+            != (expected.MessageId, (byte)9, (byte)190, (byte)index))
             faults.Add(name);
         if (!Payload(frame).AsSpan().SequenceEqual(Payload(expected)))
             faults.Add(name + ": payload");
-        if (frame.IsSigned != index >= Half || !verifier.Verify(frame).IsAccepted() || (frame.IsSigned && frame.SignatureLinkId != 4))
+        if (frame.IsSigned != index >= Half || !verifier.Verify(frame).IsAccepted()
+            || (frame.IsSigned && frame.SignatureLinkId != 4))
             faults.Add(name + ": signature");
     }
 
@@ -74,7 +78,10 @@ int Compare()
     foreach (string fault in theirFaults.Concat(faults).Take(20))
         Console.WriteLine("  " + fault);
     bool isSlow = !PrintSpeeds(node.RootElement.GetProperty("flight"));
-    return faults.Count + theirFaults.Length > 0 || theirs.Count != 2 * Half || ours.GetProperty("frames").GetInt32() != 2 * Half || isSlow ? 1 : 0;
+    return faults.Count + theirFaults.Length > 0 || theirs.Count != 2 * Half
+        || ours.GetProperty("frames").GetInt32() != 2 * Half || isSlow
+        ? 1
+        : 0;
 }
 
 bool PrintSpeeds(JsonElement node)
@@ -93,7 +100,9 @@ bool PrintSpeeds(JsonElement node)
 }
 
 static void Row(string name, double ours, double theirs) => Console.WriteLine(string.Create(
-    CultureInfo.InvariantCulture, $"{name,-22}{1e3 / ours,8:0.00} M frames/s, node-mavlink {1e3 / theirs:0.000} M frames/s: {theirs / ours:0} times"));
+    CultureInfo.InvariantCulture,
+    $"{name,-22}{1e3 / ours,8:0.00} M frames/s, node-mavlink {1e3 / theirs:0.000} M frames/s: {theirs / ours:0} "
+        + $"times"));
 
 // Nanoseconds of the best pass, in pieces as a file or a socket would bring them.
 static double Best(byte[] stream, SampleMessage[]? messages)

@@ -13,7 +13,15 @@ namespace PackCheck
         private static int Main()
         {
             RunManagers();
-            PassOn(new Heartbeat { Type = MavType.Quadrotor, Autopilot = MavAutopilot.Px4, CustomMode = 7, MavlinkVersion = 3 }, MavlinkDialect.All);
+            PassOn(
+                new Heartbeat
+                {
+                    Type = MavType.Quadrotor,
+                    Autopilot = MavAutopilot.Px4,
+                    CustomMode = 7,
+                    MavlinkVersion = 3
+                },
+                MavlinkDialect.All);
             OwnDialect.Check();
             Console.WriteLine("Rabit.Uav: {0}", LinkUrl.Parse("UDPIN:0.0.0.0:14550"));
             Fly();
@@ -37,7 +45,8 @@ namespace PackCheck
             reactor.Start();
             reactor.RunFor(TimeSpan.FromSeconds(1));
             reactor.Stop();
-            Console.WriteLine("Rabit.Uav.Simulation: exit code {0}, {1} m flown", reactor.Finish().ExitCode, world.Truth.FlownMetres);
+            Console.WriteLine(
+                "Rabit.Uav.Simulation: exit code {0}, {1} m flown", reactor.Finish().ExitCode, world.Truth.FlownMetres);
         }
 
         /// <summary>Message to frame to bytes to frame to message.</summary>
@@ -52,7 +61,8 @@ namespace PackCheck
             ReadOnlySpan<byte> bytes = wire;
             MavlinkFrameInfo info;
             T received;
-            if (!reader.TryRead(ref bytes, out frame, out info) || !info.IsChecked || !frame.TryDecode(out received) || !received.Equals(sent))
+            if (!reader.TryRead(ref bytes, out frame, out info) || !info.IsChecked || !frame.TryDecode(out received)
+                || !received.Equals(sent))
                 throw new InvalidOperationException(typeof(T).Name + " did not come back as it was sent.");
             Console.WriteLine("Rabit.Mavlink: {0}, {1} bytes", typeof(T).Name, wire.Length);
             return frame;

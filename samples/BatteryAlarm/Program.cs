@@ -7,10 +7,11 @@ using Rabit.Mavlink.Messages;
 using Rabit.Uav;
 using Rabit.Uav.Messages;
 
-// A manager of your own beside the six: it warns the ground station when the battery falls below a level. It subscribes to the
-// state of the vehicle, and pushes a STATUSTEXT into the queue of frames that Communications sends to all links.
-//     BatteryAlarm LINK PERCENT       for example 'tlog:flight.tlog?speed=max' 96
-if (args.Length != 2 || !LinkUrl.TryParse(args[0], out LinkUrl? link, out _) || !int.TryParse(args[1], NumberStyles.None, CultureInfo.InvariantCulture, out int percent))
+// A manager of your own beside the six: it warns the ground station when the battery falls below a level. It subscribes
+// to the state of the vehicle, and pushes a STATUSTEXT into the queue of frames that Communications sends to all links.
+// BatteryAlarm LINK PERCENT for example 'tlog:flight.tlog?speed=max' 96
+if (args.Length != 2 || !LinkUrl.TryParse(args[0], out LinkUrl? link, out _)
+    || !int.TryParse(args[1], NumberStyles.None, CultureInfo.InvariantCulture, out int percent))
 {
     Console.Error.WriteLine("BatteryAlarm LINK PERCENT");
     return 2;
@@ -55,6 +56,7 @@ internal sealed class BatteryAlarm : RabitManager
         _print($"{Now.TotalSeconds:0.0} s: {text}");
         var message = new Statustext { Severity = MavSeverity.Warning, Text = new Text50(text) };
         OwnAddress own = _ownAddress.Value;
-        _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0) });
+        _outgoing.Push(
+            new OutgoingFrame { Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0) });
     }
 }

@@ -26,7 +26,8 @@ internal static class Answer
         GeographicPoint point = fix.Position.Point;
         double latitude = point.Latitude.Degrees;
         string grid = latitude is >= -80 and <= 84 ? "  " + PositionText.Format(point, PositionStyle.Mgrs) : "";
-        string where = $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  {PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}";
+        string where = $"{PositionText.Format(point, PositionStyle.DecimalDegrees)}  "
+            + $"{PositionText.Format(point, PositionStyle.DegreesMinutesSeconds)}{grid}";
         return FormattableString.Invariant($"""
             {where}
             altitude {fix.Position.AltitudeAmslMetres:0.00} m
@@ -51,7 +52,8 @@ internal static class Answer
     };
 
     private static string PoseText(GeolocationResult fix) => fix.Extrapolated > TimeSpan.Zero
-        ? FormattableString.Invariant($"pose extrapolated by {fix.Extrapolated.TotalMilliseconds:0} ms") : "pose between samples";
+        ? FormattableString.Invariant($"pose extrapolated by {fix.Extrapolated.TotalMilliseconds:0} ms")
+        : "pose between samples";
 
     private static string Json(GeolocationResult fix)
     {

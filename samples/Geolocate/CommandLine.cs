@@ -60,7 +60,9 @@ internal sealed class CommandLine
 
         if (line.Camera.Length == 0)
             throw new FormatException("The camera's file is missing.");
-        return line.Telemetry is null == line.TimeSeconds is null ? line : throw new FormatException("--telemetry and --time go together.");
+        return line.Telemetry is null == line.TimeSeconds is null
+            ? line
+            : throw new FormatException("--telemetry and --time go together.");
     }
 
     private static string Text(string[] args, int index)

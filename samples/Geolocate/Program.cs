@@ -43,7 +43,9 @@ internal static class Program
             CommandLine line = CommandLine.Parse(args);
             return Answer.Write(Request.Read(line, input).Locate(), line.IsJson, output);
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or FormatException or PictureException or ArgumentException)
+        catch (Exception e)
+            when (e is IOException or UnauthorizedAccessException or FormatException or PictureException
+                or ArgumentException)
         {
             // An ArgumentException has the name of its parameter on a line of its own on some runtimes.
             errors.WriteLine(e.Message.Replace("\r", "").Replace('\n', ' '));

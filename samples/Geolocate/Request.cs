@@ -48,7 +48,9 @@ internal sealed class Request
     {
         double seconds = line.TimeSeconds ?? 0;
         return Math.Abs(seconds) <= MaxSeconds
-            ? seconds : throw new FormatException(FormattableString.Invariant($"--time is {seconds}; it must be seconds, {MaxSeconds} at most."));
+            ? seconds
+            : throw new FormatException(
+                FormattableString.Invariant($"--time is {seconds}; it must be seconds, {MaxSeconds} at most."));
     }
 
     private static RequestFields Fields(string? file, TextReader input)
@@ -80,7 +82,9 @@ internal sealed class Request
         RequestFields? gimbal = request.Has("gimbal") ? request.Object("gimbal", "pitchDegrees", "yawDegrees") : null;
         return new ImagingCommand
         {
-            GroundAltitudeAmslMetres = hasTerrain ? request.OptionalNumber(GroundAltitude) : request.Number(GroundAltitude),
+            GroundAltitudeAmslMetres = hasTerrain
+                ? request.OptionalNumber(GroundAltitude)
+                : request.Number(GroundAltitude),
             CameraPitch = Angle.FromDegrees(gimbal?.Number("pitchDegrees") ?? -90),
             CameraYaw = Angle.FromDegrees(gimbal?.Number("yawDegrees") ?? 0),
         };

@@ -7,8 +7,8 @@ using System.Text.Json;
 namespace Geolocate;
 
 /// <summary>
-/// The fields of one JSON object. The first that is unknown, missing or of a wrong type is refused with the file and the path of the field: a misspelt
-/// one that is left out of account would give the wrong place.
+/// The fields of one JSON object. The first that is unknown, missing or of a wrong type is refused with the file and
+/// the path of the field: a misspelt one that is left out of account would give the wrong place.
 /// </summary>
 internal sealed class RequestFields
 {
@@ -25,7 +25,8 @@ internal sealed class RequestFields
         {
             string name = property.Name;
             if (OldNames.NewNameOf(name) is { } now && known.Contains(now))
-                throw new FormatException($"{file}: {_prefix}{name} is of an older form of the file; it is {_prefix}{now} now");
+                throw new FormatException(
+                    $"{file}: {_prefix}{name} is of an older form of the file; it is {_prefix}{now} now");
             if (!known.Contains(name))
                 throw new FormatException($"{file}: {_prefix}{name} is unknown; there are {string.Join(", ", known)}");
             if (_values.ContainsKey(name))
@@ -53,7 +54,8 @@ internal sealed class RequestFields
 
     public bool Has(string name) => _values.ContainsKey(name);
 
-    public RequestFields Object(string name, params string[] known) => new(Required(name), _file, _prefix + name, known);
+    public RequestFields Object(string name, params string[] known)
+        => new(Required(name), _file, _prefix + name, known);
 
     public double Number(string name) => Number(Required(name), name);
 
@@ -73,16 +75,21 @@ internal sealed class RequestFields
     }
 
     private double Number(JsonElement value, string name)
-        => value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) && !double.IsInfinity(number)
+        => value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number)
+            && !double.IsInfinity(number)
             ? number : throw Wrong(_prefix + name, value, "a number");
 
     private JsonElement Required(string name)
-        => _values.TryGetValue(name, out JsonElement value) ? value : throw new FormatException($"{_file}: {_prefix}{name} is missing");
+        => _values.TryGetValue(name, out JsonElement value)
+            ? value
+            : throw new FormatException($"{_file}: {_prefix}{name} is missing");
 
     private FormatException Wrong(string path, JsonElement value, string wanted)
     {
         const int MaxShown = 40;
         string shown = value.GetRawText().Replace("\r", "").Replace("\n", " ");
-        return new FormatException($"{_file}: {path} is {(shown.Length > MaxShown ? shown.Remove(MaxShown) + "..." : shown)}; it must be {wanted}");
+        return new FormatException(
+            $"{_file}: {path} is {(shown.Length > MaxShown ? shown.Remove(MaxShown) + "..." : shown)}; it must be "
+                + $"{wanted}");
     }
 }

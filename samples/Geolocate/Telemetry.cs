@@ -10,8 +10,8 @@ using Rabit.Uav.Messages;
 namespace Geolocate;
 
 /// <summary>
-/// Poses over time, from a table with commas or from a telemetry log of MAVLink. Only what is around the time is taken: the locator keeps
-/// the newest.
+/// Poses over time, from a table with commas or from a telemetry log of MAVLink. Only what is around the time is taken:
+/// the locator keeps the newest.
 /// </summary>
 internal static class Telemetry
 {
@@ -47,7 +47,13 @@ internal static class Telemetry
             Position = GeodeticPosition.FromDegrees(p[0], p[1], p[2]),
             VelocityNed = new NedVector(p[3], p[4], p[5]),
         });
-        locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = time, Attitude = EulerAngles.FromDegrees(p[6], p[7], p[8]) });
+        locator.Add(
+            new PoseSample
+            {
+                Kind = PoseSampleKind.Attitude,
+                Time = time,
+                Attitude = EulerAngles.FromDegrees(p[6], p[7], p[8])
+            });
     }
 
     private static void ReadTable(string file, TimeSpan until, PixelGeolocator locator)
@@ -81,9 +87,10 @@ internal static class Telemetry
         int place = Array.FindIndex(header, w => w.Trim() == column);
         if (place >= 0)
             return place;
-        throw new FormatException(header.Select(w => w.Trim()).FirstOrDefault(w => OldNames.NewNameOf(w) == column) is { } old
-            ? $"The first line of {file} names a column {old}, of an older form of the file; it is {column} now."
-            : $"The first line of {file} names no column {column}.");
+        throw new FormatException(
+            header.Select(w => w.Trim()).FirstOrDefault(w => OldNames.NewNameOf(w) == column) is { } old
+                ? $"The first line of {file} names a column {old}, of an older form of the file; it is {column} now."
+                : $"The first line of {file} names no column {column}.");
     }
 
     private static double Number(string word, int line, string file)

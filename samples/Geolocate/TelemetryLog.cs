@@ -9,7 +9,10 @@ using Rabit.Uav.Messages;
 
 namespace Geolocate;
 
-/// <summary>A telemetry log of MAVLink: GLOBAL_POSITION_INT and ATTITUDE of the first autopilot in it, by that autopilot's clock.</summary>
+/// <summary>
+/// A telemetry log of MAVLink: GLOBAL_POSITION_INT and ATTITUDE of the first autopilot in it, by that autopilot's
+/// clock.
+/// </summary>
 internal static class TelemetryLog
 {
     // No autopilot has run for 30 years: such a time is one of the log's stamps.
@@ -35,7 +38,9 @@ internal static class TelemetryLog
                 break;
         }
 
-        return sent.Count == 2 ? time : throw new FormatException($"{file} has no positions or no attitudes of an autopilot.");
+        return sent.Count == 2
+            ? time
+            : throw new FormatException($"{file} has no positions or no attitudes of an autopilot.");
     }
 
     // By the message that was quickest: late by the shortest delay of the link, which is not in a log.
@@ -48,7 +53,9 @@ internal static class TelemetryLog
                 least = stamp - sample.Time;
         }
 
-        return least < TimeSpan.MaxValue ? least : throw new FormatException($"{file} has no positions or attitudes of an autopilot.");
+        return least < TimeSpan.MaxValue
+            ? least
+            : throw new FormatException($"{file} has no positions or attitudes of an autopilot.");
     }
 
     private static IEnumerable<(PoseSample Sample, TimeSpan Stamp)> Samples(string file)
@@ -68,11 +75,13 @@ internal static class TelemetryLog
     private static bool TryPose(in MavlinkFrame frame, out PoseSample sample)
     {
         sample = default;
-        if (frame.MessageId == GlobalPositionInt.MavlinkId && frame.TryDecode(out GlobalPositionInt p) && (p.Lat != 0 || p.Lon != 0))
+        if (frame.MessageId == GlobalPositionInt.MavlinkId && frame.TryDecode(out GlobalPositionInt p)
+            && (p.Lat != 0 || p.Lon != 0))
         {
             sample.Kind = PoseSampleKind.Position;
             sample.Time = TimeSpan.FromMilliseconds(p.TimeBootMs);
-            sample.Position = GeodeticPosition.FromRadians(p.Lat * RadiansPerDegE7, p.Lon * RadiansPerDegE7, p.Alt / 1000.0);
+            sample.Position = GeodeticPosition.FromRadians(
+                p.Lat * RadiansPerDegE7, p.Lon * RadiansPerDegE7, p.Alt / 1000.0);
             sample.VelocityNed = new NedVector(p.Vx / 100.0, p.Vy / 100.0, p.Vz / 100.0);
             return true;
         }

@@ -24,7 +24,8 @@ internal static class CommandLine
         });
         var messages = new Option<int[]>("--message", "-m")
         {
-            Description = "Only this message, by name or id; may be given several times. Without --csv or --json: one line each.",
+            Description =
+                "Only this message, by name or id; may be given several times. Without --csv or --json: one line each.",
             HelpName = "NAME",
             CustomParser = ParseMessages,
             AllowMultipleArgumentsPerToken = false,
@@ -32,8 +33,14 @@ internal static class CommandLine
         Option<byte?> system = IdOption("--system", "Only what this system sent, 1 to 255.");
         Option<byte?> component = IdOption("--component", "Only what this component sent, 1 to 255.");
         var print = new Option<bool>("--print") { Description = "One line for each message instead of the table." };
-        var csv = new Option<bool>("--csv") { Description = "Comma-separated values of one message: time, sender, then its fields in a column each." };
-        var json = new Option<bool>("--json") { Description = "One JSON object for each message, on a line of its own." };
+        var csv = new Option<bool>("--csv")
+        {
+            Description = "Comma-separated values of one message: time, sender, then its fields in a column each."
+        };
+        var json = new Option<bool>("--json")
+        {
+            Description = "One JSON object for each message, on a line of its own."
+        };
 
         var command = new RootCommand(
             "Shows what is in a MAVLink telemetry log: a table of messages and senders, or the messages themselves. "
@@ -56,7 +63,10 @@ internal static class CommandLine
     }
 
     private static DumpFormat FormatOf(bool print, bool csv, bool json, int[]? messages) =>
-        csv ? DumpFormat.Csv : json ? DumpFormat.Json : print || messages is { Length: > 0 } ? DumpFormat.Lines : DumpFormat.Table;
+        csv ? DumpFormat.Csv
+            : json ? DumpFormat.Json
+            : print || messages is { Length: > 0 } ? DumpFormat.Lines
+            : DumpFormat.Table;
 
     private static int[] ParseMessages(ArgumentResult result)
     {
@@ -65,7 +75,8 @@ internal static class CommandLine
         {
             if (MavlinkDialect.All.TryGetMessage(text, out MavlinkMessageInfo message))
                 ids.Add(message.Id);
-            else if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int id) && id <= MaxMessageId)
+            else if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int id)
+                && id <= MaxMessageId)
                 ids.Add(id);
             else
                 result.AddError($"--message {text}: no message of that name{Similar(text)}");
@@ -77,7 +88,8 @@ internal static class CommandLine
     private static string Similar(string text)
     {
         List<string> names = MavlinkDialect.All.Messages.Select(message => message.Name)
-            .Where(name => text.Length > 2 && CultureInfo.InvariantCulture.CompareInfo.IndexOf(name, text, CompareOptions.OrdinalIgnoreCase) >= 0)
+            .Where(name => text.Length > 2
+                && CultureInfo.InvariantCulture.CompareInfo.IndexOf(name, text, CompareOptions.OrdinalIgnoreCase) >= 0)
             .OrderBy(name => name.Length).ThenBy(name => name, StringComparer.Ordinal).Take(5).ToList();
         return names.Count == 0 ? "." : "; did you mean " + string.Join(", ", names) + "?";
     }

@@ -19,7 +19,9 @@ internal sealed class CsvOutput : IDumpOutput
     {
         _output = output;
         _definition = MavlinkDialect.All.FindDefinition(messageId)
-            ?? throw new DumpException($"--csv: message {messageId.ToString(CultureInfo.InvariantCulture)} is in no definition, so its fields are not known.");
+            ?? throw new DumpException(
+                $"--csv: message {messageId.ToString(CultureInfo.InvariantCulture)} is in no definition, so its fields "
+                    + "are not known.");
         WriteHeader();
     }
 
@@ -27,7 +29,8 @@ internal sealed class CsvOutput : IDumpOutput
     {
         _row.Clear();
         RecordText.AppendTime(_row, record.TimeUtc);
-        _row.Append(',').Append(frame.SystemId).Append(',').Append(frame.ComponentId).Append(',').Append(frame.Sequence);
+        _row.Append(',').Append(frame.SystemId).Append(',').Append(frame.ComponentId).Append(',')
+            .Append(frame.Sequence);
         for (int index = 0; index < _definition.Fields.Count; index++)
             AppendField(_definition.Fields[index], frame);
         _row.Append('\n');

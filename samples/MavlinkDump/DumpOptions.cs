@@ -3,7 +3,8 @@ using System.Collections.Generic;
 namespace MavlinkDump;
 
 /// <summary>What the command line asks for.</summary>
-internal sealed class DumpOptions(string file, DumpFormat format, IReadOnlyCollection<int> messageIds, byte? systemId, byte? componentId)
+internal sealed class DumpOptions(
+    string file, DumpFormat format, IReadOnlyCollection<int> messageIds, byte? systemId, byte? componentId)
 {
     /// <summary>The log.</summary>
     public string File => file;

@@ -39,7 +39,8 @@ internal static class DumpRun
         using var text = new StreamWriter(output, new UTF8Encoding(false), 1024, leaveOpen: true) { NewLine = "\n" };
         IDumpOutput dump = CreateOutput(options, text, output);
         long shown = 0;
-        using (ProgressBar progress = ProgressBar.Start(options, file.CanSeek ? file.Length : 0))   // a pipe has no length
+        // a pipe has no length
+        using (ProgressBar progress = ProgressBar.Start(options, file.CanSeek ? file.Length : 0))
         {
             while (TryRead(log, options.File, out MavlinkFrame frame, out TlogRecord record))
             {
@@ -52,7 +53,8 @@ internal static class DumpRun
         }
 
         if (log.End is TlogEnd.Empty or TlogEnd.NoRecord)
-            throw new DumpException($"{options.File}: {(log.End == TlogEnd.Empty ? "the file is empty" : "no intact record in it: it is no telemetry log")}.");
+            throw new DumpException(
+                $"{options.File}: {(log.End == TlogEnd.Empty ? "the file is empty" : "no intact record in it: it is no telemetry log")}.");
         dump.Finish(log);
         text.Flush();
         return Conclude(options, log, shown);
@@ -78,17 +80,19 @@ internal static class DumpRun
         if (shown > 0)
             return ExitCodes.Done;
         Console.Error.WriteLine(string.Format(
-            CultureInfo.InvariantCulture, "MavlinkDump: {0}: none of its {1} records is what was asked for.", options.File, log.Records));
+            CultureInfo.InvariantCulture, "MavlinkDump: {0}: none of its {1} records is what was asked for.",
+            options.File, log.Records));
         return ExitCodes.NothingFound;
     }
 
-    private static IDumpOutput CreateOutput(DumpOptions options, TextWriter text, Stream output) => options.Format switch
-    {
-        DumpFormat.Lines => new LineOutput(text),
-        DumpFormat.Csv => new CsvOutput(text, options.MessageIds.First()),
-        DumpFormat.Json => new JsonOutput(output),
-        _ => new TableOutput(text, options.File),
-    };
+    private static IDumpOutput CreateOutput(DumpOptions options, TextWriter text, Stream output)
+        => options.Format switch
+        {
+            DumpFormat.Lines => new LineOutput(text),
+            DumpFormat.Csv => new CsvOutput(text, options.MessageIds.First()),
+            DumpFormat.Json => new JsonOutput(output),
+            _ => new TableOutput(text, options.File),
+        };
 
     private static bool IsWanted(DumpOptions options, in MavlinkFrame frame) =>
         (options.SystemId is null || options.SystemId == frame.SystemId)
@@ -101,13 +105,15 @@ internal static class DumpRun
             throw new DumpException($"{path}: that is a folder.");
         try
         {
-            return new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite, 1, FileOptions.SequentialScan);
+            return new FileStream(
+                path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite, 1, FileOptions.SequentialScan);
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
             throw new DumpException($"{path}: no such file.");
         }
-        catch (Exception e) when (e is UnauthorizedAccessException or IOException or ArgumentException or NotSupportedException)
+        catch (Exception e)
+            when (e is UnauthorizedAccessException or IOException or ArgumentException or NotSupportedException)
         {
             throw new DumpException($"{path}: the file cannot be read: {e.Message}");
         }

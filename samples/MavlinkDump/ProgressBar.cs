@@ -33,7 +33,8 @@ internal sealed class ProgressBar : IDisposable
         bool isFree = options.Format == DumpFormat.Table || Console.IsOutputRedirected;
         if (length < LargeFile || !isFree || Console.IsErrorRedirected)
             return new ProgressBar(null, length);
-        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
+        IAnsiConsole console = AnsiConsole.Create(
+            new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
         return new ProgressBar(console.Profile.Capabilities.Interactive ? console : null, length);
     }
 
@@ -47,7 +48,8 @@ internal sealed class ProgressBar : IDisposable
     }
 
     private void Draw(IAnsiConsole console) => console.Progress().AutoClear(true)
-        .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
+        .Columns(
+            new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
         .Start(context =>
         {
             ProgressTask task = context.AddTask("reading", maxValue: Math.Max(_length, 1));

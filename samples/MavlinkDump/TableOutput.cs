@@ -24,7 +24,8 @@ internal sealed class TableOutput(TextWriter output, string file) : IDumpOutput
     {
         long key = ((long)frame.MessageId << 16) | (uint)Sender(frame.SystemId, frame.ComponentId);
         if (!_messages.TryGetValue(key, out MessageCount? count))
-            _messages.Add(key, count = new MessageCount(RecordText.NameOf(frame, record), frame.MessageId, frame.SystemId, frame.ComponentId));
+            _messages.Add(key, count = new MessageCount(
+                RecordText.NameOf(frame, record), frame.MessageId, frame.SystemId, frame.ComponentId));
         count.Add(frame.WireLength, record.TimeMicroseconds);
         _firstTime = Math.Min(_firstTime, record.TimeMicroseconds);
         _lastTime = Math.Max(_lastTime, record.TimeMicroseconds);
@@ -56,13 +57,18 @@ internal sealed class TableOutput(TextWriter output, string file) : IDumpOutput
     private void WriteSenders(double seconds)
     {
         var table = new TextTable(output, "sender", "<type", "frames", "rate Hz", "missing", "loss %", "disorder");
-        foreach (MavlinkSequenceStatistics sender in Enumerable.Range(0, _senders.Count).Select(index => _senders[index])
-            .OrderBy(sender => Sender(sender.SystemId, sender.ComponentId)))
+        foreach (MavlinkSequenceStatistics sender
+            in Enumerable.Range(0, _senders.Count).Select(index => _senders[index])
+                .OrderBy(sender => Sender(sender.SystemId, sender.ComponentId)))
         {
             _senderTypes.TryGetValue(Sender(sender.SystemId, sender.ComponentId), out string? type);
             table.Add(
-                $"{sender.SystemId}/{sender.ComponentId}", type ?? "-", Number(sender.Frames), seconds > 0 ? Decimal(sender.Frames / seconds) : "-",
-                Number(sender.Missing), (100.0 * sender.Missing / (sender.Frames + sender.Missing)).ToString("0.00", CultureInfo.InvariantCulture), Number(sender.OutOfOrder));
+                $"{sender.SystemId}/{sender.ComponentId}", type ?? "-", Number(sender.Frames),
+                seconds > 0 ? Decimal(sender.Frames / seconds) : "-",
+                Number(sender.Missing),
+                (100.0 * sender.Missing / (sender.Frames + sender.Missing))
+                    .ToString("0.00", CultureInfo.InvariantCulture),
+                Number(sender.OutOfOrder));
         }
 
         table.Write();
@@ -72,10 +78,12 @@ internal sealed class TableOutput(TextWriter output, string file) : IDumpOutput
     {
         long all = _messages.Values.Sum(count => count.Bytes);
         var table = new TextTable(output, "<message", "id", "sender", "count", "rate Hz", "bytes", "share %");
-        foreach (MessageCount count in _messages.Values.OrderBy(count => Sender(count.SystemId, count.ComponentId)).ThenBy(count => count.MessageId))
+        foreach (MessageCount count in _messages.Values.OrderBy(count => Sender(count.SystemId, count.ComponentId))
+            .ThenBy(count => count.MessageId))
         {
             table.Add(
-                count.Name, Number(count.MessageId), $"{count.SystemId}/{count.ComponentId}", Number(count.Count), count.RateHz is { } rate ? Decimal(rate) : "-",
+                count.Name, Number(count.MessageId), $"{count.SystemId}/{count.ComponentId}", Number(count.Count),
+                count.RateHz is { } rate ? Decimal(rate) : "-",
                 Number(count.Bytes), (100.0 * count.Bytes / all).ToString("0.0", CultureInfo.InvariantCulture));
         }
 
@@ -91,5 +99,6 @@ internal sealed class TableOutput(TextWriter output, string file) : IDumpOutput
     private static string Decimal(double number) => number.ToString("0.00", CultureInfo.InvariantCulture);
 
     private static string Utc(long microseconds) =>
-        new DateTime(1970, 1, 1, 0, 0, 0, DateTimeKind.Utc).AddTicks(microseconds * 10).ToString("yyyy-MM-dd HH:mm:ss.fff", CultureInfo.InvariantCulture);
+        new DateTime(1970, 1, 1, 0, 0, 0, DateTimeKind.Utc).AddTicks(microseconds * 10)
+            .ToString("yyyy-MM-dd HH:mm:ss.fff", CultureInfo.InvariantCulture);
 }

@@ -29,8 +29,12 @@ internal sealed class TextTable
 
     public void Write()
     {
-        int[] widths = Enumerable.Range(0, _isLeft.Length).Select(column => _rows.Max(row => row[column].Length)).ToArray();
+        int[] widths = Enumerable.Range(0, _isLeft.Length)
+            .Select(column => _rows.Max(row => row[column].Length)).ToArray();
         foreach (string[] row in _rows)
-            _output.WriteLine(string.Join(Gap, row.Select((cell, column) => _isLeft[column] ? cell.PadRight(widths[column]) : cell.PadLeft(widths[column]))).TrimEnd());
+            _output.WriteLine(
+                string.Join(Gap, row.Select(
+                    (cell, column) => _isLeft[column] ? cell.PadRight(widths[column]) : cell.PadLeft(widths[column])))
+                    .TrimEnd());
     }
 }

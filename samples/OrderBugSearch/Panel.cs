@@ -3,7 +3,10 @@ using Rabit.Core;
 
 namespace OrderBugSearch;
 
-/// <summary>Presses the button for one period, and again after a tenth of a second as long as the valve is closed: three times in all.</summary>
+/// <summary>
+/// Presses the button for one period, and again after a tenth of a second as long as the valve is closed: three times
+/// in all.
+/// </summary>
 internal sealed class Panel : RabitManager
 {
     private const int PeriodsPerPress = 5;

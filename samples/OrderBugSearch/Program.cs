@@ -11,7 +11,8 @@ bool isFixed = args.Contains("--fixed", StringComparer.Ordinal);
 string[] rest = args.Where(a => !string.Equals(a, "--fixed", StringComparison.Ordinal)).ToArray();
 if (rest.Length == 0)
     return Search(1000);
-if (rest.Length == 2 && int.TryParse(rest[1], NumberStyles.None, CultureInfo.InvariantCulture, out int number) && number > 0)
+if (rest.Length == 2 && int.TryParse(rest[1], NumberStyles.None, CultureInfo.InvariantCulture, out int number)
+    && number > 0)
 {
     if (string.Equals(rest[0], "--seeds", StringComparison.Ordinal))
         return Search(number);
@@ -19,13 +20,17 @@ if (rest.Length == 2 && int.TryParse(rest[1], NumberStyles.None, CultureInfo.Inv
         return Replay(number);
 }
 
-Console.Error.WriteLine($"OrderBugSearch: '{string.Join(" ", args)}' is not [--seeds N | --seed N] [--fixed], with N above zero.");
+Console.Error.WriteLine(
+    $"OrderBugSearch: '{string.Join(" ", args)}' is not [--seeds N | --seed N] [--fixed], with N above zero.");
 return 2;
 
 int Search(int seeds)
 {
     FailingSeed? found = SeedSearch.Find(firstSeed: 1, seeds, time => PumpHouse.Run(time, isFixed));
-    Console.WriteLine(found is null ? $"all seeds from 1 to {seeds} pass" : $"{found}\nsee how: dotnet run --project samples/OrderBugSearch -- --seed {found.Seed}");
+    Console.WriteLine(
+        found is null
+            ? $"all seeds from 1 to {seeds} pass"
+            : $"{found}\nsee how: dotnet run --project samples/OrderBugSearch -- --seed {found.Seed}");
     return found is null ? 0 : 1;
 }
 

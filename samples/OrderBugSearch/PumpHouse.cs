@@ -3,10 +3,14 @@ using Rabit.Core;
 
 namespace OrderBugSearch;
 
-/// <summary>A panel with a button and a valve that the button is to open: a system so small that a bug seems impossible.</summary>
+/// <summary>
+/// A panel with a button and a valve that the button is to open: a system so small that a bug seems impossible.
+/// </summary>
 internal static class PumpHouse
 {
-    /// <summary>Runs it for a third of a second and checks what it was built for. All that a search over seeds needs.</summary>
+    /// <summary>
+    /// Runs it for a third of a second and checks what it was built for. All that a search over seeds needs.
+    /// </summary>
     /// <exception cref="PumpHouseException">The valve is closed.</exception>
     public static void Run(VirtualTime time, bool isFixed)
     {

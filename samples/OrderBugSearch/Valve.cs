@@ -5,16 +5,18 @@ namespace OrderBugSearch;
 
 /// <summary>Opens when it sees the button pressed.</summary>
 /// <remarks>
-/// The bug: a message holds the latest value, and a valve that looks every 20 ms does not see one that stood there for a shorter
-/// time. It happens when the valve looks just before the button is pressed and next time just after it was released. The second
-/// and third press hide it: all three are missed in one run of 64.
+/// The bug: a message holds the latest value, and a valve that looks every 20 ms does not see one that stood there for
+/// a shorter time. It happens when the valve looks just before the button is pressed and next time just after it was
+/// released. The second and third press hide it: all three are missed in one run of 64.
 /// </remarks>
 internal sealed class Valve : RabitManager
 {
     private readonly MessageSubscriber<Button> _button;
     private readonly MessagePublisher<ValveState> _valve;
 
-    /// <param name="isFixed">With the fix: a post wakes the valve, so that it sees every one. (A queue would do as well.)</param>
+    /// <param name="isFixed">
+    /// With the fix: a post wakes the valve, so that it sees every one. (A queue would do as well.)
+    /// </param>
     public Valve(bool isFixed)
         : base("valve")
     {

@@ -7,7 +7,8 @@ using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 using Winches.Messages;   // generated from dialects/winch.xml
 
-// A winch on board, a component of ours with messages of its own. Communications receives, checks and routes them like all others.
+// A winch on board, a component of ours with messages of its own. Communications receives, checks and routes them like
+// all others.
 const byte WinchComponent = 169;   // MAV_COMP_ID_WINCH
 MavlinkDialect dialect = MavlinkDialect.Combine("winch", MavlinkDialect.All, WinchDialect.Instance);
 var radio = new MemoryLinkPair("radio");
@@ -17,7 +18,10 @@ using UavSystem uav = UavSystem.Open(new UavOptions
     SystemId = 1,
     OpenLinks = [radio.A],
     Dialect = dialect,
-    Subscriptions = [new MavlinkSubscription("winch orders") { MessageIds = [WinchReel.MavlinkId], ComponentId = WinchComponent }],
+    Subscriptions =
+    [
+        new MavlinkSubscription("winch orders") { MessageIds = [WinchReel.MavlinkId], ComponentId = WinchComponent }
+    ],
     OtherManagers = [new Winch(WinchComponent), new GroundStation(radio.B, dialect, Console.WriteLine)],
     Time = new VirtualTime(seed: 1),
 });
@@ -67,13 +71,17 @@ internal sealed class GroundStation : RabitManager
     protected override void ExecuteUnitOfWork()
     {
         if (!_hasOrdered)
-            _out.Push(MavlinkFrame.Create(new WinchReel { TargetSystem = 1, TargetComponent = 169, Length = 2 }, 255, 190, sequence: 0));
+            _out.Push(
+                MavlinkFrame.Create(
+                    new WinchReel { TargetSystem = 1, TargetComponent = 169, Length = 2 }, 255, 190, sequence: 0));
         _hasOrdered = true;
         while (_in.TryPop(out LinkFrame frame))
         {
             if (!frame.Frame.TryDecode(out WinchLine line))
                 continue;
-            _print(FormattableString.Invariant($"component {frame.Frame.ComponentId}: {line.Length:0.0} m of line are out"));
+            _print(
+                FormattableString.Invariant(
+                    $"component {frame.Frame.ComponentId}: {line.Length:0.0} m of line are out"));
             if (line.Length >= 2)
                 StopSystem("the line is out");
         }

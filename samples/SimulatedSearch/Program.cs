@@ -7,7 +7,8 @@ using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation;
 
-// Six managers fly a small search in a simulated world, in virtual time: minutes of flight in a second, and the same each time.
+// Six managers fly a small search in a simulated world, in virtual time: minutes of flight in a second, and the same
+// each time.
 MissionPlan mission = MissionPlan.Parse(
     """
     {
@@ -39,20 +40,25 @@ MessageSubscriber<MissionStatus> status = reactor.Workspace.Subscribe<MissionSta
 MessageSubscriber<TrackList> tracks = reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks);
 
 reactor.Start();
-while (reactor.Now < TimeSpan.FromMinutes(20) && status.Value.Phase is not (MissionPhase.Done or MissionPhase.Failed or MissionPhase.HandedOver))
+while (reactor.Now < TimeSpan.FromMinutes(20)
+    && status.Value.Phase is not (MissionPhase.Done or MissionPhase.Failed or MissionPhase.HandedOver))
 {
     MissionPhase before = status.Value.Phase;
     if (!reactor.RunFor(TimeSpan.FromSeconds(1)))
         break;
     status.Fetch();
     if (status.Value.Phase != before)
-        Console.WriteLine(FormattableString.Invariant($"{reactor.Now.TotalSeconds,4:0} s  {status.Value.Phase}: {status.Value.Text}"));
+        Console.WriteLine(
+            FormattableString.Invariant(
+                $"{reactor.Now.TotalSeconds,4:0} s  {status.Value.Phase}: {status.Value.Text}"));
 }
 
 reactor.Stop();
 ReactorResult result = reactor.Finish();
 tracks.Fetch();
 foreach (TargetTrack track in tracks.Value.Tracks)
-    Console.WriteLine(FormattableString.Invariant($"track {track.Id}: {track.Class}, {track.State}, {track.Reports} reports"));
-Console.WriteLine($"landed {(world.Truth.Landing is null ? "nowhere" : "at home")}, {(result.ExitCode == 0 ? "no faults" : result.ToString())}");
+    Console.WriteLine(
+        FormattableString.Invariant($"track {track.Id}: {track.Class}, {track.State}, {track.Reports} reports"));
+Console.WriteLine($"landed {(world.Truth.Landing is null ? "nowhere" : "at home")}, "
+    + $"{(result.ExitCode == 0 ? "no faults" : result.ToString())}");
 return result.ExitCode;

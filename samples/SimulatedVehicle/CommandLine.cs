@@ -20,7 +20,8 @@ internal static class CommandLine
         var defaults = new SimulationOptions();
         var link = new Option<LinkUrl>("--link", "-l")
         {
-            Description = "udpout:HOST:PORT, udpin:ADDRESS:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD: where the vehicle sends its telemetry and takes commands.",
+            Description = "udpout:HOST:PORT, udpin:ADDRESS:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD: where the "
+                + "vehicle sends its telemetry and takes commands.",
             HelpName = "URL",
             CustomParser = ParseLink,
             DefaultValueFactory = _ => LinkUrl.Parse("udpout:127.0.0.1:14550"),
@@ -46,7 +47,11 @@ internal static class CommandLine
             CustomParser = ParseWind,
             DefaultValueFactory = _ => defaults.WindMetresPerSecond,
         };
-        var mission = new Option<string>("--mission") { Description = "Takes home and the area of the targets from a mission file.", HelpName = "FILE" };
+        var mission = new Option<string>("--mission")
+        {
+            Description = "Takes home and the area of the targets from a mission file.",
+            HelpName = "FILE"
+        };
         var truth = new Option<string>("--truth-out")
         {
             Description = "Writes where the targets are, and at the end what the vehicle really did, as JSON.",
@@ -60,11 +65,13 @@ internal static class CommandLine
 
         var signKey = new Option<string>("--sign-key")
         {
-            Description = "Signs what the vehicle sends with the key in a file, 32 bytes or 64 hexadecimal digits, and rejects what is not signed with it.",
+            Description = "Signs what the vehicle sends with the key in a file, 32 bytes or 64 hexadecimal digits, and "
+                + "rejects what is not signed with it.",
             HelpName = "FILE",
         };
 
-        var command = new RootCommand("A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter does, until Ctrl-C.")
+        var command = new RootCommand(
+            "A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter does, until Ctrl-C.")
         {
             link, seed, targets, wind, mission, camera, truth, signKey,
         };
@@ -98,16 +105,19 @@ internal static class CommandLine
     private static long ParseNumber(ArgumentResult result, string option, long low, long high)
     {
         string text = result.Tokens[0].Value;
-        if (long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long number) && number >= low && number <= high)
+        if (long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long number)
+            && number >= low && number <= high)
             return number;
-        result.AddError($"{option} {text}: it must be a whole number" + (low == long.MinValue ? "." : $" from {low} to {high}."));
+        result.AddError(
+            $"{option} {text}: it must be a whole number" + (low == long.MinValue ? "." : $" from {low} to {high}."));
         return 0;
     }
 
     private static double ParseWind(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;
-        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double speed) && speed <= MaxWind)
+        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double speed)
+            && speed <= MaxWind)
             return speed;
         result.AddError($"--wind {text}: it must be a number of m/s from 0 to 25.");
         return 0;

@@ -9,7 +9,8 @@ RootCommand command = CommandLine.Create(VehicleRun.Run);
 ParseResult parsed = command.Parse(args);
 if (parsed.Errors.Count > 0)
 {
-    Console.Error.WriteLine("SimulatedVehicle: " + string.Join(" ", parsed.Errors.Select(e => e.Message)) + " (--help shows the options)");
+    Console.Error.WriteLine(
+        "SimulatedVehicle: " + string.Join(" ", parsed.Errors.Select(e => e.Message)) + " (--help shows the options)");
     return BadInput;
 }
 

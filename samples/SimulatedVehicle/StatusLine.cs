@@ -13,7 +13,8 @@ internal sealed class StatusLine(TextWriter output)
 
     public void Show(TimeSpan time, SimulatedTruth truth)
     {
-        string state = $"{truth.Mode}, {(truth.IsArmed ? "ARMED" : "disarmed")}, {(truth.IsAirborne ? "in the air" : "on the ground")}";
+        string state = $"{truth.Mode}, {(truth.IsArmed ? "ARMED" : "disarmed")}, "
+            + $"{(truth.IsAirborne ? "in the air" : "on the ground")}";
         if (state == _last)
             return;
         _last = state;

@@ -16,7 +16,9 @@ internal sealed class TruthOutput : IDisposable
 
     // What was there before stays until there is something to put in its place.
     public static TruthOutput? Open(string? path)
-        => path is null ? null : new TruthOutput(new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write, FileShare.Read));
+        => path is null
+            ? null
+            : new TruthOutput(new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write, FileShare.Read));
 
     /// <summary>Writes all that is known, in place of what was written before.</summary>
     public void Write(SimulatedWorld world)

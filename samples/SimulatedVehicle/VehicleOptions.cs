@@ -5,7 +5,9 @@ using Rabit.Uav.Simulation;
 namespace SimulatedVehicle;
 
 /// <summary>What the command line asked for.</summary>
-internal sealed class VehicleOptions(LinkUrl link, SimulationOptions world, string? missionFile, string? truthFile, string? cameraFolder, string? signKeyFile)
+internal sealed class VehicleOptions(
+    LinkUrl link, SimulationOptions world, string? missionFile, string? truthFile, string? cameraFolder,
+    string? signKeyFile)
 {
     public LinkUrl Link { get; } = link;
 

@@ -34,7 +34,9 @@ internal static class VehicleRun
                 MissionWorld.Read(options.MissionFile, options.World);
             var world = new SimulatedWorld(options.World);
             using TruthOutput? truthFile = TruthOutput.Open(options.TruthFile);
-            CameraFolder? folder = options.CameraFolder is { } path ? CameraFolder.Create(path, world.CameraModel, world.CameraMount) : null;
+            CameraFolder? folder = options.CameraFolder is { } path
+                ? CameraFolder.Create(path, world.CameraModel, world.CameraMount)
+                : null;
             using MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
             using IByteLink link = LinkFactory.Open(options.Link);
             truthFile?.Write(world);
@@ -42,7 +44,9 @@ internal static class VehicleRun
             truthFile?.Write(world);
             return exitCode;
         }
-        catch (Exception e) when (e is LinkException or PictureException or ArgumentException or PlatformNotSupportedException or IOException or UnauthorizedAccessException)
+        catch (Exception e)
+            when (e is LinkException or PictureException or ArgumentException or PlatformNotSupportedException
+                or IOException or UnauthorizedAccessException)
         {
             Console.Error.WriteLine("SimulatedVehicle: " + FirstLine(e));
             return BadInput;
@@ -70,7 +74,8 @@ internal static class VehicleRun
     // What is read is never written to.
     private static void CheckTruthOverwrites(string option, string? file, VehicleOptions options)
     {
-        if (file is { Length: > 0 } && options.TruthFile is { Length: > 0 } truth && string.Equals(Path.GetFullPath(file), Path.GetFullPath(truth), StringComparison.Ordinal))
+        if (file is { Length: > 0 } && options.TruthFile is { Length: > 0 } truth
+            && string.Equals(Path.GetFullPath(file), Path.GetFullPath(truth), StringComparison.Ordinal))
             throw new ArgumentException($"{option} and --truth-out are the same file {truth}.", nameof(options));
     }
 

@@ -18,14 +18,19 @@ internal static class CommandLine
 
     private static readonly Option<LinkUrl[]> Links = new("--link", "-l")
     {
-        Description = "A real vehicle or a recorded flight instead of the simulation: udpin:ADDRESS:PORT, udpout:HOST:PORT, tcp:HOST:PORT, serial:DEVICE:BAUD "
-            + "or tlog:FILE[?speed=10|max]; may be given several times. A vehicle is only observed, unless --mission FILE --fly is given.",
+        Description = "A real vehicle or a recorded flight instead of the simulation: udpin:ADDRESS:PORT, "
+            + "udpout:HOST:PORT, tcp:HOST:PORT, serial:DEVICE:BAUD "
+            + "or tlog:FILE[?speed=10|max]; may be given several times. A vehicle is only observed, unless --mission "
+            + "FILE --fly is given.",
         HelpName = "URL",
         CustomParser = ParseLinks,
         AllowMultipleArgumentsPerToken = false,
     };
 
-    private static readonly Option<bool> RealTime = new("--realtime") { Description = "The simulation at the pace of a real flight, not as fast as the machine goes." };
+    private static readonly Option<bool> RealTime = new("--realtime")
+    {
+        Description = "The simulation at the pace of a real flight, not as fast as the machine goes."
+    };
 
     private static readonly Option<long?> Seed = new("--seed")
     {
@@ -47,49 +52,78 @@ internal static class CommandLine
         HelpName = "FILE",
     };
 
-    private static readonly Option<bool> Fly = new("--fly") { Description = "Commands the vehicle at the other end of --link: arms it and flies --mission." };
+    private static readonly Option<bool> Fly = new("--fly")
+    {
+        Description = "Commands the vehicle at the other end of --link: arms it and flies --mission."
+    };
 
-    private static readonly Option<string> Camera = new("--camera") { Description = "A camera for --link: a folder of pictures with their times, also a growing one.", HelpName = "DIR" };
+    private static readonly Option<string> Camera = new("--camera")
+    {
+        Description = "A camera for --link: a folder of pictures with their times, also a growing one.",
+        HelpName = "DIR"
+    };
 
-    private static readonly Option<string> TruthOption = new("--truth") { Description = "Where the targets really are, to score those found over --link.", HelpName = "FILE" };
+    private static readonly Option<string> TruthOption = new("--truth")
+    {
+        Description = "Where the targets really are, to score those found over --link.",
+        HelpName = "FILE"
+    };
 
-    private static readonly Option<bool> Headless = new("--headless") { Description = "Plain lines instead of a live screen; by itself where the output is no terminal." };
+    private static readonly Option<bool> Headless = new("--headless")
+    {
+        Description = "Plain lines instead of a live screen; by itself where the output is no terminal."
+    };
 
-    private static readonly Option<string> Summary = new("--summary") { Description = "Writes the summary as JSON too (docs/uavconsole-summary.md).", HelpName = "FILE" };
+    private static readonly Option<string> Summary = new("--summary")
+    {
+        Description = "Writes the summary as JSON too (docs/uavconsole-summary.md).",
+        HelpName = "FILE"
+    };
 
     private static readonly Option<string> Report = new("--report")
     {
-        Description = $"Where the report of the flight goes, one page of HTML. {RunFiles.DefaultReport} for a mission without it, none for other runs.",
+        Description = $"Where the report of the flight goes, one page of HTML. {RunFiles.DefaultReport} for a mission "
+            + "without it, none for other runs.",
         HelpName = "FILE",
     };
 
-    private static readonly Option<string> Log = new("--log") { Description = "Writes the log of the run, a line for each entry.", HelpName = "FILE" };
+    private static readonly Option<string> Log = new("--log")
+    {
+        Description = "Writes the log of the run, a line for each entry.",
+        HelpName = "FILE"
+    };
 
     private static readonly Option<string> SignKey = new("--sign-key")
     {
-        Description = "Signs and verifies MAVLink on all live links with the key in a file, 32 bytes or 64 hexadecimal digits (docs/concepts/signing.md). FILE.clock.0 and .1 beside it keep "
+        Description = "Signs and verifies MAVLink on all live links with the key in a file, 32 bytes or 64 hexadecimal "
+            + "digits (docs/concepts/signing.md). FILE.clock.0 and .1 beside it keep "
             + "the time of the signatures.",
         HelpName = "FILE",
     };
 
     private static readonly Option<int[]> TrustLink = new("--trust-link")
     {
-        Description = "A link that is not signed with --sign-key: a cable. Its number, from 0 in the order of the live --link; may be given several times.",
+        Description = "A link that is not signed with --sign-key: a cable. Its number, from 0 in the order of the live "
+            + "--link; may be given several times.",
         HelpName = "N",
     };
 
     private static readonly Option<byte?> SystemId = new("--system-id")
     {
-        Description = "Our MAVLink system id, 1 to 255, and so that of the vehicle that carries us; without it that of the first autopilot that is received.",
+        Description = "Our MAVLink system id, 1 to 255, and so that of the vehicle that carries us; without it that of "
+            + "the first autopilot that is received.",
         HelpName = "N",
         CustomParser = ParseSystemId,
     };
 
     public static RootCommand Create(Func<ConsoleOptions, int> run)
     {
-        var command = new RootCommand("Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or recorded.")
+        var command = new RootCommand(
+            "Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or "
+                + "recorded.")
         {
-            Links, RealTime, Seed, Targets, Mission, Fly, Camera, TruthOption, Headless, Summary, Report, Log, SystemId, SignKey, TrustLink,
+            Links, RealTime, Seed, Targets, Mission, Fly, Camera, TruthOption, Headless, Summary, Report, Log, SystemId,
+            SignKey, TrustLink,
         };
         command.SetAction(result => FindFaults(result) is { Length: > 0 } faults ? Refuse(faults) : run(Read(result)));
         return command;
@@ -128,13 +162,15 @@ internal static class CommandLine
     {
         LinkUrl[] links = result.GetValue(Links) ?? [];
         bool isReplay = links.Length > 0 && Array.TrueForAll(links, l => l.Kind == LinkKind.RecordedFile);
-        return (links.Length == 0 ? WithoutLink(result) : WithLink(result, isReplay)).Concat(OfSigning(result, isReplay)).ToArray();
+        return (links.Length == 0 ? WithoutLink(result) : WithLink(result, isReplay))
+            .Concat(OfSigning(result, isReplay)).ToArray();
     }
 
     private static IEnumerable<string> WithoutLink(ParseResult result)
     {
         if (result.GetValue(Fly))
-            yield return "--fly commands a real vehicle: it needs --link URL and --mission FILE; the simulation flies without it.";
+            yield return "--fly commands a real vehicle: it needs --link URL and --mission FILE; the simulation flies "
+                + "without it.";
         if (result.GetValue(Camera) is not null)
             yield return "--camera needs --link URL: the simulation has a camera of its own.";
         if (result.GetValue(TruthOption) is not null)
@@ -148,12 +184,18 @@ internal static class CommandLine
         if (result.GetValue(Targets) is not null)
             yield return "--targets is for the simulation; it does not go with --link.";
         if (result.GetValue(RealTime))
-            yield return "--realtime is for the simulation; with --link a flight has its own pace, a recorded one by ?speed=.";
+            yield return "--realtime is for the simulation; with --link a flight has its own pace, a recorded one by "
+                + "?speed=.";
         if (result.GetValue(Fly) && result.GetValue(Mission) is null)
             yield return "--fly needs --mission FILE: what to fly.";
         if (result.GetValue(TruthOption) is not null && !result.GetValue(Fly))
             yield return "--truth scores a mission: it needs --mission FILE --fly.";
-        foreach ((string name, bool isGiven) in new[] { ("--fly", result.GetValue(Fly)), ("--mission", result.GetValue(Mission) is not null), ("--camera", result.GetValue(Camera) is not null) })
+        foreach ((string name, bool isGiven) in new[]
+        {
+            ("--fly", result.GetValue(Fly)),
+            ("--mission", result.GetValue(Mission) is not null),
+            ("--camera", result.GetValue(Camera) is not null)
+        })
         {
             if (isReplay && isGiven)
                 yield return $"{name} needs a live vehicle: a recorded flight is only replayed.";

@@ -51,7 +51,8 @@ internal sealed class Flight : IDisposable
 
     /// <exception cref="ArgumentException">Options or files are wrong; the text says what.</exception>
     /// <exception cref="LinkException">A link cannot be opened.</exception>
-    public static Flight Open(ConsoleOptions options) => options.IsSimulated ? OpenSimulation(options) : OpenLinks(options);
+    public static Flight Open(ConsoleOptions options)
+        => options.IsSimulated ? OpenSimulation(options) : OpenLinks(options);
 
     public RabitReactor CreateReactor(ReactorOptions options) => Uav.CreateReactor(options);
 
@@ -63,7 +64,8 @@ internal sealed class Flight : IDisposable
 
     private static Flight OpenSimulation(ConsoleOptions options)
     {
-        MissionPlan mission = ReadMission(options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission));
+        MissionPlan mission = ReadMission(
+            options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission));
         var worldOptions = new SimulationOptions { Seed = options.Seed, TargetCount = options.TargetCount };
         worldOptions.TakePlacesFrom(mission);
         var world = new SimulatedWorld(worldOptions);
@@ -84,9 +86,11 @@ internal sealed class Flight : IDisposable
             SystemId = options.SystemId,
             Seed = options.Seed,
             Time = time,
-            Signing = key is null ? null : new SigningOptions(key),   // the vehicle is new each time, and so is its memory of us
+            // the vehicle is new each time, and so is its memory of us
+            Signing = key is null ? null : new SigningOptions(key),
         });
-        return new Flight(uav, $"simulated flight: {mission.Name}, seed {FlightText.Number(options.Seed)}, {FlightText.Number(options.TargetCount)} targets", key)
+        return new Flight(uav, $"simulated flight: {mission.Name}, seed {FlightText.Number(options.Seed)}, "
+            + $"{FlightText.Number(options.TargetCount)} targets", key)
         {
             // Panels of colours that the mission does not search for are not its targets.
             Truth = TargetTruth.Of(world, mission.Targets),
@@ -114,11 +118,14 @@ internal sealed class Flight : IDisposable
             Imaging = folder is null ? new ImageProcessingOptions() : ImagingOf(folder),
         });
         string links = string.Join(", ", options.Links.Select(l => l.ToString()));
-        return new Flight(uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or observing " + links, key)
+        return new Flight(
+            uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or observing " + links, key)
         {
             Truth = truth,
             Camera = camera,
-            Notice = options.IsReplay || options.Flies ? null : "observing only: nothing is commanded; --mission FILE --fly flies",
+            Notice = options.IsReplay || options.Flies
+                ? null
+                : "observing only: nothing is commanded; --mission FILE --fly flies",
         };
     }
 
@@ -126,7 +133,10 @@ internal sealed class Flight : IDisposable
     {
         int live = options.Links.Count(l => l.Kind != LinkKind.RecordedFile);
         foreach (int link in options.TrustedLinks.Where(l => l < 0 || l >= live))
-            throw new ArgumentException($"--trust-link {FlightText.Number(link)}: there are {FlightText.Number(live)} live links, numbered from 0.", nameof(options));
+            throw new ArgumentException(
+                $"--trust-link {FlightText.Number(link)}: there are {FlightText.Number(live)} live links, numbered "
+                    + "from 0.",
+                nameof(options));
         return new SigningOptions(key)
         {
             Links = Enumerable.Range(0, live).Except(options.TrustedLinks).ToArray(),
@@ -174,7 +184,8 @@ internal sealed class Flight : IDisposable
         {
             return MissionPlan.Parse(File.ReadAllText(path), Path.GetFileName(path));
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
+        catch (Exception e)
+            when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
         {
             throw new ArgumentException($"--mission {path} cannot be read: {e.Message}", nameof(path), e);
         }

@@ -92,10 +92,13 @@ internal static class FlightRun
         return Summarise(flight, monitor, result, log, options);
     }
 
-    private static FlightSummary Summarise(Flight flight, FlightMonitor monitor, ReactorResult result, RunLog log, ConsoleOptions options)
+    private static FlightSummary Summarise(
+        Flight flight, FlightMonitor monitor, ReactorResult result, RunLog log, ConsoleOptions options)
     {
         FlightRecord record = monitor.Record;
-        MissionScore? score = flight.Truth is null ? null : TargetScoring.Score(flight.Truth, record, flight.TruePosition());
+        MissionScore? score = flight.Truth is null
+            ? null
+            : TargetScoring.Score(flight.Truth, record, flight.TruePosition());
         return new FlightSummary(record, result)
         {
             Source = flight.Source,
@@ -106,7 +109,8 @@ internal static class FlightRun
             LinkStatus = monitor.Links,
             OwnFrames = flight.Uav.Communications.CountOwnFrames(),
             Camera = flight.Camera is null ? null : new CameraSummary(flight.Camera),
-            Managers = result.Managers.Select((m, index) => new ManagerSummary(m, monitor.UnitOfWorkTimeOf(index))).ToArray(),
+            Managers = result.Managers.Select((m, index) => new ManagerSummary(m, monitor.UnitOfWorkTimeOf(index)))
+                .ToArray(),
             Mission = options.FliesMission ? new MissionSummary(record, score) : null,
             Events = log.Flight.ToArray(),
             EventCount = log.Flight.Count,

@@ -12,11 +12,13 @@ namespace UavConsole;
 /// </summary>
 internal static class Text
 {
-    public static string Of(StatusText text) => $"{text.Severity.ToString().ToLowerInvariant()}: {FlightText.Printable(text.Text)}";
+    public static string Of(StatusText text)
+        => $"{text.Severity.ToString().ToLowerInvariant()}: {FlightText.Printable(text.Text)}";
 
     public static string Vehicle(in VehicleState vehicle) => vehicle.SystemId == 0
         ? "no autopilot connected yet"
-        : $"{FlightText.Autopilot(vehicle.Autopilot)} {vehicle.VehicleType} {vehicle.SystemId}/{vehicle.ComponentId}, {(vehicle.IsConnected ? "connected" : "LOST")}";
+        : $"{FlightText.Autopilot(vehicle.Autopilot)} {vehicle.VehicleType} {vehicle.SystemId}/{vehicle.ComponentId}, "
+            + $"{(vehicle.IsConnected ? "connected" : "LOST")}";
 
     public static string Flight(in VehicleState vehicle) => vehicle.SystemId == 0
         ? "-"
@@ -53,7 +55,9 @@ internal static class Text
 
     public static string Gps(in VehicleState vehicle) => vehicle.GpsTime is null
         ? "-"
-        : $"{vehicle.GpsFix}, {(vehicle.Satellites == 255 ? "?" : vehicle.Satellites.ToString(CultureInfo.InvariantCulture))} satellites";
+        : $"{vehicle.GpsFix}, "
+            + $"{(vehicle.Satellites == 255 ? "?" : vehicle.Satellites.ToString(CultureInfo.InvariantCulture))} "
+            + "satellites";
 
     public static string Link(in LinkStatus link) => string.Format(
         CultureInfo.InvariantCulture,
@@ -69,9 +73,12 @@ internal static class Text
     public static string StatusLine(FlightMonitor monitor)
     {
         VehicleState vehicle = monitor.Vehicle;
-        string progress = monitor.Progress is { } p ? string.Format(CultureInfo.InvariantCulture, "{0:0}% ", p * 100) : string.Empty;
+        string progress = monitor.Progress is { } p
+            ? string.Format(CultureInfo.InvariantCulture, "{0:0}% ", p * 100)
+            : string.Empty;
         string links = string.Join("; ", monitor.Links.Select(l => Link(l)));
-        return FlightText.TimeStamp(monitor.Now) + progress + $"{Vehicle(vehicle)}; {Flight(vehicle)}; {Position(vehicle)}; {links}";
+        return FlightText.TimeStamp(monitor.Now) + progress
+            + $"{Vehicle(vehicle)}; {Flight(vehicle)}; {Position(vehicle)}; {links}";
     }
 
     public static string Mission(FlightMonitor monitor)

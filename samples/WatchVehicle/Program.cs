@@ -15,9 +15,10 @@ if (args.Length != 1 || !LinkUrl.TryParse(args[0], out LinkUrl? link, out string
 
 try
 {
-    using UavSystem uav = UavSystem.Open(new UavOptions { Links = [link], OtherManagers = [new Watcher(Console.WriteLine)] });
-    ReactorResult result = await uav.CreateReactor(new ReactorOptions()).RunAsync();   // until Ctrl-C or the end of the log
-    return result.ExitCode;
+    var watcher = new Watcher(Console.WriteLine);
+    using UavSystem uav = UavSystem.Open(new UavOptions { Links = [link], OtherManagers = [watcher] });
+    RabitReactor reactor = uav.CreateReactor(new ReactorOptions());
+    return (await reactor.RunAsync()).ExitCode;   // until Ctrl-C or the end of the log
 }
 catch (LinkException e)
 {

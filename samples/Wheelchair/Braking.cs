@@ -20,5 +20,6 @@ internal static class Braking
 
     /// <summary>From the moment of the decision: one more period at full speed, and then v²/2a.</summary>
     public static double StoppingDistanceMetres(double speedMetresPerSecond)
-        => (speedMetresPerSecond * ControlPeriod.TotalSeconds) + (speedMetresPerSecond * speedMetresPerSecond / (2 * EmergencyMetresPerSecondSquared));
+        => (speedMetresPerSecond * ControlPeriod.TotalSeconds)
+            + (speedMetresPerSecond * speedMetresPerSecond / (2 * EmergencyMetresPerSecondSquared));
 }

@@ -4,7 +4,8 @@ using Rabit.Core;
 namespace Wheelchair;
 
 /// <summary>
-/// Drives as the driver wants, at 50 Hz, and stops before an obstacle, or when it receives nothing from joystick or sensor any more.
+/// Drives as the driver wants, at 50 Hz, and stops before an obstacle, or when it receives nothing from joystick or
+/// sensor any more.
 /// </summary>
 internal sealed class DriveManager : RabitManager
 {

@@ -2,7 +2,9 @@ using Rabit.Core;
 
 namespace Wheelchair;
 
-/// <summary>Reads the range sensor and posts what is in front of the chair, with the time at which it was measured.</summary>
+/// <summary>
+/// Reads the range sensor and posts what is in front of the chair, with the time at which it was measured.
+/// </summary>
 internal sealed class ObstacleManager : RabitManager
 {
     private readonly BlockingReader<RangeReading> _sensor;

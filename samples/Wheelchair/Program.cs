@@ -2,7 +2,8 @@ using System;
 using Rabit.Core;
 using Wheelchair;
 
-// A ride towards a wall, in real time; "--virtual" takes the same ten seconds in no time, and prints the same each time.
+// A ride towards a wall, in real time; "--virtual" takes the same ten seconds in no time, and prints the same each
+// time.
 bool isVirtual = args.Length == 1 && string.Equals(args[0], "--virtual", StringComparison.Ordinal);
 if (args.Length > 0 && !isVirtual)
 {

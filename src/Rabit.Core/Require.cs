@@ -10,8 +10,12 @@ internal static class Require
         => value ?? throw new ArgumentNullException(parameter);
 
     public static string Name(string? value, string parameter, string what)
-        => string.IsNullOrWhiteSpace(value) ? throw new ArgumentException($"{what} needs a name that is not empty.", parameter) : value!;
+        => string.IsNullOrWhiteSpace(value)
+            ? throw new ArgumentException($"{what} needs a name that is not empty.", parameter)
+            : value!;
 
     public static TimeSpan Positive(TimeSpan value, string parameter, string what)
-        => value > TimeSpan.Zero ? value : throw new ArgumentOutOfRangeException(parameter, value, $"{what} must be longer than zero.");
+        => value > TimeSpan.Zero
+            ? value
+            : throw new ArgumentOutOfRangeException(parameter, value, $"{what} must be longer than zero.");
 }

@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Geodesy;
 
-/// <summary>Altitude above mean sea level, as autopilots and maps give it. It becomes another kind of height only by a method that is given what lies between. A plain value.</summary>
+/// <summary>
+/// Altitude above mean sea level, as autopilots and maps give it. It becomes another kind of height only by a method
+/// that is given what lies between. A plain value.
+/// </summary>
 /// <param name="metres">Up positive.</param>
 public readonly struct AmslAltitude(double metres) : IEquatable<AmslAltitude>
 {
@@ -16,7 +19,10 @@ public readonly struct AmslAltitude(double metres) : IEquatable<AmslAltitude>
     public static bool operator !=(AmslAltitude a, AmslAltitude b) => !a.Equals(b);
 
     /// <summary>Above the ellipsoid.</summary>
-    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid there, -107 to 86 m on earth; see <see cref="GeoidGrid"/>; it must be looked up, it cannot be computed.</param>
+    /// <param name="geoidUndulationMetres">
+    /// How far the geoid is above the ellipsoid there, -107 to 86 m on earth; see <see cref="GeoidGrid"/>; it must be
+    /// looked up, it cannot be computed.
+    /// </param>
     public EllipsoidHeight ToEllipsoid(double geoidUndulationMetres) => new(Metres + geoidUndulationMetres);
 
     /// <summary>Above the ground.</summary>

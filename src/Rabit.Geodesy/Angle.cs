@@ -4,8 +4,8 @@ using System.Globalization;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// An angle that knows its unit: made from degrees or from radians by name, never from a bare number. It keeps both, so that
-/// degrees come back to the last digit. A plain value.
+/// An angle that knows its unit: made from degrees or from radians by name, never from a bare number. It keeps both, so
+/// that degrees come back to the last digit. A plain value.
 /// </summary>
 /// <example>
 /// <code>
@@ -90,7 +90,9 @@ public readonly struct Angle : IEquatable<Angle>, IComparable<Angle>
         double degrees = Math.IEEERemainder(Degrees, 360);
 
         // Straight backwards, rounding may have sent the two to different ends of the range.
-        return Math.Abs((radians / RadiansPerDegree) - degrees) < 180 ? new Angle(radians, degrees) : FromRadians(radians);
+        return Math.Abs((radians / RadiansPerDegree) - degrees) < 180
+            ? new Angle(radians, degrees)
+            : FromRadians(radians);
     }
 
     /// <inheritdoc/>

@@ -6,8 +6,8 @@ using System.IO;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// Reads a terrain grid from text: the ARC/INFO ASCII grid (.asc) in degrees of latitude and longitude, rows from the north; cells may
-/// be given by `cellsize`, or by `dx` and `dy`.
+/// Reads a terrain grid from text: the ARC/INFO ASCII grid (.asc) in degrees of latitude and longitude, rows from the
+/// north; cells may be given by `cellsize`, or by `dx` and `dy`.
 /// </summary>
 public static class AsciiGrid
 {
@@ -51,7 +51,8 @@ public static class AsciiGrid
                 if (!double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double height))
                     throw new FormatException($"Line {lineNumber} of the grid: '{word}' is not a height.");
                 if (count == heights.Length)
-                    throw new FormatException($"Line {lineNumber} of the grid: there are more than {rows} x {columns} heights.");
+                    throw new FormatException(
+                        $"Line {lineNumber} of the grid: there are more than {rows} x {columns} heights.");
                 int index = ((rows - 1 - (count / columns)) * columns) + (count % columns);
                 heights[index] = height == noData || double.IsInfinity(height) ? float.NaN : (float)height;
                 count++;
@@ -104,7 +105,9 @@ public static class AsciiGrid
     }
 
     private static double CellSize(Dictionary<string, double> header, string name)
-        => header.TryGetValue("cellsize", out double size) || header.TryGetValue(name, out size) ? size : throw Missing("cellsize");
+        => header.TryGetValue("cellsize", out double size) || header.TryGetValue(name, out size)
+            ? size
+            : throw Missing("cellsize");
 
     // A cell's corner is half a cell from its post.
     private static double Corner(Dictionary<string, double> header, string centre, string corner, double cell)

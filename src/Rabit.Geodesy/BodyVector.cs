@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// A vector in the body frame, forward-right-down: a lever arm, a velocity, a direction. The name of what holds it says its unit. It
-/// becomes a <see cref="NedVector"/> by the attitude, <see cref="Rotation.ToNed"/>. A plain value.
+/// A vector in the body frame, forward-right-down: a lever arm, a velocity, a direction. The name of what holds it says
+/// its unit. It becomes a <see cref="NedVector"/> by the attitude, <see cref="Rotation.ToNed"/>. A plain value.
 /// </summary>
 /// <param name="Forward">Along the nose.</param>
 /// <param name="Right">Along the right wing.</param>
@@ -24,25 +24,30 @@ public readonly record struct BodyVector(double Forward, double Right, double Do
     public bool IsFinite => FiniteNumbers.AreFinite(Forward, Right, Down);
 
     /// <summary>Sum.</summary>
-    public static BodyVector operator +(BodyVector a, BodyVector b) => new(a.Forward + b.Forward, a.Right + b.Right, a.Down + b.Down);
+    public static BodyVector operator +(BodyVector a, BodyVector b)
+        => new(a.Forward + b.Forward, a.Right + b.Right, a.Down + b.Down);
 
     /// <summary>Difference.</summary>
-    public static BodyVector operator -(BodyVector a, BodyVector b) => new(a.Forward - b.Forward, a.Right - b.Right, a.Down - b.Down);
+    public static BodyVector operator -(BodyVector a, BodyVector b)
+        => new(a.Forward - b.Forward, a.Right - b.Right, a.Down - b.Down);
 
     /// <summary>The opposite vector.</summary>
     public static BodyVector operator -(BodyVector a) => new(-a.Forward, -a.Right, -a.Down);
 
     /// <summary>A multiple.</summary>
-    public static BodyVector operator *(double factor, BodyVector a) => new(factor * a.Forward, factor * a.Right, factor * a.Down);
+    public static BodyVector operator *(double factor, BodyVector a)
+        => new(factor * a.Forward, factor * a.Right, factor * a.Down);
 
     /// <summary>A multiple.</summary>
     public static BodyVector operator *(BodyVector a, double factor) => factor * a;
 
     /// <summary>A part.</summary>
-    public static BodyVector operator /(BodyVector a, double divisor) => new(a.Forward / divisor, a.Right / divisor, a.Down / divisor);
+    public static BodyVector operator /(BodyVector a, double divisor)
+        => new(a.Forward / divisor, a.Right / divisor, a.Down / divisor);
 
     /// <summary>Dot product: the product of the lengths and the cosine of the angle between them.</summary>
-    public static double Dot(BodyVector a, BodyVector b) => (a.Forward * b.Forward) + (a.Right * b.Right) + (a.Down * b.Down);
+    public static double Dot(BodyVector a, BodyVector b)
+        => (a.Forward * b.Forward) + (a.Right * b.Right) + (a.Down * b.Down);
 
     /// <summary>Cross product: at right angles to both, by the right-hand rule.</summary>
     public static BodyVector Cross(BodyVector a, BodyVector b) => new(

@@ -24,5 +24,6 @@ public readonly record struct EcefPosition(double XMetres, double YMetres, doubl
     public double DistanceTo(EcefPosition other) => (other - this).Length;
 
     /// <summary>Its coordinates to a millimetre.</summary>
-    public override string ToString() => FormattableString.Invariant($"({XMetres:0.000}, {YMetres:0.000}, {ZMetres:0.000}) m");
+    public override string ToString()
+        => FormattableString.Invariant($"({XMetres:0.000}, {YMetres:0.000}, {ZMetres:0.000}) m");
 }

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// A displacement between two places in the earth-centred, earth-fixed frame of WGS-84, see <see cref="EcefPosition"/>; in metres, unless
-/// the name of what holds it says another unit. A plain value.
+/// A displacement between two places in the earth-centred, earth-fixed frame of WGS-84, see <see cref="EcefPosition"/>;
+/// in metres, unless the name of what holds it says another unit. A plain value.
 /// </summary>
 /// <param name="X">Towards latitude 0, longitude 0.</param>
 /// <param name="Y">Towards latitude 0, longitude 90 degrees east.</param>
@@ -39,7 +39,8 @@ public readonly record struct EcefVector(double X, double Y, double Z)
     public static EcefVector operator *(EcefVector a, double factor) => factor * a;
 
     /// <summary>A part.</summary>
-    public static EcefVector operator /(EcefVector a, double divisor) => new(a.X / divisor, a.Y / divisor, a.Z / divisor);
+    public static EcefVector operator /(EcefVector a, double divisor)
+        => new(a.X / divisor, a.Y / divisor, a.Z / divisor);
 
     /// <summary>Dot product: the product of the lengths and the cosine of the angle between them.</summary>
     public static double Dot(EcefVector a, EcefVector b) => (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);

@@ -5,10 +5,13 @@ using System.Text;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// Reads the file WW15MGH.DAC of the National Geospatial-Intelligence Agency: the geoid EGM96 at posts 15 minutes of arc apart, in
-/// centimetres. Between posts it is interpolated bilinearly: within 1.2 m, 4 cm RMS, of the model.
+/// Reads the file WW15MGH.DAC of the National Geospatial-Intelligence Agency: the geoid EGM96 at posts 15 minutes of
+/// arc apart, in centimetres. Between posts it is interpolated bilinearly: within 1.2 m, 4 cm RMS, of the model.
 /// </summary>
-/// <remarks>Format: 721 rows from 90 degrees north, in each 1440 posts from Greenwich to the east, big-endian signed numbers of 16 bits.</remarks>
+/// <remarks>
+/// Format: 721 rows from 90 degrees north, in each 1440 posts from Greenwich to the east, big-endian signed numbers of
+/// 16 bits.
+/// </remarks>
 public static class Egm96Dac
 {
     private const int Rows = 721;

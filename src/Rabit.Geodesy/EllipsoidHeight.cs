@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Geodesy;
 
-/// <summary>Height above the WGS-84 ellipsoid, as satellite navigation measures it. It becomes another kind of height only by a method that is given what lies between. A plain value.</summary>
+/// <summary>
+/// Height above the WGS-84 ellipsoid, as satellite navigation measures it. It becomes another kind of height only by a
+/// method that is given what lies between. A plain value.
+/// </summary>
 /// <param name="metres">Up positive.</param>
 public readonly struct EllipsoidHeight(double metres) : IEquatable<EllipsoidHeight>
 {
@@ -16,7 +19,10 @@ public readonly struct EllipsoidHeight(double metres) : IEquatable<EllipsoidHeig
     public static bool operator !=(EllipsoidHeight a, EllipsoidHeight b) => !a.Equals(b);
 
     /// <summary>Above mean sea level.</summary>
-    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid there, -107 to 86 m on earth; see <see cref="GeoidGrid"/>; it must be looked up, it cannot be computed.</param>
+    /// <param name="geoidUndulationMetres">
+    /// How far the geoid is above the ellipsoid there, -107 to 86 m on earth; see <see cref="GeoidGrid"/>; it must be
+    /// looked up, it cannot be computed.
+    /// </param>
     public AmslAltitude ToAmsl(double geoidUndulationMetres) => new(Metres - geoidUndulationMetres);
 
     /// <inheritdoc/>

@@ -7,19 +7,25 @@ namespace Rabit.Geodesy;
 /// <param name="Height">How far above.</param>
 public readonly record struct EllipsoidPosition(GeographicPoint Point, EllipsoidHeight Height)
 {
-    /// <summary>From an earth-centred position; at the poles the longitude is 0 or 180 degrees. At the centre of the earth it is not a place.</summary>
+    /// <summary>
+    /// From an earth-centred position; at the poles the longitude is 0 or 180 degrees. At the centre of the earth it is
+    /// not a place.
+    /// </summary>
     /// <param name="position">Not nearer than 50 km to the centre of the earth.</param>
     public static EllipsoidPosition FromEcef(EcefPosition position)
     {
-        (double latitude, double longitude, double height) = Wgs84.FromEarthCentred(position.XMetres, position.YMetres, position.ZMetres);
+        (double latitude, double longitude, double height) = Wgs84.FromEarthCentred(
+            position.XMetres, position.YMetres, position.ZMetres);
         return new EllipsoidPosition(
-            new GeographicPoint(Angle.FromRadians(latitude), Angle.FromRadians(longitude)), new EllipsoidHeight(height));
+            new GeographicPoint(Angle.FromRadians(latitude), Angle.FromRadians(longitude)),
+            new EllipsoidHeight(height));
     }
 
     /// <summary>Earth-centred.</summary>
     public EcefPosition ToEcef()
     {
-        (double x, double y, double z) = Wgs84.ToEarthCentred(Point.Latitude.Radians, Point.Longitude.Radians, Height.Metres);
+        (double x, double y, double z) = Wgs84.ToEarthCentred(
+            Point.Latitude.Radians, Point.Longitude.Radians, Height.Metres);
         return new EcefPosition(x, y, z);
     }
 

@@ -23,7 +23,8 @@ public readonly record struct EulerAngles
     /// <param name="roll">Right wing down positive.</param>
     /// <param name="pitch">Nose up positive.</param>
     /// <param name="yaw">From true north, clockwise positive.</param>
-    public EulerAngles(Angle roll, Angle pitch, Angle yaw) => (_roll, _pitch, _yaw) = (roll.Radians, pitch.Radians, yaw.Radians);
+    public EulerAngles(Angle roll, Angle pitch, Angle yaw)
+        => (_roll, _pitch, _yaw) = (roll.Radians, pitch.Radians, yaw.Radians);
 
     /// <summary>Right wing down positive, -pi to pi.</summary>
     public Angle Roll => Angle.FromRadians(_roll);
@@ -52,5 +53,7 @@ public readonly record struct EulerAngles
         => new(Angle.FromDegrees(rollDegrees), Angle.FromDegrees(pitchDegrees), Angle.FromDegrees(yawDegrees));
 
     /// <summary>As roll 5°, pitch -2°, yaw 90°.</summary>
-    public override string ToString() => FormattableString.Invariant($"roll {Roll.Degrees:0.###}°, pitch {Pitch.Degrees:0.###}°, yaw {Yaw.Degrees:0.###}°");
+    public override string ToString()
+        => FormattableString.Invariant(
+            $"roll {Roll.Degrees:0.###}°, pitch {Pitch.Degrees:0.###}°, yaw {Yaw.Degrees:0.###}°");
 }

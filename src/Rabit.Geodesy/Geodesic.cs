@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// Geodesics, the shortest lines on the WGS-84 ellipsoid, to some nanometres at any distance: nearly antipodal places, poles and the date line are
-/// nothing special. Any thread; allocates nothing.
+/// Geodesics, the shortest lines on the WGS-84 ellipsoid, to some nanometres at any distance: nearly antipodal places,
+/// poles and the date line are nothing special. Any thread; allocates nothing.
 /// </summary>
 /// <example>
 /// <code>
@@ -14,7 +14,10 @@ namespace Rabit.Geodesy;
 /// GeographicPoint halfWay = Geodesic.Direct(zurich, line.StartAzimuth, line.DistanceMetres / 2, out _);
 /// </code>
 /// </example>
-/// <remarks>Method: C. F. F. Karney, "Algorithms for geodesics", Journal of Geodesy 87 (2013), 43-55; the inverse problem by Newton's method inside a bracket.</remarks>
+/// <remarks>
+/// Method: C. F. F. Karney, "Algorithms for geodesics", Journal of Geodesy 87 (2013), 43-55; the inverse problem by
+/// Newton's method inside a bracket.
+/// </remarks>
 public static class Geodesic
 {
     // Stands for 0 where its sign, or a division by it, matters.
@@ -26,11 +29,14 @@ public static class Geodesic
     /// <param name="distanceMetres">How far; negative for the other way.</param>
     /// <param name="endAzimuth">The direction there, going on, -180 to 180 degrees.</param>
     /// <exception cref="ArgumentException">Something is not a number, or the latitude is beyond a pole.</exception>
-    public static GeographicPoint Direct(GeographicPoint start, Angle azimuth, double distanceMetres, out Angle endAzimuth)
+    public static GeographicPoint Direct(
+        GeographicPoint start, Angle azimuth, double distanceMetres, out Angle endAzimuth)
     {
         Demand(start, nameof(start));
         if (!azimuth.IsFinite || double.IsNaN(distanceMetres) || double.IsInfinity(distanceMetres))
-            throw new ArgumentException(FormattableString.Invariant($"The line of {distanceMetres} m at {azimuth} is not a number."), nameof(distanceMetres));
+            throw new ArgumentException(
+                FormattableString.Invariant($"The line of {distanceMetres} m at {azimuth} is not a number."),
+                nameof(distanceMetres));
         (double sinAlpha, double cosAlpha) = (Math.Sin(azimuth.Radians), Math.Cos(azimuth.Radians));
         Reduce(start.Latitude.Radians, out double sinBeta, out double cosBeta);
 
@@ -40,7 +46,8 @@ public static class Geodesic
         (double sinSigma1, double cosSigma1) = Normal(sinBeta, sinBeta != 0 || cosAlpha != 0 ? cosAlpha * cosBeta : 1);
         double e = Expansion(cosAlpha0);
         GeodesicSeries distance = GeodesicSeries.Distance(e);
-        double tau = Math.Atan2(sinSigma1, cosSigma1) + distance.Periodic(sinSigma1, cosSigma1) + (distanceMetres / (Wgs84.B * distance.Mean));
+        double tau = Math.Atan2(sinSigma1, cosSigma1) + distance.Periodic(sinSigma1, cosSigma1)
+            + (distanceMetres / (Wgs84.B * distance.Mean));
         double sigma2 = tau + GeodesicSeries.Arc(e).Periodic(Math.Sin(tau), Math.Cos(tau));
         (double sinSigma2, double cosSigma2) = (Math.Sin(sigma2), Math.Cos(sigma2));
 
@@ -57,7 +64,10 @@ public static class Geodesic
             Angle.FromRadians(start.Longitude.Radians + turned).Wrapped());
     }
 
-    /// <summary>The inverse problem: the shortest line between two places. Where there are several of the same length, it is one of them.</summary>
+    /// <summary>
+    /// The inverse problem: the shortest line between two places. Where there are several of the same length, it is one
+    /// of them.
+    /// </summary>
     /// <param name="from">Where it begins.</param>
     /// <param name="to">Where it ends.</param>
     /// <exception cref="ArgumentException">Something is not a number, or a latitude is beyond a pole.</exception>
@@ -66,8 +76,8 @@ public static class Geodesic
         Demand(from, nameof(from));
         Demand(to, nameof(to));
 
-        // To the one case from which the others follow by mirroring: the first place in the south and farther from the equator, the line to
-        // the east.
+        // To the one case from which the others follow by mirroring: the first place in the south and farther from the
+        // equator, the line to the east.
         double lambda = DifferenceDegrees(from.Longitude.Degrees, to.Longitude.Degrees) * Angle.RadiansPerDegree;
         double eastward = lambda >= 0 ? 1 : -1;
         (double latitude1, double latitude2) = (from.Latitude.Radians, to.Latitude.Radians);
@@ -88,17 +98,19 @@ public static class Geodesic
         problem.Lambda = Math.Abs(lambda);
         double metres = problem.Solve();
 
-        (double sin1, double cos1, double sin2, double cos2) = (problem.SinAlpha1, problem.CosAlpha1, problem.SinAlpha2, problem.CosAlpha2);
+        (double sin1, double cos1, double sin2, double cos2) =
+            (problem.SinAlpha1, problem.CosAlpha1, problem.SinAlpha2, problem.CosAlpha2);
         if (swap < 0)
             (sin1, cos1, sin2, cos2) = (sin2, cos2, sin1, cos1);
         (double turnSin, double turnCos) = (swap * eastward, swap * mirror);
         return new GeodesicLine(
-            metres, Angle.FromRadians(Math.Atan2(sin1 * turnSin, cos1 * turnCos)), Angle.FromRadians(Math.Atan2(sin2 * turnSin, cos2 * turnCos)));
+            metres, Angle.FromRadians(Math.Atan2(sin1 * turnSin, cos1 * turnCos)),
+            Angle.FromRadians(Math.Atan2(sin2 * turnSin, cos2 * turnCos)));
     }
 
     /// <summary>
-    /// From one longitude to another, -180 to 180 degrees, with the rounding of the sum added again: short lines keep their azimuth, also
-    /// across the date line (Karney's AngDiff).
+    /// From one longitude to another, -180 to 180 degrees, with the rounding of the sum added again: short lines keep
+    /// their azimuth, also across the date line (Karney's AngDiff).
     /// </summary>
     internal static double DifferenceDegrees(double from, double to)
     {

@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Geodesy;
 
-/// <summary>The shortest line between two places on the ellipsoid, see <see cref="Geodesic.Inverse"/>. A plain value.</summary>
+/// <summary>
+/// The shortest line between two places on the ellipsoid, see <see cref="Geodesic.Inverse"/>. A plain value.
+/// </summary>
 /// <param name="DistanceMetres">How long it is.</param>
 /// <param name="StartAzimuth">Its direction at the first place, clockwise from north, -180 to 180 degrees.</param>
 /// <param name="EndAzimuth">Its direction at the second place, going on, -180 to 180 degrees.</param>

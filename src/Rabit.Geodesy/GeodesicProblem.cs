@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// The inverse problem of geodesics in its one form, on the auxiliary sphere: the first place in the south and at least as far from the
-/// equator as the second, the line to the east. See <see cref="Geodesic"/>. A plain value that is solved once.
+/// The inverse problem of geodesics in its one form, on the auxiliary sphere: the first place in the south and at least
+/// as far from the equator as the second, the line to the east. See <see cref="Geodesic"/>. A plain value that is
+/// solved once.
 /// </summary>
 internal struct GeodesicProblem
 {
@@ -74,7 +75,8 @@ internal struct GeodesicProblem
         if (CosBeta1 <= Tiny)
             _cosSigma1 = Tiny;
         _sigma12 = Math.Atan2(
-            Math.Max(0, (_cosSigma1 * _sinSigma2) - (_sinSigma1 * _cosSigma2)), (_cosSigma1 * _cosSigma2) + (_sinSigma1 * _sinSigma2));
+            Math.Max(0, (_cosSigma1 * _sinSigma2) - (_sinSigma1 * _cosSigma2)),
+            (_cosSigma1 * _cosSigma2) + (_sinSigma1 * _sinSigma2));
         _e = Geodesic.Expansion(1);
         return Length();
     }
@@ -88,7 +90,9 @@ internal struct GeodesicProblem
         double sinDifference = (SinBeta2 * CosBeta1) - (CosBeta2 * SinBeta1);
         double sinSum = (SinBeta2 * CosBeta1) + (CosBeta2 * SinBeta1);
         double y = CosBeta2 * Math.Sin(omega);
-        double x = Math.Cos(omega) >= 0 ? sinDifference + (2 * CosBeta2 * SinBeta1 * half * half) : sinSum - (2 * CosBeta2 * SinBeta1 * Math.Cos(omega / 2) * Math.Cos(omega / 2));
+        double x = Math.Cos(omega) >= 0
+            ? sinDifference + (2 * CosBeta2 * SinBeta1 * half * half)
+            : sinSum - (2 * CosBeta2 * SinBeta1 * Math.Cos(omega / 2) * Math.Cos(omega / 2));
         (SinAlpha1, CosAlpha1) = y > 0 || x != 0 ? Geodesic.Normal(Math.Max(y, Tiny), x) : (1, 0);
     }
 
@@ -108,7 +112,9 @@ internal struct GeodesicProblem
                 (lowSin, lowCos) = (SinAlpha1, CosAlpha1);
             double turn = _growth > 0 ? -miss / _growth : double.NaN;
             (double sin, double cos) = Math.Abs(turn) < 1
-                ? Geodesic.Normal((SinAlpha1 * Math.Cos(turn)) + (CosAlpha1 * Math.Sin(turn)), (CosAlpha1 * Math.Cos(turn)) - (SinAlpha1 * Math.Sin(turn)))
+                ? Geodesic.Normal(
+                    (SinAlpha1 * Math.Cos(turn)) + (CosAlpha1 * Math.Sin(turn)),
+                    (CosAlpha1 * Math.Cos(turn)) - (SinAlpha1 * Math.Sin(turn)))
                 : (-1, 0);
             bool isInside = sin > 0 && (lowCos * sin) - (lowSin * cos) > 0 && (cos * highSin) - (sin * highCos) > 0;
             if (!isInside)
@@ -128,14 +134,17 @@ internal struct GeodesicProblem
         return Geodesic.Hypotenuse(sin, cos) < 1e-8 ? (1, 0) : Geodesic.Normal(sin, cos);
     }
 
-    // How far east the great circle with the first azimuth comes until the second latitude (Karney's equations 5, 8, 11, 12, 45, 46).
+    // How far east the great circle with the first azimuth comes until the second latitude (Karney's equations 5, 8,
+    // 11, 12, 45, 46).
     private double LongitudeAt()
     {
         double sinAlpha0 = SinAlpha1 * CosBeta1;
         double cosAlpha0 = Geodesic.Hypotenuse(CosAlpha1, SinAlpha1 * SinBeta1);
         bool isSame = CosBeta2 == CosBeta1;
         SinAlpha2 = isSame ? SinAlpha1 : sinAlpha0 / CosBeta2;
-        double squares = CosBeta1 < -SinBeta1 ? (CosBeta2 - CosBeta1) * (CosBeta1 + CosBeta2) : (SinBeta1 - SinBeta2) * (SinBeta1 + SinBeta2);
+        double squares = CosBeta1 < -SinBeta1
+            ? (CosBeta2 - CosBeta1) * (CosBeta1 + CosBeta2)
+            : (SinBeta1 - SinBeta2) * (SinBeta1 + SinBeta2);
         CosAlpha2 = isSame && Math.Abs(SinBeta2) == -SinBeta1
             ? Math.Abs(CosAlpha1)
             : Math.Sqrt(Math.Max(0, (CosAlpha1 * CosBeta1 * CosAlpha1 * CosBeta1) + squares)) / CosBeta2;
@@ -143,11 +152,13 @@ internal struct GeodesicProblem
         (_sinSigma1, _cosSigma1) = Geodesic.Normal(SinBeta1, x1);
         (_sinSigma2, _cosSigma2) = Geodesic.Normal(SinBeta2, x2);
         _sigma12 = Math.Atan2(
-            Math.Max(0, (_cosSigma1 * _sinSigma2) - (_sinSigma1 * _cosSigma2)), (_cosSigma1 * _cosSigma2) + (_sinSigma1 * _sinSigma2));
+            Math.Max(0, (_cosSigma1 * _sinSigma2) - (_sinSigma1 * _cosSigma2)),
+            (_cosSigma1 * _cosSigma2) + (_sinSigma1 * _sinSigma2));
         (double sinOmega1, double cosOmega1) = Geodesic.Normal(sinAlpha0 * SinBeta1, x1);
         (double sinOmega2, double cosOmega2) = Geodesic.Normal(sinAlpha0 * SinBeta2, x2);
         double omega12 = Math.Atan2(
-            Math.Max(0, (cosOmega1 * sinOmega2) - (sinOmega1 * cosOmega2)), (cosOmega1 * cosOmega2) + (sinOmega1 * sinOmega2));
+            Math.Max(0, (cosOmega1 * sinOmega2) - (sinOmega1 * cosOmega2)),
+            (cosOmega1 * cosOmega2) + (sinOmega1 * sinOmega2));
         _e = Geodesic.Expansion(cosAlpha0);
         GeodesicSeries longitude = GeodesicSeries.Longitude(_e);
         double periodic = longitude.Periodic(_sinSigma2, _cosSigma2) - longitude.Periodic(_sinSigma1, _cosSigma1);
@@ -167,7 +178,8 @@ internal struct GeodesicProblem
         double j = ((distance.Mean - reduced.Mean) * _sigma12)
             + (distance.Mean * (distance.Periodic(_sinSigma2, _cosSigma2) - distance.Periodic(_sinSigma1, _cosSigma1)))
             - (reduced.Mean * (reduced.Periodic(_sinSigma2, _cosSigma2) - reduced.Periodic(_sinSigma1, _cosSigma1)));
-        double m = (stretch2 * _cosSigma1 * _sinSigma2) - (stretch1 * _sinSigma1 * _cosSigma2) - (_cosSigma1 * _cosSigma2 * j);
+        double m = (stretch2 * _cosSigma1 * _sinSigma2) - (stretch1 * _sinSigma1 * _cosSigma2)
+            - (_cosSigma1 * _cosSigma2 * j);
         return m * (1 - Wgs84.F) / (CosAlpha2 * CosBeta2);
     }
 

@@ -1,8 +1,9 @@
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// The series of C. F. F. Karney, "Algorithms for geodesics", Journal of Geodesy 87 (2013), equations 15 to 25, 41 to 43, to the sixth
-/// order: some nanometres over half the earth. Each is a mean value and the coefficients of sin 2 sigma, sin 4 sigma, and so on. A plain value.
+/// The series of C. F. F. Karney, "Algorithms for geodesics", Journal of Geodesy 87 (2013), equations 15 to 25, 41 to
+/// 43, to the sixth order: some nanometres over half the earth. Each is a mean value and the coefficients of sin 2
+/// sigma, sin 4 sigma, and so on. A plain value.
 /// </summary>
 internal readonly struct GeodesicSeries
 {
@@ -73,11 +74,15 @@ internal readonly struct GeodesicSeries
         double e4 = e2 * e2;
         double e5 = e4 * e;
         return new GeodesicSeries(
-            1 - (((1 - N) / 2) * e) - (((1.0 / 4) + (N / 8) - (3 * N2 / 8)) * e2) - (((1.0 / 16) + (3 * N / 16) + (N2 / 16)) * e3)
+            1 - (((1 - N) / 2) * e) - (((1.0 / 4) + (N / 8) - (3 * N2 / 8)) * e2)
+                - (((1.0 / 16) + (3 * N / 16) + (N2 / 16)) * e3)
                 - (((3.0 / 64) + (N / 32)) * e4) - (e5 * 3 / 128),
-            (((1 - N) / 4) * e) + (((1 - N2) / 8) * e2) + (((3.0 / 64) + (3 * N / 64) - (N2 / 64)) * e3) + (((5.0 / 128) + (N / 64)) * e4) + (e5 * 3 / 128),
-            (((1.0 / 16) - (3 * N / 32) + (N2 / 32)) * e2) + (((3.0 / 64) - (N / 32) - (3 * N2 / 64)) * e3) + (((3.0 / 128) + (N / 128)) * e4) + (e5 * 5 / 256),
-            (((5.0 / 192) - (3 * N / 64) + (5 * N2 / 192)) * e3) + (((3.0 / 128) - (5 * N / 192)) * e4) + (e5 * 7 / 512),
+            (((1 - N) / 4) * e) + (((1 - N2) / 8) * e2) + (((3.0 / 64) + (3 * N / 64) - (N2 / 64)) * e3)
+                + (((5.0 / 128) + (N / 64)) * e4) + (e5 * 3 / 128),
+            (((1.0 / 16) - (3 * N / 32) + (N2 / 32)) * e2) + (((3.0 / 64) - (N / 32) - (3 * N2 / 64)) * e3)
+                + (((3.0 / 128) + (N / 128)) * e4) + (e5 * 5 / 256),
+            (((5.0 / 192) - (3 * N / 64) + (5 * N2 / 192)) * e3) + (((3.0 / 128) - (5 * N / 192)) * e4)
+                + (e5 * 7 / 512),
             (((7.0 / 512) - (7 * N / 256)) * e4) + (e5 * 7 / 512),
             e5 * 21 / 2560,
             0);

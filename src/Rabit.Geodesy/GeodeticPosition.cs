@@ -4,7 +4,8 @@ namespace Rabit.Geodesy;
 
 /// <summary>A place on the WGS-84 ellipsoid with its altitude above mean sea level. A plain value.</summary>
 /// <remarks>
-/// Made from things that know their unit and their datum, or from numbers by a method that names the unit; never from bare numbers.
+/// Made from things that know their unit and their datum, or from numbers by a method that names the unit; never from
+/// bare numbers.
 /// </remarks>
 /// <example>
 /// <code>
@@ -48,22 +49,30 @@ public readonly record struct GeodeticPosition
     /// <param name="latitudeRadians">-pi/2 to pi/2, north positive.</param>
     /// <param name="longitudeRadians">-pi to pi, east positive.</param>
     /// <param name="altitudeAmslMetres">Above mean sea level, up positive.</param>
-    public static GeodeticPosition FromRadians(double latitudeRadians, double longitudeRadians, double altitudeAmslMetres)
+    public static GeodeticPosition FromRadians(
+        double latitudeRadians, double longitudeRadians, double altitudeAmslMetres)
         => new(latitudeRadians, longitudeRadians, altitudeAmslMetres);
 
     /// <summary>From degrees.</summary>
     /// <param name="latitudeDegrees">-90 to 90, north positive.</param>
     /// <param name="longitudeDegrees">-180 to 180, east positive.</param>
     /// <param name="altitudeAmslMetres">Above mean sea level, up positive.</param>
-    public static GeodeticPosition FromDegrees(double latitudeDegrees, double longitudeDegrees, double altitudeAmslMetres)
+    public static GeodeticPosition FromDegrees(
+        double latitudeDegrees, double longitudeDegrees, double altitudeAmslMetres)
         => new(latitudeDegrees * Angle.RadiansPerDegree, longitudeDegrees * Angle.RadiansPerDegree, altitudeAmslMetres);
 
-    /// <summary>Whether it is on the earth: a latitude from pole to pole, and numbers everywhere. Not every value is checked when it is made.</summary>
+    /// <summary>
+    /// Whether it is on the earth: a latitude from pole to pole, and numbers everywhere. Not every value is checked
+    /// when it is made.
+    /// </summary>
     public bool IsValid => Point.IsValid && FiniteNumbers.IsFinite(AltitudeAmslMetres);
 
     /// <summary>With its height above the ellipsoid.</summary>
-    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid there, -107 to 86 m on earth.</param>
-    public EllipsoidPosition ToEllipsoid(double geoidUndulationMetres) => new(Point, Altitude.ToEllipsoid(geoidUndulationMetres));
+    /// <param name="geoidUndulationMetres">
+    /// How far the geoid is above the ellipsoid there, -107 to 86 m on earth.
+    /// </param>
+    public EllipsoidPosition ToEllipsoid(double geoidUndulationMetres)
+        => new(Point, Altitude.ToEllipsoid(geoidUndulationMetres));
 
     /// <summary>With its height above the ellipsoid.</summary>
     /// <param name="geoid">How far the geoid is above the ellipsoid.</param>

@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// How far the geoid, which is mean sea level, is above the WGS-84 ellipsoid (its undulation), at posts over the whole earth, bilinear
-/// in between. Read from a file by <see cref="GeoidPgm"/> or <see cref="Egm96Dac"/>; none is in the package. Immutable; any thread.
+/// How far the geoid, which is mean sea level, is above the WGS-84 ellipsoid (its undulation), at posts over the whole
+/// earth, bilinear in between. Read from a file by <see cref="GeoidPgm"/> or <see cref="Egm96Dac"/>; none is in the
+/// package. Immutable; any thread.
 /// </summary>
 /// <example>
 /// <code>
@@ -30,7 +31,9 @@ public sealed class GeoidGrid
     /// <summary>From one row of posts to the next, and from one column to the next.</summary>
     public Angle Step => Angle.FromDegrees(360.0 / _columns);
 
-    /// <summary>The undulation at a place: metres of the geoid above the ellipsoid, -107 to 86 on earth. Allocates nothing.</summary>
+    /// <summary>
+    /// The undulation at a place: metres of the geoid above the ellipsoid, -107 to 86 on earth. Allocates nothing.
+    /// </summary>
     /// <param name="point">The place.</param>
     /// <exception cref="ArgumentException">It is no place on the earth.</exception>
     public double UndulationMetres(GeographicPoint point)

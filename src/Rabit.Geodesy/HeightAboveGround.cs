@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Geodesy;
 
-/// <summary>Height above the ground straight below. It becomes another kind of height only by a method that is given what lies between. A plain value.</summary>
+/// <summary>
+/// Height above the ground straight below. It becomes another kind of height only by a method that is given what lies
+/// between. A plain value.
+/// </summary>
 /// <param name="metres">Up positive.</param>
 public readonly struct HeightAboveGround(double metres) : IEquatable<HeightAboveGround>
 {

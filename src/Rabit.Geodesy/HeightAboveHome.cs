@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Geodesy;
 
-/// <summary>Height above the home position of the autopilot. It becomes another kind of height only by a method that is given what lies between. A plain value.</summary>
+/// <summary>
+/// Height above the home position of the autopilot. It becomes another kind of height only by a method that is given
+/// what lies between. A plain value.
+/// </summary>
 /// <param name="metres">Up positive.</param>
 public readonly struct HeightAboveHome(double metres) : IEquatable<HeightAboveHome>
 {

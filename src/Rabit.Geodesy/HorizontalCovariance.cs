@@ -44,9 +44,12 @@ public readonly record struct HorizontalCovariance(double NorthNorth, double Nor
     /// <summary>Whether the 95 % ellipse around an estimate holds a point.</summary>
     /// <param name="northMetres">The point against the estimate, north.</param>
     /// <param name="eastMetres">The point against the estimate, east.</param>
-    public bool Contains95(double northMetres, double eastMetres) => MahalanobisSquared(northMetres, eastMetres) <= ChiSquare95;
+    public bool Contains95(double northMetres, double eastMetres)
+        => MahalanobisSquared(northMetres, eastMetres) <= ChiSquare95;
 
-    /// <summary>Squared Mahalanobis distance of a point; infinite for a covariance that is not positive definite.</summary>
+    /// <summary>
+    /// Squared Mahalanobis distance of a point; infinite for a covariance that is not positive definite.
+    /// </summary>
     /// <param name="northMetres">The point against the estimate, north.</param>
     /// <param name="eastMetres">The point against the estimate, east.</param>
     public double MahalanobisSquared(double northMetres, double eastMetres)
@@ -54,10 +57,12 @@ public readonly record struct HorizontalCovariance(double NorthNorth, double Nor
         double determinant = (NorthNorth * EastEast) - (NorthEast * NorthEast);
         if (!(determinant > 0))
             return double.PositiveInfinity;
-        return ((EastEast * northMetres * northMetres) - (2 * NorthEast * northMetres * eastMetres) + (NorthNorth * eastMetres * eastMetres)) / determinant;
+        return ((EastEast * northMetres * northMetres) - (2 * NorthEast * northMetres * eastMetres)
+            + (NorthNorth * eastMetres * eastMetres)) / determinant;
     }
 
     /// <summary>As its 95 % ellipse: 4.9 m x 2.45 m at 0°.</summary>
     public override string ToString()
-        => FormattableString.Invariant($"{HalfMajorAxis95Metres:0.##} m x {HalfMinorAxis95Metres:0.##} m at {MajorAxis.Degrees:0.#}°");
+        => FormattableString.Invariant(
+            $"{HalfMajorAxis95Metres:0.##} m x {HalfMinorAxis95Metres:0.##} m at {MajorAxis.Degrees:0.#}°");
 }

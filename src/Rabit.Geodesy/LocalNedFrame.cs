@@ -3,12 +3,12 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// A flat north-east-down frame whose down is the WGS-84 ellipsoid's normal at an origin, through earth-centred coordinates, so that it
-/// is exact at any distance. A plain value.
+/// A flat north-east-down frame whose down is the WGS-84 ellipsoid's normal at an origin, through earth-centred
+/// coordinates, so that it is exact at any distance. A plain value.
 /// </summary>
 /// <remarks>
-/// Altitudes above mean sea level become heights above the ellipsoid by the undulation that the frame was given, and only by that.
-/// Formulas: <see cref="Wgs84"/>.
+/// Altitudes above mean sea level become heights above the ellipsoid by the undulation that the frame was given, and
+/// only by that. Formulas: <see cref="Wgs84"/>.
 /// </remarks>
 /// <example>
 /// <code>
@@ -31,19 +31,24 @@ public readonly record struct LocalNedFrame
 
     /// <summary>Makes the frame.</summary>
     /// <param name="origin">Where north, east and down are 0.</param>
-    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid in this frame, -107 to 86 m on earth.</param>
+    /// <param name="geoidUndulationMetres">
+    /// How far the geoid is above the ellipsoid in this frame, -107 to 86 m on earth.
+    /// </param>
     public LocalNedFrame(GeodeticPosition origin, double geoidUndulationMetres)
     {
         Origin = origin;
         GeoidUndulationMetres = geoidUndulationMetres;
         (_sinLat, _cosLat) = (Math.Sin(origin.Latitude.Radians), Math.Cos(origin.Latitude.Radians));
         (_sinLon, _cosLon) = (Math.Sin(origin.Longitude.Radians), Math.Cos(origin.Longitude.Radians));
-        (_x, _y, _z) = Wgs84.ToEarthCentred(origin.Latitude.Radians, origin.Longitude.Radians, origin.AltitudeAmslMetres + geoidUndulationMetres);
+        (_x, _y, _z) = Wgs84.ToEarthCentred(
+            origin.Latitude.Radians, origin.Longitude.Radians, origin.AltitudeAmslMetres + geoidUndulationMetres);
     }
 
     /// <summary>Makes the frame.</summary>
     /// <param name="origin">Where north, east and down are 0.</param>
-    /// <param name="geoidUndulationMetres">How far the geoid is above the ellipsoid in this frame: for altitudes above mean sea level only.</param>
+    /// <param name="geoidUndulationMetres">
+    /// How far the geoid is above the ellipsoid in this frame: for altitudes above mean sea level only.
+    /// </param>
     public LocalNedFrame(EllipsoidPosition origin, double geoidUndulationMetres)
         : this(origin.ToAmsl(geoidUndulationMetres), geoidUndulationMetres)
     {
@@ -72,8 +77,9 @@ public readonly record struct LocalNedFrame
     public double GeoidUndulationMetres { get; }
 
     /// <summary>
-    /// The frame where the undulation is not known and need not be: mean sea level is taken for the ellipsoid, which stretches distances by
-    /// 0.002 % at most. What goes in and out are altitudes above mean sea level; its heights above the ellipsoid mean nothing.
+    /// The frame where the undulation is not known and need not be: mean sea level is taken for the ellipsoid, which
+    /// stretches distances by 0.002 % at most. What goes in and out are altitudes above mean sea level; its heights
+    /// above the ellipsoid mean nothing.
     /// </summary>
     /// <param name="origin">Where north, east and down are 0.</param>
     public static LocalNedFrame IgnoringGeoid(GeodeticPosition origin) => new(origin, geoidUndulationMetres: 0);
@@ -81,12 +87,17 @@ public readonly record struct LocalNedFrame
     /// <summary>A place in this frame, metres.</summary>
     /// <param name="position">The place.</param>
     public NedPosition ToNed(GeodeticPosition position)
-        => FromEarthCentred(Wgs84.ToEarthCentred(position.Latitude.Radians, position.Longitude.Radians, position.AltitudeAmslMetres + GeoidUndulationMetres));
+        => FromEarthCentred(
+            Wgs84.ToEarthCentred(
+                position.Latitude.Radians, position.Longitude.Radians,
+                position.AltitudeAmslMetres + GeoidUndulationMetres));
 
     /// <summary>A place in this frame, metres.</summary>
     /// <param name="position">The place.</param>
     public NedPosition ToNed(EllipsoidPosition position)
-        => FromEarthCentred(Wgs84.ToEarthCentred(position.Point.Latitude.Radians, position.Point.Longitude.Radians, position.Height.Metres));
+        => FromEarthCentred(
+            Wgs84.ToEarthCentred(
+                position.Point.Latitude.Radians, position.Point.Longitude.Radians, position.Height.Metres));
 
     /// <summary>The place of a point of this frame, with its altitude above mean sea level.</summary>
     /// <param name="ned">The point, metres.</param>
@@ -101,7 +112,9 @@ public readonly record struct LocalNedFrame
     public EllipsoidPosition ToEllipsoid(NedPosition ned)
     {
         (double latitude, double longitude, double height) = ToEllipsoidal(ned);
-        return new EllipsoidPosition(new GeographicPoint(Angle.FromRadians(latitude), Angle.FromRadians(longitude)), new EllipsoidHeight(height));
+        return new EllipsoidPosition(
+            new GeographicPoint(Angle.FromRadians(latitude), Angle.FromRadians(longitude)),
+            new EllipsoidHeight(height));
     }
 
     /// <summary>Its origin.</summary>

@@ -4,11 +4,12 @@ using System.Globalization;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// A square of the Military Grid Reference System, from 100 km to 1 m wide, 80 degrees south to 84 north: as 32TMT6500050000. A plain value.
+/// A square of the Military Grid Reference System, from 100 km to 1 m wide, 80 degrees south to 84 north: as
+/// 32TMT6500050000. A plain value.
 /// </summary>
 /// <remarks>
-/// Rules: NGA.STND.0037, "Universal Grids and Grid Reference Systems", 2014. The squares about the poles (UPS, letters A, B, Y, Z) are not
-/// known to it: they are refused, by an exception or by what is read being false.
+/// Rules: NGA.STND.0037, "Universal Grids and Grid Reference Systems", 2014. The squares about the poles (UPS, letters
+/// A, B, Y, Z) are not known to it: they are refused, by an exception or by what is read being false.
 /// </remarks>
 public readonly record struct MgrsPosition
 {
@@ -18,7 +19,8 @@ public readonly record struct MgrsPosition
     private const int RowCycle = 2_000_000;
 
     // The least northing of each band, in 100 km, below its southern edge anywhere in a zone.
-    private static readonly int[] MinNorthing = [11, 20, 28, 37, 46, 55, 64, 73, 82, 91, 0, 8, 17, 26, 35, 44, 53, 62, 70, 79];
+    private static readonly int[] MinNorthing =
+        [11, 20, 28, 37, 46, 55, 64, 73, 82, 91, 0, 8, 17, 26, 35, 44, 53, 62, 70, 79];
 
     private readonly int _band;
     private readonly int _eastingMetres;
@@ -50,12 +52,16 @@ public readonly record struct MgrsPosition
 
     /// <summary>The middle of the square.</summary>
     public GeographicPoint Centre
-        => new UtmPosition(Zone, _band >= 10, _eastingMetres + (WidthMetres / 2.0), _northingMetres + (WidthMetres / 2.0)).ToGeographic();
+        => new UtmPosition(
+            Zone, _band >= 10, _eastingMetres + (WidthMetres / 2.0), _northingMetres + (WidthMetres / 2.0))
+            .ToGeographic();
 
     /// <summary>The square that holds a place: coordinates are cut off, not rounded, as the rules demand.</summary>
     /// <param name="point">80 degrees south to 84 north.</param>
     /// <param name="digits">0 to 5: how many digits each coordinate has.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The place is nearer to a pole, or the number of digits is another.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The place is nearer to a pole, or the number of digits is another.
+    /// </exception>
     public static MgrsPosition From(GeographicPoint point, int digits = 5)
     {
         if (digits is < 0 or > 5)
@@ -63,7 +69,8 @@ public readonly record struct MgrsPosition
         if (point.Latitude.Degrees is < -80 or > 84)
         {
             throw new ArgumentOutOfRangeException(
-                nameof(point), $"MGRS is known here from 80 degrees south to 84 north; at {point.Latitude} its squares are those of the polar grid (UPS).");
+                nameof(point), $"MGRS is known here from 80 degrees south to 84 north; at {point.Latitude} its squares "
+                    + "are those of the polar grid (UPS).");
         }
 
         UtmPosition utm = UtmPosition.From(point);
@@ -85,7 +92,8 @@ public readonly record struct MgrsPosition
         int letters = 0;
         while (letters < compact.Length && compact[letters] is >= '0' and <= '9')
             letters++;
-        if (letters is < 1 or > 2 || compact.Length < letters + 3 || (compact.Length - letters - 3) is var count && (count % 2 != 0 || count > 10))
+        if (letters is < 1 or > 2 || compact.Length < letters + 3
+            || (compact.Length - letters - 3) is var count && (count % 2 != 0 || count > 10))
             return false;
         int zone = compact[0] - '0';
         if (letters == 2)
@@ -95,7 +103,8 @@ public readonly record struct MgrsPosition
         int row = Rows.IndexOf(compact[letters + 2]);
         int digits = (compact.Length - letters - 3) / 2;
         if (zone is < 1 or > 60 || band < 0 || column is < 0 or > 7 || row < 0
-            || !TryReadDigits(compact, letters + 3, digits, out int east) || !TryReadDigits(compact, letters + 3 + digits, digits, out int north))
+            || !TryReadDigits(compact, letters + 3, digits, out int east)
+            || !TryReadDigits(compact, letters + 3 + digits, digits, out int north))
             return false;
 
         int northing = (((row + (zone % 2 == 0 ? 15 : 0)) % 20) * Square) + north;
@@ -115,7 +124,8 @@ public readonly record struct MgrsPosition
             return "";
         char column = Columns[(((Zone + 2) % 3) * 8) + (_eastingMetres / Square) - 1];
         char row = Rows[((_northingMetres / Square) + (Zone % 2 == 0 ? 5 : 0)) % 20];
-        string name = string.Concat(Zone.ToString("00", CultureInfo.InvariantCulture), Band.ToString(), column.ToString(), row.ToString());
+        string name = string.Concat(
+            Zone.ToString("00", CultureInfo.InvariantCulture), Band.ToString(), column.ToString(), row.ToString());
         if (Digits == 0)
             return name;
         string format = "D" + Digits.ToString(CultureInfo.InvariantCulture);
@@ -123,8 +133,8 @@ public readonly record struct MgrsPosition
             + (_northingMetres % Square / WidthMetres).ToString(format, CultureInfo.InvariantCulture);
     }
 
-    // The letters name a square of 100 km: it must have ground in its band, or they name none. Its southernmost and its northernmost
-    // place are corners, since no square lies across the central meridian.
+    // The letters name a square of 100 km: it must have ground in its band, or they name none. Its southernmost and its
+    // northernmost place are corners, since no square lies across the central meridian.
     private bool IsInBand()
     {
         double south = -80 + (8 * _band);

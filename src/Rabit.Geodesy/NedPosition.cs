@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// A place in a <see cref="LocalNedFrame"/>, metres from its origin. Between two places lies a <see cref="NedVector"/>; places are not
-/// added. A plain value.
+/// A place in a <see cref="LocalNedFrame"/>, metres from its origin. Between two places lies a <see cref="NedVector"/>;
+/// places are not added. A plain value.
 /// </summary>
 /// <param name="North">Metres to true north of the origin.</param>
 /// <param name="East">Metres east of it.</param>

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// A displacement, velocity or direction in a local north-east-down frame; the name of what holds it says its unit. A place in such a
-/// frame is a <see cref="NedPosition"/>. A plain value.
+/// A displacement, velocity or direction in a local north-east-down frame; the name of what holds it says its unit. A
+/// place in such a frame is a <see cref="NedPosition"/>. A plain value.
 /// </summary>
 /// <param name="North">To true north.</param>
 /// <param name="East">To the east.</param>
@@ -30,29 +30,35 @@ public readonly record struct NedVector(double North, double East, double Down)
     /// <summary>The length of its horizontal part.</summary>
     public double HorizontalLength => Math.Sqrt((North * North) + (East * East));
 
-    /// <summary>Where its horizontal part points, clockwise from north, -180 to 180 degrees; 0 where it has none.</summary>
+    /// <summary>
+    /// Where its horizontal part points, clockwise from north, -180 to 180 degrees; 0 where it has none.
+    /// </summary>
     public Angle Azimuth => Angle.FromRadians(Math.Atan2(East, North));
 
     /// <summary>Whether all components are numbers, and not infinite ones.</summary>
     public bool IsFinite => FiniteNumbers.AreFinite(North, East, Down);
 
     /// <summary>Sum.</summary>
-    public static NedVector operator +(NedVector a, NedVector b) => new(a.North + b.North, a.East + b.East, a.Down + b.Down);
+    public static NedVector operator +(NedVector a, NedVector b)
+        => new(a.North + b.North, a.East + b.East, a.Down + b.Down);
 
     /// <summary>Difference.</summary>
-    public static NedVector operator -(NedVector a, NedVector b) => new(a.North - b.North, a.East - b.East, a.Down - b.Down);
+    public static NedVector operator -(NedVector a, NedVector b)
+        => new(a.North - b.North, a.East - b.East, a.Down - b.Down);
 
     /// <summary>The opposite vector.</summary>
     public static NedVector operator -(NedVector a) => new(-a.North, -a.East, -a.Down);
 
     /// <summary>A multiple.</summary>
-    public static NedVector operator *(double factor, NedVector a) => new(factor * a.North, factor * a.East, factor * a.Down);
+    public static NedVector operator *(double factor, NedVector a)
+        => new(factor * a.North, factor * a.East, factor * a.Down);
 
     /// <summary>A multiple.</summary>
     public static NedVector operator *(NedVector a, double factor) => factor * a;
 
     /// <summary>A part.</summary>
-    public static NedVector operator /(NedVector a, double divisor) => new(a.North / divisor, a.East / divisor, a.Down / divisor);
+    public static NedVector operator /(NedVector a, double divisor)
+        => new(a.North / divisor, a.East / divisor, a.Down / divisor);
 
     /// <summary>Dot product: the product of the lengths and the cosine of the angle between them.</summary>
     public static double Dot(NedVector a, NedVector b) => (a.North * b.North) + (a.East * b.East) + (a.Down * b.Down);

@@ -15,11 +15,13 @@ public static class PositionText
     private const int MillisecondsPerDegree = 3_600_000;
 
     /// <summary>Writes a position; the longitude from -180 to 180 degrees.</summary>
-    /// <param name="point">The position. What may be none is better written by <see cref="GeographicPoint.ToString"/>, which never throws.</param>
+    /// <param name="point">
+    /// The position. What may be none is better written by <see cref="GeographicPoint.ToString"/>, which never throws.
+    /// </param>
     /// <param name="style">How.</param>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// The position is none: not a number, or beyond a pole (<see cref="GeographicPoint.IsValid"/>); MGRS is asked for near a pole; or there
-    /// is no such style.
+    /// The position is none: not a number, or beyond a pole (<see cref="GeographicPoint.IsValid"/>); MGRS is asked for
+    /// near a pole; or there is no such style.
     /// </exception>
     public static string Format(GeographicPoint point, PositionStyle style)
     {
@@ -29,16 +31,19 @@ public static class PositionText
         return style switch
         {
             PositionStyle.DecimalDegrees => string.Format(
-                CultureInfo.InvariantCulture, "{0:0.0000000}, {1:0.0000000}", point.Latitude.Degrees, longitude.Degrees),
-            PositionStyle.DegreesMinutesSeconds => Sexagesimal(point.Latitude, 'N', 'S') + " " + Sexagesimal(longitude, 'E', 'W'),
+                CultureInfo.InvariantCulture, "{0:0.0000000}, {1:0.0000000}", point.Latitude.Degrees,
+                longitude.Degrees),
+            PositionStyle.DegreesMinutesSeconds =>
+                Sexagesimal(point.Latitude, 'N', 'S') + " " + Sexagesimal(longitude, 'E', 'W'),
             PositionStyle.Mgrs => MgrsPosition.From(point).ToString(),
             _ => throw new ArgumentOutOfRangeException(nameof(style), style, "There is no such style."),
         };
     }
 
     /// <summary>
-    /// Reads a position in any of the styles: decimal degrees with a sign or a letter, degrees with minutes, or with minutes and seconds;
-    /// MGRS, of which it is the middle of the square. Latitude first, unless letters say otherwise.
+    /// Reads a position in any of the styles: decimal degrees with a sign or a letter, degrees with minutes, or with
+    /// minutes and seconds; MGRS, of which it is the middle of the square. Latitude first, unless letters say
+    /// otherwise.
     /// </summary>
     /// <param name="text">As 47.5, -8.25 or 47°30'N 8°15'0.5"W or 32TMT6500050000.</param>
     /// <param name="point">What it says; nothing if the answer is false.</param>
@@ -54,7 +59,8 @@ public static class PositionText
         }
 
         var reader = new SexagesimalReader(text!);
-        if (!reader.TryRead(out double first, out char firstLetter) || !reader.TryRead(out double second, out char secondLetter) || !reader.IsAtEnd)
+        if (!reader.TryRead(out double first, out char firstLetter)
+            || !reader.TryRead(out double second, out char secondLetter) || !reader.IsAtEnd)
             return false;
         bool isSwapped = firstLetter is 'E' or 'W';
         if (isSwapped || secondLetter is 'N' or 'S')

@@ -3,11 +3,13 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// A rotation that takes the components of a vector in one frame to its components in another: as an attitude from the body
-/// (forward-right-down) to north-east-down. What holds it says from where to where. A unit quaternion inside, Hamilton's product.
-/// A plain value; the default value is no rotation at all, see <see cref="Identity"/>.
+/// A rotation that takes the components of a vector in one frame to its components in another: as an attitude from the
+/// body (forward-right-down) to north-east-down. What holds it says from where to where. A unit quaternion inside,
+/// Hamilton's product. A plain value; the default value is no rotation at all, see <see cref="Identity"/>.
 /// </summary>
-/// <remarks>Formulas: J. Diebel, "Representing attitude: Euler angles, unit quaternions, and rotation vectors", Stanford 2006.</remarks>
+/// <remarks>
+/// Formulas: J. Diebel, "Representing attitude: Euler angles, unit quaternions, and rotation vectors", Stanford 2006.
+/// </remarks>
 /// <example>
 /// <code>
 /// Rotation attitude = Rotation.FromEuler(EulerAngles.FromDegrees(0, 10, 90));
@@ -66,7 +68,8 @@ public readonly record struct Rotation
     {
         double length = Math.Sqrt((w * w) + (x * x) + (y * y) + (z * z));
         if (!(length > 0) || double.IsInfinity(length))
-            throw new ArgumentException(FormattableString.Invariant($"({w}, {x}, {y}, {z}) is not the quaternion of a rotation."), nameof(w));
+            throw new ArgumentException(
+                FormattableString.Invariant($"({w}, {x}, {y}, {z}) is not the quaternion of a rotation."), nameof(w));
         return new Rotation(w / length, x / length, y / length, z / length);
     }
 
@@ -97,7 +100,9 @@ public readonly record struct Rotation
 
     /// <summary>From a rotation matrix, row by row, as a calibration gives it.</summary>
     /// <param name="matrix">Nine numbers.</param>
-    /// <exception cref="ArgumentException">It is not nine numbers, or not the matrix of a rotation within 1e-3.</exception>
+    /// <exception cref="ArgumentException">
+    /// It is not nine numbers, or not the matrix of a rotation within 1e-3.
+    /// </exception>
     public static Rotation FromMatrix(params double[] matrix)
     {
         RotationMatrix.Demand(matrix ?? throw new ArgumentNullException(nameof(matrix)), nameof(matrix));
@@ -123,16 +128,21 @@ public readonly record struct Rotation
         }
 
         b *= sign;
-        return FromQuaternion((a * from.W) + (b * to.W), (a * from.X) + (b * to.X), (a * from.Y) + (b * to.Y), (a * from.Z) + (b * to.Z));
+        return FromQuaternion(
+            (a * from.W) + (b * to.W), (a * from.X) + (b * to.X), (a * from.Y) + (b * to.Y), (a * from.Z) + (b * to.Z));
     }
 
     /// <summary>As an attitude, what it is after turning at an even rate for a while.</summary>
     /// <param name="rates">In the body frame.</param>
     /// <param name="seconds">How long; negative for what it was before.</param>
     public Rotation After(BodyRates rates, double seconds) => this * FromRotationVector(
-        rates.RollRadiansPerSecond * seconds, rates.PitchRadiansPerSecond * seconds, rates.YawRadiansPerSecond * seconds);
+        rates.RollRadiansPerSecond * seconds, rates.PitchRadiansPerSecond * seconds,
+        rates.YawRadiansPerSecond * seconds);
 
-    /// <summary>As an attitude, its angles: roll and yaw from -pi to pi. With the nose straight up or down many pairs of roll and yaw are right; it is one of them.</summary>
+    /// <summary>
+    /// As an attitude, its angles: roll and yaw from -pi to pi. With the nose straight up or down many pairs of roll
+    /// and yaw are right; it is one of them.
+    /// </summary>
     public EulerAngles ToEuler()
     {
         double sinPitch = 2 * ((W * Y) - (X * Z));
@@ -181,5 +191,6 @@ public readonly record struct Rotation
     }
 
     /// <summary>As its quaternion, scalar part first.</summary>
-    public override string ToString() => FormattableString.Invariant($"({W:0.######}; {X:0.######}, {Y:0.######}, {Z:0.######})");
+    public override string ToString()
+        => FormattableString.Invariant($"({W:0.######}; {X:0.######}, {Y:0.######}, {Z:0.######})");
 }

@@ -12,22 +12,29 @@ internal static class RotationMatrix
     public static void Demand(double[] m, string parameter)
     {
         if (m.Length != 9)
-            throw new ArgumentException($"A rotation matrix has 9 numbers, row by row; there are {m.Length}.", parameter);
+            throw new ArgumentException(
+                $"A rotation matrix has 9 numbers, row by row; there are {m.Length}.", parameter);
         for (int i = 0; i < 3; i++)
         {
             for (int j = i; j < 3; j++)
             {
-                double dot = (m[3 * i] * m[3 * j]) + (m[(3 * i) + 1] * m[(3 * j) + 1]) + (m[(3 * i) + 2] * m[(3 * j) + 2]);
+                double dot = (m[3 * i] * m[3 * j]) + (m[(3 * i) + 1] * m[(3 * j) + 1])
+                    + (m[(3 * i) + 2] * m[(3 * j) + 2]);
                 if (!(Math.Abs(dot - (i == j ? 1 : 0)) <= Tolerance))
-                    throw new ArgumentException($"The rows {i + 1} and {j + 1} of a rotation matrix are not at right angles and of length 1.", parameter);
+                    throw new ArgumentException(
+                        $"The rows {i + 1} and {j + 1} of a rotation matrix are not at right angles and of length 1.",
+                        parameter);
             }
         }
 
         if (Determinant(m) < 0)
-            throw new ArgumentException("A rotation matrix with determinant -1 mirrors; two axes may be swapped.", parameter);
+            throw new ArgumentException(
+                "A rotation matrix with determinant -1 mirrors; two axes may be swapped.", parameter);
     }
 
-    /// <summary>By the largest component, which keeps the digits (Shepperd, Journal of Guidance and Control 1(3), 1978).</summary>
+    /// <summary>
+    /// By the largest component, which keeps the digits (Shepperd, Journal of Guidance and Control 1(3), 1978).
+    /// </summary>
     public static (double W, double X, double Y, double Z) ToQuaternion(double[] m)
     {
         double trace = m[0] + m[4] + m[8];
@@ -41,5 +48,6 @@ internal static class RotationMatrix
     }
 
     private static double Determinant(double[] m)
-        => (m[0] * ((m[4] * m[8]) - (m[5] * m[7]))) - (m[1] * ((m[3] * m[8]) - (m[5] * m[6]))) + (m[2] * ((m[3] * m[7]) - (m[4] * m[6])));
+        => (m[0] * ((m[4] * m[8]) - (m[5] * m[7]))) - (m[1] * ((m[3] * m[8]) - (m[5] * m[6])))
+            + (m[2] * ((m[3] * m[7]) - (m[4] * m[6])));
 }

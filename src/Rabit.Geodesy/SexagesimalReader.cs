@@ -3,7 +3,10 @@ using System.Globalization;
 
 namespace Rabit.Geodesy;
 
-/// <summary>Reads one coordinate after the other from a text: degrees, with minutes and seconds where their marks are there. For one thread.</summary>
+/// <summary>
+/// Reads one coordinate after the other from a text: degrees, with minutes and seconds where their marks are there. For
+/// one thread.
+/// </summary>
 internal sealed class SexagesimalReader(string text)
 {
     private int _at;
@@ -36,7 +39,8 @@ internal sealed class SexagesimalReader(string text)
         {
             if (degrees != Math.Floor(degrees) || !TryPart("'′m", 60, ref degrees))
                 return false;
-            if (IsDigitNext() && (degrees * 60 % 1 > 1e-9 && degrees * 60 % 1 < 1 - 1e-9 || !TryPart("\"″s", 3600, ref degrees)))
+            if (IsDigitNext()
+                && (degrees * 60 % 1 > 1e-9 && degrees * 60 % 1 < 1 - 1e-9 || !TryPart("\"″s", 3600, ref degrees)))
                 return false;
         }
 

@@ -3,8 +3,9 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// The terrain: altitudes of the ground above mean sea level at posts on a grid of latitude and longitude (a digital elevation model),
-/// bilinear in between. Heights above the ellipsoid come in by <see cref="FromEllipsoidHeights"/>. Immutable; any thread.
+/// The terrain: altitudes of the ground above mean sea level at posts on a grid of latitude and longitude (a digital
+/// elevation model), bilinear in between. Heights above the ellipsoid come in by <see cref="FromEllipsoidHeights"/>.
+/// Immutable; any thread.
 /// </summary>
 /// <example>
 /// <code>
@@ -28,26 +29,36 @@ public sealed class TerrainGrid
     /// <summary>Makes the grid.</summary>
     /// <param name="southWest">The first post.</param>
     /// <param name="latitudeStep">From one row to the next one north of it.</param>
-    /// <param name="longitudeStep">From one column to the next one east of it; the grid may cross the date line.</param>
+    /// <param name="longitudeStep">
+    /// From one column to the next one east of it; the grid may cross the date line.
+    /// </param>
     /// <param name="rows">Posts from south to north, at least 2.</param>
     /// <param name="columns">Posts from west to east, at least 2.</param>
-    /// <param name="altitudesAmslMetres">Above mean sea level, row by row from the south, in each from the west; not a number where there is none. Copied.</param>
+    /// <param name="altitudesAmslMetres">
+    /// Above mean sea level, row by row from the south, in each from the west; not a number where there is none.
+    /// Copied.
+    /// </param>
     /// <exception cref="ArgumentException">The numbers do not make a grid.</exception>
     public TerrainGrid(
-        GeographicPoint southWest, Angle latitudeStep, Angle longitudeStep, int rows, int columns, ReadOnlySpan<float> altitudesAmslMetres)
+        GeographicPoint southWest, Angle latitudeStep, Angle longitudeStep, int rows, int columns,
+        ReadOnlySpan<float> altitudesAmslMetres)
     {
         if (rows < 2 || columns < 2 || (long)rows * columns != altitudesAmslMetres.Length)
         {
             throw new ArgumentException(
-                $"A grid of {rows} x {columns} posts does not have {altitudesAmslMetres.Length} altitudes.", nameof(altitudesAmslMetres));
+                $"A grid of {rows} x {columns} posts does not have {altitudesAmslMetres.Length} altitudes.",
+                nameof(altitudesAmslMetres));
         }
 
         double north = southWest.Latitude.Radians + ((rows - 1) * latitudeStep.Radians);
-        if (!(latitudeStep.Radians > 0 && longitudeStep.Radians > 0 && columns * longitudeStep.Radians <= 2.001 * Math.PI)
-            || !(southWest.Latitude.Degrees >= -90 - Edge && north <= (Math.PI / 2) + Edge) || !southWest.Longitude.IsFinite)
+        if (!(latitudeStep.Radians > 0 && longitudeStep.Radians > 0
+            && columns * longitudeStep.Radians <= 2.001 * Math.PI)
+            || !(southWest.Latitude.Degrees >= -90 - Edge && north <= (Math.PI / 2) + Edge)
+            || !southWest.Longitude.IsFinite)
         {
             throw new ArgumentException(
-                $"A grid from {southWest.Latitude}, {southWest.Longitude} in steps of {latitudeStep} and {longitudeStep} is not on the earth.",
+                $"A grid from {southWest.Latitude}, {southWest.Longitude} in steps of {latitudeStep} and "
+                    + $"{longitudeStep} is not on the earth.",
                 nameof(southWest));
         }
 
@@ -74,10 +85,14 @@ public sealed class TerrainGrid
     /// <summary>Makes the grid from heights above the ellipsoid, which it brings above mean sea level.</summary>
     /// <param name="southWest">The first post.</param>
     /// <param name="latitudeStep">From one row to the next one north of it.</param>
-    /// <param name="longitudeStep">From one column to the next one east of it; the grid may cross the date line.</param>
+    /// <param name="longitudeStep">
+    /// From one column to the next one east of it; the grid may cross the date line.
+    /// </param>
     /// <param name="rows">Posts from south to north, at least 2.</param>
     /// <param name="columns">Posts from west to east, at least 2.</param>
-    /// <param name="heightsMetres">Above the ellipsoid, row by row from the south, in each from the west; not a number where there is none. Copied.</param>
+    /// <param name="heightsMetres">
+    /// Above the ellipsoid, row by row from the south, in each from the west; not a number where there is none. Copied.
+    /// </param>
     /// <param name="geoid">How far the geoid is above the ellipsoid.</param>
     /// <exception cref="ArgumentException">The numbers do not make a grid.</exception>
     public static TerrainGrid FromEllipsoidHeights(
@@ -97,7 +112,8 @@ public sealed class TerrainGrid
         float[] altitudes = heightsMetres.ToArray();
         for (int i = 0; i < altitudes.Length; i++)
         {
-            var post = new GeographicPoint(southWest.Latitude + (i / columns * latitudeStep), southWest.Longitude + (i % columns * longitudeStep));
+            var post = new GeographicPoint(
+                southWest.Latitude + (i / columns * latitudeStep), southWest.Longitude + (i % columns * longitudeStep));
             altitudes[i] -= (float)geoid.UndulationMetres(post);
         }
 

@@ -3,10 +3,13 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// The transverse Mercator projection of WGS-84 about a central meridian, scale 1 on it, by Krüger's series to the sixth order: a few
-/// nanometres within 3900 km of the meridian. Radians and metres.
+/// The transverse Mercator projection of WGS-84 about a central meridian, scale 1 on it, by Krüger's series to the
+/// sixth order: a few nanometres within 3900 km of the meridian. Radians and metres.
 /// </summary>
-/// <remarks>Formulas: C. F. F. Karney, "Transverse Mercator with an accuracy of a few nanometers", Journal of Geodesy 85 (2011), equations 7 to 26, 35, 36.</remarks>
+/// <remarks>
+/// Formulas: C. F. F. Karney, "Transverse Mercator with an accuracy of a few nanometers", Journal of Geodesy 85 (2011),
+/// equations 7 to 26, 35, 36.
+/// </remarks>
 internal static class TransverseMercator
 {
     private const double N = Wgs84.N;
@@ -41,7 +44,8 @@ internal static class TransverseMercator
         N6 * 20648693 / 638668800,
     ];
 
-    public static void Project(double latitude, double longitude, out double x, out double y, out double convergence, out double scale)
+    public static void Project(
+        double latitude, double longitude, out double x, out double y, out double convergence, out double scale)
     {
         double tau = Math.Tan(latitude);
         double conformal = Conformal(tau);

@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Geodesy;
 
-/// <summary>Zones and bands of UTM (NGA.STND.0037, "Universal Grids and Grid Reference Systems", 2014). Degrees.</summary>
+/// <summary>
+/// Zones and bands of UTM (NGA.STND.0037, "Universal Grids and Grid Reference Systems", 2014). Degrees.
+/// </summary>
 internal static class UtmZones
 {
     /// <summary>Letters of the bands of 8 degrees from 80 degrees south; the last one has 12.</summary>
@@ -22,5 +24,6 @@ internal static class UtmZones
     public static Angle CentralMeridian(int zone) => Angle.FromDegrees((6 * zone) - 183);
 
     /// <summary>Which of <see cref="Bands"/>.</summary>
-    public static int BandOf(double latitude) => Math.Max(0, Math.Min(Bands.Length - 1, (int)Math.Floor((latitude + 80) / 8)));
+    public static int BandOf(double latitude)
+        => Math.Max(0, Math.Min(Bands.Length - 1, (int)Math.Floor((latitude + 80) / 8)));
 }

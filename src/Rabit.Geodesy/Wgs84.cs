@@ -3,9 +3,13 @@ using System;
 namespace Rabit.Geodesy;
 
 /// <summary>
-/// The WGS-84 ellipsoid, and the way between latitude, longitude and height and earth-centred coordinates; radians and metres.
+/// The WGS-84 ellipsoid, and the way between latitude, longitude and height and earth-centred coordinates; radians and
+/// metres.
 /// </summary>
-/// <remarks>Formulas: NIMA TR8350.2, "Department of Defense World Geodetic System 1984", 4.3; the way back by Bowring, Survey Review 23 (1976).</remarks>
+/// <remarks>
+/// Formulas: NIMA TR8350.2, "Department of Defense World Geodetic System 1984", 4.3; the way back by Bowring, Survey
+/// Review 23 (1976).
+/// </remarks>
 internal static class Wgs84
 {
     public const double A = 6_378_137.0;
@@ -36,7 +40,8 @@ internal static class Wgs84
         for (int pass = 0; pass < 2; pass++)
         {
             (double sinBeta, double cosBeta) = (Math.Sin(beta), Math.Cos(beta));
-            latitude = Math.Atan2(z + (SecondE2 * B * sinBeta * sinBeta * sinBeta), p - (E2 * A * cosBeta * cosBeta * cosBeta));
+            latitude = Math.Atan2(
+                z + (SecondE2 * B * sinBeta * sinBeta * sinBeta), p - (E2 * A * cosBeta * cosBeta * cosBeta));
             beta = Math.Atan2((1 - F) * Math.Sin(latitude), Math.Cos(latitude));
         }
 

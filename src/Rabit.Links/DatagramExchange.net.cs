@@ -6,8 +6,9 @@ using System.Threading;
 namespace Rabit.Links;
 
 /// <summary>
-/// Receives datagrams from any sender and answers the last one. Its calls allocate nothing; netstandard2.0, which lacks them, has a twin. One thread receives, any thread answers;
-/// <c>_lastSender</c> is replaced as a whole, never changed, when the sender changes.
+/// Receives datagrams from any sender and answers the last one. Its calls allocate nothing; netstandard2.0, which lacks
+/// them, has a twin. One thread receives, any thread answers; <c>_lastSender</c> is replaced as a whole, never changed,
+/// when the sender changes.
 /// </summary>
 internal sealed class DatagramExchange(Socket socket)
 {
@@ -29,7 +30,8 @@ internal sealed class DatagramExchange(Socket socket)
     /// <summary>Sends a datagram to the last sender; there must be one.</summary>
     /// <exception cref="SocketException">As the socket says.</exception>
     public void Reply(byte[] buffer, int offset, int count)
-        => socket.SendTo(new ReadOnlySpan<byte>(buffer, offset, count), SocketFlags.None, Volatile.Read(ref _lastSender)!);
+        => socket.SendTo(
+            new ReadOnlySpan<byte>(buffer, offset, count), SocketFlags.None, Volatile.Read(ref _lastSender)!);
 
     private static SocketAddress Copy(SocketAddress address)
     {

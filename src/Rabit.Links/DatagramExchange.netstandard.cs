@@ -5,8 +5,9 @@ using System.Threading;
 namespace Rabit.Links;
 
 /// <summary>
-/// Receives datagrams from any sender and answers the last one. The twin for frameworks whose calls allocate an address per datagram. One thread receives, any thread answers;
-/// <c>_lastSender</c> is replaced as a whole, never changed, when the sender changes.
+/// Receives datagrams from any sender and answers the last one. The twin for frameworks whose calls allocate an address
+/// per datagram. One thread receives, any thread answers; <c>_lastSender</c> is replaced as a whole, never changed,
+/// when the sender changes.
 /// </summary>
 internal sealed class DatagramExchange(Socket socket)
 {

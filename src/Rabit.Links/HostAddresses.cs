@@ -8,8 +8,8 @@ namespace Rabit.Links;
 internal static class HostAddresses
 {
     /// <summary>
-    /// The addresses of a host, IPv4 before IPv6: over UDP it cannot be known which one is listened on, and MAVLink programs listen on IPv4.
-    /// Waits for the system's name service as long as that takes.
+    /// The addresses of a host, IPv4 before IPv6: over UDP it cannot be known which one is listened on, and MAVLink
+    /// programs listen on IPv4. Waits for the system's name service as long as that takes.
     /// </summary>
     /// <exception cref="LinkException">The name is not known.</exception>
     public static IPAddress[] Find(string url, string host)

@@ -3,12 +3,13 @@ using System;
 namespace Rabit.Links;
 
 /// <summary>
-/// A way for bytes to and from the outside: a socket, a serial line, a piece of memory. It knows nothing of what the bytes mean and has no
-/// thread of its own: one thread may read while another writes, and any thread may ask for the counters, unblock or dispose it.
+/// A way for bytes to and from the outside: a socket, a serial line, a piece of memory. It knows nothing of what the
+/// bytes mean and has no thread of its own: one thread may read while another writes, and any thread may ask for the
+/// counters, unblock or dispose it.
 /// </summary>
 /// <remarks>
-/// A link is opened by its class or by <see cref="LinkFactory"/>, which throw a <see cref="LinkException"/> when that fails. What goes wrong
-/// later and passes (a peer that is not up yet) is counted; what does not pass ends the link.
+/// A link is opened by its class or by <see cref="LinkFactory"/>, which throw a <see cref="LinkException"/> when that
+/// fails. What goes wrong later and passes (a peer that is not up yet) is counted; what does not pass ends the link.
 /// </remarks>
 /// <example>
 /// Two ends in memory; every other link is used alike.
@@ -21,21 +22,27 @@ namespace Rabit.Links;
 /// </example>
 public interface IByteLink : IDisposable
 {
-    /// <summary>What the link is, in the form of <see cref="LinkUrl"/> where there is one; the same in every error it reports.</summary>
+    /// <summary>
+    /// What the link is, in the form of <see cref="LinkUrl"/> where there is one; the same in every error it reports.
+    /// </summary>
     string Url { get; }
 
     /// <summary>
-    /// Whether <see cref="Read"/> waits for bytes. If false it returns at once, and <see cref="SetReadableCallback"/> says when to read again.
+    /// Whether <see cref="Read"/> waits for bytes. If false it returns at once, and <see cref="SetReadableCallback"/>
+    /// says when to read again.
     /// </summary>
     bool Blocks { get; }
 
-    /// <summary>What has gone through so far, and what was lost. From any thread, also after the link ended or was disposed.</summary>
+    /// <summary>
+    /// What has gone through so far, and what was lost. From any thread, also after the link ended or was disposed.
+    /// </summary>
     LinkCounters Counters { get; }
 
     /// <summary>
-    /// Fills <paramref name="buffer"/> from its start with bytes that have arrived, in their order. One thread at a time. A link that blocks
-    /// waits for at least one byte, the end of the link, <see cref="Unblock"/> or <see cref="IDisposable.Dispose"/>. Nothing is lost if the
-    /// buffer is smaller than what has arrived: the rest comes with the next read.
+    /// Fills <paramref name="buffer"/> from its start with bytes that have arrived, in their order. One thread at a
+    /// time. A link that blocks waits for at least one byte, the end of the link, <see cref="Unblock"/> or
+    /// <see cref="IDisposable.Dispose"/>. Nothing is lost if the buffer is smaller than what has arrived: the rest
+    /// comes with the next read.
     /// </summary>
     /// <param name="buffer">Where the bytes go; not empty. The link does not keep it.</param>
     /// <returns>How many bytes came, or that there are none yet, or that none will ever come and why.</returns>
@@ -44,28 +51,31 @@ public interface IByteLink : IDisposable
     LinkRead Read(byte[] buffer);
 
     /// <summary>
-    /// Sends bytes. From any thread; the bytes of one call stay together. Waits at most the write time-out of the link when the way out is
-    /// full. Bytes that the link itself did not send are counted as dropped, whether it throws or, where its class says so, goes on.
+    /// Sends bytes. From any thread; the bytes of one call stay together. Waits at most the write time-out of the link
+    /// when the way out is full. Bytes that the link itself did not send are counted as dropped, whether it throws or,
+    /// where its class says so, goes on.
     /// </summary>
     /// <param name="buffer">Holds the bytes; may be used again after the call.</param>
     /// <param name="offset">Index of the first byte.</param>
     /// <param name="count">How many; 0 does nothing.</param>
     /// <exception cref="LinkException">
-    /// They, or the rest of them, could not be sent. <see cref="LinkException.LinkEnded"/> says whether a later write may succeed.
+    /// They, or the rest of them, could not be sent. <see cref="LinkException.LinkEnded"/> says whether a later write
+    /// may succeed.
     /// </exception>
     /// <exception cref="ObjectDisposedException">The link was disposed before the call.</exception>
     void Write(byte[] buffer, int offset, int count);
 
     /// <summary>
-    /// Ends a blocked <see cref="Read"/> and <see cref="Write"/> within milliseconds and the link for good: reading says that it has ended,
-    /// writing throws. For shutting down, from any thread, any number of times, also after Dispose.
+    /// Ends a blocked <see cref="Read"/> and <see cref="Write"/> within milliseconds and the link for good: reading
+    /// says that it has ended, writing throws. For shutting down, from any thread, any number of times, also after
+    /// Dispose.
     /// </summary>
     void Unblock();
 
     /// <summary>
-    /// Sets what a link that does not block calls when there is something to read again: bytes, or its end. Called on the thread that wrote,
-    /// unblocked or disposed, with no lock held; it may be called when nothing is left to read. Set it before the first read. A link that
-    /// blocks never calls it.
+    /// Sets what a link that does not block calls when there is something to read again: bytes, or its end. Called on
+    /// the thread that wrote, unblocked or disposed, with no lock held; it may be called when nothing is left to read.
+    /// Set it before the first read. A link that blocks never calls it.
     /// </summary>
     /// <param name="callback">What to call, short and without throwing; null for nothing.</param>
     void SetReadableCallback(Action? callback);

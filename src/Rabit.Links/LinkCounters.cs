@@ -1,7 +1,8 @@
 namespace Rabit.Links;
 
 /// <summary>
-/// What went through a link and what was lost, since it was opened. A snapshot: each figure is exact, but they are not all of one instant.
+/// What went through a link and what was lost, since it was opened. A snapshot: each figure is exact, but they are not
+/// all of one instant.
 /// </summary>
 public readonly struct LinkCounters
 {
@@ -32,10 +33,13 @@ public readonly struct LinkCounters
     /// <summary>Writes of which at least one byte was dropped.</summary>
     public long WritesDropped { get; }
 
-    /// <summary>Faults that passed without ending the link, for example a host that answered that the port is closed.</summary>
+    /// <summary>
+    /// Faults that passed without ending the link, for example a host that answered that the port is closed.
+    /// </summary>
     public long TransientFaults { get; }
 
     /// <summary>For logs, one line.</summary>
     public override string ToString() =>
-        $"{BytesRead} bytes read, {BytesWritten} written, {BytesDropped} dropped in {WritesDropped} writes, {TransientFaults} transient faults";
+        $"{BytesRead} bytes read, {BytesWritten} written, {BytesDropped} dropped in {WritesDropped} writes, "
+            + $"{TransientFaults} transient faults";
 }

@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Links;
 
-/// <summary>A link could not be opened, read or written. The message is one line that names the link and the reason, fit for a user.</summary>
+/// <summary>
+/// A link could not be opened, read or written. The message is one line that names the link and the reason, fit for a
+/// user.
+/// </summary>
 public sealed class LinkException : Exception
 {
     /// <summary>Makes the error of one link.</summary>
@@ -24,6 +27,9 @@ public sealed class LinkException : Exception
     /// <summary>What went wrong, one line without the URL.</summary>
     public string Reason { get; }
 
-    /// <summary>True if the link is not usable any more or was never opened; false if only this write was lost and the next may succeed.</summary>
+    /// <summary>
+    /// True if the link is not usable any more or was never opened; false if only this write was lost and the next may
+    /// succeed.
+    /// </summary>
     public bool LinkEnded { get; }
 }

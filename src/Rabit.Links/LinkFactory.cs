@@ -11,7 +11,9 @@ namespace Rabit.Links;
 /// </example>
 public static class LinkFactory
 {
-    /// <summary>Opens a live link. May wait: for a host to take a connection, and for the system to look up its name.</summary>
+    /// <summary>
+    /// Opens a live link. May wait: for a host to take a connection, and for the system to look up its name.
+    /// </summary>
     /// <param name="url">Any kind but <see cref="LinkKind.RecordedFile"/>.</param>
     /// <param name="options">How long to wait; the defaults if left out.</param>
     /// <exception cref="LinkException">It cannot be opened; the message names the link and the reason.</exception>
@@ -26,7 +28,9 @@ public static class LinkFactory
             LinkKind.UdpSend => UdpSendLink.Open(url.Host!, url.Port, options),
             LinkKind.TcpClient => TcpClientLink.Open(url.Host!, url.Port, options),
             LinkKind.Serial => SerialLink.Open(url.Path!, url.BaudRate, options),
-            _ => throw new ArgumentException($"link {url}: a recorded file is played, not opened as a live link", nameof(url)),
+            _ =>
+                throw new ArgumentException(
+                    $"link {url}: a recorded file is played, not opened as a live link", nameof(url)),
         };
     }
 }

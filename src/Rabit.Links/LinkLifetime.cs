@@ -4,8 +4,8 @@ using System.Threading;
 namespace Rabit.Links;
 
 /// <summary>
-/// What every link keeps beside its device: its name, whether and why it has ended, whether it was disposed, and its counters.
-/// Any thread; each field is changed by an interlocked operation and never changes back.
+/// What every link keeps beside its device: its name, whether and why it has ended, whether it was disposed, and its
+/// counters. Any thread; each field is changed by an interlocked operation and never changes back.
 /// </summary>
 internal sealed class LinkLifetime(string url)
 {
@@ -68,7 +68,8 @@ internal sealed class LinkLifetime(string url)
     {
         ThrowIfDisposed();
         if (buffer is null) ThrowNoBuffer(nameof(buffer));
-        if ((uint)offset > (uint)buffer!.Length || (uint)count > (uint)(buffer.Length - offset)) ThrowBadRange(offset, count, buffer.Length);
+        if ((uint)offset > (uint)buffer!.Length || (uint)count > (uint)(buffer.Length - offset))
+            ThrowBadRange(offset, count, buffer.Length);
         if (count == 0) return false;
         if (EndReason is not null) throw DroppedByEnd(count);
         return true;
@@ -88,9 +89,11 @@ internal sealed class LinkLifetime(string url)
 
     private void ThrowDisposed() => throw new ObjectDisposedException(Url, $"link {Url} was disposed");
 
-    private void ThrowNoBuffer(string parameter) => throw new ArgumentNullException(parameter, $"link {Url}: a buffer is needed");
+    private void ThrowNoBuffer(string parameter)
+        => throw new ArgumentNullException(parameter, $"link {Url}: a buffer is needed");
 
-    private void ThrowEmptyBuffer(string parameter) => throw new ArgumentException($"link {Url}: cannot read into an empty buffer", parameter);
+    private void ThrowEmptyBuffer(string parameter)
+        => throw new ArgumentException($"link {Url}: cannot read into an empty buffer", parameter);
 
     private void ThrowBadRange(int offset, int count, int length) => throw new ArgumentOutOfRangeException(
         nameof(count), $"link {Url}: offset {offset} and count {count} do not lie in a buffer of {length} bytes");

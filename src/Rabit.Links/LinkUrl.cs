@@ -5,22 +5,25 @@ using System.Globalization;
 namespace Rabit.Links;
 
 /// <summary>
-/// The name of a link as MAVLink users write it: <c>udpin:0.0.0.0:14550</c>, <c>udpout:HOST:PORT</c>, <c>tcp:HOST:PORT</c>,
-/// <c>serial:/dev/ttyAMA0:921600</c>, <c>tlog:FILE[?speed=10|max]</c>. Immutable; it says what is meant, not whether it exists.
+/// The name of a link as MAVLink users write it: <c>udpin:0.0.0.0:14550</c>, <c>udpout:HOST:PORT</c>,
+/// <c>tcp:HOST:PORT</c>, <c>serial:/dev/ttyAMA0:921600</c>, <c>tlog:FILE[?speed=10|max]</c>. Immutable; it says what is
+/// meant, not whether it exists.
 /// </summary>
 /// <remarks>
-/// An IPv6 address is written in brackets: <c>tcp:[::1]:5760</c>. No port and no baud rate is assumed. The path of a device or file may hold
-/// colons. Only <c>?name=value</c> (or a bare <c>?speed</c>) at the very end of a tlog name is an option; any other question mark belongs to the path.
+/// An IPv6 address is written in brackets: <c>tcp:[::1]:5760</c>. No port and no baud rate is assumed. The path of a
+/// device or file may hold colons. Only <c>?name=value</c> (or a bare <c>?speed</c>) at the very end of a tlog name is
+/// an option; any other question mark belongs to the path.
 /// </remarks>
 /// <example>
 /// <code>
-/// LinkUrl url = LinkUrl.Parse("tcp:127.0.0.1:5760");                                     // FormatException: what is wrong, and the right form
+/// LinkUrl url = LinkUrl.Parse("tcp:127.0.0.1:5760");   // FormatException: what is wrong, and the right form
 /// if (!LinkUrl.TryParse(args[0], out LinkUrl? link, out string? error)) Console.Error.WriteLine(error);
 /// </code>
 /// </example>
 public sealed class LinkUrl
 {
-    private LinkUrl(LinkKind kind, string? host = null, int port = 0, string? path = null, int baudRate = 0, double speed = 1)
+    private LinkUrl(
+        LinkKind kind, string? host = null, int port = 0, string? path = null, int baudRate = 0, double speed = 1)
     {
         Kind = kind;
         Host = host;
@@ -34,8 +37,8 @@ public sealed class LinkUrl
     public LinkKind Kind { get; }
 
     /// <summary>
-    /// Name or address of the host, an IPv6 address without its brackets; for <see cref="LinkKind.UdpListen"/> the own address to listen on.
-    /// Null for a serial line and a recorded file.
+    /// Name or address of the host, an IPv6 address without its brackets; for <see cref="LinkKind.UdpListen"/> the own
+    /// address to listen on. Null for a serial line and a recorded file.
     /// </summary>
     public string? Host { get; }
 
@@ -49,14 +52,16 @@ public sealed class LinkUrl
     public int BaudRate { get; }
 
     /// <summary>
-    /// How many times faster than it was recorded a file is played: 1 by default, <see cref="double.PositiveInfinity"/> for
-    /// <c>max</c> (as fast as it can be taken). 1 for the others.
+    /// How many times faster than it was recorded a file is played: 1 by default, <see cref="double.PositiveInfinity"/>
+    /// for <c>max</c> (as fast as it can be taken). 1 for the others.
     /// </summary>
     public double Speed { get; }
 
     /// <summary>Reads the name of a link.</summary>
     /// <param name="text">For example <c>udpin:0.0.0.0:14550</c>. The case of the scheme does not matter.</param>
-    /// <exception cref="FormatException">It is not one; the message, one line, says what is wrong and shows the right form.</exception>
+    /// <exception cref="FormatException">
+    /// It is not one; the message, one line, says what is wrong and shows the right form.
+    /// </exception>
     public static LinkUrl Parse(string? text) =>
         TryParse(text, out LinkUrl? url, out string? error) ? url : throw new FormatException(error);
 
@@ -64,8 +69,10 @@ public sealed class LinkUrl
     /// <param name="text">For example <c>udpin:0.0.0.0:14550</c>. The case of the scheme does not matter.</param>
     /// <param name="url">The link, if it is one.</param>
     /// <param name="error">Otherwise one line that says what is wrong and shows the right form.</param>
-    public static bool TryParse(string? text, [NotNullWhen(true)] out LinkUrl? url, [NotNullWhen(false)] out string? error) =>
-        LinkUrlParser.TryParse(text, out url, out error);
+    public static bool TryParse(
+        string? text, [NotNullWhen(true)] out LinkUrl? url, [NotNullWhen(false)] out string? error)
+        =>
+            LinkUrlParser.TryParse(text, out url, out error);
 
     /// <summary>The name in its usual form; parsing it gives an equal one.</summary>
     public override string ToString() => Kind switch
@@ -79,7 +86,8 @@ public sealed class LinkUrl
 
     internal static LinkUrl ForHost(LinkKind kind, string host, int port) => new(kind, host: host, port: port);
 
-    internal static LinkUrl ForSerial(string device, int baudRate) => new(LinkKind.Serial, path: device, baudRate: baudRate);
+    internal static LinkUrl ForSerial(string device, int baudRate)
+        => new(LinkKind.Serial, path: device, baudRate: baudRate);
 
     internal static LinkUrl ForFile(string path, double speed) => new(LinkKind.RecordedFile, path: path, speed: speed);
 

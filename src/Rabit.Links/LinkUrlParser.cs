@@ -6,7 +6,9 @@ using System.Net.Sockets;
 
 namespace Rabit.Links;
 
-/// <summary>Reads a <see cref="LinkUrl"/>. Every error names the text that was given, what is wrong with it, and the right form.</summary>
+/// <summary>
+/// Reads a <see cref="LinkUrl"/>. Every error names the text that was given, what is wrong with it, and the right form.
+/// </summary>
 internal static class LinkUrlParser
 {
     private const string UdpListenForm = "udpin:ADDRESS:PORT, for example udpin:0.0.0.0:14550";
@@ -22,7 +24,8 @@ internal static class LinkUrlParser
     // No machine comes near it: more is max.
     private const double MaxSpeed = 1_000_000;
 
-    public static bool TryParse(string? text, [NotNullWhen(true)] out LinkUrl? url, [NotNullWhen(false)] out string? error)
+    public static bool TryParse(
+        string? text, [NotNullWhen(true)] out LinkUrl? url, [NotNullWhen(false)] out string? error)
     {
         string trimmed = text?.Trim() ?? "";
         url = null;
@@ -53,12 +56,14 @@ internal static class LinkUrlParser
 
     private static string? ParseHost(string text, string rest, LinkKind kind, string form, ref LinkUrl? url)
     {
-        if (rest.StartsWith("//", StringComparison.Ordinal)) return Wrong(text, "there are no slashes after the scheme", form);
+        if (rest.StartsWith("//", StringComparison.Ordinal))
+            return Wrong(text, "there are no slashes after the scheme", form);
         bool bracketed = rest.StartsWith('[');
         int hostEnd = bracketed ? rest.IndexOf(']') + 1 : rest.LastIndexOf(':');
         if (bracketed && hostEnd == 0) return Wrong(text, "the bracket around the address is not closed", form);
         if (hostEnd < 0 || hostEnd == rest.Length) return Wrong(text, "the port is missing", form);
-        if (rest[hostEnd] != ':') return Wrong(text, "after the closing bracket a colon and the port must follow", form);
+        if (rest[hostEnd] != ':')
+            return Wrong(text, "after the closing bracket a colon and the port must follow", form);
 
         string host = bracketed ? rest.Substring(1, hostEnd - 2) : rest.Substring(0, hostEnd);
         if (HostFault(host, bracketed) is { } hostFault) return Wrong(text, hostFault, form);
@@ -75,9 +80,12 @@ internal static class LinkUrlParser
     private static string? HostFault(string host, bool bracketed)
     {
         if (host.Length == 0) return "the host is missing";
-        if (bracketed && !(IPAddress.TryParse(host, out IPAddress? address) && address.AddressFamily == AddressFamily.InterNetworkV6))
+        if (bracketed
+            && !(IPAddress.TryParse(host, out IPAddress? address)
+                && address.AddressFamily == AddressFamily.InterNetworkV6))
             return $"'{host}' in brackets is not an IPv6 address";
-        if (!bracketed && host.Contains(':')) return $"the host '{host}' holds a colon (an IPv6 address is written in brackets, [::1])";
+        if (!bracketed && host.Contains(':'))
+            return $"the host '{host}' holds a colon (an IPv6 address is written in brackets, [::1])";
         foreach (char c in host)
         {
             if (char.IsWhiteSpace(c) || c is '/' or '?' or '[' or ']') return $"the host '{host}' holds a '{c}'";
@@ -97,7 +105,8 @@ internal static class LinkUrlParser
         if (!TryParseWhole(baudText, out int baudRate) || baudRate < 1)
             return Wrong(text, $"the baud rate '{baudText}' is not a positive whole number", SerialForm);
         string device = rest.Substring(0, colon);
-        if (device.Contains('\0')) return Wrong(text.Replace("\0", "\\0"), "the device holds a zero character", SerialForm);
+        if (device.Contains('\0'))
+            return Wrong(text.Replace("\0", "\\0"), "the device holds a zero character", SerialForm);
 
         url = LinkUrl.ForSerial(device, baudRate);
         return null;
@@ -110,9 +119,12 @@ internal static class LinkUrlParser
         if (TrySplitOption(rest, out string beforeOption, out string name, out string? value))
         {
             path = beforeOption;
-            if (!string.Equals(name, SpeedOption, StringComparison.OrdinalIgnoreCase)) return Wrong(text, $"the option '{name}' is unknown", FileForm);
-            if (!TryParseSpeed(value, out speed)) return Wrong(text, $"the speed '{value}' is not a positive number or max", FileForm);
-            if (speed > MaxSpeed && !double.IsInfinity(speed)) return Wrong(text, $"the speed '{value}' is above 1000000; that is max", FileForm);
+            if (!string.Equals(name, SpeedOption, StringComparison.OrdinalIgnoreCase))
+                return Wrong(text, $"the option '{name}' is unknown", FileForm);
+            if (!TryParseSpeed(value, out speed))
+                return Wrong(text, $"the speed '{value}' is not a positive number or max", FileForm);
+            if (speed > MaxSpeed && !double.IsInfinity(speed))
+                return Wrong(text, $"the speed '{value}' is above 1000000; that is max", FileForm);
         }
 
         if (path.Length == 0) return Wrong(text, "the file is missing", FileForm);
@@ -120,7 +132,8 @@ internal static class LinkUrlParser
         return null;
     }
 
-    // What stands after the last question mark is an option if it reads name=value, or is the one name that we know; else it is part of the path.
+    // What stands after the last question mark is an option if it reads name=value, or is the one name that we know;
+    // else it is part of the path.
     private static bool TrySplitOption(string rest, out string path, out string name, out string? value)
     {
         int mark = rest.LastIndexOf('?');

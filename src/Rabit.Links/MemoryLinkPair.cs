@@ -3,9 +3,10 @@ using System;
 namespace Rabit.Links;
 
 /// <summary>
-/// Two links inside the process: what is written to one end is read at the other. They never block, so that tests and virtual time use
-/// them: what happens depends only on the order of the calls. Each direction holds a bounded number of bytes; a write that does not fit as
-/// a whole is dropped as a whole and counted at the end that wrote, without an exception, as a radio would.
+/// Two links inside the process: what is written to one end is read at the other. They never block, so that tests and
+/// virtual time use them: what happens depends only on the order of the calls. Each direction holds a bounded number of
+/// bytes; a write that does not fit as a whole is dropped as a whole and counted at the end that wrote, without an
+/// exception, as a radio would.
 /// </summary>
 public sealed class MemoryLinkPair
 {
@@ -15,9 +16,11 @@ public sealed class MemoryLinkPair
     /// <exception cref="ArgumentException">The name is empty or the capacity not positive.</exception>
     public MemoryLinkPair(string name, int capacityBytes = 64 * 1024)
     {
-        if (string.IsNullOrWhiteSpace(name)) throw new ArgumentException("a pair of memory links needs a name", nameof(name));
+        if (string.IsNullOrWhiteSpace(name))
+            throw new ArgumentException("a pair of memory links needs a name", nameof(name));
         if (capacityBytes < 1)
-            throw new ArgumentOutOfRangeException(nameof(capacityBytes), capacityBytes, $"memory link {name} needs room for at least 1 byte");
+            throw new ArgumentOutOfRangeException(
+                nameof(capacityBytes), capacityBytes, $"memory link {name} needs room for at least 1 byte");
 
         var a = new MemoryLink($"memory:{name}/a", capacityBytes);
         var b = new MemoryLink($"memory:{name}/b", capacityBytes);

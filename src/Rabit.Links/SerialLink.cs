@@ -3,9 +3,10 @@ using System;
 namespace Rabit.Links;
 
 /// <summary>
-/// <c>serial:DEVICE:BAUD</c>: a serial line on Linux (x64, arm64, arm): raw, 8 data bits, no parity, 1 stop bit, no flow control, this program's
-/// alone. Reading says that the link has ended when the device is unplugged. A write that finds no room for the whole write time-out throws,
-/// and what was left of it is dropped and counted; the next one may succeed.
+/// <c>serial:DEVICE:BAUD</c>: a serial line on Linux (x64, arm64, arm): raw, 8 data bits, no parity, 1 stop bit, no
+/// flow control, this program's alone. Reading says that the link has ended when the device is unplugged. A write that
+/// finds no room for the whole write time-out throws, and what was left of it is dropped and counted; the next one may
+/// succeed.
 /// </summary>
 public sealed class SerialLink : IByteLink
 {
@@ -33,18 +34,27 @@ public sealed class SerialLink : IByteLink
     public LinkCounters Counters => _state.Counters;
 
     /// <summary>Opens a serial line.</summary>
-    /// <param name="device">Path of the device, for example <c>/dev/ttyAMA0</c>, <c>/dev/serial0</c> or one of <c>/dev/serial/by-id</c>.</param>
-    /// <param name="baudRate">Bits per second, at least 1; any that the device can do within 2.5 %, also unusual ones such as 250000.</param>
+    /// <param name="device">
+    /// Path of the device, for example <c>/dev/ttyAMA0</c>, <c>/dev/serial0</c> or one of <c>/dev/serial/by-id</c>.
+    /// </param>
+    /// <param name="baudRate">
+    /// Bits per second, at least 1; any that the device can do within 2.5 %, also unusual ones such as 250000.
+    /// </param>
     /// <param name="options">How long a write may wait; the defaults if left out.</param>
-    /// <exception cref="LinkException">No such device, no permission, not a serial device, in use, or the rate cannot be done.</exception>
+    /// <exception cref="LinkException">
+    /// No such device, no permission, not a serial device, in use, or the rate cannot be done.
+    /// </exception>
     /// <exception cref="PlatformNotSupportedException">Not on Linux.</exception>
     public static SerialLink Open(string device, int baudRate, LinkOptions? options = null)
     {
-        if (string.IsNullOrEmpty(device)) throw new ArgumentException("a serial line needs the path of its device", nameof(device));
-        if (baudRate < 1) throw new ArgumentOutOfRangeException(nameof(baudRate), baudRate, "a baud rate is at least 1");
+        if (string.IsNullOrEmpty(device))
+            throw new ArgumentException("a serial line needs the path of its device", nameof(device));
+        if (baudRate < 1)
+            throw new ArgumentOutOfRangeException(nameof(baudRate), baudRate, "a baud rate is at least 1");
         string url = LinkUrl.ForSerial(device, baudRate).ToString();
         if (!OperatingSystem.IsLinux())
-            throw new PlatformNotSupportedException($"link {url}: serial links work on Linux only; elsewhere use udpin, udpout or tcp");
+            throw new PlatformNotSupportedException(
+                $"link {url}: serial links work on Linux only; elsewhere use udpin, udpout or tcp");
 
         SerialDevice opened = SerialDevice.TryOpen(device, baudRate, out string fault)
             ?? throw new LinkException(url, $"cannot open: {fault}", linkEnded: true);
@@ -154,7 +164,8 @@ public sealed class SerialLink : IByteLink
     {
         _state.Dropped(count);
         return new LinkException(
-            Url, $"cannot write: the line took no more for {_writeTimeoutMilliseconds} ms; {count} bytes dropped", linkEnded: false);
+            Url, $"cannot write: the line took no more for {_writeTimeoutMilliseconds} ms; {count} bytes dropped",
+            linkEnded: false);
     }
 
     private LinkException Broken(string reason)

@@ -6,17 +6,22 @@ namespace Rabit.Links;
 internal static class SocketFaults
 {
     /// <summary>
-    /// Errors of a datagram that say something of that datagram or of the network at the moment, not of the socket. No listener at the
-    /// other end is one: the peer may not be up yet.
+    /// Errors of a datagram that say something of that datagram or of the network at the moment, not of the socket. No
+    /// listener at the other end is one: the peer may not be up yet.
     /// </summary>
-    public static bool PassesOnUdp(SocketError error) => error is SocketError.ConnectionRefused or SocketError.ConnectionReset
-        or SocketError.HostUnreachable or SocketError.HostDown or SocketError.NetworkUnreachable or SocketError.NetworkDown
-        or SocketError.NetworkReset or SocketError.NoBufferSpaceAvailable or SocketError.TimedOut or SocketError.WouldBlock
-        or SocketError.Interrupted or SocketError.AccessDenied or SocketError.TryAgain;
+    public static bool PassesOnUdp(SocketError error)
+        => error is SocketError.ConnectionRefused or SocketError.ConnectionReset
+            or SocketError.HostUnreachable or SocketError.HostDown or SocketError.NetworkUnreachable
+            or SocketError.NetworkDown
+            or SocketError.NetworkReset or SocketError.NoBufferSpaceAvailable or SocketError.TimedOut
+            or SocketError.WouldBlock
+            or SocketError.Interrupted or SocketError.AccessDenied or SocketError.TryAgain;
 
     /// <summary>Errors that mean that the other end of a connection is no longer there.</summary>
-    public static bool PeerGone(SocketError error) => error is SocketError.ConnectionReset or SocketError.ConnectionAborted
-        or SocketError.Shutdown or SocketError.NotConnected or SocketError.Disconnecting or SocketError.NetworkReset;
+    public static bool PeerGone(SocketError error)
+        => error is SocketError.ConnectionReset or SocketError.ConnectionAborted
+            or SocketError.Shutdown or SocketError.NotConnected or SocketError.Disconnecting
+            or SocketError.NetworkReset;
 
     /// <summary>A few words for the errors a user meets; the name of the error for the rest.</summary>
     public static string Describe(SocketError error) => error switch
@@ -30,7 +35,8 @@ internal static class SocketFaults
         SocketError.HostUnreachable or SocketError.HostDown => "the host cannot be reached",
         SocketError.NetworkUnreachable or SocketError.NetworkDown => "the network cannot be reached",
         SocketError.AddressFamilyNotSupported => "this computer does not support that kind of address",
-        SocketError.ConnectionReset or SocketError.ConnectionAborted or SocketError.Shutdown => "the remote end broke the connection",
+        SocketError.ConnectionReset or SocketError.ConnectionAborted or SocketError.Shutdown =>
+            "the remote end broke the connection",
         SocketError.TimedOut => "the remote end does not answer",
         _ => $"socket error {error}",
     };

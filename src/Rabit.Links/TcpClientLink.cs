@@ -5,9 +5,10 @@ using System.Net.Sockets;
 namespace Rabit.Links;
 
 /// <summary>
-/// <c>tcp:HOST:PORT</c>: a connection to a TCP server, for example an autopilot in simulation. The link ends when the remote end closes or
-/// breaks the connection; a remote end that only falls silent is not noticed. A write that finds no room for the whole write time-out throws and
-/// counts all that was left of it as dropped, though a part may be on its way; the next one may succeed.
+/// <c>tcp:HOST:PORT</c>: a connection to a TCP server, for example an autopilot in simulation. The link ends when the
+/// remote end closes or breaks the connection; a remote end that only falls silent is not noticed. A write that finds
+/// no room for the whole write time-out throws and counts all that was left of it as dropped, though a part may be on
+/// its way; the next one may succeed.
 /// </summary>
 public sealed class TcpClientLink : IByteLink
 {
@@ -36,7 +37,9 @@ public sealed class TcpClientLink : IByteLink
     /// <param name="host">Name or address of the server.</param>
     /// <param name="port">Its port, 1 to 65535.</param>
     /// <param name="options">How long to wait for each address, and in a write; the defaults if left out.</param>
-    /// <exception cref="LinkException">The host is unknown, refuses, does not answer in time, or the like; of several addresses the last one's fault.</exception>
+    /// <exception cref="LinkException">
+    /// The host is unknown, refuses, does not answer in time, or the like; of several addresses the last one's fault.
+    /// </exception>
     public static TcpClientLink Open(string host, int port, LinkOptions? options = null)
     {
         if (host is null) throw new ArgumentNullException(nameof(host));
@@ -59,7 +62,8 @@ public sealed class TcpClientLink : IByteLink
             if (error == SocketError.Success && count > 0) return _state.Arrived(count);
             if (error == SocketError.Success) End("the remote end closed the connection");
             else if (SocketFaults.PeerGone(error)) End(SocketFaults.Describe(error));
-            else if (error is not (SocketError.Interrupted or SocketError.WouldBlock)) throw Broken("cannot read", error);
+            else if (error is not (SocketError.Interrupted or SocketError.WouldBlock))
+                throw Broken("cannot read", error);
         }
     }
 
@@ -75,7 +79,8 @@ public sealed class TcpClientLink : IByteLink
                 SocketError error = Send(buffer, offset + written, count - written, out int taken);
                 _state.Sent(taken);
                 written += taken;
-                if (written < count && error is not (SocketError.Success or SocketError.Interrupted)) throw Lost(count - written, error);
+                if (written < count && error is not (SocketError.Success or SocketError.Interrupted))
+                    throw Lost(count - written, error);
             }
         }
     }
@@ -118,7 +123,9 @@ public sealed class TcpClientLink : IByteLink
         catch (Exception e) when (e is SocketException or ObjectDisposedException)
         {
             taken = 0;
-            return e is SocketException fault && _state.EndReason is null ? fault.SocketErrorCode : SocketError.OperationAborted;
+            return e is SocketException fault && _state.EndReason is null
+                ? fault.SocketErrorCode
+                : SocketError.OperationAborted;
         }
     }
 
@@ -129,7 +136,8 @@ public sealed class TcpClientLink : IByteLink
         _state.Dropped(count);
         if (error is not (SocketError.TimedOut or SocketError.WouldBlock)) return Broken("cannot write", error);
         return new LinkException(
-            Url, $"cannot write: the remote end took no more for {_writeTimeoutMilliseconds} ms; {count} bytes dropped", linkEnded: false);
+            Url, $"cannot write: the remote end took no more for {_writeTimeoutMilliseconds} ms; {count} bytes dropped",
+            linkEnded: false);
     }
 
     private LinkException Broken(string what, SocketError error)
@@ -141,6 +149,7 @@ public sealed class TcpClientLink : IByteLink
 
     private void End(string reason)
     {
-        if (_state.TryEnd(reason)) _socket.Dispose(); // which ends a blocked Receive and Send, on .NET and on Mono alike
+        // which ends a blocked Receive and Send, on .NET and on Mono alike
+        if (_state.TryEnd(reason)) _socket.Dispose();
     }
 }

@@ -22,11 +22,14 @@ internal static class TcpConnector
                     SendTimeout = options.WriteTimeoutMilliseconds,
                 };
                 if (TryConnect(socket, new IPEndPoint(address, port), options.ConnectTimeout)) return socket;
-                fault = new LinkException(url, $"the host does not answer within {options.ConnectTimeout.TotalSeconds:0.###} s", linkEnded: true);
+                fault = new LinkException(
+                    url, $"the host does not answer within {options.ConnectTimeout.TotalSeconds:0.###} s",
+                    linkEnded: true);
             }
             catch (SocketException e)
             {
-                fault = new LinkException(url, $"cannot connect: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
+                fault = new LinkException(
+                    url, $"cannot connect: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
             }
 
             socket?.Dispose();

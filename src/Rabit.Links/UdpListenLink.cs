@@ -5,9 +5,10 @@ using System.Net.Sockets;
 namespace Rabit.Links;
 
 /// <summary>
-/// <c>udpin:ADDRESS:PORT</c>: waits on a UDP port and receives from any sender. Writes go to the last sender; before there was one, and while
-/// the network is down, they are dropped and counted. One write is one datagram. A peer that goes away cannot be seen.
-/// Allocates nothing per datagram on .NET; on Mono about 400 bytes for one received and one sent.
+/// <c>udpin:ADDRESS:PORT</c>: waits on a UDP port and receives from any sender. Writes go to the last sender; before
+/// there was one, and while the network is down, they are dropped and counted. One write is one datagram. A peer that
+/// goes away cannot be seen. Allocates nothing per datagram on .NET; on Mono about 400 bytes for one received and one
+/// sent.
 /// </summary>
 public sealed class UdpListenLink : IByteLink
 {
@@ -36,10 +37,14 @@ public sealed class UdpListenLink : IByteLink
     public LinkCounters Counters => _state.Counters;
 
     /// <summary>Opens a link.</summary>
-    /// <param name="address">The address of this computer to listen on, or a name for it; <c>0.0.0.0</c> is all of them for IPv4.</param>
+    /// <param name="address">
+    /// The address of this computer to listen on, or a name for it; <c>0.0.0.0</c> is all of them for IPv4.
+    /// </param>
     /// <param name="port">1 to 65535, or 0 for any free one: <see cref="Port"/> says which.</param>
     /// <param name="options">How long a write may wait; the defaults if left out.</param>
-    /// <exception cref="LinkException">The port is in use, this computer does not have the address, or the like.</exception>
+    /// <exception cref="LinkException">
+    /// The port is in use, this computer does not have the address, or the like.
+    /// </exception>
     public static UdpListenLink Open(string address, int port, LinkOptions? options = null)
     {
         if (address is null) throw new ArgumentNullException(nameof(address));
@@ -56,12 +61,14 @@ public sealed class UdpListenLink : IByteLink
             socket.SendTimeout = (options ?? LinkOptions.Default).WriteTimeoutMilliseconds;
             socket.Bind(new IPEndPoint(own, port));
             var local = (IPEndPoint)socket.LocalEndPoint!;
-            return new UdpListenLink(socket, new LinkLifetime(LinkUrl.ForHost(LinkKind.UdpListen, address, local.Port).ToString()), local);
+            return new UdpListenLink(
+                socket, new LinkLifetime(LinkUrl.ForHost(LinkKind.UdpListen, address, local.Port).ToString()), local);
         }
         catch (SocketException e)
         {
             socket?.Dispose();
-            throw new LinkException(url, $"cannot listen: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
+            throw new LinkException(
+                url, $"cannot listen: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
         }
     }
 

@@ -5,8 +5,9 @@ using System.Net.Sockets;
 namespace Rabit.Links;
 
 /// <summary>
-/// <c>udpout:HOST:PORT</c>: sends to one UDP address and receives only from it. One write is one datagram. The peer may come up later or go away: that
-/// it is not there is counted as a transient fault where the network says so, and seen in no other way.
+/// <c>udpout:HOST:PORT</c>: sends to one UDP address and receives only from it. One write is one datagram. The peer may
+/// come up later or go away: that it is not there is counted as a transient fault where the network says so, and seen
+/// in no other way.
 /// </summary>
 public sealed class UdpSendLink : IByteLink
 {
@@ -28,7 +29,9 @@ public sealed class UdpSendLink : IByteLink
     /// <inheritdoc/>
     public LinkCounters Counters => _state.Counters;
 
-    /// <summary>Opens a link. Nothing is sent yet, so whether the peer is there does not matter; its name must be known.</summary>
+    /// <summary>
+    /// Opens a link. Nothing is sent yet, so whether the peer is there does not matter; its name must be known.
+    /// </summary>
     /// <param name="host">Name or address of the peer; of several addresses the first IPv4 one is taken.</param>
     /// <param name="port">The peer's port, 1 to 65535.</param>
     /// <param name="options">How long a write may wait; the defaults if left out.</param>
@@ -53,7 +56,8 @@ public sealed class UdpSendLink : IByteLink
         catch (SocketException e)
         {
             socket?.Dispose();
-            throw new LinkException(url, $"cannot send: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
+            throw new LinkException(
+                url, $"cannot send: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
         }
     }
 

@@ -4,8 +4,8 @@ using System.Net.Sockets;
 namespace Rabit.Links;
 
 /// <summary>
-/// What both UDP links do: hand out the bytes of datagrams one after the other, send, and distinguish faults that pass from those that do not.
-/// Closing the socket is what ends a blocked call, on .NET and on Mono alike.
+/// What both UDP links do: hand out the bytes of datagrams one after the other, send, and distinguish faults that pass
+/// from those that do not. Closing the socket is what ends a blocked call, on .NET and on Mono alike.
 /// </summary>
 /// <param name="socket">Bound or connected.</param>
 /// <param name="state">The state of the link.</param>
@@ -70,7 +70,8 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
         try
         {
             SocketError error = SocketError.Success;
-            int count = exchange?.Receive(_datagram) ?? socket.Receive(_datagram, 0, _datagram.Length, SocketFlags.None, out error);
+            int count = exchange?.Receive(_datagram)
+                ?? socket.Receive(_datagram, 0, _datagram.Length, SocketFlags.None, out error);
             if (error != SocketError.Success) return error;
             _next = 0;
             _end = count;

@@ -5,7 +5,9 @@ using Rabit.Mavlink.Generator.Reading;
 
 namespace Rabit.Mavlink.Generator.Roslyn;
 
-/// <summary>Turns a fault into a compiler error or warning at its line: RABMAV001 for the first kind, and so on.</summary>
+/// <summary>
+/// Turns a fault into a compiler error or warning at its line: RABMAV001 for the first kind, and so on.
+/// </summary>
 internal static class DialectDiagnostics
 {
     public static Diagnostic From(DialectFault fault)
@@ -15,8 +17,10 @@ internal static class DialectDiagnostics
         DiagnosticSeverity severity = fault.IsWarning ? DiagnosticSeverity.Warning : DiagnosticSeverity.Error;
         return Diagnostic.Create(
             Id(fault.Kind), "Rabit.Mavlink", fault.Reason, severity, severity,
-            isEnabledByDefault: true, warningLevel: fault.IsWarning ? 1 : 0, title: "MAVLink definition", location: location);
+            isEnabledByDefault: true, warningLevel: fault.IsWarning ? 1 : 0, title: "MAVLink definition",
+            location: location);
     }
 
-    private static string Id(DialectFaultKind kind) => "RABMAV" + ((int)kind).ToString("000", CultureInfo.InvariantCulture);
+    private static string Id(DialectFaultKind kind)
+        => "RABMAV" + ((int)kind).ToString("000", CultureInfo.InvariantCulture);
 }

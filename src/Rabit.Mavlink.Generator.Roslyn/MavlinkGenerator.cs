@@ -12,7 +12,9 @@ using Rabit.Mavlink.Generator.Reading;
 
 namespace Rabit.Mavlink.Generator.Roslyn;
 
-/// <summary>Generates messages and enums from the MAVLink definitions among the additional files of a project.</summary>
+/// <summary>
+/// Generates messages and enums from the MAVLink definitions among the additional files of a project.
+/// </summary>
 [Generator(LanguageNames.CSharp)]
 public sealed class MavlinkGenerator : IIncrementalGenerator
 {
@@ -30,21 +32,30 @@ public sealed class MavlinkGenerator : IIncrementalGenerator
             .Where(input => input is not null)
             .Collect();
         IncrementalValueProvider<string?> rootNamespace = context.AnalyzerConfigOptionsProvider
-            .Select((provider, _) => provider.GlobalOptions.TryGetValue("build_property.RootNamespace", out string? name) && name.Length != 0 ? name : null);
-        context.RegisterSourceOutput(inputs.Combine(rootNamespace), (output, pair) => Generate(output, pair.Left, pair.Right));
+            .Select(
+                (provider, _) => provider.GlobalOptions.TryGetValue("build_property.RootNamespace", out string? name)
+                    && name.Length != 0
+                    ? name
+                    : null);
+        context.RegisterSourceOutput(
+            inputs.Combine(rootNamespace), (output, pair) => Generate(output, pair.Left, pair.Right));
     }
 
-    private static void Generate(SourceProductionContext context, ImmutableArray<DialectInput?> inputs, string? rootNamespace)
+    private static void Generate(
+        SourceProductionContext context, ImmutableArray<DialectInput?> inputs, string? rootNamespace)
     {
         List<DialectInput> own = Of(inputs, DialectRole.Own);
         if (own.Count != 0)
-            GenerateOwn(context, own, Of(inputs, DialectRole.Package), rootNamespace is null ? "Messages" : rootNamespace + ".Messages");
+            GenerateOwn(
+                context, own, Of(inputs, DialectRole.Package),
+                rootNamespace is null ? "Messages" : rootNamespace + ".Messages");
         List<DialectInput> source = Of(inputs, DialectRole.PackageSource);
         if (source.Count != 0)
             GeneratePackage(context, source);
     }
 
-    private static void GenerateOwn(SourceProductionContext context, List<DialectInput> own, List<DialectInput> package, string defaultNamespace)
+    private static void GenerateOwn(
+        SourceProductionContext context, List<DialectInput> own, List<DialectInput> package, string defaultNamespace)
     {
         // A project's own files come first: an include finds the copy that a project keeps before that of the package.
         List<DialectFile> files = own.Concat(package).Select(input => input.File).ToList();
@@ -67,7 +78,8 @@ public sealed class MavlinkGenerator : IIncrementalGenerator
             foreach (DialectFault fault in faults.Where(reported.Add))
                 context.ReportDiagnostic(DialectDiagnostics.From(fault));
             // Two dialects may both have their form of a type, so each gets a namespace of its own.
-            bool isShared = roots.Count(other => string.Equals(other.Namespace, chosen, StringComparison.OrdinalIgnoreCase)) > 1;
+            bool isShared =
+                roots.Count(other => string.Equals(other.Namespace, chosen, StringComparison.OrdinalIgnoreCase)) > 1;
             string @namespace = Unique(isShared ? $"{chosen}.{EmitOptions.NameOf(result.Dialect)}" : chosen, taken);
             Add(context, result.Dialect, new EmitOptions(@namespace) { Existing = existing });
         }
@@ -92,7 +104,8 @@ public sealed class MavlinkGenerator : IIncrementalGenerator
         {
             DialectProperty = root.DialectProperty,
             PartProperties = source.Where(input => input != root && input.DialectProperty is not null)
-                .ToDictionary(input => Path.GetFileName(input.Path), input => input.DialectProperty!, StringComparer.Ordinal),
+                .ToDictionary(
+                    input => Path.GetFileName(input.Path), input => input.DialectProperty!, StringComparer.Ordinal),
         });
     }
 
@@ -102,7 +115,8 @@ public sealed class MavlinkGenerator : IIncrementalGenerator
             context.AddSource($"{options.Namespace}.{source.Name}", SourceText.From(source.Text, Encoding.UTF8));
     }
 
-    private static bool IsPackageRoot(string path) => string.Equals(Path.GetFileName(path), PackageRoot, StringComparison.OrdinalIgnoreCase);
+    private static bool IsPackageRoot(string path)
+        => string.Equals(Path.GetFileName(path), PackageRoot, StringComparison.OrdinalIgnoreCase);
 
     private static List<DialectInput> Of(ImmutableArray<DialectInput?> inputs, DialectRole role) =>
         inputs.Where(input => input!.Role == role).Select(input => input!).ToList();

@@ -44,7 +44,9 @@ public sealed class SimulatedWorld
     /// <summary>How the camera is mounted, as far as the operator knows: misalignments are to be estimated.</summary>
     public CameraMount CameraMount => new()
     {
-        GimbalLeverArmMetres = new BodyVector(Options.Camera.LeverArmForwardMetres, Options.Camera.LeverArmRightMetres, Options.Camera.LeverArmDownMetres),
+        GimbalLeverArmMetres = new BodyVector(
+            Options.Camera.LeverArmForwardMetres, Options.Camera.LeverArmRightMetres,
+            Options.Camera.LeverArmDownMetres),
     };
 
     /// <summary>What the vehicle has really done until now. A new snapshot at each call. Any thread.</summary>
@@ -78,8 +80,11 @@ public sealed class SimulatedWorld
         if (_hasVehicle)
             throw new InvalidOperationException("The simulated world has its vehicle already.");
         _hasVehicle = true;
-        var delayed = new DelayedFrames(new SimulationRandom(Options.Seed, "telemetry latency"), Options.TelemetryLatency);
-        return new SimulatedVehicleManager(VehicleManagerName, CreateVehicle(), delayed, _recorder, link, signingKey is null ? null : new VehicleSigning(signingKey));
+        var delayed = new DelayedFrames(
+            new SimulationRandom(Options.Seed, "telemetry latency"), Options.TelemetryLatency);
+        return new SimulatedVehicleManager(
+            VehicleManagerName, CreateVehicle(), delayed, _recorder, link,
+            signingKey is null ? null : new VehicleSigning(signingKey));
     }
 
     /// <summary>

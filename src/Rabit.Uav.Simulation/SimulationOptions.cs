@@ -79,7 +79,8 @@ public sealed class SimulationOptions
     /// </summary>
     /// <value>The default is a rectangle of 120 by 160 m that begins 30 m north of home.</value>
     public IReadOnlyList<NedPosition> Area { get; set; } =
-        [new NedPosition(30, -80, 0), new NedPosition(150, -80, 0), new NedPosition(150, 80, 0), new NedPosition(30, 80, 0)];
+        [new NedPosition(30, -80, 0), new NedPosition(150, -80, 0), new NedPosition(150, 80, 0),
+            new NedPosition(30, 80, 0)];
 
     /// <summary>What goes wrong, in any order.</summary>
     public IReadOnlyList<ScriptedFault> Faults { get; set; } = Array.Empty<ScriptedFault>();
@@ -94,8 +95,10 @@ public sealed class SimulationOptions
         if (mission is null)
             throw new ArgumentNullException(nameof(mission));
         Home = mission.Home is { } home
-            ? GeodeticPosition.FromRadians(home.Latitude.Radians, home.Longitude.Radians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
-            : GeodeticPosition.FromRadians(mission.Area[0].Latitude.Radians, mission.Area[0].Longitude.Radians, Home.AltitudeAmslMetres);
+            ? GeodeticPosition.FromRadians(
+                home.Latitude.Radians, home.Longitude.Radians, home.GroundAltitudeAmslMetres ?? Home.AltitudeAmslMetres)
+            : GeodeticPosition.FromRadians(
+                mission.Area[0].Latitude.Radians, mission.Area[0].Longitude.Radians, Home.AltitudeAmslMetres);
         var frame = new WorldFrame(Home);
         Area = mission.Area
             .Select(c => GeodeticPosition.FromRadians(c.Latitude.Radians, c.Longitude.Radians, Home.AltitudeAmslMetres))
@@ -110,7 +113,10 @@ public sealed class SimulationOptions
         if (faults.Count > 0)
             throw new ArgumentException("The simulated world: " + string.Join("; ", faults) + ".", parameter);
         var copy = (SimulationOptions)MemberwiseClone();
-        copy.Camera = (Camera ?? throw new ArgumentException("The simulated world: the camera may be left as it is, but not null.", parameter)).ValidatedCopy(parameter);
+        copy.Camera = (Camera
+            ?? throw new ArgumentException(
+                "The simulated world: the camera may be left as it is, but not null.", parameter))
+            .ValidatedCopy(parameter);
         copy.Area = Area.ToArray();
         copy.Faults = Faults.OrderBy(f => f.At).ToArray();
         return copy;
@@ -118,7 +124,8 @@ public sealed class SimulationOptions
 
     private IEnumerable<string> FindFaults()
     {
-        if (!(Math.Abs(Home.Latitude.Radians) < 89 * NedMath.RadiansPerDegree) || !(Math.Abs(Home.Longitude.Radians) <= Math.PI)
+        if (!(Math.Abs(Home.Latitude.Radians) < 89 * NedMath.RadiansPerDegree)
+            || !(Math.Abs(Home.Longitude.Radians) <= Math.PI)
             || !(Math.Abs(Home.AltitudeAmslMetres) < 10_000))
         {
             yield return FormattableString.Invariant(
@@ -126,21 +133,27 @@ public sealed class SimulationOptions
         }
 
         if (!(Math.Abs(Heading.Radians) <= 2 * Math.PI))
-            yield return FormattableString.Invariant($"{nameof(Heading)} is {Heading}; it must be an angle of at most one turn");
+            yield return FormattableString.Invariant(
+                $"{nameof(Heading)} is {Heading}; it must be an angle of at most one turn");
         if (BootedBefore is { } booted && (booted < TimeSpan.Zero || booted > TimeSpan.FromDays(20)))
             yield return FormattableString.Invariant($"{nameof(BootedBefore)} is {booted}; it must be 0 to 20 days");
         if (ClockDriftPpm is { } drift && !(Math.Abs(drift) <= 1000))
             yield return FormattableString.Invariant($"{nameof(ClockDriftPpm)} is {drift}; it must be -1000 to 1000");
         if (PositionAfter < TimeSpan.Zero)
-            yield return FormattableString.Invariant($"{nameof(PositionAfter)} is {PositionAfter}; it must not be negative");
+            yield return FormattableString.Invariant(
+                $"{nameof(PositionAfter)} is {PositionAfter}; it must not be negative");
         if (!IsWind(WindMetresPerSecond))
-            yield return FormattableString.Invariant($"{nameof(WindMetresPerSecond)} is {WindMetresPerSecond}; it must be 0 to {MaxWind}");
+            yield return FormattableString.Invariant(
+                $"{nameof(WindMetresPerSecond)} is {WindMetresPerSecond}; it must be 0 to {MaxWind}");
         if (WindFrom is { } from && !(Math.Abs(from.Radians) <= 2 * Math.PI))
-            yield return FormattableString.Invariant($"{nameof(WindFrom)} is {from}; it must be an angle of at most one turn");
+            yield return FormattableString.Invariant(
+                $"{nameof(WindFrom)} is {from}; it must be an angle of at most one turn");
         if (!(BatteryRemaining >= 0 && BatteryRemaining <= 1))
-            yield return FormattableString.Invariant($"{nameof(BatteryRemaining)} is {BatteryRemaining}; it must be 0 to 1");
+            yield return FormattableString.Invariant(
+                $"{nameof(BatteryRemaining)} is {BatteryRemaining}; it must be 0 to 1");
         if (TelemetryLatency < TimeSpan.Zero || TelemetryLatency > TimeSpan.FromSeconds(10))
-            yield return FormattableString.Invariant($"{nameof(TelemetryLatency)} is {TelemetryLatency}; it must be 0 to 10 s");
+            yield return FormattableString.Invariant(
+                $"{nameof(TelemetryLatency)} is {TelemetryLatency}; it must be 0 to 10 s");
         if (TargetCount is < 0 or > 1000)
             yield return FormattableString.Invariant($"{nameof(TargetCount)} is {TargetCount}; it must be 0 to 1000");
         if (DistractorCount is < 0 or > 1000)
@@ -164,7 +177,9 @@ public sealed class SimulationOptions
             string what = FormattableString.Invariant($"{nameof(Faults)}: {fault.Kind} at {fault.At}");
             if (fault.At < TimeSpan.Zero || fault.Duration < TimeSpan.Zero)
                 yield return what + " has a negative time";
-            if (fault.Kind is ScriptedFaultKind.LinkSilent or ScriptedFaultKind.CameraFreeze or ScriptedFaultKind.ManagerHangs && fault.Duration == TimeSpan.Zero)
+            if (fault.Kind is ScriptedFaultKind.LinkSilent or ScriptedFaultKind.CameraFreeze
+                or ScriptedFaultKind.ManagerHangs
+                && fault.Duration == TimeSpan.Zero)
                 yield return what + " lasts no time";
             if (fault.Kind == ScriptedFaultKind.ManagerHangs && string.IsNullOrWhiteSpace(fault.Manager))
                 yield return what + " names no manager";

@@ -11,8 +11,8 @@ using Rabit.Uav.MissionControl;
 namespace Rabit.Uav;
 
 /// <summary>
-/// Joins what the options of a system and those of its managers say of the same thing. What only one of them sets holds; where both set it
-/// and differ, that is a fault with the names of both.
+/// Joins what the options of a system and those of its managers say of the same thing. What only one of them sets
+/// holds; where both set it and differ, that is a fault with the names of both.
 /// </summary>
 internal static class ManagerOptions
 {
@@ -22,24 +22,39 @@ internal static class ManagerOptions
         AutopilotOptions autopilot = options.Autopilot;
         string?[] contradictions =
         [
-            Contradiction(nameof(UavOptions.Signing), options.Signing, Of(nameof(communications.Signing)), communications.Signing, null),
-            Contradiction(nameof(UavOptions.Dialect), options.Dialect, Of(nameof(communications.Dialect)), communications.Dialect, MavlinkDialect.All, d => d!.Name),
-            Contradiction(nameof(UavOptions.Dialect), options.Dialect, OfAutopilot(nameof(autopilot.Dialect)), autopilot.Dialect, MavlinkDialect.All, d => d!.Name),
-            Contradiction(nameof(UavOptions.SystemId), options.SystemId, OfAutopilot(nameof(autopilot.SystemId)), autopilot.SystemId, null),
-            Contradiction(nameof(UavOptions.ComponentId), options.ComponentId, OfAutopilot(nameof(autopilot.ComponentId)), autopilot.ComponentId, new AutopilotOptions().ComponentId),
-            Contradiction(nameof(UavOptions.Mission), options.Mission, nameof(UavOptions.MissionControl) + "." + nameof(MissionControlOptions.Mission), options.MissionControl.Mission, null),
+            Contradiction(
+                nameof(UavOptions.Signing), options.Signing, Of(nameof(communications.Signing)), communications.Signing,
+                null),
+            Contradiction(
+                nameof(UavOptions.Dialect), options.Dialect, Of(nameof(communications.Dialect)), communications.Dialect,
+                MavlinkDialect.All, d => d!.Name),
+            Contradiction(
+                nameof(UavOptions.Dialect), options.Dialect, OfAutopilot(nameof(autopilot.Dialect)), autopilot.Dialect,
+                MavlinkDialect.All, d => d!.Name),
+            Contradiction(
+                nameof(UavOptions.SystemId), options.SystemId, OfAutopilot(nameof(autopilot.SystemId)),
+                autopilot.SystemId, null),
+            Contradiction(
+                nameof(UavOptions.ComponentId), options.ComponentId, OfAutopilot(nameof(autopilot.ComponentId)),
+                autopilot.ComponentId, new AutopilotOptions().ComponentId),
+            Contradiction(
+                nameof(UavOptions.Mission), options.Mission,
+                nameof(UavOptions.MissionControl) + "." + nameof(MissionControlOptions.Mission),
+                options.MissionControl.Mission, null),
         ];
         foreach (string contradiction in contradictions.OfType<string>())
             yield return contradiction;
 
         if (communications.Links is not { Count: 0 } || communications.RecordedFiles is not { Count: 0 })
         {
-            yield return $"{Of(nameof(communications.Links))} and {Of(nameof(communications.RecordedFiles))} are what is opened from {nameof(UavOptions.Links)} "
+            yield return $"{Of(nameof(communications.Links))} and {Of(nameof(communications.RecordedFiles))} are what "
+                + $"is opened from {nameof(UavOptions.Links)} "
                 + $"and {nameof(UavOptions.OpenLinks)}; leave them empty";
         }
 
         if (autopilot.MayCommand && !options.MayCommand)
-            yield return $"{OfAutopilot(nameof(autopilot.MayCommand))} is true, but {nameof(UavOptions.MayCommand)} is false";
+            yield return $"{OfAutopilot(nameof(autopilot.MayCommand))} is true, but {nameof(UavOptions.MayCommand)} is "
+                + "false";
     }
 
     public static SigningOptions? SigningOf(UavOptions options) => options.Signing ?? options.Communications.Signing;
@@ -54,7 +69,8 @@ internal static class ManagerOptions
     public static IReadOnlyList<MavlinkSubscription> SubscriptionsOf(UavOptions options)
         => options.Subscriptions.Concat(options.Communications.Subscriptions).ToArray();
 
-    public static CommunicationsOptions ForCommunications(UavOptions options, IReadOnlyList<IByteLink> links, IReadOnlyList<RecordedFile> files)
+    public static CommunicationsOptions ForCommunications(
+        UavOptions options, IReadOnlyList<IByteLink> links, IReadOnlyList<RecordedFile> files)
     {
         CommunicationsOptions made = options.Communications.Copy();
         made.Links = links;
@@ -65,7 +81,8 @@ internal static class ManagerOptions
         made.Subscriptions = SubscriptionsOf(options);
         made.VehicleMessageRoutes =
         [
-            new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
+            new VehicleMessageRoute<TargetReport>(
+                new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
             .. options.Communications.VehicleMessageRoutes,
         ];
         return made;
@@ -94,10 +111,12 @@ internal static class ManagerOptions
 
     private static string OfAutopilot(string name) => nameof(UavOptions.Autopilot) + "." + name;
 
-    private static string? Contradiction<T>(string name, T value, string managerName, T managerValue, T unset, Func<T, string?>? describe = null)
+    private static string? Contradiction<T>(
+        string name, T value, string managerName, T managerValue, T unset, Func<T, string?>? describe = null)
     {
         EqualityComparer<T> comparer = EqualityComparer<T>.Default;
-        if (comparer.Equals(value, unset) || comparer.Equals(managerValue, unset) || comparer.Equals(value, managerValue))
+        if (comparer.Equals(value, unset) || comparer.Equals(managerValue, unset)
+            || comparer.Equals(value, managerValue))
             return null;
         return typeof(T).IsValueType || describe is not null
             ? $"{name} is {Text(value)}, but {managerName} is {Text(managerValue)}; set one of them"

@@ -12,7 +12,9 @@ public enum UavManagers
     /// <summary><see cref="Uav.Communications.CommunicationsManager"/>: the links.</summary>
     Communications = 1,
 
-    /// <summary><see cref="Uav.AutopilotInterface.AutopilotManager"/>: the state of the vehicle, and its commands.</summary>
+    /// <summary>
+    /// <see cref="Uav.AutopilotInterface.AutopilotManager"/>: the state of the vehicle, and its commands.
+    /// </summary>
     AutopilotInterface = 2,
 
     /// <summary><see cref="Uav.ImageProcessing.ImageProcessingManager"/>: the pictures.</summary>
@@ -24,7 +26,9 @@ public enum UavManagers
     /// <summary><see cref="Uav.MissionControl.MissionControlManager"/>: the mission.</summary>
     MissionControl = 16,
 
-    /// <summary><see cref="Uav.HealthMonitoring.HealthManager"/>: watches the others, and writes our heartbeat.</summary>
+    /// <summary>
+    /// <see cref="Uav.HealthMonitoring.HealthManager"/>: watches the others, and writes our heartbeat.
+    /// </summary>
     HealthMonitoring = 32,
 
     /// <summary>All six.</summary>

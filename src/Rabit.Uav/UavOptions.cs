@@ -15,9 +15,10 @@ using Rabit.Uav.SensorFusion;
 namespace Rabit.Uav;
 
 /// <summary>
-/// What a UAV companion computer is made of. Read once, when it is opened. What concerns the whole is set here, the rest in the options of each
-/// manager. Where both say something of the same thing (<see cref="SystemId"/>, <see cref="Signing"/>, <see cref="Dialect"/>,
-/// <see cref="Mission"/> and the like) it is set in one place or equal in both; two values that differ are refused by name.
+/// What a UAV companion computer is made of. Read once, when it is opened. What concerns the whole is set here, the
+/// rest in the options of each manager. Where both say something of the same thing (<see cref="SystemId"/>,
+/// <see cref="Signing"/>, <see cref="Dialect"/>, <see cref="Mission"/> and the like) it is set in one place or equal in
+/// both; two values that differ are refused by name.
 /// </summary>
 /// <example>
 /// An aircraft with an autopilot on a serial line and a ground station on UDP, observed only:
@@ -37,7 +38,9 @@ namespace Rabit.Uav;
 /// </example>
 public sealed class UavOptions
 {
-    /// <summary>The links, at least one. A recorded log at another speed than 1 goes with recorded logs of the same speed only.</summary>
+    /// <summary>
+    /// The links, at least one. A recorded log at another speed than 1 goes with recorded logs of the same speed only.
+    /// </summary>
     public IReadOnlyList<LinkUrl> Links { get; set; } = Array.Empty<LinkUrl>();
 
     /// <summary>Our MAVLink system id, 1 to 255; null for that of the vehicle that carries us.</summary>
@@ -52,10 +55,15 @@ public sealed class UavOptions
     /// <value>The default is true.</value>
     public bool RequestsMessageRates { get; set; } = true;
 
-    /// <summary>Links that are open already, for example to a simulated vehicle; they come before <see cref="Links"/>, and are closed with the rest.</summary>
+    /// <summary>
+    /// Links that are open already, for example to a simulated vehicle; they come before <see cref="Links"/>, and are
+    /// closed with the rest.
+    /// </summary>
     public IReadOnlyList<IByteLink> OpenLinks { get; set; } = Array.Empty<IByteLink>();
 
-    /// <summary>Which live links are signed, and how; null for none. They are numbered from 0, <see cref="OpenLinks"/> first.</summary>
+    /// <summary>
+    /// Which live links are signed, and how; null for none. They are numbered from 0, <see cref="OpenLinks"/> first.
+    /// </summary>
     /// <value>The default is null.</value>
     public SigningOptions? Signing { get; set; }
 
@@ -72,14 +80,15 @@ public sealed class UavOptions
     public IReaderSource<CameraFrame>? Camera { get; set; }
 
     /// <summary>
-    /// How Communications works: queues, vehicle messages, rates. Its links are <see cref="Links"/> and <see cref="OpenLinks"/>; subscriptions of both
-    /// places are added up, and vehicle messages to those of target reports.
+    /// How Communications works: queues, vehicle messages, rates. Its links are <see cref="Links"/> and
+    /// <see cref="OpenLinks"/>; subscriptions of both places are added up, and vehicle messages to those of target
+    /// reports.
     /// </summary>
     public CommunicationsOptions Communications { get; set; } = new();
 
     /// <summary>
-    /// How Autopilot Interface works: rates, time-outs. Rates are requested where both <see cref="RequestsMessageRates"/> and this say so; whether it
-    /// commands is <see cref="MayCommand"/>.
+    /// How Autopilot Interface works: rates, time-outs. Rates are requested where both
+    /// <see cref="RequestsMessageRates"/> and this say so; whether it commands is <see cref="MayCommand"/>.
     /// </summary>
     public AutopilotOptions Autopilot { get; set; } = new();
 
@@ -90,14 +99,16 @@ public sealed class UavOptions
     public LinkOptions LinkOptions { get; set; } = LinkOptions.Default;
 
     /// <summary>
-    /// Which of our managers are left out. Their part is then yours: the check of the wiring names each message without a publisher
-    /// and each queue without a receiver, and who needs it, until managers in <see cref="OtherManagers"/> do. Without Communications there are
-    /// no links, nor what goes with them.
+    /// Which of our managers are left out. Their part is then yours: the check of the wiring names each message without
+    /// a publisher and each queue without a receiver, and who needs it, until managers in <see cref="OtherManagers"/>
+    /// do. Without Communications there are no links, nor what goes with them.
     /// </summary>
     /// <value>The default is <see cref="UavManagers.None"/>.</value>
     public UavManagers Without { get; set; }
 
-    /// <summary>How pictures are searched and located: lens, mount, what a target looks like, how good the sensors are.</summary>
+    /// <summary>
+    /// How pictures are searched and located: lens, mount, what a target looks like, how good the sensors are.
+    /// </summary>
     public ImageProcessingOptions Imaging { get; set; } = new();
 
     /// <summary>How reports become tracks.</summary>
@@ -106,14 +117,19 @@ public sealed class UavOptions
     /// <summary>The limits of Health Monitoring.</summary>
     public HealthOptions Health { get; set; } = new();
 
-    /// <summary>Managers of the user that fly along: they are added after ours, and Health Monitoring watches them.</summary>
+    /// <summary>
+    /// Managers of the user that fly along: they are added after ours, and Health Monitoring watches them.
+    /// </summary>
     public IReadOnlyList<RabitManager> OtherManagers { get; set; } = Array.Empty<RabitManager>();
 
     /// <summary>
     /// The messages that are checked and named on all links. Messages of your own are put together with ours:
     /// <c>MavlinkDialect.Combine("mine", MavlinkDialect.All, MineDialect.Instance)</c>.
     /// </summary>
-    /// <value>The default is <see cref="MavlinkDialect.All"/>. It must have all of <see cref="MavlinkDialect.Common"/>, which the managers use.</value>
+    /// <value>
+    /// The default is <see cref="MavlinkDialect.All"/>. It must have all of <see cref="MavlinkDialect.Common"/>, which
+    /// the managers use.
+    /// </value>
     public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
 
     /// <summary>Which MAVLink frames go to queues of <see cref="OtherManagers"/>.</summary>
@@ -124,21 +140,27 @@ public sealed class UavOptions
     /// <value>The default is null.</value>
     public RabitTime? Time { get; set; }
 
-    /// <summary>Fixes the order among managers in virtual time, where a log is played at another pace than its own.</summary>
+    /// <summary>
+    /// Fixes the order among managers in virtual time, where a log is played at another pace than its own.
+    /// </summary>
     /// <value>The default is 0.</value>
     public long Seed { get; set; }
 
-    internal bool IsReplay => OpenLinks.Count == 0 && Links.Count > 0 && Links.All(l => l.Kind == LinkKind.RecordedFile);
+    internal bool IsReplay
+        => OpenLinks.Count == 0 && Links.Count > 0 && Links.All(l => l.Kind == LinkKind.RecordedFile);
 
     /// <summary>How many times faster than real time; 1 for real time itself.</summary>
     internal double Speed => Links.Count == 0 ? 1 : Links.Max(l => l.Speed);
 
-    /// <exception cref="ArgumentException">Options are out of their range or do not go together; the text names all of them.</exception>
+    /// <exception cref="ArgumentException">
+    /// Options are out of their range or do not go together; the text names all of them.
+    /// </exception>
     internal void Validate(string parameter)
     {
         if (FindNull() is { } name)
             throw new ArgumentException($"{name} is null.", parameter);
-        if (Links is null || OpenLinks is null || (Links.Count + OpenLinks.Count == 0 && Has(UavManagers.Communications)))
+        if (Links is null || OpenLinks is null
+            || (Links.Count + OpenLinks.Count == 0 && Has(UavManagers.Communications)))
             throw new ArgumentException("A UAV needs at least one link.", parameter);
         if (Links.Contains(null!) || OpenLinks.Contains(null!))
             throw new ArgumentException("A link is null.", parameter);
@@ -151,8 +173,10 @@ public sealed class UavOptions
 
     private string? FindNull() => new (string Name, object? Value)[]
     {
-        (nameof(Communications), Communications), (nameof(Autopilot), Autopilot), (nameof(MissionControl), MissionControl), (nameof(Imaging), Imaging),
-        (nameof(Fusion), Fusion), (nameof(Health), Health), (nameof(LinkOptions), LinkOptions), (nameof(OtherManagers), OtherManagers),
+        (nameof(Communications), Communications), (nameof(Autopilot), Autopilot),
+        (nameof(MissionControl), MissionControl), (nameof(Imaging), Imaging),
+        (nameof(Fusion), Fusion), (nameof(Health), Health), (nameof(LinkOptions), LinkOptions),
+        (nameof(OtherManagers), OtherManagers),
     }.FirstOrDefault(o => o.Value is null).Name;
 
     private IEnumerable<string> FindFaults() => FindFaultsOfLinks()
@@ -162,7 +186,8 @@ public sealed class UavOptions
 
     private IEnumerable<string> FindFaultsOfDialect()
     {
-        if (Dialect is null || Communications.Dialect is null || Subscriptions is null || Communications.Subscriptions is null)
+        if (Dialect is null || Communications.Dialect is null || Subscriptions is null
+            || Communications.Subscriptions is null)
             return [$"{nameof(Dialect)} or {nameof(Subscriptions)} is null, or that of {nameof(Communications)}"];
         return SubscriptionCheck.FindFaults(ManagerOptions.DialectOf(this), ManagerOptions.SubscriptionsOf(this));
     }
@@ -176,13 +201,17 @@ public sealed class UavOptions
             yield return $"{nameof(SystemId)} is 0; it must be 1 to 255";
         if (ComponentId == 0)
             yield return $"{nameof(ComponentId)} is 0; it must be 1 to 255";
-        foreach (IGrouping<string, LinkUrl> same in Links.GroupBy(l => l.ToString(), StringComparer.Ordinal).Where(g => g.Count() > 1))
+        foreach (IGrouping<string, LinkUrl> same
+            in Links.GroupBy(l => l.ToString(), StringComparer.Ordinal).Where(g => g.Count() > 1))
             yield return $"link {same.Key} is given {same.Count()} times";
 
         LinkUrl? fast = Links.FirstOrDefault(l => !l.Speed.Equals(1));
-        LinkUrl? other = fast is null ? null : Links.FirstOrDefault(l => l.Kind != LinkKind.RecordedFile || !l.Speed.Equals(fast.Speed));
+        LinkUrl? other = fast is null
+            ? null
+            : Links.FirstOrDefault(l => l.Kind != LinkKind.RecordedFile || !l.Speed.Equals(fast.Speed));
         if (other is not null)
-            yield return $"{fast} plays at another pace than {other}; a log at another speed than 1 goes with logs of the same speed only";
+            yield return $"{fast} plays at another pace than {other}; a log at another speed than 1 goes with logs of "
+                + "the same speed only";
         if (fast is not null && (OpenLinks.Count > 0 || Time is not null))
             yield return $"{fast} plays at a pace of its own, which does not go with other links or another time";
 
@@ -203,7 +232,8 @@ public sealed class UavOptions
         MissionPlan? mission = ManagerOptions.MissionOf(this);
         if (mission is not null && !MayCommand)
             yield return $"there is a mission, but {nameof(MayCommand)} is false";
-        if (mission is not null && Camera is not null && Has(UavManagers.ImageProcessing) && Imaging is { TargetClasses.IsDefault: false })
+        if (mission is not null && Camera is not null && Has(UavManagers.ImageProcessing)
+            && Imaging is { TargetClasses.IsDefault: false })
         {
             string declared = string.Join(", ", Imaging.TargetClasses.Select(c => c?.Name));
             foreach (TargetClassName name in mission.Targets.Where(n => Imaging.TargetClasses.All(c => c?.Name != n)))
@@ -219,8 +249,10 @@ public sealed class UavOptions
         if (Has(UavManagers.Communications))
             yield break;
         if (Links.Count + OpenLinks.Count > 0)
-            yield return $"there are links, but {nameof(Without)} has {nameof(UavManagers.Communications)}: open them where your own manager is made";
+            yield return $"there are links, but {nameof(Without)} has {nameof(UavManagers.Communications)}: open them "
+                + "where your own manager is made";
         if (ManagerOptions.SigningOf(this) is not null || ManagerOptions.SubscriptionsOf(this).Count > 0)
-            yield return $"signing and subscriptions are the work of {nameof(UavManagers.Communications)}, which {nameof(Without)} has";
+            yield return $"signing and subscriptions are the work of {nameof(UavManagers.Communications)}, which "
+                + $"{nameof(Without)} has";
     }
 }

@@ -15,8 +15,8 @@ using Rabit.Uav.SensorFusion;
 namespace Rabit.Uav;
 
 /// <summary>
-/// The companion computer: opens the links and makes the managers, which know nothing of each other. For one run: open it, make
-/// its reactor, run that, dispose it.
+/// The companion computer: opens the links and makes the managers, which know nothing of each other. For one run: open
+/// it, make its reactor, run that, dispose it.
 /// </summary>
 /// <example>
 /// <code>
@@ -68,7 +68,9 @@ public sealed class UavSystem : IDisposable
     }
 
     /// <summary>Owns the links; counts what came in over them.</summary>
-    /// <exception cref="InvalidOperationException">It was left out; see <see cref="UavOptions.Without"/>. So with the other managers.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// It was left out; see <see cref="UavOptions.Without"/>. So with the other managers.
+    /// </exception>
     public CommunicationsManager Communications => Made(_communications, UavManagers.Communications);
 
     /// <summary>Speaks with the autopilot; knows what the flight was like.</summary>
@@ -92,8 +94,9 @@ public sealed class UavSystem : IDisposable
     public HealthManager Health => Made(_health, UavManagers.HealthMonitoring);
 
     /// <summary>
-    /// The time to run in: real time, or, where logs are played at another speed than 1, virtual time that starts with the first stamp
-    /// and is driven by the stamps, so that no time-out misjudges a fast replay and every speed gives the same.
+    /// The time to run in: real time, or, where logs are played at another speed than 1, virtual time that starts with
+    /// the first stamp and is driven by the stamps, so that no time-out misjudges a fast replay and every speed gives
+    /// the same.
     /// </summary>
     public RabitTime Time { get; }
 
@@ -102,7 +105,9 @@ public sealed class UavSystem : IDisposable
 
     /// <summary>Opens all links and makes the managers.</summary>
     /// <param name="options">Checked and read now.</param>
-    /// <exception cref="ArgumentException">Options are out of their range or do not go together; the text names all of them.</exception>
+    /// <exception cref="ArgumentException">
+    /// Options are out of their range or do not go together; the text names all of them.
+    /// </exception>
     /// <exception cref="LinkException">A link cannot be opened; the text names it and says why.</exception>
     public static UavSystem Open(UavOptions options)
     {
@@ -136,7 +141,8 @@ public sealed class UavSystem : IDisposable
             file.Dispose();
     }
 
-    // An aircraft in the air is better off with managers that go on: Health Monitoring sees the fault, and Mission Control returns to launch.
+    // An aircraft in the air is better off with managers that go on: Health Monitoring sees the fault, and Mission
+    // Control returns to launch.
     private void CarryOnAfterFaults()
     {
         foreach (RabitManager manager in Managers().Except(_options.OtherManagers))
@@ -150,7 +156,9 @@ public sealed class UavSystem : IDisposable
 
     private static T Made<T>(T? manager, UavManagers which)
         where T : RabitManager
-        => manager ?? throw new InvalidOperationException($"{which} was left out: {nameof(UavOptions)}.{nameof(UavOptions.Without)} has it.");
+        => manager
+            ?? throw new InvalidOperationException(
+                $"{which} was left out: {nameof(UavOptions)}.{nameof(UavOptions.Without)} has it.");
 
     private void OpenLinks()
     {
@@ -171,7 +179,8 @@ public sealed class UavSystem : IDisposable
         if (_options.Speed.Equals(1))
             return new RealTime();
         long startMicroseconds = _files.Min(f => f.StartUtcMicroseconds);
-        var start = new DateTimeOffset(DateTimeOffset.FromUnixTimeMilliseconds(0).Ticks + (startMicroseconds * 10), TimeSpan.Zero);
+        var start = new DateTimeOffset(
+            DateTimeOffset.FromUnixTimeMilliseconds(0).Ticks + (startMicroseconds * 10), TimeSpan.Zero);
         return new VirtualTime(_options.Seed, start) { Pace = _options.Speed };
     }
 }

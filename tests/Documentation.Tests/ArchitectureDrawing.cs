@@ -54,12 +54,14 @@ internal static class ArchitectureDrawing
     private static string Table(WiringGraph graph, Dictionary<string, string> types)
     {
         var text = new StringBuilder("| name | kind | type | from | to (**woken by it**) |\n|---|---|---|---|---|\n");
-        foreach (WiringChannel channel in graph.Channels.Where(h => !h.Name.EndsWith(StatusSuffix, StringComparison.Ordinal)))
+        foreach (WiringChannel channel
+            in graph.Channels.Where(h => !h.Name.EndsWith(StatusSuffix, StringComparison.Ordinal)))
         {
             string readers = string.Join(", ", channel.To.Select(t => t.Wakes ? $"**{t.Owner}**" : t.Owner));
             string kind = channel.IsMessage ? "message" : "queue";
             string to = readers.Length > 0 ? readers : "code outside managers";
-            text.Append($"| {channel.Name} | {kind} | `{types[channel.Name]}` | {string.Join(", ", channel.From)} | {to} |\n");
+            text.Append(
+                $"| {channel.Name} | {kind} | `{types[channel.Name]}` | {string.Join(", ", channel.From)} | {to} |\n");
         }
 
         const string Status = $"| MANAGER{StatusSuffix} | message | `{nameof(ManagerStatus)}` | every manager |";

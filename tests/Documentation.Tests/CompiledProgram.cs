@@ -24,8 +24,10 @@ internal static class CompiledProgram
         var parse = new CSharpParseOptions(LanguageVersion.Latest);
         IEnumerable<SyntaxTree> trees = blocks.Select(
             b => CSharpSyntaxTree.ParseText(SourceText.From(b.Padded), parse, path: b.Document));
-        bool isProgram = trees.Any(t => t.GetCompilationUnitRoot().Members.Any(m => m.IsKind(SyntaxKind.GlobalStatement)));
-        var options = new CSharpCompilationOptions(isProgram ? OutputKind.ConsoleApplication : OutputKind.DynamicallyLinkedLibrary)
+        bool isProgram = trees.Any(
+            t => t.GetCompilationUnitRoot().Members.Any(m => m.IsKind(SyntaxKind.GlobalStatement)));
+        var options = new CSharpCompilationOptions(
+            isProgram ? OutputKind.ConsoleApplication : OutputKind.DynamicallyLinkedLibrary)
             .WithNullableContextOptions(NullableContextOptions.Enable)
             .WithOptimizationLevel(OptimizationLevel.Release);
         var compilation = CSharpCompilation.Create("document-" + blocks[^1].Line, trees, References.Value, options);
@@ -56,11 +58,14 @@ internal static class CompiledProgram
         }
     }
 
-    /// <summary>Runs all facts of the test classes in an assembly, each on an instance of its own. How many there were.</summary>
+    /// <summary>
+    /// Runs all facts of the test classes in an assembly, each on an instance of its own. How many there were.
+    /// </summary>
     public static int RunFacts(Assembly tests)
     {
         int count = 0;
-        foreach (MethodInfo fact in tests.GetTypes().SelectMany(t => t.GetMethods()).Where(m => m.GetCustomAttribute<FactAttribute>() is not null))
+        foreach (MethodInfo fact in tests.GetTypes().SelectMany(t => t.GetMethods())
+            .Where(m => m.GetCustomAttribute<FactAttribute>() is not null))
         {
             fact.Invoke(Activator.CreateInstance(fact.DeclaringType!), []);
             count++;

@@ -43,8 +43,13 @@ public sealed class DocumentBlock(string document, int line, string language, st
             if (end < 0)
                 throw new InvalidDataException($"{document}:{i + 1}: the block has no end.");
             string before = i > 0 ? lines[i - 1].Trim() : string.Empty;
-            string marker = before.StartsWith("<!--", StringComparison.Ordinal) ? before.Trim('<', '!', '-', '>', ' ') : string.Empty;
-            blocks.Add(new DocumentBlock(document, i + 1, lines[i].Substring(Fence.Length).Trim(), marker, string.Join("\n", lines[(i + 1)..end])));
+            string marker = before.StartsWith("<!--", StringComparison.Ordinal)
+                ? before.Trim('<', '!', '-', '>', ' ')
+                : string.Empty;
+            blocks.Add(
+                new DocumentBlock(
+                    document, i + 1, lines[i].Substring(Fence.Length).Trim(), marker,
+                    string.Join("\n", lines[(i + 1)..end])));
             i = end;
         }
 

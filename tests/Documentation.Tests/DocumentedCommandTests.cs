@@ -12,9 +12,11 @@ namespace Rabit.Documentation.Tests;
 public sealed class DocumentedCommandTests
 {
     private static readonly Regex Run = new(
-        @"dotnet run (?:-c Release )?--project (samples|benchmarks)/([\w.]+)(?: -- ([^\n`#]*))?", RegexOptions.None, TimeSpan.FromSeconds(5));
+        @"dotnet run (?:-c Release )?--project (samples|benchmarks)/([\w.]+)(?: -- ([^\n`#]*))?", RegexOptions.None,
+        TimeSpan.FromSeconds(5));
 
-    private static readonly Regex Published = new(@"dotnet \S*/?(UavConsole|SimulatedVehicle)\.dll ([^\n`#]*)", RegexOptions.None, TimeSpan.FromSeconds(5));
+    private static readonly Regex Published = new(
+        @"dotnet \S*/?(UavConsole|SimulatedVehicle)\.dll ([^\n`#]*)", RegexOptions.None, TimeSpan.FromSeconds(5));
     private static readonly Regex Option = new(@"(?<=^|\s)--[a-z][\w-]*", RegexOptions.None, TimeSpan.FromSeconds(5));
 
     [Fact]
@@ -37,11 +39,13 @@ public sealed class DocumentedCommandTests
                     continue;
                 }
 
-                string source = string.Concat(Directory.EnumerateFiles(full, "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText));
+                string source = string.Concat(
+                    Directory.EnumerateFiles(full, "*.cs", SearchOption.AllDirectories).Select(File.ReadAllText));
                 foreach (string option in Option.Matches(arguments).Select(m => m.Value))
                 {
                     options++;
-                    if (!source.Contains($"\"{option}\"", StringComparison.Ordinal) && !IsOfBenchmarkDotNet(folder, option))
+                    if (!source.Contains($"\"{option}\"", StringComparison.Ordinal)
+                        && !IsOfBenchmarkDotNet(folder, option))
                         faults.Add($"{document}: {folder} has no option {option}");
                 }
             }

@@ -12,7 +12,8 @@ namespace Rabit.Documentation.Tests;
 /// <summary>Links between the documents, and from them to files, lead somewhere.</summary>
 public sealed class DocumentedLinkTests
 {
-    private static readonly Regex Link = new(@"\]\((?!https?:|mailto:)([^)\s]+)\)", RegexOptions.None, TimeSpan.FromSeconds(5));
+    private static readonly Regex Link = new(
+        @"\]\((?!https?:|mailto:)([^)\s]+)\)", RegexOptions.None, TimeSpan.FromSeconds(5));
     private static readonly Regex Heading = new(@"^#+ +(.+)$", RegexOptions.Multiline, TimeSpan.FromSeconds(5));
 
     [Fact]
@@ -39,10 +40,12 @@ public sealed class DocumentedLinkTests
         string full = Path.GetFullPath(Path.Combine(Repository.Root, path));
         if (!File.Exists(full) && !Directory.Exists(full))
             return false;
-        return parts.Length == 1 || !File.Exists(full) || Slugs(File.ReadAllText(full)).Contains(parts[1], StringComparer.Ordinal);
+        return parts.Length == 1 || !File.Exists(full)
+            || Slugs(File.ReadAllText(full)).Contains(parts[1], StringComparer.Ordinal);
     }
 
-    // As GitHub makes them: lower case, spaces become hyphens, and of the rest only letters, digits, hyphens and underscores stay.
+    // As GitHub makes them: lower case, spaces become hyphens, and of the rest only letters, digits, hyphens and
+    // underscores stay.
     private static IEnumerable<string> Slugs(string text) => Heading.Matches(text).Select(m =>
     {
         var slug = new StringBuilder();

@@ -9,9 +9,10 @@ using Xunit;
 namespace Rabit.Documentation.Tests;
 
 /// <summary>
-/// Every C# block of the pages that users copy from compiles, and runs where it can. A comment on the line before a block says more:
-/// <c>runs</c> (and prints the <c>text</c> block that follows, if there is one), <c>runs in virtual time</c> (the same with the argument
-/// --virtual), <c>test of the program above</c> (its facts pass), <c>part of FILE</c> (it stands in that file, which CI builds).
+/// Every C# block of the pages that users copy from compiles, and runs where it can. A comment on the line before a
+/// block says more: <c>runs</c> (and prints the <c>text</c> block that follows, if there is one),
+/// <c>runs in virtual time</c> (the same with the argument --virtual), <c>test of the program above</c> (its facts
+/// pass), <c>part of FILE</c> (it stands in that file, which CI builds).
 /// </summary>
 public sealed class DocumentedProgramTests
 {
@@ -19,7 +20,8 @@ public sealed class DocumentedProgramTests
 
     private static readonly string[] Documents =
     [
-        "docs/getting-started.md", "docs/how-to.md", "docs/camera-folder.md", "docs/managers/image-processing.md", "src/Rabit.Vision/README.md",
+        "docs/getting-started.md", "docs/how-to.md", "docs/camera-folder.md", "docs/managers/image-processing.md",
+        "src/Rabit.Vision/README.md",
     ];
 
     public static TheoryData<string, int> Blocks()
@@ -54,7 +56,8 @@ public sealed class DocumentedProgramTests
                 break;
             case "test of the program above":
                 DocumentBlock program = blocks.Take(index).Last(b => b.Language == "csharp");
-                Assert.True(CompiledProgram.RunFacts(CompiledProgram.Compile(program, block)) > 0, $"{block} has no test.");
+                Assert.True(
+                    CompiledProgram.RunFacts(CompiledProgram.Compile(program, block)) > 0, $"{block} has no test.");
                 break;
             case string part when part.StartsWith(PartOf, StringComparison.Ordinal):
                 AssertIsPartOf(block, part.Substring(PartOf.Length));
@@ -75,7 +78,8 @@ public sealed class DocumentedProgramTests
 
     private static void AssertIsPartOf(DocumentBlock block, string file)
     {
-        string[] lines = File.ReadAllLines(Path.Combine(Repository.Root, file)).Select(l => l.Trim()).Where(l => l.Length > 0).ToArray();
+        string[] lines = File.ReadAllLines(Path.Combine(Repository.Root, file)).Select(l => l.Trim())
+            .Where(l => l.Length > 0).ToArray();
         string[] part = block.Text.Split('\n').Select(l => l.Trim()).Where(l => l.Length > 0).ToArray();
         bool isPart = Enumerable.Range(0, Math.Max(0, lines.Length - part.Length + 1))
             .Any(at => lines.Skip(at).Take(part.Length).SequenceEqual(part, StringComparer.Ordinal));

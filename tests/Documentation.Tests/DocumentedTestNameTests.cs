@@ -7,15 +7,16 @@ using Xunit;
 namespace Rabit.Documentation.Tests;
 
 /// <summary>
-/// The tests that documents name are there: <c>Class</c>, <c>Class.Method</c>, <c>Class.Method_...</c>, and, behind one of
-/// these, <c>..._End</c> or <c>Begin_...</c> of another method of the same class.
+/// The tests that documents name are there: <c>Class</c>, <c>Class.Method</c>, <c>Class.Method_...</c>, and, behind one
+/// of these, <c>..._End</c> or <c>Begin_...</c> of another method of the same class.
 /// </summary>
 public sealed class DocumentedTestNameTests
 {
     private const string Omission = "...";
 
     private static readonly Regex Quoted = new("`([^`]+)`", RegexOptions.Compiled);
-    private static readonly Regex ClassName = new(@"^(?<class>\w+(?:Tests|Contract))(?:\.(?<method>(?!cs$)\w+))?(?:\.\.\.)?$", RegexOptions.Compiled);
+    private static readonly Regex ClassName = new(
+        @"^(?<class>\w+(?:Tests|Contract))(?:\.(?<method>(?!cs$)\w+))?(?:\.\.\.)?$", RegexOptions.Compiled);
     private static readonly Regex End = new(@"^\.\.\._(?<end>\w+)$", RegexOptions.Compiled);
     private static readonly Regex Begin = new(@"^(?<begin>\w+_)\.\.\.$", RegexOptions.Compiled);
     private static readonly Regex Declaration = new(
@@ -27,7 +28,9 @@ public sealed class DocumentedTestNameTests
     {
         Dictionary<string, HashSet<string>> tests = TestsByClass();
         string[] missing = DocumentFiles.All
-            .SelectMany(d => SourceFiles.Lines(d).SelectMany((line, i) => Missing(line, tests).Select(n => $"{d}:{i + 1}: {n}")))
+            .SelectMany(
+                d => SourceFiles.Lines(d)
+                    .SelectMany((line, i) => Missing(line, tests).Select(n => $"{d}:{i + 1}: {n}")))
             .ToArray();
 
         Assert.True(missing.Length == 0, string.Join(Environment.NewLine, missing));
@@ -50,7 +53,8 @@ public sealed class DocumentedTestNameTests
             if (ClassName.Match(quoted) is { Success: true } named)
             {
                 string method = named.Groups["method"].Value;
-                isThere = tests.TryGetValue(named.Groups["class"].Value, out current) && IsThere(current, method, quoted);
+                isThere = tests.TryGetValue(named.Groups["class"].Value, out current)
+                    && IsThere(current, method, quoted);
             }
             else if (current is not null && End.Match(quoted) is { Success: true } end)
             {
@@ -68,10 +72,11 @@ public sealed class DocumentedTestNameTests
 
     private static bool IsThere(HashSet<string> methods, string method, string quoted)
         => method.Length == 0 || methods.Contains(method)
-            || (quoted.EndsWith(Omission, StringComparison.Ordinal) && methods.Any(m => m.StartsWith(method, StringComparison.Ordinal)));
+            || (quoted.EndsWith(Omission, StringComparison.Ordinal)
+                && methods.Any(m => m.StartsWith(method, StringComparison.Ordinal)));
 
-    // By the text of the sources: this project does not refer to the others. A file with several classes gives each of them all of
-    // its methods, and a class has those of the class that it derives from.
+    // By the text of the sources: this project does not refer to the others. A file with several classes gives each of
+    // them all of its methods, and a class has those of the class that it derives from.
     private static Dictionary<string, HashSet<string>> TestsByClass()
     {
         var methods = new Dictionary<string, HashSet<string>>(StringComparer.Ordinal);

@@ -21,9 +21,12 @@ internal sealed class WiringGraph
             if (Box.Match(line) is { Success: true } box)
                 owners.Add(box.Groups[1].Value, box.Groups[2].Value);
             else if (Channel.Match(line) is { Success: true } channel)
-                channels.Add(channel.Groups[1].Value, new WiringChannel(channel.Groups[3].Value, channel.Groups[2].Value == "(["));
+                channels.Add(
+                    channel.Groups[1].Value,
+                    new WiringChannel(channel.Groups[3].Value, channel.Groups[2].Value == "(["));
             else if (Arrow.Match(line) is { Success: true } arrow)
-                AddArrow(owners, channels, arrow.Groups[1].Value, arrow.Groups[3].Value, arrow.Groups[2].Value == "==>");
+                AddArrow(
+                    owners, channels, arrow.Groups[1].Value, arrow.Groups[3].Value, arrow.Groups[2].Value == "==>");
             else
                 throw new FormatException($"'{line}' is not a line of a wiring.");
         }
@@ -42,7 +45,8 @@ internal sealed class WiringGraph
     public static bool IsDevice(string owner) => owner.Contains('/', StringComparison.Ordinal);
 
     private static void AddArrow(
-        Dictionary<string, string> owners, Dictionary<string, WiringChannel> channels, string from, string to, bool wakes)
+        Dictionary<string, string> owners, Dictionary<string, WiringChannel> channels, string from, string to,
+        bool wakes)
     {
         if (channels.TryGetValue(to, out WiringChannel? into))
             into.From.Add(owners[from]);

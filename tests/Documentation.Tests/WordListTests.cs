@@ -26,10 +26,12 @@ public sealed class WordListTests(ITestOutputHelper output)
     [Fact]
     public void Words_OfTheList_AreNotUsed()
     {
-        string[] code = [.. new[] { "src", "samples", "tests", "benchmarks" }.SelectMany(f => SourceFiles.Below(f, "*.cs"))];
+        string[] code =
+            [.. new[] { "src", "samples", "tests", "benchmarks" }.SelectMany(f => SourceFiles.Below(f, "*.cs"))];
         string[] documents =
         [
-            .. new[] { "docs", "src", "benchmarks" }.SelectMany(f => SourceFiles.Below(f, "*.md")), "README.md", "CONTRIBUTING.md",
+            .. new[] { "docs", "src", "benchmarks" }.SelectMany(f => SourceFiles.Below(f, "*.md")), "README.md",
+            "CONTRIBUTING.md",
         ];
         string[] faults = [.. Find(Entries("word"), [.. code, .. documents]), .. Find(Entries("name"), code)];
 

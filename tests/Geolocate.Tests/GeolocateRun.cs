@@ -30,7 +30,9 @@ internal sealed class GeolocateRun : IDisposable
     /// <summary>Of the last run with --json.</summary>
     public JsonElement Json => JsonDocument.Parse(Output).RootElement;
 
-    public GeodeticPosition Place => GeodeticPosition.FromDegrees(Json.Number("latitudeDegrees"), Json.Number("longitudeDegrees"), Json.Number("altitudeAmslMetres"));
+    public GeodeticPosition Place
+        => GeodeticPosition.FromDegrees(
+            Json.Number("latitudeDegrees"), Json.Number("longitudeDegrees"), Json.Number("altitudeAmslMetres"));
 
     public string File(string name, string text)
     {

@@ -57,7 +57,9 @@ public sealed class GeolocateTelemetryTests : IDisposable
             lines[i] = (i == 0 ? "note," : "0,") + string.Join(",", words);
         }
 
-        Assert.Equal(0, _run.Run(_camera, _request, "--telemetry", _run.File("turned.csv", string.Join("\n", lines)), "--time", "102.04", "--json"));
+        Assert.Equal(0, _run.Run(
+            _camera, _request, "--telemetry", _run.File("turned.csv", string.Join("\n", lines)), "--time", "102.04",
+            "--json"));
         AssertBelow(102.04);
     }
 
@@ -74,7 +76,8 @@ public sealed class GeolocateTelemetryTests : IDisposable
 
     [Theory]
     [InlineData("timeSeconds,latitudeDegrees\n1,2", "names no column longitudeDegrees")]
-    [InlineData("timeSeconds,lat_deg\n1,2", "names a column lat_deg, of an older form of the file; it is latitudeDegrees now")]
+    [InlineData("timeSeconds,lat_deg\n1,2",
+        "names a column lat_deg, of an older form of the file; it is latitudeDegrees now")]
     [InlineData("1,2,3", "Line 1 of")]
     [InlineData("1,47,8,540,0,0,0,0,0,0\n2,47,8,540,0,0,0,0,zero,0", "Line 2 of")]
     public void Table_Wrong_IsNamed(string text, string message)
@@ -98,8 +101,11 @@ public sealed class GeolocateTelemetryTests : IDisposable
     {
         string log = TestData.PathOf("ardupilot-flight.tlog");
         (double seconds, GeodeticPosition vehicle) = HighestPlace(log);
-        string request = _run.File("level.json", FormattableString.Invariant($$"""{"groundAltitudeAmslMetres":{{vehicle.AltitudeAmslMetres - 30}},"pixel":[319.5,239.5]}"""));
-        Assert.Equal(0, _run.Run(_camera, request, "--telemetry", log, "--time", seconds.ToString("R", CultureInfo.InvariantCulture), "--json"));
+        string request = _run.File("level.json", FormattableString.Invariant(
+            $$"""{"groundAltitudeAmslMetres":{{vehicle.AltitudeAmslMetres - 30}},"pixel":[319.5,239.5]}"""));
+        Assert.Equal(0, _run.Run(
+            _camera, request, "--telemetry", log, "--time", seconds.ToString("R", CultureInfo.InvariantCulture),
+            "--json"));
         NedPosition ned = LocalNedFrame.IgnoringGeoid(vehicle).ToNed(_run.Place);
         Assert.True(Math.Sqrt((ned.North * ned.North) + (ned.East * ned.East)) < 20, $"{ned.North} {ned.East}");
         Assert.Equal(2, _run.Run(_camera, request, "--telemetry", log, "--time", "1000000"));
@@ -129,12 +135,14 @@ public sealed class GeolocateTelemetryTests : IDisposable
 
     private string Table(string name)
     {
-        var text = new StringBuilder("timeSeconds,latitudeDegrees,longitudeDegrees,altitudeAmslMetres,velocityNorthMetresPerSecond,velocityEastMetresPerSecond,velocityDownMetresPerSecond,rollDegrees,pitchDegrees,yawDegrees\n");
+        var text = new StringBuilder(
+            "timeSeconds,latitudeDegrees,longitudeDegrees,altitudeAmslMetres,velocityNorthMetresPerSecond,velocityEastMetresPerSecond,velocityDownMetresPerSecond,rollDegrees,pitchDegrees,yawDegrees\n");
         for (int tenth = 1000; tenth <= 1100; tenth++)
         {
             GeodeticPosition p = World.ToGeodetic(new NedPosition(North(tenth / 10.0), 0, 0));
             if (IsThere(tenth))
-                text.Append(FormattableString.Invariant($"{tenth / 10.0},{p.Latitude.Degrees:R},{p.Longitude.Degrees:R},{p.AltitudeAmslMetres:R},18,0,0,{Roll(tenth / 10.0):R},0,0\n"));
+                text.Append(FormattableString.Invariant(
+                    $"{tenth / 10.0},{p.Latitude.Degrees:R},{p.Longitude.Degrees:R},{p.AltitudeAmslMetres:R},18,0,0,{Roll(tenth / 10.0):R},0,0\n"));
         }
 
         return _run.File(name, text.ToString());
@@ -160,7 +168,10 @@ public sealed class GeolocateTelemetryTests : IDisposable
                 Vx = 1800,
             };
             Write(seconds, place, system: 1);
-            Write(seconds, new Attitude { TimeBootMs = (uint)(tenth * 100), Roll = (float)(Roll(seconds) * Vectors.Degree) }, system: 1);
+            Write(
+                seconds,
+                new Attitude { TimeBootMs = (uint)(tenth * 100), Roll = (float)(Roll(seconds) * Vectors.Degree) },
+                system: 1);
 
             // Another vehicle, which is none of ours.
             Write(seconds, new Attitude { TimeBootMs = (uint)(tenth * 100), Roll = 1 }, system: 9);
@@ -170,7 +181,8 @@ public sealed class GeolocateTelemetryTests : IDisposable
 
         void Write<T>(double seconds, T message, byte system)
             where T : struct, IMavlinkMessage
-            => writer.Write(StampMicroseconds + (long)Math.Round(seconds * 1e6), MavlinkFrame.Create(message, system, 1, 0));
+            => writer.Write(
+                StampMicroseconds + (long)Math.Round(seconds * 1e6), MavlinkFrame.Create(message, system, 1, 0));
     }
 
     private static (double Seconds, GeodeticPosition Place) HighestPlace(string log)
@@ -180,8 +192,10 @@ public sealed class GeolocateTelemetryTests : IDisposable
         (double seconds, GeodeticPosition best) = (0, GeodeticPosition.FromDegrees(0, 0, -1000));
         while (reader.TryRead(out MavlinkFrame frame, out _))
         {
-            if (frame.MessageId == GlobalPositionInt.MavlinkId && frame.TryDecode(out GlobalPositionInt p) && p.Alt / 1000.0 > best.AltitudeAmslMetres)
-                (seconds, best) = (p.TimeBootMs / 1000.0, GeodeticPosition.FromDegrees(p.Lat / DegE7, p.Lon / DegE7, p.Alt / 1000.0));
+            if (frame.MessageId == GlobalPositionInt.MavlinkId && frame.TryDecode(out GlobalPositionInt p)
+                && p.Alt / 1000.0 > best.AltitudeAmslMetres)
+                (seconds, best) =
+                    (p.TimeBootMs / 1000.0, GeodeticPosition.FromDegrees(p.Lat / DegE7, p.Lon / DegE7, p.Alt / 1000.0));
         }
 
         return (seconds, best);

@@ -25,7 +25,8 @@ public sealed class GeolocateTests : IDisposable
     public void Json_Vectors_AreLocatedOrRefusedAsTheReferenceDoes()
     {
         (int located, int refused) = (0, 0);
-        foreach (JsonElement c in Vectors.Geolocation.Each("flat").Where((_, i) => i % (Vectors.AreWhole ? 10 : 2) == 0 || i > 1050))
+        foreach (JsonElement c
+            in Vectors.Geolocation.Each("flat").Where((_, i) => i % (Vectors.AreWhole ? 10 : 2) == 0 || i > 1050))
         {
             JsonElement mount = c.GetProperty("mount");
             string request = Text($$"""
@@ -43,7 +44,9 @@ public sealed class GeolocateTests : IDisposable
 
             Assert.Equal(2, code);
             Assert.Equal("refused", _run.Json.Text("status"));
-            Assert.Equal(c.Text("reason") == "camera_below_ground" ? "CameraBelowGround" : "NearHorizon", _run.Json.Text("reason"));
+            Assert.Equal(
+                c.Text("reason") == "camera_below_ground" ? "CameraBelowGround" : "NearHorizon",
+                _run.Json.Text("reason"));
             refused++;
         }
 
@@ -65,7 +68,8 @@ public sealed class GeolocateTests : IDisposable
         NedPosition ned = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47, 8, 540)).ToNed(_run.Place);
         Assert.Equal((-7.547, 7.547), (Math.Round(ned.North, 3), Math.Round(ned.East, 3)));
         double[] covariance = _run.Json.Numbers("systematicCovarianceSquareMetres");
-        Assert.True(covariance[0] > 1 && covariance[2] > 1 && _run.Json.Number("ellipse95HalfMajorAxisMetres") >= _run.Json.Number("ellipse95HalfMinorAxisMetres"));
+        Assert.True(covariance[0] > 1 && covariance[2] > 1
+            && _run.Json.Number("ellipse95HalfMajorAxisMetres") >= _run.Json.Number("ellipse95HalfMinorAxisMetres"));
     }
 
     [Fact]
@@ -73,7 +77,8 @@ public sealed class GeolocateTests : IDisposable
     {
         // 45 degrees up from straight down: what lies 40 m ahead is on the optical axis.
         string camera = _run.File("camera.json", GeolocateRun.Camera.Replace(
-            "\"gimbal\":{}", "\"bodyFromCamera\":[[0,-0.70710678118654752,0.70710678118654752],[1,0,0],[0,0.70710678118654752,0.70710678118654752]]"));
+            "\"gimbal\":{}",
+            "\"bodyFromCamera\":[[0,-0.70710678118654752,0.70710678118654752],[1,0,0],[0,0.70710678118654752,0.70710678118654752]]"));
         Assert.Equal(0, _run.RunWith(GeolocateRun.Pose, camera, "-", "--json"));
         NedPosition ned = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47, 8, 540)).ToNed(_run.Place);
         Assert.Equal((40, 0), (Math.Round(ned.North, 3), Math.Round(ned.East, 3) + 0.0));
@@ -89,9 +94,13 @@ public sealed class GeolocateTests : IDisposable
         string grid = _run.File("grid.asc", Grid((row, column) => column is 7 or 8 ? -9999 : 510));
         Assert.Equal(0, _run.Run(camera, request, "--terrain", grid, "--json"));
         Assert.Equal(510, _run.Json.Number("altitudeAmslMetres"), 0.01);
-        Assert.Equal(2, _run.Run(camera, _run.File("east.json", GeolocateRun.Pose.Replace("\"rollDegrees\":0", "\"rollDegrees\":-48")), "--terrain", grid, "--json"));
+        Assert.Equal(2, _run.Run(
+            camera, _run.File("east.json", GeolocateRun.Pose.Replace("\"rollDegrees\":0", "\"rollDegrees\":-48")),
+            "--terrain", grid, "--json"));
         Assert.Equal("NoTerrainData", _run.Json.Text("reason"));
-        Assert.Equal(2, _run.Run(camera, _run.File("north.json", GeolocateRun.Pose.Replace("\"pitchDegrees\":0", "\"pitchDegrees\":75")), "--terrain", grid));
+        Assert.Equal(2, _run.Run(
+            camera, _run.File("north.json", GeolocateRun.Pose.Replace("\"pitchDegrees\":0", "\"pitchDegrees\":75")),
+            "--terrain", grid));
         Assert.StartsWith("refused: LeavesTerrain: ", _run.Output, StringComparison.Ordinal);
         Assert.Equal(1, _run.Run(camera, request, "--terrain", _run.File("bad.asc", "ncols 5")));
     }
@@ -102,7 +111,9 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("[319.5,239.5]", "[640,10]", "OutsidePicture")]
     public void Text_NoPlace_GivesTheReason(string before, string after, string reason)
     {
-        Assert.Equal(2, _run.RunWith(GeolocateRun.Pose.Replace(before, after), _run.File("camera.json", GeolocateRun.Camera), "-"));
+        Assert.Equal(
+            2,
+            _run.RunWith(GeolocateRun.Pose.Replace(before, after), _run.File("camera.json", GeolocateRun.Camera), "-"));
         Assert.StartsWith($"refused: {reason}: ", _run.Output, StringComparison.Ordinal);
         Assert.True(_run.Output.Trim().Length > reason.Length + 25, "no reason for people");
     }
@@ -125,12 +136,16 @@ public sealed class GeolocateTests : IDisposable
     }
 
     [Theory]
-    [InlineData("\"latitudeDegrees\":47", "\"latitudeDegrees\":147", "pose.latitudeDegrees is 147; it must be -90 to 90")]
-    [InlineData("\"longitudeDegrees\":8", "\"longitudeDegrees\":-188", "pose.longitudeDegrees is -188; it must be -180 to 180")]
-    [InlineData("\"pixel\"", "\"gimbl\":{},\"pixel\"", "gimbl is unknown; there are pose, gimbal, groundAltitudeAmslMetres, pixel")]
+    [InlineData("\"latitudeDegrees\":47", "\"latitudeDegrees\":147",
+        "pose.latitudeDegrees is 147; it must be -90 to 90")]
+    [InlineData("\"longitudeDegrees\":8", "\"longitudeDegrees\":-188",
+        "pose.longitudeDegrees is -188; it must be -180 to 180")]
+    [InlineData("\"pixel\"", "\"gimbl\":{},\"pixel\"",
+        "gimbl is unknown; there are pose, gimbal, groundAltitudeAmslMetres, pixel")]
     [InlineData("\"rollDegrees\":0", "\"rolDegrees\":3,\"rollDegrees\":0", "pose.rolDegrees is unknown")]
     [InlineData("\"rollDegrees\":0", "\"rollDegrees\":3,\"rollDegrees\":0", "pose.rollDegrees is there twice")]
-    [InlineData("\"pixel\"", "\"gimbal\":{\"pitch\":-60},\"pixel\"", "gimbal.pitch is unknown; there are pitchDegrees, yawDegrees")]
+    [InlineData("\"pixel\"", "\"gimbal\":{\"pitch\":-60},\"pixel\"",
+        "gimbal.pitch is unknown; there are pitchDegrees, yawDegrees")]
     [InlineData("\"rollDegrees\":0", "\"rollDegrees\":\"0\"", "pose.rollDegrees is \"0\"; it must be a number")]
     [InlineData("\"rollDegrees\":0", "\"rollDegrees\":null", "pose.rollDegrees is null; it must be a number")]
     [InlineData("[319.5,239.5]", "[319.5]", "pixel is [319.5]; it must be a list of two numbers")]
@@ -150,12 +165,15 @@ public sealed class GeolocateTests : IDisposable
     }
 
     [Theory]
-    [InlineData("latitudeDegrees", "lat_deg", "pose.lat_deg is of an older form of the file; it is pose.latitudeDegrees now")]
+    [InlineData("latitudeDegrees", "lat_deg",
+        "pose.lat_deg is of an older form of the file; it is pose.latitudeDegrees now")]
     [InlineData("yawDegrees", "yaw_deg", "pose.yaw_deg is of an older form of the file; it is pose.yawDegrees now")]
-    [InlineData("groundAltitudeAmslMetres", "ground_alt_m", "ground_alt_m is of an older form of the file; it is groundAltitudeAmslMetres now")]
+    [InlineData("groundAltitudeAmslMetres", "ground_alt_m",
+        "ground_alt_m is of an older form of the file; it is groundAltitudeAmslMetres now")]
     public void BadInput_NameOfTheOldForm_IsRefusedWithTheNewOne(string now, string old, string message)
     {
-        Assert.Equal(1, _run.RunWith(GeolocateRun.Pose.Replace(now, old), _run.File("camera.json", GeolocateRun.Camera), "-"));
+        Assert.Equal(
+            1, _run.RunWith(GeolocateRun.Pose.Replace(now, old), _run.File("camera.json", GeolocateRun.Camera), "-"));
         Assert.Equal("the standard input: " + message, _run.Errors.TrimEnd());
     }
 
@@ -210,7 +228,9 @@ public sealed class GeolocateTests : IDisposable
         (int Code, bool HasOutput) Start(string more)
         {
             using Process process = Process.Start(new ProcessStartInfo(
-                isMono ? "mono" : "dotnet", $"\"{program}\" \"{Path.Combine(sample, "camera.json")}\" \"{Path.Combine(sample, "request.json")}\" {more}")
+                isMono ? "mono" : "dotnet",
+                $"\"{program}\" \"{Path.Combine(sample, "camera.json")}\" \"{Path.Combine(sample, "request.json")}\" "
+                    + $"{more}")
             {
                 UseShellExecute = false,
                 RedirectStandardOutput = true,
@@ -238,8 +258,11 @@ public sealed class GeolocateTests : IDisposable
 
     private static string Grid(Func<int, int, int> height)
     {
-        IEnumerable<string> rows = Enumerable.Range(0, 11).Select(r => string.Join(" ", Enumerable.Range(0, 11).Select(c => height(r, c).ToString(CultureInfo.InvariantCulture))));
-        return "ncols 11\nnrows 11\nxllcenter 7.999\nyllcenter 46.9995\ndx 0.0002\ndy 0.0001\nNODATA_value -9999\n" + string.Join("\n", rows) + "\n";
+        IEnumerable<string> rows = Enumerable.Range(0, 11).Select(
+            r => string.Join(
+                " ", Enumerable.Range(0, 11).Select(c => height(r, c).ToString(CultureInfo.InvariantCulture))));
+        return "ncols 11\nnrows 11\nxllcenter 7.999\nyllcenter 46.9995\ndx 0.0002\ndy 0.0001\nNODATA_value -9999\n"
+            + string.Join("\n", rows) + "\n";
     }
 
     private static string Text(FormattableString text) => FormattableString.Invariant(text);

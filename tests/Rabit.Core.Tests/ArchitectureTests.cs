@@ -9,7 +9,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests;
 
-/// <summary>Dependency and source rules that a test can check: what the package may use, and how its sources are made.</summary>
+/// <summary>
+/// Dependency and source rules that a test can check: what the package may use, and how its sources are made.
+/// </summary>
 public sealed class ArchitectureTests
 {
     private static readonly Assembly Core = typeof(RabitManager).Assembly;
@@ -33,7 +35,8 @@ public sealed class ArchitectureTests
         string runtime = Path.GetDirectoryName(typeof(object).Assembly.Location)!;
         IEnumerable<string> brought = Core.GetReferencedAssemblies()
             .Select(Assembly.Load)
-            .Where(a => isDotNet && !string.Equals(Path.GetDirectoryName(a.Location), runtime, StringComparison.Ordinal))
+            .Where(
+                a => isDotNet && !string.Equals(Path.GetDirectoryName(a.Location), runtime, StringComparison.Ordinal))
             .Select(a => a.GetName().Name!);
 
         Assert.Empty(brought);
@@ -42,7 +45,8 @@ public sealed class ArchitectureTests
     [Fact, Trait("Clause", "4.1")]
     public void StaticFields_OfTheAssembly_AreReadOnly()
     {
-        const BindingFlags Statics = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+        const BindingFlags Statics = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic
+            | BindingFlags.DeclaredOnly;
         IEnumerable<string> changeable = Core.GetTypes()
             .Where(type => !type.IsDefined(typeof(CompilerGeneratedAttribute), inherit: false))
             .SelectMany(type => type.GetFields(Statics))
@@ -55,7 +59,9 @@ public sealed class ArchitectureTests
 
     [Fact]
     public void Namespaces_OfPublicTypes_AreOne()
-        => Assert.Equal("Rabit.Core", string.Join(", ", Core.GetExportedTypes().Select(t => t.Namespace!).Distinct(StringComparer.Ordinal)));
+        => Assert.Equal(
+            "Rabit.Core",
+            string.Join(", ", Core.GetExportedTypes().Select(t => t.Namespace!).Distinct(StringComparer.Ordinal)));
 
     [Fact]
     public void Namespaces_OfInternalTypes_AreTheirFolders()
@@ -85,6 +91,8 @@ public sealed class ArchitectureTests
     {
         string root = Path.Combine(Repository.Root, "src", "Rabit.Core");
         return Directory.GetFiles(root, "*.cs", SearchOption.AllDirectories)
-            .Select(file => (file.Substring(root.Length + 1).Replace(Path.DirectorySeparatorChar, '/'), File.ReadAllLines(file)));
+            .Select(
+                file => (file.Substring(root.Length + 1).Replace(Path.DirectorySeparatorChar, '/'),
+                    File.ReadAllLines(file)));
     }
 }

@@ -7,7 +7,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests;
 
-/// <summary>Every clause of the contract that is due has a test that names it, and every contract is kept in both kinds of time.</summary>
+/// <summary>
+/// Every clause of the contract that is due has a test that names it, and every contract is kept in both kinds of time.
+/// </summary>
 public sealed partial class ClauseCoverageTests
 {
     private static readonly string[] DueClauses =
@@ -70,7 +72,8 @@ public sealed partial class ClauseCoverageTests
 
     private static IEnumerable<string> Clauses(MemberInfo member)
         => from attribute in member.GetCustomAttributesData()
-           where attribute.AttributeType == typeof(TraitAttribute) && (string)attribute.ConstructorArguments[0].Value! == "Clause"
+           where attribute.AttributeType == typeof(TraitAttribute)
+               && (string)attribute.ConstructorArguments[0].Value! == "Clause"
            select (string)attribute.ConstructorArguments[1].Value!;
 
     private static TimeKind? KindOf(Type type)

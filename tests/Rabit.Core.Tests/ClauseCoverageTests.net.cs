@@ -8,7 +8,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests;
 
-/// <summary>The table of the clauses in the docs. Some test classes are of .NET alone, so the table is compared there.</summary>
+/// <summary>
+/// The table of the clauses in the docs. Some test classes are of .NET alone, so the table is compared there.
+/// </summary>
 public sealed partial class ClauseCoverageTests
 {
     /// <summary>With RABIT_UPDATE_CONTRACT=1 the table is written instead.</summary>
@@ -26,7 +28,10 @@ public sealed partial class ClauseCoverageTests
     }
 
     private static string? ClauseOf(string line)
-        => line.Split('|') is { Length: 5 } cells && cells[1].Trim() is { Length: > 2 } clause && char.IsDigit(clause[0]) ? clause : null;
+        => line.Split('|') is { Length: 5 } cells && cells[1].Trim() is { Length: > 2 } clause
+            && char.IsDigit(clause[0])
+            ? clause
+            : null;
 
     private static string WithTests(string line)
     {
@@ -38,7 +43,8 @@ public sealed partial class ClauseCoverageTests
             .Distinct()
             .OrderBy(name => name, StringComparer.Ordinal);
         string[] cells = line.Split('|');
-        string[] benchmarks = cells[3].Split(';').Select(c => c.Trim()).Where(c => c.StartsWith("bench: ", StringComparison.Ordinal)).ToArray();
+        string[] benchmarks = cells[3].Split(';').Select(c => c.Trim())
+            .Where(c => c.StartsWith("bench: ", StringComparison.Ordinal)).ToArray();
         cells[3] = " " + string.Join("; ", new[] { string.Join(", ", tests) }.Concat(benchmarks)) + " ";
         return string.Join("|", cells);
     }

@@ -29,8 +29,11 @@ public sealed class GeodesyTests(ITestOutputHelper output)
             double latitude = back.Point.Latitude.Degrees - c.Number("lat");
             Assert.True(Math.Abs(latitude) <= Degrees, $"{c}: latitude off by {latitude}");
             if (!c.TryGetProperty("lon_undefined", out _) && !c.TryGetProperty("lon_ill_conditioned", out _))
-                Assert.True(Math.Abs(Turn(back.Point.Longitude.Degrees, c.Number("lon"))) <= Degrees, $"{c}: longitude {back.Point.Longitude}");
-            worstBack = Math.Max(worstBack, Math.Max(Distance(expected, back.ToEcef()), Math.Abs(back.Height.Metres - c.Number("h"))));
+                Assert.True(
+                    Math.Abs(Turn(back.Point.Longitude.Degrees, c.Number("lon"))) <= Degrees,
+                    $"{c}: longitude {back.Point.Longitude}");
+            worstBack = Math.Max(
+                worstBack, Math.Max(Distance(expected, back.ToEcef()), Math.Abs(back.Height.Metres - c.Number("h"))));
         }
 
         output.WriteLine($"ECEF {worst:E1} m, back {worstBack:E1} m");
@@ -51,7 +54,9 @@ public sealed class GeodesyTests(ITestOutputHelper output)
             worst = Math.Max(worst, Math.Abs(ned.Down + c.Number("u")));
             var expected = new NedPosition(c.Number("n"), c.Number("e"), -c.Number("u"));
             worst = Math.Max(worst, Distance(EllipsoidPlace(c).ToEcef(), frame.ToEllipsoid(expected).ToEcef()));
-            worst = Math.Max(worst, Distance(EllipsoidPlace(c).ToEcef(), frame.ToGeodetic(expected).ToEllipsoid(Undulation).ToEcef()));
+            worst = Math.Max(
+                worst,
+                Distance(EllipsoidPlace(c).ToEcef(), frame.ToGeodetic(expected).ToEllipsoid(Undulation).ToEcef()));
         }
 
         output.WriteLine($"local frame {worst:E1} m");
@@ -82,10 +87,12 @@ public sealed class GeodesyTests(ITestOutputHelper output)
         (double worst, double worstTurn) = (0, 0);
         foreach (JsonElement c in Vectors.Geodesy.Each("geodesic_direct"))
         {
-            GeographicPoint end = Geodesic.Direct(Point(c, "lat1", "lon1"), Angle.FromDegrees(c.Number("azi1")), c.Number("s12"), out Angle azimuth);
+            GeographicPoint end = Geodesic.Direct(
+                Point(c, "lat1", "lon1"), Angle.FromDegrees(c.Number("azi1")), c.Number("s12"), out Angle azimuth);
             worst = Math.Max(worst, Distance(Point(c, "lat2", "lon2"), end));
             double pole = Math.Cos(c.Radians("lat2"));
-            worstTurn = Math.Max(worstTurn, Math.Abs(Turn(azimuth.Degrees, c.Number("azi2"))) * Math.Min(1, pole * 1e3));
+            worstTurn = Math.Max(
+                worstTurn, Math.Abs(Turn(azimuth.Degrees, c.Number("azi2"))) * Math.Min(1, pole * 1e3));
         }
 
         output.WriteLine($"direct {worst:E1} m, azimuth {worstTurn:E1} deg");
@@ -106,15 +113,19 @@ public sealed class GeodesyTests(ITestOutputHelper output)
             worst = Math.Max(worst, error);
 
             // That the azimuths lead there holds everywhere, also where they are not the only ones.
-            GeographicPoint end = Geodesic.Direct(Point(c, "lat1", "lon1"), line.StartAzimuth, line.DistanceMetres, out _);
+            GeographicPoint end = Geodesic.Direct(
+                Point(c, "lat1", "lon1"), line.StartAzimuth, line.DistanceMetres, out _);
             double off = Distance(Point(c, "lat2", "lon2"), end);
             Assert.True(off <= Metres, $"{c}: {line.StartAzimuth.Degrees:R} leads {off} m beside");
             worstEnd = Math.Max(worstEnd, off);
             if (c.TryGetProperty("azi_not_unique", out _) || c.TryGetProperty("nearly_antipodal", out _))
                 continue;
-            double turn = Math.Max(Math.Abs(Turn(line.StartAzimuth.Degrees, c.Number("azi1"))), Math.Abs(Turn(line.EndAzimuth.Degrees, c.Number("azi2"))));
+            double turn = Math.Max(
+                Math.Abs(Turn(line.StartAzimuth.Degrees, c.Number("azi1"))),
+                Math.Abs(Turn(line.EndAzimuth.Degrees, c.Number("azi2"))));
 
-            // The reference, which was computed with doubles, is itself up to 1.4 nm beside on lines below 100 m (against 40 digits).
+            // The reference, which was computed with doubles, is itself up to 1.4 nm beside on lines below 100 m
+            // (against 40 digits).
             bool isGood = turn <= Degrees || (metres < 100 && turn * Vectors.Degree * metres <= 3e-9);
             Assert.True(isGood, $"{c}: {line.StartAzimuth.Degrees:R} {line.EndAzimuth.Degrees:R}");
             if (metres >= 100)
@@ -132,8 +143,10 @@ public sealed class GeodesyTests(ITestOutputHelper output)
         Assert.Equal(0, Geodesic.Inverse(here, here).DistanceMetres, 1e-9);
         for (int i = 0; i < 300; i++)
         {
-            GeographicPoint a = new(Angle.FromDegrees(numbers.Uniform(-90, 90)), Angle.FromDegrees(numbers.Uniform(-180, 180)));
-            GeographicPoint b = new(Angle.FromDegrees(numbers.Uniform(-90, 90)), Angle.FromDegrees(numbers.Uniform(-180, 180)));
+            GeographicPoint a = new(
+                Angle.FromDegrees(numbers.Uniform(-90, 90)), Angle.FromDegrees(numbers.Uniform(-180, 180)));
+            GeographicPoint b = new(
+                Angle.FromDegrees(numbers.Uniform(-90, 90)), Angle.FromDegrees(numbers.Uniform(-180, 180)));
             double there = Geodesic.Inverse(a, b).DistanceMetres;
             Assert.True(Math.Abs(there - Geodesic.Inverse(b, a).DistanceMetres) < 1e-7, $"seed 5, case {i}");
             Assert.True(there < 20_003_932, $"seed 5, case {i}: no way is longer than half a meridian");
@@ -208,13 +221,20 @@ public sealed class GeodesyTests(ITestOutputHelper output)
         for (int i = 0; i < 20_000; i++)
         {
             // Every other place lies within a kilometre of the edge of a band, every third one of that of a zone.
-            double latitude = i % 2 == 0 ? numbers.Uniform(-80, 84) : -80 + (8 * numbers.Below(21)) + numbers.Uniform(-0.01, 0.01);
-            double longitude = i % 3 == 0 ? -180 + (6 * numbers.Below(61)) + numbers.Uniform(-0.01, 0.01) : numbers.Uniform(-180, 180);
-            var point = new GeographicPoint(Angle.FromDegrees(Math.Max(-80, Math.Min(84, latitude))), Angle.FromDegrees(longitude));
+            double latitude = i % 2 == 0
+                ? numbers.Uniform(-80, 84)
+                : -80 + (8 * numbers.Below(21)) + numbers.Uniform(-0.01, 0.01);
+            double longitude = i % 3 == 0
+                ? -180 + (6 * numbers.Below(61)) + numbers.Uniform(-0.01, 0.01)
+                : numbers.Uniform(-180, 180);
+            var point = new GeographicPoint(
+                Angle.FromDegrees(Math.Max(-80, Math.Min(84, latitude))), Angle.FromDegrees(longitude));
             for (int digits = 0; digits <= 5; digits++)
             {
                 string text = MgrsPosition.From(point, digits).ToString();
-                Assert.True(MgrsPosition.TryParse(text, out MgrsPosition back) && back.ToString() == text, $"seed 41, case {i}: {point} as {text}");
+                Assert.True(
+                    MgrsPosition.TryParse(text, out MgrsPosition back) && back.ToString() == text,
+                    $"seed 41, case {i}: {point} as {text}");
             }
         }
     }
@@ -222,22 +242,30 @@ public sealed class GeodesyTests(ITestOutputHelper output)
     [Fact]
     public void Utm_NearThePoles_IsRefused()
     {
-        Assert.Throws<ArgumentOutOfRangeException>(() => UtmPosition.From(new GeographicPoint(Angle.FromDegrees(84.1), Angle.Zero)));
-        Assert.Contains("(UPS)", Assert.Throws<ArgumentOutOfRangeException>(() => MgrsPosition.From(new GeographicPoint(Angle.FromDegrees(-80.1), Angle.Zero))).Message);
-        Assert.Throws<ArgumentOutOfRangeException>(() => MgrsPosition.From(new GeographicPoint(Angle.FromDegrees(double.NaN), Angle.Zero)));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => UtmPosition.From(new GeographicPoint(Angle.FromDegrees(84.1), Angle.Zero)));
+        Assert.Contains("(UPS)", Assert.Throws<ArgumentOutOfRangeException>(
+            () => MgrsPosition.From(new GeographicPoint(Angle.FromDegrees(-80.1), Angle.Zero))).Message);
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => MgrsPosition.From(new GeographicPoint(Angle.FromDegrees(double.NaN), Angle.Zero)));
         Assert.False(MgrsPosition.TryParse("ZAH0000000000", out _));
-        Assert.Throws<ArgumentOutOfRangeException>(() => UtmPosition.From(new GeographicPoint(Angle.FromDegrees(double.NaN), Angle.Zero)));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => UtmPosition.From(new GeographicPoint(Angle.FromDegrees(double.NaN), Angle.Zero)));
         Assert.Throws<InvalidOperationException>(() => new UtmPosition(61, true, 5e5, 5e6).ToGeographic());
     }
 
     [WholeVectorsFact]
     public void Vectors_WholeSets_AreTheOnesThatAreTested()
     {
-        Assert.Equal((616, 600, 444, 300, 143), (Count("ecef"), Count("enu"), Count("geodesic_inverse"), Count("geodesic_direct"), Count("utm_mgrs")));
-        Assert.Equal((716, 100, 240), (Vectors.Attitude.Each("cases").Count(), Vectors.Attitude.Each("multiply").Count(), Vectors.Attitude.Each("slerp").Count()));
+        Assert.Equal(
+            (616, 600, 444, 300, 143),
+            (Count("ecef"), Count("enu"), Count("geodesic_inverse"), Count("geodesic_direct"), Count("utm_mgrs")));
+        Assert.Equal((716, 100, 240), (Vectors.Attitude.Each("cases").Count(),
+            Vectors.Attitude.Each("multiply").Count(), Vectors.Attitude.Each("slerp").Count()));
         Assert.Equal(
             (1082, 147, 160, 160),
-            (Vectors.Geolocation.Each("flat").Count(), Vectors.Geolocation.Each("dem").Count(), Vectors.Geolocation.Each("series_images").Count(), Vectors.Geolocation.Each("covariance").Count()));
+            (Vectors.Geolocation.Each("flat").Count(), Vectors.Geolocation.Each("dem").Count(),
+                Vectors.Geolocation.Each("series_images").Count(), Vectors.Geolocation.Each("covariance").Count()));
 
         static int Count(string list) => Vectors.Geodesy.Each(list).Count();
     }
@@ -245,7 +273,8 @@ public sealed class GeodesyTests(ITestOutputHelper output)
     internal static GeographicPoint Point(JsonElement c, string latitude, string longitude)
         => new(Angle.FromDegrees(c.Number(latitude)), Angle.FromDegrees(c.Number(longitude)));
 
-    private static EllipsoidPosition EllipsoidPlace(JsonElement c) => new(Point(c, "lat", "lon"), new EllipsoidHeight(c.Number("h")));
+    private static EllipsoidPosition EllipsoidPlace(JsonElement c)
+        => new(Point(c, "lat", "lon"), new EllipsoidHeight(c.Number("h")));
 
     private static double Distance(GeographicPoint a, GeographicPoint b)
         => Distance(new EllipsoidPosition(a, default).ToEcef(), new EllipsoidPosition(b, default).ToEcef());

@@ -10,7 +10,8 @@ public sealed class GeoidGridTests
 {
     private const int Rows = 7;
     private const int Columns = 12;
-    private const string Header = "P5\n# Geoid file\n# Description test\n# Offset -108\n# Scale 0.003\n# Origin 90N 0E\n12 7\n65535\n";
+    private const string Header =
+        "P5\n# Geoid file\n# Description test\n# Offset -108\n# Scale 0.003\n# Origin 90N 0E\n12 7\n65535\n";
 
     [Fact]
     public void UndulationMetres_AtPostsAndBetween_IsBilinear()
@@ -55,15 +56,19 @@ public sealed class GeoidGridTests
     public void ReadPgm_BadHeader_SaysWhy(string old, string other, string text)
     {
         using var stream = new MemoryStream(Pgm(Header.Replace(old, other), (row, column) => 0));
-        Assert.Contains(text, Assert.Throws<FormatException>(() => GeoidPgm.Read(stream)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            text, Assert.Throws<FormatException>(() => GeoidPgm.Read(stream)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void ReadPgm_TooShortOrTooLong_IsRefused()
     {
         byte[] file = Pgm(Header, (row, column) => 0);
-        Assert.Contains("row 7 of 7", Assert.Throws<FormatException>(() => GeoidPgm.Read(new MemoryStream(file, 0, file.Length - 1))).Message);
-        Assert.Contains("header", Assert.Throws<FormatException>(() => GeoidPgm.Read(new MemoryStream(file, 0, 20))).Message);
+        Assert.Contains(
+            "row 7 of 7",
+            Assert.Throws<FormatException>(() => GeoidPgm.Read(new MemoryStream(file, 0, file.Length - 1))).Message);
+        Assert.Contains(
+            "header", Assert.Throws<FormatException>(() => GeoidPgm.Read(new MemoryStream(file, 0, 20))).Message);
         Array.Resize(ref file, file.Length + 1);
         Assert.Contains("goes on", Assert.Throws<FormatException>(() => GeoidPgm.Read(new MemoryStream(file))).Message);
     }
@@ -95,7 +100,8 @@ public sealed class GeoidGridTests
         Assert.Equal(400, new LocalNedFrame(home.ToEllipsoid(geoid), geoid).Origin.AltitudeAmslMetres, 1e-9);
     }
 
-    internal static GeoidGrid Grid(Func<int, int, double> undulation) => GeoidPgm.Read(new MemoryStream(Pgm(Header, undulation)));
+    internal static GeoidGrid Grid(Func<int, int, double> undulation)
+        => GeoidPgm.Read(new MemoryStream(Pgm(Header, undulation)));
 
     private static double Undulation(GeoidGrid grid, double latitude, double longitude)
         => grid.UndulationMetres(new GeographicPoint(Angle.FromDegrees(latitude), Angle.FromDegrees(longitude)));

@@ -49,8 +49,14 @@ public sealed class PositionTextTests
         var numbers = new SeededNumbers(9);
         for (int i = 0; i < 500; i++)
         {
-            var point = new GeographicPoint(Angle.FromDegrees(numbers.Uniform(-79.9, 83.9)), Angle.FromDegrees(numbers.Uniform(-180, 180)));
-            foreach ((PositionStyle style, double metres) in new[] { (PositionStyle.DecimalDegrees, 0.01), (PositionStyle.DegreesMinutesSeconds, 0.03), (PositionStyle.Mgrs, 0.8) })
+            var point = new GeographicPoint(
+                Angle.FromDegrees(numbers.Uniform(-79.9, 83.9)), Angle.FromDegrees(numbers.Uniform(-180, 180)));
+            foreach ((PositionStyle style, double metres) in new[]
+            {
+                (PositionStyle.DecimalDegrees, 0.01),
+                (PositionStyle.DegreesMinutesSeconds, 0.03),
+                (PositionStyle.Mgrs, 0.8)
+            })
             {
                 string text = PositionText.Format(point, style);
                 Assert.True(PositionText.TryParse(text, out GeographicPoint back), $"seed 9, case {i}: {text}");
@@ -64,7 +70,9 @@ public sealed class PositionTextTests
     public void Format_JustBelowAFullMinute_HasNoSixtySeconds()
         => Assert.Equal(
             "48°00'00.000\"N 0°00'00.000\"E",
-            PositionText.Format(new GeographicPoint(Angle.FromDegrees(47.99999999999), Angle.Zero), PositionStyle.DegreesMinutesSeconds));
+            PositionText.Format(
+                new GeographicPoint(Angle.FromDegrees(47.99999999999), Angle.Zero),
+                PositionStyle.DegreesMinutesSeconds));
 
     [Theory]
     [InlineData(double.NaN, 8)]
@@ -77,7 +85,8 @@ public sealed class PositionTextTests
     {
         var point = new GeographicPoint(Angle.FromDegrees(latitude), Angle.FromDegrees(longitude));
         Assert.False(point.IsValid);
-        foreach (PositionStyle style in new[] { PositionStyle.DecimalDegrees, PositionStyle.DegreesMinutesSeconds, PositionStyle.Mgrs })
+        foreach (PositionStyle style
+            in new[] { PositionStyle.DecimalDegrees, PositionStyle.DegreesMinutesSeconds, PositionStyle.Mgrs })
             Assert.Throws<ArgumentOutOfRangeException>(() => PositionText.Format(point, style));
         Assert.StartsWith("no place (", point.ToString(), StringComparison.Ordinal);
         Assert.False(PositionText.TryParse(point.ToString(), out _));
@@ -88,6 +97,7 @@ public sealed class PositionTextTests
     {
         var point = new GeographicPoint(Angle.FromDegrees(-90), Angle.FromDegrees(190));
         Assert.Equal("-90.0000000, -170.0000000", PositionText.Format(point, PositionStyle.DecimalDegrees));
-        Assert.Equal("90°00'00.000\"S 170°00'00.000\"W", PositionText.Format(point, PositionStyle.DegreesMinutesSeconds));
+        Assert.Equal(
+            "90°00'00.000\"S 170°00'00.000\"W", PositionText.Format(point, PositionStyle.DegreesMinutesSeconds));
     }
 }

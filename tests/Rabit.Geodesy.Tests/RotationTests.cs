@@ -33,7 +33,8 @@ public sealed class RotationTests
         {
             EulerAngles angles = Rotation.FromEuler(c.Euler()).ToEuler();
             AssertMatrix(c.Numbers("dcm"), Rotation.FromEuler(angles), 1e-11);
-            if (c.TryGetProperty("euler_not_unique", out _) || Math.Abs(Math.Cos(c.Radians("pitch"))) < 0.01 || Math.Abs(c.Number("pitch")) > 90)
+            if (c.TryGetProperty("euler_not_unique", out _) || Math.Abs(Math.Cos(c.Radians("pitch"))) < 0.01
+                || Math.Abs(c.Number("pitch")) > 90)
                 continue;
             Assert.Equal(0, Wrapped(angles.Roll.Radians - c.Radians("roll")), 1e-10);
             Assert.Equal(0, angles.Pitch.Radians - c.Radians("pitch"), 1e-10);
@@ -65,7 +66,9 @@ public sealed class RotationTests
     public void Slerp_Vectors_TakesTheShortArc()
     {
         foreach (JsonElement c in Vectors.Attitude.Each("slerp"))
-            AssertSame(c.Numbers("q"), Rotation.Slerp(Quaternion(c.Numbers("q0")), Quaternion(c.Numbers("q1")), c.Number("t")), 1e-10);
+            AssertSame(
+                c.Numbers("q"), Rotation.Slerp(Quaternion(c.Numbers("q0")), Quaternion(c.Numbers("q1")), c.Number("t")),
+                1e-10);
     }
 
     [Fact]
@@ -87,7 +90,10 @@ public sealed class RotationTests
         foreach (JsonElement c in Vectors.Attitude.Each("integrate"))
         {
             double[] w = c.Numbers("omega_body");
-            AssertSame(c.Numbers("q1"), Quaternion(c.Numbers("q0")).After(BodyRates.FromRadiansPerSecond(w[0], w[1], w[2]), c.Number("dt")), Tolerance);
+            AssertSame(
+                c.Numbers("q1"),
+                Quaternion(c.Numbers("q0")).After(BodyRates.FromRadiansPerSecond(w[0], w[1], w[2]), c.Number("dt")),
+                Tolerance);
         }
     }
 
@@ -96,10 +102,20 @@ public sealed class RotationTests
     {
         Assert.Throws<ArgumentException>(() => Rotation.FromQuaternion(0, 0, 0, 0));
         Assert.Throws<ArgumentException>(() => Rotation.FromQuaternion(double.NaN, 0, 0, 1));
-        Assert.Contains("9 numbers", Assert.Throws<ArgumentException>(() => Rotation.FromMatrix(1, 0, 0)).Message, StringComparison.Ordinal);
-        Assert.Contains("rows 1 and 2", Assert.Throws<ArgumentException>(() => Rotation.FromMatrix(1, 0, 0, 1, 0, 0, 0, 0, 1)).Message, StringComparison.Ordinal);
-        Assert.Contains("mirrors", Assert.Throws<ArgumentException>(() => Rotation.FromMatrix(0, 1, 0, 1, 0, 0, 0, 0, 1)).Message, StringComparison.Ordinal);
-        Assert.Contains("length 1", Assert.Throws<ArgumentException>(() => Rotation.FromMatrix(1, 0, 0, 0, double.NaN, 0, 0, 0, 1)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "9 numbers", Assert.Throws<ArgumentException>(() => Rotation.FromMatrix(1, 0, 0)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "rows 1 and 2",
+            Assert.Throws<ArgumentException>(() => Rotation.FromMatrix(1, 0, 0, 1, 0, 0, 0, 0, 1)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "mirrors", Assert.Throws<ArgumentException>(() => Rotation.FromMatrix(0, 1, 0, 1, 0, 0, 0, 0, 1)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "length 1",
+            Assert.Throws<ArgumentException>(() => Rotation.FromMatrix(1, 0, 0, 0, double.NaN, 0, 0, 0, 1)).Message,
+            StringComparison.Ordinal);
     }
 
     private static Rotation Quaternion(double[] q) => Rotation.FromQuaternion(q[0], q[1], q[2], q[3]);
@@ -119,7 +135,8 @@ public sealed class RotationTests
 
     private static void AssertMatrix(double[] expected, Rotation rotation, double tolerance)
     {
-        (double X, double Y, double Z)[] columns = [rotation.Apply(1, 0, 0), rotation.Apply(0, 1, 0), rotation.Apply(0, 0, 1)];
+        (double X, double Y, double Z)[] columns =
+            [rotation.Apply(1, 0, 0), rotation.Apply(0, 1, 0), rotation.Apply(0, 0, 1)];
         AssertClose(
             expected,
             [.. columns.Select(c => c.X), .. columns.Select(c => c.Y), .. columns.Select(c => c.Z)],

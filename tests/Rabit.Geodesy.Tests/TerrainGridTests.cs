@@ -6,7 +6,8 @@ namespace Rabit.Geodesy.Tests;
 
 public sealed class TerrainGridTests
 {
-    private const string Small = "ncols 3\nnrows 2\nxllcenter 8\nyllcenter 47\ncellsize 0.01\nNODATA_value -1\n10 20 30\n40 50 -1\n";
+    private const string Small =
+        "ncols 3\nnrows 2\nxllcenter 8\nyllcenter 47\ncellsize 0.01\nNODATA_value -1\n10 20 30\n40 50 -1\n";
 
     [Fact]
     public void Read_TextGrid_HasRowsFromTheNorthAndHolesWhereThereIsNoData()
@@ -19,7 +20,8 @@ public sealed class TerrainGridTests
         Assert.Equal(TerrainLookup.NoData, grid.TryAltitude(Point(47.002, 8.015), out _));
         Assert.Equal(TerrainLookup.Outside, grid.TryAltitude(Point(46.999, 8.01), out _));
         Assert.Equal(TerrainLookup.Outside, grid.TryAltitude(Point(double.NaN, 8.01), out _));
-        Assert.Equal(40, Height(AsciiGrid.Read(new StringReader(Small.Replace("xllcenter 8", "XLLCORNER 7.995"))), 47, 8), 1e-6);
+        Assert.Equal(
+            40, Height(AsciiGrid.Read(new StringReader(Small.Replace("xllcenter 8", "XLLCORNER 7.995"))), 47, 8), 1e-6);
     }
 
     [Theory]
@@ -34,7 +36,9 @@ public sealed class TerrainGridTests
     public void Read_BadGrid_SaysWhere(string old, string other, string text)
     {
         string bad = Small.Replace(old, other);
-        Assert.Contains(text, Assert.Throws<FormatException>(() => AsciiGrid.Read(new StringReader(bad))).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            text, Assert.Throws<FormatException>(() => AsciiGrid.Read(new StringReader(bad))).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -53,5 +57,6 @@ public sealed class TerrainGridTests
         return altitude.Metres;
     }
 
-    private static GeographicPoint Point(double latitude, double longitude) => new(Angle.FromDegrees(latitude), Angle.FromDegrees(longitude));
+    private static GeographicPoint Point(double latitude, double longitude)
+        => new(Angle.FromDegrees(latitude), Angle.FromDegrees(longitude));
 }

@@ -56,7 +56,9 @@ public sealed class VectorTests
         Assert.Equal(EulerAngles.FromDegrees(1, 2, 3), EulerAngles.FromDegrees(1, 2, 3));
         Assert.NotEqual(EulerAngles.FromDegrees(1, 2, 3), EulerAngles.FromDegrees(1, 2, 4));
         Assert.True(GeodeticPosition.FromDegrees(47, 8, 400) == GeodeticPosition.FromDegrees(47, 8, 400));
-        Assert.Equal(GeodeticPosition.FromDegrees(47, 8, 400).GetHashCode(), GeodeticPosition.FromDegrees(47, 8, 400).GetHashCode());
+        Assert.Equal(
+            GeodeticPosition.FromDegrees(47, 8, 400).GetHashCode(),
+            GeodeticPosition.FromDegrees(47, 8, 400).GetHashCode());
         Assert.Equal(new NedVector(double.NaN, 0, 0), new NedVector(double.NaN, 0, 0));
         Assert.Equal(
             MgrsPosition.From(new GeographicPoint(Angle.FromDegrees(47), Angle.FromDegrees(8))),
@@ -69,7 +71,9 @@ public sealed class VectorTests
         Assert.Equal("(1.5, -2, 0.125)", new NedVector(1.5, -2, 0.125).ToString());
         Assert.Equal("(1.5, -2, 0.125) m", new NedPosition(1.5, -2, 0.125).ToString());
         Assert.Equal("roll 5°, pitch -2.5°, yaw 90°", EulerAngles.FromDegrees(5, -2.5, 90).ToString());
-        Assert.Equal("47.0000000, 8.0000000, 400.5 m above mean sea level", GeodeticPosition.FromDegrees(47, 8, 400.5).ToString());
+        Assert.Equal(
+            "47.0000000, 8.0000000, 400.5 m above mean sea level",
+            GeodeticPosition.FromDegrees(47, 8, 400.5).ToString());
         Assert.Equal("4.9 m x 2.45 m at 0°", new HorizontalCovariance(4, 0, 1).ToString());
         Assert.Equal("(0.1, 0, -0.02) rad/s", BodyRates.FromRadiansPerSecond(0.1, 0, -0.02).ToString());
     }

@@ -15,7 +15,8 @@ public abstract class ByteLinkContract
 
     // Not in the reference assemblies of net472.
     private static readonly Func<long> AllocatedBytes =
-        (Func<long>)Delegate.CreateDelegate(typeof(Func<long>), typeof(GC).GetMethod("GetAllocatedBytesForCurrentThread")!);
+        (Func<long>)Delegate.CreateDelegate(
+            typeof(Func<long>), typeof(GC).GetMethod("GetAllocatedBytesForCurrentThread")!);
 
     /// <summary>Opens a link and its peer, bytes from each having reached the other where that matters.</summary>
     protected abstract LinkTestBed Open();
@@ -133,7 +134,8 @@ public abstract class ByteLinkContract
         bed.Link.Unblock();
         bed.Link.Unblock();
 
-        for (int i = 0; i < 3; i++) Assert.Equal("ended: it was closed on this side", bed.Link.Read(new byte[8]).ToString());
+        for (int i = 0; i < 3; i++)
+            Assert.Equal("ended: it was closed on this side", bed.Link.Read(new byte[8]).ToString());
     }
 
     [Fact]
@@ -147,7 +149,8 @@ public abstract class ByteLinkContract
 
         Assert.Equal($"link {bed.Link.Url}: cannot write: it was closed on this side", fault.Message);
         Assert.Equal((bed.Link.Url, true), (fault.Url, fault.LinkEnded));
-        Assert.Equal((3, 1), (bed.Link.Counters.BytesDropped - before.BytesDropped, bed.Link.Counters.WritesDropped - before.WritesDropped));
+        Assert.Equal((3, 1), (bed.Link.Counters.BytesDropped - before.BytesDropped,
+            bed.Link.Counters.WritesDropped - before.WritesDropped));
     }
 
     [Fact]
@@ -160,7 +163,8 @@ public abstract class ByteLinkContract
         bed.Link.Dispose();
 
         Assert.True(collector.EndsWithin(LinkTestBed.TestTimeout));
-        if (bed.Link.Blocks) Assert.Equal(LinkReadKind.Ended, collector.WaitForEnd().Kind); // else the next read found it disposed
+        // else the next read found it disposed
+        if (bed.Link.Blocks) Assert.Equal(LinkReadKind.Ended, collector.WaitForEnd().Kind);
     }
 
     [Fact]
@@ -170,8 +174,12 @@ public abstract class ByteLinkContract
         IByteLink link = bed.Link;
         link.Dispose();
 
-        Assert.Contains(link.Url, Assert.Throws<ObjectDisposedException>(() => link.Read(new byte[1])).Message, StringComparison.Ordinal);
-        Assert.Contains(link.Url, Assert.Throws<ObjectDisposedException>(() => link.Write(new byte[1], 0, 1)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            link.Url, Assert.Throws<ObjectDisposedException>(() => link.Read(new byte[1])).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            link.Url, Assert.Throws<ObjectDisposedException>(() => link.Write(new byte[1], 0, 1)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -224,7 +232,8 @@ public abstract class ByteLinkContract
             int count = ReadSome(bed.Link, buffer);
             long bytes = AllocatedBytes() - before;
 
-            // A collection in between, which any test beside this one may cause, counters what is left of this thread's buffer.
+            // A collection in between, which any test beside this one may cause, counters what is left of this thread's
+            // buffer.
             if (i >= warmUp && GC.CollectionCount(0) == collections) allocated += bytes;
             Assert.Equal(3, count);
             bed.PeerReceives(20);
@@ -239,13 +248,21 @@ public abstract class ByteLinkContract
         using LinkTestBed bed = Open();
         IByteLink link = bed.Link;
 
-        Assert.Contains(link.Url, Assert.Throws<ArgumentException>(() => link.Read(Array.Empty<byte>())).Message, StringComparison.Ordinal);
-        Assert.Contains(link.Url, Assert.Throws<ArgumentNullException>(() => link.Read(null!)).Message, StringComparison.Ordinal);
-        Assert.Contains(link.Url, Assert.Throws<ArgumentNullException>(() => link.Write(null!, 0, 0)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            link.Url, Assert.Throws<ArgumentException>(() => link.Read(Array.Empty<byte>())).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            link.Url, Assert.Throws<ArgumentNullException>(() => link.Read(null!)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            link.Url, Assert.Throws<ArgumentNullException>(() => link.Write(null!, 0, 0)).Message,
+            StringComparison.Ordinal);
         foreach ((int offset, int count) in new[] { (-1, 1), (0, -1), (3, 2), (5, 0), (1, int.MaxValue) })
         {
-            string message = Assert.Throws<ArgumentOutOfRangeException>(() => link.Write(new byte[4], offset, count)).Message;
-            Assert.Contains($"offset {offset} and count {count} do not lie in a buffer of 4 bytes", message, StringComparison.Ordinal);
+            string message =
+                Assert.Throws<ArgumentOutOfRangeException>(() => link.Write(new byte[4], offset, count)).Message;
+            Assert.Contains(
+                $"offset {offset} and count {count} do not lie in a buffer of 4 bytes", message,
+                StringComparison.Ordinal);
         }
     }
 
@@ -258,6 +275,8 @@ public abstract class ByteLinkContract
 
     /// <summary>Bytes of every value, in chunks of 1 to 60.</summary>
     private static byte[][] Chunks(int batch) => Enumerable.Range(0, WritesPerBatch)
-        .Select(chunk => Enumerable.Range(0, 1 + ((chunk * 7) % 60)).Select(i => (byte)((batch * 31) + (chunk * 60) + i)).ToArray())
+        .Select(
+            chunk => Enumerable.Range(0, 1 + ((chunk * 7) % 60))
+                .Select(i => (byte)((batch * 31) + (chunk * 60) + i)).ToArray())
         .ToArray();
 }

@@ -33,7 +33,9 @@ public abstract class FillingLinkContract : ConnectedLinkContract
     {
         using LinkTestBed bed = Open(new LinkOptions(writeTimeout: TimeSpan.FromMinutes(10)));
         LinkException? fault = null;
-        var writer = new Thread(() => fault = Record.Exception(() => bed.Link.Write(MoreThanFits, 0, MoreThanFits.Length)) as LinkException);
+        var writer = new Thread(
+            () => fault =
+                Record.Exception(() => bed.Link.Write(MoreThanFits, 0, MoreThanFits.Length)) as LinkException);
         writer.IsBackground = true;
         writer.Start();
         Assert.False(writer.Join(50));

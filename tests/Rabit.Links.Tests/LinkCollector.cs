@@ -31,7 +31,8 @@ internal sealed class LinkCollector
         lock (_gate)
         {
             Await(() => _bytes.Count >= count || _done, LinkTestBed.TestTimeout);
-            if (_bytes.Count < count) throw new InvalidOperationException($"{_bytes.Count} of {count} bytes came; {_end}", _fault);
+            if (_bytes.Count < count)
+                throw new InvalidOperationException($"{_bytes.Count} of {count} bytes came; {_end}", _fault);
             byte[] taken = _bytes.Take(count).ToArray();
             _bytes.RemoveRange(0, count);
             return taken;

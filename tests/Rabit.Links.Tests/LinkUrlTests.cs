@@ -34,7 +34,8 @@ public sealed class LinkUrlTests
 
     [Theory]
     [InlineData("serial:/dev/ttyAMA0:921600", "/dev/ttyAMA0", 921600)]
-    [InlineData("serial:/dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0:57600", "/dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0", 57600)]
+    [InlineData("serial:/dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0:57600",
+        "/dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0", 57600)]
     [InlineData("serial:COM3:250000", "COM3", 250000)]
     public void Parse_Serial_GivesDeviceAndBaudRate(string text, string device, int baudRate)
     {
@@ -83,33 +84,51 @@ public sealed class LinkUrlTests
     [InlineData("udpin:0.0.0.0", "link 'udpin:0.0.0.0': the port is missing; write " + UdpListenForm)]
     [InlineData("udpin:0.0.0.0:", "link 'udpin:0.0.0.0:': the port is missing; write " + UdpListenForm)]
     [InlineData("udpin::14550", "link 'udpin::14550': the host is missing; write " + UdpListenForm)]
-    [InlineData("udpin:0.0.0.0:0", "link 'udpin:0.0.0.0:0': the port '0' is not a number from 1 to 65535; write " + UdpListenForm)]
-    [InlineData("udpout:gcs:65536", "link 'udpout:gcs:65536': the port '65536' is not a number from 1 to 65535; write " + UdpSendForm)]
-    [InlineData("udpout:gcs:-1", "link 'udpout:gcs:-1': the port '-1' is not a number from 1 to 65535; write " + UdpSendForm)]
-    [InlineData("udpout:gcs:14550/x", "link 'udpout:gcs:14550/x': the port '14550/x' is not a number from 1 to 65535; write " + UdpSendForm)]
+    [InlineData("udpin:0.0.0.0:0",
+        "link 'udpin:0.0.0.0:0': the port '0' is not a number from 1 to 65535; write " + UdpListenForm)]
+    [InlineData("udpout:gcs:65536",
+        "link 'udpout:gcs:65536': the port '65536' is not a number from 1 to 65535; write " + UdpSendForm)]
+    [InlineData("udpout:gcs:-1",
+        "link 'udpout:gcs:-1': the port '-1' is not a number from 1 to 65535; write " + UdpSendForm)]
+    [InlineData("udpout:gcs:14550/x",
+        "link 'udpout:gcs:14550/x': the port '14550/x' is not a number from 1 to 65535; write " + UdpSendForm)]
     [InlineData("udpout:a b:14550", "link 'udpout:a b:14550': the host 'a b' holds a ' '; write " + UdpSendForm)]
     [InlineData("tcp://host:5760", "link 'tcp://host:5760': there are no slashes after the scheme; write " + TcpForm)]
-    [InlineData("tcp:::1:5760", "link 'tcp:::1:5760': the host '::1' holds a colon (an IPv6 address is written in brackets, [::1]); write " + TcpForm)]
-    [InlineData("tcp:[::1:5760", "link 'tcp:[::1:5760': the bracket around the address is not closed; write " + TcpForm)]
+    [InlineData("tcp:::1:5760",
+        "link 'tcp:::1:5760': the host '::1' holds a colon (an IPv6 address is written in brackets, [::1]); write "
+            + TcpForm)]
+    [InlineData("tcp:[::1:5760",
+        "link 'tcp:[::1:5760': the bracket around the address is not closed; write " + TcpForm)]
     [InlineData("tcp:[::1]", "link 'tcp:[::1]': the port is missing; write " + TcpForm)]
-    [InlineData("tcp:[::1]5760", "link 'tcp:[::1]5760': after the closing bracket a colon and the port must follow; write " + TcpForm)]
-    [InlineData("tcp:[host]:5760", "link 'tcp:[host]:5760': 'host' in brackets is not an IPv6 address; write " + TcpForm)]
+    [InlineData("tcp:[::1]5760",
+        "link 'tcp:[::1]5760': after the closing bracket a colon and the port must follow; write " + TcpForm)]
+    [InlineData("tcp:[host]:5760",
+        "link 'tcp:[host]:5760': 'host' in brackets is not an IPv6 address; write " + TcpForm)]
     [InlineData("tcp:[]:5760", "link 'tcp:[]:5760': the host is missing; write " + TcpForm)]
     [InlineData("serial:", "link 'serial:': the device is missing; write " + SerialForm)]
     [InlineData("serial::57600", "link 'serial::57600': the device is missing; write " + SerialForm)]
     [InlineData("serial:/dev/ttyAMA0", "link 'serial:/dev/ttyAMA0': the baud rate is missing; write " + SerialForm)]
     [InlineData("serial:/dev/ttyAMA0:", "link 'serial:/dev/ttyAMA0:': the baud rate is missing; write " + SerialForm)]
-    [InlineData("serial:/dev/ttyAMA0:fast", "link 'serial:/dev/ttyAMA0:fast': the baud rate 'fast' is not a positive whole number; write " + SerialForm)]
-    [InlineData("serial:/dev/ttyAMA0:0", "link 'serial:/dev/ttyAMA0:0': the baud rate '0' is not a positive whole number; write " + SerialForm)]
-    [InlineData("serial:/dev/tty\0:9600", @"link 'serial:/dev/tty\0:9600': the device holds a zero character; write " + SerialForm)]
+    [InlineData("serial:/dev/ttyAMA0:fast",
+        "link 'serial:/dev/ttyAMA0:fast': the baud rate 'fast' is not a positive whole number; write " + SerialForm)]
+    [InlineData("serial:/dev/ttyAMA0:0",
+        "link 'serial:/dev/ttyAMA0:0': the baud rate '0' is not a positive whole number; write " + SerialForm)]
+    [InlineData("serial:/dev/tty\0:9600",
+        @"link 'serial:/dev/tty\0:9600': the device holds a zero character; write " + SerialForm)]
     [InlineData("tlog:", "link 'tlog:': the file is missing; write " + FileForm)]
     [InlineData("tlog:?speed=2", "link 'tlog:?speed=2': the file is missing; write " + FileForm)]
-    [InlineData("tlog:f?speed=1000001", "link 'tlog:f?speed=1000001': the speed '1000001' is above 1000000; that is max; write " + FileForm)]
-    [InlineData("tlog:f?speed=0", "link 'tlog:f?speed=0': the speed '0' is not a positive number or max; write " + FileForm)]
-    [InlineData("tlog:f?speed=-1", "link 'tlog:f?speed=-1': the speed '-1' is not a positive number or max; write " + FileForm)]
-    [InlineData("tlog:f?speed=fast", "link 'tlog:f?speed=fast': the speed 'fast' is not a positive number or max; write " + FileForm)]
-    [InlineData("tlog:f?speed=NaN", "link 'tlog:f?speed=NaN': the speed 'NaN' is not a positive number or max; write " + FileForm)]
-    [InlineData("tlog:f?speed=", "link 'tlog:f?speed=': the speed '' is not a positive number or max; write " + FileForm)]
+    [InlineData("tlog:f?speed=1000001",
+        "link 'tlog:f?speed=1000001': the speed '1000001' is above 1000000; that is max; write " + FileForm)]
+    [InlineData("tlog:f?speed=0",
+        "link 'tlog:f?speed=0': the speed '0' is not a positive number or max; write " + FileForm)]
+    [InlineData("tlog:f?speed=-1",
+        "link 'tlog:f?speed=-1': the speed '-1' is not a positive number or max; write " + FileForm)]
+    [InlineData("tlog:f?speed=fast",
+        "link 'tlog:f?speed=fast': the speed 'fast' is not a positive number or max; write " + FileForm)]
+    [InlineData("tlog:f?speed=NaN",
+        "link 'tlog:f?speed=NaN': the speed 'NaN' is not a positive number or max; write " + FileForm)]
+    [InlineData("tlog:f?speed=",
+        "link 'tlog:f?speed=': the speed '' is not a positive number or max; write " + FileForm)]
     [InlineData("tlog:f?speed", "link 'tlog:f?speed': the speed '' is not a positive number or max; write " + FileForm)]
     [InlineData("tlog:f?sped=10", "link 'tlog:f?sped=10': the option 'sped' is unknown; write " + FileForm)]
     public void TryParse_WrongForm_SaysWhatIsWrongAndShowsTheRightForm(string? text, string expected)

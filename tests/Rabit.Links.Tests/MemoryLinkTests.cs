@@ -40,7 +40,8 @@ public sealed class MemoryLinkTests : ConnectedLinkContract
         pair.A.Write(new byte[3], 0, 3);
         pair.A.Write(new byte[2], 0, 2);
 
-        Assert.Equal((10, 3, 1), (pair.A.Counters.BytesWritten, pair.A.Counters.BytesDropped, pair.A.Counters.WritesDropped));
+        Assert.Equal(
+            (10, 3, 1), (pair.A.Counters.BytesWritten, pair.A.Counters.BytesDropped, pair.A.Counters.WritesDropped));
         Assert.Equal(10, pair.B.Read(new byte[100]).Count);
     }
 

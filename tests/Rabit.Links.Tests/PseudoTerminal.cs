@@ -4,7 +4,9 @@ using System.Text;
 
 namespace Rabit.Links.Tests;
 
-/// <summary>The far end of a serial line: the master of a pseudo terminal, whose other side looks like a serial device.</summary>
+/// <summary>
+/// The far end of a serial line: the master of a pseudo terminal, whose other side looks like a serial device.
+/// </summary>
 internal sealed unsafe class PseudoTerminal : IDisposable
 {
     private int _master;
@@ -15,7 +17,8 @@ internal sealed unsafe class PseudoTerminal : IDisposable
         byte[] name = new byte[100];
         fixed (byte* start = name)
         {
-            if (_master < 0 || grantpt(_master) < 0 || unlockpt(_master) < 0 || ptsname_r(_master, start, (nuint)name.Length) != 0)
+            if (_master < 0 || grantpt(_master) < 0 || unlockpt(_master) < 0
+                || ptsname_r(_master, start, (nuint)name.Length) != 0)
                 throw new InvalidOperationException($"no pseudo terminal, errno {Marshal.GetLastWin32Error()}");
         }
 

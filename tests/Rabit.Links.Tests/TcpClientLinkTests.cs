@@ -34,7 +34,9 @@ public sealed class TcpClientLinkTests : FillingLinkContract
         var fault = Assert.Throws<LinkException>(() => LinkFactory.Open(LinkUrl.Parse($"tcp:127.0.0.1:{port}")));
 
         Assert.Equal(
-            $"link tcp:127.0.0.1:{port}: cannot connect: the host refuses the connection (nothing listens on that port)", fault.Message);
+            $"link tcp:127.0.0.1:{port}: cannot connect: the host refuses the connection (nothing listens on that "
+                + "port)",
+            fault.Message);
     }
 
     [Fact]

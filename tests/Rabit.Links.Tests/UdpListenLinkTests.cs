@@ -56,7 +56,8 @@ public sealed class UdpListenLinkTests : ByteLinkContract
         // 192.0.2.0/24 is for documentation (RFC 5737): no host has it.
         var fault = Assert.Throws<LinkException>(() => UdpListenLink.Open("192.0.2.1", 14550));
 
-        Assert.Equal("link udpin:192.0.2.1:14550: cannot listen: this computer does not have that address", fault.Message);
+        Assert.Equal(
+            "link udpin:192.0.2.1:14550: cannot listen: this computer does not have that address", fault.Message);
     }
 
     [Fact]
@@ -95,7 +96,8 @@ public sealed class UdpListenLinkTests : ByteLinkContract
         byte[] buffer = new byte[10];
         using (UdpSendLink gone = UdpSendLink.Open("127.0.0.1", link.Port)) gone.Write(new byte[1], 0, 1);
         Assert.Equal(1, link.Read(buffer).Count);
-        for (int i = 0; i < 5; i++) link.Write(new byte[3], 0, 3); // to a closed port: the network answers each with a refusal
+        // to a closed port: the network answers each with a refusal
+        for (int i = 0; i < 5; i++) link.Write(new byte[3], 0, 3);
 
         using UdpSendLink next = UdpSendLink.Open("127.0.0.1", link.Port);
         next.Write(new byte[2], 0, 2);

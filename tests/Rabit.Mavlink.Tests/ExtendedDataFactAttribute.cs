@@ -14,7 +14,8 @@ internal sealed class ExtendedDataFactAttribute : FactAttribute
     public ExtendedDataFactAttribute(string file)
     {
         if (ExtendedData.Find(file) is null)
-            Skip = $"{file} is not there: it is looked for in ../shared/vectors/mavlink beside the repository, or in the folder that RABIT_VECTORS names.";
+            Skip = $"{file} is not there: it is looked for in ../shared/vectors/mavlink beside the repository, or in "
+                + "the folder that RABIT_VECTORS names.";
     }
 }
 

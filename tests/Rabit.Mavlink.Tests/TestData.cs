@@ -10,7 +10,8 @@ namespace Rabit.Mavlink.Tests;
 internal static class TestData
 {
     // Not the base directory: where tests run without a domain of their own, as under Mono, that is the runner's.
-    public static string Folder { get; } = Path.Combine(Path.GetDirectoryName(typeof(TestData).Assembly.Location)!, "data", "mavlink");
+    public static string Folder { get; } =
+        Path.Combine(Path.GetDirectoryName(typeof(TestData).Assembly.Location)!, "data", "mavlink");
 
     public static string PathOf(string file) => Path.Combine(Folder, file);
 

@@ -4,7 +4,9 @@ using Xunit;
 
 namespace Rabit.Uav.Reporting.Tests;
 
-/// <summary>Reporting uses Rabit.Uav and what that uses, nothing else; no manager and no simulation refers to it from below.</summary>
+/// <summary>
+/// Reporting uses Rabit.Uav and what that uses, nothing else; no manager and no simulation refers to it from below.
+/// </summary>
 public sealed class ArchitectureTests
 {
     [Fact]
@@ -17,9 +19,12 @@ public sealed class ArchitectureTests
     [Fact]
     public void Package_Types_DoNotUseTheConsoleOrFiles()
     {
-        Type[] forbidden = [typeof(Console), typeof(System.IO.File), typeof(System.IO.FileStream), typeof(System.IO.Directory)];
+        Type[] forbidden =
+            [typeof(Console), typeof(System.IO.File), typeof(System.IO.FileStream), typeof(System.IO.Directory)];
 
         Assert.Empty(typeof(FlightRecorderManager).Assembly.GetTypes()
-            .SelectMany(t => Rabit.Uav.Tests.TypeReferences.Of(t).Intersect(forbidden).Select(used => $"{t.Name} uses {used.Name}")));
+            .SelectMany(
+                t => Rabit.Uav.Tests.TypeReferences.Of(t).Intersect(forbidden)
+                    .Select(used => $"{t.Name} uses {used.Name}")));
     }
 }

@@ -9,7 +9,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Reporting.Tests;
 
-/// <summary>A search flight as it might be recorded: lanes over an area, five targets, one of them not found, one track too many.</summary>
+/// <summary>
+/// A search flight as it might be recorded: lanes over an area, five targets, one of them not found, one track too
+/// many.
+/// </summary>
 internal sealed class MadeUpFlight
 {
     private const int FalseTrackId = 8;
@@ -17,7 +20,11 @@ internal sealed class MadeUpFlight
     private const double Speed = 6;
     private static readonly NedPosition[] Area = [new(20, 20, 0), new(140, 20, 0), new(140, 180, 0), new(20, 180, 0)];
     private static readonly double[] LaneNorths = [35, 65, 95, 125];
-    private static readonly string[] ManagerNames = ["communications", "autopilot", "image processing", "sensor fusion", "mission control", "health", "simulated vehicle", "recorder"];
+    private static readonly string[] ManagerNames =
+    [
+        "communications", "autopilot", "image processing", "sensor fusion", "mission control", "health",
+        "simulated vehicle", "recorder"
+    ];
 
     private readonly List<FlightSample> _samples = [];
     private readonly List<CameraObservation> _observations = [];
@@ -46,8 +53,22 @@ internal sealed class MadeUpFlight
         Name = "search of a meadow",
         Home = Home,
         Area = [.. Area.Select(Frame.ToGeodetic)],
-        Fence = [.. new[] { new NedPosition(-15, -15, 0), new NedPosition(160, -15, 0), new NedPosition(160, 200, 0), new NedPosition(-15, 200, 0) }.Select(Frame.ToGeodetic)],
-        Lanes = [.. LaneNorths.SelectMany((n, i) => i % 2 == 0 ? new[] { (n, 20.0), (n, 180.0) } : [(n, 180.0), (n, 20.0)]).Select(p => Frame.ToGeodetic(new NedPosition(p.Item1, p.Item2, -HeightMetres)))],
+        Fence =
+        [
+            .. new[]
+            {
+                new NedPosition(-15, -15, 0),
+                new NedPosition(160, -15, 0),
+                new NedPosition(160, 200, 0),
+                new NedPosition(-15, 200, 0)
+            }
+                .Select(Frame.ToGeodetic)
+        ],
+        Lanes =
+        [
+            .. LaneNorths.SelectMany((n, i) => i % 2 == 0 ? new[] { (n, 20.0), (n, 180.0) } : [(n, 180.0), (n, 20.0)])
+                .Select(p => Frame.ToGeodetic(new NedPosition(p.Item1, p.Item2, -HeightMetres)))
+        ],
         HeightAboveHomeMetres = HeightMetres,
         SpeedMetresPerSecond = Speed,
     };
@@ -64,9 +85,19 @@ internal sealed class MadeUpFlight
             Phases = flight._phases,
             HealthChanges =
             [
-                new HealthChange(TimeSpan.FromSeconds(0.25), new HealthReport { Level = HealthLevel.Warning, Reasons = HealthReasons.NoAutopilot, Text = "no autopilot is connected yet" }),
+                new HealthChange(TimeSpan.FromSeconds(0.25), new HealthReport
+                {
+                    Level = HealthLevel.Warning,
+                    Reasons = HealthReasons.NoAutopilot,
+                    Text = "no autopilot is connected yet"
+                }),
                 new HealthChange(TimeSpan.FromSeconds(1.5), new HealthReport { Level = HealthLevel.Good }),
-                new HealthChange(TimeSpan.FromSeconds(88), new HealthReport { Level = HealthLevel.Warning, Reasons = HealthReasons.LinkSilent, Text = "link 0 udpin:0.0.0.0:14550 has been silent for 3 s" }),
+                new HealthChange(TimeSpan.FromSeconds(88), new HealthReport
+                {
+                    Level = HealthLevel.Warning,
+                    Reasons = HealthReasons.LinkSilent,
+                    Text = "link 0 udpin:0.0.0.0:14550 has been silent for 3 s"
+                }),
                 new HealthChange(TimeSpan.FromSeconds(96), new HealthReport { Level = HealthLevel.Good }),
             ],
             Managers = ManagerNames.Select(flight.TimeLine).ToArray(),
@@ -78,7 +109,13 @@ internal sealed class MadeUpFlight
                 LanesFlown = 4,
                 Revisits = finds,
                 Text = "landed",
-                Result = new MissionResult { Outcome = MissionOutcome.Accomplished, HasFlown = true, HasLanded = true, DistanceFromHomeMetres = 0.64 },
+                Result = new MissionResult
+                {
+                    Outcome = MissionOutcome.Accomplished,
+                    HasFlown = true,
+                    HasLanded = true,
+                    DistanceFromHomeMetres = 0.64
+                },
             },
             Pictures = Tracks(finds, hasFalseTrack).Where(t => t.BestPictureNumber >= 0).Select(Chip).ToArray(),
             Vehicle = new VehicleState
@@ -92,7 +129,14 @@ internal sealed class MadeUpFlight
                 BatteryRemaining = 0.63,
             },
             Health = new HealthReport { Level = HealthLevel.Good, SendsHeartbeat = true },
-            Imaging = new ImagingStatus { HasCamera = true, Frames = 512, Observations = flight._observations.Count, FramesRefused = 2, Reports = 61 },
+            Imaging = new ImagingStatus
+            {
+                HasCamera = true,
+                Frames = 512,
+                Observations = flight._observations.Count,
+                FramesRefused = 2,
+                Reports = 61
+            },
             Tracks = new TrackList(TimeSpan.FromSeconds(flight._time), Tracks(finds, hasFalseTrack)),
             FlownMetres = 1423,
             ArmedTime = TimeSpan.FromSeconds(flight._time - 6),
@@ -105,7 +149,10 @@ internal sealed class MadeUpFlight
     public static MissionScore Score(FlightRecord record)
     {
         TargetTrack[] confirmed = record.Tracks.Confirmed.ToArray();
-        TargetScore[] targets = [.. Targets.Select(t => Found(t, confirmed.FirstOrDefault(c => c.Class == t.Class && c.Id != FalseTrackId)))];
+        TargetScore[] targets =
+        [
+            .. Targets.Select(t => Found(t, confirmed.FirstOrDefault(c => c.Class == t.Class && c.Id != FalseTrackId)))
+        ];
         return new MissionScore { Targets = targets, FalseTracks = [.. confirmed.Where(t => t.Id == FalseTrackId)] };
     }
 
@@ -127,7 +174,9 @@ internal sealed class MadeUpFlight
             LongestWork = TimeSpan.FromMilliseconds(3 + index),
             TotalWork = TimeSpan.FromSeconds(0.4 * (index + 1)),
             Faults = index == 3 ? 1 : 0,
-            FirstFault = index == 3 ? "sensor fusion in UnitOfWork: InvalidOperationException: planted for the picture" : null,
+            FirstFault = index == 3
+                ? "sensor fusion in UnitOfWork: InvalidOperationException: planted for the picture"
+                : null,
         }).ToArray(),
     };
 
@@ -136,7 +185,9 @@ internal sealed class MadeUpFlight
 
     private static TargetScore Found(TargetScore target, TargetTrack? track)
     {
-        NedPosition error = track is null ? default : LocalNedFrame.IgnoringGeoid(target.Position).ToNed(track.Position);
+        NedPosition error = track is null
+            ? default
+            : LocalNedFrame.IgnoringGeoid(target.Position).ToNed(track.Position);
         return new TargetScore
         {
             Name = target.Name,
@@ -154,7 +205,9 @@ internal sealed class MadeUpFlight
         for (int index = 0; index < finds; index++)
         {
             NedPosition truth = Frame.ToNed(Targets[index].Position);
-            yield return Track(index + 1, Targets[index].Class, TrackState.Confirmed, truth.North + errors[index].N, truth.East + errors[index].E);
+            yield return Track(
+                index + 1, Targets[index].Class, TrackState.Confirmed, truth.North + errors[index].N,
+                truth.East + errors[index].E);
         }
 
         if (hasFalseTrack)
@@ -162,32 +215,43 @@ internal sealed class MadeUpFlight
         yield return Track(9, DefaultTargetClasses.Orange, TrackState.Tentative, 60, 100);
     }
 
-    private static TargetTrack Track(int id, TargetClassName colour, TrackState state, double north, double east) => new()
-    {
-        Id = id,
-        Class = colour,
-        State = state,
-        Position = Frame.ToGeodetic(new NedPosition(north, east, 0)),
-        Covariance = new HorizontalCovariance(1.1, 0.3, 0.8),
-        Reports = 12 + id,
-        Misses = id % 3,
-        SizeMetres = 1.02,
-        FirstSeen = TimeSpan.FromSeconds(40 + (15 * id)),
-        LastSeen = TimeSpan.FromSeconds(60 + (18 * id)),
-        BestPictureNumber = 100 + id,
-        BestReportIndex = 0,
-    };
+    private static TargetTrack Track(int id, TargetClassName colour, TrackState state, double north, double east)
+        => new()
+        {
+            Id = id,
+            Class = colour,
+            State = state,
+            Position = Frame.ToGeodetic(new NedPosition(north, east, 0)),
+            Covariance = new HorizontalCovariance(1.1, 0.3, 0.8),
+            Reports = 12 + id,
+            Misses = id % 3,
+            SizeMetres = 1.02,
+            FirstSeen = TimeSpan.FromSeconds(40 + (15 * id)),
+            LastSeen = TimeSpan.FromSeconds(60 + (18 * id)),
+            BestPictureNumber = 100 + id,
+            BestReportIndex = 0,
+        };
 
     private static FlightEvent[] Events() =>
     [
-        new(TimeSpan.Zero, RabitLogKind.Lifecycle, "reactor", "starts communications, autopilot, image processing, sensor fusion, mission control, health"),
-        new(TimeSpan.FromSeconds(1.02), RabitLogKind.Manager, "autopilot", "autopilot Ardupilotmega of a Quadrotor, system 1, component 1"),
+        new(
+            TimeSpan.Zero, RabitLogKind.Lifecycle, "reactor",
+            "starts communications, autopilot, image processing, sensor fusion, mission control, health"),
+        new(
+            TimeSpan.FromSeconds(1.02), RabitLogKind.Manager, "autopilot",
+            "autopilot Ardupilotmega of a Quadrotor, system 1, component 1"),
         new(TimeSpan.FromSeconds(4), RabitLogKind.Manager, "mission control", "arms"),
         new(TimeSpan.FromSeconds(6), RabitLogKind.Manager, "mission control", "takes off to 40 m"),
-        new(TimeSpan.FromSeconds(62.4), RabitLogKind.Manager, "sensor fusion", "track 1 (red) confirmed after 5 reports"),
+        new(
+            TimeSpan.FromSeconds(62.4), RabitLogKind.Manager, "sensor fusion",
+            "track 1 (red) confirmed after 5 reports"),
         new(TimeSpan.FromSeconds(63), RabitLogKind.Manager, "mission control", "leaves lane 1 to revisit track 1"),
-        new(TimeSpan.FromSeconds(88), RabitLogKind.Fault, "sensor fusion", "InvalidOperationException: planted for the picture"),
-        new(TimeSpan.FromSeconds(90), RabitLogKind.Manager, "autopilot", "status text: <script>alert(1)</script> \u001b[31m & \"quoted\" \uD800 \u202Eright to left"),
+        new(
+            TimeSpan.FromSeconds(88), RabitLogKind.Fault, "sensor fusion",
+            "InvalidOperationException: planted for the picture"),
+        new(
+            TimeSpan.FromSeconds(90), RabitLogKind.Manager, "autopilot",
+            "status text: <script>alert(1)</script> \u001b[31m & \"quoted\" \uD800 \u202Eright to left"),
         new(TimeSpan.FromSeconds(150), RabitLogKind.Manager, "mission control", "all lanes flown: returns"),
     ];
 
@@ -222,7 +286,9 @@ internal sealed class MadeUpFlight
         for (int lane = 0; lane < LaneNorths.Length; lane++)
         {
             bool isEastward = lane % 2 == 0;
-            Go(new NedPosition(LaneNorths[lane], isEastward ? 20 : 180, -HeightMetres), Speed, lane == 0 ? MissionPhase.InTransit : MissionPhase.Searching);
+            Go(
+                new NedPosition(LaneNorths[lane], isEastward ? 20 : 180, -HeightMetres), Speed,
+                lane == 0 ? MissionPhase.InTransit : MissionPhase.Searching);
             Begin(MissionPhase.Searching);
             Go(new NedPosition(LaneNorths[lane], isEastward ? 110 : 90, -HeightMetres), Speed, MissionPhase.Searching);
             if (lane is 0 or 2)
@@ -246,7 +312,8 @@ internal sealed class MadeUpFlight
         Wait(MissionPhase.Done, 3);
     }
 
-    private void Begin(MissionPhase phase) => _phases.Add(new PhaseChange(TimeSpan.FromSeconds(_time), phase, phase.ToString()));
+    private void Begin(MissionPhase phase)
+        => _phases.Add(new PhaseChange(TimeSpan.FromSeconds(_time), phase, phase.ToString()));
 
     private void Wait(MissionPhase phase, double seconds)
     {
@@ -263,7 +330,8 @@ internal sealed class MadeUpFlight
             double step = Math.Min(left, speed * 0.2);
             if (left < 1e-6)
                 return;
-            _at = new NedPosition(_at.North + (n * step / left), _at.East + (e * step / left), _at.Down + (d * step / left));
+            _at = new NedPosition(
+                _at.North + (n * step / left), _at.East + (e * step / left), _at.Down + (d * step / left));
             Sample(phase, Math.Sqrt((n * n) + (e * e)) / left * speed, Math.Atan2(e, n));
         }
     }
@@ -276,14 +344,17 @@ internal sealed class MadeUpFlight
         {
             Time = TimeSpan.FromSeconds(_time),
             HasPosition = _time > 1,
-            Position = Frame.ToGeodetic(new NedPosition(_at.North + (0.3 * Gauss()), _at.East + (0.3 * Gauss()), _at.Down)),
+            Position = Frame.ToGeodetic(
+                new NedPosition(_at.North + (0.3 * Gauss()), _at.East + (0.3 * Gauss()), _at.Down)),
             HeightAboveHomeMetres = -_at.Down + (0.2 * Gauss()),
             GroundSpeed = Math.Max(0, speed + (0.15 * Gauss())),
             Yaw = Angle.FromRadians(yaw),
             BatteryRemaining = _time < 1 ? double.NaN : 0.98 - (_time * 0.0018),
             Phase = phase,
             Coverage = coverage,
-            Health = _time < 1.5 ? HealthLevel.Warning : _time is > 88 and < 96 ? HealthLevel.Warning : HealthLevel.Good,
+            Health = _time < 1.5 ? HealthLevel.Warning
+                : _time is > 88 and < 96 ? HealthLevel.Warning
+                : HealthLevel.Good,
         });
         if (isLooking && _samples.Count % 3 == 0)
             _observations.Add(Observe(yaw));
@@ -294,7 +365,8 @@ internal sealed class MadeUpFlight
     {
         (double forward, double right) = (HeightMetres * 240 / 530, HeightMetres * 320 / 530);
         GeodeticPosition Corner(double f, double r) => Frame.ToGeodetic(new NedPosition(
-            _at.North + (f * Math.Cos(yaw)) - (r * Math.Sin(yaw)), _at.East + (f * Math.Sin(yaw)) + (r * Math.Cos(yaw)), 0));
+            _at.North + (f * Math.Cos(yaw)) - (r * Math.Sin(yaw)), _at.East + (f * Math.Sin(yaw)) + (r * Math.Cos(yaw)),
+            0));
         return new CameraObservation
         {
             Number = _observations.Count,
@@ -313,7 +385,9 @@ internal sealed class MadeUpFlight
         for (double t = 0; t < _time; t += 2)
         {
             bool isFault = name == "sensor fusion" && t >= 88;
-            samples.Add(new ManagerSample(TimeSpan.FromSeconds(t), t is >= 88 and < 90 && isFault ? ManagerState.Faulted : ManagerState.Running, runs, isFault ? 1 : 0));
+            samples.Add(new ManagerSample(
+                TimeSpan.FromSeconds(t), t is >= 88 and < 90 && isFault ? ManagerState.Faulted : ManagerState.Running,
+                runs, isFault ? 1 : 0));
             runs += name switch
             {
                 "image processing" or "sensor fusion" => t is > 30 and < 170 ? 4 + _random.Next(3) : 0,
@@ -326,5 +400,6 @@ internal sealed class MadeUpFlight
         return new ManagerTimeLine(name, samples);
     }
 
-    private double Gauss() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+    private double Gauss()
+        => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
 }

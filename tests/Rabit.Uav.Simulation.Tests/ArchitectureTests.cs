@@ -17,5 +17,6 @@ public sealed class ArchitectureTests
         Assert.DoesNotContain("Rabit.Uav.Reporting", References(typeof(UavSystem)));
     }
 
-    private static string[] References(Type type) => type.Assembly.GetReferencedAssemblies().Select(a => a.Name!).ToArray();
+    private static string[] References(Type type)
+        => type.Assembly.GetReferencedAssemblies().Select(a => a.Name!).ToArray();
 }

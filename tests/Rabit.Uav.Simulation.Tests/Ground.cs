@@ -13,8 +13,8 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 namespace Rabit.Uav.Simulation.Tests;
 
 /// <summary>
-/// A simulated world in virtual time, and a scripted ground station on the other end of its link: it sends what a test wants and keeps every
-/// frame that comes back, with the time.
+/// A simulated world in virtual time, and a scripted ground station on the other end of its link: it sends what a test
+/// wants and keeps every frame that comes back, with the time.
 /// </summary>
 internal sealed class Ground : IDisposable
 {
@@ -31,7 +31,8 @@ internal sealed class Ground : IDisposable
         Options = options ?? new SimulationOptions();
         World = new SimulatedWorld(Options);
         _station = new Station(_pair.B);
-        Reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(timeSeed), Log = Log.Add, StopsOnSignals = false })
+        Reactor = new RabitReactor(
+            new ReactorOptions { Time = new VirtualTime(timeSeed), Log = Log.Add, StopsOnSignals = false })
         {
             World.CreateVehicle(_pair.A), _station,
         };
@@ -70,7 +71,8 @@ internal sealed class Ground : IDisposable
         while (!condition())
         {
             if (Now >= end)
-                throw new Xunit.Sdk.XunitException($"not within {atMostSeconds} s: {what}. Texts: {string.Join(" | ", Texts)}");
+                throw new Xunit.Sdk.XunitException(
+                    $"not within {atMostSeconds} s: {what}. Texts: {string.Join(" | ", Texts)}");
             Run(0.1);
         }
     }
@@ -84,7 +86,9 @@ internal sealed class Ground : IDisposable
     }
 
     /// <summary>Sends a command and waits for its acknowledgement.</summary>
-    public MavResult Command(MavCmd command, float p1 = 0, float p2 = 0, float p3 = 0, float p4 = 0, float p5 = 0, float p6 = 0, float p7 = 0)
+    public MavResult Command(
+        MavCmd command, float p1 = 0, float p2 = 0, float p3 = 0, float p4 = 0, float p5 = 0, float p6 = 0,
+        float p7 = 0)
     {
         Send(new CommandLong
         {
@@ -108,15 +112,18 @@ internal sealed class Ground : IDisposable
         return AwaitResult(command.Command);
     }
 
-    public MavResult SetMode(CopterMode mode) => Command(MavCmd.DoSetMode, (float)MavModeFlag.CustomModeEnabled, (float)mode);
+    public MavResult SetMode(CopterMode mode)
+        => Command(MavCmd.DoSetMode, (float)MavModeFlag.CustomModeEnabled, (float)mode);
 
     /// <summary>Asks for a stream.</summary>
-    public MavResult Stream(int messageId, double hertz) => Command(MavCmd.SetMessageInterval, messageId, (float)(1e6 / hertz));
+    public MavResult Stream(int messageId, double hertz)
+        => Command(MavCmd.SetMessageInterval, messageId, (float)(1e6 / hertz));
 
     /// <summary>A place above home, metres, as a target in latitude and longitude.</summary>
     public void GoTo(double north, double east, double height)
     {
-        GeodeticPosition place = LocalNedFrame.IgnoringGeoid(Options.Home).ToGeodetic(new NedPosition(north, east, -height));
+        GeodeticPosition place = LocalNedFrame.IgnoringGeoid(Options.Home)
+            .ToGeodetic(new NedPosition(north, east, -height));
         Send(new SetPositionTargetGlobalInt
         {
             TargetSystem = 1,

@@ -13,8 +13,9 @@ using Xunit;
 namespace Rabit.Uav.Tests;
 
 /// <summary>
-/// The dependency rules: which package may use which, and which module (namespace) of Rabit.Uav may use which. By what the compiled code
-/// refers to, since a "using" directive says little: a type can be named without one, and one is often left over.
+/// The dependency rules: which package may use which, and which module (namespace) of Rabit.Uav may use which. By what
+/// the compiled code refers to, since a "using" directive says little: a type can be named without one, and one is
+/// often left over.
 /// </summary>
 public class ArchitectureTests
 {
@@ -24,7 +25,10 @@ public class ArchitectureTests
     private static readonly string[] Shared = ["Messages", "CameraGeometry", "Json"];
 
     private static readonly string[] Managers =
-        ["Communications", "AutopilotInterface", "ImageProcessing", "SensorFusion", "MissionControl", "HealthMonitoring"];
+    [
+        "Communications", "AutopilotInterface", "ImageProcessing", "SensorFusion", "MissionControl",
+        "HealthMonitoring"
+    ];
 
     [Fact]
     public void Packages_References_GoOneWay()
@@ -35,7 +39,8 @@ public class ArchitectureTests
         Assert.Empty(RabitReferences(typeof(RgbPicture).Assembly));
         Assert.Empty(RabitReferences(typeof(IByteLink).Assembly).Except(["Rabit.Core"]));
         Assert.Equal(
-            ["Rabit.Core", "Rabit.Geodesy", "Rabit.Links", "Rabit.Mavlink", "Rabit.Vision"], RabitReferences(typeof(AutopilotManager).Assembly));
+            ["Rabit.Core", "Rabit.Geodesy", "Rabit.Links", "Rabit.Mavlink", "Rabit.Vision"],
+            RabitReferences(typeof(AutopilotManager).Assembly));
     }
 
     [Fact]
@@ -52,15 +57,21 @@ public class ArchitectureTests
         IEnumerable<Type> types = typeof(ArchitectureTests).Assembly.GetTypes()
             .Where(t => t.Namespace?.StartsWith(Planted, StringComparison.Ordinal) == true);
         IEnumerable<string> violators = FindViolations(types, Planted)
-            .Select(v => v.Substring(0, v.IndexOf(' '))).Distinct(StringComparer.Ordinal).OrderBy(n => n, StringComparer.Ordinal);
+            .Select(v => v.Substring(0, v.IndexOf(' ')))
+            .Distinct(StringComparer.Ordinal)
+            .OrderBy(n => n, StringComparer.Ordinal);
 
         Assert.Equal(
-            ["ByAttribute", "ByBase", "ByCall", "ByField", "ByGenericArgument", "ByLambda", "ByLocal", "ByMessage", "BySignature"], violators);
+            ["ByAttribute", "ByBase", "ByCall", "ByField", "ByGenericArgument", "ByLambda", "ByLocal", "ByMessage",
+                "BySignature"],
+            violators);
     }
 
     private static string[] RabitReferences(Assembly assembly)
         => assembly.GetReferencedAssemblies().Select(a => a.Name!)
-            .Where(n => n.StartsWith("Rabit", StringComparison.Ordinal)).OrderBy(n => n, StringComparer.Ordinal).ToArray();
+            .Where(n => n.StartsWith("Rabit", StringComparison.Ordinal))
+            .OrderBy(n => n, StringComparer.Ordinal)
+            .ToArray();
 
     /// <summary>Lines that begin with the name of the outermost type at fault.</summary>
     private static IEnumerable<string> FindViolations(IEnumerable<Type> types, string root)
@@ -92,7 +103,9 @@ public class ArchitectureTests
         string name = type.Namespace ?? string.Empty;
         if (name == root)
             return "root";
-        return name.StartsWith(root + ".", StringComparison.Ordinal) ? name.Substring(root.Length + 1).Split('.')[0] : string.Empty;
+        return name.StartsWith(root + ".", StringComparison.Ordinal)
+            ? name.Substring(root.Length + 1).Split('.')[0]
+            : string.Empty;
     }
 
     private static Type Outermost(Type type)

@@ -7,13 +7,15 @@ namespace Rabit.Uav.Tests;
 internal static class TestData
 {
     // Not the base directory: where tests run without a domain of their own, as under Mono, that is the runner's.
-    private static readonly string Data = Path.Combine(Path.GetDirectoryName(typeof(TestData).Assembly.Location)!, "data");
+    private static readonly string Data = Path.Combine(
+        Path.GetDirectoryName(typeof(TestData).Assembly.Location)!, "data");
 
     public static string PathOf(string file) => Path.Combine(Data, "mavlink", file);
 
     public static string MissionText(string file) => File.ReadAllText(Path.Combine(Data, "missions", file));
 
-    public static JsonDocument Autonomy(string file) => JsonDocument.Parse(File.ReadAllText(Path.Combine(Data, "autonomy", file)));
+    public static JsonDocument Autonomy(string file)
+        => JsonDocument.Parse(File.ReadAllText(Path.Combine(Data, "autonomy", file)));
 
     public static JsonDocument Json(string file) => JsonDocument.Parse(File.ReadAllText(PathOf(file)));
 }

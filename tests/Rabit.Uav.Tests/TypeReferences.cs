@@ -6,11 +6,15 @@ using System.Reflection.Emit;
 
 namespace Rabit.Uav.Tests;
 
-/// <summary>All types that a compiled type refers to: base, interfaces, attributes, fields, signatures, locals, and the code itself.</summary>
+/// <summary>
+/// All types that a compiled type refers to: base, interfaces, attributes, fields, signatures, locals, and the code
+/// itself.
+/// </summary>
 internal static class TypeReferences
 {
     private const BindingFlags Own =
-        BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
+        BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static
+            | BindingFlags.DeclaredOnly;
 
     private static readonly Dictionary<short, OpCode> OpCodesByValue = typeof(OpCodes)
         .GetFields(BindingFlags.Public | BindingFlags.Static)
@@ -43,7 +47,8 @@ internal static class TypeReferences
             return;
         foreach (LocalVariableInfo local in body.LocalVariables)
             Add(found, local.LocalType);
-        foreach (ExceptionHandlingClause clause in body.ExceptionHandlingClauses.Where(c => c.Flags == ExceptionHandlingClauseOptions.Clause))
+        foreach (ExceptionHandlingClause clause
+            in body.ExceptionHandlingClauses.Where(c => c.Flags == ExceptionHandlingClauseOptions.Clause))
             Add(found, clause.CatchType);
         foreach (int token in TokensOf(body.GetILAsByteArray()!))
             AddMember(found, Resolve(method, token));
@@ -124,7 +129,8 @@ internal static class TypeReferences
             if (value == 0xFE)
                 value = unchecked((short)((0xFE << 8) | code[position++]));
             OpCode opCode = OpCodesByValue[value];
-            if (opCode.OperandType is OperandType.InlineField or OperandType.InlineMethod or OperandType.InlineTok or OperandType.InlineType)
+            if (opCode.OperandType is OperandType.InlineField or OperandType.InlineMethod or OperandType.InlineTok
+                or OperandType.InlineType)
                 yield return BitConverter.ToInt32(code, position);
             position += opCode.OperandType switch
             {

@@ -11,11 +11,21 @@ public sealed class UavOptionsTests
     private const string Flight = "tlog:a.tlog?speed=10";
 
     [Theory]
-    [InlineData("tlog:a.tlog?speed=10 plays at another pace than udpin:0.0.0.0:14550; a log at another speed than 1 goes with logs of the same speed only.", Flight, "udpin:0.0.0.0:14550")]
-    [InlineData("tlog:a.tlog?speed=10 plays at another pace than udpin:0.0.0.0:14550; a log at another speed than 1 goes with logs of the same speed only.", "udpin:0.0.0.0:14550", Flight)]
-    [InlineData("tlog:a.tlog?speed=10 plays at another pace than tlog:b.tlog?speed=20; a log at another speed than 1 goes with logs of the same speed only.", Flight, "tlog:b.tlog?speed=20")]
-    [InlineData("tlog:a.tlog?speed=10 plays at another pace than tlog:b.tlog; a log at another speed than 1 goes with logs of the same speed only.", Flight, "tlog:b.tlog")]
-    [InlineData("tlog:a.tlog?speed=max plays at another pace than tlog:a.tlog?speed=10; a log at another speed than 1 goes with logs of the same speed only.", "tlog:a.tlog?speed=max", Flight)]
+    [InlineData("tlog:a.tlog?speed=10 plays at another pace than udpin:0.0.0.0:14550; a log at another speed than 1 "
+        + "goes with logs of the same speed only.",
+        Flight, "udpin:0.0.0.0:14550")]
+    [InlineData("tlog:a.tlog?speed=10 plays at another pace than udpin:0.0.0.0:14550; a log at another speed than 1 "
+        + "goes with logs of the same speed only.",
+        "udpin:0.0.0.0:14550", Flight)]
+    [InlineData("tlog:a.tlog?speed=10 plays at another pace than tlog:b.tlog?speed=20; a log at another speed than 1 "
+        + "goes with logs of the same speed only.",
+        Flight, "tlog:b.tlog?speed=20")]
+    [InlineData("tlog:a.tlog?speed=10 plays at another pace than tlog:b.tlog; a log at another speed than 1 goes with "
+        + "logs of the same speed only.",
+        Flight, "tlog:b.tlog")]
+    [InlineData("tlog:a.tlog?speed=max plays at another pace than tlog:a.tlog?speed=10; a log at another speed than 1 "
+        + "goes with logs of the same speed only.",
+        "tlog:a.tlog?speed=max", Flight)]
     [InlineData("link udpin:0.0.0.0:14550 is given 2 times.", "udpin:0.0.0.0:14550", "UDPIN:0.0.0.0:14550")]
     [InlineData("link tlog:a.tlog is given 3 times.", "tlog:a.tlog", "tlog:a.tlog?speed=1", "tlog:a.tlog?speed=1.0")]
     [InlineData("A UAV needs at least one link.")]
@@ -25,8 +35,14 @@ public sealed class UavOptionsTests
     [Fact]
     public void Open_SeveralFaults_NamesThemAll()
         => AssertRefused(
-            "SystemId is 0; it must be 1 to 255; ComponentId is 0; it must be 1 to 255; link tlog:a.tlog is given 2 times.",
-            new UavOptions { Links = [LinkUrl.Parse("tlog:a.tlog"), LinkUrl.Parse("tlog:a.tlog")], SystemId = 0, ComponentId = 0 });
+            "SystemId is 0; it must be 1 to 255; ComponentId is 0; it must be 1 to 255; link tlog:a.tlog is given 2 "
+                + "times.",
+            new UavOptions
+            {
+                Links = [LinkUrl.Parse("tlog:a.tlog"), LinkUrl.Parse("tlog:a.tlog")],
+                SystemId = 0,
+                ComponentId = 0
+            });
 
     [Fact]
     public void Open_NoListOfLinks_SaysSo()

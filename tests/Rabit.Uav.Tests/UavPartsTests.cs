@@ -11,15 +11,22 @@ using Xunit;
 
 namespace Rabit.Uav.Tests;
 
-/// <summary>Options of the managers through the options of the whole, and managers that are left out or replaced.</summary>
+/// <summary>
+/// Options of the managers through the options of the whole, and managers that are left out or replaced.
+/// </summary>
 public sealed class UavPartsTests
 {
     [Theory]
-    [InlineData(UavManagers.Communications, "Queue 'outgoing frames' has no receiver, but 'autopilot', 'health' sends to it.")]
-    [InlineData(UavManagers.AutopilotInterface, "subscribes to message 'own address', but|Queue 'autopilot frames' has no receiver|message 'vehicle'")]
-    [InlineData(UavManagers.ImageProcessing, "subscribes to message 'imaging', but|Queue 'poses' has no receiver, but 'autopilot' sends to it.")]
+    [InlineData(UavManagers.Communications,
+        "Queue 'outgoing frames' has no receiver, but 'autopilot', 'health' sends to it.")]
+    [InlineData(UavManagers.AutopilotInterface,
+        "subscribes to message 'own address', but|Queue 'autopilot frames' has no receiver|message 'vehicle'")]
+    [InlineData(UavManagers.ImageProcessing,
+        "subscribes to message 'imaging', but|Queue 'poses' has no receiver, but 'autopilot' sends to it.")]
     [InlineData(UavManagers.SensorFusion, "subscribes to message 'tracks', but|Queue 'target reports' has no receiver")]
-    [InlineData(UavManagers.MissionControl, "subscribes to message 'mission', but|Queue 'vehicle command results' has no receiver, but 'autopilot' sends to it.")]
+    [InlineData(UavManagers.MissionControl,
+        "subscribes to message 'mission', but|Queue 'vehicle command results' has no receiver, but 'autopilot' sends "
+            + "to it.")]
     [InlineData(UavManagers.HealthMonitoring, "subscribes to message 'health', but")]
     public void Without_OneManager_TheWiringNamesWhatIsMissing(UavManagers without, string expected)
     {
@@ -90,25 +97,35 @@ public sealed class UavPartsTests
 
         Assert.Equal(9, Assert.Single(first.Taken).LineCentimetres);
         Assert.Single(second.Taken);
-        Assert.Equal([("first", 1L), ("second", 1L)], uav.Communications.CountSubscriptions().Select(c => (c.Queue, c.Delivered)));
+        Assert.Equal(
+            [("first", 1L), ("second", 1L)],
+            uav.Communications.CountSubscriptions().Select(c => (c.Queue, c.Delivered)));
     }
 
     public static TheoryData<string, Action<UavOptions>> Contradictions => new()
     {
-        { "SystemId is 1, but Autopilot.SystemId is 2; set one of them", o => (o.SystemId, o.Autopilot.SystemId) = (1, 2) },
-        { "ComponentId is 192, but Autopilot.ComponentId is 193; set one of them", o => (o.ComponentId, o.Autopilot.ComponentId) = (192, 193) },
-        { "Dialect is 'mine', but Communications.Dialect is 'other'; set one of them", o => (o.Dialect, o.Communications.Dialect) = (WinchState.Dialect, Other()) },
-        { "Dialect is 'mine', but Autopilot.Dialect is 'other'; set one of them", o => (o.Dialect, o.Autopilot.Dialect) = (WinchState.Dialect, Other()) },
+        { "SystemId is 1, but Autopilot.SystemId is 2; set one of them",
+            o => (o.SystemId, o.Autopilot.SystemId) = (1, 2) },
+        { "ComponentId is 192, but Autopilot.ComponentId is 193; set one of them",
+            o => (o.ComponentId, o.Autopilot.ComponentId) = (192, 193) },
+        { "Dialect is 'mine', but Communications.Dialect is 'other'; set one of them",
+            o => (o.Dialect, o.Communications.Dialect) = (WinchState.Dialect, Other()) },
+        { "Dialect is 'mine', but Autopilot.Dialect is 'other'; set one of them",
+            o => (o.Dialect, o.Autopilot.Dialect) = (WinchState.Dialect, Other()) },
         { "Autopilot.MayCommand is true, but MayCommand is false", o => o.Autopilot.MayCommand = true },
-        { "Communications.Links and Communications.RecordedFiles are what is opened from Links and OpenLinks; leave them empty", o => o.Communications.Links = o.OpenLinks },
+        { "Communications.Links and Communications.RecordedFiles are what is opened from Links and OpenLinks; leave "
+            + "them empty",
+            o => o.Communications.Links = o.OpenLinks },
         { "there are links, but Without has Communications", o => o.Without = UavManagers.Communications },
         { "Without is 64, which is none of the managers", o => o.Without = (UavManagers)64 },
         { "one of OtherManagers is null", o => o.OtherManagers = [null!] },
         { "Communications is null", o => o.Communications = null! },
         { "MissionControl is null", o => o.MissionControl = null! },
         { "Dialect or Subscriptions is null, or that of Communications", o => o.Dialect = null! },
-        { "the subscription of queue 'a' is for component 0", o => o.Subscriptions = [new MavlinkSubscription("a") { ComponentId = 0 }] },
-        { "2 subscriptions have queue 'a'", o => (o.Subscriptions, o.Communications.Subscriptions) = ([new("a")], [new("a")]) },
+        { "the subscription of queue 'a' is for component 0",
+            o => o.Subscriptions = [new MavlinkSubscription("a") { ComponentId = 0 }] },
+        { "2 subscriptions have queue 'a'",
+            o => (o.Subscriptions, o.Communications.Subscriptions) = ([new("a")], [new("a")]) },
     };
 
     [Theory]
@@ -127,7 +144,13 @@ public sealed class UavPartsTests
     public void ForAutopilot_WhatOnlyOneSets_Holds()
     {
         UavOptions options = Options();
-        options.Autopilot = new AutopilotOptions { SystemId = 7, ComponentId = 192, HeartbeatTimeout = TimeSpan.FromSeconds(3), RequestsRates = false };
+        options.Autopilot = new AutopilotOptions
+        {
+            SystemId = 7,
+            ComponentId = 192,
+            HeartbeatTimeout = TimeSpan.FromSeconds(3),
+            RequestsRates = false
+        };
         options.MayCommand = true;
 
         AutopilotOptions made = ManagerOptions.ForAutopilot(options);
@@ -141,7 +164,12 @@ public sealed class UavPartsTests
     public void ForCommunications_KeepsWhatTheUserSet()
     {
         UavOptions options = Options();
-        options.Communications = new CommunicationsOptions { FramesWaitingIn = 17, PositionRateHz = 5, VehicleMessageBytesPerSecond = 2000 };
+        options.Communications = new CommunicationsOptions
+        {
+            FramesWaitingIn = 17,
+            PositionRateHz = 5,
+            VehicleMessageBytesPerSecond = 2000
+        };
 
         CommunicationsOptions made = ManagerOptions.ForCommunications(options, options.OpenLinks, []);
 

@@ -12,7 +12,9 @@ using Xunit;
 
 namespace Rabit.Uav.Tests;
 
-/// <summary>All managers on the recorded flights: what they report does not depend on pace or order, and is what was flown.</summary>
+/// <summary>
+/// All managers on the recorded flights: what they report does not depend on pace or order, and is what was flown.
+/// </summary>
 public sealed class UavSystemTests
 {
     private static readonly string[] FlightNames = ["ardupilot-flight", "px4-flight"];
@@ -31,8 +33,12 @@ public sealed class UavSystemTests
         Assert.Equal((0, "communications: the recorded flight is over"), (result.ExitCode, result.StopReason));
         Assert.Equal((0L, 0L, 0L), (status.FramesDroppedIn, status.FramesOut, link.BytesLost));
         Assert.Equal(facts.GetProperty("records").GetInt64(), link.Frames);
-        Assert.Equal(SidecarFacts.Counts(facts), link.Counts.Select(c => SidecarFacts.Line(c.MessageId, c.SystemId, c.ComponentId, (int)c.Version, c.Count)).OrderBy(l => l, StringComparer.Ordinal));
-        Assert.Equal(SidecarFacts.Sources(facts), link.Sources.Select(s => SidecarFacts.Line(s.SystemId, s.ComponentId, s.Frames, s.Missing, s.OutOfOrder)));
+        Assert.Equal(SidecarFacts.Counts(facts), link.Counts
+            .Select(c => SidecarFacts.Line(c.MessageId, c.SystemId, c.ComponentId, (int)c.Version, c.Count))
+            .OrderBy(l => l, StringComparer.Ordinal));
+        Assert.Equal(
+            SidecarFacts.Sources(facts),
+            link.Sources.Select(s => SidecarFacts.Line(s.SystemId, s.ComponentId, s.Frames, s.Missing, s.OutOfOrder)));
         Assert.All(link.Counts, c => Assert.NotNull(c.Name));
     }
 
@@ -79,12 +85,15 @@ public sealed class UavSystemTests
 
         Assert.IsType<RealTime>(slow.Time);
         Assert.IsType<VirtualTime>(fast.Time);
-        Assert.Equal(1795227493254076L, (fast.Time.Clock.GetUtcNow().Ticks - DateTimeOffset.FromUnixTimeSeconds(0).Ticks) / 10);
+        Assert.Equal(
+            1795227493254076L, (fast.Time.Clock.GetUtcNow().Ticks - DateTimeOffset.FromUnixTimeSeconds(0).Ticks) / 10);
     }
 
-    private static LinkUrl Url(string name, string speed) => LinkUrl.Parse($"tlog:{TestData.PathOf(name + ".tlog")}?speed={speed}");
+    private static LinkUrl Url(string name, string speed)
+        => LinkUrl.Parse($"tlog:{TestData.PathOf(name + ".tlog")}?speed={speed}");
 
-    private static UavSystem Open(long seed, params LinkUrl[] links) => UavSystem.Open(new UavOptions { Links = links, Seed = seed });
+    private static UavSystem Open(long seed, params LinkUrl[] links)
+        => UavSystem.Open(new UavOptions { Links = links, Seed = seed });
 
     private static UavSystem Run(out ReactorResult result, out LinkStatus status, long seed, params LinkUrl[] links)
     {
@@ -103,11 +112,17 @@ public sealed class UavSystemTests
         foreach (LinkSummary link in uav.Communications.SummariseLinks())
         {
             lines.Add(SidecarFacts.Line(link.Frames, link.BytesLost, link.FirstDamageOffset ?? -1));
-            lines.AddRange(link.Counts.Select(c => SidecarFacts.Line(c.MessageId, c.SystemId, c.ComponentId, (int)c.Version, c.Count)));
-            lines.AddRange(link.Sources.Select(s => SidecarFacts.Line(s.SystemId, s.ComponentId, s.Frames, s.Missing, s.OutOfOrder)));
+            lines.AddRange(
+                link.Counts.Select(
+                    c => SidecarFacts.Line(c.MessageId, c.SystemId, c.ComponentId, (int)c.Version, c.Count)));
+            lines.AddRange(
+                link.Sources.Select(
+                    s => SidecarFacts.Line(s.SystemId, s.ComponentId, s.Frames, s.Missing, s.OutOfOrder)));
         }
 
-        lines.AddRange(uav.Communications.CountOwnFrames().Select(c => SidecarFacts.Line(c.MessageId, c.SystemId, c.ComponentId, c.Count)));
+        lines.AddRange(
+            uav.Communications.CountOwnFrames()
+                .Select(c => SidecarFacts.Line(c.MessageId, c.SystemId, c.ComponentId, c.Count)));
         return string.Join("\n", lines);
     }
 }

@@ -6,8 +6,8 @@ using System.Linq;
 namespace Rabit.Tests.Shared;
 
 /// <summary>
-/// The examples in XML documentation, as they are in the sources. A test project holds the same lines in a file of its own,
-/// which the compiler checks, and compares.
+/// The examples in XML documentation, as they are in the sources. A test project holds the same lines in a file of its
+/// own, which the compiler checks, and compares.
 /// </summary>
 internal static class DocumentationExamples
 {
@@ -15,7 +15,8 @@ internal static class DocumentationExamples
     public static IEnumerable<(string File, string[] Lines)> Find(params string[] folder)
     {
         string root = Path.Combine([Repository.Root, .. folder]);
-        foreach (string file in Directory.GetFiles(root, "*.cs", SearchOption.AllDirectories).OrderBy(f => f, StringComparer.Ordinal))
+        foreach (string file
+            in Directory.GetFiles(root, "*.cs", SearchOption.AllDirectories).OrderBy(f => f, StringComparer.Ordinal))
         {
             List<string>? code = null;
             foreach (string line in File.ReadLines(file).Select(l => l.Trim()))
@@ -38,7 +39,8 @@ internal static class DocumentationExamples
     public static bool Contain(string[] file, string[] lines)
     {
         string[] wanted = [.. lines.Where(l => l.Length > 0)];
-        return Enumerable.Range(0, Math.Max(0, file.Length - wanted.Length + 1)).Any(i => file.Skip(i).Take(wanted.Length).SequenceEqual(wanted));
+        return Enumerable.Range(0, Math.Max(0, file.Length - wanted.Length + 1))
+            .Any(i => file.Skip(i).Take(wanted.Length).SequenceEqual(wanted));
     }
 
     private static string[] TakeAll(ref List<string>? code)

@@ -20,7 +20,8 @@ internal static class PublicApiText
     private const string UpdateVariable = "RABIT_UPDATE_API";
 
     private const BindingFlags Declared
-        = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
+        = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.Static
+            | BindingFlags.DeclaredOnly;
 
     /// <summary>Compares an assembly with the file that holds its public surface.</summary>
     /// <param name="assembly">The assembly.</param>
@@ -46,14 +47,16 @@ internal static class PublicApiText
     }
 
     public static IEnumerable<string> Describe(Assembly assembly, string? exceptNamespace = null)
-        => assembly.GetTypes().Where(t => IsVisible(t) && (exceptNamespace is null || t.Namespace != exceptNamespace)).OrderBy(Name, StringComparer.Ordinal).SelectMany(DescribeType);
+        => assembly.GetTypes().Where(t => IsVisible(t) && (exceptNamespace is null || t.Namespace != exceptNamespace))
+            .OrderBy(Name, StringComparer.Ordinal).SelectMany(DescribeType);
 
     private static IEnumerable<string> DescribeType(Type type)
     {
         yield return DescribeHead(type);
         IEnumerable<string> members = type.IsEnum
             ? type.GetFields(BindingFlags.Public | BindingFlags.Static)
-                .Select(f => $"{f.Name} = {Convert.ToInt64(f.GetRawConstantValue(), CultureInfo.InvariantCulture).ToString(CultureInfo.InvariantCulture)}")
+                .Select(f =>
+                    $"{f.Name} = {Convert.ToInt64(f.GetRawConstantValue(), CultureInfo.InvariantCulture).ToString(CultureInfo.InvariantCulture)}")
             : IsDelegate(type)
                 ? [Describe(type.GetMethod("Invoke")!)]
                 : type.GetMembers(Declared).Select(DescribeMember).OfType<string>();
@@ -84,33 +87,45 @@ internal static class PublicApiText
                 .OrderBy(n => n, StringComparer.Ordinal));
         }
 
-        return $"{kind} {Name(type)}" + (bases.Count == 0 ? string.Empty : " : " + string.Join(", ", bases)) + Constraints(type.GetGenericArguments());
+        return $"{kind} {Name(type)}" + (bases.Count == 0 ? string.Empty : " : " + string.Join(", ", bases))
+            + Constraints(type.GetGenericArguments());
     }
 
     private static string? DescribeMember(MemberInfo member) => member switch
     {
         FieldInfo field when IsVisible(field) => Describe(field),
-        ConstructorInfo constructor when IsVisible(constructor) => $"{Access(constructor)}new({Parameters(constructor)})",
+        ConstructorInfo constructor when IsVisible(constructor) =>
+            $"{Access(constructor)}new({Parameters(constructor)})",
         PropertyInfo property when property.GetAccessors(nonPublic: true).Any(IsVisible) => Describe(property),
-        EventInfo @event when IsVisible(@event.AddMethod!) => $"{Access(@event.AddMethod!)}event {Name(@event.EventHandlerType!)} {@event.Name}",
-        MethodInfo method when IsVisible(method) && (!method.IsSpecialName || method.Name.StartsWith("op_", StringComparison.Ordinal)) => Describe(method),
+        EventInfo @event when IsVisible(@event.AddMethod!) =>
+            $"{Access(@event.AddMethod!)}event {Name(@event.EventHandlerType!)} {@event.Name}",
+        MethodInfo method when IsVisible(method)
+            && (!method.IsSpecialName || method.Name.StartsWith("op_", StringComparison.Ordinal)) =>
+            Describe(method),
         _ => null,
     };
 
     private static string Describe(FieldInfo field)
     {
-        string kind = field.IsLiteral ? "const " : (field.IsStatic ? "static " : string.Empty) + (field.IsInitOnly ? "readonly " : string.Empty);
+        string kind = field.IsLiteral
+            ? "const "
+            : (field.IsStatic ? "static " : string.Empty) + (field.IsInitOnly ? "readonly " : string.Empty);
         string value = field.IsLiteral ? " = " + Literal(field.GetRawConstantValue()) : string.Empty;
         return $"{(field.IsPublic ? string.Empty : "protected ")}{kind}{Name(field.FieldType)} {field.Name}{value}";
     }
 
     private static string Describe(PropertyInfo property)
     {
-        MethodInfo[] accessors = property.GetAccessors(nonPublic: true).Where(IsVisible).OrderBy(Word, StringComparer.Ordinal).ToArray();
+        MethodInfo[] accessors = property.GetAccessors(nonPublic: true).Where(IsVisible)
+            .OrderBy(Word, StringComparer.Ordinal).ToArray();
         MethodInfo widest = accessors.FirstOrDefault(a => a.IsPublic) ?? accessors[0];
-        string parameters = property.GetIndexParameters().Length == 0 ? property.Name : $"this[{Parameters(property.GetIndexParameters())}]";
-        IEnumerable<string> words = accessors.Select(a => (a.IsPublic == widest.IsPublic ? string.Empty : Access(a)) + Word(a) + ";");
-        return $"{Access(widest)}{Returned(property.GetMethod?.ReturnParameter, property.PropertyType)} {parameters} {{ {string.Join(" ", words)} }}";
+        string parameters = property.GetIndexParameters().Length == 0
+            ? property.Name
+            : $"this[{Parameters(property.GetIndexParameters())}]";
+        IEnumerable<string> words = accessors.Select(
+            a => (a.IsPublic == widest.IsPublic ? string.Empty : Access(a)) + Word(a) + ";");
+        return $"{Access(widest)}{Returned(property.GetMethod?.ReturnParameter, property.PropertyType)} {parameters} "
+            + $"{{ {string.Join(" ", words)} }}";
 
         static string Word(MethodInfo accessor)
         {
@@ -124,8 +139,10 @@ internal static class PublicApiText
     private static string Describe(MethodInfo method)
     {
         Type[] generic = method.GetGenericArguments();
-        string name = method.Name + (generic.Length == 0 ? string.Empty : "<" + string.Join(", ", generic.Select(Name)) + ">");
-        return $"{Access(method)}{Returned(method.ReturnParameter, method.ReturnType)} {name}({Parameters(method)}){Constraints(generic)}";
+        string name = method.Name
+            + (generic.Length == 0 ? string.Empty : "<" + string.Join(", ", generic.Select(Name)) + ">");
+        return $"{Access(method)}{Returned(method.ReturnParameter, method.ReturnType)} "
+            + $"{name}({Parameters(method)}){Constraints(generic)}";
     }
 
     private static string Access(MethodBase method)
@@ -133,9 +150,13 @@ internal static class PublicApiText
         string access = method.IsPublic ? string.Empty : "protected ";
         if (method.IsStatic)
             return access + "static ";
-        if (method is not MethodInfo info || method.DeclaringType!.IsInterface || !method.IsVirtual || (method.IsFinal && info.GetBaseDefinition() == info))
+        if (method is not MethodInfo info || method.DeclaringType!.IsInterface || !method.IsVirtual
+            || (method.IsFinal && info.GetBaseDefinition() == info))
             return access;
-        string kind = info.GetBaseDefinition() != info ? "override " : method.IsAbstract ? "abstract " : method.IsFinal ? string.Empty : "virtual ";
+        string kind = info.GetBaseDefinition() != info ? "override "
+            : method.IsAbstract ? "abstract "
+            : method.IsFinal ? string.Empty
+            : "virtual ";
         return access + kind;
     }
 
@@ -174,7 +195,8 @@ internal static class PublicApiText
         null => "null",
         string text => "\"" + text + "\"",
         bool yes => yes ? "true" : "false",
-        double number => number.ToString("G17", CultureInfo.InvariantCulture),   // the shortest form differs between runtimes
+        // the shortest form differs between runtimes
+        double number => number.ToString("G17", CultureInfo.InvariantCulture),
         _ => Convert.ToString(value, CultureInfo.InvariantCulture)!,
     };
 
@@ -208,7 +230,9 @@ internal static class PublicApiText
             return type.Name;
         if (type.IsPointer)
             return Name(type.GetElementType()!) + "*";
-        string name = type.IsNested ? Name(type.DeclaringType!) + "." + type.Name : Keyword(type) ?? type.FullName ?? type.Namespace + "." + type.Name;
+        string name = type.IsNested
+            ? Name(type.DeclaringType!) + "." + type.Name
+            : Keyword(type) ?? type.FullName ?? type.Namespace + "." + type.Name;
         int tick = name.IndexOf('`');
         if (tick < 0)
             return name;
@@ -234,7 +258,9 @@ internal static class PublicApiText
         : null;
 
     private static bool IsVisible(Type type)
-        => type.IsVisible || ((type.IsNestedFamily || type.IsNestedFamORAssem) && type.DeclaringType is { IsVisible: true, IsSealed: false });
+        => type.IsVisible
+            || ((type.IsNestedFamily || type.IsNestedFamORAssem)
+                && type.DeclaringType is { IsVisible: true, IsSealed: false });
 
     private static bool IsVisible(FieldInfo field)
         => field.IsPublic || ((field.IsFamily || field.IsFamilyOrAssembly) && !field.DeclaringType!.IsSealed);

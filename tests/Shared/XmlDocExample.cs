@@ -34,7 +34,9 @@ internal sealed class XmlDocExample
     /// <param name="folder">From the root of the repository.</param>
     public static IReadOnlyList<XmlDocExample> In(string folder) =>
         [.. Directory.EnumerateFiles(Path.Combine(Repository.Root, folder), "*.cs", SearchOption.AllDirectories)
-            .Where(file => !file.Contains($"{Path.DirectorySeparatorChar}obj{Path.DirectorySeparatorChar}", StringComparison.Ordinal))
+            .Where(
+                file => !file.Contains(
+                    $"{Path.DirectorySeparatorChar}obj{Path.DirectorySeparatorChar}", StringComparison.Ordinal))
             .OrderBy(file => file, StringComparer.Ordinal)
             .SelectMany(Of)];
 
@@ -53,7 +55,8 @@ internal sealed class XmlDocExample
             foreach (Match example in Example.Matches(comment))
             {
                 foreach (Match code in Code.Matches(example.Groups["content"].Value))
-                    yield return new XmlDocExample(file, line, WebUtility.HtmlDecode(code.Groups["content"].Value).Trim('\n'));
+                    yield return new XmlDocExample(
+                        file, line, WebUtility.HtmlDecode(code.Groups["content"].Value).Trim('\n'));
             }
         }
     }

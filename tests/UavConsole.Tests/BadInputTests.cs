@@ -24,15 +24,18 @@ public sealed class BadInputTests : IDisposable
     [InlineData("extra", "'extra'")]
     [InlineData("--link", "'--link'")]
     [InlineData("--link ftp:host:1", "link 'ftp:host:1': the scheme 'ftp' is unknown; write udpin:ADDRESS:PORT")]
-    [InlineData("--link tlog:x?speed=fast", "the speed 'fast' is not a positive number or max; write tlog:FILE[?speed=10|max]")]
+    [InlineData("--link tlog:x?speed=fast",
+        "the speed 'fast' is not a positive number or max; write tlog:FILE[?speed=10|max]")]
     [InlineData("--link tlog:x?speed=0", "the speed '0' is not a positive number or max")]
-    [InlineData("--link udpin:0.0.0.0:70000", "the port '70000' is not a number from 1 to 65535; write udpin:ADDRESS:PORT")]
+    [InlineData("--link udpin:0.0.0.0:70000",
+        "the port '70000' is not a number from 1 to 65535; write udpin:ADDRESS:PORT")]
     [InlineData("--link tlog:/nowhere/a.tlog", "link tlog:/nowhere/a.tlog: no such file")]
     [InlineData("--link tlog:/proc/self/mem", "link tlog:/proc/self/mem: the file cannot be read: ")]
     [InlineData("--link serial:/dev/null:57600", "this is not a serial device")]
     [InlineData("--system-id 0", "--system-id 0: it must be a number from 1 to 255.")]
     [InlineData("--system-id 256", "--system-id 256: it must be a number from 1 to 255.")]
-    [InlineData("--link tlog:a?speed=10 --link udpin:127.0.0.1:14550", "tlog:a?speed=10 plays at another pace than udpin:127.0.0.1:14550")]
+    [InlineData("--link tlog:a?speed=10 --link udpin:127.0.0.1:14550",
+        "tlog:a?speed=10 plays at another pace than udpin:127.0.0.1:14550")]
     [InlineData("--link tlog:a --link tlog:a", "link tlog:a is given 2 times.")]
     [InlineData("--fly", "--fly commands a real vehicle: it needs --link URL and --mission FILE")]
     [InlineData("--fly --mission a.json", "--fly commands a real vehicle: it needs --link URL and --mission FILE")]
@@ -42,23 +45,28 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--link udpin:127.0.0.1:14550 --seed 3", "--seed is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --targets 3", "--targets is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --realtime", "--realtime is for the simulation")]
-    [InlineData("--link udpin:127.0.0.1:14550 --truth a.json", "--truth scores a mission: it needs --mission FILE --fly.")]
-    [InlineData("--link tlog:a --mission a.json --fly", "--fly needs a live vehicle: a recorded flight is only replayed. --mission needs a live vehicle")]
+    [InlineData("--link udpin:127.0.0.1:14550 --truth a.json",
+        "--truth scores a mission: it needs --mission FILE --fly.")]
+    [InlineData("--link tlog:a --mission a.json --fly",
+        "--fly needs a live vehicle: a recorded flight is only replayed. --mission needs a live vehicle")]
     [InlineData("--link tlog:a --camera pictures", "--camera needs a live vehicle")]
-    [InlineData("--link udpin:127.0.0.1:14550 --mission /nowhere/a.json --fly", "--mission /nowhere/a.json cannot be read: ")]
+    [InlineData("--link udpin:127.0.0.1:14550 --mission /nowhere/a.json --fly",
+        "--mission /nowhere/a.json cannot be read: ")]
     [InlineData("--sign-key /nowhere/key", "Signing key /nowhere/key: ")]
     [InlineData("--link udpin:127.0.0.1:14550 --trust-link 0", "--trust-link needs --sign-key FILE")]
     [InlineData("--link tlog:a --sign-key key", "--sign-key needs a live vehicle")]
     [InlineData("--seed -1", "--seed -1: it must be a whole number, 0 or more.")]
     [InlineData("--seed x", "--seed x: it must be a whole number, 0 or more.")]
     [InlineData("--targets 51", "--targets 51: it must be a number from 0 to 50.")]
-    public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected) => AssertRefused(expected, arguments.Split(' '));
+    public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)
+        => AssertRefused(expected, arguments.Split(' '));
 
     [Fact]
     public void Link_EmptyFile_SaysSo() => AssertRefused($"link {_log.Url}: the file is empty", "--link", _log.Url);
 
     [Fact]
-    public void Link_Folder_SaysSo() => AssertRefused($"link tlog:{_log.Folder}: that is a folder", "--link", "tlog:" + _log.Folder);
+    public void Link_Folder_SaysSo()
+        => AssertRefused($"link tlog:{_log.Folder}: that is a folder", "--link", "tlog:" + _log.Folder);
 
     [Fact]
     public void Link_FileWithoutOneRecord_SaysSo()
@@ -88,7 +96,8 @@ public sealed class BadInputTests : IDisposable
     }
 
     [Fact]
-    public void Link_UnknownHost_SaysSo() => AssertRefused("link tcp:no-such-host.invalid:5760: the ", "--link", "tcp:no-such-host.invalid:5760");
+    public void Link_UnknownHost_SaysSo()
+        => AssertRefused("link tcp:no-such-host.invalid:5760: the ", "--link", "tcp:no-such-host.invalid:5760");
 
     [Theory]
     [InlineData("/nowhere/summary.json")]
@@ -97,7 +106,8 @@ public sealed class BadInputTests : IDisposable
     public void Summary_CannotBeWritten_IsSaidBeforeTheRun(string path)
     {
         string log = TestData.PathOf("px4-flight.tlog");
-        using ConsoleProcess process = ConsoleProcess.Run(out int exitCode, "--link", $"tlog:{log}?speed=max", "--headless", "--summary", path);
+        using ConsoleProcess process = ConsoleProcess.Run(
+            out int exitCode, "--link", $"tlog:{log}?speed=max", "--headless", "--summary", path);
 
         Assert.Equal(2, exitCode);
         Assert.Contains($"--summary {path} cannot be written: ", Assert.Single(process.Errors));
@@ -108,7 +118,8 @@ public sealed class BadInputTests : IDisposable
     public void Summary_DiskFull_IsOneLineAndExitCode2()
     {
         _log.Record(0, Frames.Heartbeat());
-        using ConsoleProcess process = ConsoleProcess.Run(out int exitCode, "--link", _log.Url + "?speed=max", "--headless", "--summary", "/dev/full");
+        using ConsoleProcess process = ConsoleProcess.Run(
+            out int exitCode, "--link", _log.Url + "?speed=max", "--headless", "--summary", "/dev/full");
 
         Assert.Equal(2, exitCode);
         Assert.Contains("--summary /dev/full cannot be written: ", Assert.Single(process.Errors));
@@ -121,7 +132,9 @@ public sealed class BadInputTests : IDisposable
         _log.Record(0, Frames.Heartbeat());
         byte[] before = File.ReadAllBytes(_log.Path);
 
-        AssertRefused("it is the log that is played.", "--link", _log.Url + "?speed=max", "--summary", Path.Combine(_log.Folder, ".", "empty.tlog"));
+        AssertRefused(
+            "it is the log that is played.", "--link", _log.Url + "?speed=max", "--summary",
+            Path.Combine(_log.Folder, ".", "empty.tlog"));
 
         Assert.Equal(before, File.ReadAllBytes(_log.Path));
     }
@@ -129,7 +142,8 @@ public sealed class BadInputTests : IDisposable
     [Fact]
     public void Truth_CannotBeRead_SaysSo()
     {
-        string mission = Path.Combine(Path.GetDirectoryName(typeof(BadInputTests).Assembly.Location)!, "missions", "search.json");
+        string mission = Path.Combine(
+            Path.GetDirectoryName(typeof(BadInputTests).Assembly.Location)!, "missions", "search.json");
 
         AssertRefused(
             "--truth /nowhere/t.json cannot be read: ",
@@ -138,7 +152,9 @@ public sealed class BadInputTests : IDisposable
 
     [Fact]
     public void Camera_NoSuchFolder_SaysSo()
-        => AssertRefused("--camera /nowhere/pictures: no such folder", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--camera", "/nowhere/pictures");
+        => AssertRefused(
+            "--camera /nowhere/pictures: no such folder", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--camera",
+            "/nowhere/pictures");
 
     [Theory]
     [InlineData("--summary")]
@@ -147,10 +163,14 @@ public sealed class BadInputTests : IDisposable
     public void Output_IsTheMission_SaysSoAndDoesNotTouchIt(string option)
     {
         string mission = Path.Combine(_log.Folder, "field.json");
-        File.Copy(Path.Combine(Path.GetDirectoryName(typeof(BadInputTests).Assembly.Location)!, "missions", "search.json"), mission);
+        File.Copy(
+            Path.Combine(Path.GetDirectoryName(typeof(BadInputTests).Assembly.Location)!, "missions", "search.json"),
+            mission);
         byte[] before = File.ReadAllBytes(mission);
 
-        AssertRefused($"--mission and {option} are the same file", "--mission", mission, option, Path.Combine(_log.Folder, ".", "field.json"));
+        AssertRefused(
+            $"--mission and {option} are the same file", "--mission", mission, option,
+            Path.Combine(_log.Folder, ".", "field.json"));
 
         Assert.Equal(before, File.ReadAllBytes(mission));
     }
@@ -164,7 +184,9 @@ public sealed class BadInputTests : IDisposable
         string key = Path.Combine(_log.Folder, "key");
         File.WriteAllText(key, new string('a', 64));
 
-        AssertRefused($"--sign-key and {option} are the same file", "--sign-key", key, option, Path.Combine(_log.Folder, ".", "key"));
+        AssertRefused(
+            $"--sign-key and {option} are the same file", "--sign-key", key, option,
+            Path.Combine(_log.Folder, ".", "key"));
 
         Assert.Equal(new string('a', 64), File.ReadAllText(key));
     }
@@ -174,14 +196,18 @@ public sealed class BadInputTests : IDisposable
     {
         _log.Record(0, Frames.Heartbeat());
 
-        AssertRefused("--report and --log are the same file", "--link", _log.Url, "--report", _summary + "x", "--log", _summary + "x");
+        AssertRefused(
+            "--report and --log are the same file", "--link", _log.Url, "--report", _summary + "x", "--log",
+            _summary + "x");
     }
 
     public void Dispose() => _log.Dispose();
 
     private void AssertRefused(string expected, params string[] arguments)
     {
-        IEnumerable<string> all = arguments.Contains("--summary") || arguments.Last() == "--link" ? arguments : arguments.Concat(["--summary", _summary]);
+        IEnumerable<string> all = arguments.Contains("--summary") || arguments.Last() == "--link"
+            ? arguments
+            : arguments.Concat(["--summary", _summary]);
         using ConsoleProcess process = ConsoleProcess.Run(out int exitCode, all.ToArray());
 
         string line = Assert.Single(process.Errors);

@@ -28,10 +28,12 @@ internal sealed class ConsoleProcess : IDisposable
 
     private ConsoleProcess(IEnumerable<string> arguments, string? workingFolder = null)
     {
-        IEnumerable<string> all = new[] { Path.Combine(Folder, IsMono ? "UavConsole.exe" : "UavConsole.dll") }.Concat(arguments);
+        IEnumerable<string> all = new[] { Path.Combine(Folder, IsMono ? "UavConsole.exe" : "UavConsole.dll") }
+            .Concat(arguments);
         _process = new Process
         {
-            StartInfo = new ProcessStartInfo(IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(a => "\"" + a + "\"")))
+            StartInfo = new ProcessStartInfo(
+                IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(a => "\"" + a + "\"")))
             {
                 UseShellExecute = false,
                 WorkingDirectory = workingFolder ?? string.Empty,
@@ -148,5 +150,6 @@ internal sealed class ConsoleProcess : IDisposable
         }
     }
 
-    private string DescribeLocked() => "Output:\n" + string.Join("\n", _output) + "\nErrors:\n" + string.Join("\n", _errors);
+    private string DescribeLocked()
+        => "Output:\n" + string.Join("\n", _output) + "\nErrors:\n" + string.Join("\n", _errors);
 }

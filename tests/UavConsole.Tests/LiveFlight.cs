@@ -12,7 +12,9 @@ using Rabit.Uav.Tests.Communications;
 
 namespace UavConsole.Tests;
 
-/// <summary>Plays a recorded autopilot to a UDP port at its own pace, and keeps what comes back: a stand-in for the aircraft.</summary>
+/// <summary>
+/// Plays a recorded autopilot to a UDP port at its own pace, and keeps what comes back: a stand-in for the aircraft.
+/// </summary>
 internal sealed class LiveFlight : IDisposable
 {
     private readonly Socket _socket = new(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);

@@ -26,7 +26,8 @@ public sealed class LiveLinkTests : IDisposable
     [Theory]
     [InlineData("ardupilot-flight", 20, "GUIDED")]
     [InlineData("px4-flight", 6, "AUTO.TAKEOFF")]
-    public void LiveSender_FirstSeconds_IsSeenAndAnswered(string flight, int seconds, string mode) => Fly(flight, TimeSpan.FromSeconds(seconds), mode);
+    public void LiveSender_FirstSeconds_IsSeenAndAnswered(string flight, int seconds, string mode)
+        => Fly(flight, TimeSpan.FromSeconds(seconds), mode);
 
     [Fact]
     [Trait("Category", "Long")]
@@ -77,7 +78,9 @@ public sealed class LiveLinkTests : IDisposable
         using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(_summary));
         Assert.Equal(reason, summary.RootElement.GetProperty("run").GetProperty("stopReason").GetString());
         Assert.Equal(JsonValueKind.Null, summary.RootElement.GetProperty("autopilot").ValueKind);
-        Assert.Equal(JsonValueKind.Null, summary.RootElement.GetProperty("globalPositionInt").GetProperty("latitudeDegE7").ValueKind);
+        Assert.Equal(
+            JsonValueKind.Null,
+            summary.RootElement.GetProperty("globalPositionInt").GetProperty("latitudeDegE7").ValueKind);
         using UdpListenLink again = UdpListenLink.Open("127.0.0.1", _port);
     }
 
@@ -116,7 +119,8 @@ public sealed class LiveLinkTests : IDisposable
 
     private ConsoleProcess Start()
     {
-        ConsoleProcess console = ConsoleProcess.Start("--headless", "--summary", _summary, "--link", $"udpin:127.0.0.1:{_port}");
+        ConsoleProcess console = ConsoleProcess.Start(
+            "--headless", "--summary", _summary, "--link", $"udpin:127.0.0.1:{_port}");
         console.WaitForStart();
         return console;
     }
@@ -132,9 +136,11 @@ public sealed class LiveLinkTests : IDisposable
         using JsonDocument document = JsonDocument.Parse(File.ReadAllText(_summary));
         JsonElement summary = document.RootElement;
         JsonElement link = summary.GetProperty("links")[0];
-        Assert.Equal((aircraft.Sent, 0L, 0L), (link.GetProperty("frames").GetInt64(), link.GetProperty("framesDroppedIn").GetInt64(), link.GetProperty("bytesLost").GetInt64()));
+        Assert.Equal((aircraft.Sent, 0L, 0L), (link.GetProperty("frames").GetInt64(),
+            link.GetProperty("framesDroppedIn").GetInt64(), link.GetProperty("bytesLost").GetInt64()));
         Assert.Equal(0, link.GetProperty("sources")[0].GetProperty("missing").GetInt64());
-        Assert.Contains(mode, summary.GetProperty("modeChanges").EnumerateArray().Select(c => c.GetProperty("mode").GetString()));
+        Assert.Contains(
+            mode, summary.GetProperty("modeChanges").EnumerateArray().Select(c => c.GetProperty("mode").GetString()));
 
         Assert.Contains(aircraft.Received, f => f.MessageId == Heartbeat.MavlinkId);
         Assert.Contains(aircraft.Received, f => f.MessageId == CommandLong.MavlinkId);
@@ -144,7 +150,8 @@ public sealed class LiveLinkTests : IDisposable
             aircraft.Received.Select(f => f.Sequence));
     }
 
-    // Our heartbeat, position, texts, questions for the time and requests for message rates, and nothing else that could move an aircraft.
+    // Our heartbeat, position, texts, questions for the time and requests for message rates, and nothing else that
+    // could move an aircraft.
     private static void AssertObservesOnly(MavlinkFrame frame)
     {
         Assert.Equal((1, 191), (frame.SystemId, frame.ComponentId));
@@ -157,6 +164,8 @@ public sealed class LiveLinkTests : IDisposable
         if (frame.MessageId is Timesync.MavlinkId or GlobalPositionInt.MavlinkId or Statustext.MavlinkId)
             return;
         Assert.True(frame.TryDecode(out CommandLong command), frame.ToString());
-        Assert.Equal((MavCmd.SetMessageInterval, 1, 1), (command.Command, (int)command.TargetSystem, (int)command.TargetComponent));
+        Assert.Equal(
+            (MavCmd.SetMessageInterval, 1, 1),
+            (command.Command, (int)command.TargetSystem, (int)command.TargetComponent));
     }
 }

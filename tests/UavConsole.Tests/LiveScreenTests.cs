@@ -15,7 +15,8 @@ namespace UavConsole.Tests;
 /// <summary>The live screen on a terminal of 80 columns, without a terminal.</summary>
 public sealed class LiveScreenTests : IDisposable
 {
-    private readonly TestLog _log = new("[red]a flight with [[a long name]] and [bold in it, longer than the screen is wide, to be sure.tlog");
+    private readonly TestLog _log = new(
+        "[red]a flight with [[a long name]] and [bold in it, longer than the screen is wide, to be sure.tlog");
 
     [Fact]
     public void Draw_BeforeTheStart_ShowsAnEmptyScreen()
@@ -34,9 +35,12 @@ public sealed class LiveScreenTests : IDisposable
             .Record(1, Text("[markup] [/] [red]red[/ ]]"))
             .Record(2, Text("\u001b[2Jgone\r\n\t\u0007x"))
             .Record(3, Text(new string('W', 50)))
-            .Record(4, Frames.Of(new Attitude { TimeBootMs = 1, Roll = float.NaN, Pitch = float.PositiveInfinity, Yaw = 1e30f }))
-            .Record(5, Frames.Of(new GlobalPositionInt { TimeBootMs = 1, Lat = int.MinValue, Lon = int.MaxValue, Alt = int.MinValue }))
-            .Record(6, Frames.Of(new SysStatus { BatteryRemaining = -1, VoltageBattery = ushort.MaxValue, CurrentBattery = -1 }))
+            .Record(4, Frames.Of(
+                new Attitude { TimeBootMs = 1, Roll = float.NaN, Pitch = float.PositiveInfinity, Yaw = 1e30f }))
+            .Record(5, Frames.Of(
+                new GlobalPositionInt { TimeBootMs = 1, Lat = int.MinValue, Lon = int.MaxValue, Alt = int.MinValue }))
+            .Record(6, Frames.Of(
+                new SysStatus { BatteryRemaining = -1, VoltageBattery = ushort.MaxValue, CurrentBattery = -1 }))
             .Record(7, Frames.Of(new GpsRawInt { SatellitesVisible = 255, FixType = (GpsFixType)200 }))
             .Record(8, Frames.Heartbeat(sequence: 1));
         using UavSystem uav = Open();
@@ -66,12 +70,14 @@ public sealed class LiveScreenTests : IDisposable
 
     private static FlightMonitor Monitor(RabitReactor reactor, UavSystem uav)
     {
-        var recorder = new FlightRecorderManager(new FlightRecorderOptions { ManagerNames = reactor.Select(m => m.Name).ToArray() });
+        var recorder = new FlightRecorderManager(
+            new FlightRecorderOptions { ManagerNames = reactor.Select(m => m.Name).ToArray() });
         reactor.Add(recorder);
         return new FlightMonitor(reactor, recorder, uav.LinkCount);
     }
 
-    private static byte[] Text(string text) => Frames.Of(new Statustext { Severity = MavSeverity.Alert, Text = new Text50(text) });
+    private static byte[] Text(string text)
+        => Frames.Of(new Statustext { Severity = MavSeverity.Alert, Text = new Text50(text) });
 
     private static string Draw(LiveScreen screen)
     {

@@ -39,18 +39,25 @@ public sealed class ReplayTests : IDisposable
         Assert.Equal(SidecarFacts.Ranges(facts), SummaryFacts.Ranges(summary));
         Assert.Equal(facts.GetProperty("records").GetInt64(), link.GetProperty("frames").GetInt64());
         Assert.Equal("Ended", link.GetProperty("state").GetString());
-        Assert.Equal(SidecarFacts.Counts(facts), link.GetProperty("counts").EnumerateArray().Select(Count).OrderBy(l => l, StringComparer.Ordinal));
+        Assert.Equal(
+            SidecarFacts.Counts(facts),
+            link.GetProperty("counts").EnumerateArray().Select(Count).OrderBy(l => l, StringComparer.Ordinal));
         Assert.Equal(SidecarFacts.Sources(facts), link.GetProperty("sources").EnumerateArray().Select(Source));
-        Assert.Equal(["HEARTBEAT"], summary.GetProperty("ownFrames").EnumerateArray().Select(c => c.GetProperty("name").GetString()));
+        Assert.Equal(
+            ["HEARTBEAT"],
+            summary.GetProperty("ownFrames").EnumerateArray().Select(c => c.GetProperty("name").GetString()));
         Assert.Equal(0, summary.GetProperty("run").GetProperty("exitCode").GetInt32());
     }
 
     [Fact]
     public void BundledFlight_AtTenTimesItsPace_IsInterruptedInOrder()
     {
-        string bundled = Path.Combine(Path.GetDirectoryName(typeof(ReplayTests).Assembly.Location)!, "flights", "ardupilot-flight.tlog");
-        using ConsoleProcess process = ConsoleProcess.Start("--summary", _summary, "--link", $"tlog:{bundled}?speed=10");
-        Assert.EndsWith("ardupilot-flight.tlog?speed=10", process.WaitFor("replaying or observing"), StringComparison.Ordinal);
+        string bundled = Path.Combine(
+            Path.GetDirectoryName(typeof(ReplayTests).Assembly.Location)!, "flights", "ardupilot-flight.tlog");
+        using ConsoleProcess process = ConsoleProcess.Start(
+            "--summary", _summary, "--link", $"tlog:{bundled}?speed=10");
+        Assert.EndsWith(
+            "ardupilot-flight.tlog?speed=10", process.WaitFor("replaying or observing"), StringComparison.Ordinal);
         process.WaitFor("autopilot: autopilot Ardupilotmega of a Quadrotor, system 1, component 1");
 
         process.Signal(ConsoleProcess.Interrupt);
@@ -65,7 +72,8 @@ public sealed class ReplayTests : IDisposable
         string report = Path.Combine(_log.Folder, "flight.html");
         string log = Path.Combine(_log.Folder, "flight.log");
         using ConsoleProcess process = ConsoleProcess.Run(
-            out int exitCode, "--link", $"tlog:{TestData.PathOf("px4-flight.tlog")}?speed=max", "--headless", "--summary", _summary, "--report", report, "--log", log);
+            out int exitCode, "--link", $"tlog:{TestData.PathOf("px4-flight.tlog")}?speed=max", "--headless",
+            "--summary", _summary, "--report", report, "--log", log);
 
         Assert.True(exitCode == 0, process.ToString());
         Assert.Contains("report: " + report, process.Output);
@@ -91,7 +99,8 @@ public sealed class ReplayTests : IDisposable
     public void Log_DamagedInside_PlaysTheRestAndNamesTheDamage()
     {
         byte[] first = [.. Enumerable.Range(0, 100).SelectMany(n => Record(n))];
-        _log.Raw(first).Raw(Enumerable.Repeat((byte)0xAA, 333).ToArray()).Raw([.. Enumerable.Range(100, 50).SelectMany(n => Record(n))]);
+        _log.Raw(first).Raw(Enumerable.Repeat((byte)0xAA, 333).ToArray())
+            .Raw([.. Enumerable.Range(100, 50).SelectMany(n => Record(n))]);
 
         AssertDamage(frames: 150, lost: 333, offset: first.Length);
     }
@@ -125,13 +134,19 @@ public sealed class ReplayTests : IDisposable
 
         Assert.True(exitCode == 0, process.ToString());
         using JsonDocument document = JsonDocument.Parse(File.ReadAllText(_summary));
-        Assert.Equal(new long[] { 20921, 23151 }, document.RootElement.GetProperty("links").EnumerateArray().Select(l => l.GetProperty("frames").GetInt64()));
+        Assert.Equal(
+            new long[] { 20921, 23151 },
+            document.RootElement.GetProperty("links").EnumerateArray().Select(l => l.GetProperty("frames").GetInt64()));
     }
 
     [Fact]
     public void StatusText_WithControlCharacters_DoesNotReachTheTerminal()
     {
-        var text = new Statustext { Severity = MavSeverity.Alert, Text = new Text50("a\u001b]0;title\u0007b\nc [red]d") };
+        var text = new Statustext
+        {
+            Severity = MavSeverity.Alert,
+            Text = new Text50("a\u001b]0;title\u0007b\nc [red]d")
+        };
         _log.Record(0, Frames.Heartbeat()).Record(1, Frames.Of(text)).Record(2, Frames.Heartbeat(sequence: 1));
 
         using ConsoleProcess process = Replay(_log.Url + "?speed=max");
@@ -139,7 +154,9 @@ public sealed class ReplayTests : IDisposable
         Assert.Contains(process.Output, l => l.EndsWith("alert: a.]0;title.b.c [red]d", StringComparison.Ordinal));
         Assert.DoesNotContain(process.Output, l => l.Any(char.IsControl));
         using JsonDocument document = JsonDocument.Parse(File.ReadAllText(_summary));
-        Assert.Equal("a\u001b]0;title\u0007b\nc [red]d", document.RootElement.GetProperty("statusTexts")[0].GetProperty("text").GetString());
+        Assert.Equal(
+            "a\u001b]0;title\u0007b\nc [red]d",
+            document.RootElement.GetProperty("statusTexts")[0].GetProperty("text").GetString());
     }
 
     [Fact]
@@ -148,7 +165,11 @@ public sealed class ReplayTests : IDisposable
         using ConsoleProcess process = ConsoleProcess.Run(out int exitCode, "--help");
 
         Assert.Equal(0, exitCode);
-        foreach (string option in new[] { "--link", "--headless", "--summary", "--system-id", "tlog:FILE[?speed=10|max]", "--seed", "--targets", "--realtime", "--mission", "--fly", "--camera", "--truth", "--report", "--log" })
+        foreach (string option in new[]
+        {
+            "--link", "--headless", "--summary", "--system-id", "tlog:FILE[?speed=10|max]", "--seed", "--targets",
+            "--realtime", "--mission", "--fly", "--camera", "--truth", "--report", "--log"
+        })
             Assert.Contains(process.Output, l => l.Contains(option));
     }
 
@@ -156,7 +177,8 @@ public sealed class ReplayTests : IDisposable
 
     private ConsoleProcess Replay(string link)
     {
-        ConsoleProcess process = ConsoleProcess.Run(out int exitCode, "--link", link, "--headless", "--summary", _summary);
+        ConsoleProcess process = ConsoleProcess.Run(
+            out int exitCode, "--link", link, "--headless", "--summary", _summary);
         Assert.True(exitCode == 0, process.ToString());
         Assert.Empty(process.Errors);
         return process;
@@ -166,13 +188,15 @@ public sealed class ReplayTests : IDisposable
     {
         using ConsoleProcess process = Replay(_log.Url + "?speed=max");
 
-        Assert.Contains($"  {lost} bytes belong to no intact record or frame, the first at offset {offset}", process.Output);
+        Assert.Contains(
+            $"  {lost} bytes belong to no intact record or frame, the first at offset {offset}", process.Output);
         JsonElement link = Link(out JsonDocument document);
         using (document)
         {
             Assert.Equal(
                 (frames, lost, offset),
-                (link.GetProperty("frames").GetInt64(), link.GetProperty("bytesLost").GetInt64(), link.GetProperty("firstDamageOffsetBytes").GetInt64()));
+                (link.GetProperty("frames").GetInt64(), link.GetProperty("bytesLost").GetInt64(),
+                    link.GetProperty("firstDamageOffsetBytes").GetInt64()));
         }
     }
 
@@ -185,7 +209,8 @@ public sealed class ReplayTests : IDisposable
     private static byte[] Record(int n)
     {
         long stamp = TestLog.Start + (n * 10_000L);
-        return [.. Enumerable.Range(0, 8).Select(i => (byte)(stamp >> (56 - (8 * i)))), .. Frames.Heartbeat(sequence: (byte)n)];
+        return [.. Enumerable.Range(0, 8).Select(i => (byte)(stamp >> (56 - (8 * i)))),
+            .. Frames.Heartbeat(sequence: (byte)n)];
     }
 
     private static int LengthOfLastRecord(byte[] flight)
@@ -199,8 +224,12 @@ public sealed class ReplayTests : IDisposable
     }
 
     private static string Count(JsonElement c) => SidecarFacts.Line(
-        c.GetProperty("messageId").GetInt32(), c.GetProperty("systemId").GetInt32(), c.GetProperty("componentId").GetInt32(), c.GetProperty("version").GetInt32(), c.GetProperty("count").GetInt64());
+        c.GetProperty("messageId").GetInt32(), c.GetProperty("systemId").GetInt32(),
+        c.GetProperty("componentId").GetInt32(), c.GetProperty("version").GetInt32(),
+        c.GetProperty("count").GetInt64());
 
     private static string Source(JsonElement s) => SidecarFacts.Line(
-        s.GetProperty("systemId").GetInt32(), s.GetProperty("componentId").GetInt32(), s.GetProperty("frames").GetInt64(), s.GetProperty("missing").GetInt64(), s.GetProperty("outOfOrder").GetInt64());
+        s.GetProperty("systemId").GetInt32(), s.GetProperty("componentId").GetInt32(),
+        s.GetProperty("frames").GetInt64(), s.GetProperty("missing").GetInt64(),
+        s.GetProperty("outOfOrder").GetInt64());
 }

@@ -16,7 +16,8 @@ public sealed class SimulatedMissionTests : IDisposable
     [Fact]
     public void NoArguments_FliesTheSearchAndLeavesAReport()
     {
-        using ConsoleProcess console = ConsoleProcess.RunIn(_folder.Folder, out int exitCode, "--summary", "summary.json", "--log", "first.log");
+        using ConsoleProcess console = ConsoleProcess.RunIn(
+            _folder.Folder, out int exitCode, "--summary", "summary.json", "--log", "first.log");
 
         Assert.True(exitCode == 0, console.ToString());
         Assert.Empty(console.Errors);
@@ -30,14 +31,16 @@ public sealed class SimulatedMissionTests : IDisposable
         CheckSummary();
 
         // The same seed is the same flight, to the byte of its log.
-        using ConsoleProcess again = ConsoleProcess.RunIn(_folder.Folder, out int _, "--seed", "1", "--log", "second.log", "--report", "second.html");
+        using ConsoleProcess again = ConsoleProcess.RunIn(
+            _folder.Folder, out int _, "--seed", "1", "--log", "second.log", "--report", "second.html");
         Assert.Equal(File.ReadAllBytes(InFolder("first.log")), File.ReadAllBytes(InFolder("second.log")));
     }
 
     [Fact]
     public void Interrupt_InTheMiddle_IsAFailedMissionWithItsReport()
     {
-        using ConsoleProcess console = ConsoleProcess.Start("--headless", "--realtime", "--report", InFolder("cut.html"), "--targets", "0");
+        using ConsoleProcess console = ConsoleProcess.Start(
+            "--headless", "--realtime", "--report", InFolder("cut.html"), "--targets", "0");
         console.WaitFor("mission control: command 2: take off");
 
         console.Signal(ConsoleProcess.Interrupt);
@@ -65,16 +68,20 @@ public sealed class SimulatedMissionTests : IDisposable
     [Fact]
     public void Mission_NoSuchFile_IsOneLineAndExitCode2()
     {
-        using ConsoleProcess console = ConsoleProcess.RunIn(_folder.Folder, out int exitCode, "--mission", "/nowhere/m.json");
+        using ConsoleProcess console = ConsoleProcess.RunIn(
+            _folder.Folder, out int exitCode, "--mission", "/nowhere/m.json");
 
         Assert.Equal(2, exitCode);
-        Assert.StartsWith("UavConsole: --mission /nowhere/m.json cannot be read: ", Assert.Single(console.Errors), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "UavConsole: --mission /nowhere/m.json cannot be read: ", Assert.Single(console.Errors),
+            StringComparison.Ordinal);
     }
 
     [Fact]
     public void RealLink_IsOnlyObservedAndSaysSo()
     {
-        using ConsoleProcess console = ConsoleProcess.Start("--headless", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}");
+        using ConsoleProcess console = ConsoleProcess.Start(
+            "--headless", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}");
 
         console.WaitFor("observing only: nothing is commanded; --mission FILE --fly flies");
         console.WaitForStart();
@@ -91,7 +98,8 @@ public sealed class SimulatedMissionTests : IDisposable
         JsonElement score = mission.GetProperty("score");
 
         Assert.True(mission.GetProperty("passed").GetBoolean());
-        Assert.Equal((5, 5, 0), (score.GetProperty("targets").GetInt32(), score.GetProperty("found").GetInt32(), score.GetProperty("false").GetInt32()));
+        Assert.Equal((5, 5, 0), (score.GetProperty("targets").GetInt32(), score.GetProperty("found").GetInt32(),
+            score.GetProperty("false").GetInt32()));
         Assert.InRange(score.GetProperty("rmseMetres").GetDouble(), 0, 3);
         Assert.InRange(mission.GetProperty("coveragePercent").GetDouble(), 98, 100);
         Assert.InRange(mission.GetProperty("distanceFromHomeMetres").GetDouble(), 0, 3);
@@ -99,11 +107,16 @@ public sealed class SimulatedMissionTests : IDisposable
         Assert.Equal("Done", mission.GetProperty("phase").GetString());
         Assert.Equal(1, mission.GetProperty("seed").GetInt64());
         Assert.Equal(5, mission.GetProperty("targets").GetArrayLength());
-        Assert.All(mission.GetProperty("targets").EnumerateArray(), t => Assert.InRange(t.GetProperty("ellipse95HalfMajorAxisMetres").GetDouble(), 0.1, 8));
+        Assert.All(
+            mission.GetProperty("targets").EnumerateArray(),
+            t => Assert.InRange(t.GetProperty("ellipse95HalfMajorAxisMetres").GetDouble(), 0.1, 8));
         Assert.Equal(
-            ["communications", "autopilot", "image processing", "sensor fusion", "mission control", "simulated vehicle", "health", "recorder"],
+            ["communications", "autopilot", "image processing", "sensor fusion", "mission control", "simulated vehicle",
+                "health", "recorder"],
             mission.GetProperty("managers").EnumerateArray().Select(m => m.GetProperty("name").GetString()));
-        Assert.All(mission.GetProperty("managers").EnumerateArray(), m => Assert.InRange(m.GetProperty("runs").GetInt64(), 100, 1_000_000));
+        Assert.All(
+            mission.GetProperty("managers").EnumerateArray(),
+            m => Assert.InRange(m.GetProperty("runs").GetInt64(), 100, 1_000_000));
     }
 
     private string InFolder(string file) => Path.Combine(_folder.Folder, file);

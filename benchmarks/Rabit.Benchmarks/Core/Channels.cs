@@ -11,5 +11,6 @@ internal static class Channels
 
     /// <summary>The nearest to a message queue: bounded, one reader.</summary>
     public static Channel<T> Queue<T>(int capacity, int senders = 1)
-        => Channel.CreateBounded<T>(new BoundedChannelOptions(capacity) { SingleReader = true, SingleWriter = senders == 1 });
+        => Channel.CreateBounded<T>(
+            new BoundedChannelOptions(capacity) { SingleReader = true, SingleWriter = senders == 1 });
 }

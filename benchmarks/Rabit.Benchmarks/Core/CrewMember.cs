@@ -3,7 +3,10 @@ using Rabit.Core;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>One of six managers at 50 Hz, each of which posts, fetches its neighbour's post, pushes and pops in every unit of work.</summary>
+/// <summary>
+/// One of six managers at 50 Hz, each of which posts, fetches its neighbour's post, pushes and pops in every unit of
+/// work.
+/// </summary>
 internal sealed class CrewMember : RabitManager
 {
     public const int Crew = 6;

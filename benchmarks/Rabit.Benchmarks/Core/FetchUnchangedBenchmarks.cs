@@ -3,7 +3,9 @@ using BenchmarkDotNet.Attributes;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>Asking for news when there is none: what most fetches of a control loop do. The limit is a volatile read.</summary>
+/// <summary>
+/// Asking for news when there is none: what most fetches of a control loop do. The limit is a volatile read.
+/// </summary>
 public class FetchUnchangedBenchmarks : MessageBenchmarks
 {
     private VehiclePose _copy;

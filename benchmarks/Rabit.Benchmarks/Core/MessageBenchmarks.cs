@@ -5,7 +5,9 @@ using Rabit.Core;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>A message of 72 bytes posted and fetched in a unit of work: real time, real clock, every check on the way.</summary>
+/// <summary>
+/// A message of 72 bytes posted and fetched in a unit of work: real time, real clock, every check on the way.
+/// </summary>
 public abstract class MessageBenchmarks
 {
     protected const int Operations = 200_000;
@@ -20,7 +22,9 @@ public abstract class MessageBenchmarks
 
     private protected Channel<VehiclePose> LatestValue { get; } = Channels.LatestValue<VehiclePose>();
 
-    /// <summary>Ends for code outside managers: they may be used on the thread of the benchmark, and on that of the manager.</summary>
+    /// <summary>
+    /// Ends for code outside managers: they may be used on the thread of the benchmark, and on that of the manager.
+    /// </summary>
     private protected MessagePublisher<VehiclePose> OutsidePose { get; private set; } = null!;
 
     private protected MessageSubscriber<VehiclePose> Pose { get; private set; } = null!;
@@ -52,6 +56,8 @@ public abstract class MessageBenchmarks
         _awake.Dispose();
     }
 
-    /// <summary>Does something in a unit of work; so does what is compared with it, so that all pay the same for getting there.</summary>
+    /// <summary>
+    /// Does something in a unit of work; so does what is compared with it, so that all pay the same for getting there.
+    /// </summary>
     protected void InManager(Action work) => _manager.Do(work);
 }

@@ -5,8 +5,8 @@ using Rabit.Core;
 namespace Rabit.Benchmarks.Core;
 
 /// <summary>
-/// Executes on its own thread the operations it is given, since that is where messages are posted and fetched. Handing over costs some microseconds;
-/// it is given a hundred thousand at a time.
+/// Executes on its own thread the operations it is given, since that is where messages are posted and fetched. Handing
+/// over costs some microseconds; it is given a hundred thousand at a time.
 /// </summary>
 internal sealed class MessageManager : RabitManager, IDisposable
 {

@@ -3,7 +3,10 @@ using BenchmarkDotNet.Attributes;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>Changing one member and posting the whole. Rabit's post reads the clock for the stamp, unless it is given a time; so does <see cref="LockWithTime"/>.</summary>
+/// <summary>
+/// Changing one member and posting the whole. Rabit's post reads the clock for the stamp, unless it is given a time; so
+/// does <see cref="LockWithTime"/>.
+/// </summary>
 public class PostBenchmarks : MessageBenchmarks
 {
     private VehiclePose _posted;

@@ -3,7 +3,9 @@ using BenchmarkDotNet.Attributes;
 
 namespace Rabit.Benchmarks.Core;
 
-/// <summary>A push and the pop that takes it out, on one thread. Rabit's ends are a manager's and run inside its unit of work.</summary>
+/// <summary>
+/// A push and the pop that takes it out, on one thread. Rabit's ends are a manager's and run inside its unit of work.
+/// </summary>
 [GenericTypeArguments(typeof(int))]
 [GenericTypeArguments(typeof(CacheLine))]
 public class QueuePushPopBenchmarks<T>

@@ -41,6 +41,8 @@ public class VirtualHourBenchmarks
         int runs = 0;
         foreach (CrewMember member in crew)
             runs += member.Runs;
-        return runs == crew.Length * 180_001 ? runs : throw new InvalidOperationException($"{runs} units of work ran in an hour.");
+        return runs == crew.Length * 180_001
+            ? runs
+            : throw new InvalidOperationException($"{runs} units of work ran in an hour.");
     }
 }

@@ -6,13 +6,17 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Benchmarks.Mavlink;
 
-/// <summary>Reading a recorded flight of ArduPilot, from memory: the time and the allocation per record, the readers themselves included.</summary>
+/// <summary>
+/// Reading a recorded flight of ArduPilot, from memory: the time and the allocation per record, the readers themselves
+/// included.
+/// </summary>
 public class RecordedFlightBenchmarks
 {
     private const int Records = 20_921;
     private const int ChunkLength = 1024;
 
-    private readonly byte[] _log = File.ReadAllBytes(Path.Combine(AppContext.BaseDirectory, "data", "ardupilot-flight.tlog"));
+    private readonly byte[] _log = File.ReadAllBytes(
+        Path.Combine(AppContext.BaseDirectory, "data", "ardupilot-flight.tlog"));
     private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All);
     private byte[] _stream = [];
 
@@ -30,7 +34,8 @@ public class RecordedFlightBenchmarks
         int records = ReadLog();
         int frames = ReadStream();
         if (records != Records || frames != Records)
-            throw new InvalidOperationException($"The flight has {Records} records; {records} were read from the log and {frames} from the stream.");
+            throw new InvalidOperationException(
+                $"The flight has {Records} records; {records} were read from the log and {frames} from the stream.");
     }
 
     [Benchmark(OperationsPerInvoke = Records)]

@@ -2,7 +2,9 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Benchmarks.Mavlink;
 
-/// <summary>Messages with the values of a vehicle in flight: no trailing zeros to cut but those that are there in life.</summary>
+/// <summary>
+/// Messages with the values of a vehicle in flight: no trailing zeros to cut but those that are there in life.
+/// </summary>
 internal static class Samples
 {
     public static Heartbeat Heartbeat { get; } = new()

@@ -6,7 +6,10 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Benchmarks.Uav;
 
-/// <summary>Searching a picture of 640 x 480 for targets, from 40 m above: bare grass, five panels, and a meadow full of coloured spots.</summary>
+/// <summary>
+/// Searching a picture of 640 x 480 for targets, from 40 m above: bare grass, five panels, and a meadow full of
+/// coloured spots.
+/// </summary>
 public class DetectorBenchmarks
 {
     private const int Width = 640;
@@ -42,7 +45,8 @@ public class DetectorBenchmarks
         for (int at = 0; at < picture.Length; at += 3)
         {
             int blade = random.Next(-20, 21);
-            (picture[at], picture[at + 1], picture[at + 2]) = ((byte)(86 + blade), (byte)(112 + blade), (byte)(56 + (blade / 2)));
+            (picture[at], picture[at + 1], picture[at + 2]) =
+                ((byte)(86 + blade), (byte)(112 + blade), (byte)(56 + (blade / 2)));
         }
 
         for (int n = 0; n < panels; n++)
@@ -71,6 +75,7 @@ public class DetectorBenchmarks
     {
         private readonly GroundProjection _projection = NadirView.CreateProjection();
 
-        public bool TryScale(double column, double row, out GroundScale scale) => _projection.TryScale(column, row, out scale);
+        public bool TryScale(double column, double row, out GroundScale scale)
+            => _projection.TryScale(column, row, out scale);
     }
 }

@@ -9,7 +9,8 @@ public class GeodesyBenchmarks
     private readonly GeographicPoint _here = new(Angle.FromDegrees(47.4), Angle.FromDegrees(8.5));
     private readonly GeographicPoint _there = new(Angle.FromDegrees(47.5), Angle.FromDegrees(8.7));
     private readonly GeographicPoint _opposite = new(Angle.FromDegrees(-47.3), Angle.FromDegrees(-171.7));
-    private readonly EllipsoidPosition _place = new(new GeographicPoint(Angle.FromDegrees(47.4), Angle.FromDegrees(8.5)), new EllipsoidHeight(500));
+    private readonly EllipsoidPosition _place = new(
+        new GeographicPoint(Angle.FromDegrees(47.4), Angle.FromDegrees(8.5)), new EllipsoidHeight(500));
     private readonly Rotation _attitude = Rotation.FromEuler(EulerAngles.FromRadians(0.1, 0.2, 0.3));
     private EulerAngles _angles;
     private EcefPosition _ecef;
@@ -32,7 +33,8 @@ public class GeodesyBenchmarks
     public EllipsoidPosition FromEcef() => EllipsoidPosition.FromEcef(_ecef);
 
     [Benchmark]
-    public NedPosition ToNed() => _frame.ToNed(GeodeticPosition.FromRadians(_there.Latitude.Radians, _there.Longitude.Radians, 500));
+    public NedPosition ToNed()
+        => _frame.ToNed(GeodeticPosition.FromRadians(_there.Latitude.Radians, _there.Longitude.Radians, 500));
 
     [Benchmark]
     public GeodeticPosition FromNed() => _frame.ToGeodetic(new NedPosition(1000, 2000, 10));

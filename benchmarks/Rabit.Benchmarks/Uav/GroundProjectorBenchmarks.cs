@@ -19,7 +19,8 @@ public class GroundProjectorBenchmarks
     [Benchmark]
     public HorizontalCovariance Covariances()
     {
-        _projection.TryCovariances(500.25, 100.75, out HorizontalCovariance random, out HorizontalCovariance systematic);
+        _projection.TryCovariances(
+            500.25, 100.75, out HorizontalCovariance random, out HorizontalCovariance systematic);
         return random + systematic;
     }
 }

@@ -27,7 +27,11 @@ internal static class NadirView
     {
         var projector = new GroundProjector(Camera, new CameraMount(), new ErrorBudget(), Angle.FromDegrees(5));
         return projector.At(
-            new Pose { Position = GeodeticPosition.FromRadians(0.84, 0.15, 485), Attitude = Rotation.FromEuler(EulerAngles.FromRadians(0.05, -0.08, 1)) },
+            new Pose
+            {
+                Position = GeodeticPosition.FromRadians(0.84, 0.15, 485),
+                Attitude = Rotation.FromEuler(EulerAngles.FromRadians(0.05, -0.08, 1))
+            },
             new ImagingCommand { CameraPitch = Angle.FromDegrees(-90), GroundAltitudeAmslMetres = 445 });
     }
 }

@@ -8,7 +8,9 @@ internal sealed class CallJob(int calls)
 {
     public int Calls => calls;
 
-    /// <summary>Processor time per call, and the collections of youngest objects meanwhile. Read when the job is done.</summary>
+    /// <summary>
+    /// Processor time per call, and the collections of youngest objects meanwhile. Read when the job is done.
+    /// </summary>
     public double[] Cost { get; private set; } = [];
 
     public void Measure(Action work)

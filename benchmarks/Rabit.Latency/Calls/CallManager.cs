@@ -7,7 +7,9 @@ using Rabit.Latency.Throughput;
 
 namespace Rabit.Latency.Calls;
 
-/// <summary>A manager that posts, fetches, pushes and pops in loops; what it posts is fetched outside, on its own thread.</summary>
+/// <summary>
+/// A manager that posts, fetches, pushes and pops in loops; what it posts is fetched outside, on its own thread.
+/// </summary>
 internal sealed class CallManager : FlatOutManager<CallJob>
 {
     private readonly MessagePublisher<TestPose> _publisher;

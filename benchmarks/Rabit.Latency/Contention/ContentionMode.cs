@@ -34,7 +34,8 @@ internal static class ContentionMode
         ];
         Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
         rabit.Dispose();
-        var table = new Table("contention", "a poster and a fetcher flat out, a CPU each: a struct of 72 bytes", Columns, subjects, copy);
+        var table = new Table(
+            "contention", "a poster and a fetcher flat out, a CPU each: a struct of 72 bytes", Columns, subjects, copy);
         table.RequireMin(rabit, Posts, 8, locked, 17);
         table.RequireMin(rabit, News, 1.5, locked, 1.6);
         return table;
@@ -51,7 +52,9 @@ internal static class ContentionMode
         List<Subject> subjects = [byReference, locked, rabit];
         Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
         rabit.Dispose();
-        var table = new Table("contention", "the same, an immutable class (two instances that take turns)", Columns, subjects, byReference);
+        var table = new Table(
+            "contention", "the same, an immutable class (two instances that take turns)", Columns, subjects,
+            byReference);
         table.RequireMin(rabit, Posts, 10, locked, 17);
         table.RequireMin(rabit, News, 5, byReference, 14);
         return table;

@@ -5,7 +5,10 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Contention;
 
-/// <summary>A poster and a fetcher that are managers, each within one unit of work. The poster gives the stamps: the clock is not measured.</summary>
+/// <summary>
+/// A poster and a fetcher that are managers, each within one unit of work. The poster gives the stamps: the clock is
+/// not measured.
+/// </summary>
 internal sealed class RabitContention<T> : IDisposable
 {
     private readonly RabitReactor _reactor = RabitRun.Create(WaitEngine.Best);

@@ -2,7 +2,10 @@ using System.Threading;
 
 namespace Rabit.Latency.Contention;
 
-/// <summary>An immutable object without Rabit, handed over by reference; nothing can be cheaper. The poster has two that take turns.</summary>
+/// <summary>
+/// An immutable object without Rabit, handed over by reference; nothing can be cheaper. The poster has two that take
+/// turns.
+/// </summary>
 internal sealed class SharedReference
 {
     private readonly PoseObject[] _values = [new PoseObject(0), new PoseObject(1)];

@@ -24,8 +24,10 @@ internal static class IdleMode
         long nanoseconds = period.Ticks * 100;
         Subject nothing = Row("nothing at all", seconds, () => null);
         Subject byFutex = Row("threads on futexes", seconds, () => new BaselineSleepers(() => OnFutex(nanoseconds)));
-        Subject futex = Row(RabitRun.NameOf(WaitEngine.Futex), seconds, () => new RabitSleepers(WaitEngine.Futex, period));
-        Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), seconds, () => new RabitSleepers(WaitEngine.Event, period));
+        Subject futex = Row(
+            RabitRun.NameOf(WaitEngine.Futex), seconds, () => new RabitSleepers(WaitEngine.Futex, period));
+        Subject byEvent = Row(
+            RabitRun.NameOf(WaitEngine.Event), seconds, () => new RabitSleepers(WaitEngine.Event, period));
         List<Subject> subjects =
         [
             byFutex,
@@ -38,7 +40,9 @@ internal static class IdleMode
         Rounds.Run(subjects, options.Pick(1, Math.Min(3, options.Rounds)), warmUps: options.Pick(0, 1));
         var table = new Table(
             "idle",
-            string.Format(CultureInfo.InvariantCulture, "{0} threads that wake every {1} ms and do nothing", Sleepers.Number, period.TotalMilliseconds),
+            string.Format(
+                CultureInfo.InvariantCulture, "{0} threads that wake every {1} ms and do nothing", Sleepers.Number,
+                period.TotalMilliseconds),
             [new Column("% of a core", "0.00")],
             subjects,
             byFutex);

@@ -5,7 +5,9 @@ namespace Rabit.Latency.Measuring;
 /// <summary>What this process takes of a core.</summary>
 internal static class CpuLoad
 {
-    /// <returns>Per cent of one core, all threads together, user and kernel; the calling thread sleeps meanwhile.</returns>
+    /// <returns>
+    /// Per cent of one core, all threads together, user and kernel; the calling thread sleeps meanwhile.
+    /// </returns>
     public static double During(double seconds)
     {
         long cpu = MonotonicClock.CpuTime;

@@ -5,7 +5,9 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Measuring;
 
-/// <summary>A manager that works flat out within one unit of work, when it is given a job; in between it sleeps.</summary>
+/// <summary>
+/// A manager that works flat out within one unit of work, when it is given a job; in between it sleeps.
+/// </summary>
 internal abstract class FlatOutManager<TJob> : RabitManager, IDisposable
     where TJob : class
 {

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Latency.Measuring;
 
 /// <summary>
-/// Counts of durations in fixed memory, in the manner of HDR histograms: buckets of equal width within each power of two, so that every
-/// value is known to less than 1 %. Recording allocates nothing. For one thread at a time.
+/// Counts of durations in fixed memory, in the manner of HDR histograms: buckets of equal width within each power of
+/// two, so that every value is known to less than 1 %. Recording allocates nothing. For one thread at a time.
 /// </summary>
 internal sealed class LatencyHistogram
 {

@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace Rabit.Latency.Measuring;
 
-/// <summary>Measures several subjects in interleaved rounds, so that what the machine does at the time meets all of them alike.</summary>
+/// <summary>
+/// Measures several subjects in interleaved rounds, so that what the machine does at the time meets all of them alike.
+/// </summary>
 internal static class Rounds
 {
     public static void Run(IReadOnlyList<Subject> subjects, int rounds, int warmUps = 1)

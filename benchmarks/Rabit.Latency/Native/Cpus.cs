@@ -4,7 +4,10 @@ using System.Runtime.InteropServices;
 
 namespace Rabit.Latency.Native;
 
-/// <summary>The CPUs that this process may use, and the calling thread's place on them. Threads inherit the place of who starts them.</summary>
+/// <summary>
+/// The CPUs that this process may use, and the calling thread's place on them. Threads inherit the place of who starts
+/// them.
+/// </summary>
 internal static unsafe class Cpus
 {
     private const int Words = 16;   // 1024 CPUs
@@ -25,7 +28,8 @@ internal static unsafe class Cpus
             set[i] = 0;
         set[cpu / 64] = 1UL << (cpu % 64);
         if (LinuxCalls.sched_setaffinity(0, new UIntPtr(Words * sizeof(ulong)), set) != 0)
-            throw new InvalidOperationException($"A thread cannot be pinned to CPU {cpu}: error {Marshal.GetLastWin32Error()}.");
+            throw new InvalidOperationException(
+                $"A thread cannot be pinned to CPU {cpu}: error {Marshal.GetLastWin32Error()}.");
     }
 
     private static List<int> Find()

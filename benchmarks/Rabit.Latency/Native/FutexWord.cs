@@ -4,7 +4,9 @@ using System.Threading;
 
 namespace Rabit.Latency.Native;
 
-/// <summary>A bare futex: one word that is 1 while a signal is there, and two calls. The limit of what a thread can be woken by.</summary>
+/// <summary>
+/// A bare futex: one word that is 1 while a signal is there, and two calls. The limit of what a thread can be woken by.
+/// </summary>
 internal sealed unsafe class FutexWord : IDisposable
 {
     private readonly int* _word = (int*)Marshal.AllocHGlobal(sizeof(int));

@@ -3,7 +3,10 @@ using System.Runtime.InteropServices;
 
 namespace Rabit.Latency.Native;
 
-/// <summary>The calls of Linux that the limits are made of; the runner's own, so that a fault of the library's does not hide in both.</summary>
+/// <summary>
+/// The calls of Linux that the limits are made of; the runner's own, so that a fault of the library's does not hide in
+/// both.
+/// </summary>
 internal static unsafe class LinuxCalls
 {
     public const int ClockMonotonic = 1;
@@ -22,12 +25,14 @@ internal static unsafe class LinuxCalls
         _ => 240,
     });
 
-    public static void FutexWait(int* word, int value) => syscall(FutexCall, word, new IntPtr(FutexWaitPrivate), new IntPtr(value), null, null, IntPtr.Zero);
+    public static void FutexWait(int* word, int value)
+        => syscall(FutexCall, word, new IntPtr(FutexWaitPrivate), new IntPtr(value), null, null, IntPtr.Zero);
 
     public static void FutexWaitUntil(int* word, int value, TimeSpec* until)
         => syscall(FutexCall, word, new IntPtr(FutexWaitUntilPrivate), new IntPtr(value), until, null, new IntPtr(-1));
 
-    public static void FutexWake(int* word) => syscall(FutexCall, word, new IntPtr(FutexWakePrivate), new IntPtr(1), null, null, IntPtr.Zero);
+    public static void FutexWake(int* word)
+        => syscall(FutexCall, word, new IntPtr(FutexWakePrivate), new IntPtr(1), null, null, IntPtr.Zero);
 
     [DllImport("libc")]
     public static extern int clock_gettime(int clock, TimeSpec* time);
@@ -42,5 +47,6 @@ internal static unsafe class LinuxCalls
     public static extern int sched_getaffinity(int thread, UIntPtr length, ulong* set);
 
     [DllImport("libc")]
-    private static extern IntPtr syscall(IntPtr number, int* word, IntPtr operation, IntPtr value, TimeSpec* time, int* secondWord, IntPtr value3);
+    private static extern IntPtr syscall(
+        IntPtr number, int* word, IntPtr operation, IntPtr value, TimeSpec* time, int* secondWord, IntPtr value3);
 }

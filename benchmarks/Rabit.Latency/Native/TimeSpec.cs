@@ -13,5 +13,9 @@ internal struct TimeSpec
     public readonly long TotalNanoseconds => ((long)Seconds * 1_000_000_000) + (long)Nanoseconds;
 
     public static TimeSpec FromNanoseconds(long nanoseconds)
-        => new() { Seconds = new IntPtr(nanoseconds / 1_000_000_000), Nanoseconds = new IntPtr(nanoseconds % 1_000_000_000) };
+        => new()
+        {
+            Seconds = new IntPtr(nanoseconds / 1_000_000_000),
+            Nanoseconds = new IntPtr(nanoseconds % 1_000_000_000)
+        };
 }

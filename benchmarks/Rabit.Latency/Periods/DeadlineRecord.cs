@@ -23,7 +23,9 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
     /// <summary>Called at the beginning of each run, the first one included.</summary>
     public void Add(long now) => _times[Count++] = now;
 
-    /// <summary>When a thread without Rabit is to run next: the first deadline that has not passed. Those in between are missed.</summary>
+    /// <summary>
+    /// When a thread without Rabit is to run next: the first deadline that has not passed. Those in between are missed.
+    /// </summary>
     public long NextDeadline(long now)
     {
         long next = ((now - _times[0]) / periodNanoseconds) + 1;
@@ -32,7 +34,10 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
         return _times[0] + (next * periodNanoseconds);
     }
 
-    /// <returns>p50 and p99 of the lateness in microseconds, without the first run, and the part of the deadlines that had a run in per cent.</returns>
+    /// <returns>
+    /// p50 and p99 of the lateness in microseconds, without the first run, and the part of the deadlines that had a run
+    /// in per cent.
+    /// </returns>
     public double[] Lateness()
     {
         var histogram = new LatencyHistogram();
@@ -41,7 +46,10 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
         return [histogram.Percentile(0.5) / 1e3, histogram.Percentile(0.99) / 1e3, 100.0 * Count / (Count + Missed)];
     }
 
-    /// <summary>By how much the mean period was wrong, in parts per million, from the medians of the first tenth and of the last one.</summary>
+    /// <summary>
+    /// By how much the mean period was wrong, in parts per million, from the medians of the first tenth and of the last
+    /// one.
+    /// </summary>
     public double Drift()
     {
         int tenth = Math.Max(1, Count / 10);
@@ -51,7 +59,8 @@ internal sealed class DeadlineRecord(long periodNanoseconds, int samples)
 
     private double MedianLate(int from, int count)
     {
-        long[] sorted = [.. Enumerable.Range(from, count).Select(i => _times[i] - _times[0] - (i * periodNanoseconds)).OrderBy(late => late)];
+        long[] sorted = [.. Enumerable.Range(from, count).Select(i => _times[i] - _times[0] - (i * periodNanoseconds))
+            .OrderBy(late => late)];
         return sorted[count / 2];
     }
 }

@@ -24,7 +24,8 @@ internal static class PeriodMode
         Table common = Lateness(options, TenMilliseconds, "100 Hz", options.Pick(20, 300), options.Rounds);
         Require(common, withEvents: true);
 
-        // The event engine counts in milliseconds: it cannot keep every deadline of this period, and says so by its missed deadlines.
+        // The event engine counts in milliseconds: it cannot keep every deadline of this period, and says so by its
+        // missed deadlines.
         Table fast = Lateness(options, HalfAMillisecond, "2 kHz", options.Pick(100, 2000), options.Rounds);
         Require(fast, withEvents: false);
         return [common, fast, Drift(options)];
@@ -43,13 +44,16 @@ internal static class PeriodMode
     private static Table Lateness(RunOptions options, TimeSpan period, string name, int samples, int rounds)
     {
         List<(string Name, PeriodTarget Target)> targets = Absolute();
-        List<Subject> subjects = [.. targets.Select(t => new Subject(t.Name, () => t.Target.Lateness(period, samples)).Owning(t.Target))];
+        List<Subject> subjects =
+            [.. targets.Select(t => new Subject(t.Name, () => t.Target.Lateness(period, samples)).Owning(t.Target))];
         Rounds.Run(subjects, options.Pick(1, rounds));
         foreach (Subject subject in subjects)
             subject.Dispose();
         return new Table(
             "period",
-            string.Format(CultureInfo.InvariantCulture, "{0}, absolute deadlines, on one CPU: how late, {1} a round", name, samples),
+            string.Format(
+                CultureInfo.InvariantCulture, "{0}, absolute deadlines, on one CPU: how late, {1} a round", name,
+                samples),
             [new Column("p50 µs"), new Column("p99 µs"), new Column("kept %", "0.0", hasRatio: false)],
             subjects,
             subjects[0]);
@@ -70,13 +74,16 @@ internal static class PeriodMode
         foreach (Thread thread in threads)
             thread.Join();
 
-        List<Subject> subjects = [.. targets.Select((target, i) => new Subject(target.Name, () => [records[i].Drift(), records[i].Missed]))];
+        List<Subject> subjects =
+            [.. targets.Select((target, i) => new Subject(target.Name, () => [records[i].Drift(), records[i].Missed]))];
         Rounds.Run(subjects, rounds: 1, warmUps: 0);
         foreach ((string _, PeriodTarget target) in targets)
             target.Dispose();
         var table = new Table(
             "period",
-            string.Format(CultureInfo.InvariantCulture, "100 Hz for {0} s, all at once: by how much the mean period is wrong", seconds),
+            string.Format(
+                CultureInfo.InvariantCulture, "100 Hz for {0} s, all at once: by how much the mean period is wrong",
+                seconds),
             [new Column("drift ppm", "0.00"), new Column("missed", "0")],
             subjects);
         foreach (Subject row in subjects.Where(s => s.Name.StartsWith("Rabit", StringComparison.Ordinal)))

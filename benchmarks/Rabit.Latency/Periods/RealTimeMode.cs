@@ -8,7 +8,10 @@ using Rabit.Latency.Reporting;
 
 namespace Rabit.Latency.Periods;
 
-/// <summary>What the real-time kit gains on this machine: the same manager with and without it, on a CPU that has other work to do.</summary>
+/// <summary>
+/// What the real-time kit gains on this machine: the same manager with and without it, on a CPU that has other work to
+/// do.
+/// </summary>
 internal static class RealTimeMode
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(2);

@@ -5,7 +5,9 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Periods;
 
-/// <summary>A thread without Rabit that waits for the same time again and again: what the work and the wake-up take adds up.</summary>
+/// <summary>
+/// A thread without Rabit that waits for the same time again and again: what the work and the wake-up take adds up.
+/// </summary>
 internal sealed class RelativePeriod(int cpu) : PeriodTarget
 {
     private readonly AutoResetEvent _event = new(initialState: false);

@@ -19,8 +19,10 @@ internal static class PingPongMode
         var subjects = new List<Subject>();
         foreach ((string name, Func<Signal> create) in Baselines.All)
             subjects.Add(Row(name, new BaselinePingPong(create, Cpus.One), roundTrips));
-        Subject futex = Row(RabitRun.NameOf(WaitEngine.Futex), new RabitPingPong(WaitEngine.Futex, Cpus.One), roundTrips);
-        Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), new RabitPingPong(WaitEngine.Event, Cpus.One), roundTrips);
+        Subject futex = Row(
+            RabitRun.NameOf(WaitEngine.Futex), new RabitPingPong(WaitEngine.Futex, Cpus.One), roundTrips);
+        Subject byEvent = Row(
+            RabitRun.NameOf(WaitEngine.Event), new RabitPingPong(WaitEngine.Event, Cpus.One), roundTrips);
         subjects.Add(futex);
         subjects.Add(byEvent);
 
@@ -30,7 +32,8 @@ internal static class PingPongMode
 
         var table = new Table(
             "pingpong",
-            $"two threads wake each other in turn, both on one CPU, {roundTrips} times a round; mean of there and back, and of one way",
+            $"two threads wake each other in turn, both on one CPU, {roundTrips} times a round; mean of there and "
+                + "back, and of one way",
             [new Column("both µs", "0.00"), new Column("one way µs", "0.00", hasRatio: false)],
             subjects,
             subjects[0]);
@@ -39,5 +42,6 @@ internal static class PingPongMode
         return table;
     }
 
-    private static Subject Row(string name, PingPongTarget target, int roundTrips) => new Subject(name, () => target.Run(roundTrips)).Owning(target);
+    private static Subject Row(string name, PingPongTarget target, int roundTrips)
+        => new Subject(name, () => target.Run(roundTrips)).Owning(target);
 }

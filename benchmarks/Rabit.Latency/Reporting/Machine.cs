@@ -14,13 +14,15 @@ internal static class Machine
     public static string Runtime => IsMono ? "Mono" : ".NET";
 
     public static string Describe()
-        => $"{RuntimeInformation.FrameworkDescription}, {RuntimeInformation.ProcessArchitecture}, {Cpus.Allowed.Count} CPUs ({Processor()}), {Kernel()}, "
+        => $"{RuntimeInformation.FrameworkDescription}, {RuntimeInformation.ProcessArchitecture}, {Cpus.Allowed.Count} "
+            + $"CPUs ({Processor()}), {Kernel()}, "
             + $"load {FirstWord("/proc/loadavg")} at the start";
 
     private static string Processor()
     {
         const string Label = "model name";
-        string? line = File.ReadLines("/proc/cpuinfo").FirstOrDefault(l => l.StartsWith(Label, StringComparison.Ordinal));
+        string? line = File.ReadLines("/proc/cpuinfo")
+            .FirstOrDefault(l => l.StartsWith(Label, StringComparison.Ordinal));
         return line is null ? "unnamed" : line.Substring(line.IndexOf(':') + 1).Trim();
     }
 

@@ -18,7 +18,8 @@ internal static class MarkdownReport
         int from = text.IndexOf(begin, StringComparison.Ordinal);
         int to = text.IndexOf(end, StringComparison.Ordinal);
         if (from < 0 || to < from)
-            throw new InvalidOperationException($"{file} has no place for the figures: '{begin}' and '{end}', each on a line of its own.");
+            throw new InvalidOperationException(
+                $"{file} has no place for the figures: '{begin}' and '{end}', each on a line of its own.");
 
         var written = new StringBuilder(begin).Append("\n\nMeasured on ").Append(machine).Append('.').Append('\n');
         foreach (Table table in tables)

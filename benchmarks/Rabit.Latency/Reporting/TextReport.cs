@@ -46,7 +46,8 @@ internal static class TextReport
         {
             output.Write(Figure(row.Columns[i].Median, table.Columns[i].Format).PadLeft(FigureWidth));
             if (table.Limit is not null && table.Columns[i].HasRatio)
-                output.Write((table.RatioOf(row, i) is { } ratio ? Figure(ratio, "0.00") : string.Empty).PadLeft(RatioWidth));
+                output.Write(
+                    (table.RatioOf(row, i) is { } ratio ? Figure(ratio, "0.00") : string.Empty).PadLeft(RatioWidth));
         }
 
         output.WriteLine();
@@ -55,7 +56,8 @@ internal static class TextReport
     private static void WriteRequirements(TextWriter output, IReadOnlyList<Requirement> requirements)
     {
         int width = Math.Max(NameWidth, requirements.Max(r => r.What.Length) + 4);
-        output.WriteLine("  required".PadRight(width) + "measured".PadLeft(FigureWidth) + "required".PadLeft(FigureWidth) + "  met");
+        output.WriteLine(
+            "  required".PadRight(width) + "measured".PadLeft(FigureWidth) + "required".PadLeft(FigureWidth) + "  met");
         foreach (Requirement requirement in requirements)
         {
             output.WriteLine(

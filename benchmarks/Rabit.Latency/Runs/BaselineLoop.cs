@@ -4,8 +4,8 @@ using System.Threading;
 namespace Rabit.Latency.Runs;
 
 /// <summary>
-/// What a run costs without Rabit and without statistics: a flag that is set and taken, the clock read before and after the work, the running
-/// owner marked on the thread.
+/// What a run costs without Rabit and without statistics: a flag that is set and taken, the clock read before and after
+/// the work, the running owner marked on the thread.
 /// </summary>
 internal sealed class BaselineLoop
 {

@@ -8,7 +8,9 @@ using Rabit.Latency.Reporting;
 
 namespace Rabit.Latency.Runs;
 
-/// <summary>What a unit of work costs that does nothing but ask for the next one, and how much of it are statistics.</summary>
+/// <summary>
+/// What a unit of work costs that does nothing but ask for the next one, and how much of it are statistics.
+/// </summary>
 internal static class RunsMode
 {
     public static Table Run(RunOptions options)
@@ -38,7 +40,8 @@ internal static class RunsMode
         RabitReactor reactor = RabitRun.Create(WaitEngine.Best, keepsStatistics);
         reactor.Add(manager);
         reactor.Start();
-        return new Subject(name, () => [manager.Run(runs)]).Owning(new Ending(() => RabitRun.End(reactor))).Owning(manager);
+        return new Subject(name, () => [manager.Run(runs)])
+            .Owning(new Ending(() => RabitRun.End(reactor))).Owning(manager);
     }
 
     private static double Baseline(int runs)

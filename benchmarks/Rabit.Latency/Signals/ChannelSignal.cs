@@ -6,7 +6,8 @@ namespace Rabit.Latency.Signals;
 /// <summary>A bounded <see cref="Channel{T}"/> whose reader is a thread.</summary>
 internal sealed class ChannelSignal : Signal
 {
-    private readonly Channel<int> _channel = Channel.CreateBounded<int>(new BoundedChannelOptions(16) { SingleReader = true, SingleWriter = true });
+    private readonly Channel<int> _channel = Channel.CreateBounded<int>(
+        new BoundedChannelOptions(16) { SingleReader = true, SingleWriter = true });
 
     public override void Set() => _channel.Writer.TryWrite(1);
 

@@ -4,7 +4,10 @@ using System.Linq;
 
 namespace Rabit.Latency.Soak;
 
-/// <summary>Whether what a process holds stays as it is: the last third of the states against the second; the first is for warming up.</summary>
+/// <summary>
+/// Whether what a process holds stays as it is: the last third of the states against the second; the first is for
+/// warming up.
+/// </summary>
 internal static class FlatnessCheck
 {
     // Threads and handles of the runtime's own (tiered compilation, the pool) come and go.
@@ -29,7 +32,8 @@ internal static class FlatnessCheck
     }
 
     private static void Compare(
-        List<string> grown, string what, ProcessState[] before, ProcessState[] after, Func<ProcessState, long> value, long allowed)
+        List<string> grown, string what, ProcessState[] before, ProcessState[] after, Func<ProcessState, long> value,
+        long allowed)
     {
         long first = Median(before.Select(value));
         long last = Median(after.Select(value));

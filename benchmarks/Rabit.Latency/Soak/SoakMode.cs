@@ -10,8 +10,8 @@ using Rabit.Latency.Native;
 namespace Rabit.Latency.Soak;
 
 /// <summary>
-/// Starts, runs and stops workspaces, four at a time, on both engines, and looks whether the process holds ever more threads, handles
-/// or memory.
+/// Starts, runs and stops workspaces, four at a time, on both engines, and looks whether the process holds ever more
+/// threads, handles or memory.
 /// </summary>
 internal static class SoakMode
 {
@@ -26,7 +26,8 @@ internal static class SoakMode
         double seconds = options.IsQuick ? 2 : options.SoakMinutes * 60;
         TimeSpan each = TimeSpan.FromMilliseconds(options.Pick(20, 200));
         output.WriteLine(string.Format(
-            CultureInfo.InvariantCulture, "\nsoak: {0:0} s, {1} workspaces of eight managers at a time, {2} ms each", seconds, AtOnce, each.TotalMilliseconds));
+            CultureInfo.InvariantCulture, "\nsoak: {0:0} s, {1} workspaces of eight managers at a time, {2} ms each",
+            seconds, AtOnce, each.TotalMilliseconds));
         output.WriteLine("   seconds  workspaces      units of work   threads   handles   heap kB     RSS kB");
         var states = new List<ProcessState>();
         long start = MonotonicClock.Now;
@@ -48,7 +49,8 @@ internal static class SoakMode
         }
 
         IReadOnlyList<string> grown = FlatnessCheck.Grown(states);
-        output.WriteLine(grown.Count == 0 ? "  flat: nothing is left behind" : "  NOT flat: " + string.Join("; ", grown));
+        output.WriteLine(
+            grown.Count == 0 ? "  flat: nothing is left behind" : "  NOT flat: " + string.Join("; ", grown));
         return grown.Count == 0;
     }
 

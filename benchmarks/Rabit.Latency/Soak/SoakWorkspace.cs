@@ -6,7 +6,10 @@ using Rabit.Core;
 
 namespace Rabit.Latency.Soak;
 
-/// <summary>One workspace of the soak: rings of managers that post to and push at the next one as fast as they are woken, and periodic ones.</summary>
+/// <summary>
+/// One workspace of the soak: rings of managers that post to and push at the next one as fast as they are woken, and
+/// periodic ones.
+/// </summary>
 internal sealed class SoakWorkspace
 {
     private const int Managers = 8;

@@ -33,7 +33,8 @@ internal static class FaultMode
         return table;
     }
 
-    private static Subject Row(string name, FaultPolicy policy, double seconds) => new(name, () => Measure(policy, seconds));
+    private static Subject Row(string name, FaultPolicy policy, double seconds)
+        => new(name, () => Measure(policy, seconds));
 
     private static double[] Measure(FaultPolicy policy, double seconds)
     {

@@ -21,7 +21,9 @@ internal static class StopMode
         Subject byEvent = Row(RabitRun.NameOf(WaitEngine.Event), () => new RabitSleepers(WaitEngine.Event, Long));
         List<Subject> subjects = [baseline, futex, byEvent];
         Rounds.Run(subjects, options.Pick(1, options.Rounds));
-        var table = new Table("stop", "sixteen threads with timers of 10 s are stopped", [new Column("ms", "0.00")], subjects, baseline, "base");
+        var table = new Table(
+            "stop", "sixteen threads with timers of 10 s are stopped", [new Column("ms", "0.00")], subjects, baseline,
+            "base");
         table.RequireMax(futex, 0, 50);
         table.RequireMax(byEvent, 0, 50);
         return table;

@@ -3,7 +3,9 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Throughput;
 
-/// <summary>One transfer: senders and a receiver that start together, flat out, and yield where the queue is full or empty.</summary>
+/// <summary>
+/// One transfer: senders and a receiver that start together, flat out, and yield where the queue is full or empty.
+/// </summary>
 internal sealed class Flow(int senders, int messages)
 {
     private const int TriesBeforeYield = 64;

@@ -3,8 +3,8 @@ using System.Threading;
 namespace Rabit.Latency.Throughput;
 
 /// <summary>
-/// A ring for many senders and one receiver: the limit with two. Each entry says which position it is ready for (after Dmitry Vyukov's bounded
-/// queue); nothing is counted, no manager is woken.
+/// A ring for many senders and one receiver: the limit with two. Each entry says which position it is ready for (after
+/// Dmitry Vyukov's bounded queue); nothing is counted, no manager is woken.
 /// </summary>
 internal sealed class MpscRing<T>
 {

@@ -5,7 +5,9 @@ using Rabit.Latency.Native;
 
 namespace Rabit.Latency.Throughput;
 
-/// <summary>Transfers between managers, each within one unit of work: the queue alone is measured, not the wake-ups.</summary>
+/// <summary>
+/// Transfers between managers, each within one unit of work: the queue alone is measured, not the wake-ups.
+/// </summary>
 internal sealed class RabitFlow<T> : IDisposable
     where T : struct
 {

@@ -3,8 +3,9 @@ using System.Threading;
 namespace Rabit.Latency.Throughput;
 
 /// <summary>
-/// A ring for one sender and one receiver: the limit. Each side keeps what it last saw of the other, and looks again only when that says
-/// full or empty (Lee, Bu, Chandranmenon: "A Lock-Free, Cache-Efficient Shared Ring Buffer for Multi-Core Architectures", ANCS 2009).
+/// A ring for one sender and one receiver: the limit. Each side keeps what it last saw of the other, and looks again
+/// only when that says full or empty (Lee, Bu, Chandranmenon: "A Lock-Free, Cache-Efficient Shared Ring Buffer for
+/// Multi-Core Architectures", ANCS 2009).
 /// </summary>
 internal sealed class SpscRing<T>(int capacity)
 {

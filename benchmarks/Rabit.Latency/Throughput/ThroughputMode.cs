@@ -19,31 +19,44 @@ internal static class ThroughputMode
         Run<Block64>(options, 2, "64 bytes", 20, 28, 2.5),
     ];
 
-    private static Table Run<T>(RunOptions options, int senders, string what, double least, double baseline, double timesChannel)
+    private static Table Run<T>(
+        RunOptions options, int senders, string what, double least, double baseline, double timesChannel)
         where T : struct
     {
         int fast = options.Pick(100_000, 4_000_000);
         int slow = options.Pick(20_000, 1_000_000);
         var flow = new RabitFlow<T>(senders, Capacity);
         Subject rabit = Row("Rabit, reject", () => flow.Run(fast)).Owning(flow);
-        Subject channel = Row("Channel, bounded", () => BaselineFlow.Run<BaselineQueues.ChannelEnds<T>, T>(new(NewChannel<T>(senders)), senders, slow));
+        Subject channel = Row(
+            "Channel, bounded",
+            () => BaselineFlow.Run<BaselineQueues.ChannelEnds<T>, T>(new(NewChannel<T>(senders)), senders, slow));
         Subject limit = senders == 1
-            ? Row("SPSC ring", () => BaselineFlow.Run<BaselineQueues.Single<T>, T>(new(new SpscRing<T>(Capacity)), senders, fast))
-            : Row("MPSC ring", () => BaselineFlow.Run<BaselineQueues.Multi<T>, T>(new(new MpscRing<T>(Capacity)), senders, fast));
+            ? Row(
+                "SPSC ring",
+                () => BaselineFlow.Run<BaselineQueues.Single<T>, T>(new(new SpscRing<T>(Capacity)), senders, fast))
+            : Row(
+                "MPSC ring",
+                () => BaselineFlow.Run<BaselineQueues.Multi<T>, T>(new(new MpscRing<T>(Capacity)), senders, fast));
         var subjects = new List<Subject>
         {
             limit,
             rabit,
             channel,
-            Row("ConcurrentQueue, unbounded", () => BaselineFlow.Run<BaselineQueues.Concurrent<T>, T>(new(new ConcurrentQueue<T>()), senders, fast)),
-            Row("BlockingCollection", () => BaselineFlow.Run<BaselineQueues.Blocking<T>, T>(new(new BlockingCollection<T>(Capacity)), senders, slow)),
-            Row("ring under a lock", () => BaselineFlow.Run<BaselineQueues.Locked<T>, T>(new(new LockedRing<T>(Capacity)), senders, fast)),
+            Row(
+                "ConcurrentQueue, unbounded",
+                () => BaselineFlow.Run<BaselineQueues.Concurrent<T>, T>(new(new ConcurrentQueue<T>()), senders, fast)),
+            Row("BlockingCollection", () => BaselineFlow.Run<BaselineQueues.Blocking<T>, T>(
+                new(new BlockingCollection<T>(Capacity)), senders, slow)),
+            Row(
+                "ring under a lock",
+                () => BaselineFlow.Run<BaselineQueues.Locked<T>, T>(new(new LockedRing<T>(Capacity)), senders, fast)),
         };
         Rounds.Run(subjects, options.Pick(1, options.Rounds), warmUps: options.Pick(1, 2));
         rabit.Dispose();
         var table = new Table(
             "throughput",
-            $"{senders} sender(s), 1 receiver, {what}, {Capacity} entries, flat out" + (senders == 1 ? ", a CPU each" : string.Empty),
+            $"{senders} sender(s), 1 receiver, {what}, {Capacity} entries, flat out"
+                + (senders == 1 ? ", a CPU each" : string.Empty),
             [new Column("M/s")],
             subjects,
             limit);
@@ -53,7 +66,8 @@ internal static class ThroughputMode
     }
 
     private static Channel<T> NewChannel<T>(int senders)
-        => Channel.CreateBounded<T>(new BoundedChannelOptions(Capacity) { SingleReader = true, SingleWriter = senders == 1 });
+        => Channel.CreateBounded<T>(
+            new BoundedChannelOptions(Capacity) { SingleReader = true, SingleWriter = senders == 1 });
 
     private static Subject Row(string name, System.Func<double> run) => new(name, () => [run()]);
 }

@@ -42,5 +42,6 @@ internal static class WakeMode
         return table;
     }
 
-    private static Subject Row(string name, WakeTarget target, int posts) => new Subject(name, () => target.Run(Cpus.One, posts)).Owning(target);
+    private static Subject Row(string name, WakeTarget target, int posts)
+        => new Subject(name, () => target.Run(Cpus.One, posts)).Owning(target);
 }

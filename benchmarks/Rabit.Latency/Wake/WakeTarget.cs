@@ -8,7 +8,8 @@ namespace Rabit.Latency.Wake;
 /// <summary>A sleeper that reports how long after the post its first line ran.</summary>
 internal abstract class WakeTarget : IDisposable
 {
-    private readonly LatencyHistogram _histogram = new();   // the sleeper's while it runs; read when all posts were received
+    // the sleeper's while it runs; read when all posts were received
+    private readonly LatencyHistogram _histogram = new();
     private long _received;                                 // written by the sleeper, read by the poster
 
     public long Received => Interlocked.Read(ref _received);
@@ -50,7 +51,8 @@ internal abstract class WakeTarget : IDisposable
         while (Received < due)
         {
             if (MonotonicClock.Now > giveUp)
-                throw new InvalidOperationException("A wake-up was lost: two seconds after the post the manager had not run.");
+                throw new InvalidOperationException(
+                    "A wake-up was lost: two seconds after the post the manager had not run.");
             MonotonicClock.SleepMilliseconds(0.1);
         }
     }

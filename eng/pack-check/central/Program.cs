@@ -8,5 +8,7 @@ using Rabit.Mavlink.Messages;
 MavCmd[] commands = [FarmMavCmd.TractorStop, OrchardMavCmd.LadderStop];
 var tractor = new Tractor { Height = 2.5f, LastCommand = commands[0] };
 var ladder = new Ladder { Height = 4, LastCommand = commands[1] };
-Console.WriteLine($"{tractor.Height} {ladder.Height} {new Basket { Apples = 3 }.Apples} {(int)commands[0]} {(int)commands[1]}");
-Console.WriteLine(string.Join(" ", FarmDialect.Instance.Name, OrchardDialect.Instance.Name, PlainDialect.Instance.Name));
+Console.WriteLine(
+    $"{tractor.Height} {ladder.Height} {new Basket { Apples = 3 }.Apples} {(int)commands[0]} {(int)commands[1]}");
+Console.WriteLine(
+    string.Join(" ", FarmDialect.Instance.Name, OrchardDialect.Instance.Name, PlainDialect.Instance.Name));

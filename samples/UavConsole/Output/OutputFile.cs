@@ -39,18 +39,21 @@ internal sealed class OutputFile : IDisposable
         {
             LinkUrl[] logs = links.Where(l => l.Kind == LinkKind.RecordedFile).ToArray();
             string full = System.IO.Path.GetFullPath(path);
-            if (Array.Exists(logs, l => string.Equals(System.IO.Path.GetFullPath(l.Path!), full, StringComparison.Ordinal)))
+            if (Array.Exists(
+                logs, l => string.Equals(System.IO.Path.GetFullPath(l.Path!), full, StringComparison.Ordinal)))
                 throw new IOException("it is the log that is played.");
 
             // What was there before stays until there is something to put in its place. One write and no buffer, so
             // that what cannot be written shows there and not at the end.
-            var stream = new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite, bufferSize: 1);
+            var stream = new FileStream(
+                path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite, bufferSize: 1);
             if (!Array.Exists(logs, l => IsSameFile(stream, l.Path!)))
                 return new OutputFile(option, path, stream);
             stream.Dispose();
             throw new IOException("it is the log that is played.");
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        catch (Exception e)
+            when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
             throw CannotWrite(option, path, e);
         }
@@ -94,5 +97,6 @@ internal sealed class OutputFile : IDisposable
         return head.Take(count).ToArray();
     }
 
-    private static ArgumentException CannotWrite(string option, string path, Exception e) => new($"{option} {path} cannot be written: {e.Message}", nameof(path), e);
+    private static ArgumentException CannotWrite(string option, string path, Exception e)
+        => new($"{option} {path} cannot be written: {e.Message}", nameof(path), e);
 }

@@ -68,6 +68,8 @@ internal sealed class RunFiles : IDisposable
             .GroupBy(f => Path.GetFullPath(f.Path!), StringComparer.Ordinal)
             .FirstOrDefault(g => g.Count() > 1);
         if (same is not null)
-            throw new ArgumentException($"{string.Join(" and ", same.Select(f => f.Option))} are the same file {same.First().Path}.", nameof(files));
+            throw new ArgumentException(
+                $"{string.Join(" and ", same.Select(f => f.Option))} are the same file {same.First().Path}.",
+                nameof(files));
     }
 }

@@ -52,7 +52,8 @@ internal sealed class CharacterMap
 
     private void Fit()
     {
-        IEnumerable<NedPosition> all = _model.Area.Concat(_model.Path).Concat(_model.Tracks.Where(t => t.Track.State != TrackState.Tentative).Select(t => t.Position));
+        IEnumerable<NedPosition> all = _model.Area.Concat(_model.Path)
+            .Concat(_model.Tracks.Where(t => t.Track.State != TrackState.Tentative).Select(t => t.Position));
         if (_model.Home is { } home)
             all = all.Append(home);
         NedPosition[] points = all.Where(IsUsable).ToArray();
@@ -100,7 +101,9 @@ internal sealed class CharacterMap
         {
             double angle = 2 * Math.PI * step / EllipseSteps;
             (double along, double across) = (major * Math.Cos(angle), minor * Math.Sin(angle));
-            return new NedPosition(track.Position.North + (along * cos) - (across * sin), track.Position.East + (along * sin) + (across * cos), 0);
+            return new NedPosition(
+                track.Position.North + (along * cos) - (across * sin),
+                track.Position.East + (along * sin) + (across * cos), 0);
         }
 
         for (int step = 0; step < EllipseSteps; step++)
@@ -146,7 +149,8 @@ internal sealed class CharacterMap
         _ => TargetLetters.Letter(track.Class),
     };
 
-    private static MapInk InkOf(TargetTrack track) => track.State == TrackState.Tentative ? MapInk.Tentative : TargetLetters.Ink(track.Class);
+    private static MapInk InkOf(TargetTrack track)
+        => track.State == TrackState.Tentative ? MapInk.Tentative : TargetLetters.Ink(track.Class);
 
     private void Mark(NedPosition at, char character, MapInk ink)
     {
@@ -170,7 +174,8 @@ internal sealed class CharacterMap
         _canvas.Line(x1, y1, x2, y2, ink, every);
     }
 
-    private (double X, double Y) ToDots(NedPosition at) => ((at.East - _west) / _metresPerDot, (_north - at.North) / _metresPerDot);
+    private (double X, double Y) ToDots(NedPosition at)
+        => ((at.East - _west) / _metresPerDot, (_north - at.North) / _metresPerDot);
 
     // What an autopilot says before it has a fix may be on the other side of the earth.
     private static bool IsUsable(NedPosition at) => Math.Abs(at.North) < 1e6 && Math.Abs(at.East) < 1e6;

@@ -33,7 +33,8 @@ internal sealed class FlightMonitor
         _vehicle = workspace.Subscribe<VehicleState>(MessageNames.VehicleState);
         _health = workspace.Subscribe<HealthReport>(MessageNames.Health);
         _texts = workspace.Subscribe<RecentItems<StatusText>>(MessageNames.StatusTexts);
-        _links = Enumerable.Range(0, linkCount).Select(n => workspace.Subscribe<LinkStatus>(MessageNames.LinkStatus(n))).ToList();
+        _links = Enumerable.Range(0, linkCount)
+            .Select(n => workspace.Subscribe<LinkStatus>(MessageNames.LinkStatus(n))).ToList();
         ManagerNames = reactor.Select(m => m.Name).ToList();
         _managers = ManagerNames.Select(workspace.SubscribeToStatus).ToList();
     }

@@ -34,18 +34,21 @@ internal sealed class LiveScreen
     }
 
     /// <summary>Whether the output is a terminal that supports the screen.</summary>
-    public static bool IsPossible() => !Console.IsOutputRedirected && AnsiConsole.Profile.Capabilities.Ansi && AnsiConsole.Profile.Capabilities.Interactive;
+    public static bool IsPossible()
+        => !Console.IsOutputRedirected && AnsiConsole.Profile.Capabilities.Ansi
+            && AnsiConsole.Profile.Capabilities.Interactive;
 
-    public void ShowUntilEnd(Task run) => AnsiConsole.Live(DrawFitting()).Overflow(VerticalOverflow.Crop).Start(context =>
-    {
-        bool hasEnded = false;
-        while (!hasEnded)
+    public void ShowUntilEnd(Task run)
+        => AnsiConsole.Live(DrawFitting()).Overflow(VerticalOverflow.Crop).Start(context =>
         {
-            hasEnded = run.Wait(RefreshEvery);
-            _monitor.Refresh();
-            context.UpdateTarget(DrawFitting());
-        }
-    });
+            bool hasEnded = false;
+            while (!hasEnded)
+            {
+                hasEnded = run.Wait(RefreshEvery);
+                _monitor.Refresh();
+                context.UpdateTarget(DrawFitting());
+            }
+        });
 
     /// <param name="width">Columns of the terminal.</param>
     /// <param name="height">Its lines.</param>
@@ -61,5 +64,6 @@ internal sealed class LiveScreen
             : _mission.Draw(_notes, Math.Max(MinWidth, width), Math.Max(MinHeight, height), isUnicode);
     }
 
-    private Rows DrawFitting() => Draw(AnsiConsole.Profile.Width, AnsiConsole.Profile.Height, AnsiConsole.Profile.Capabilities.Unicode);
+    private Rows DrawFitting()
+        => Draw(AnsiConsole.Profile.Width, AnsiConsole.Profile.Height, AnsiConsole.Profile.Capabilities.Unicode);
 }

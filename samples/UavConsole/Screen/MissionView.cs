@@ -37,7 +37,9 @@ internal sealed class MissionView(FlightMonitor monitor)
             lines.Add(MapLine(map, row) + "  " + (row < panel.Count ? panel[row] : string.Empty));
         lines.AddRange(Managers(width));
         string[] last = notes.ToArray();
-        lines.AddRange(last.Skip(last.Length - NotesShown).Select(n => $"[grey]{Markup.Escape(Fit(FlightText.Printable(n), width))}[/]"));
+        lines.AddRange(
+            last.Skip(last.Length - NotesShown)
+                .Select(n => $"[grey]{Markup.Escape(Fit(FlightText.Printable(n), width))}[/]"));
         return new Rows(lines.Select(l => new Markup(l).Overflow(Overflow.Crop)));
     }
 
@@ -45,7 +47,10 @@ internal sealed class MissionView(FlightMonitor monitor)
     {
         FlightRecord record = monitor.Record;
         string name = record.Mission.Plan?.Name ?? "mission";
-        string pace = monitor.Pace > 0 ? string.Format(CultureInfo.InvariantCulture, "   {0} (x{1:0.0})", FlightText.Clock(monitor.Now), monitor.Pace) : string.Empty;
+        string pace = monitor.Pace > 0
+            ? string.Format(
+                CultureInfo.InvariantCulture, "   {0} (x{1:0.0})", FlightText.Clock(monitor.Now), monitor.Pace)
+            : string.Empty;
         string vehicle = Text.Vehicle(monitor.Vehicle);
         return $"[bold]{Markup.Escape(Fit(FlightText.Printable($"{name}{pace}   {vehicle}"), width))}[/]";
     }
@@ -56,12 +61,18 @@ internal sealed class MissionView(FlightMonitor monitor)
         MissionStatus mission = record.Mission;
         var lines = new List<string>
         {
-            Field("phase", PhaseText(record), mission.Phase is MissionPhase.Failed or MissionPhase.HandedOver ? "red" : "bold"),
-            Field(string.Empty, mission.Aborted is null ? mission.Text ?? string.Empty : "given up: " + mission.Aborted, mission.Aborted is null ? "grey" : "yellow"),
+            Field(
+                "phase", PhaseText(record),
+                mission.Phase is MissionPhase.Failed or MissionPhase.HandedOver ? "red" : "bold"),
+            Field(
+                string.Empty, mission.Aborted is null ? mission.Text ?? string.Empty : "given up: " + mission.Aborted,
+                mission.Aborted is null ? "grey" : "yellow"),
             $"[grey]{"covered",-9}[/]{Bar(mission.Coverage)}",
             Field("lanes", LaneText(mission), "default"),
             Field("vehicle", VehicleText(monitor.Vehicle), "default"),
-            Field(string.Empty, string.Format(CultureInfo.InvariantCulture, "{0:0.0} m high, {1:0.0} m/s", monitor.Vehicle.HeightAboveHomeMetres, Speed(monitor.Vehicle)), "default"),
+            Field(string.Empty, string.Format(
+                CultureInfo.InvariantCulture, "{0:0.0} m high, {1:0.0} m/s", monitor.Vehicle.HeightAboveHomeMetres,
+                Speed(monitor.Vehicle)), "default"),
             Field("battery", Text.Battery(monitor.Vehicle), "default"),
             Field("health", FlightText.Health(monitor.Health), HealthColour(monitor.Health.Level)),
         };
@@ -72,22 +83,31 @@ internal sealed class MissionView(FlightMonitor monitor)
     private static string PhaseText(FlightRecord record)
     {
         string text = FlightText.Phase(record.Mission.Phase);
-        return record.Authority.State == CommandAuthorityState.TakenAway && record.Authority.TakenBy is { } by ? $"{text}: {by}" : text;
+        return record.Authority.State == CommandAuthorityState.TakenAway && record.Authority.TakenBy is { } by
+            ? $"{text}: {by}"
+            : text;
     }
 
     private static string LaneText(in MissionStatus mission)
-        => $"{FlightText.Number(mission.LanesFlown)} of {FlightText.Number((mission.Plan?.Lanes.Length ?? 0) / 2)} flown, {FlightText.Number(mission.Revisits)} revisits";
+        => $"{FlightText.Number(mission.LanesFlown)} of {FlightText.Number((mission.Plan?.Lanes.Length ?? 0) / 2)} "
+            + $"flown, {FlightText.Number(mission.Revisits)} revisits";
 
     private static string VehicleText(in VehicleState vehicle)
         => vehicle.SystemId == 0 ? "not connected yet" : $"{vehicle.Mode}, {(vehicle.IsArmed ? "armed" : "disarmed")}";
 
     private static double Speed(in VehicleState vehicle)
-        => Math.Sqrt((vehicle.VelocityNed.North * vehicle.VelocityNed.North) + (vehicle.VelocityNed.East * vehicle.VelocityNed.East));
+        => Math.Sqrt(
+            (vehicle.VelocityNed.North * vehicle.VelocityNed.North)
+                + (vehicle.VelocityNed.East * vehicle.VelocityNed.East));
 
     private static IEnumerable<string> Targets(TrackList tracks)
     {
         TargetTrack[] shown = tracks.Tracks.Where(t => t.State != TrackState.Tentative).ToArray();
-        yield return Field("targets", $"{FlightText.Number(tracks.Confirmed.Count())} confirmed, {FlightText.Number(tracks.Tracks.Length - shown.Length)} tentative", "default");
+        yield return Field(
+            "targets",
+            $"{FlightText.Number(tracks.Confirmed.Count())} confirmed, "
+                + $"{FlightText.Number(tracks.Tracks.Length - shown.Length)} tentative",
+            "default");
         foreach (TargetTrack track in shown.Skip(shown.Length - TargetsShown))
         {
             string text = string.Format(
@@ -106,9 +126,11 @@ internal sealed class MissionView(FlightMonitor monitor)
     private IEnumerable<string> Managers(int width)
     {
         int half = (width - 2) / 2;
-        yield return $"[grey]{Fit(ManagerLine("manager", "state", "runs", "ms", "!"), half)}  {Fit(ManagerLine("manager", "state", "runs", "ms", "!"), half)}[/]";
+        yield return $"[grey]{Fit(ManagerLine("manager", "state", "runs", "ms", "!"), half)}  "
+            + $"{Fit(ManagerLine("manager", "state", "runs", "ms", "!"), half)}[/]";
         for (int index = 0; index < monitor.Managers.Count; index += 2)
-            yield return Manager(index, half) + "  " + (index + 1 < monitor.Managers.Count ? Manager(index + 1, half) : string.Empty);
+            yield return Manager(index, half) + "  "
+                + (index + 1 < monitor.Managers.Count ? Manager(index + 1, half) : string.Empty);
     }
 
     private string Manager(int index, int width)
@@ -120,7 +142,10 @@ internal sealed class MissionView(FlightMonitor monitor)
             FlightText.Number(status.Runs),
             FlightText.Number(monitor.UnitOfWorkTimeOf(index).Mean.TotalMilliseconds, "0.00"),
             FlightText.Number(status.Faults));
-        string colour = status.Faults > 0 || status.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging ? "red" : "default";
+        string colour = status.Faults > 0
+            || status.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging
+            ? "red"
+            : "default";
         return $"[{colour}]{Markup.Escape(Fit(line, width))}[/]";
     }
 
@@ -134,7 +159,9 @@ internal sealed class MissionView(FlightMonitor monitor)
     {
         double known = double.IsNaN(part) ? 0 : Math.Max(0, Math.Min(1, part));
         int done = (int)Math.Round(known * BarWidth);
-        return string.Format(CultureInfo.InvariantCulture, "[green]{0}[/][grey]{1}[/] {2:0.0}%", new string('━', done), new string('━', BarWidth - done), known * 100);
+        return string.Format(
+            CultureInfo.InvariantCulture, "[green]{0}[/][grey]{1}[/] {2:0.0}%", new string('━', done),
+            new string('━', BarWidth - done), known * 100);
     }
 
     private static string MapLine(MapPicture map, int row)
@@ -146,7 +173,8 @@ internal sealed class MissionView(FlightMonitor monitor)
             int end = first + 1;
             while (end < line.Length && map.InkAt(end, row) == map.InkAt(first, row))
                 end++;
-            text.Append('[').Append(InkStyle(map.InkAt(first, row))).Append(']').Append(Markup.Escape(line.Substring(first, end - first))).Append("[/]");
+            text.Append('[').Append(InkStyle(map.InkAt(first, row))).Append(']')
+                .Append(Markup.Escape(line.Substring(first, end - first))).Append("[/]");
             first = end;
         }
 
@@ -178,5 +206,6 @@ internal sealed class MissionView(FlightMonitor monitor)
         _ => "grey",
     };
 
-    private static string Fit(string text, int width) => text.Length > width ? text.Remove(Math.Max(0, width - 1)) + "…" : text.PadRight(width);
+    private static string Fit(string text, int width)
+        => text.Length > width ? text.Remove(Math.Max(0, width - 1)) + "…" : text.PadRight(width);
 }

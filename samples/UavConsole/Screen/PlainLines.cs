@@ -24,7 +24,8 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMi
             bool isTimeForALine = refresh % RefreshesPerLine == 0;
             ShowNews(withFigures: isTimeForALine);
             if (isTimeForALine)
-                Console.WriteLine(Text.StatusLine(monitor) + (showsMission ? "; " + Text.Mission(monitor) : string.Empty));
+                Console.WriteLine(
+                    Text.StatusLine(monitor) + (showsMission ? "; " + Text.Mission(monitor) : string.Empty));
         }
 
         monitor.Refresh();
@@ -40,7 +41,8 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMi
             Console.WriteLine(entry);
 
         HealthReport health = monitor.Health;
-        if (health.Level != _lastHealth.Level || health.Reasons != _lastHealth.Reasons || (withFigures && health.Text != _lastHealth.Text))
+        if (health.Level != _lastHealth.Level || health.Reasons != _lastHealth.Reasons
+            || (withFigures && health.Text != _lastHealth.Text))
         {
             Console.WriteLine(FlightText.TimeStamp(monitor.Now) + "health: " + FlightText.Health(health));
             _lastHealth = health;

@@ -51,7 +51,9 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
         DurationStatistics work = monitor.UnitOfWorkTimeOf(index);
         table.AddRow(
             monitor.ManagerNames[index],
-            status.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging ? $"[red]{status.State}[/]" : status.State.ToString(),
+            status.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging
+                ? $"[red]{status.State}[/]"
+                : status.State.ToString(),
             Number(status.Runs),
             Causes(status.WakeUps),
             MeanAndMaximum(work),
@@ -63,14 +65,15 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
     {
         (string Name, long Count)[] causes =
         [
-            ("timer", wakes.Timer), ("post", wakes.Post), ("push", wakes.Push), ("pop", wakes.Pop), ("request", wakes.Request),
-            ("device", wakes.Device), ("merged", wakes.Merged),
+            ("timer", wakes.Timer), ("post", wakes.Post), ("push", wakes.Push), ("pop", wakes.Pop),
+            ("request", wakes.Request), ("device", wakes.Device), ("merged", wakes.Merged),
         ];
         return string.Join(" ", causes.Where(c => c.Count > 0).Select(c => $"{c.Name} {Number(c.Count)}"));
     }
 
     private static string MeanAndMaximum(in DurationStatistics time)
-        => string.Format(CultureInfo.InvariantCulture, "{0:0.00}/{1:0.0}", time.Mean.TotalMilliseconds, time.Max.TotalMilliseconds);
+        => string.Format(
+            CultureInfo.InvariantCulture, "{0:0.00}/{1:0.0}", time.Mean.TotalMilliseconds, time.Max.TotalMilliseconds);
 
     private Grid Vehicle()
     {
@@ -104,13 +107,17 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
 
     // The end of a long path says more than its beginning.
     private static string ShortName(string? url)
-        => url is null ? "-" : url.Length <= MaxLinkNameLength ? url : $"...{url.Substring(url.Length - MaxLinkNameLength + 3)}";
+        => url is null ? "-"
+            : url.Length <= MaxLinkNameLength ? url
+            : $"...{url.Substring(url.Length - MaxLinkNameLength + 3)}";
 
     private IEnumerable<IRenderable> Texts(IEnumerable<string> notes)
     {
-        IEnumerable<string> texts = monitor.Texts.Take(TextsShown).Reverse().Select(t => FlightText.TimeStamp(t.Time) + Text.Of(t));
+        IEnumerable<string> texts = monitor.Texts.Take(TextsShown).Reverse()
+            .Select(t => FlightText.TimeStamp(t.Time) + Text.Of(t));
         string[] last = notes.ToArray();
-        return texts.Select(t => OneLine(t, "default")).Concat(last.Skip(last.Length - NotesShown).Select(n => OneLine(n, "grey")));
+        return texts.Select(t => OneLine(t, "default"))
+            .Concat(last.Skip(last.Length - NotesShown).Select(n => OneLine(n, "grey")));
     }
 
     private static Markup OneLine(string text, string colour)
@@ -119,7 +126,9 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
     private static string Bar(double progress)
     {
         int done = (int)Math.Round(progress * BarWidth);
-        return string.Format(CultureInfo.InvariantCulture, "[green]{0}[/][grey]{1}[/] {2:0}%", new string('━', done), new string('━', BarWidth - done), progress * 100);
+        return string.Format(
+            CultureInfo.InvariantCulture, "[green]{0}[/][grey]{1}[/] {2:0}%", new string('━', done),
+            new string('━', BarWidth - done), progress * 100);
     }
 
     private static string Number(long value) => value.ToString(CultureInfo.InvariantCulture);

@@ -4,8 +4,8 @@ using Rabit.Core;
 namespace Wheelchair.Devices;
 
 /// <summary>
-/// A simulated device that has something to read every 50 ms. It never blocks and says when to ask again instead, so that it
-/// runs in virtual time as well as in real time.
+/// A simulated device that has something to read every 50 ms. It never blocks and says when to ask again instead, so
+/// that it runs in virtual time as well as in real time.
 /// </summary>
 internal abstract class PeriodicDevice<T> : IReaderSource<T>
 {

@@ -2,7 +2,9 @@ using System;
 
 namespace Wheelchair.Devices;
 
-/// <summary>Where the chair is: the world behind the simulated devices. It has the speed that the motors were commanded last.</summary>
+/// <summary>
+/// Where the chair is: the world behind the simulated devices. It has the speed that the motors were commanded last.
+/// </summary>
 /// <remarks>No manager ever sees it. Its devices run on threads of their own in real time, so it has a lock.</remarks>
 internal sealed class SimulatedChair(double wallAtMetres)
 {

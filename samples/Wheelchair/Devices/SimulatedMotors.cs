@@ -2,7 +2,9 @@ using Rabit.Core;
 
 namespace Wheelchair.Devices;
 
-/// <summary>The motor controller of the simulated chair. A real one would write to a serial line or a CAN bus, and block.</summary>
+/// <summary>
+/// The motor controller of the simulated chair. A real one would write to a serial line or a CAN bus, and block.
+/// </summary>
 internal sealed class SimulatedMotors(SimulatedChair chair) : IWriterTarget<MotorCommand>
 {
     public bool Blocks => false;

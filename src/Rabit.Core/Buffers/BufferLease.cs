@@ -4,9 +4,9 @@ using Rabit.Core.Buffers;
 namespace Rabit.Core;
 
 /// <summary>
-/// The right to use one buffer of a <see cref="BufferPool"/>, for one owner at a time. It travels through queues as it is: who pushed it
-/// does not touch it any more, who popped it returns it, or takes it over with <see cref="HandTo"/> so that older copies are dead.
-/// Where a queue drops it, the queue returns it.
+/// The right to use one buffer of a <see cref="BufferPool"/>, for one owner at a time. It travels through queues as it
+/// is: who pushed it does not touch it any more, who popped it returns it, or takes it over with <see cref="HandTo"/>
+/// so that older copies are dead. Where a queue drops it, the queue returns it.
 /// </summary>
 public readonly struct BufferLease : IDisposable
 {
@@ -23,7 +23,9 @@ public readonly struct BufferLease : IDisposable
     public bool IsEmpty => _buffer is null;
 
     /// <summary>The bytes.</summary>
-    /// <exception cref="InvalidOperationException">It was handed on or returned, or is empty; the text names the pool and who has it.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// It was handed on or returned, or is empty; the text names the pool and who has it.
+    /// </exception>
     public Span<byte> Span => Use().Bytes;
 
     /// <summary>The bytes as an array, for what cannot take a span. Not to be kept.</summary>

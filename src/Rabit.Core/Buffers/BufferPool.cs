@@ -6,12 +6,12 @@ using Rabit.Core.Buffers;
 namespace Rabit.Core;
 
 /// <summary>
-/// A fixed number of large buffers, made once and used again, for data that is too large to copy: pictures, scans, recordings. The
-/// one who rents a buffer owns it alone, passes it on through a queue, or returns it (contract 2.5).
+/// A fixed number of large buffers, made once and used again, for data that is too large to copy: pictures, scans,
+/// recordings. The one who rents a buffer owns it alone, passes it on through a queue, or returns it (contract 2.5).
 /// </summary>
 /// <remarks>
-/// Any thread. A buffer that is never returned is missing from then on: <see cref="Holders"/> says who has it, and a run that watches
-/// the pool (<see cref="RabitWorkspace.Watch"/>) ends with an error that says so.
+/// Any thread. A buffer that is never returned is missing from then on: <see cref="Holders"/> says who has it, and a
+/// run that watches the pool (<see cref="RabitWorkspace.Watch"/>) ends with an error that says so.
 /// </remarks>
 /// <example>
 /// <code>
@@ -42,7 +42,8 @@ public sealed class BufferPool
         if (count < 1)
             throw new ArgumentOutOfRangeException(nameof(count), count, $"Pool '{name}' needs at least one buffer.");
         if (bufferBytes < 1)
-            throw new ArgumentOutOfRangeException(nameof(bufferBytes), bufferBytes, $"A buffer of pool '{name}' needs at least one byte.");
+            throw new ArgumentOutOfRangeException(
+                nameof(bufferBytes), bufferBytes, $"A buffer of pool '{name}' needs at least one byte.");
         Name = name;
         BufferBytes = bufferBytes;
         _all = Enumerable.Range(0, count).Select(_ => new PooledBuffer(this, bufferBytes)).ToArray();
@@ -78,7 +79,9 @@ public sealed class BufferPool
         }
     }
 
-    /// <summary>Rents a buffer, if one is free. Its bytes are what its last owner left in it. Allocates nothing.</summary>
+    /// <summary>
+    /// Rents a buffer, if one is free. Its bytes are what its last owner left in it. Allocates nothing.
+    /// </summary>
     /// <param name="owner">Who rents it, for errors and <see cref="Holders"/>.</param>
     /// <param name="lease">The buffer; empty if the answer is false.</param>
     /// <exception cref="ArgumentException">The owner has no name.</exception>
@@ -101,19 +104,24 @@ public sealed class BufferPool
         }
     }
 
-    /// <summary>Who holds the buffers that are rented now, one name for each: at the end of a run those that were not returned.</summary>
+    /// <summary>
+    /// Who holds the buffers that are rented now, one name for each: at the end of a run those that were not returned.
+    /// </summary>
     public IReadOnlyList<string> Holders()
     {
         lock (_gate)
             return _all.Where(b => b.Owner is not null).Select(b => b.Owner!).ToArray();
     }
 
-    /// <summary>How full it is and who has what, in one line for a log: at the end of a run, who did not return.</summary>
+    /// <summary>
+    /// How full it is and who has what, in one line for a log: at the end of a run, who did not return.
+    /// </summary>
     public string Describe()
     {
         lock (_gate)
         {
-            string state = FormattableString.Invariant($"Pool '{Name}': {_free.Count} of {_all.Length} buffers are free, {_refused} times none was");
+            string state = FormattableString.Invariant(
+                $"Pool '{Name}': {_free.Count} of {_all.Length} buffers are free, {_refused} times none was");
             return string.Join("; ", new[] { state }.Concat(HolderTexts())) + ".";
         }
     }

@@ -4,8 +4,8 @@ using System.Threading;
 namespace Rabit.Core.Buffers;
 
 /// <summary>
-/// One buffer of a pool. Each change of hands is a new generation, and only a lease of the newest one is good, so that copies of a lease
-/// cannot be used after it was handed on or returned.
+/// One buffer of a pool. Each change of hands is a new generation, and only a lease of the newest one is good, so that
+/// copies of a lease cannot be used after it was handed on or returned.
 /// </summary>
 internal sealed class PooledBuffer(BufferPool pool, int length)
 {

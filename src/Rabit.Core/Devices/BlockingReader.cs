@@ -6,14 +6,14 @@ using Rabit.Core.Devices;
 namespace Rabit.Core;
 
 /// <summary>
-/// A reader that a manager owns: a thread of the library's that reads a source and hands what it read to the manager through a
-/// queue, waking it. Made by <see cref="RabitManager.AttachReader{T}"/>.
+/// A reader that a manager owns: a thread of the library's that reads a source and hands what it read to the manager
+/// through a queue, waking it. Made by <see cref="RabitManager.AttachReader{T}"/>.
 /// </summary>
 /// <typeparam name="T">What one read gives.</typeparam>
 /// <remarks>
-/// It opens its source when all managers have started, and is stopped before its manager shuts down. A source that throws ends
-/// the reader, or is opened again (<see cref="ReconnectPolicy"/>); the fault is in the log, and the manager is woken
-/// (<see cref="WakeUpCauses.Device"/>) whenever the state changes.
+/// It opens its source when all managers have started, and is stopped before its manager shuts down. A source that
+/// throws ends the reader, or is opened again (<see cref="ReconnectPolicy"/>); the fault is in the log, and the manager
+/// is woken (<see cref="WakeUpCauses.Device"/>) whenever the state changes.
 /// </remarks>
 /// <example>
 /// <code>
@@ -63,7 +63,9 @@ public sealed class BlockingReader<T>
     /// <summary>How many times its device was opened again after a fault. Any thread.</summary>
     public long Reconnects => _health.Reconnects;
 
-    /// <summary>Values that were read and are lost, because the run was stopped while the queue was full. Any thread.</summary>
+    /// <summary>
+    /// Values that were read and are lost, because the run was stopped while the queue was full. Any thread.
+    /// </summary>
     public long Discarded => _health.Discarded;
 
     /// <summary>The counters of the queue. The manager's thread only.</summary>
@@ -72,6 +74,8 @@ public sealed class BlockingReader<T>
     /// <summary>Takes the oldest value that was read. The manager's thread only; never waits.</summary>
     /// <param name="value">The value; default when there is none.</param>
     /// <returns>False when there is none.</returns>
-    /// <exception cref="InvalidOperationException">The manager is not the one that runs on this thread, or nothing is wired yet.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The manager is not the one that runs on this thread, or nothing is wired yet.
+    /// </exception>
     public bool TryPop([MaybeNullWhen(false)] out T value) => _queue.TryPop(out value);
 }

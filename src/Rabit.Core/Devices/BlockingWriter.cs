@@ -4,14 +4,14 @@ using Rabit.Core.Devices;
 namespace Rabit.Core;
 
 /// <summary>
-/// A writer that a manager owns: a thread of the library's that takes what the manager pushes and writes it to a target, so that
-/// a slow device never holds the manager up. Made by <see cref="RabitManager.AttachWriter{T}"/>.
+/// A writer that a manager owns: a thread of the library's that takes what the manager pushes and writes it to a
+/// target, so that a slow device never holds the manager up. Made by <see cref="RabitManager.AttachWriter{T}"/>.
 /// </summary>
 /// <typeparam name="T">What one write takes.</typeparam>
 /// <remarks>
-/// It is stopped after its manager's shutdown, when it has written what was left. A target that throws ends the writer, or is
-/// opened again (<see cref="ReconnectPolicy"/>); the fault is in the log, and the manager is woken (<see cref="WakeUpCauses.Device"/>) whenever
-/// the state changes. What is pushed after that stays in the queue.
+/// It is stopped after its manager's shutdown, when it has written what was left. A target that throws ends the writer,
+/// or is opened again (<see cref="ReconnectPolicy"/>); the fault is in the log, and the manager is woken
+/// (<see cref="WakeUpCauses.Device"/>) whenever the state changes. What is pushed after that stays in the queue.
 /// </remarks>
 public sealed class BlockingWriter<T>
 {
@@ -43,7 +43,9 @@ public sealed class BlockingWriter<T>
     /// <summary>How many times its device was opened again after a fault. Any thread.</summary>
     public long Reconnects => _health.Reconnects;
 
-    /// <summary>Values that were not written, because the target threw at them or the writer ended first. Any thread.</summary>
+    /// <summary>
+    /// Values that were not written, because the target threw at them or the writer ended first. Any thread.
+    /// </summary>
     public long Discarded => _health.Discarded;
 
     /// <summary>The counters of the queue. The manager's thread only.</summary>
@@ -52,6 +54,8 @@ public sealed class BlockingWriter<T>
     /// <summary>Hands a value to the writer. The manager's thread only; never waits.</summary>
     /// <param name="value">The value.</param>
     /// <returns>What really happened.</returns>
-    /// <exception cref="InvalidOperationException">The manager is not the one that runs on this thread, or nothing is wired yet.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The manager is not the one that runs on this thread, or nothing is wired yet.
+    /// </exception>
     public PushResult Push(in T value) => _queue.Push(value);
 }

@@ -9,8 +9,12 @@ using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Devices;
 
-/// <summary>What readers and writers have in common: they open a device at their first step, report what it throws, and open it again.</summary>
-internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, EndpointOwner manager, DeviceHealth health, ReconnectPolicy reconnect)
+/// <summary>
+/// What readers and writers have in common: they open a device at their first step, report what it throws, and open it
+/// again.
+/// </summary>
+internal abstract class DeviceActivity(
+    string name, WakeUpEvent wakeUp, EndpointOwner manager, DeviceHealth health, ReconnectPolicy reconnect)
     : Activity(name, wakeUp)
 {
     private bool _isOpen;
@@ -20,7 +24,8 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, Endpoint
 
     public abstract bool Blocks { get; }
 
-    public override string Doing => Health.State == DeviceState.Reconnecting ? "opening its device again" : "using its device";
+    public override string Doing
+        => Health.State == DeviceState.Reconnecting ? "opening its device again" : "using its device";
 
     /// <summary>Whether it has a thread or steps: not where the run was stopped before the barrier opened.</summary>
     public bool HasBegun => Volatile.Read(ref _hasBegun);
@@ -44,7 +49,9 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, Endpoint
 
     public override void Begin() => Volatile.Write(ref _hasBegun, true);
 
-    /// <summary>Instead of all steps, on the reactor's thread: it never began, and counts what is lost by that.</summary>
+    /// <summary>
+    /// Instead of all steps, on the reactor's thread: it never began, and counts what is lost by that.
+    /// </summary>
     public void Abandon() => ReportLost();
 
     /// <summary>Asks it to end with its manager, which does not wait for it. The manager's thread.</summary>
@@ -151,7 +158,9 @@ internal abstract class DeviceActivity(string name, WakeUpEvent wakeUp, Endpoint
             return;
         Health.AddReconnect();
         Health.Enter(DeviceState.Running, Clock.Now);
-        Log!.Write(RabitLogKind.Lifecycle, Name, FormattableString.Invariant($"its device is open again, reconnect {Health.Reconnects}"));
+        Log!.Write(
+            RabitLogKind.Lifecycle, Name,
+            FormattableString.Invariant($"its device is open again, reconnect {Health.Reconnects}"));
         manager.WakeUp!.Wake(WakeUpCauses.Device);
     }
 

@@ -22,6 +22,8 @@ public sealed class ReaderContext
     /// <summary>The clock of the run.</summary>
     public TimeProvider Clock => _clock.Provider;
 
-    /// <summary>Ends a wait that <see cref="IReaderSource{T}.Read"/> asked for: there may be something to read.</summary>
+    /// <summary>
+    /// Ends a wait that <see cref="IReaderSource{T}.Read"/> asked for: there may be something to read.
+    /// </summary>
     public void Signal() => _wakeUp.Wake(WakeUpCauses.Device);
 }

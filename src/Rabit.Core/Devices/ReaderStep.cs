@@ -23,10 +23,13 @@ public readonly struct ReaderStep
     /// <summary>Which of the three.</summary>
     public ReaderStepKind Kind { get; }
 
-    /// <summary>When to ask again, by the clock of the run; <see cref="TimeSpan.MaxValue"/> for at a signal only.</summary>
+    /// <summary>
+    /// When to ask again, by the clock of the run; <see cref="TimeSpan.MaxValue"/> for at a signal only.
+    /// </summary>
     public TimeSpan Due { get; }
 
     /// <summary>Nothing now; ask again at a time, or when <see cref="ReaderContext.Signal"/> was called.</summary>
     /// <param name="due">By the clock of the run; a time that has passed means at once.</param>
-    public static ReaderStep WaitUntil(TimeSpan due) => new(ReaderStepKind.Wait, due < TimeSpan.Zero ? TimeSpan.Zero : due);
+    public static ReaderStep WaitUntil(TimeSpan due)
+        => new(ReaderStepKind.Wait, due < TimeSpan.Zero ? TimeSpan.Zero : due);
 }

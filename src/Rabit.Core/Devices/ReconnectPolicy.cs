@@ -4,11 +4,12 @@ using Rabit.Core.Supervision;
 namespace Rabit.Core;
 
 /// <summary>
-/// Whether a reader or writer opens its device again after a fault: it closes it, waits, opens it, and continues. Immutable.
+/// Whether a reader or writer opens its device again after a fault: it closes it, waits, opens it, and continues.
+/// Immutable.
 /// </summary>
 /// <remarks>
-/// For a source or target that can be opened again after it was closed. A value that a target threw at is lost and counted, since it may be
-/// half written; what waits in the queue is kept.
+/// For a source or target that can be opened again after it was closed. A value that a target threw at is lost and
+/// counted, since it may be half written; what waits in the queue is kept.
 /// </remarks>
 public sealed class ReconnectPolicy
 {
@@ -22,7 +23,9 @@ public sealed class ReconnectPolicy
     /// <summary>The default: the first fault ends the reader or writer.</summary>
     public static ReconnectPolicy Never { get; } = new(TimeSpan.Zero, TimeSpan.Zero, maxAttempts: 0);
 
-    /// <summary>Tries again after 100 ms, a delay that doubles with every further fault up to 5 s, for as long as the run lasts.</summary>
+    /// <summary>
+    /// Tries again after 100 ms, a delay that doubles with every further fault up to 5 s, for as long as the run lasts.
+    /// </summary>
     public static ReconnectPolicy Always { get; } = After(TimeSpan.FromMilliseconds(100), TimeSpan.FromSeconds(5));
 
     /// <summary>The delay after the first of several faults.</summary>
@@ -31,11 +34,16 @@ public sealed class ReconnectPolicy
     /// <summary>The longest delay.</summary>
     public TimeSpan MaxDelay { get; }
 
-    /// <summary>How many times in a row it is tried before the reader or writer ends faulted. A value that was read or written ends a row.</summary>
+    /// <summary>
+    /// How many times in a row it is tried before the reader or writer ends faulted. A value that was read or written
+    /// ends a row.
+    /// </summary>
     public int MaxAttempts { get; }
 
     /// <summary>As <see cref="Always"/>, with other figures.</summary>
-    /// <param name="firstDelay">After the first fault; longer than zero, or a device that is not there would take a whole core.</param>
+    /// <param name="firstDelay">
+    /// After the first fault; longer than zero, or a device that is not there would take a whole core.
+    /// </param>
     /// <param name="maxDelay">Where the doubling ends; not below the first.</param>
     /// <param name="maxAttempts">See <see cref="MaxAttempts"/>; at least one.</param>
     /// <exception cref="ArgumentOutOfRangeException">An argument is out of its range.</exception>
@@ -43,7 +51,9 @@ public sealed class ReconnectPolicy
     {
         BackOff.Check(firstDelay, maxDelay, "before a device is opened again");
         if (maxAttempts < 1)
-            throw new ArgumentOutOfRangeException(nameof(maxAttempts), maxAttempts, "A device must be opened again at least once; or say ReconnectPolicy.Never.");
+            throw new ArgumentOutOfRangeException(
+                nameof(maxAttempts), maxAttempts,
+                "A device must be opened again at least once; or say ReconnectPolicy.Never.");
         return new ReconnectPolicy(firstDelay, maxDelay, maxAttempts);
     }
 }

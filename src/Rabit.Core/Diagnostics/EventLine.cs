@@ -3,7 +3,10 @@ using System.IO;
 
 namespace Rabit.Core.Diagnostics;
 
-/// <summary>One line of the event log in the making: seconds, who, what. Always the same characters, whatever the culture and the platform.</summary>
+/// <summary>
+/// One line of the event log in the making: seconds, who, what. Always the same characters, whatever the culture and
+/// the platform.
+/// </summary>
 internal sealed class EventLine
 {
     private const int TimeWidth = 14;

@@ -10,13 +10,14 @@ using Rabit.Core.Wiring;
 namespace Rabit.Core.Diagnostics;
 
 /// <summary>
-/// Writes down what happens in a run in virtual time: who ran and why, who woke whom, what was posted, pushed and popped, what
-/// went wrong, and the stop. Lines hold nothing of the machine, its culture or its runtime, so that two logs of one seed can be
-/// compared to the byte.
+/// Writes down what happens in a run in virtual time: who ran and why, who woke whom, what was posted, pushed and
+/// popped, what went wrong, and the stop. Lines hold nothing of the machine, its culture or its runtime, so that two
+/// logs of one seed can be compared to the byte.
 /// </summary>
 /// <remarks>
 /// Called by the engine, by handlers of posts and by the log of the run; nothing of it exists in a run without an event
-/// log. What a step did to queues is seen in their counters when it ends: that needs no hook in a push, and no kind of push can be forgotten.
+/// log. What a step did to queues is seen in their counters when it ends: that needs no hook in a push, and no kind of
+/// push can be forgotten.
 /// </remarks>
 internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Exception> fail)
 {
@@ -83,7 +84,9 @@ internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Excepti
         }
     }
 
-    /// <summary>A wake that ended a sleep. Those that merge with it are in the count of the step that follows.</summary>
+    /// <summary>
+    /// A wake that ended a sleep. Those that merge with it are in the count of the step that follows.
+    /// </summary>
     public void Wakes(Activity sleeper)
     {
         WakeUpCauses causes = CausesOf(sleeper.WakeUp);

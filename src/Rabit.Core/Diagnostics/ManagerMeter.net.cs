@@ -6,8 +6,8 @@ using System.Linq;
 namespace Rabit.Core.Diagnostics;
 
 /// <summary>
-/// The meter "Rabit.Core" of one run: the figures of the statuses, for dotnet-counters and OpenTelemetry. All instruments are observable: they
-/// cost nothing until they are collected, on the collecting thread.
+/// The meter "Rabit.Core" of one run: the figures of the statuses, for dotnet-counters and OpenTelemetry. All
+/// instruments are observable: they cost nothing until they are collected, on the collecting thread.
 /// </summary>
 internal sealed class ManagerMeter : IDisposable
 {
@@ -22,17 +22,25 @@ internal sealed class ManagerMeter : IDisposable
         _managers = managers;
         _read = read;
         _meter = new Meter(new MeterOptions(MeterName) { Tags = [new("rabit.run", run)], Scope = this });
-        Gauge("rabit.manager.state", "Where the manager is in its life, as a number of ManagerState.", s => (int)s.State);
+        Gauge(
+            "rabit.manager.state", "Where the manager is in its life, as a number of ManagerState.", s => (int)s.State);
         Counter("rabit.manager.runs", "{run}", "Units of work.", s => s.Runs);
-        Counter("rabit.manager.merged_wakeups", "{wakeup}", "Wake-ups that merged with one that waited.", s => s.WakeUps.Merged);
-        Counter("rabit.manager.missed_deadlines", "{deadline}", "Deadlines of a period that passed before their unit of work began.", s => s.MissedDeadlines);
+        Counter(
+            "rabit.manager.merged_wakeups", "{wakeup}", "Wake-ups that merged with one that waited.",
+            s => s.WakeUps.Merged);
+        Counter(
+            "rabit.manager.missed_deadlines", "{deadline}",
+            "Deadlines of a period that passed before their unit of work began.", s => s.MissedDeadlines);
         Counter("rabit.manager.faults", "{fault}", "Exceptions that left the manager's code.", s => s.Faults);
         Counter("rabit.manager.restarts", "{restart}", "Start-ups after a fault.", s => s.Restarts);
         Counter("rabit.manager.hangs", "{hang}", "Times the watchdog found the manager hanging.", s => s.Hangs);
-        _meter.CreateObservableCounter("rabit.manager.wakeups", ObserveCauses, "{run}", "Units of work by what woke the manager.");
+        _meter.CreateObservableCounter(
+            "rabit.manager.wakeups", ObserveCauses, "{run}", "Units of work by what woke the manager.");
         Percentiles("rabit.manager.unit_of_work.duration", "How long units of work take.", s => s.UnitOfWorkTime);
         Percentiles("rabit.manager.wake.latency", "From the wake-up to the unit of work.", s => s.WakeLatency);
-        Percentiles("rabit.manager.period.error", "How late after its deadline a periodic unit of work begins.", s => s.PeriodError);
+        Percentiles(
+            "rabit.manager.period.error", "How late after its deadline a periodic unit of work begins.",
+            s => s.PeriodError);
     }
 
     public void Dispose() => _meter.Dispose();
@@ -74,7 +82,8 @@ internal sealed class ManagerMeter : IDisposable
         yield return Of("0.999", times.Percentile999);
         yield return Of("1", times.Max);
 
-        Measurement<double> Of(string quantile, TimeSpan time) => new(time.TotalSeconds, Manager(i), new("quantile", quantile));
+        Measurement<double> Of(string quantile, TimeSpan time)
+            => new(time.TotalSeconds, Manager(i), new("quantile", quantile));
     }
 
     private KeyValuePair<string, object?> Manager(int i) => new("manager", _managers[i]);

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Rabit.Core.Diagnostics;
 
 /// <summary>
-/// Down-level there is no meter without a package of its own, and Mono has no tool that reads one: the figures are in the status, in
-/// <see cref="ReactorResult.ToTable"/> and in the events.
+/// Down-level there is no meter without a package of its own, and Mono has no tool that reads one: the figures are in
+/// the status, in <see cref="ReactorResult.ToTable"/> and in the events.
 /// </summary>
 internal sealed class ManagerMeter : IDisposable
 {

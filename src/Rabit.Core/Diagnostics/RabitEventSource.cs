@@ -3,10 +3,13 @@ using System.Diagnostics.Tracing;
 namespace Rabit.Core.Diagnostics;
 
 /// <summary>
-/// The event source "Rabit-Core", for dotnet-trace, PerfView and listeners in the process: the entries of the logs of all runs, and, verbose, each
-/// unit of work. It costs a flag while no listener is attached.
+/// The event source "Rabit-Core", for dotnet-trace, PerfView and listeners in the process: the entries of the logs of
+/// all runs, and, verbose, each unit of work. It costs a flag while no listener is attached.
 /// </summary>
-/// <remarks>An event source is registered once in a process, by its name, so it is the one static instance here; it holds nothing of any run.</remarks>
+/// <remarks>
+/// An event source is registered once in a process, by its name, so it is the one static instance here; it holds
+/// nothing of any run.
+/// </remarks>
 [EventSource(Name = "Rabit-Core")]
 internal sealed class RabitEventSource : EventSource
 {

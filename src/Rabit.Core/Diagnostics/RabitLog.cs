@@ -10,7 +10,10 @@ internal sealed class RabitLog(Action<RabitLogEntry>? sink, bool logRuns, RunClo
     /// <summary>Whether the begin of every unit of work is logged.</summary>
     public bool LogsRuns { get; } = logRuns && sink is not null;
 
-    /// <summary>The event log of a run in virtual time, where one was asked for. It takes every entry but runs, of which it knows more.</summary>
+    /// <summary>
+    /// The event log of a run in virtual time, where one was asked for. It takes every entry but runs, of which it
+    /// knows more.
+    /// </summary>
     public EventLog? Events { get; } = events;
 
     public void Write(RabitLogKind kind, string source, string text, Exception? exception = null)

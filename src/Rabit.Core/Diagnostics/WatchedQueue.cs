@@ -13,7 +13,8 @@ internal sealed class WatchedQueue(IMessageQueue queue)
     {
         QueueCounters before = _seen;
         _seen = queue.Counters;
-        if (_seen.Pushed == before.Pushed && _seen.Popped == before.Popped && _seen.Dropped == before.Dropped && _seen.Rejected == before.Rejected)
+        if (_seen.Pushed == before.Pushed && _seen.Popped == before.Popped && _seen.Dropped == before.Dropped
+            && _seen.Rejected == before.Rejected)
             return false;
 
         line.Begin(now, actor).Add("queue ").Add(queue.Name).Add(": ");

@@ -19,7 +19,9 @@ internal abstract class Activity(string name, WakeUpEvent wakeUp)
     /// <summary>What the activity is doing, for the report that it does not stop.</summary>
     public abstract string Doing { get; }
 
-    /// <summary>Whether the end has work left that takes its time, so that <see cref="Unblock"/> comes only when the time is up.</summary>
+    /// <summary>
+    /// Whether the end has work left that takes its time, so that <see cref="Unblock"/> comes only when the time is up.
+    /// </summary>
     public virtual bool DrainsAtEnd => false;
 
     /// <summary>Before the first step, before the start-up barrier.</summary>

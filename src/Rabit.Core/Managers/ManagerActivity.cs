@@ -12,11 +12,13 @@ using Rabit.Core.Wiring;
 namespace Rabit.Core.Managers;
 
 /// <summary>
-/// Runs one manager: marks it as the running one, keeps its status, turns what it throws into faults and does what its fault policy says. All on
-/// the manager's thread, but for <see cref="Doing"/>, <see cref="HasBegun"/>, <see cref="HasStoppedAlone"/> and the lists, which the reactor reads,
-/// and <see cref="Hangs"/>, by which the watchdog looks at it.
+/// Runs one manager: marks it as the running one, keeps its status, turns what it throws into faults and does what its
+/// fault policy says. All on the manager's thread, but for <see cref="Doing"/>, <see cref="HasBegun"/>,
+/// <see cref="HasStoppedAlone"/> and the lists, which the reactor reads, and <see cref="Hangs"/>, by which the watchdog
+/// looks at it.
 /// </summary>
-internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Activity(manager.Name, manager.WakeUpEvent)
+internal sealed class ManagerActivity(RabitManager manager, ManagerRun run)
+    : Activity(manager.Name, manager.WakeUpEvent)
 {
     private readonly FaultFollowUp _followUp = new(manager, run);
     private readonly ManagerStatistics _statistics = new();
@@ -95,7 +97,9 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
             PostState(ManagerState.Stopped);
     }
 
-    /// <summary>Ends a unit of work whose modelled duration is over; in virtual time, where the watchdog calls it too.</summary>
+    /// <summary>
+    /// Ends a unit of work whose modelled duration is over; in virtual time, where the watchdog calls it too.
+    /// </summary>
     public void ComeBack()
     {
         if (Hangs.IsInModelledWork && Hangs.TryEndModelled(run.Clock.Now))
@@ -119,7 +123,8 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         Restarts++;
         _followUp.Resume();
         _grid = default;
-        run.Log.Write(RabitLogKind.Lifecycle, Name, FormattableString.Invariant($"starts up again, restart {Restarts}"));
+        run.Log.Write(
+            RabitLogKind.Lifecycle, Name, FormattableString.Invariant($"starts up again, restart {Restarts}"));
         if (!StartUp())
             return AfterFault();
 
@@ -158,7 +163,9 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         run.Log.Write(RabitLogKind.Lifecycle, Name, "is stopped alone; the others continue");
     }
 
-    private bool Execute(ManagerStage stage, ManagerState state, TimeSpan begin, ConsumedWakeUps wakes = default, TimeSpan? wokenAt = null)
+    private bool Execute(
+        ManagerStage stage, ManagerState state, TimeSpan begin, ConsumedWakeUps wakes = default,
+        TimeSpan? wokenAt = null)
     {
         EndpointOwner? outer = RunningManager.Current;
         RunningManager.Current = manager.Owner;
@@ -215,8 +222,10 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run) : Ac
         {
             TimeSpan? deadline = _isOnGrid && (wakes.Causes & WakeUpCauses.Timer) != 0 ? _due : null;
             _statistics.CountRun(ref status, begin, _lastEnd, wokenAt, deadline);
-            if (RabitEventSource.Instance.IsEnabled() && RabitEventSource.Instance.IsEnabled(EventLevel.Verbose, EventKeywords.None))
-                RabitEventSource.Instance.UnitOfWork(Name, Microseconds(_lastEnd - begin), wokenAt is { } at ? Microseconds(begin - at) : -1);
+            if (RabitEventSource.Instance.IsEnabled()
+                && RabitEventSource.Instance.IsEnabled(EventLevel.Verbose, EventKeywords.None))
+                RabitEventSource.Instance.UnitOfWork(
+                    Name, Microseconds(_lastEnd - begin), wokenAt is { } at ? Microseconds(begin - at) : -1);
         }
 
         status.MissedDeadlines += SetTimer(begin);

@@ -7,7 +7,8 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Managers;
 
 /// <summary>What a manager is given of the run that it is part of.</summary>
-internal sealed class ManagerRun(RunClock clock, RabitLog log, HangPolicy hangPolicy, bool keepsStatistics, Action<string> requestStop)
+internal sealed class ManagerRun(
+    RunClock clock, RabitLog log, HangPolicy hangPolicy, bool keepsStatistics, Action<string> requestStop)
 {
     private int _resetRequested;   // set by any thread, taken by the manager's
 
@@ -19,12 +20,16 @@ internal sealed class ManagerRun(RunClock clock, RabitLog log, HangPolicy hangPo
 
     public bool KeepsStatistics { get; } = keepsStatistics;
 
-    /// <summary>Wakes the watchdog of a run in virtual time, where it sleeps until a modelled duration begins. Set before the start.</summary>
+    /// <summary>
+    /// Wakes the watchdog of a run in virtual time, where it sleeps until a modelled duration begins. Set before the
+    /// start.
+    /// </summary>
     public WakeUpEvent? WatchdogWakeUp { get; set; }
 
     public void RequestStop(string reason) => requestStop(reason);
 
     public void ResetStatistics() => Volatile.Write(ref _resetRequested, 1);
 
-    public bool TakeReset() => Volatile.Read(ref _resetRequested) != 0 && Interlocked.Exchange(ref _resetRequested, 0) != 0;
+    public bool TakeReset()
+        => Volatile.Read(ref _resetRequested) != 0 && Interlocked.Exchange(ref _resetRequested, 0) != 0;
 }

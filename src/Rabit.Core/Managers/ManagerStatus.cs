@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Core;
 
 /// <summary>
-/// What a manager reports of itself: a message of its own (<see cref="RabitManager.SubscribeToStatus"/>), posted when its
-/// state changes and after every unit of work, and, when it hangs, by the watchdog in its place. A plain value.
+/// What a manager reports of itself: a message of its own (<see cref="RabitManager.SubscribeToStatus"/>), posted when
+/// its state changes and after every unit of work, and, when it hangs, by the watchdog in its place. A plain value.
 /// </summary>
 public struct ManagerStatus
 {
@@ -26,10 +26,14 @@ public struct ManagerStatus
     /// <summary>How long they took, by the clock of the run: in virtual time their modelled duration.</summary>
     public readonly DurationStatistics UnitOfWorkTime => _unitOfWorkTime;
 
-    /// <summary>From the wake-up (or the moment the timer was due) to the unit of work, where the manager slept.</summary>
+    /// <summary>
+    /// From the wake-up (or the moment the timer was due) to the unit of work, where the manager slept.
+    /// </summary>
     public readonly DurationStatistics WakeLatency => _wakeLatency;
 
-    /// <summary>How late after its deadline each unit of work that <see cref="RabitManager.Period"/> caused began.</summary>
+    /// <summary>
+    /// How late after its deadline each unit of work that <see cref="RabitManager.Period"/> caused began.
+    /// </summary>
     public readonly DurationStatistics PeriodError => _periodError;
 
     /// <summary>Exceptions that left the manager's code.</summary>
@@ -47,10 +51,15 @@ public struct ManagerStatus
     /// <summary>The last time: stage, for how long, and what it was doing. Null when there was none.</summary>
     public string? LastHang { get; internal set; }
 
-    /// <summary>When it entered the code that it does not return from, by <see cref="RabitManager.Now"/>; zero unless it is <see cref="ManagerState.Hanging"/>.</summary>
+    /// <summary>
+    /// When it entered the code that it does not return from, by <see cref="RabitManager.Now"/>; zero unless it is
+    /// <see cref="ManagerState.Hanging"/>.
+    /// </summary>
     public TimeSpan HangingSince { get; internal set; }
 
-    /// <summary>Deadlines of <see cref="RabitManager.Period"/> that passed before their unit of work could begin.</summary>
+    /// <summary>
+    /// Deadlines of <see cref="RabitManager.Period"/> that passed before their unit of work could begin.
+    /// </summary>
     public long MissedDeadlines { get; internal set; }
 
     /// <summary>The wake-up delay or the period that holds now.</summary>

@@ -3,7 +3,9 @@ using Rabit.Core.Time;
 
 namespace Rabit.Core.Managers;
 
-/// <summary>The deadlines of a fixed period: absolute, so that no lateness adds up. Times are those of the run's clock.</summary>
+/// <summary>
+/// The deadlines of a fixed period: absolute, so that no lateness adds up. Times are those of the run's clock.
+/// </summary>
 internal struct PeriodGrid
 {
     private TimeSpan _period;
@@ -13,7 +15,9 @@ internal struct PeriodGrid
     /// <param name="period">The period that holds now; another one than before begins a new grid.</param>
     /// <param name="begin">When the last unit of work began.</param>
     /// <param name="end">When it ended.</param>
-    /// <param name="missedDeadlines">Deadlines that passed, since the last call, before their unit of work could begin.</param>
+    /// <param name="missedDeadlines">
+    /// Deadlines that passed, since the last call, before their unit of work could begin.
+    /// </param>
     public TimeSpan Next(TimeSpan period, TimeSpan begin, TimeSpan end, out long missedDeadlines)
     {
         missedDeadlines = 0;

@@ -10,14 +10,15 @@ using Rabit.Core.Wiring;
 namespace Rabit.Core;
 
 /// <summary>
-/// One of the things that a control program has going on at once. Derive from it, say in the constructor what it publishes,
-/// fetches, sends and receives, and write its unit of work. It runs on a thread of its own (in steps of its own in virtual time)
-/// and meets others only through messages and queues.
+/// One of the things that a control program has going on at once. Derive from it, say in the constructor what it
+/// publishes, fetches, sends and receives, and write its unit of work. It runs on a thread of its own (in steps of its
+/// own in virtual time) and meets others only through messages and queues.
 /// </summary>
 /// <remarks>
-/// <see cref="Startup"/>, <see cref="ExecuteUnitOfWork"/> and <see cref="Shutdown"/> run on the manager's thread. Between units
-/// of work it sleeps until something wakes it: the timer, a post, push or pop that it asked to be woken by, or
-/// <see cref="WakeUp"/>. Wake-ups do not stack: any number that come during a unit of work cause exactly one more.
+/// <see cref="Startup"/>, <see cref="ExecuteUnitOfWork"/> and <see cref="Shutdown"/> run on the manager's thread.
+/// Between units of work it sleeps until something wakes it: the timer, a post, push or pop that it asked to be woken
+/// by, or <see cref="WakeUp"/>. Wake-ups do not stack: any number that come during a unit of work cause exactly one
+/// more.
 /// </remarks>
 /// <example>
 /// <code>
@@ -49,7 +50,9 @@ public abstract partial class RabitManager
     private string? _doing;   // written by the manager's thread, read by the watchdog
     private ManagerRun? _run;
 
-    /// <summary>Names the manager. Derived constructors record what it posts, fetches, sends and receives; nothing runs yet.</summary>
+    /// <summary>
+    /// Names the manager. Derived constructors record what it posts, fetches, sends and receives; nothing runs yet.
+    /// </summary>
     /// <param name="name">Unique within its reactor; also the name of its thread.</param>
     /// <exception cref="ArgumentException">The name is empty.</exception>
     protected RabitManager(string name)
@@ -58,15 +61,19 @@ public abstract partial class RabitManager
         WakeUpEvent = new WakeUpEvent();
         _owner = new EndpointOwner(Name, isManager: true, WakeUpEvent);
         StatusPublisher = new MessagePublisher<ManagerStatus>(Declare(
-            new MessageBinding<ManagerStatus>(_owner, EndpointRole.Publish, StatusMessageName(Name)) { IsBuiltIn = true }));
+            new MessageBinding<ManagerStatus>(_owner, EndpointRole.Publish, StatusMessageName(Name))
+            {
+                IsBuiltIn = true
+            }));
     }
 
     /// <summary>The name, unique within its reactor.</summary>
     public string Name { get; }
 
     /// <summary>
-    /// How long the manager sleeps before its timer wakes it, from the moment it goes to sleep. 1 s by default. The unit of work
-    /// may change it at any time; the change holds from the next sleep. It cannot be switched off, but it can be made long.
+    /// How long the manager sleeps before its timer wakes it, from the moment it goes to sleep. 1 s by default. The
+    /// unit of work may change it at any time; the change holds from the next sleep. It cannot be switched off, but it
+    /// can be made long.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Zero or negative.</exception>
     public TimeSpan WakeUpDelay
@@ -82,10 +89,11 @@ public abstract partial class RabitManager
     }
 
     /// <summary>
-    /// A fixed period instead of <see cref="WakeUpDelay"/>: deadlines on a grid that begins with the unit of work that first runs with
-    /// this period, so that they do not drift, however long the work takes and whatever else wakes the manager. A deadline that passes
-    /// during a unit of work is missed (<see cref="ManagerStatus.MissedDeadlines"/>): one run follows at once, and the grid continues; there is never
-    /// a burst. Null, the default, for <see cref="WakeUpDelay"/>. The unit of work may change it; the change holds from the next sleep.
+    /// A fixed period instead of <see cref="WakeUpDelay"/>: deadlines on a grid that begins with the unit of work that
+    /// first runs with this period, so that they do not drift, however long the work takes and whatever else wakes the
+    /// manager. A deadline that passes during a unit of work is missed (<see cref="ManagerStatus.MissedDeadlines"/>):
+    /// one run follows at once, and the grid continues; there is never a burst. Null, the default, for
+    /// <see cref="WakeUpDelay"/>. The unit of work may change it; the change holds from the next sleep.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Zero or negative.</exception>
     public TimeSpan? Period
@@ -99,29 +107,39 @@ public abstract partial class RabitManager
         }
     }
 
-    /// <summary>What follows an exception that left the manager's code; by default the system stops. Set before the start.</summary>
+    /// <summary>
+    /// What follows an exception that left the manager's code; by default the system stops. Set before the start.
+    /// </summary>
     public FaultPolicy FaultPolicy
     {
         get => _faultPolicy;
         set => _faultPolicy = Require.NotNull(value, nameof(value));
     }
 
-    /// <summary>How long this manager may be in its code, and what follows when it does not return. Set before the start.</summary>
+    /// <summary>
+    /// How long this manager may be in its code, and what follows when it does not return. Set before the start.
+    /// </summary>
     /// <value>Null, the default, for that of the reactor (<see cref="ReactorOptions.HangPolicy"/>).</value>
     public HangPolicy? HangPolicy { get; set; }
 
-    /// <summary>How long this manager, and each of its readers and writers, may take to stop. Set before the start.</summary>
+    /// <summary>
+    /// How long this manager, and each of its readers and writers, may take to stop. Set before the start.
+    /// </summary>
     /// <value>Null, the default, for that of the reactor (<see cref="ReactorOptions.StopTimeout"/>).</value>
     /// <exception cref="ArgumentOutOfRangeException">Zero or negative.</exception>
     public TimeSpan? StopTimeout
     {
         get => _stopTimeout;
-        set => _stopTimeout = value is { } timeout ? Require.Positive(timeout, nameof(value), $"The time in which manager '{Name}' must stop") : null;
+        set
+            => _stopTimeout = value is { } timeout
+                ? Require.Positive(timeout, nameof(value), $"The time in which manager '{Name}' must stop")
+                : null;
     }
 
     /// <summary>
-    /// What the manager is doing, in a few words, for the report of a hang: set it before something that may take long. It costs a
-    /// field; a constant text costs no more. Forgotten when the manager next enters its code. Set on the manager's thread, read on any.
+    /// What the manager is doing, in a few words, for the report of a hang: set it before something that may take long.
+    /// It costs a field; a constant text costs no more. Forgotten when the manager next enters its code. Set on the
+    /// manager's thread, read on any.
     /// </summary>
     protected internal string? Doing
     {
@@ -129,10 +147,14 @@ public abstract partial class RabitManager
         protected set => Volatile.Write(ref _doing, value);
     }
 
-    /// <summary>Why the running unit of work runs. By default everything is done on every wake, and the code need not ask.</summary>
+    /// <summary>
+    /// Why the running unit of work runs. By default everything is done on every wake, and the code need not ask.
+    /// </summary>
     protected WakeUpCauses WakeUpCauses { get; private set; }
 
-    /// <summary>Time since the reactor was made, on the monotonic clock of the run: the time of all stamps. Any thread.</summary>
+    /// <summary>
+    /// Time since the reactor was made, on the monotonic clock of the run: the time of all stamps. Any thread.
+    /// </summary>
     /// <exception cref="InvalidOperationException">The manager is not in a reactor that has started.</exception>
     protected TimeSpan Now => Run.Clock.Now;
 
@@ -152,13 +174,17 @@ public abstract partial class RabitManager
 
     internal List<DeviceActivity> Writers { get; } = [];
 
-    private ManagerRun Run => _run ?? throw new InvalidOperationException($"Manager '{Name}' is not in a reactor that has started.");
+    private ManagerRun Run
+        => _run ?? throw new InvalidOperationException($"Manager '{Name}' is not in a reactor that has started.");
 
     /// <summary>The name of the message by which a manager reports its <see cref="ManagerStatus"/>.</summary>
     /// <param name="managerName">The manager.</param>
     public static string StatusMessageName(string managerName) => managerName + "/status";
 
-    /// <summary>Wakes the manager: a unit of work that starts after this call sees what the caller did before it. Any thread, never waits.</summary>
+    /// <summary>
+    /// Wakes the manager: a unit of work that starts after this call sees what the caller did before it. Any thread,
+    /// never waits.
+    /// </summary>
     public void WakeUp() => WakeUpEvent.Wake(WakeUpCauses.Request);
 
     /// <summary>Resets the figures of <see cref="ManagerStatus"/> with the next unit of work. Any thread.</summary>
@@ -169,7 +195,10 @@ public abstract partial class RabitManager
     {
     }
 
-    /// <summary>The work: fetch, pop, compute, post, push, return. It should not block; see <see cref="AttachReader{T}"/> for devices.</summary>
+    /// <summary>
+    /// The work: fetch, pop, compute, post, push, return. It should not block; see <see cref="AttachReader{T}"/> for
+    /// devices.
+    /// </summary>
     protected abstract void ExecuteUnitOfWork();
 
     /// <summary>Called once at the end, if <see cref="Startup"/> was called, whatever ended the run.</summary>

@@ -2,12 +2,16 @@ using System;
 
 namespace Rabit.Core.Messages;
 
-/// <summary>A manager's own copy of a message, behind all its endpoints for it. Touched by its owner's thread only.</summary>
+/// <summary>
+/// A manager's own copy of a message, behind all its endpoints for it. Touched by its owner's thread only.
+/// </summary>
 internal sealed class LocalCopy<T>(T value)
 {
     public T Value = value;
 
-    /// <summary>The second instance of a class that copies itself: filled in by a fetch while <see cref="Value"/> stays whole.</summary>
+    /// <summary>
+    /// The second instance of a class that copies itself: filled in by a fetch while <see cref="Value"/> stays whole.
+    /// </summary>
     public T Spare = default!;
 
     /// <summary>The version of the last post that the owner fetched or made.</summary>

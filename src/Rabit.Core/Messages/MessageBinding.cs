@@ -12,10 +12,13 @@ namespace Rabit.Core.Messages;
 /// What an owner declared of a message, and, once wired, the hidden global copy. Written by the thread that wires;
 /// then read by the owner's thread.
 /// </summary>
-internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, string name) : EndpointDeclaration(owner, role, name, typeof(T))
+internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, string name)
+    : EndpointDeclaration(owner, role, name, typeof(T))
 {
-    // Whether T is a class that copies itself. The same for all messages of a type, and known without reflection on members.
-    private static readonly bool IsSelfCopying = !typeof(T).IsValueType && typeof(ISelfCopying<T>).IsAssignableFrom(typeof(T));
+    // Whether T is a class that copies itself. The same for all messages of a type, and known without reflection on
+    // members.
+    private static readonly bool IsSelfCopying = !typeof(T).IsValueType
+        && typeof(ISelfCopying<T>).IsAssignableFrom(typeof(T));
 
     // Who must run on the thread that uses this endpoint: null outside managers.
     private readonly EndpointOwner? _mustRun = owner.IsManager ? owner : null;
@@ -60,7 +63,9 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
             T clone = ((ISelfCopying<T>)Initial).Clone();
             if (clone is null)
                 return $"{method} gives null.";
-            return ReferenceEquals(clone, Initial) ? $"{method} gives the same instance, which copies would share." : null;
+            return ReferenceEquals(clone, Initial)
+                ? $"{method} gives the same instance, which copies would share."
+                : null;
         }
         catch (Exception e)
         {
@@ -69,7 +74,8 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         }
     }
 
-    public override IConnector CreateConnector(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
+    public override IConnector CreateConnector(
+        IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
     {
         T initial = default!;
         int publishers = 0;
@@ -94,7 +100,8 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     {
         // A manager posts its status after every run, which is in the log already.
         if (!IsBuiltIn)
-            ((SharedMessage<T>)connector).AddTarget(new PostTarget(events.Owner, wakeUp: null, stamp => events.Posted(Name, stamp)));
+            ((SharedMessage<T>)connector)
+                .AddTarget(new PostTarget(events.Owner, wakeUp: null, stamp => events.Posted(Name, stamp)));
     }
 
     public override void Bind(IConnector connector, EndpointDeclaration? firstOfOwner)

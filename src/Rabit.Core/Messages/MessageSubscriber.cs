@@ -5,11 +5,17 @@ using Rabit.Core.Messages;
 namespace Rabit.Core;
 
 /// <summary>
-/// The endpoint of a publish-subscribe message that fetches: ask whether there is news, then read the local copy. Made by
-/// <see cref="RabitManager.Subscribe{T}(string, bool, bool)"/>, or by <see cref="RabitWorkspace.Subscribe{T}(string)"/> for code outside managers.
+/// The endpoint of a publish-subscribe message that fetches: ask whether there is news, then read the local copy. Made
+/// by <see cref="RabitManager.Subscribe{T}(string, bool, bool)"/>, or by
+/// <see cref="RabitWorkspace.Subscribe{T}(string)"/> for code outside managers.
 /// </summary>
-/// <typeparam name="T">A struct with value semantics, an immutable class, or a class that copies itself (<see cref="ISelfCopying{TSelf}"/>).</typeparam>
-/// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
+/// <typeparam name="T">
+/// A struct with value semantics, an immutable class, or a class that copies itself
+/// (<see cref="ISelfCopying{TSelf}"/>).
+/// </typeparam>
+/// <remarks>
+/// Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.
+/// </remarks>
 /// <example>
 /// <code>
 /// if (_pose.Fetch())                       // is there news?
@@ -29,10 +35,12 @@ public sealed class MessageSubscriber<T>
     public string Name => _binding.Name;
 
     /// <summary>
-    /// The local copy, by reference: it changes at a fetch and at no other time. Of a class that copies itself it may be another instance
-    /// after each fetch: use it through this property, do not keep it.
+    /// The local copy, by reference: it changes at a fetch and at no other time. Of a class that copies itself it may
+    /// be another instance after each fetch: use it through this property, do not keep it.
     /// </summary>
-    /// <exception cref="InvalidOperationException">The endpoint's manager is not the one that runs on this thread, or nothing is wired yet.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The endpoint's manager is not the one that runs on this thread, or nothing is wired yet.
+    /// </exception>
     public ref readonly T Value
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -68,13 +76,16 @@ public sealed class MessageSubscriber<T>
     }
 
     /// <summary>Whether the fetched value is there and not too old to act on. It does not fetch.</summary>
-    /// <param name="maxAge">How old it may be, by its stamp. A value that is true at this very moment has the age zero.</param>
+    /// <param name="maxAge">
+    /// How old it may be, by its stamp. A value that is true at this very moment has the age zero.
+    /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The age is negative.</exception>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public bool IsFresh(TimeSpan maxAge)
     {
         if (maxAge < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(maxAge), maxAge, $"The maximum age of message '{Name}' cannot be negative.");
+            throw new ArgumentOutOfRangeException(
+                nameof(maxAge), maxAge, $"The maximum age of message '{Name}' cannot be negative.");
         return Age <= maxAge && Stamp.Version != 0;
     }
 
@@ -90,12 +101,16 @@ public sealed class MessageSubscriber<T>
         return shared.Version != copy.SeenVersion && shared.Fetch(copy) != 0;
     }
 
-    /// <summary>As <see cref="Fetch()"/>, and hands out the local copy: for languages and closures without references.</summary>
+    /// <summary>
+    /// As <see cref="Fetch()"/>, and hands out the local copy: for languages and closures without references.
+    /// </summary>
     /// <param name="value">
     /// The local copy, news or not. Of a class that copies itself it is the local instance, valid until the next fetch.
     /// </param>
     /// <returns>True when it is news.</returns>
-    /// <remarks>As <see cref="Fetch()"/>; a large struct is copied once more, which <see cref="Value"/> spares.</remarks>
+    /// <remarks>
+    /// As <see cref="Fetch()"/>; a large struct is copied once more, which <see cref="Value"/> spares.
+    /// </remarks>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public bool Fetch(out T value)
     {
@@ -105,7 +120,9 @@ public sealed class MessageSubscriber<T>
     }
 
     /// <summary>As <see cref="Fetch()"/>, and returns how many posts were missed since the last one.</summary>
-    /// <param name="missed">Posts of others that were overwritten before this endpoint fetched them; zero when there is no news.</param>
+    /// <param name="missed">
+    /// Posts of others that were overwritten before this endpoint fetched them; zero when there is no news.
+    /// </param>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public bool FetchAndCountMissed(out int missed)
     {
@@ -116,7 +133,9 @@ public sealed class MessageSubscriber<T>
         return news != 0;
     }
 
-    /// <summary>Copies the global to the local copy, newer or not: what was changed or covered locally is undone.</summary>
+    /// <summary>
+    /// Copies the global to the local copy, newer or not: what was changed or covered locally is undone.
+    /// </summary>
     /// <returns>True when it was news.</returns>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public bool ForceFetch()
@@ -126,8 +145,9 @@ public sealed class MessageSubscriber<T>
     }
 
     /// <summary>
-    /// Calls a handler at every post of others, on the poster's thread, after every lock is released. The handler may not touch
-    /// the endpoints of a manager, this one included, since none of them runs it; it should be short. One that throws is reported.
+    /// Calls a handler at every post of others, on the poster's thread, after every lock is released. The handler may
+    /// not touch the endpoints of a manager, this one included, since none of them runs it; it should be short. One
+    /// that throws is reported.
     /// </summary>
     /// <param name="handler">Given the stamp of the post.</param>
     public void OnPost(Action<MessageStamp> handler) => _binding.AddHandler(Require.NotNull(handler, nameof(handler)));

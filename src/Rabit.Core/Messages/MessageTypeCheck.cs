@@ -8,8 +8,8 @@ using Rabit.Core.Wiring;
 namespace Rabit.Core.Messages;
 
 /// <summary>
-/// Refuses a message type that would let two managers share something that one of them can change (contract 2.5): its copies
-/// must be independent all the way down.
+/// Refuses a message type that would let two managers share something that one of them can change (contract 2.5): its
+/// copies must be independent all the way down.
 /// </summary>
 internal static class MessageTypeCheck
 {
@@ -18,21 +18,28 @@ internal static class MessageTypeCheck
         "System.String", "System.Version", "System.Uri", "System.TimeZoneInfo",
     };
 
-    /// <summary>Why the type cannot be a message, with the path of the field that is to blame; null when it can.</summary>
+    /// <summary>
+    /// Why the type cannot be a message, with the path of the field that is to blame; null when it can.
+    /// </summary>
     /// <param name="type">The type of the message.</param>
-    /// <param name="copiesItself">Whether it is a class that copies itself: what it holds is its own matter then.</param>
+    /// <param name="copiesItself">
+    /// Whether it is a class that copies itself: what it holds is its own matter then.
+    /// </param>
     /// <param name="trusted">Types that the user vouches for.</param>
     public static string? FindFault(Type type, bool copiesItself = false, IReadOnlyCollection<Type>? trusted = null)
     {
         string name = TypeNames.Of(type);
         if (!copiesItself)
             return FindFault(type, name, [], trusted ?? []);
-        return type.IsSealed ? null : $"{name} copies itself but is not sealed: of a derived one a post would lose what it adds.";
+        return type.IsSealed
+            ? null
+            : $"{name} copies itself but is not sealed: of a derived one a post would lose what it adds.";
     }
 
     private static string? FindFault(Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
     {
-        if (type.IsPrimitive || type.IsEnum || TrustedTypes.Contains(type.FullName ?? string.Empty) || !visited.Add(type))
+        if (type.IsPrimitive || type.IsEnum || TrustedTypes.Contains(type.FullName ?? string.Empty)
+            || !visited.Add(type))
             return null;
         if (type == typeof(BufferLease))
             return $"{path} is a {nameof(BufferLease)}: a buffer has one owner at a time, and travels by queue.";
@@ -51,22 +58,30 @@ internal static class MessageTypeCheck
         if (type.IsInterface || type == typeof(object))
             return $"{path} is of type {TypeNames.Of(type)}, which may hold something mutable.";
         if (!type.IsValueType && !type.IsSealed)
-            return $"{path} is of class {TypeNames.Of(type)}, which is not sealed: a derived one may hold something mutable.";
+            return $"{path} is of class {TypeNames.Of(type)}, which is not sealed: a derived one may hold something "
+                + "mutable.";
         return FindFaultInFields(type, path, visited, trusted);
     }
 
-    [UnconditionalSuppressMessage("Trimming", "IL2070", Justification = "A field that trimming removed holds nothing that could be shared.")]
-    [UnconditionalSuppressMessage("Trimming", "IL2075", Justification = "A field that trimming removed holds nothing that could be shared.")]
-    private static string? FindFaultInFields(Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
+    [UnconditionalSuppressMessage("Trimming", "IL2070",
+        Justification = "A field that trimming removed holds nothing that could be shared.")]
+    [UnconditionalSuppressMessage("Trimming", "IL2075",
+        Justification = "A field that trimming removed holds nothing that could be shared.")]
+    private static string? FindFaultInFields(
+        Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
     {
-        const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
-        for (Type? declaring = type; declaring is not null && declaring != typeof(object); declaring = declaring.BaseType)
+        const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic
+            | BindingFlags.DeclaredOnly;
+        for (Type? declaring = type;
+            declaring is not null && declaring != typeof(object);
+            declaring = declaring.BaseType)
         {
             foreach (FieldInfo field in declaring.GetFields(Own))
             {
                 string fieldPath = $"{path}.{NameOf(field)}";
                 if (!type.IsValueType && !field.IsInitOnly)
-                    return $"{fieldPath} can be changed, and {TypeNames.Of(type)} is a class, which copies would share; make it readonly or use a struct.";
+                    return $"{fieldPath} can be changed, and {TypeNames.Of(type)} is a class, which copies would "
+                        + "share; make it readonly or use a struct.";
                 if (FindFault(field.FieldType, fieldPath, visited, trusted) is { } why)
                     return why;
             }
@@ -75,7 +90,8 @@ internal static class MessageTypeCheck
         return null;
     }
 
-    private static string? FindFaultInArguments(Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
+    private static string? FindFaultInArguments(
+        Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
     {
         foreach (Type argument in type.GetGenericArguments())
         {
@@ -91,7 +107,8 @@ internal static class MessageTypeCheck
             || (type.IsGenericType && trusted.Contains(type.GetGenericTypeDefinition()));
 
     private static bool IsImmutableCollection(Type type)
-        => type.Namespace is "System.Collections.Immutable" or "System.Collections.Frozen" && !type.IsInterface && !IsBuilder(type);
+        => type.Namespace is "System.Collections.Immutable" or "System.Collections.Frozen" && !type.IsInterface
+            && !IsBuilder(type);
 
     private static bool IsBuilder(Type type) => type.Name == "Builder";
 

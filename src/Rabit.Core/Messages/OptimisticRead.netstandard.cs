@@ -3,8 +3,8 @@ using System.Threading;
 namespace Rabit.Core.Messages;
 
 /// <summary>
-/// netstandard2.0 has no barriers that are cheap enough, and some older runtimes that use it, Mono among them, have had faults in
-/// those they have: posters and fetchers take the lock.
+/// netstandard2.0 has no barriers that are cheap enough, and some older runtimes that use it, Mono among them, have had
+/// faults in those they have: posters and fetchers take the lock.
 /// </summary>
 internal static class OptimisticRead
 {

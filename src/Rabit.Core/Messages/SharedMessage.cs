@@ -6,15 +6,19 @@ using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Messages;
 
-/// <summary>The hidden global copy that joins the local copies of a message: its versions, and the subscribers to notify of a post.</summary>
+/// <summary>
+/// The hidden global copy that joins the local copies of a message: its versions, and the subscribers to notify of a
+/// post.
+/// </summary>
 /// <remarks>
-/// The version is all that a fetch without news looks at: one volatile read. It is 32 bits wide, because wider reads are
-/// not atomic on 32-bit boards. How the value is kept whole is for the derived classes.
+/// The version is all that a fetch without news looks at: one volatile read. It is 32 bits wide, because wider reads
+/// are not atomic on 32-bit boards. How the value is kept whole is for the derived classes.
 /// </remarks>
 internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) : IConnector
 {
     private readonly object _targetsGate = new();
-    private int _version = firstVersion;    // written by one poster at a time, which the derived class sees to; read by all; 0: nothing posted yet
+    // written by one poster at a time, which the derived class sees to; read by all; 0: nothing posted yet
+    private int _version = firstVersion;
     private PostTarget[] _targets = []; // replaced whole under _targetsGate, read by posters
 
     public string Name { get; } = place.Name;
@@ -39,11 +43,15 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
     /// <summary>Copies a value that the owner of a local copy gives to that local copy.</summary>
     public virtual void Assign(LocalCopy<T> copy, in T value) => copy.Value = value;
 
-    /// <summary>Copies a local copy to the global one, and wakes the subscribers and calls the handlers that asked for it.</summary>
+    /// <summary>
+    /// Copies a local copy to the global one, and wakes the subscribers and calls the handlers that asked for it.
+    /// </summary>
     /// <param name="copy">What is posted.</param>
     /// <param name="poster">Who posts.</param>
     /// <param name="time">The stamp.</param>
-    /// <param name="now">The time now, where the poster has just read it: the woken manager need not read the clock again.</param>
+    /// <param name="now">
+    /// The time now, where the poster has just read it: the woken manager need not read the clock again.
+    /// </param>
     public void Post(LocalCopy<T> copy, EndpointOwner poster, TimeSpan time, TimeSpan? now = null)
     {
         int version = Store(copy, time);
@@ -94,7 +102,10 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
     /// <remarks>Zero is kept for "nothing posted yet", so the counter jumps over it when it wraps around.</remarks>
     protected int NextVersion() => unchecked(_version + 1) is var next && next == 0 ? 1 : next;
 
-    /// <summary>Makes a post news: all that was written before is visible to every thread that reads this version. For the one poster at a time.</summary>
+    /// <summary>
+    /// Makes a post news: all that was written before is visible to every thread that reads this version. For the one
+    /// poster at a time.
+    /// </summary>
     protected void Announce(int version) => Volatile.Write(ref _version, version);
 
     private static void Wake(WakeUpEvent sleeper, TimeSpan? now)
@@ -114,7 +125,9 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
         catch (Exception e)
         {
             // A handler is the subscriber's code on the poster's thread: it may not harm the poster.
-            place.Log.Write(RabitLogKind.Fault, target.Owner.Name, $"the post handler of message '{Name}' threw {e.GetType().Name}: {e.Message}", e);
+            place.Log.Write(
+                RabitLogKind.Fault, target.Owner.Name,
+                $"the post handler of message '{Name}' threw {e.GetType().Name}: {e.Message}", e);
         }
     }
 

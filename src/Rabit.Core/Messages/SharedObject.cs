@@ -5,10 +5,11 @@ namespace Rabit.Core.Messages;
 
 /// <summary>The global copy of a message whose class copies itself.</summary>
 /// <remarks>
-/// The copy method is the user's: it may take long, and it may throw half-way. So it never runs on an instance that another thread may read. A post
-/// copies into the spare instance and then exchanges it for the latest; a fetch does the same with the fetcher's own pair. A copy
-/// that failed leaves every copy with its whole previous value. All of it is under a lock: code that knows nothing of threads
-/// may not meet an instance that is changing. Nothing is allocated after wiring.
+/// The copy method is the user's: it may take long, and it may throw half-way. So it never runs on an instance that
+/// another thread may read. A post copies into the spare instance and then exchanges it for the latest; a fetch does
+/// the same with the fetcher's own pair. A copy that failed leaves every copy with its whole previous value. All of it
+/// is under a lock: code that knows nothing of threads may not meet an instance that is changing. Nothing is allocated
+/// after wiring.
 /// </remarks>
 internal sealed class SharedObject<T> : SharedMessage<T>
 {
@@ -73,7 +74,8 @@ internal sealed class SharedObject<T> : SharedMessage<T>
     private void Copy(T from, T to, string verb)
     {
         if (_isCopying)
-            throw new InvalidOperationException($"{Type}.{nameof(ISelfCopying<>.CopyTo)} uses message '{Name}', which it is copying.");
+            throw new InvalidOperationException(
+                $"{Type}.{nameof(ISelfCopying<>.CopyTo)} uses message '{Name}', which it is copying.");
         if (from is null || to is null)
             throw new InvalidOperationException($"Message '{Name}' cannot be {verb}: its value is null.");
         _isCopying = true;
@@ -85,7 +87,8 @@ internal sealed class SharedObject<T> : SharedMessage<T>
         {
             // Thrown to the caller that posts or fetches, with the names that the user's exception lacks.
             throw new InvalidOperationException(
-                $"Message '{Name}' could not be {verb}: {Type}.{nameof(ISelfCopying<>.CopyTo)} threw {e.GetType().Name}: {e.Message}", e);
+                $"Message '{Name}' could not be {verb}: {Type}.{nameof(ISelfCopying<>.CopyTo)} threw "
+                    + $"{e.GetType().Name}: {e.Message}", e);
         }
         finally
         {

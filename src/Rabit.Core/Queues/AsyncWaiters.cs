@@ -6,7 +6,8 @@ namespace Rabit.Core.Queues;
 /// <summary>Async code that waits for the same thing: for room in a queue, or for something to pop.</summary>
 internal sealed class AsyncWaiters
 {
-    private readonly List<TaskCompletionSource<bool>> _waiters = [];   // under the lock of the queue, until it lets go of the object
+    // under the lock of the queue, until it lets go of the object
+    private readonly List<TaskCompletionSource<bool>> _waiters = [];
 
     /// <summary>Under the lock of the queue.</summary>
     public TaskCompletionSource<bool> Add()

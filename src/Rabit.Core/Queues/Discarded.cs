@@ -22,7 +22,9 @@ internal static class Discarded<T>
         catch (Exception e)
         {
             // The sender whose push dropped it did nothing wrong and must continue.
-            log?.Write(RabitLogKind.Fault, place, $"could not dispose a value that was dropped: {e.GetType().Name}: {e.Message}", e);
+            log?.Write(
+                RabitLogKind.Fault, place,
+                $"could not dispose a value that was dropped: {e.GetType().Name}: {e.Message}", e);
         }
     }
 }

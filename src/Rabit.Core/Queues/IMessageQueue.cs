@@ -7,6 +7,9 @@ internal interface IMessageQueue : IConnector
 {
     QueueCounters Counters { get; }
 
-    /// <summary>The run is over: nothing more is taken in, waiting senders and receivers are released, and what must be returned is returned.</summary>
+    /// <summary>
+    /// The run is over: nothing more is taken in, waiting senders and receivers are released, and what must be returned
+    /// is returned.
+    /// </summary>
     void Close();
 }

@@ -7,7 +7,8 @@ using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Queues;
 
-/// <content>Readers and async code that wait: for room (back-pressure), or for something to pop. Tasks are completed outside the lock.</content>
+/// <content>Readers and async code that wait: for room (back-pressure), or for something to pop. Tasks are completed
+/// outside the lock.</content>
 internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
 {
     private readonly TaskCompletionSource<bool> _drained = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -25,7 +26,9 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
     /// <summary>Completes when the run is over and everything was popped.</summary>
     public Task Drained => _drained.Task;
 
-    /// <summary>Puts a value in, or notes which reader waits for room: the next pop wakes it. Nothing is counted as rejected.</summary>
+    /// <summary>
+    /// Puts a value in, or notes which reader waits for room: the next pop wakes it. Nothing is counted as rejected.
+    /// </summary>
     public bool TryPushOrWait(in T value, WakeUpEvent reader)
     {
         var announcement = default(Announcement);
@@ -56,7 +59,10 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
         }
     }
 
-    /// <summary>Puts a value in; where the rule is not to drop, it waits for room. A push that was not put in stays the sender's.</summary>
+    /// <summary>
+    /// Puts a value in; where the rule is not to drop, it waits for room. A push that was not put in stays the
+    /// sender's.
+    /// </summary>
     public ValueTask<PushResult> PushAsync(T value, CancellationToken cancellation)
     {
         if (cancellation.IsCancellationRequested)
@@ -170,7 +176,10 @@ internal sealed partial class LockedQueue<T> : ITimeLimitedQueue
             return await waiter.Task.ConfigureAwait(false);
     }
 
-    /// <summary>After a pop: wakes a reader that waits for room, gives the room to the first waiting push, or releases all waiters.</summary>
+    /// <summary>
+    /// After a pop: wakes a reader that waits for room, gives the room to the first waiting push, or releases all
+    /// waiters.
+    /// </summary>
     private void ServeWaiting()
     {
         WakeUpEvent? reader;

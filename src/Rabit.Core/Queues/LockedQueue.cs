@@ -8,16 +8,18 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Queues;
 
 /// <summary>
-/// The queue for every rule and every endpoint: a ring under a lock. Wakes go out, and what was dropped is disposed, after the lock is
-/// released.
+/// The queue for every rule and every endpoint: a ring under a lock. Wakes go out, and what was dropped is disposed,
+/// after the lock is released.
 /// </summary>
 /// <remarks>
-/// A push checks inside the lock whether a wake is pending, and skips its own if so. No wake is lost by that: the receiver takes its
-/// wake-ups before it pops. Had it popped in a section of the lock before ours, its take would have come before our check, and we would
-/// not have seen the old wake; so its next pop comes in a section after ours and sees the value.
+/// A push checks inside the lock whether a wake is pending, and skips its own if so. No wake is lost by that: the
+/// receiver takes its wake-ups before it pops. Had it popped in a section of the lock before ours, its take would have
+/// come before our check, and we would not have seen the old wake; so its next pop comes in a section after ours and
+/// sees the value.
 /// </remarks>
 internal sealed partial class LockedQueue<T>(
-    string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait, RunClock clock, RabitLog log)
+    string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait, RunClock clock,
+    RabitLog log)
     : MessageQueue<T>(name, capacity, fullMode, receiverWakeUp, maxWait)
 {
     private readonly object _gate = new();
@@ -132,7 +134,9 @@ internal sealed partial class LockedQueue<T>(
         return popped;
     }
 
-    /// <summary>Releases all waiters, disposes what is left, if it is disposable, and rejects all later pushes.</summary>
+    /// <summary>
+    /// Releases all waiters, disposes what is left, if it is disposable, and rejects all later pushes.
+    /// </summary>
     public override void Close()
     {
         EndWaiting();

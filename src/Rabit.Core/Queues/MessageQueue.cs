@@ -6,11 +6,12 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Queues;
 
 /// <summary>
-/// A bounded first-in first-out queue: many senders, one receiver. What all kinds have in common; the wiring chooses the kind
-/// (<see cref="QueueBinding{T}"/>).
+/// A bounded first-in first-out queue: many senders, one receiver. What all kinds have in common; the wiring chooses
+/// the kind (<see cref="QueueBinding{T}"/>).
 /// </summary>
 internal abstract class MessageQueue<T>(
-    string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait = null) : IMessageQueue
+    string name, int capacity, QueueFullMode fullMode, WakeUpEvent? receiverWakeUp, TimeSpan? maxWait = null)
+        : IMessageQueue
 {
     private WakeUpEvent[] _popTargets = [];   // written while wiring, then read only
 
@@ -37,7 +38,10 @@ internal abstract class MessageQueue<T>(
 
     public abstract PushResult Push(in T value);
 
-    /// <summary>Pushes one after the other, as <see cref="Push"/> does each, until one is rejected; the rest is rejected with it.</summary>
+    /// <summary>
+    /// Pushes one after the other, as <see cref="Push"/> does each, until one is rejected; the rest is rejected with
+    /// it.
+    /// </summary>
     /// <returns>How many were put in.</returns>
     public abstract int PushFrom(ReadOnlySpan<T> values);
 
@@ -49,8 +53,9 @@ internal abstract class MessageQueue<T>(
     public abstract void Close();
 
     /// <summary>
-    /// Whether a wake for a push is on its way to the receiver already, so that one more would merge with it. Only after a full
-    /// fence (the two rings), or inside the lock in which the receiver pops (the locked queue): the three kinds say why.
+    /// Whether a wake for a push is on its way to the receiver already, so that one more would merge with it. Only
+    /// after a full fence (the two rings), or inside the lock in which the receiver pops (the locked queue): the three
+    /// kinds say why.
     /// </summary>
     protected static bool IsPending(WakeUpEvent wakeUp, WakeUpCauses cause) => wakeUp.Has((int)cause);
 

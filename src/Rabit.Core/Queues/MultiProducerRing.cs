@@ -17,23 +17,24 @@ namespace Rabit.Core.Queues;
 /// <item>after a push that returned, some unit of work of the receiver that starts later sees the value;</item>
 /// <item>no sender waits for another, or for the receiver; the receiver never waits for a sender.</item>
 /// </list>
-/// Positions count values from the start of the run, in 32 bits that wrap round (64-bit words are not atomic on the 32-bit boards we run
-/// on), so they are compared by their difference only. A sender reserves places by moving the tail with a compare-and-swap; it checks before
-/// that whether they are free, and they stay so, because the head only goes forward. It writes the value, and then the slot's sequence,
-/// which says "the value of this position is here"; the receiver reads the sequence before the value. The receiver clears the slot before it
-/// moves the head, and a sender reads the head before it writes a slot. Each of these pairs is a release and an acquire.
-/// The races it closes:
+/// Positions count values from the start of the run, in 32 bits that wrap round (64-bit words are not atomic on the
+/// 32-bit boards we run on), so they are compared by their difference only. A sender reserves places by moving the tail
+/// with a compare-and-swap; it checks before that whether they are free, and they stay so, because the head only goes
+/// forward. It writes the value, and then the slot's sequence, which says "the value of this position is here"; the
+/// receiver reads the sequence before the value. The receiver clears the slot before it moves the head, and a sender
+/// reads the head before it writes a slot. Each of these pairs is a release and an acquire. The races it closes:
 /// <list type="bullet">
 /// <item>Two senders at one place: the compare-and-swap lets one of them have it, the other tries again.</item>
-/// <item>A sender is held up between reserving and writing. The receiver finds nothing at that place and leaves what follows it, even
-/// if that was pushed long ago. It is seen all the same by a unit of work that starts later: the sender that was held up wakes the receiver
-/// when it has written.</item>
-/// <item>A wake is skipped where one is pending. The sequence is written by an exchange, a full fence, so the check of the pending wake
-/// comes after it; taking wakes is an exchange too. If the check saw the old wake, the receiver takes it later, and what it reads after
-/// that includes the value. (A check without the fence could be ahead of the write: the receiver would take the wake, find nothing, and sleep.)</item>
+/// <item>A sender is held up between reserving and writing. The receiver finds nothing at that place and leaves what
+/// follows it, even if that was pushed long ago. It is seen all the same by a unit of work that starts later: the
+/// sender that was held up wakes the receiver when it has written.</item>
+/// <item>A wake is skipped where one is pending. The sequence is written by an exchange, a full fence, so the check of
+/// the pending wake comes after it; taking wakes is an exchange too. If the check saw the old wake, the receiver takes
+/// it later, and what it reads after that includes the value. (A check without the fence could be ahead of the write:
+/// the receiver would take the wake, find nothing, and sleep.)</item>
 /// </list>
-/// A sender that is held up between its check and its compare-and-swap while exactly 2^32 values go by would be misled (the ABA problem): 40 s at full speed,
-/// and then one chance in four thousand million.
+/// A sender that is held up between its check and its compare-and-swap while exactly 2^32 values go by would be misled
+/// (the ABA problem): 40 s at full speed, and then one chance in four thousand million.
 /// </remarks>
 internal sealed class MultiProducerRing<T> : MessageQueue<T>
 {
@@ -155,7 +156,10 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
     {
         public T Value;
 
-        /// <summary>The position of the value, plus one, once it is there. Written by the sender that reserved the place, read by the receiver.</summary>
+        /// <summary>
+        /// The position of the value, plus one, once it is there. Written by the sender that reserved the place, read
+        /// by the receiver.
+        /// </summary>
         public int Sequence;
     }
 }

@@ -4,11 +4,14 @@ using System.Threading.Tasks;
 
 namespace Rabit.Core.Queues;
 
-/// <summary>A push of async code that waits for room. It ends once: put in, timed out, cancelled, or at the end of the run.</summary>
+/// <summary>
+/// A push of async code that waits for room. It ends once: put in, timed out, cancelled, or at the end of the run.
+/// </summary>
 internal sealed class PendingPush<T>(T value, TimeSpan due)
     : TaskCompletionSource<PushResult>(TaskCreationOptions.RunContinuationsAsynchronously)
 {
-    private int _isClaimed;   // set once, with an exchange, by what ends the wait: the queue under its lock, or a cancellation on any thread
+    // set once, with an exchange, by what ends the wait: the queue under its lock, or a cancellation on any thread
+    private int _isClaimed;
 
     public T Value { get; } = value;
 

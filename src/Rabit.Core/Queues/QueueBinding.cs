@@ -10,9 +10,12 @@ using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Queues;
 
-/// <summary>What an owner declared of a queue, and, once wired, the queue. Written by the thread that wires; then read by the
-/// owner's thread.</summary>
-internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, string name) : EndpointDeclaration(owner, role, name, typeof(T)), IQueueDeclaration
+/// <summary>
+/// What an owner declared of a queue, and, once wired, the queue. Written by the thread that wires; then read by the
+/// owner's thread.
+/// </summary>
+internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, string name)
+    : EndpointDeclaration(owner, role, name, typeof(T)), IQueueDeclaration
 {
     /// <summary>Stated by the receiver.</summary>
     public int Capacity { get; init; }
@@ -23,7 +26,9 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     /// <summary>Stated by the receiver: how long a push may wait for room.</summary>
     public TimeSpan? MaxWait { get; init; }
 
-    /// <summary>Whether async code uses the endpoint as a channel, and so may wait for the queue. Stated before it is wired.</summary>
+    /// <summary>
+    /// Whether async code uses the endpoint as a channel, and so may wait for the queue. Stated before it is wired.
+    /// </summary>
     public bool IsChannel { get; private set; }
 
     public MessageQueue<T>? Queue { get; private set; }
@@ -49,7 +54,8 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     {
         DemandOutside();
         if (IsWired)
-            throw new InvalidOperationException($"The endpoint of queue '{Name}' must become a channel before the reactor starts.");
+            throw new InvalidOperationException(
+                $"The endpoint of queue '{Name}' must become a channel before the reactor starts.");
         IsChannel = true;
     }
 
@@ -57,19 +63,24 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
     public void DemandOutside()
     {
         if (!Owner.IsOutside)
-            throw new InvalidOperationException($"The endpoint of queue '{Name}' belongs to '{Owner.Name}': async code gets an endpoint of its own from the workspace.");
+            throw new InvalidOperationException(
+                $"The endpoint of queue '{Name}' belongs to '{Owner.Name}': async code gets an endpoint of its own "
+                    + "from the workspace.");
     }
 
-    public override IConnector CreateConnector(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
+    public override IConnector CreateConnector(
+        IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
     {
         var receiver = (QueueBinding<T>)endpoints.First(e => e.Role == EndpointRole.Receive);
         WakeUpEvent? wakeUp = receiver.Wakes ? receiver.Owner.WakeUp : null;
 
         // Lock-free where that is proved and pays; the other rules change more than one place at once, or have waiters.
         // Disposable values are taken out by two threads: the receiver, and the one that closes the queue.
-        bool needsNoLock = receiver.FullMode == QueueFullMode.Reject && !Discarded<T>.Matters && !receiver.Owner.IsOutside
+        bool needsNoLock = receiver.FullMode == QueueFullMode.Reject && !Discarded<T>.Matters
+            && !receiver.Owner.IsOutside
             && !endpoints.Any(e => ((QueueBinding<T>)e).IsChannel);
-        EndpointOwner[] senders = endpoints.Where(e => e.Role == EndpointRole.Send).Select(e => e.Owner).Distinct().ToArray();
+        EndpointOwner[] senders = endpoints.Where(e => e.Role == EndpointRole.Send).Select(e => e.Owner)
+            .Distinct().ToArray();
         if (needsNoLock && senders.Length == 1 && !senders[0].IsOutside)
             return new SingleProducerRing<T>(Name, receiver.Capacity, wakeUp, isOwnQueue: senders[0] == receiver.Owner);
         if (needsNoLock)

@@ -5,7 +5,10 @@ using System.Threading.Tasks;
 
 namespace Rabit.Core.Queues;
 
-/// <summary>A queue's receiving endpoint as a channel, for async code outside managers. It completes when the run is over and all was popped.</summary>
+/// <summary>
+/// A queue's receiving endpoint as a channel, for async code outside managers. It completes when the run is over and
+/// all was popped.
+/// </summary>
 internal sealed class QueueChannelReader<T>(QueueBinding<T> binding) : ChannelReader<T>
 {
     public override bool CanCount => true;

@@ -5,7 +5,10 @@ using System.Threading.Tasks;
 
 namespace Rabit.Core.Queues;
 
-/// <summary>A queue's sending endpoint as a channel, for async code outside managers. It is closed by the end of the run and by nothing else.</summary>
+/// <summary>
+/// A queue's sending endpoint as a channel, for async code outside managers. It is closed by the end of the run and by
+/// nothing else.
+/// </summary>
 internal sealed class QueueChannelWriter<T>(QueueBinding<T> binding) : ChannelWriter<T>
 {
     public override bool TryWrite(T item) => binding.Use().Push(item) != PushResult.Rejected;

@@ -7,7 +7,8 @@ namespace Rabit.Core;
 /// </summary>
 public readonly struct QueueCounters
 {
-    internal QueueCounters(long pushed, long popped, long dropped, long rejected, int resident, int highWater, int capacity)
+    internal QueueCounters(
+        long pushed, long popped, long dropped, long rejected, int resident, int highWater, int capacity)
     {
         Pushed = pushed;
         Popped = popped;
@@ -27,13 +28,18 @@ public readonly struct QueueCounters
     /// <summary>Values that were put in and had to make room for newer ones.</summary>
     public long Dropped { get; }
 
-    /// <summary>Values that were never put in, because the queue was full; a push that waited in vain is one of them.</summary>
+    /// <summary>
+    /// Values that were never put in, because the queue was full; a push that waited in vain is one of them.
+    /// </summary>
     public long Rejected { get; }
 
     /// <summary>Values that are in the queue now.</summary>
     public int Resident { get; }
 
-    /// <summary>The most values that were in the queue at once. Where senders push at the same time a value that is popped just then may still count.</summary>
+    /// <summary>
+    /// The most values that were in the queue at once. Where senders push at the same time a value that is popped just
+    /// then may still count.
+    /// </summary>
     public int HighWater { get; }
 
     /// <summary>How many fit in.</summary>

@@ -10,8 +10,12 @@ namespace Rabit.Core;
 /// The endpoint of a message queue that pushes; there may be many. Made by <see cref="RabitManager.Send{T}"/>, or by
 /// <see cref="RabitWorkspace.Send{T}"/> for code outside managers.
 /// </summary>
-/// <typeparam name="T">Any type; a value is handed over, so a sender must not keep and change what it pushed.</typeparam>
-/// <remarks>Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.</remarks>
+/// <typeparam name="T">
+/// Any type; a value is handed over, so a sender must not keep and change what it pushed.
+/// </typeparam>
+/// <remarks>
+/// Belongs to its manager: any use while that manager is not the one running on the calling thread is an error.
+/// </remarks>
 /// <example>
 /// <code>
 /// if (_orders.Push(order) == PushResult.Rejected)
@@ -28,13 +32,19 @@ public sealed class QueueSender<T>
     public string Name => _binding.Name;
 
     /// <summary>The counters of the queue at this instant.</summary>
-    /// <exception cref="InvalidOperationException">The endpoint's manager is not the one that runs on this thread, or nothing is wired yet.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The endpoint's manager is not the one that runs on this thread, or nothing is wired yet.
+    /// </exception>
     public QueueCounters Counters => _binding.Use().Counters;
 
-    /// <summary>Puts a value in, by the queue's rule for a full one, and wakes the receiver. Never waits, allocates nothing.</summary>
+    /// <summary>
+    /// Puts a value in, by the queue's rule for a full one, and wakes the receiver. Never waits, allocates nothing.
+    /// </summary>
     /// <param name="value">The value.</param>
     /// <returns>What really happened.</returns>
-    /// <exception cref="InvalidOperationException">See <see cref="Counters"/>; or the queue is one that makes its senders wait.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// See <see cref="Counters"/>; or the queue is one that makes its senders wait.
+    /// </exception>
     public PushResult Push(in T value)
     {
         MessageQueue<T> queue = _binding.Use();
@@ -44,8 +54,9 @@ public sealed class QueueSender<T>
     }
 
     /// <summary>
-    /// Puts values in, one after the other, and wakes the receiver once. With <see cref="QueueFullMode.Reject"/> those that do not fit are
-    /// rejected; with the rules that drop all are put in, and the values dropped for them are counted. Never waits, allocates nothing.
+    /// Puts values in, one after the other, and wakes the receiver once. With <see cref="QueueFullMode.Reject"/> those
+    /// that do not fit are rejected; with the rules that drop all are put in, and the values dropped for them are
+    /// counted. Never waits, allocates nothing.
     /// </summary>
     /// <param name="values">The values, the first one first.</param>
     /// <returns>How many of them, from the first, were put in.</returns>
@@ -59,13 +70,19 @@ public sealed class QueueSender<T>
     }
 
     /// <summary>
-    /// As <see cref="Push"/>, and where the queue makes its senders wait it waits for room, as long as the queue allows. For code outside
-    /// managers, one push after the other: those that wait are put in in their order. A push that waits allocates.
+    /// As <see cref="Push"/>, and where the queue makes its senders wait it waits for room, as long as the queue
+    /// allows. For code outside managers, one push after the other: those that wait are put in in their order. A push
+    /// that waits allocates.
     /// </summary>
     /// <param name="value">The value; it stays the sender's if it was not put in.</param>
     /// <param name="cancellationToken">Ends the wait; the task is cancelled then, and the value not put in.</param>
-    /// <returns>What really happened. <see cref="PushResult.Rejected"/> from a queue that makes its senders wait means that the run is over.</returns>
-    /// <exception cref="InvalidOperationException">The endpoint belongs to a manager, which never waits, or nothing is wired yet.</exception>
+    /// <returns>
+    /// What really happened. <see cref="PushResult.Rejected"/> from a queue that makes its senders wait means that the
+    /// run is over.
+    /// </returns>
+    /// <exception cref="InvalidOperationException">
+    /// The endpoint belongs to a manager, which never waits, or nothing is wired yet.
+    /// </exception>
     public ValueTask<PushResult> PushAsync(T value, CancellationToken cancellationToken = default)
     {
         _binding.DemandOutside();
@@ -75,11 +92,13 @@ public sealed class QueueSender<T>
     }
 
     /// <summary>
-    /// The endpoint as a channel, for async code outside managers. A write waits for room unless the queue drops; it fails with a
-    /// <see cref="TimeoutException"/> after the queue's time limit, and with a <see cref="ChannelClosedException"/> when the run is over.
-    /// Before the start only.
+    /// The endpoint as a channel, for async code outside managers. A write waits for room unless the queue drops; it
+    /// fails with a <see cref="TimeoutException"/> after the queue's time limit, and with a
+    /// <see cref="ChannelClosedException"/> when the run is over. Before the start only.
     /// </summary>
-    /// <exception cref="InvalidOperationException">The endpoint belongs to a manager, or the reactor has started.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The endpoint belongs to a manager, or the reactor has started.
+    /// </exception>
     public ChannelWriter<T> AsChannelWriter()
     {
         _binding.BecomeChannel();
@@ -87,5 +106,6 @@ public sealed class QueueSender<T>
     }
 
     private void ThrowMustWait()
-        => throw new InvalidOperationException($"Queue '{Name}' makes its senders wait: push into it with PushAsync, or through its channel.");
+        => throw new InvalidOperationException(
+            $"Queue '{Name}' makes its senders wait: push into it with PushAsync, or through its channel.");
 }

@@ -7,8 +7,8 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Queues;
 
 /// <summary>
-/// Ends the waits of async code that push into full queues. An activity like any other, so that it keeps the time of the run, real or
-/// virtual; there is one only where the wiring needs it.
+/// Ends the waits of async code that push into full queues. An activity like any other, so that it keeps the time of
+/// the run, real or virtual; there is one only where the wiring needs it.
 /// </summary>
 internal sealed class QueueTimeKeeper(RunClock clock) : Activity("queue time limits", new WakeUpEvent())
 {

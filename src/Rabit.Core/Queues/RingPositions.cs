@@ -6,8 +6,8 @@ using System.Threading;
 namespace Rabit.Core.Queues;
 
 /// <summary>
-/// Head, tail and counters of a <see cref="MultiProducerRing{T}"/> or <see cref="SingleProducerRing{T}"/>, which say how
-/// they are used. What senders write, what the receiver writes and the neighbours lie on different cache lines (128
+/// Head, tail and counters of a <see cref="MultiProducerRing{T}"/> or <see cref="SingleProducerRing{T}"/>, which say
+/// how they are used. What senders write, what the receiver writes and the neighbours lie on different cache lines (128
 /// bytes: two lines that are fetched together), against false sharing.
 /// </summary>
 [StructLayout(LayoutKind.Explicit, Size = 5 * Apart)]
@@ -16,7 +16,8 @@ internal struct RingPositions
     private const int Apart = 128;
     private const int Closed = int.MinValue;
 
-    // Where the next value goes. Moved by senders, by compare-and-swap; by a single producer, with an exchange or a release.
+    // Where the next value goes. Moved by senders, by compare-and-swap; by a single producer, with an exchange or a
+    // release.
     [FieldOffset(Apart)]
     private int _tail;
 
@@ -24,8 +25,9 @@ internal struct RingPositions
     [FieldOffset(Apart + 4)]
     private int _seenHead;
 
-    // Up to this many values there is room and no high-water mark to raise, so that a push need not look at the head: the mark while the queue
-    // takes values in, then Closed. Written by senders and by the thread that closes the queue, by interlocked operations.
+    // Up to this many values there is room and no high-water mark to raise, so that a push need not look at the head:
+    // the mark while the queue takes values in, then Closed. Written by senders and by the thread that closes the
+    // queue, by interlocked operations.
     [FieldOffset(Apart + 8)]
     private int _fastPathLimit;
 
@@ -41,7 +43,8 @@ internal struct RingPositions
     [FieldOffset(2 * Apart)]
     private int _head;
 
-    // How often the head has crossed half of its range, written by the receiver after the head: with it the count of pops has 63 bits.
+    // How often the head has crossed half of its range, written by the receiver after the head: with it the count of
+    // pops has 63 bits.
     [FieldOffset((2 * Apart) + 4)]
     private int _halfWraps;
 
@@ -75,7 +78,9 @@ internal struct RingPositions
         return size;
     }
 
-    /// <summary>Reserves places, as many as there are of those that are wanted; counts the others as rejected.</summary>
+    /// <summary>
+    /// Reserves places, as many as there are of those that are wanted; counts the others as rejected.
+    /// </summary>
     /// <param name="wanted">At least one.</param>
     /// <param name="capacity">How many values may be in the queue.</param>
     /// <param name="position">The first place.</param>
@@ -99,12 +104,16 @@ internal struct RingPositions
         return ReserveSlow(wanted, capacity, out position);
     }
 
-    /// <summary>As <see cref="Reserve"/>, for a single producer: the places are its own until it moves the tail.</summary>
+    /// <summary>
+    /// As <see cref="Reserve"/>, for a single producer: the places are its own until it moves the tail.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Find(int wanted, int capacity, out int position)
     {
         position = _tail;
-        return unchecked(position - _seenHead + wanted) <= Volatile.Read(ref _fastPathLimit) ? wanted : ReserveExclusiveSlow(wanted, capacity);
+        return unchecked(position - _seenHead + wanted) <= Volatile.Read(ref _fastPathLimit)
+            ? wanted
+            : ReserveExclusiveSlow(wanted, capacity);
     }
 
     /// <summary>A single producer has written values.</summary>
@@ -119,7 +128,9 @@ internal struct RingPositions
             Volatile.Write(ref _tail, next);
     }
 
-    /// <summary>How many values of a single producer the receiver finds; it looks at the tail only when it knows of too few.</summary>
+    /// <summary>
+    /// How many values of a single producer the receiver finds; it looks at the tail only when it knows of too few.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Available(int wanted)
     {
@@ -157,11 +168,13 @@ internal struct RingPositions
             half++;
         long popped = ((long)(half >> 1) << 32) + (uint)head - (uint)_start;
 
-        // There may have been pops and pushes between the two looks; at the instant of the first there was no more than fits in.
+        // There may have been pops and pushes between the two looks; at the instant of the first there was no more than
+        // fits in.
         int resident = Math.Min(unchecked(tail - head), capacity);
         int last = Volatile.Read(ref _lastHighWater);
         int highWater = Math.Max(resident, last >= 0 ? last : Volatile.Read(ref _fastPathLimit));
-        return new QueueCounters(popped + resident, popped, dropped: 0, Interlocked.Read(ref _rejected), resident, highWater, capacity);
+        return new QueueCounters(
+            popped + resident, popped, dropped: 0, Interlocked.Read(ref _rejected), resident, highWater, capacity);
     }
 
     // Looks at the head itself, raises the high-water mark, and says whether the queue is full or closed.

@@ -11,11 +11,12 @@ namespace Rabit.Core.Queues;
 /// <remarks>
 /// Requirements: those of <see cref="MultiProducerRing{T}"/>, with one sender. Only the sender moves the
 /// tail, only the receiver moves the head; the check of who uses an endpoint enforces it.
-/// The sender writes a value before it moves the tail, the receiver reads the tail before the value; the receiver clears a slot before
-/// it moves the head, the sender reads the head before it writes into the slot: a release and an acquire each.
-/// The race it closes: a wake is skipped where one is pending. The tail is moved by an exchange, a full fence, so the look at the pending
-/// wake comes after it; taking wakes is an exchange too. If the look saw the old wake, the receiver takes it later, and what it reads after
-/// that includes the value. A manager that sends to itself needs no fence: its own thread looks, takes and pops, in the order of its program.
+/// The sender writes a value before it moves the tail, the receiver reads the tail before the value; the receiver
+/// clears a slot before it moves the head, the sender reads the head before it writes into the slot: a release and an
+/// acquire each. The race it closes: a wake is skipped where one is pending. The tail is moved by an exchange, a full
+/// fence, so the look at the pending wake comes after it; taking wakes is an exchange too. If the look saw the old
+/// wake, the receiver takes it later, and what it reads after that includes the value. A manager that sends to itself
+/// needs no fence: its own thread looks, takes and pops, in the order of its program.
 /// </remarks>
 internal sealed class SingleProducerRing<T> : MessageQueue<T>
 {
@@ -28,7 +29,8 @@ internal sealed class SingleProducerRing<T> : MessageQueue<T>
     /// <param name="receiverWakeUp">Whom a push wakes.</param>
     /// <param name="isOwnQueue">Whether the sender is the receiver itself.</param>
     /// <param name="start">The first position; tests let it wrap round soon.</param>
-    public SingleProducerRing(string name, int capacity, WakeUpEvent? receiverWakeUp, bool isOwnQueue = false, int start = 0)
+    public SingleProducerRing(
+        string name, int capacity, WakeUpEvent? receiverWakeUp, bool isOwnQueue = false, int start = 0)
         : base(name, capacity, QueueFullMode.Reject, receiverWakeUp)
     {
         _slots = new T[RingPositions.SizeFor(capacity)];

@@ -10,8 +10,8 @@ using Rabit.Core.Time;
 namespace Rabit.Core.Reactors;
 
 /// <summary>
-/// Stops managers in reverse order, each with its devices: readers first, so that nothing comes in any more, writers last, so that what is left
-/// goes out.
+/// Stops managers in reverse order, each with its devices: readers first, so that nothing comes in any more, writers
+/// last, so that what is left goes out.
 /// </summary>
 internal sealed class ManagerEnding(ReactorEngine engine, RunClock clock, RabitLog log, ReactorOptions options)
 {
@@ -58,10 +58,13 @@ internal sealed class ManagerEnding(ReactorEngine engine, RunClock clock, RabitL
     private void AskAllToEnd(IEnumerable<ManagerActivity> left)
     {
         _isLate = true;
-        log.Write(RabitLogKind.Note, "reactor", "the time to stop in order is over: all that are left are asked to stop at once");
+        log.Write(
+            RabitLogKind.Note, "reactor",
+            "the time to stop in order is over: all that are left are asked to stop at once");
         foreach (ManagerActivity activity in left)
         {
-            foreach (Activity each in activity.Manager.Readers.Concat<Activity>([activity]).Concat(activity.Manager.Writers))
+            foreach (Activity each
+                in activity.Manager.Readers.Concat<Activity>([activity]).Concat(activity.Manager.Writers))
                 engine.AskToEnd(each);
         }
     }

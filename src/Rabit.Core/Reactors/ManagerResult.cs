@@ -37,7 +37,9 @@ public sealed class ManagerResult
     /// <summary>The first of them, ten at most.</summary>
     public IReadOnlyList<ManagerHang> Hangs { get; internal init; } = [];
 
-    /// <summary>What did not stop in time, the manager or a reader or writer of it, and what it is doing: <c>name: doing</c>.</summary>
+    /// <summary>
+    /// What did not stop in time, the manager or a reader or writer of it, and what it is doing: <c>name: doing</c>.
+    /// </summary>
     public IReadOnlyList<string> NotStopped { get; internal init; } = [];
 
     /// <summary>The last status it posted, or the watchdog for it.</summary>

@@ -7,7 +7,9 @@ using Rabit.Core.Time;
 
 namespace Rabit.Core.Reactors;
 
-/// <summary>The figures of managers as text: a line each, columns as wide as they need. Times are in milliseconds.</summary>
+/// <summary>
+/// The figures of managers as text: a line each, columns as wide as they need. Times are in milliseconds.
+/// </summary>
 internal static class ManagerTable
 {
     private static readonly string[] Heads =
@@ -27,7 +29,8 @@ internal static class ManagerTable
         var text = new StringBuilder();
         foreach (string[] row in rows)
         {
-            IEnumerable<string> cells = row.Select((cell, column) => column < TextColumns ? cell.PadRight(widths[column]) : cell.PadLeft(widths[column]));
+            IEnumerable<string> cells = row.Select(
+                (cell, column) => column < TextColumns ? cell.PadRight(widths[column]) : cell.PadLeft(widths[column]));
             text.Append(string.Join("  ", cells.ToArray()).TrimEnd()).Append('\n');
         }
 
@@ -51,9 +54,11 @@ internal static class ManagerTable
 
     private static string[] Times(DurationStatistics times) => times.Count == 0
         ? ["-", "-", "-", "-"]
-        : [Milliseconds(times.Percentile50), Milliseconds(times.Percentile99), Milliseconds(times.Percentile999), Milliseconds(times.Max)];
+        : [Milliseconds(times.Percentile50), Milliseconds(times.Percentile99), Milliseconds(times.Percentile999),
+            Milliseconds(times.Max)];
 
-    private static string Milliseconds(TimeSpan time) => time.TotalMilliseconds.ToString("0.000", CultureInfo.InvariantCulture);
+    private static string Milliseconds(TimeSpan time)
+        => time.TotalMilliseconds.ToString("0.000", CultureInfo.InvariantCulture);
 
     private static string Number(long value) => value.ToString(CultureInfo.InvariantCulture);
 }

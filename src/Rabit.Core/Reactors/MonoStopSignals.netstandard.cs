@@ -50,7 +50,8 @@ internal sealed class MonoStopSignals : IDisposable
             return null;
         }
 
-        return type.GetMethod("WaitAny", [signals.GetType(), typeof(int)]) is { } waitAny && type.GetProperty("IsSet") is { } isSet
+        return type.GetMethod("WaitAny", [signals.GetType(), typeof(int)]) is { } waitAny
+            && type.GetProperty("IsSet") is { } isSet
             ? new MonoStopSignals(stop, signals, waitAny, isSet)
             : null;
     }

@@ -38,7 +38,8 @@ internal sealed class PosixStopSignals : IDisposable
         IDisposable Register(int number, string name)
         {
             var target = new Handler(cancel, name, stop);
-            Delegate call = Delegate.CreateDelegate(handler, target, typeof(Handler).GetMethod(nameof(Handler.OnSignal))!);
+            Delegate call = Delegate.CreateDelegate(
+                handler, target, typeof(Handler).GetMethod(nameof(Handler.OnSignal))!);
             return (IDisposable)create.Invoke(null, [Enum.ToObject(signal, number), call])!;
         }
     }

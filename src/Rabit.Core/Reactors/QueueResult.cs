@@ -19,5 +19,6 @@ public sealed class QueueResult
 
     /// <summary>One line.</summary>
     public override string ToString()
-        => FormattableString.Invariant($"queue {Name}: {Counters.Resident} values were left, {Counters.Dropped} dropped, {Counters.Rejected} rejected of {Counters.Pushed + Counters.Rejected}");
+        => FormattableString.Invariant(
+            $"queue {Name}: {Counters.Resident} values were left, {Counters.Dropped} dropped, {Counters.Rejected} rejected of {Counters.Pushed + Counters.Rejected}");
 }

@@ -24,7 +24,7 @@ namespace Rabit.Core;
 /// Environment.Exit(result.ExitCode);
 /// </code>
 /// </example>
-public sealed class RabitReactor : IEnumerable<RabitManager>
+public sealed partial class RabitReactor : IEnumerable<RabitManager>
 {
     private const string Source = "reactor";
 
@@ -72,11 +72,15 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     /// <summary>Where the managers meet; also gives endpoints to code outside managers.</summary>
     public RabitWorkspace Workspace { get; } = new();
 
-    /// <summary>Time since the reactor was made, on the monotonic clock of the run; the same as <see cref="RabitManager.Now"/>. Any thread.</summary>
+    /// <summary>
+    /// Time since the reactor was made, on the monotonic clock of the run; the same as <see cref="RabitManager.Now"/>.
+    /// Any thread.
+    /// </summary>
     public TimeSpan Now => _clock.Now;
 
     /// <summary>
-    /// Whether the managers are wired: from now on the endpoints that <see cref="Workspace"/> made may be used. Any thread.
+    /// Whether the managers are wired: from now on the endpoints that <see cref="Workspace"/> made may be used. Any
+    /// thread.
     /// </summary>
     public bool IsWired
     {
@@ -89,27 +93,35 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
 
     /// <summary>Adds a manager; they start in the order in which they were added. Before the start only.</summary>
     /// <param name="manager">In one reactor only.</param>
-    /// <exception cref="InvalidOperationException">The reactor has started, or the manager is in it already.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The reactor has started, or the manager is in it already.
+    /// </exception>
     public void Add(RabitManager manager)
     {
         Require.NotNull(manager, nameof(manager));
         lock (_gate)
         {
             if (_hasStarted)
-                throw new InvalidOperationException($"The reactor has started: manager '{manager.Name}' comes too late.");
+                throw new InvalidOperationException(
+                    $"The reactor has started: manager '{manager.Name}' comes too late.");
             if (_managers.Contains(manager))
                 throw new InvalidOperationException($"Manager '{manager.Name}' is in the reactor already.");
             _managers.Add(manager);
         }
     }
 
-    /// <summary>Runs until it is stopped, on the calling thread and those of the managers (virtual time: the calling thread alone).</summary>
+    /// <summary>
+    /// Runs until it is stopped, on the calling thread and those of the managers (virtual time: the calling thread
+    /// alone).
+    /// </summary>
     /// <returns>How each manager ended.</returns>
     /// <exception cref="RabitWiringException">The managers do not fit together; nothing was started.</exception>
     /// <exception cref="InvalidOperationException">The reactor was started before.</exception>
     public ReactorResult Run()
     {
-        using StopSignals? signals = _options.StopsOnSignals ? new StopSignals(Stop, note => _log.Write(RabitLogKind.Note, Source, note)) : null;
+        using StopSignals? signals = _options.StopsOnSignals
+            ? new StopSignals(Stop, note => _log.Write(RabitLogKind.Note, Source, note))
+            : null;
         Start();
         return Finish();
     }
@@ -144,17 +156,21 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     }
 
     /// <summary>
-    /// The first half of <see cref="Run"/>: wires, starts all managers and returns. For tests and programs that have a thread
-    /// of their own to keep. Go on with <see cref="Finish"/>, in virtual time with <see cref="RunFor"/> before it.
+    /// The first half of <see cref="Run"/>: wires, starts all managers and returns. For tests and programs that have a
+    /// thread of their own to keep. Go on with <see cref="Finish"/>, in virtual time with <see cref="RunFor"/> before
+    /// it.
     /// </summary>
     /// <exception cref="RabitWiringException">The managers do not fit together; nothing was started.</exception>
-    /// <exception cref="InvalidOperationException">The reactor was started before, or a manager is in another one.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The reactor was started before, or a manager is in another one.
+    /// </exception>
     public void Start()
     {
         lock (_gate)
         {
             if (_hasStarted)
-                throw new InvalidOperationException("The reactor was started before; make a new one with new managers.");
+                throw new InvalidOperationException(
+                    "The reactor was started before; make a new one with new managers.");
             _hasStarted = true;
         }
 
@@ -189,7 +205,10 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         return !IsStopping;
     }
 
-    /// <summary>The second half of <see cref="Run"/>: waits for a stop, stops all managers in reverse order, and returns how each ended.</summary>
+    /// <summary>
+    /// The second half of <see cref="Run"/>: waits for a stop, stops all managers in reverse order, and returns how
+    /// each ended.
+    /// </summary>
     /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
     public ReactorResult Finish()
     {
@@ -214,26 +233,6 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
     /// <summary>Asks for a stop and returns at once. Any thread; the first reason counts.</summary>
     /// <param name="reason">For the result.</param>
     public void Stop(string reason = "asked to stop") => RequestStop(reason, failure: null);
-
-    /// <summary>
-    /// How long the steps of a manager took in real time. In virtual time, where the status holds virtual durations, it is
-    /// measured beside them and is never posted or logged. Any thread.
-    /// </summary>
-    /// <param name="managerName">The manager.</param>
-    /// <returns>No steps in real time, where <see cref="ManagerStatus.UnitOfWorkTime"/> has it.</returns>
-    /// <exception cref="ArgumentException">There is no manager of that name, or the managers are not wired yet.</exception>
-    public DurationStatistics RealStepTime(string managerName)
-    {
-        if (!IsWired)
-            throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
-        ManagerActivity activity = _activities.Find(a => string.Equals(a.Name, managerName, StringComparison.Ordinal))
-            ?? throw new ArgumentException($"No manager '{managerName}' has started.", nameof(managerName));
-        return _engine.RealStepTime(activity);
-    }
-
-    /// <summary>What all managers do and their figures up to now, as a table of text, one line each. Any thread.</summary>
-    /// <returns>Empty before the managers are wired.</returns>
-    public string StatusTable() => IsWired ? Supervision.StatusTable() : string.Empty;
 
     /// <summary>The managers, in the order of their start.</summary>
     public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
@@ -262,7 +261,9 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         var runs = new List<ManagerRun>();
         foreach (RabitManager manager in _managers)
         {
-            var run = new ManagerRun(_clock, _log, _options.HangPolicy, _options.KeepsStatistics, reason => RequestStop(reason, failure: null));
+            var run = new ManagerRun(
+                _clock, _log, _options.HangPolicy, _options.KeepsStatistics,
+                reason => RequestStop(reason, failure: null));
             manager.Attach(run);
             foreach (DeviceActivity device in manager.Readers.Concat(manager.Writers))
                 device.Connect(_clock, _log);
@@ -325,7 +326,8 @@ public sealed class RabitReactor : IEnumerable<RabitManager>
         lock (_gate)
         {
             if (!_isWired || _isFinished)
-                throw new InvalidOperationException(_isFinished ? "The run has finished." : "The reactor has not started.");
+                throw new InvalidOperationException(
+                    _isFinished ? "The run has finished." : "The reactor has not started.");
             _isFinished = finishing;
         }
     }

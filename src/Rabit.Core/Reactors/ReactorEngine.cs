@@ -3,8 +3,10 @@ using Rabit.Core.Managers;
 
 namespace Rabit.Core.Reactors;
 
-/// <summary>Dispatches the steps of activities. The reactor decides what begins and ends when; the engine knows how, in its kind
-/// of time.</summary>
+/// <summary>
+/// Dispatches the steps of activities. The reactor decides what begins and ends when; the engine knows how, in its kind
+/// of time.
+/// </summary>
 internal abstract class ReactorEngine : IDisposable
 {
     /// <summary>Lets an activity begin and returns when it has, or when a stop was requested.</summary>
@@ -20,7 +22,9 @@ internal abstract class ReactorEngine : IDisposable
     /// <param name="activity">Perhaps one that never began.</param>
     /// <param name="timeout">How long to wait; twice as long for one that has work left at its end.</param>
     /// <param name="deadline">When to stop waiting, by the clock of the run.</param>
-    /// <returns>False when it did not within the time limit; it then keeps its thread, which does not keep the process.</returns>
+    /// <returns>
+    /// False when it did not within the time limit; it then keeps its thread, which does not keep the process.
+    /// </returns>
     public abstract bool TryEnd(Activity activity, TimeSpan timeout, TimeSpan deadline);
 
     /// <summary>From any thread: <see cref="Begin"/> and <see cref="RunUntil"/> return soon.</summary>

@@ -10,8 +10,10 @@ public sealed class ReactorOptions
     /// <value>The default is <see cref="RealTime"/>.</value>
     public RabitTime Time { get; set; } = new RealTime();
 
-    /// <summary>Where the log goes; called on the thread that writes the entry, so it must be thread-safe. An exception that it
-    /// throws is ignored.</summary>
+    /// <summary>
+    /// Where the log goes; called on the thread that writes the entry, so it must be thread-safe. An exception that it
+    /// throws is ignored.
+    /// </summary>
     /// <value>The default is none; faults are in the result all the same.</value>
     public Action<RabitLogEntry>? Log { get; set; }
 
@@ -23,24 +25,31 @@ public sealed class ReactorOptions
     /// <value>The default is "rabit".</value>
     public string Name { get; set; } = "rabit";
 
-    /// <summary>Whether the status holds how long units of work take and how late they begin. It costs well below a microsecond per run.</summary>
+    /// <summary>
+    /// Whether the status holds how long units of work take and how late they begin. It costs well below a microsecond
+    /// per run.
+    /// </summary>
     /// <value>The default is true.</value>
     public bool KeepsStatistics { get; set; } = true;
 
-    /// <summary>How long a manager may be in its code before it hangs, and what follows, where the manager says nothing else (<see cref="RabitManager.HangPolicy"/>).</summary>
+    /// <summary>
+    /// How long a manager may be in its code before it hangs, and what follows, where the manager says nothing else
+    /// (<see cref="RabitManager.HangPolicy"/>).
+    /// </summary>
     /// <value>The default is <see cref="HangPolicy.Report"/>.</value>
     public HangPolicy HangPolicy { get; set; } = HangPolicy.Report;
 
     /// <summary>
-    /// How long each manager, reader and writer may take to stop before it is reported as not stopped, where the manager says nothing
-    /// else (<see cref="RabitManager.StopTimeout"/>). A writer that is stuck may take it twice: to write what is left, and to give up.
+    /// How long each manager, reader and writer may take to stop before it is reported as not stopped, where the
+    /// manager says nothing else (<see cref="RabitManager.StopTimeout"/>). A writer that is stuck may take it twice: to
+    /// write what is left, and to give up.
     /// </summary>
     /// <value>The default is 2 s.</value>
     public TimeSpan StopTimeout { get; set; } = TimeSpan.FromSeconds(2);
 
     /// <summary>
-    /// How long all of them may take together. When it is over, all that are left are asked to stop at once, out of order, and
-    /// get 20 ms each. In virtual time a stop takes no time.
+    /// How long all of them may take together. When it is over, all that are left are asked to stop at once, out of
+    /// order, and get 20 ms each. In virtual time a stop takes no time.
     /// </summary>
     /// <value>The default is 10 s.</value>
     public TimeSpan TotalStopTimeout { get; set; } = TimeSpan.FromSeconds(10);

@@ -8,7 +8,9 @@ namespace Rabit.Core;
 /// <summary>How a run ended. Immutable.</summary>
 public sealed class ReactorResult
 {
-    internal ReactorResult(string stopReason, Exception? failure, TimeSpan duration, IReadOnlyList<ManagerResult> managers, IReadOnlyList<QueueResult> queues)
+    internal ReactorResult(
+        string stopReason, Exception? failure, TimeSpan duration, IReadOnlyList<ManagerResult> managers,
+        IReadOnlyList<QueueResult> queues)
     {
         StopReason = stopReason;
         Failure = failure;
@@ -29,13 +31,18 @@ public sealed class ReactorResult
     /// <summary>How each manager ended, in the order of the start.</summary>
     public IReadOnlyList<ManagerResult> Managers { get; }
 
-    /// <summary>The counters of each queue when all managers had ended; values still resident were never popped.</summary>
+    /// <summary>
+    /// The counters of each queue when all managers had ended; values still resident were never popped.
+    /// </summary>
     public IReadOnlyList<QueueResult> Queues { get; }
 
     /// <summary>0; or 1 if a manager faulted or did not stop, or the run itself failed.</summary>
-    public int ExitCode => Failure is null && Managers.All(m => m.Outcome is ManagerOutcome.Ended or ManagerOutcome.NotStarted) ? 0 : 1;
+    public int ExitCode
+        => Failure is null && Managers.All(m => m.Outcome is ManagerOutcome.Ended or ManagerOutcome.NotStarted) ? 0 : 1;
 
-    /// <summary>The figures of all managers as a table of text, one line each: for runtimes and places without a meter.</summary>
+    /// <summary>
+    /// The figures of all managers as a table of text, one line each: for runtimes and places without a meter.
+    /// </summary>
     public string ToTable() => ManagerTable.Format(Managers.Select(m => (m.Name, m.Outcome.ToString(), m.Status)));
 
     /// <summary>A line for the run, one for each manager, and one for each queue that was not empty.</summary>

@@ -3,7 +3,10 @@ using System.Runtime.InteropServices;
 
 namespace Rabit.Core.Reactors;
 
-/// <summary>Ctrl-C and SIGTERM, for the length of one run. The twin of this file serves frameworks without PosixSignalRegistration.</summary>
+/// <summary>
+/// Ctrl-C and SIGTERM, for the length of one run. The twin of this file serves frameworks without
+/// PosixSignalRegistration.
+/// </summary>
 internal sealed class StopSignals : IDisposable
 {
     private readonly PosixSignalRegistration[] _registrations;

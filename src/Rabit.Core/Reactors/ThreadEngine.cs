@@ -22,7 +22,8 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
 
     public override void Begin(Activity activity)
     {
-        var thread = new ActivityThread(activity, context.Clock, WaitEngines.Create(waitEngine, context.Clock), _realTime, _changed);
+        var thread = new ActivityThread(
+            activity, context.Clock, WaitEngines.Create(waitEngine, context.Clock), _realTime, _changed);
         _threads.Add(activity, thread);
         thread.Start();
         WaitFor(() => thread.HasBegun || _stopRequested, TimeSpan.MaxValue);

@@ -12,9 +12,9 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Reactors;
 
 /// <summary>
-/// Virtual time (discrete-event simulation): the steps of all activities are dispatched on the thread that runs the engine.
-/// Next comes one, chosen by the seed, of those that are due or woken at this instant; when there is none the clock moves
-/// to the next due time.
+/// Virtual time (discrete-event simulation): the steps of all activities are dispatched on the thread that runs the
+/// engine. Next comes one, chosen by the seed, of those that are due or woken at this instant; when there is none the
+/// clock moves to the next due time.
 /// </summary>
 internal sealed class VirtualEngine : ReactorEngine
 {
@@ -26,8 +26,8 @@ internal sealed class VirtualEngine : ReactorEngine
     private readonly List<VirtualSlot> _slots = [];
     private readonly List<VirtualSlot> _candidates = [];
 
-    // Guards the woken marks, the real step times, and the list of slots for those who read it on other threads; pulsed by a
-    // wake or a stop from another thread while the pacer waits.
+    // Guards the woken marks, the real step times, and the list of slots for those who read it on other threads; pulsed
+    // by a wake or a stop from another thread while the pacer waits.
     private readonly object _gate = new();
     private SplitMix64 _random;
     private int _runsAtInstant;
@@ -178,8 +178,8 @@ internal sealed class VirtualEngine : ReactorEngine
         ConsumedWakeUps wakes = slot.Activity.WakeUp.Consume();
         lock (_gate)
         {
-            // No activity sleeps on while it has a step to run, so the wake is now, even if it came from outside while the
-            // clock was held back. One that came during a modelled unit of work ended no sleep.
+            // No activity sleeps on while it has a step to run, so the wake is now, even if it came from outside while
+            // the clock was held back. One that came during a modelled unit of work ended no sleep.
             wokenAt = timer ? slot.Due : slot.WokenAt >= slot.NotBefore ? now : null;
             slot.IsWoken = false;
         }
@@ -241,7 +241,9 @@ internal sealed class VirtualEngine : ReactorEngine
             MarkWoken(slot, at: null);
     }
 
-    /// <summary>Moves the clock to a time, held back by the pacer; returns early at a wake or a stop from outside.</summary>
+    /// <summary>
+    /// Moves the clock to a time, held back by the pacer; returns early at a wake or a stop from outside.
+    /// </summary>
     private void MoveTowards(TimeSpan next, TimeSpan now)
     {
         TimeSpan reached = next;
@@ -296,7 +298,8 @@ internal sealed class VirtualEngine : ReactorEngine
             .Select(s => string.Format(CultureInfo.InvariantCulture, "{0} ({1})", s.Activity.Name, s.RunsAtInstant)));
         _context.Fail(new InvalidOperationException(string.Format(
             CultureInfo.InvariantCulture,
-            "Virtual time stands still at {0}: more than {1} runs at one instant, by {2}. Do they wake each other forever?",
+            "Virtual time stands still at {0}: more than {1} runs at one instant, by {2}. Do they wake each other "
+                + "forever?",
             _context.Clock.Now,
             _time.MaxRunsPerInstant,
             names)));

@@ -10,7 +10,9 @@ internal sealed class VirtualSlot(Activity activity, VirtualEngine engine) : IWa
 {
     public Activity Activity { get; } = activity;
 
-    /// <summary>Set by a waker on any thread, under the engine's lock; cleared by the engine when it dispatches the step.</summary>
+    /// <summary>
+    /// Set by a waker on any thread, under the engine's lock; cleared by the engine when it dispatches the step.
+    /// </summary>
     public bool IsWoken { get; set; }
 
     /// <summary>When the waker came; null when the activity did not sleep then. Under the engine's lock.</summary>
@@ -39,7 +41,9 @@ internal sealed class VirtualSlot(Activity activity, VirtualEngine engine) : IWa
         return Activity.WakeUp.StopRequested ? now : Max(NotBefore, now);
     }
 
-    /// <summary>What the steps took in real time: written by the engine, read by any thread, under the engine's lock.</summary>
+    /// <summary>
+    /// What the steps took in real time: written by the engine, read by any thread, under the engine's lock.
+    /// </summary>
     public DurationStatistics RealStepTime { get; set; }
 
     void IWakeSignal.Set() => engine.OnWake(this);

@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace Rabit.Core.RealTimeKit;
 
-/// <summary>What an operating system can do for the calling thread. Each call gives 0 or the number of the error (errno).</summary>
+/// <summary>
+/// What an operating system can do for the calling thread. Each call gives 0 or the number of the error (errno).
+/// </summary>
 internal interface IThreadControl
 {
     /// <summary>The CPUs on which the calling thread may run now.</summary>

@@ -6,13 +6,18 @@ using System.Runtime.InteropServices;
 namespace Rabit.Core.RealTimeKit;
 
 /// <summary>The calling thread's settings on Linux: x64, arm64 and arm, glibc and musl.</summary>
-/// <remarks>The scheduler is set through syscall(2): musl's sched_setscheduler refuses always (its pthreads and POSIX's processes disagree).</remarks>
+/// <remarks>
+/// The scheduler is set through syscall(2): musl's sched_setscheduler refuses always (its pthreads and POSIX's
+/// processes disagree).
+/// </remarks>
 internal sealed unsafe class LinuxThreadControl : IThreadControl
 {
     private const int SetTimerSlackOption = 29;        // PR_SET_TIMERSLACK
     private const int LockCurrentAndFuture = 1 | 2;    // MCL_CURRENT | MCL_FUTURE
-    private const int LockOnFault = 4;                 // MCL_ONFAULT: not the hundreds of gigabytes that the collector reserves and never touches
-    private const int ResetOnFork = 0x40000000;        // SCHED_RESET_ON_FORK: threads that this one starts, the runtime's own too, are ordinary ones
+    // MCL_ONFAULT: not the hundreds of gigabytes that the collector reserves and never touches
+    private const int LockOnFault = 4;
+    // SCHED_RESET_ON_FORK: threads that this one starts, the runtime's own too, are ordinary ones
+    private const int ResetOnFork = 0x40000000;
     private const int WordsOfCpus = 16;                // 1024 CPUs
     private const int BitsPerWord = 64;
     private const string ThrottleFile = "/proc/sys/kernel/sched_rt_runtime_us";
@@ -84,7 +89,8 @@ internal sealed unsafe class LinuxThreadControl : IThreadControl
     }
 
     public int SetTimerSlack(long nanoseconds)
-        => ErrorOf(prctl(SetTimerSlackOption, new UIntPtr((ulong)nanoseconds), UIntPtr.Zero, UIntPtr.Zero, UIntPtr.Zero));
+        => ErrorOf(
+            prctl(SetTimerSlackOption, new UIntPtr((ulong)nanoseconds), UIntPtr.Zero, UIntPtr.Zero, UIntPtr.Zero));
 
     public int LockMemory() => ErrorOf(mlockall(LockCurrentAndFuture | LockOnFault));
 

@@ -29,7 +29,8 @@ public sealed class RealTimeReport
         int width = Math.Max(Head.Length, Grants.Max(g => g.Requested.Length)) + 2;
         StringBuilder text = new StringBuilder(Head.PadRight(width)).Append("granted  reason");
         foreach (RealTimeGrant grant in Grants)
-            text.Append('\n').Append(grant.Requested.PadRight(width)).Append(grant.IsGranted ? "yes" : "no       " + grant.Reason);
+            text.Append('\n').Append(grant.Requested.PadRight(width))
+                .Append(grant.IsGranted ? "yes" : "no       " + grant.Reason);
         return text.ToString();
     }
 }

@@ -5,8 +5,8 @@ using System.Linq;
 namespace Rabit.Core;
 
 /// <summary>
-/// What a manager asks of the machine for its thread; see <see cref="RabitManager.RequestRealTime"/>. Options left at their defaults are not requested.
-/// Only Linux grants any of it, and each part by itself.
+/// What a manager asks of the machine for its thread; see <see cref="RabitManager.RequestRealTime"/>. Options left at
+/// their defaults are not requested. Only Linux grants any of it, and each part by itself.
 /// </summary>
 public sealed class RealTimeRequest
 {
@@ -24,7 +24,8 @@ public sealed class RealTimeRequest
         get;
         set => field = value is null or (>= 1 and <= MaxPriority)
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, $"A real-time priority is from 1 to {MaxPriority}.");
+            : throw new ArgumentOutOfRangeException(
+                nameof(value), value, $"A real-time priority is from 1 to {MaxPriority}.");
     }
 
     /// <summary>How threads of one priority share a CPU; it counts with a <see cref="Priority"/> only.</summary>
@@ -39,13 +40,15 @@ public sealed class RealTimeRequest
     }
 
     /// <summary>
-    /// Whether a unit of work may busy-wait. Nothing in Rabit spins by itself; a manager whose own code does says so here. Its priority is
-    /// refused if the spinning managers of the run could then occupy every CPU: the collector, and whatever else the machine does, would
-    /// stop.
+    /// Whether a unit of work may busy-wait. Nothing in Rabit spins by itself; a manager whose own code does says so
+    /// here. Its priority is refused if the spinning managers of the run could then occupy every CPU: the collector,
+    /// and whatever else the machine does, would stop.
     /// </summary>
     public bool Spins { get; set; }
 
-    /// <summary>The CPUs on which the thread may run, counted from 0. Empty, the default, for all that the process may use.</summary>
+    /// <summary>
+    /// The CPUs on which the thread may run, counted from 0. Empty, the default, for all that the process may use.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of the range 0 to 1023.</exception>
     public IReadOnlyList<int> Cpus
     {
@@ -54,18 +57,21 @@ public sealed class RealTimeRequest
         {
             int[] cpus = [.. Require.NotNull(value, nameof(value)).Distinct().OrderBy(cpu => cpu)];
             if (cpus.Length > 0 && (cpus[0] < 0 || cpus[cpus.Length - 1] > MaxCpu))
-                throw new ArgumentOutOfRangeException(nameof(value), string.Join(", ", cpus), $"The number of a CPU is from 0 to {MaxCpu}.");
+                throw new ArgumentOutOfRangeException(
+                    nameof(value), string.Join(", ", cpus), $"The number of a CPU is from 0 to {MaxCpu}.");
             _cpus = cpus;
         }
     }
 
     /// <summary>
-    /// Whether memory that was touched stays in memory: no page of it is written to disk or dropped. For the whole process, to its end.
+    /// Whether memory that was touched stays in memory: no page of it is written to disk or dropped. For the whole
+    /// process, to its end.
     /// </summary>
     public bool LocksMemory { get; set; }
 
     /// <summary>
-    /// How late the kernel may make the timer of the thread to save power: 50 µs by default. A thread with a real-time priority has none.
+    /// How late the kernel may make the timer of the thread to save power: 50 µs by default. A thread with a real-time
+    /// priority has none.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Zero or negative, or longer than a second.</exception>
     public TimeSpan? TimerSlack
@@ -73,12 +79,14 @@ public sealed class RealTimeRequest
         get;
         set => field = value is null || (value > TimeSpan.Zero && value <= MaxTimerSlack)
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "The timer slack must be longer than zero and at most a second.");
+            : throw new ArgumentOutOfRangeException(
+                nameof(value), value, "The timer slack must be longer than zero and at most a second.");
     }
 
     /// <summary>
-    /// How often <see cref="RabitManager.WarmUp"/> is called before <see cref="RabitManager.Startup"/>. If it is above zero the code of the manager's class is also compiled
-    /// ahead, so that its first unit of work does not wait for the compiler. 30 calls bring .NET to compile the best code soon.
+    /// How often <see cref="RabitManager.WarmUp"/> is called before <see cref="RabitManager.Startup"/>. If it is above
+    /// zero the code of the manager's class is also compiled ahead, so that its first unit of work does not wait for
+    /// the compiler. 30 calls bring .NET to compile the best code soon.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Negative, or more than a million.</exception>
     public int WarmUpRuns
@@ -86,7 +94,8 @@ public sealed class RealTimeRequest
         get;
         set => field = value is >= 0 and <= MaxWarmUpRuns
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, $"The number of warm-up runs is from 0 to {MaxWarmUpRuns}.");
+            : throw new ArgumentOutOfRangeException(
+                nameof(value), value, $"The number of warm-up runs is from 0 to {MaxWarmUpRuns}.");
     }
 
     internal RealTimeRequest Copy() => (RealTimeRequest)MemberwiseClone();

@@ -11,7 +11,8 @@ using Rabit.Core.Managers;
 namespace Rabit.Core.RealTimeKit;
 
 /// <summary>
-/// Asks the operating system for what a manager requested, on the manager's thread, and reports the outcome. One of a run.
+/// Asks the operating system for what a manager requested, on the manager's thread, and reports the outcome. One of a
+/// run.
 /// </summary>
 /// <param name="log">Every part is a note in it.</param>
 /// <param name="control">The operating system; null where there is nothing to ask.</param>
@@ -27,7 +28,9 @@ internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, strin
     public static RealTimeSetup ForThreads(RabitLog log)
         => new(log, OperatingSystem.IsLinux() ? new LinuxThreadControl() : null, OnlyLinux);
 
-    /// <summary>Called on the thread of an activity before anything of it; managers begin one after the other.</summary>
+    /// <summary>
+    /// Called on the thread of an activity before anything of it; managers begin one after the other.
+    /// </summary>
     public void Apply(Activity activity)
     {
         if (activity is not ManagerActivity { Manager: { RealTimeRequest: { } request } manager })
@@ -54,7 +57,8 @@ internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, strin
         if (request.LocksMemory)
             grants.Add(Ask("memory locked", c => c.LockMemory(), NeedsToLock));
         if (request.TimerSlack is { } slack)
-            grants.Add(Ask(Text($"timer slack {slack.Ticks / 10.0} µs"), c => c.SetTimerSlack(slack.Ticks * 100), _ => null));
+            grants.Add(
+                Ask(Text($"timer slack {slack.Ticks / 10.0} µs"), c => c.SetTimerSlack(slack.Ticks * 100), _ => null));
 
         // The CPUs before the priority: it is judged by them. The priority last: all else is done at an ordinary one.
         if (request.Cpus.Count > 0)
@@ -90,15 +94,17 @@ internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, strin
 
     private RealTimeGrant Raise(RealTimeRequest request, int priority)
     {
-        string requested = Text($"priority {(request.Policy == RealTimePolicy.Fifo ? "FIFO" : "round robin")} {priority}");
+        string requested = Text(
+            $"priority {(request.Policy == RealTimePolicy.Fifo ? "FIFO" : "round robin")} {priority}");
         if (control is null)
             return Refuse(requested);
         bool throttles = control.ThrottlesRealTime;
         _allCpus ??= control.Cpus;
         if ((request.Spins || !throttles) && !_spinGuard.TryAdmit(control.Cpus, _allCpus))
         {
-            return new RealTimeGrant(requested, "refused by Rabit: threads that may spin at real-time priority could occupy every CPU"
-                + (throttles ? string.Empty : " (the kernel's throttling is off, so every one may)"));
+            return new RealTimeGrant(
+                requested, "refused by Rabit: threads that may spin at real-time priority could occupy every CPU"
+                    + (throttles ? string.Empty : " (the kernel's throttling is off, so every one may)"));
         }
 
         return Ask(requested, c => c.SetPriority(request.Policy, priority), error => NeedsForPriority(error, priority));
@@ -122,11 +128,14 @@ internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, strin
     }
 
     // Without running anything. What the class does not have any more after trimming is not called either.
-    [UnconditionalSuppressMessage("Trimming", "IL2070", Justification = "Only methods that are there are compiled ahead.")]
-    [UnconditionalSuppressMessage("Trimming", "IL2075", Justification = "Only methods that are there are compiled ahead.")]
+    [UnconditionalSuppressMessage("Trimming", "IL2070",
+        Justification = "Only methods that are there are compiled ahead.")]
+    [UnconditionalSuppressMessage("Trimming", "IL2075",
+        Justification = "Only methods that are there are compiled ahead.")]
     private static void Compile(Type type)
     {
-        const BindingFlags Own = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+        const BindingFlags Own = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public
+            | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
         for (Type? level = type; level is not null && level != typeof(RabitManager); level = level.BaseType)
         {
             if (level.ContainsGenericParameters || level.IsGenericType)
@@ -148,11 +157,14 @@ internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, strin
     private static string? NeedsToLock(int error) => error switch
     {
         SystemErrors.NotPermitted => "it needs CAP_IPC_LOCK or a limit of locked memory (ulimit -l) above zero",
-        SystemErrors.OutOfMemory => "the limit of locked memory (ulimit -l) is below what the process reserves; it needs CAP_IPC_LOCK or 'unlimited'",
+        SystemErrors.OutOfMemory =>
+            "the limit of locked memory (ulimit -l) is below what the process reserves; it needs CAP_IPC_LOCK or "
+                + "'unlimited'",
         _ => null,
     };
 
-    private static string? NeedsForCpus(int error) => error == SystemErrors.Invalid ? "the process may use none of them" : null;
+    private static string? NeedsForCpus(int error)
+        => error == SystemErrors.Invalid ? "the process may use none of them" : null;
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

@@ -4,12 +4,12 @@ using System.Linq;
 namespace Rabit.Core.RealTimeKit;
 
 /// <summary>
-/// Keeps one CPU free of threads with real-time priority that may never sleep. One of a run; the engine lets managers start one after the
-/// other, so it needs no lock.
+/// Keeps one CPU free of threads with real-time priority that may never sleep. One of a run; the engine lets managers
+/// start one after the other, so it needs no lock.
 /// </summary>
 /// <remarks>
-/// A runtime that must stop all threads for a collection waits for one that cannot run because another spins above it: for hours, in
-/// dotnet/runtime#121623, or until the kernel's throttling lets it.
+/// A runtime that must stop all threads for a collection waits for one that cannot run because another spins above it:
+/// for hours, in dotnet/runtime#121623, or until the kernel's throttling lets it.
 /// </remarks>
 internal sealed class SpinGuard
 {

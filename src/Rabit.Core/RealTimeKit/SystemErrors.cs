@@ -2,7 +2,9 @@ using System.Globalization;
 
 namespace Rabit.Core.RealTimeKit;
 
-/// <summary>The names of the system's errors that a request for real time meets (errno; the same numbers on x64, arm64 and arm).</summary>
+/// <summary>
+/// The names of the system's errors that a request for real time meets (errno; the same numbers on x64, arm64 and arm).
+/// </summary>
 internal static class SystemErrors
 {
     public const int NotPermitted = 1;

@@ -3,13 +3,14 @@ using System;
 namespace Rabit.Core.Statistics;
 
 /// <summary>
-/// How often each length of a duration came: a log-linear histogram of fixed memory (2.8 KB), each octave in 16 equal steps, so that a percentile is
-/// right to 6.25 %. One thread only.
+/// How often each length of a duration came: a log-linear histogram of fixed memory (2.8 KB), each octave in 16 equal
+/// steps, so that a percentile is right to 6.25 %. One thread only.
 /// </summary>
 internal sealed class DurationHistogram
 {
-    // The bits of a double are its exponent and then its fraction, so the exponent with the first four bits of the fraction is the bucket: no
-    // logarithm, no loop, the same on every runtime. Exact, since the ticks of 2^43 (ten days) fit in the fraction; longer ones count as that.
+    // The bits of a double are its exponent and then its fraction, so the exponent with the first four bits of the
+    // fraction is the bucket: no logarithm, no loop, the same on every runtime. Exact, since the ticks of 2^43 (ten
+    // days) fit in the fraction; longer ones count as that.
     private const int StepBits = 4;
     private const int Shift = 52 - StepBits;
     private const int FirstBucket = (1023 << StepBits) - 1;   // that of one tick is 1; 0 is for no time at all
@@ -37,7 +38,9 @@ internal sealed class DurationHistogram
         _highest = 0;
     }
 
-    /// <summary>The durations that half, 99 % and 99.9 % of all do not exceed: the upper ends of their buckets.</summary>
+    /// <summary>
+    /// The durations that half, 99 % and 99.9 % of all do not exceed: the upper ends of their buckets.
+    /// </summary>
     public void Percentiles(out TimeSpan half, out TimeSpan p99, out TimeSpan p999)
     {
         half = p99 = p999 = TimeSpan.Zero;

@@ -5,7 +5,10 @@ using Rabit.Core.Time;
 
 namespace Rabit.Core;
 
-/// <summary>How long something took, over all its times: number, shortest, longest, sum, and, where they are kept, percentiles. A plain value.</summary>
+/// <summary>
+/// How long something took, over all its times: number, shortest, longest, sum, and, where they are kept, percentiles.
+/// A plain value.
+/// </summary>
 public struct DurationStatistics
 {
     /// <summary>How many durations were measured.</summary>
@@ -24,7 +27,8 @@ public struct DurationStatistics
     public readonly TimeSpan Mean => Count == 0 ? TimeSpan.Zero : new TimeSpan(Total.Ticks / Count);
 
     /// <summary>
-    /// What half of them did not exceed, at most 6.25 % too long. In a <see cref="ManagerStatus"/> up to a second old; zero where no percentiles are kept.
+    /// What half of them did not exceed, at most 6.25 % too long. In a <see cref="ManagerStatus"/> up to a second old;
+    /// zero where no percentiles are kept.
     /// </summary>
     public TimeSpan Percentile50 { get; private set; }
 

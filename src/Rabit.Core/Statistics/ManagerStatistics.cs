@@ -4,8 +4,8 @@ using Rabit.Core.Time;
 namespace Rabit.Core.Statistics;
 
 /// <summary>
-/// Keeps the figures of a status: the simple ones with every unit of work, the percentiles, which take a look at a whole histogram, once a second
-/// and when the manager ends. The manager's thread only.
+/// Keeps the figures of a status: the simple ones with every unit of work, the percentiles, which take a look at a
+/// whole histogram, once a second and when the manager ends. The manager's thread only.
 /// </summary>
 internal sealed class ManagerStatistics
 {

@@ -1,6 +1,8 @@
 namespace Rabit.Core;
 
-/// <summary>How many units of work each cause woke. A unit of work with two causes counts for both. A plain value.</summary>
+/// <summary>
+/// How many units of work each cause woke. A unit of work with two causes counts for both. A plain value.
+/// </summary>
 public struct WakeUpStatistics
 {
     /// <summary>Units of work that a timer caused.</summary>
@@ -22,8 +24,8 @@ public struct WakeUpStatistics
     public long Device { get; private set; }
 
     /// <summary>
-    /// Wake-ups that found another one waiting and merged with it: they did not stack. A push or pop that finds one of its kind waiting makes no
-    /// wake-up, and does not count here; the counters of the queue have it.
+    /// Wake-ups that found another one waiting and merged with it: they did not stack. A push or pop that finds one of
+    /// its kind waiting makes no wake-up, and does not count here; the counters of the queue have it.
     /// </summary>
     public long Merged { get; private set; }
 

@@ -19,6 +19,7 @@ internal static class BackOff
     {
         Require.Positive(firstDelay, nameof(firstDelay), $"The delay {what}");
         if (maxDelay < firstDelay)
-            throw new ArgumentOutOfRangeException(nameof(maxDelay), maxDelay, $"The longest delay {what} cannot be below the first.");
+            throw new ArgumentOutOfRangeException(
+                nameof(maxDelay), maxDelay, $"The longest delay {what} cannot be below the first.");
     }
 }

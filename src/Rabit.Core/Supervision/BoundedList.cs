@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace Rabit.Core.Supervision;
 
-/// <summary>Counts things and keeps the first ten: a manager that always throws must not fill the memory. Any thread.</summary>
+/// <summary>
+/// Counts things and keeps the first ten: a manager that always throws must not fill the memory. Any thread.
+/// </summary>
 internal sealed class BoundedList<T>
 {
     private const int Kept = 10;

@@ -5,7 +5,10 @@ using Rabit.Core.Time;
 
 namespace Rabit.Core.Supervision;
 
-/// <summary>Reports the faults of one manager and decides, by its policy, what follows. The manager's thread only, but for the list.</summary>
+/// <summary>
+/// Reports the faults of one manager and decides, by its policy, what follows. The manager's thread only, but for the
+/// list.
+/// </summary>
 internal sealed class FaultFollowUp(RabitManager manager, ManagerRun run)
 {
     private readonly RestartWindow _restarts = new();
@@ -22,7 +25,9 @@ internal sealed class FaultFollowUp(RabitManager manager, ManagerRun run)
     /// <summary>Whether the next thing is a start-up.</summary>
     public bool IsRestarting { get; private set; }
 
-    /// <summary>When it continues; what was carried on or restarted at a time that has passed continues at once.</summary>
+    /// <summary>
+    /// When it continues; what was carried on or restarted at a time that has passed continues at once.
+    /// </summary>
     public TimeSpan ResumeAt { get; private set; }
 
     public void OnSuccessfulRun() => _inARow = 0;
@@ -58,7 +63,9 @@ internal sealed class FaultFollowUp(RabitManager manager, ManagerRun run)
             if (!IsRestarting)
             {
                 Action = policy.Finally;
-                why = string.Format(CultureInfo.InvariantCulture, "{0}, after {1} restarts within {2}", why, policy.MaxRestarts, policy.Window);
+                why = string.Format(
+                    CultureInfo.InvariantCulture, "{0}, after {1} restarts within {2}", why, policy.MaxRestarts,
+                    policy.Window);
                 run.Log.Write(RabitLogKind.Note, manager.Name, $"is not restarted any more: {why}");
             }
         }

@@ -4,8 +4,8 @@ using System.Threading;
 namespace Rabit.Core;
 
 /// <summary>
-/// How long a manager may be in its code before the watchdog finds that it hangs, and what follows. The finding is in the log, the status and the
-/// result under every policy; a thread is never aborted. Immutable.
+/// How long a manager may be in its code before the watchdog finds that it hangs, and what follows. The finding is in
+/// the log, the status and the result under every policy; a thread is never aborted. Immutable.
 /// </summary>
 public sealed class HangPolicy
 {
@@ -15,7 +15,9 @@ public sealed class HangPolicy
     {
     }
 
-    /// <summary>The default: a start-up of more than 30 s, a unit of work or a shutdown of more than 5 s is reported.</summary>
+    /// <summary>
+    /// The default: a start-up of more than 30 s, a unit of work or a shutdown of more than 5 s is reported.
+    /// </summary>
     public static HangPolicy Report { get; } = new()
     {
         StartupLimit = TimeSpan.FromSeconds(30),
@@ -23,32 +25,50 @@ public sealed class HangPolicy
         ShutdownLimit = TimeSpan.FromSeconds(5),
     };
 
-    /// <summary>As <see cref="Report"/>, and all managers are stopped in order; the one that hangs is given up when its time to stop is over.</summary>
+    /// <summary>
+    /// As <see cref="Report"/>, and all managers are stopped in order; the one that hangs is given up when its time to
+    /// stop is over.
+    /// </summary>
     public static HangPolicy StopSystem { get; } = Report.AndStopSystem();
 
     /// <summary>No watchdog.</summary>
-    public static HangPolicy Off { get; } = new() { StartupLimit = Never, UnitOfWorkLimit = Never, ShutdownLimit = Never };
+    public static HangPolicy Off { get; } =
+        new() { StartupLimit = Never, UnitOfWorkLimit = Never, ShutdownLimit = Never };
 
-    /// <summary>How long <see cref="RabitManager.Startup"/> may take; <see cref="Timeout.InfiniteTimeSpan"/> for as long as it likes.</summary>
+    /// <summary>
+    /// How long <see cref="RabitManager.Startup"/> may take; <see cref="Timeout.InfiniteTimeSpan"/> for as long as it
+    /// likes.
+    /// </summary>
     public TimeSpan StartupLimit { get; private init; }
 
-    /// <summary>How long <see cref="RabitManager.ExecuteUnitOfWork"/> may take; <see cref="Timeout.InfiniteTimeSpan"/> for as long as it likes.</summary>
+    /// <summary>
+    /// How long <see cref="RabitManager.ExecuteUnitOfWork"/> may take; <see cref="Timeout.InfiniteTimeSpan"/> for as
+    /// long as it likes.
+    /// </summary>
     public TimeSpan UnitOfWorkLimit { get; private init; }
 
-    /// <summary>How long <see cref="RabitManager.Shutdown"/> may take; <see cref="Timeout.InfiniteTimeSpan"/> for as long as it likes.</summary>
+    /// <summary>
+    /// How long <see cref="RabitManager.Shutdown"/> may take; <see cref="Timeout.InfiniteTimeSpan"/> for as long as it
+    /// likes.
+    /// </summary>
     public TimeSpan ShutdownLimit { get; private init; }
 
     /// <summary>Whether a manager that hangs stops the system.</summary>
     public bool StopsSystem { get; private init; }
 
-    /// <summary>Called once for each hang, on the watchdog's thread, so it must not wait for anything. What it throws is reported.</summary>
+    /// <summary>
+    /// Called once for each hang, on the watchdog's thread, so it must not wait for anything. What it throws is
+    /// reported.
+    /// </summary>
     public Action<ManagerHang>? Callback { get; private init; }
 
     /// <summary>The same with other limits.</summary>
     /// <param name="unitOfWork">For units of work.</param>
     /// <param name="startup">For start-up; null leaves it as it is.</param>
     /// <param name="shutdown">For shutdown; null leaves it as it is.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A limit is neither positive nor <see cref="Timeout.InfiniteTimeSpan"/>.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A limit is neither positive nor <see cref="Timeout.InfiniteTimeSpan"/>.
+    /// </exception>
     public HangPolicy WithLimits(TimeSpan unitOfWork, TimeSpan? startup = null, TimeSpan? shutdown = null) => new()
     {
         UnitOfWorkLimit = Limit(unitOfWork, nameof(unitOfWork)),
@@ -63,7 +83,8 @@ public sealed class HangPolicy
 
     /// <summary>The same, and a hang calls the user back.</summary>
     /// <param name="callback">See <see cref="Callback"/>.</param>
-    public HangPolicy AndCall(Action<ManagerHang> callback) => With(StopsSystem, Require.NotNull(callback, nameof(callback)));
+    public HangPolicy AndCall(Action<ManagerHang> callback)
+        => With(StopsSystem, Require.NotNull(callback, nameof(callback)));
 
     /// <summary>The limit of a stage; <see cref="TimeSpan.MaxValue"/> for none.</summary>
     internal TimeSpan LimitOf(ManagerStage stage)
@@ -80,7 +101,8 @@ public sealed class HangPolicy
     private static TimeSpan Limit(TimeSpan limit, string parameter)
         => limit > TimeSpan.Zero || limit == Never
             ? limit
-            : throw new ArgumentOutOfRangeException(parameter, limit, "The limit of the watchdog must be above zero, or infinite.");
+            : throw new ArgumentOutOfRangeException(
+                parameter, limit, "The limit of the watchdog must be above zero, or infinite.");
 
     private HangPolicy With(bool stopsSystem, Action<ManagerHang>? callback) => new()
     {

@@ -6,13 +6,14 @@ using Rabit.Core.Time;
 namespace Rabit.Core.Supervision;
 
 /// <summary>
-/// Whether one manager returns from its code. Its thread enters and leaves stages; the watchdog, on its own thread, looks, and posts a status in its
-/// place when it does not return.
+/// Whether one manager returns from its code. Its thread enters and leaves stages; the watchdog, on its own thread,
+/// looks, and posts a status in its place when it does not return.
 /// </summary>
 /// <remarks>
-/// The race it closes: the watchdog finds the manager hanging and is about to post that, while the manager returns and posts that it runs;
-/// the watchdog's status, posted last, would stay. The watchdog marks the stage and posts under one lock; a manager that finds its stage marked
-/// passes through that lock before it posts. One that does not hang takes no lock.
+/// The race it closes: the watchdog finds the manager hanging and is about to post that, while the manager returns and
+/// posts that it runs; the watchdog's status, posted last, would stay. The watchdog marks the stage and posts under one
+/// lock; a manager that finds its stage marked passes through that lock before it posts. One that does not hang takes
+/// no lock.
 /// </remarks>
 internal sealed class HangWatch(RabitManager manager, ManagerRun run)
 {
@@ -45,7 +46,9 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
         }
     }
 
-    /// <summary>Whether the modelled duration of a unit of work continues. The thread of the virtual run only.</summary>
+    /// <summary>
+    /// Whether the modelled duration of a unit of work continues. The thread of the virtual run only.
+    /// </summary>
     public bool IsInModelledWork => _modelledEnd is not null;
 
     public void Enter(ManagerStage stage, TimeSpan now)
@@ -131,7 +134,9 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
         catch (Exception e)
         {
             // User code on the watchdog's thread: the watchdog must continue.
-            run.Log.Write(RabitLogKind.Fault, manager.Name, $"the callback of its hang policy threw {e.GetType().Name}: {e.Message}", e);
+            run.Log.Write(
+                RabitLogKind.Fault, manager.Name,
+                $"the callback of its hang policy threw {e.GetType().Name}: {e.Message}", e);
         }
     }
 
@@ -142,6 +147,7 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
             // The watchdog's post is over; what is posted from here on comes after it.
         }
 
-        run.Log.Write(RabitLogKind.Hang, manager.Name, FormattableString.Invariant($"has return, at {now.TotalSeconds:0.000} s"));
+        run.Log.Write(
+            RabitLogKind.Hang, manager.Name, FormattableString.Invariant($"has return, at {now.TotalSeconds:0.000} s"));
     }
 }

@@ -28,5 +28,6 @@ public sealed class ManagerFault
 
     /// <inheritdoc/>
     public override string ToString() => string.Format(
-        CultureInfo.InvariantCulture, "{0} in {1}: {2}: {3}", Manager, Stage, Exception.GetType().Name, Exception.Message);
+        CultureInfo.InvariantCulture, "{0} in {1}: {2}: {3}", Manager, Stage, Exception.GetType().Name,
+        Exception.Message);
 }

@@ -9,7 +9,9 @@ using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Supervision;
 
-/// <summary>What watches the managers of a run: the watchdog, and whatever shows their statuses to the outside.</summary>
+/// <summary>
+/// What watches the managers of a run: the watchdog, and whatever shows their statuses to the outside.
+/// </summary>
 internal sealed class ReactorSupervision : IDisposable
 {
     private static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(5);
@@ -21,7 +23,8 @@ internal sealed class ReactorSupervision : IDisposable
     private readonly WatchdogActivity? _watchdog;
     private readonly ManagerMeter _meter;
 
-    private ReactorSupervision(ReactorOptions options, RabitWorkspace workspace, RunClock clock, IReadOnlyList<ManagerActivity> managers)
+    private ReactorSupervision(
+        ReactorOptions options, RabitWorkspace workspace, RunClock clock, IReadOnlyList<ManagerActivity> managers)
     {
         _managers = managers;
         _statuses = managers.Select(m => workspace.StatusEndpointOf(m.Name)).ToArray();
@@ -29,7 +32,8 @@ internal sealed class ReactorSupervision : IDisposable
         if (options.Time is VirtualTime modelled)
         {
             // A watchdog without anything to watch would still be dispatched.
-            if (managers.Any(m => modelled.MaxUnitOfWorkDuration(m.Name) > m.Hangs.Policy.LimitOf(ManagerStage.UnitOfWork)))
+            if (managers.Any(
+                m => modelled.MaxUnitOfWorkDuration(m.Name) > m.Hangs.Policy.LimitOf(ManagerStage.UnitOfWork)))
                 _watchdog = new WatchdogActivity(managers, _statuses, clock, TimeSpan.MaxValue, hasThreads: false);
             WatchdogWakeUp = _watchdog?.WakeUp;
             return;
@@ -64,22 +68,29 @@ internal sealed class ReactorSupervision : IDisposable
     public void End(ReactorEngine engine, RabitLog log, TimeSpan now)
     {
         // It does not end while a callback of the user's does not return.
-        if (_watchdog is not null && !engine.TryEnd(_watchdog, WatchdogStopTimeout, Times.Later(now, WatchdogStopTimeout)))
-            log.Write(RabitLogKind.Note, _watchdog.Name, "did not stop: it is in the callback of a hang policy, or in a post handler of a status");
+        if (_watchdog is not null
+            && !engine.TryEnd(_watchdog, WatchdogStopTimeout, Times.Later(now, WatchdogStopTimeout)))
+            log.Write(
+                RabitLogKind.Note, _watchdog.Name,
+                "did not stop: it is in the callback of a hang policy, or in a post handler of a status");
     }
 
     public void Dispose() => _meter.Dispose();
 
     // One that was stopped, or waits for its restart, sleeps too: that would say too little.
-    private static (string Name, string State, ManagerStatus Status) Describe(ManagerActivity manager, ManagerStatus status)
+    private static (string Name, string State, ManagerStatus Status) Describe(
+        ManagerActivity manager, ManagerStatus status)
     {
         string doing = manager.Doing;
         bool isDown = status.State is ManagerState.Stopped or ManagerState.Faulted or ManagerState.Restarting;
-        return (manager.Name, isDown && doing == HangWatch.Sleeping ? status.State.ToString().ToLowerInvariant() : doing, status);
+        return (manager.Name,
+            isDown && doing == HangWatch.Sleeping ? status.State.ToString().ToLowerInvariant() : doing, status);
     }
 
     private static TimeSpan MinLimit(HangPolicy policy)
-        => Times.Earlier(policy.LimitOf(ManagerStage.Startup), Times.Earlier(policy.LimitOf(ManagerStage.UnitOfWork), policy.LimitOf(ManagerStage.Shutdown)));
+        => Times.Earlier(
+            policy.LimitOf(ManagerStage.Startup),
+            Times.Earlier(policy.LimitOf(ManagerStage.UnitOfWork), policy.LimitOf(ManagerStage.Shutdown)));
 
     // Found within a quarter more than its limit, at next to no cost.
     private static TimeSpan IntervalFor(TimeSpan limit)

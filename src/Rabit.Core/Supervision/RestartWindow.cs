@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Core.Supervision;
 
-/// <summary>When a manager was restarted lately: so many times at most, within so long. The manager's thread only.</summary>
+/// <summary>
+/// When a manager was restarted lately: so many times at most, within so long. The manager's thread only.
+/// </summary>
 internal sealed class RestartWindow
 {
     private TimeSpan[] _times = [];   // a ring of as many as the policy allows

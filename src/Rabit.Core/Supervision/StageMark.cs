@@ -4,13 +4,13 @@ using System.Threading;
 namespace Rabit.Core.Supervision;
 
 /// <summary>
-/// Which stage a manager is in, and since when. Written by the manager's thread with every stage, read by the watchdog and by the reports of
-/// what the manager is doing.
+/// Which stage a manager is in, and since when. Written by the manager's thread with every stage, read by the watchdog
+/// and by the reports of what the manager is doing.
 /// </summary>
 /// <remarks>
-/// The word holds the stage, a mark "found hanging", and a number that is new with every stage, so that the watchdog, which looks and then
-/// marks, cannot mark a later stage than it looked at: the mark is a compare-and-swap. The manager leaves with an exchange, so either the mark
-/// comes first and the manager sees it, or the watchdog's mark fails.
+/// The word holds the stage, a mark "found hanging", and a number that is new with every stage, so that the watchdog,
+/// which looks and then marks, cannot mark a later stage than it looked at: the mark is a compare-and-swap. The manager
+/// leaves with an exchange, so either the mark comes first and the manager sees it, or the watchdog's mark fails.
 /// </remarks>
 internal sealed class StageMark
 {
@@ -48,5 +48,6 @@ internal sealed class StageMark
     /// <returns>False when the manager has left that stage.</returns>
     public bool TryMarkHanging(int seen) => Interlocked.CompareExchange(ref _word, seen | Hanging, seen) == seen;
 
-    private static ManagerStage? StageOf(int word) => (word & StageBits) == 0 ? null : (ManagerStage)((word & StageBits) - 1);
+    private static ManagerStage? StageOf(int word)
+        => (word & StageBits) == 0 ? null : (ManagerStage)((word & StageBits) - 1);
 }

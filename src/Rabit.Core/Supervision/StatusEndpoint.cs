@@ -3,7 +3,9 @@ using Rabit.Core.Messages;
 
 namespace Rabit.Core.Supervision;
 
-/// <summary>The library's own endpoint of a manager's status: for the watchdog, the meter and the result. Any thread.</summary>
+/// <summary>
+/// The library's own endpoint of a manager's status: for the watchdog, the meter and the result. Any thread.
+/// </summary>
 internal sealed class StatusEndpoint(MessageBinding<ManagerStatus> binding)
 {
     // Guards the local copy behind both endpoints.

@@ -7,9 +7,12 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Supervision;
 
 /// <summary>
-/// Looks at all managers: in real time every now and then, on a thread of its own; in virtual time when a modelled duration passes a limit or ends.
+/// Looks at all managers: in real time every now and then, on a thread of its own; in virtual time when a modelled
+/// duration passes a limit or ends.
 /// </summary>
-internal sealed class WatchdogActivity(IReadOnlyList<ManagerActivity> managers, IReadOnlyList<StatusEndpoint> statuses, RunClock clock, TimeSpan interval, bool hasThreads)
+internal sealed class WatchdogActivity(
+    IReadOnlyList<ManagerActivity> managers, IReadOnlyList<StatusEndpoint> statuses, RunClock clock, TimeSpan interval,
+    bool hasThreads)
     : Activity("watchdog", new WakeUpEvent())
 {
     public override string Doing => "looking";

@@ -26,7 +26,8 @@ internal sealed class Pacer(VirtualTime time)
     }
 
     /// <summary>Real time until a virtual time comes.</summary>
-    public TimeSpan Until(TimeSpan virtualDue, TimeSpan virtualNow) => new((long)((virtualDue - virtualNow).Ticks / time.Pace));
+    public TimeSpan Until(TimeSpan virtualDue, TimeSpan virtualNow)
+        => new((long)((virtualDue - virtualNow).Ticks / time.Pace));
 
     public long Mark() => _real.GetTimestamp();
 

@@ -6,9 +6,9 @@ using Rabit.Core.Time;
 namespace Rabit.Core;
 
 /// <summary>
-/// The one seam through which anything in Rabit reads the time or waits. Give one to the reactor: <see cref="RealTime"/>
-/// (threads and the machine's clock) or <see cref="VirtualTime"/> (one thread, a clock that jumps, an order fixed by a seed).
-/// Manager code does not see the difference.
+/// The one seam through which anything in Rabit reads the time or waits. Give one to the reactor:
+/// <see cref="RealTime"/> (threads and the machine's clock) or <see cref="VirtualTime"/> (one thread, a clock that
+/// jumps, an order fixed by a seed). Manager code does not see the difference.
 /// </summary>
 public abstract class RabitTime
 {
@@ -16,7 +16,10 @@ public abstract class RabitTime
     {
     }
 
-    /// <summary>The clock. Managers see it as <see cref="RabitManager.Clock"/>; anything else that needs the time takes it from here.</summary>
+    /// <summary>
+    /// The clock. Managers see it as <see cref="RabitManager.Clock"/>; anything else that needs the time takes it from
+    /// here.
+    /// </summary>
     public abstract TimeProvider Clock { get; }
 
     /// <summary>Whether a source or target that blocks its thread may be used.</summary>

@@ -4,7 +4,10 @@ using Rabit.Core.WakeUp;
 
 namespace Rabit.Core;
 
-/// <summary>Real time: every manager, reader and writer on a thread of its own, timed waits by the operating system. The default.</summary>
+/// <summary>
+/// Real time: every manager, reader and writer on a thread of its own, timed waits by the operating system. The
+/// default.
+/// </summary>
 public sealed class RealTime : RabitTime
 {
     /// <summary>Real time by the machine's clock.</summary>
@@ -14,7 +17,10 @@ public sealed class RealTime : RabitTime
     }
 
     /// <summary>Real time by another clock, for example one that is disciplined by a GPS receiver.</summary>
-    /// <param name="clock">Its <see cref="TimeProvider.GetTimestamp"/> must be monotonic and run at the pace of real time; its wall clock may jump.</param>
+    /// <param name="clock">
+    /// Its <see cref="TimeProvider.GetTimestamp"/> must be monotonic and run at the pace of real time; its wall clock
+    /// may jump.
+    /// </param>
     public RealTime(TimeProvider clock) => Clock = Require.NotNull(clock, nameof(clock));
 
     /// <inheritdoc/>
@@ -35,7 +41,8 @@ public sealed class RealTime : RabitTime
 
     internal override ReactorEngine CreateEngine(EngineContext context)
     {
-        WaitEngine engine = WaitEngines.Choose(WaitEngine, Environment.GetEnvironmentVariable(WaitEngines.Variable), Futex.IsThere, out string? note);
+        WaitEngine engine = WaitEngines.Choose(
+            WaitEngine, Environment.GetEnvironmentVariable(WaitEngines.Variable), Futex.IsThere, out string? note);
         if (note is not null)
             context.Log.Write(RabitLogKind.Note, "wait engine", note);
         return new ThreadEngine(context, engine);

@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Core.Time;
 
-/// <summary>The clock of one reactor: time since the reactor was made, monotonic, in <see cref="TimeSpan"/> ticks of 100 ns.</summary>
+/// <summary>
+/// The clock of one reactor: time since the reactor was made, monotonic, in <see cref="TimeSpan"/> ticks of 100 ns.
+/// </summary>
 internal sealed class RunClock
 {
     private const long NanosecondsPerSecond = 1_000_000_000;
@@ -10,8 +12,9 @@ internal sealed class RunClock
 
     private readonly long _origin;
 
-    // Every stamp of a post is taken here. Nanoseconds, what .NET on Linux counts, are divided by a constant, which compilers turn into
-    // a multiplication; anything else is multiplied: exact to a tick up to 2^53 counts, monotonic forever.
+    // Every stamp of a post is taken here. Nanoseconds, what .NET on Linux counts, are divided by a constant, which
+    // compilers turn into a multiplication; anything else is multiplied: exact to a tick up to 2^53 counts, monotonic
+    // forever.
     private readonly bool _countsNanoseconds;
     private readonly double _ticksPerCount;
 
@@ -28,7 +31,9 @@ internal sealed class RunClock
 
     public TimeProvider Provider { get; }
 
-    /// <summary>What <see cref="TimeProvider.System"/> showed at time zero of the run; null where the run has another clock.</summary>
+    /// <summary>
+    /// What <see cref="TimeProvider.System"/> showed at time zero of the run; null where the run has another clock.
+    /// </summary>
     public long? SystemOriginNanoseconds { get; }
 
     public TimeSpan Now

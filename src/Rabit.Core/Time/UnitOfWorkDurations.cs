@@ -5,8 +5,8 @@ using System.Linq;
 namespace Rabit.Core.Time;
 
 /// <summary>
-/// How long the units of work of one manager are modelled to take: the usual duration, drawn from a range, and single longer ones.
-/// Used by the thread of the run only.
+/// How long the units of work of one manager are modelled to take: the usual duration, drawn from a range, and single
+/// longer ones. Used by the thread of the run only.
 /// </summary>
 internal sealed class UnitOfWorkDurations(long seed, string managerName)
 {

@@ -17,7 +17,9 @@ internal sealed class VirtualClock(DateTimeOffset startUtc) : TimeProvider
     public override DateTimeOffset GetUtcNow() => startUtc.AddTicks(GetTimestamp());
 
     public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
-        => throw new NotSupportedException("Virtual time has no timers beside the wake-up delays of its managers: a timer's thread would run beside the steps of the run.");
+        => throw new NotSupportedException(
+            "Virtual time has no timers beside the wake-up delays of its managers: a timer's thread would run beside "
+                + "the steps of the run.");
 
     public void MoveTo(TimeSpan now) => Interlocked.Exchange(ref _ticks, now.Ticks);
 }

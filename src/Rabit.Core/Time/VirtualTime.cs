@@ -12,8 +12,9 @@ namespace Rabit.Core;
 /// Who goes first among equals is fixed by the seed: one seed, one run, to the byte; another seed, another legal order.
 /// </summary>
 /// <remarks>
-/// Configure before the start; after that read only, but for modelled durations. A wake, post, push or stop from a thread that is not the run's own is
-/// taken between steps and lies outside that promise. One instance serves one reactor.
+/// Configure before the start; after that read only, but for modelled durations. A wake, post, push or stop from a
+/// thread that is not the run's own is taken between steps and lies outside that promise. One instance serves one
+/// reactor.
 /// </remarks>
 /// <example>
 /// <code>
@@ -40,7 +41,9 @@ public sealed class VirtualTime : RabitTime
     {
     }
 
-    /// <summary>Virtual time that starts at a chosen wall time, for example that of the first record of a log.</summary>
+    /// <summary>
+    /// Virtual time that starts at a chosen wall time, for example that of the first record of a log.
+    /// </summary>
     /// <param name="seed">Fixes the order among managers that could run at the same instant.</param>
     /// <param name="startUtc">What the wall clock says at the start.</param>
     public VirtualTime(long seed, DateTimeOffset startUtc)
@@ -52,12 +55,18 @@ public sealed class VirtualTime : RabitTime
     /// <summary>Fixes the order among equals.</summary>
     public long Seed { get; }
 
-    /// <summary>How many virtual seconds pass in a real one at most; by default as many as the machine can (infinity).</summary>
+    /// <summary>
+    /// How many virtual seconds pass in a real one at most; by default as many as the machine can (infinity).
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Not above zero.</exception>
     public double Pace
     {
         get => _pace;
-        set => _pace = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The pace of virtual time must be above zero.");
+        set
+            => _pace = value > 0
+                ? value
+                : throw new ArgumentOutOfRangeException(
+                    nameof(value), value, "The pace of virtual time must be above zero.");
     }
 
     /// <summary>
@@ -70,18 +79,20 @@ public sealed class VirtualTime : RabitTime
         get => _maxRunsPerInstant;
         set => _maxRunsPerInstant = value > 0
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "At least one run must be allowed at an instant.");
+            : throw new ArgumentOutOfRangeException(
+                nameof(value), value, "At least one run must be allowed at an instant.");
     }
 
     /// <summary>
-    /// Where the run writes its event log: one line for each step (who, why, after how many merged wakes, its modelled duration),
-    /// wake from sleep, post (with its version), change of a queue during a step, manager's own line, fault, start and stop. The
-    /// same seed gives the same text to the byte, on .NET and on Mono. Null, the default, for none, which costs nothing.
+    /// Where the run writes its event log: one line for each step (who, why, after how many merged wakes, its modelled
+    /// duration), wake from sleep, post (with its version), change of a queue during a step, manager's own line, fault,
+    /// start and stop. The same seed gives the same text to the byte, on .NET and on Mono. Null, the default, for none,
+    /// which costs nothing.
     /// </summary>
     /// <remarks>
-    /// Set before the reactor is made. Lines end in a line feed; times are seconds, exact to the tick. Flushed when the run ends,
-    /// not disposed. A writer that throws fails the run. What comes from code outside managers is logged as by "outside"; the texts
-    /// of exceptions that the runtime itself throws may differ between runtimes.
+    /// Set before the reactor is made. Lines end in a line feed; times are seconds, exact to the tick. Flushed when the
+    /// run ends, not disposed. A writer that throws fails the run. What comes from code outside managers is logged as
+    /// by "outside"; the texts of exceptions that the runtime itself throws may differ between runtimes.
     /// </remarks>
     public TextWriter? EventLog { get; set; }
 
@@ -98,33 +109,42 @@ public sealed class VirtualTime : RabitTime
     /// </summary>
     /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
     /// <param name="duration">Zero or longer.</param>
-    /// <remarks>Before the start, or between two calls of <see cref="RabitReactor.RunFor"/>: it then holds from the next unit of work.
-    /// The watchdog watches only managers whose units of work were modelled before the start to take longer than their limit.</remarks>
+    /// <remarks>
+    /// Before the start, or between two calls of <see cref="RabitReactor.RunFor"/>: it then holds from the next unit of
+    /// work. The watchdog watches only managers whose units of work were modelled before the start to take longer than
+    /// their limit.
+    /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The duration is negative.</exception>
     /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
-    public void SetUnitOfWorkDuration(string managerName, TimeSpan duration) => SetUnitOfWorkDuration(managerName, duration, duration);
+    public void SetUnitOfWorkDuration(string managerName, TimeSpan duration)
+        => SetUnitOfWorkDuration(managerName, duration, duration);
 
     /// <summary>
-    /// As <see cref="SetUnitOfWorkDuration(string, TimeSpan)"/>, with a random duration for each unit of work, uniform between the
-    /// two alike. The draws come from the seed, apart from those of the order and of other managers.
+    /// As <see cref="SetUnitOfWorkDuration(string, TimeSpan)"/>, with a random duration for each unit of work, uniform
+    /// between the two alike. The draws come from the seed, apart from those of the order and of other managers.
     /// </summary>
     /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
     /// <param name="shortest">Zero or longer.</param>
     /// <param name="longest">Not below the shortest.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A duration is negative, or the longest below the shortest.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// A duration is negative, or the longest below the shortest.
+    /// </exception>
     /// <exception cref="ArgumentException">The managers have started, and none has that name.</exception>
     public void SetUnitOfWorkDuration(string managerName, TimeSpan shortest, TimeSpan longest)
     {
         if (shortest < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(shortest), shortest, $"Manager '{managerName}': a unit of work cannot take less than no time.");
+            throw new ArgumentOutOfRangeException(
+                nameof(shortest), shortest, $"Manager '{managerName}': a unit of work cannot take less than no time.");
         if (longest < shortest)
-            throw new ArgumentOutOfRangeException(nameof(longest), longest, $"Manager '{managerName}': the longest unit of work cannot be shorter than the shortest, {shortest}.");
+            throw new ArgumentOutOfRangeException(
+                nameof(longest), longest,
+                $"Manager '{managerName}': the longest unit of work cannot be shorter than the shortest, {shortest}.");
         DurationsFor(managerName).SetUsual(shortest, longest);
     }
 
     /// <summary>
-    /// Models one unit of work that takes longer than the others: the first one that begins at a time or later. The watchdog finds it
-    /// (<see cref="HangPolicy"/>) when it takes longer than its limit.
+    /// Models one unit of work that takes longer than the others: the first one that begins at a time or later. The
+    /// watchdog finds it (<see cref="HangPolicy"/>) when it takes longer than its limit.
     /// </summary>
     /// <param name="managerName">The manager; a name that no manager has is an error at the start.</param>
     /// <param name="at">When, by the clock of the run.</param>
@@ -136,14 +156,16 @@ public sealed class VirtualTime : RabitTime
         if (at < TimeSpan.Zero)
             throw new ArgumentOutOfRangeException(nameof(at), at, $"Manager '{managerName}': a run begins at no time.");
         if (duration < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(duration), duration, $"Manager '{managerName}': a unit of work cannot take less than no time.");
+            throw new ArgumentOutOfRangeException(
+                nameof(duration), duration, $"Manager '{managerName}': a unit of work cannot take less than no time.");
         DurationsFor(managerName).Add(at, duration);
     }
 
     /// <summary>Whose units of work take time.</summary>
     internal IEnumerable<string> ModelledManagers => _durations.Keys;
 
-    internal TimeSpan MaxUnitOfWorkDuration(string managerName) => _durations.TryGetValue(managerName, out UnitOfWorkDurations? found) ? found.Longest : TimeSpan.Zero;
+    internal TimeSpan MaxUnitOfWorkDuration(string managerName)
+        => _durations.TryGetValue(managerName, out UnitOfWorkDurations? found) ? found.Longest : TimeSpan.Zero;
 
     /// <summary>All managers have begun: from now on a name that none of them has is an error at once.</summary>
     internal void CloseManagers() => _hasManagers = true;

@@ -1,6 +1,8 @@
 namespace Rabit.Core.WakeUp;
 
-/// <summary>What a sleeper consumes when it wakes: the causes, how many wakes they came from, and whether to stop instead.</summary>
+/// <summary>
+/// What a sleeper consumes when it wakes: the causes, how many wakes they came from, and whether to stop instead.
+/// </summary>
 internal readonly struct ConsumedWakeUps(WakeUpCauses causes, int count, bool stop)
 {
     public WakeUpCauses Causes { get; } = causes;
@@ -9,7 +11,8 @@ internal readonly struct ConsumedWakeUps(WakeUpCauses causes, int count, bool st
 
     public bool Stop { get; } = stop;
 
-    public ConsumedWakeUps With(ConsumedWakeUps later) => new(Causes | later.Causes, Count + later.Count, Stop || later.Stop);
+    public ConsumedWakeUps With(ConsumedWakeUps later)
+        => new(Causes | later.Causes, Count + later.Count, Stop || later.Stop);
 
     /// <summary>The timer that ended the wait for the restart was none of the manager's.</summary>
     public ConsumedWakeUps FirstAfterRestart() => new((Causes & ~WakeUpCauses.Timer) | WakeUpCauses.Start, Count, Stop);

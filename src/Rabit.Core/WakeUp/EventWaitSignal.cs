@@ -20,7 +20,8 @@ internal sealed class EventWaitSignal<TSync>(RunClock clock) : IWaitSignal
         }
         catch (ObjectDisposedException)
         {
-            // A waker that was held up since it found the sleeper asleep; by now the sleeper has ended, by another wake.
+            // A waker that was held up since it found the sleeper asleep; by now the sleeper has ended, by another
+            // wake.
         }
     }
 

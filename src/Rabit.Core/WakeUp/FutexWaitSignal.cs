@@ -4,13 +4,14 @@ using Rabit.Core.Time;
 namespace Rabit.Core.WakeUp;
 
 /// <summary>
-/// The wait engine of Linux: one word that is 1 while a signal is there. A timer is late by what the kernel takes, not by the
-/// milliseconds that an event counts in.
+/// The wait engine of Linux: one word that is 1 while a signal is there. A timer is late by what the kernel takes, not
+/// by the milliseconds that an event counts in.
 /// </summary>
 /// <remarks>
-/// The race it closes: the sleeper looks at the word and goes to sleep, while a waker sets it. The kernel compares the word once more, under
-/// its lock, before it lets the sleeper sleep, so either the sleeper sees the 1 or the waker's call finds the sleeper.
-/// A waker that was held up may come when its sleeper has ended; the word lives as long as anyone has this object.
+/// The race it closes: the sleeper looks at the word and goes to sleep, while a waker sets it. The kernel compares the
+/// word once more, under its lock, before it lets the sleeper sleep, so either the sleeper sees the 1 or the waker's
+/// call finds the sleeper. A waker that was held up may come when its sleeper has ended; the word lives as long as
+/// anyone has this object.
 /// </remarks>
 internal sealed unsafe class FutexWaitSignal<TSync>(RunClock clock) : IWaitSignal
     where TSync : struct, ISyncPoints

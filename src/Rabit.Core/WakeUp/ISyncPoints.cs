@@ -5,21 +5,23 @@ using Rabit.Core.Time;
 namespace Rabit.Core.WakeUp;
 
 /// <summary>
-/// The synchronization points of threads: every access to what they share without a lock, and every wait. Lock-free code is generic over a
-/// struct of them, so that the same code runs on the machine (<see cref="SyncPoints"/>, which the compiler inlines to nothing) and under the
-/// explorer of the tests, which tries every interleaving and every order in which a memory may show the accesses.
+/// The synchronization points of threads: every access to what they share without a lock, and every wait. Lock-free
+/// code is generic over a struct of them, so that the same code runs on the machine (<see cref="SyncPoints"/>, which
+/// the compiler inlines to nothing) and under the explorer of the tests, which tries every interleaving and every order
+/// in which a memory may show the accesses.
 /// </summary>
 /// <remarks>
-/// How to use it: <c>class C&lt;TSync&gt; where TSync : struct, ISyncPoints</c>, and <c>default(TSync).VolatileRead(ref _x)</c> where
-/// <c>Volatile.Read(ref _x)</c> would be. A field that is written once, before its object is handed to another thread, needs no point.
-/// What each one promises is what the .NET memory model promises of the call of the same name, and no more:
+/// How to use it: <c>class C&lt;TSync&gt; where TSync : struct, ISyncPoints</c>, and
+/// <c>default(TSync).VolatileRead(ref _x)</c> where <c>Volatile.Read(ref _x)</c> would be. A field that is written
+/// once, before its object is handed to another thread, needs no point. What each one promises is what the .NET memory
+/// model promises of the call of the same name, and no more:
 /// <list type="bullet">
 /// <item>volatile: a read is not moved past its neighbours;</item>
 /// <item>interlocked: in order with everything;</item>
 /// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
 /// </list>
-/// There are no volatile 64-bit words: they are not whole on 32-bit machines. The litmus tests of the explorer add plain accesses,
-/// volatile writes and fences, which the library does not use through this seam.
+/// There are no volatile 64-bit words: they are not whole on 32-bit machines. The litmus tests of the explorer add
+/// plain accesses, volatile writes and fences, which the library does not use through this seam.
 /// </remarks>
 internal unsafe interface ISyncPoints
 {
@@ -42,6 +44,8 @@ internal unsafe interface ISyncPoints
     /// <summary>Wakes at most one thread that waits on the word.</summary>
     void FutexWake(int* word);
 
-    /// <summary>Waits while the word is 0, which the kernel compares, until a time of the run; may return early.</summary>
+    /// <summary>
+    /// Waits while the word is 0, which the kernel compares, until a time of the run; may return early.
+    /// </summary>
     void FutexWaitWhileZero(int* word, TimeSpan until, RunClock clock);
 }

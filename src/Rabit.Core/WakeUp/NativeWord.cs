@@ -4,7 +4,9 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Rabit.Core.WakeUp;
 
-/// <summary>A 32-bit word that the garbage collector does not move, 0 at first, for as long as anyone has the object.</summary>
+/// <summary>
+/// A 32-bit word that the garbage collector does not move, 0 at first, for as long as anyone has the object.
+/// </summary>
 internal sealed unsafe class NativeWord : SafeHandleZeroOrMinusOneIsInvalid
 {
     public NativeWord()

@@ -5,13 +5,14 @@ namespace Rabit.Core.WakeUp;
 
 /// <summary>Sleeps and runs steps until it is stopped: the event loop of every thread of the library.</summary>
 /// <remarks>
-/// Requirements: those of <see cref="WakeUpEvent{TSync}"/>. The loop keeps nothing from one step to the next but what the step
-/// returned, so the explorer of the tests may begin it at any step.
+/// Requirements: those of <see cref="WakeUpEvent{TSync}"/>. The loop keeps nothing from one step to the next but what
+/// the step returned, so the explorer of the tests may begin it at any step.
 /// </remarks>
 internal sealed class StepLoop<TSync>(WakeUpEvent<TSync> wakeUp, IWaitSignal signal, RunClock clock)
     where TSync : struct, ISyncPoints
 {
-    // The kernel may let a thread whose time is just over sleep for the slack of its timers (50 µs): a sleep so short looks at the clock first.
+    // The kernel may let a thread whose time is just over sleep for the slack of its timers (50 µs): a sleep so short
+    // looks at the clock first.
     private const long ShortSleepTicks = TimeSpan.TicksPerMillisecond;
 
     public void Run(NextStep next, Func<ConsumedWakeUps, TimeSpan?, NextStep> runStep)

@@ -21,7 +21,8 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public int Exchange(ref int location, int value) => Interlocked.Exchange(ref location, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int CompareExchange(ref int location, int value, int comparand) => Interlocked.CompareExchange(ref location, value, comparand);
+    public int CompareExchange(ref int location, int value, int comparand)
+        => Interlocked.CompareExchange(ref location, value, comparand);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set(AutoResetEvent signal) => signal.Set();
@@ -33,5 +34,6 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public void FutexWake(int* word) => Futex.Wake(word);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void FutexWaitWhileZero(int* word, TimeSpan until, RunClock clock) => Futex.WaitWhileZero(word, until, clock);
+    public void FutexWaitWhileZero(int* word, TimeSpan until, RunClock clock)
+        => Futex.WaitWhileZero(word, until, clock);
 }

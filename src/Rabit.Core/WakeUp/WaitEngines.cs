@@ -10,7 +10,9 @@ internal static class WaitEngines
 
     /// <summary>What is used for what was asked.</summary>
     /// <param name="asked">The option.</param>
-    /// <param name="variable">The value of the environment variable; it counts where the option leaves the choice.</param>
+    /// <param name="variable">
+    /// The value of the environment variable; it counts where the option leaves the choice.
+    /// </param>
     /// <param name="isFutexThere">Whether the kernel has futexes for us.</param>
     /// <param name="note">What the user should know; null for nothing.</param>
     public static WaitEngine Choose(WaitEngine asked, string? variable, bool isFutexThere, out string? note)

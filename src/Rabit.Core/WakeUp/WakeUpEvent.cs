@@ -15,12 +15,12 @@ namespace Rabit.Core.WakeUp;
 /// <item>a stop gets through whatever the sleeper waits for.</item>
 /// </list>
 /// All of the state is one 32-bit word (64-bit words are not atomic on the 32-bit boards we run on): causes, a mark
-/// "asleep", and the number of wakes since the last consume. It is changed by compare-and-swap only, a full fence on every
-/// runtime, so what a waker wrote before it woke is visible to the sleeper after it consumed.
+/// "asleep", and the number of wakes since the last consume. It is changed by compare-and-swap only, a full fence on
+/// every runtime, so what a waker wrote before it woke is visible to the sleeper after it consumed.
 /// The race it closes (the lost wake-up): the sleeper checks, finds nothing, and is about to wait, while a waker sets a
-/// cause. The mark and the check are one compare-and-swap: either the waker finds the mark and signals, or the sleeper finds the cause and
-/// does not wait. A signal that comes late (the sleeper had already timed out) is kept by the signal and ends the next
-/// wait early; the sleeper must check again, and does.
+/// cause. The mark and the check are one compare-and-swap: either the waker finds the mark and signals, or the sleeper
+/// finds the cause and does not wait. A signal that comes late (the sleeper had already timed out) is kept by the
+/// signal and ends the next wait early; the sleeper must check again, and does.
 /// The tests explore every interleaving of this very code (docs/concepts/proof.md).
 /// </remarks>
 internal class WakeUpEvent<TSync>
@@ -38,16 +38,22 @@ internal class WakeUpEvent<TSync>
     private const long NotSet = -1;
 
     private int _state;            // written by all, by compare-and-swap
-    private long _wokenAtTicks;    // written by the waker that ends a sleep, before it signals; read and unset by the sleeper
+    // written by the waker that ends a sleep, before it signals; read and unset by the sleeper
+    private long _wokenAtTicks;
     private IWakeSignal? _signal;  // written once, before the sleeper first sleeps
     private RunClock? _clock;      // same
 
     /// <summary>Whether a stop was requested and not yet consumed.</summary>
     public bool StopRequested => Has(Stop);
 
-    /// <summary>When the wake that ended the last sleep came; null while the waker, who has set the cause already, has not
-    /// written it.</summary>
-    public TimeSpan? WokenAt => default(TSync).InterlockedRead(ref _wokenAtTicks) is var ticks && ticks == NotSet ? null : new TimeSpan(ticks);
+    /// <summary>
+    /// When the wake that ended the last sleep came; null while the waker, who has set the cause already, has not
+    /// written it.
+    /// </summary>
+    public TimeSpan? WokenAt
+        => default(TSync).InterlockedRead(ref _wokenAtTicks) is var ticks && ticks == NotSet
+            ? null
+            : new TimeSpan(ticks);
 
     /// <summary>Sets what to signal. Wakes that came before are kept.</summary>
     public void Connect(IWakeSignal signal, RunClock clock)
@@ -88,7 +94,8 @@ internal class WakeUpEvent<TSync>
     public ConsumedWakeUps Consume()
     {
         int consumed = default(TSync).Exchange(ref _state, 0);
-        return new ConsumedWakeUps((WakeUpCauses)(consumed & AllCauses & ~Stop), (int)((uint)consumed / OneWake), (consumed & Stop) != 0);
+        return new ConsumedWakeUps(
+            (WakeUpCauses)(consumed & AllCauses & ~Stop), (int)((uint)consumed / OneWake), (consumed & Stop) != 0);
     }
 
     private void Wake(int cause, TimeSpan? now)

@@ -7,7 +7,9 @@ using Rabit.Core.Time;
 
 namespace Rabit.Core.Wiring;
 
-/// <summary>What a constructor records of one endpoint of a message or queue; bound when the workspace is wired.</summary>
+/// <summary>
+/// What a constructor records of one endpoint of a message or queue; bound when the workspace is wired.
+/// </summary>
 internal abstract class EndpointDeclaration(EndpointOwner owner, EndpointRole role, string name, Type valueType)
 {
     public EndpointOwner Owner { get; } = owner;
@@ -44,10 +46,13 @@ internal abstract class EndpointDeclaration(EndpointOwner owner, EndpointRole ro
     public virtual string? FindFaultOfInitial() => null;
 
     /// <summary>Makes what joins all endpoints of this name.</summary>
-    public abstract IConnector CreateConnector(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log);
+    public abstract IConnector CreateConnector(
+        IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log);
 
     /// <param name="connector">What <see cref="CreateConnector"/> made.</param>
-    /// <param name="firstOfOwner">The endpoint of the same owner and name that was bound first, if this is not it.</param>
+    /// <param name="firstOfOwner">
+    /// The endpoint of the same owner and name that was bound first, if this is not it.
+    /// </param>
     public abstract void Bind(IConnector connector, EndpointDeclaration? firstOfOwner);
 
     /// <summary>Lets the event log know of what goes through this message or queue.</summary>
@@ -61,7 +66,8 @@ internal abstract class EndpointDeclaration(EndpointOwner owner, EndpointRole ro
         string what = IsMessage ? "message" : "queue";
         string running = RunningManager.Current is { } current ? $"manager '{current.Name}' is" : "no manager is";
         throw new InvalidOperationException(IsWired
-            ? $"The endpoint of {what} '{Name}' belongs to manager '{Owner.Name}', but {running} running on this thread."
+            ? $"The endpoint of {what} '{Name}' belongs to manager '{Owner.Name}', but {running} running on this "
+                + "thread."
             : $"The endpoint of {what} '{Name}' of '{Owner.Name}' cannot be used before the reactor has started.");
     }
 }

@@ -3,7 +3,9 @@ using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Wiring;
 
-/// <summary>Who holds endpoints of messages and queues: a manager, a reader or writer of one, or code outside managers.</summary>
+/// <summary>
+/// Who holds endpoints of messages and queues: a manager, a reader or writer of one, or code outside managers.
+/// </summary>
 internal sealed class EndpointOwner(string name, bool isManager, WakeUpEvent? wakeUp)
 {
     public string Name { get; } = name;

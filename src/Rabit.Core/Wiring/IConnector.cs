@@ -1,7 +1,8 @@
 namespace Rabit.Core.Wiring;
 
 /// <summary>
-/// What joins all endpoints of one name: the global copy of a message (a topic of publish-subscribe), or a message queue.
+/// What joins all endpoints of one name: the global copy of a message (a topic of publish-subscribe), or a message
+/// queue.
 /// </summary>
 internal interface IConnector
 {

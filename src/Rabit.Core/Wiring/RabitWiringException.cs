@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Rabit.Core;
 
-/// <summary>What managers declared does not fit together. Thrown before any thread starts; all faults are reported together.</summary>
+/// <summary>
+/// What managers declared does not fit together. Thrown before any thread starts; all faults are reported together.
+/// </summary>
 public sealed class RabitWiringException : Exception
 {
     internal RabitWiringException(IReadOnlyList<string> faults)

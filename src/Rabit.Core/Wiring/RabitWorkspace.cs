@@ -11,10 +11,13 @@ using Rabit.Core.Wiring;
 namespace Rabit.Core;
 
 /// <summary>
-/// Where the managers of one reactor meet: its messages and queues, found by type and name. An object like any other: many in
-/// one process, in parallel. Code outside managers (a main program, a user interface, a test) gets endpoints of its own here.
+/// Where the managers of one reactor meet: its messages and queues, found by type and name. An object like any other:
+/// many in one process, in parallel. Code outside managers (a main program, a user interface, a test) gets endpoints of
+/// its own here.
 /// </summary>
-/// <remarks>An endpoint made here may be used by any one thread at a time; a manager's endpoints are made by the manager.</remarks>
+/// <remarks>
+/// An endpoint made here may be used by any one thread at a time; a manager's endpoints are made by the manager.
+/// </remarks>
 public sealed class RabitWorkspace
 {
     private const string OutsideName = "outside";
@@ -34,8 +37,8 @@ public sealed class RabitWorkspace
     }
 
     /// <summary>
-    /// The wiring: every message and queue, who posts, fetches, pushes and pops it, who is woken by it, and, as text, notes on what looks
-    /// odd. Any thread; empty before the reactor has started.
+    /// The wiring: every message and queue, who posts, fetches, pushes and pops it, who is woken by it, and, as text,
+    /// notes on what looks odd. Any thread; empty before the reactor has started.
     /// </summary>
     /// <param name="format">How it is written.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such format.</exception>
@@ -45,7 +48,8 @@ public sealed class RabitWorkspace
         {
             return format switch
             {
-                _ when format is < WiringFormat.Text or > WiringFormat.Dot => throw new ArgumentOutOfRangeException(nameof(format), format, "There is no such format."),
+                _ when format is < WiringFormat.Text or > WiringFormat.Dot =>
+                    throw new ArgumentOutOfRangeException(nameof(format), format, "There is no such format."),
                 _ when _wiring is null => string.Empty,
                 WiringFormat.Mermaid => WiringDrawing.Mermaid(_wiring),
                 WiringFormat.Dot => WiringDrawing.Dot(_wiring),
@@ -55,10 +59,12 @@ public sealed class RabitWorkspace
     }
 
     /// <summary>
-    /// Vouches for a type that is not one's own, and cannot carry <see cref="TrustedImmutableAttribute"/>: messages of this workspace may
-    /// hold it as they hold a string. Before the start only; any thread.
+    /// Vouches for a type that is not one's own, and cannot carry <see cref="TrustedImmutableAttribute"/>: messages of
+    /// this workspace may hold it as they hold a string. Before the start only; any thread.
     /// </summary>
-    /// <param name="type">The type; <c>typeof(Matrix&lt;&gt;)</c> for all of a generic one, whose arguments are still checked.</param>
+    /// <param name="type">
+    /// The type; <c>typeof(Matrix&lt;&gt;)</c> for all of a generic one, whose arguments are still checked.
+    /// </param>
     /// <exception cref="InvalidOperationException">The reactor has started.</exception>
     public void TrustImmutable(Type type)
     {
@@ -66,15 +72,17 @@ public sealed class RabitWorkspace
         lock (_gate)
         {
             if (_wiring is not null)
-                throw new InvalidOperationException($"The reactor has started: trust in {TypeNames.Of(type)} comes too late.");
+                throw new InvalidOperationException(
+                    $"The reactor has started: trust in {TypeNames.Of(type)} comes too late.");
             _trusted.Add(type);
         }
     }
 
     /// <summary>
-    /// Has the run look at the end, when all managers have shut down and the queues have returned what was left in them, whether every
-    /// buffer of a pool was returned. One that was not is in the log and in <see cref="ReactorResult.Failure"/>, with who has it. At any
-    /// time before the end, on any thread. The pool is to be used by this run alone.
+    /// Has the run look at the end, when all managers have shut down and the queues have returned what was left in
+    /// them, whether every buffer of a pool was returned. One that was not is in the log and in
+    /// <see cref="ReactorResult.Failure"/>, with who has it. At any time before the end, on any thread. The pool is to
+    /// be used by this run alone.
     /// </summary>
     /// <param name="pool">The pool.</param>
     public void Watch(BufferPool pool)
@@ -91,7 +99,10 @@ public sealed class RabitWorkspace
     public MessagePublisher<T> Publish<T>(string name)
         => new(Declare(new MessageBinding<T>(NewOwner(), EndpointRole.Publish, MessageName(name))));
 
-    /// <summary>Makes an endpoint that posts, for code outside managers, and states the value before the first post. Before the start only.</summary>
+    /// <summary>
+    /// Makes an endpoint that posts, for code outside managers, and states the value before the first post. Before the
+    /// start only.
+    /// </summary>
     /// <typeparam name="T">As for <see cref="RabitManager.Publish{T}(string, T, bool)"/>.</typeparam>
     /// <param name="name">The name of the message.</param>
     /// <param name="initial">What every local copy holds before the first post; never news.</param>
@@ -112,7 +123,10 @@ public sealed class RabitWorkspace
     public QueueSender<T> Send<T>(string name)
         => new(Declare(new QueueBinding<T>(_outside, EndpointRole.Send, Require.Name(name, nameof(name), "A queue"))));
 
-    /// <summary>Makes the endpoint that pops, for code outside managers: async code drains it through <see cref="QueueReceiver{T}.AsChannelReader"/>. Before the start only.</summary>
+    /// <summary>
+    /// Makes the endpoint that pops, for code outside managers: async code drains it through
+    /// <see cref="QueueReceiver{T}.AsChannelReader"/>. Before the start only.
+    /// </summary>
     /// <typeparam name="T">The type that the senders push.</typeparam>
     /// <param name="name">The name of the queue.</param>
     /// <param name="capacity">How many values fit in; at least one.</param>
@@ -131,7 +145,9 @@ public sealed class RabitWorkspace
     /// <summary>Makes an endpoint that fetches, for code outside managers. At any time, on any thread.</summary>
     /// <typeparam name="T">The type that the publisher posts.</typeparam>
     /// <param name="name">The name of the message.</param>
-    /// <exception cref="InvalidOperationException">The reactor has started and no message of that name and type is published.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The reactor has started and no message of that name and type is published.
+    /// </exception>
     public MessageSubscriber<T> Subscribe<T>(string name)
     {
         var binding = new MessageBinding<T>(NewOwner(), EndpointRole.Subscribe, MessageName(name));
@@ -186,13 +202,16 @@ public sealed class RabitWorkspace
     /// <summary>The library's own endpoint of a status, once all is wired.</summary>
     internal StatusEndpoint StatusEndpointOf(string managerName)
     {
-        var binding = new MessageBinding<ManagerStatus>(NewOwner(), EndpointRole.Publish, RabitManager.StatusMessageName(managerName));
+        var binding = new MessageBinding<ManagerStatus>(
+            NewOwner(), EndpointRole.Publish, RabitManager.StatusMessageName(managerName));
         lock (_gate)
             BindLate(binding);
         return new StatusEndpoint(binding);
     }
 
-    /// <summary>The run has ended: waiters of queues are released, and what is left and must be returned is returned.</summary>
+    /// <summary>
+    /// The run has ended: waiters of queues are released, and what is left and must be returned is returned.
+    /// </summary>
     /// <returns>The counters of all queues as they were.</returns>
     internal IReadOnlyList<QueueResult> CloseQueues()
     {
@@ -205,7 +224,9 @@ public sealed class RabitWorkspace
         }
     }
 
-    /// <summary>The run has ended: the owners of buffers that were not returned to the watched pools, a line for each pool.</summary>
+    /// <summary>
+    /// The run has ended: the owners of buffers that were not returned to the watched pools, a line for each pool.
+    /// </summary>
     internal IReadOnlyList<string> FindLeaks()
     {
         lock (_gate)
@@ -215,7 +236,8 @@ public sealed class RabitWorkspace
     private IMessageQueue BindQueue(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
     {
         IConnector queue = Bind(endpoints, clock, log);
-        bool mayTimeOut = endpoints.Any(e => ((IQueueDeclaration)e).MaxWait is not null) && endpoints.Any(e => e.Role == EndpointRole.Send && e.Owner.IsOutside);
+        bool mayTimeOut = endpoints.Any(e => ((IQueueDeclaration)e).MaxWait is not null)
+            && endpoints.Any(e => e.Role == EndpointRole.Send && e.Owner.IsOutside);
         if (mayTimeOut && queue is ITimeLimitedQueue limited)
             (TimeKeeper ??= new QueueTimeKeeper(clock)).Watch(limited);
         return (IMessageQueue)queue;
@@ -249,7 +271,9 @@ public sealed class RabitWorkspace
         lock (_gate)
         {
             if (_wiring is not null)
-                throw new InvalidOperationException($"The reactor has started: an endpoint for '{declaration.Name}' comes too late. Only subscribers may come later.");
+                throw new InvalidOperationException(
+                    $"The reactor has started: an endpoint for '{declaration.Name}' comes too late. Only subscribers "
+                        + "may come later.");
             _outsideDeclarations.Add(declaration);
             return declaration;
         }

@@ -12,7 +12,8 @@ internal static class WiringCheck
     // All places of a queue are there from the start. More than this is a mistake, or a wish for an unbounded queue.
     private const int MaxCapacity = 1 << 24;
 
-    public static IReadOnlyList<string> FindFaults(WiringGraph wiring, RabitTime time, IReadOnlyCollection<Type> trusted)
+    public static IReadOnlyList<string> FindFaults(
+        WiringGraph wiring, RabitTime time, IReadOnlyCollection<Type> trusted)
     {
         var faults = new List<string>();
         if (wiring.Managers.Count == 0)
@@ -31,7 +32,8 @@ internal static class WiringCheck
         {
             faults.AddRange(modelled.ModelledManagers
                 .Where(name => !wiring.Managers.Any(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
-                .Select(name => $"Virtual time models the units of work of manager '{name}', which is not in the reactor."));
+                .Select(name => $"Virtual time models the units of work of manager '{name}', which is not in the "
+                    + "reactor."));
         }
 
         if (!time.AllowsBlocking)
@@ -45,7 +47,8 @@ internal static class WiringCheck
         return faults;
     }
 
-    private static void CheckMessage(IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyCollection<Type> trusted, List<string> faults)
+    private static void CheckMessage(
+        IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyCollection<Type> trusted, List<string> faults)
     {
         string name = endpoints[0].Name;
         if (!HaveOneType(endpoints, $"Message '{name}'", faults))
@@ -60,16 +63,19 @@ internal static class WiringCheck
         }
 
         if (publishers.Count > 1 && !publishers.All(p => p.IsShared))
-            faults.Add($"Message '{name}' has {publishers.Count} publishers ({Owners(publishers)}); all of them must allow others.");
+            faults.Add($"Message '{name}' has {publishers.Count} publishers ({Owners(publishers)}); all of them must "
+                + "allow others.");
         if (publishers.Count(p => p.StatesInitial) > 1 && !publishers.All(p => p.IsShared))
             faults.Add($"Message '{name}': more than one endpoint states the first value.");
 
         if (MessageTypeCheck.FindFault(endpoints[0].ValueType, endpoints[0].CopiesItself, trusted) is { } why)
             faults.Add($"Message '{name}': {why}");
         else if (!endpoints[0].ValueType.IsValueType && !endpoints.Any(e => e.StatesInitial) && publishers.Count > 0)
-            faults.Add($"Message '{name}': {TypeNames.Of(endpoints[0].ValueType)} is a class, so its publisher ({Owners(publishers)}) must state a first value.");
+            faults.Add($"Message '{name}': {TypeNames.Of(endpoints[0].ValueType)} is a class, so its publisher "
+                + $"({Owners(publishers)}) must state a first value.");
         else
-            faults.AddRange(endpoints.Select(e => e.FindFaultOfInitial()).OfType<string>().Select(f => $"Message '{name}': {f}"));
+            faults.AddRange(
+                endpoints.Select(e => e.FindFaultOfInitial()).OfType<string>().Select(f => $"Message '{name}': {f}"));
     }
 
     private static void CheckQueue(IReadOnlyList<EndpointDeclaration> endpoints, List<string> faults)
@@ -89,20 +95,26 @@ internal static class WiringCheck
         {
             var queue = (IQueueDeclaration)receiver;
             if (queue.Capacity < 1)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it needs at least 1.");
+                faults.Add(
+                    $"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it needs at least 1.");
             if (queue.Capacity > MaxCapacity)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it can have {MaxCapacity}.");
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it can have "
+                    + $"{MaxCapacity}.");
             if (queue.FullMode is < QueueFullMode.Reject or > QueueFullMode.Wait)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has an unknown rule for a full queue: {(int)queue.FullMode}.");
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has an unknown rule for a full queue: "
+                    + $"{(int)queue.FullMode}.");
             if (queue.MaxWait <= TimeSpan.Zero)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' lets a push wait for {queue.MaxWait}; it needs a time above zero.");
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' lets a push wait for {queue.MaxWait}; it needs "
+                    + "a time above zero.");
             if (queue.MaxWait is not null && queue.FullMode != QueueFullMode.Wait)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' says how long a push may wait, but by its rule ({queue.FullMode}) none does.");
+                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' says how long a push may wait, but by its rule "
+                    + $"({queue.FullMode}) none does.");
             if (queue.FullMode != QueueFullMode.Wait)
                 continue;
             faults.AddRange(senders
                 .Where(s => s.Owner.IsManager)
-                .Select(s => $"Queue '{name}' makes its senders wait when it is full; a manager never waits, and '{s.Owner.Name}' is one."));
+                .Select(s => $"Queue '{name}' makes its senders wait when it is full; a manager never waits, and "
+                    + $"'{s.Owner.Name}' is one."));
         }
     }
 
@@ -111,7 +123,9 @@ internal static class WiringCheck
         List<IGrouping<Type, EndpointDeclaration>> types = endpoints.GroupBy(e => e.ValueType).ToList();
         if (types.Count == 1)
             return true;
-        faults.Add($"{what} has {types.Count} types: " + string.Join("; ", types.Select(t => $"{TypeNames.Of(t.Key)} for {Owners(t)}")) + ".");
+        faults.Add(
+            $"{what} has {types.Count} types: "
+                + string.Join("; ", types.Select(t => $"{TypeNames.Of(t.Key)} for {Owners(t)}")) + ".");
         return false;
     }
 

@@ -7,8 +7,8 @@ using System.Text;
 namespace Rabit.Core.Wiring;
 
 /// <summary>
-/// Draws a wiring: managers and devices as boxes, messages rounded, queues slanted. Arrows go the way of the data; thick ones wake whom they
-/// point at, and a sender that pops wake is marked on its arrow.
+/// Draws a wiring: managers and devices as boxes, messages rounded, queues slanted. Arrows go the way of the data;
+/// thick ones wake whom they point at, and a sender that pops wake is marked on its arrow.
 /// </summary>
 internal static class WiringDrawing
 {
@@ -39,7 +39,8 @@ internal static class WiringDrawing
             Line(text, $"  {owner.Value} [shape=box, label=\"{Escaped(owner.Key, "\\\"")}\"];");
         foreach ((string id, IReadOnlyList<EndpointDeclaration> endpoints) in Connectors(wiring))
         {
-            Line(text, $"  {id} [shape={(endpoints[0].IsMessage ? "ellipse" : "parallelogram")}, label=\"{Escaped(endpoints[0].Name, "\\\"")}\"];");
+            Line(text, $"  {id} [shape={(endpoints[0].IsMessage ? "ellipse" : "parallelogram")}, "
+                + $"label=\"{Escaped(endpoints[0].Name, "\\\"")}\"];");
             foreach (EndpointDeclaration endpoint in endpoints)
                 Line(text, "  " + DotArrow(endpoint, owners[endpoint.Owner.Name], id));
         }
@@ -53,14 +54,17 @@ internal static class WiringDrawing
         IEnumerable<string> names = wiring.Managers.Select(m => m.Name)
             .Concat(Connectors(wiring).SelectMany(h => h.Endpoints).Select(e => e.Owner.Name))
             .Distinct(StringComparer.Ordinal);
-        return names.Select((name, index) => (name, id: Id("m", index))).ToDictionary(o => o.name, o => o.id, StringComparer.Ordinal);
+        return names.Select((name, index) => (name, id: Id("m", index)))
+            .ToDictionary(o => o.name, o => o.id, StringComparer.Ordinal);
     }
 
     // Statuses without a subscriber would be half of the picture.
     private static IEnumerable<(string Id, IReadOnlyList<EndpointDeclaration> Endpoints)> Connectors(WiringGraph wiring)
-        => wiring.Messages.Values.Where(endpoints => !endpoints.All(e => e.IsBuiltIn)).Concat(wiring.Queues.Values).Select((endpoints, index) => (Id("c", index), endpoints));
+        => wiring.Messages.Values.Where(endpoints => !endpoints.All(e => e.IsBuiltIn)).Concat(wiring.Queues.Values)
+            .Select((endpoints, index) => (Id("c", index), endpoints));
 
-    private static bool IsInto(EndpointDeclaration endpoint) => endpoint.Role is EndpointRole.Publish or EndpointRole.Send;
+    private static bool IsInto(EndpointDeclaration endpoint)
+        => endpoint.Role is EndpointRole.Publish or EndpointRole.Send;
 
     private static string MermaidArrow(EndpointDeclaration endpoint, string owner, string connector)
     {

@@ -3,10 +3,14 @@ using System.Collections.Generic;
 
 namespace Rabit.Core.Wiring;
 
-/// <summary>All declarations of a workspace, grouped by what they name. In the order of declaration, so that two runs read alike.</summary>
+/// <summary>
+/// All declarations of a workspace, grouped by what they name. In the order of declaration, so that two runs read
+/// alike.
+/// </summary>
 internal sealed class WiringGraph
 {
-    private readonly SortedDictionary<string, IReadOnlyList<EndpointDeclaration>> _messages = new(StringComparer.Ordinal);
+    private readonly SortedDictionary<string, IReadOnlyList<EndpointDeclaration>> _messages = new(
+        StringComparer.Ordinal);
     private readonly SortedDictionary<string, IReadOnlyList<EndpointDeclaration>> _queues = new(StringComparer.Ordinal);
 
     public WiringGraph(IReadOnlyList<RabitManager> managers, IReadOnlyList<EndpointDeclaration> outside)
@@ -27,7 +31,9 @@ internal sealed class WiringGraph
     {
         foreach (EndpointDeclaration declaration in declarations)
         {
-            SortedDictionary<string, IReadOnlyList<EndpointDeclaration>> byName = declaration.IsMessage ? _messages : _queues;
+            SortedDictionary<string, IReadOnlyList<EndpointDeclaration>> byName = declaration.IsMessage
+                ? _messages
+                : _queues;
             if (!byName.TryGetValue(declaration.Name, out IReadOnlyList<EndpointDeclaration>? endpoints))
                 byName.Add(declaration.Name, endpoints = new List<EndpointDeclaration>());
             ((List<EndpointDeclaration>)endpoints).Add(declaration);

@@ -27,7 +27,8 @@ internal static class WiringText
         {
             var receiver = (IQueueDeclaration)endpoints.First(e => e.Role == EndpointRole.Receive);
             string capacity = receiver.Capacity.ToString(CultureInfo.InvariantCulture);
-            Line(text, $"queue {endpoints[0].Name} : {TypeNames.Of(endpoints[0].ValueType)}, {capacity} at most, when full {receiver.FullMode}");
+            Line(text, $"queue {endpoints[0].Name} : {TypeNames.Of(endpoints[0].ValueType)}, {capacity} at most, when "
+                + $"full {receiver.FullMode}");
             Line(text, "  pushed by ", endpoints.Where(e => e.Role == EndpointRole.Send));
             Line(text, "  popped by ", endpoints.Where(e => e.Role == EndpointRole.Receive));
         }
@@ -47,7 +48,8 @@ internal static class WiringText
                 yield return $"no publisher for message '{endpoints[0].Name}'; it is optional for all its subscribers";
         }
 
-        foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values.Where(q => q.All(e => e.Role == EndpointRole.Receive)))
+        foreach (IReadOnlyList<EndpointDeclaration> endpoints
+            in wiring.Queues.Values.Where(q => q.All(e => e.Role == EndpointRole.Receive)))
             yield return $"no sender for queue '{endpoints[0].Name}' of '{endpoints[0].Owner.Name}'";
     }
 

@@ -37,7 +37,8 @@ internal static class Errno
         Invalid => "the device or its driver refuses the setting (EINVAL)",
         TooManyFiles or TooManyFilesOfSystem => "too many files are open (EMFILE or ENFILE)",
         NotImplemented or NotSupported =>
-            "the kernel or its emulation lacks a call that this needs (ENOSYS); emulators such as qemu-user do not know custom baud rates",
+            "the kernel or its emulation lacks a call that this needs (ENOSYS); emulators such as qemu-user do not "
+                + "know custom baud rates",
         _ => $"error {errno.ToString(CultureInfo.InvariantCulture)} of the operating system (errno)",
     };
 }

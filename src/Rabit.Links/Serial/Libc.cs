@@ -4,8 +4,8 @@ using System.Runtime.InteropServices;
 namespace Rabit.Links;
 
 /// <summary>
-/// The calls of the C library that a serial line needs, with the numbers of Linux on x64, arm64 and arm (the same on all three). Each call
-/// that fails returns -1 and leaves its reason to <see cref="Marshal.GetLastWin32Error"/>.
+/// The calls of the C library that a serial line needs, with the numbers of Linux on x64, arm64 and arm (the same on
+/// all three). Each call that fails returns -1 and leaves its reason to <see cref="Marshal.GetLastWin32Error"/>.
 /// </summary>
 internal static unsafe class Libc
 {

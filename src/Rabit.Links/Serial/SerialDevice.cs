@@ -6,8 +6,9 @@ using System.Threading;
 namespace Rabit.Links;
 
 /// <summary>
-/// An open terminal and the event that ends waiting for it. The two descriptors are closed when the last call that uses them has returned:
-/// closing does not end a blocked poll, and a descriptor closed under a call could by then be another file's.
+/// An open terminal and the event that ends waiting for it. The two descriptors are closed when the last call that uses
+/// them has returned: closing does not end a blocked poll, and a descriptor closed under a call could by then be
+/// another file's.
 /// </summary>
 internal sealed unsafe class SerialDevice : SafeHandle
 {
@@ -40,7 +41,8 @@ internal sealed unsafe class SerialDevice : SafeHandle
 
         int wakeEvent = -1;
         if (SerialSettings.Apply(terminal, baudRate) is { } settingsFault) fault = settingsFault;
-        else if ((wakeEvent = Libc.eventfd(0, Libc.NonBlocking | Libc.CloseOnExec)) < 0) fault = Errno.Describe(Marshal.GetLastWin32Error());
+        else if ((wakeEvent = Libc.eventfd(0, Libc.NonBlocking | Libc.CloseOnExec)) < 0)
+            fault = Errno.Describe(Marshal.GetLastWin32Error());
         if (fault.Length == 0) return new SerialDevice(terminal, wakeEvent);
 
         _ = Libc.close(terminal);
@@ -70,12 +72,15 @@ internal sealed unsafe class SerialDevice : SafeHandle
     }
 
     /// <summary>
-    /// Waits until the line can be read (or has hung up), or <see cref="Wake"/> was called. Also returns early for no reason: under Mono nearly
-    /// every garbage collection interrupts a poll.
+    /// Waits until the line can be read (or has hung up), or <see cref="Wake"/> was called. Also returns early for no
+    /// reason: under Mono nearly every garbage collection interrupts a poll.
     /// </summary>
     public void WaitReadable() => Wait(Libc.PollIn, Timeout.Infinite);
 
-    /// <summary>Waits until the line takes bytes (or has hung up), the time is up, <see cref="Wake"/> was called, or for no reason.</summary>
+    /// <summary>
+    /// Waits until the line takes bytes (or has hung up), the time is up, <see cref="Wake"/> was called, or for no
+    /// reason.
+    /// </summary>
     public void WaitWritable(int timeoutMilliseconds) => Wait(Libc.PollOut, timeoutMilliseconds);
 
     /// <summary>Ends every wait, those to come included.</summary>
@@ -99,11 +104,13 @@ internal sealed unsafe class SerialDevice : SafeHandle
             int terminal;
             do
             {
-                terminal = Libc.open(start, Libc.ReadWrite | Libc.NoControllingTerminal | Libc.NonBlocking | Libc.CloseOnExec);
+                terminal = Libc.open(
+                    start, Libc.ReadWrite | Libc.NoControllingTerminal | Libc.NonBlocking | Libc.CloseOnExec);
             }
             while (terminal < 0 && Marshal.GetLastWin32Error() == Errno.Interrupted);
 
-            // A second program on the line would take some of the bytes. It fails for what is no terminal, which the settings then report.
+            // A second program on the line would take some of the bytes. It fails for what is no terminal, which the
+            // settings then report.
             if (terminal >= 0) _ = Libc.ioctl(terminal, Libc.SetExclusive, null);
             return terminal;
         }

@@ -10,7 +10,8 @@ namespace Rabit.Links;
 /// </summary>
 internal static unsafe class SerialSettings
 {
-    // struct termios is 60 bytes with glibc and differs elsewhere; the flags come first everywhere: input, output, control, local.
+    // struct termios is 60 bytes with glibc and differs elsewhere; the flags come first everywhere: input, output,
+    // control, local.
     private const int TermiosRoom = 256;
     private const int ControlFlags = 2;
 
@@ -26,7 +27,8 @@ internal static unsafe class SerialSettings
     private const uint SpeedMask = 0x100F100F; // CBAUD and CIBAUD
     private const uint OtherSpeed = 0x10001000; // BOTHER, for output and input
 
-    // A UART divides its clock; what it makes of a rate may be off by this much and both sides still understand each other.
+    // A UART divides its clock; what it makes of a rate may be off by this much and both sides still understand each
+    // other.
     private const double SpeedTolerance = 0.025;
 
     /// <summary>Sets the terminal. Null, or what is wrong.</summary>
@@ -36,7 +38,8 @@ internal static unsafe class SerialSettings
         if (Libc.tcgetattr(descriptor, termios) < 0) return Fault();
         Libc.cfmakeraw(termios);
         uint* flags = (uint*)termios;
-        flags[ControlFlags] = (flags[ControlFlags] | EnableReceiver | IgnoreModemLines) & ~(TwoStopBits | HardwareFlowControl);
+        flags[ControlFlags] = (flags[ControlFlags] | EnableReceiver | IgnoreModemLines)
+            & ~(TwoStopBits | HardwareFlowControl);
 
         bool standard = Libc.cfsetspeed(termios, (uint)baudRate) == 0;
         if (Libc.tcsetattr(descriptor, Libc.SetNow, termios) < 0) return Fault();
@@ -58,7 +61,8 @@ internal static unsafe class SerialSettings
     private static string? CheckSpeed(int descriptor, int baudRate)
     {
         uint* termios = stackalloc uint[Termios2Words];
-        if (Libc.ioctl(descriptor, Libc.GetTermios2, (byte*)termios) < 0) return null; // too old a kernel, or an emulator, to say
+        // too old a kernel, or an emulator, to say
+        if (Libc.ioctl(descriptor, Libc.GetTermios2, (byte*)termios) < 0) return null;
         uint actual = termios[OutputSpeed];
         if (Math.Abs(actual - (double)baudRate) <= baudRate * SpeedTolerance) return null;
         return $"the device cannot do {Text(baudRate)} baud; it offers {Text(actual)}";

@@ -3,8 +3,9 @@ using System.Linq;
 namespace Rabit.Mavlink.Generator.Emitting;
 
 /// <summary>
-/// Writes the value type of one kind of array. The elements lie in 64-bit words, so that a copy, a comparison and the garbage
-/// collector see a handful of integers; what is done with them is written once, in <c>MavlinkArray</c> and <c>MavlinkText</c> of the package.
+/// Writes the value type of one kind of array. The elements lie in 64-bit words, so that a copy, a comparison and the
+/// garbage collector see a handful of integers; what is done with them is written once, in <c>MavlinkArray</c> and
+/// <c>MavlinkText</c> of the package.
 /// </summary>
 internal static class ArrayEmitter
 {
@@ -12,8 +13,10 @@ internal static class ArrayEmitter
     {
         string name = array.Name;
         DocComment.Summary(writer, array.IsText
-            ? $"A text of at most {array.Length} characters, one byte each (Latin-1), kept as sent. A plain value: nothing is allocated until <see cref=\"ToString\"/> is asked for."
-            : $"{array.Length} elements of {array.Element}. A plain value: a copy is independent of its original. Two are equal where all their bits are.");
+            ? $"A text of at most {array.Length} characters, one byte each (Latin-1), kept as sent. A plain value: "
+                + "nothing is allocated until <see cref=\"ToString\"/> is asked for."
+            : $"{array.Length} elements of {array.Element}. A plain value: a copy is independent of its original. Two "
+                + "are equal where all their bits are.");
         writer.Open($"public struct {name} : global::System.IEquatable<{name}>");
         EmitStorage(writer, array);
         EmitConstructors(writer, array);
@@ -28,16 +31,20 @@ internal static class ArrayEmitter
     {
         writer.Line("// Reached through 'this' as a whole, never one by one.");
         writer.Line("#pragma warning disable 0169");
-        writer.Line($"private ulong {string.Join(", ", Enumerable.Range(0, array.Words).Select(index => "_w" + index))};");
+        writer.Line(
+            $"private ulong {string.Join(", ", Enumerable.Range(0, array.Words).Select(index => "_w" + index))};");
         writer.Line("#pragma warning restore 0169");
     }
 
     private static void EmitConstructors(SourceWriter writer, ArrayType array)
     {
         writer.Blank();
-        DocComment.Summary(writer, array.IsText ? "Takes bytes as they are; what they do not fill is zero." : "Takes elements; what they do not fill is zero.");
+        DocComment.Summary(writer, array.IsText
+            ? "Takes bytes as they are; what they do not fill is zero."
+            : "Takes elements; what they do not fill is zero.");
         writer.Line($"/// <param name=\"{Items(array)}\">At most {array.Length}.</param>");
-        writer.Line($"/// <exception cref=\"global::System.ArgumentException\">There are more than {array.Length}.</exception>");
+        writer.Line("/// <exception cref=\"global::System.ArgumentException\">There are more than "
+            + $"{array.Length}.</exception>");
         writer.Open($"public {array.Name}(global::System.ReadOnlySpan<{array.Element}> {Items(array)})");
         writer.Line($"this = default({array.Name});");
         writer.Line($"MavlinkArray.Fill(ref this, {array.Length}, {Items(array)});");
@@ -46,8 +53,10 @@ internal static class ArrayEmitter
             return;
         writer.Blank();
         DocComment.Summary(writer, "Takes a text; what it does not fill is zero.");
-        writer.Line($"/// <param name=\"text\">At most {array.Length} characters, none of them NUL or above U+00FF.</param>");
-        writer.Line("/// <exception cref=\"global::System.ArgumentException\">The text does not fit or holds another character; nothing is cut in silence.</exception>");
+        writer.Line(
+            $"/// <param name=\"text\">At most {array.Length} characters, none of them NUL or above U+00FF.</param>");
+        writer.Line("/// <exception cref=\"global::System.ArgumentException\">The text does not fit or holds another "
+            + "character; nothing is cut in silence.</exception>");
         writer.Open($"public {array.Name}(string text)");
         writer.Line($"this = default({array.Name});");
         writer.Line($"MavlinkText.Fill(ref this, {array.Length}, text);");
@@ -57,7 +66,9 @@ internal static class ArrayEmitter
     private static void EmitAccess(SourceWriter writer, ArrayType array)
     {
         writer.Blank();
-        DocComment.Summary(writer, array.IsText ? $"How many characters it has room for: {array.Length}." : $"How many elements it has: {array.Length}.");
+        DocComment.Summary(writer, array.IsText
+            ? $"How many characters it has room for: {array.Length}."
+            : $"How many elements it has: {array.Length}.");
         writer.Line($"public int {(array.IsText ? "Capacity" : "Length")} {{ get {{ return {array.Length}; }} }}");
         if (array.IsText)
         {
@@ -69,16 +80,21 @@ internal static class ArrayEmitter
         writer.Blank();
         DocComment.Summary(writer, array.IsText ? "One byte, as sent." : "One element.");
         writer.Line($"/// <param name=\"index\">0 to {array.Length - 1}.</param>");
-        writer.Line("/// <exception cref=\"global::System.ArgumentOutOfRangeException\">The index is outside.</exception>");
+        writer.Line(
+            "/// <exception cref=\"global::System.ArgumentOutOfRangeException\">The index is outside.</exception>");
         writer.Open($"public {array.Element} this[int index]");
-        writer.Line($"get {{ return MavlinkArray.Get<{array.Name}, {array.Element}>(ref this, {array.Length}, index); }}");
+        writer.Line(
+            $"get {{ return MavlinkArray.Get<{array.Name}, {array.Element}>(ref this, {array.Length}, index); }}");
         writer.Line($"set {{ MavlinkArray.Set(ref this, {array.Length}, index, value); }}");
         writer.Close();
         writer.Blank();
-        DocComment.Summary(writer, array.IsText ? $"Copies all {array.Length} bytes." : $"Copies all {array.Length} elements.");
+        DocComment.Summary(
+            writer, array.IsText ? $"Copies all {array.Length} bytes." : $"Copies all {array.Length} elements.");
         writer.Line("/// <param name=\"destination\">Has room for all of them.</param>");
-        writer.Line("/// <exception cref=\"global::System.ArgumentException\">The destination is too short.</exception>");
-        writer.Line($"public void CopyTo(global::System.Span<{array.Element}> destination) {{ MavlinkArray.CopyTo(ref this, {array.Length}, destination); }}");
+        writer.Line(
+            "/// <exception cref=\"global::System.ArgumentException\">The destination is too short.</exception>");
+        writer.Line($"public void CopyTo(global::System.Span<{array.Element}> destination) {{ MavlinkArray.CopyTo(ref "
+            + $"this, {array.Length}, destination); }}");
     }
 
     private static void EmitWire(SourceWriter writer, ArrayType array)
@@ -87,12 +103,14 @@ internal static class ArrayEmitter
         DocComment.Summary(writer, "Reads the elements from a payload, little endian.");
         writer.Line("/// <param name=\"payload\">The payload.</param>");
         writer.Line("/// <param name=\"offset\">Where the first element begins.</param>");
-        writer.Line($"public void ReadFrom(global::System.ReadOnlySpan<byte> payload, int offset) {{ MavlinkArray.Read<{array.Name}, {array.Element}>(ref this, {array.Length}, payload, offset); }}");
+        writer.Line("public void ReadFrom(global::System.ReadOnlySpan<byte> payload, int offset) { "
+            + $"MavlinkArray.Read<{array.Name}, {array.Element}>(ref this, {array.Length}, payload, offset); }}");
         writer.Blank();
         DocComment.Summary(writer, "Writes the elements into a payload, little endian.");
         writer.Line("/// <param name=\"payload\">The payload.</param>");
         writer.Line("/// <param name=\"offset\">Where the first element begins.</param>");
-        writer.Line($"public void WriteTo(global::System.Span<byte> payload, int offset) {{ MavlinkArray.Write<{array.Name}, {array.Element}>(ref this, {array.Length}, payload, offset); }}");
+        writer.Line("public void WriteTo(global::System.Span<byte> payload, int offset) { "
+            + $"MavlinkArray.Write<{array.Name}, {array.Element}>(ref this, {array.Length}, payload, offset); }}");
     }
 
     private static void EmitEquality(SourceWriter writer, ArrayType array)
@@ -103,8 +121,10 @@ internal static class ArrayEmitter
             writer.Blank();
             DocComment.Summary(writer, "Whether it reads as the given text; allocates nothing.");
             writer.Line("/// <param name=\"text\">What to compare with.</param>");
-            writer.Line("/// <returns>True where the bytes before the first zero are the characters of the text.</returns>");
-            writer.Line($"public bool TextEquals(string text) {{ return MavlinkText.AreEqual(ref this, {array.Length}, text); }}");
+            writer.Line(
+                "/// <returns>True where the bytes before the first zero are the characters of the text.</returns>");
+            writer.Line($"public bool TextEquals(string text) {{ return MavlinkText.AreEqual(ref this, {array.Length}, "
+                + "text); }");
         }
 
         writer.Blank();
@@ -128,9 +148,12 @@ internal static class ArrayEmitter
     {
         writer.Blank();
         DocComment.Summary(writer, array.IsText
-            ? "The text: the bytes before the first zero, each as the character of the same number (Latin-1, of which ASCII is part)."
+            ? "The text: the bytes before the first zero, each as the character of the same number (Latin-1, of which "
+                + "ASCII is part)."
             : "The elements between brackets, for logs and the debugger.");
-        string call = array.IsText ? "MavlinkText.Read(ref this, " : $"MavlinkArray.Format<{array.Name}, {array.Element}>(ref this, ";
+        string call = array.IsText
+            ? "MavlinkText.Read(ref this, "
+            : $"MavlinkArray.Format<{array.Name}, {array.Element}>(ref this, ";
         writer.Line($"public override string ToString() {{ return {call}{array.Length}); }}");
     }
 

@@ -8,9 +8,10 @@ using Rabit.Mavlink.Generator.Naming;
 namespace Rabit.Mavlink.Generator.Emitting;
 
 /// <summary>
-/// Packs the definitions of a dialect into one string literal, which <c>DefinitionData</c> of the package reads: names, lengths
-/// and checksum bytes first, then fields, shared texts and enums, which are only unpacked when asked for. Bytes, two in a
-/// character; numbers of seven bits a byte, the lowest first; texts in UTF-8 with their length in front.
+/// Packs the definitions of a dialect into one string literal, which <c>DefinitionData</c> of the package reads: names,
+/// lengths and checksum bytes first, then fields, shared texts and enums, which are only unpacked when asked for.
+/// Bytes, two in a character; numbers of seven bits a byte, the lowest first; texts in UTF-8 with their length in
+/// front.
 /// </summary>
 internal sealed class DefinitionDataWriter
 {
@@ -19,7 +20,10 @@ internal sealed class DefinitionDataWriter
 
     // In the order of MavlinkFieldType.
     private static readonly string[] Types =
-        ["char", "int8_t", "uint8_t", "int16_t", "uint16_t", "int32_t", "uint32_t", "int64_t", "uint64_t", "float", "double"];
+    [
+        "char", "int8_t", "uint8_t", "int16_t", "uint16_t", "int32_t", "uint32_t", "int64_t", "uint64_t", "float",
+        "double"
+    ];
 
     private readonly List<byte> _bytes = [];
     private readonly Dictionary<string, int> _texts;
@@ -113,7 +117,8 @@ internal sealed class DefinitionDataWriter
         }
     }
 
-    // A name is what it shares with the one before (the first: with the enum's), and its rest; a value is the step from the one before.
+    // A name is what it shares with the one before (the first: with the enum's), and its rest; a value is the step from
+    // the one before.
     private void WriteEnum(EnumDefinition definition)
     {
         _bytes.Add((byte)(definition.IsBitmask ? 1 : 0));
@@ -122,7 +127,8 @@ internal sealed class DefinitionDataWriter
         long previous = 0;
         foreach (EnumEntry entry in definition.Entries)
         {
-            int shared = previousName.Zip(entry.Name, (left, right) => left == right).TakeWhile(isSame => isSame).Count();
+            int shared = previousName.Zip(entry.Name, (left, right) => left == right)
+                .TakeWhile(isSame => isSame).Count();
             Number(shared);
             Text(entry.Name.Substring(shared));
             previousName = entry.Name;

@@ -6,7 +6,9 @@ using Rabit.Mavlink.Generator.Naming;
 
 namespace Rabit.Mavlink.Generator.Emitting;
 
-/// <summary>Writes the dialect as a value: what a receiver must know of each message, and what a tool may ask.</summary>
+/// <summary>
+/// Writes the dialect as a value: what a receiver must know of each message, and what a tool may ask.
+/// </summary>
 internal static class DialectEmitter
 {
     public static GeneratedSource Emit(Dialect dialect, EmitOptions options, GeneratedTypeNames names)
@@ -14,7 +16,8 @@ internal static class DialectEmitter
         bool isPackage = options.DialectProperty is not null;
         string className = isPackage ? "MavlinkDialect" : names.DialectClass;
         string property = options.DialectProperty ?? "Instance";
-        List<DialectPart> parts = dialect.Parts.Where(part => isPackage && options.PartProperties.ContainsKey(part.File))
+        List<DialectPart> parts = dialect.Parts
+            .Where(part => isPackage && options.PartProperties.ContainsKey(part.File))
             .GroupBy(part => part.File, StringComparer.Ordinal).Select(same => same.First()).ToList();
         string basis = options.Existing is null ? "null" : "global::Rabit.Mavlink.MavlinkDialect.All";
         string create = $"MavlinkDialectData.Create({DefinitionDataWriter.Write(dialect, names, parts)}, {basis})";
@@ -23,12 +26,20 @@ internal static class DialectEmitter
             if (!isPackage)
                 DocComment.Summary(writer, $"The dialect of {DocComment.Escape(dialect.Name)}.xml.");
             writer.Open(isPackage ? "public sealed partial class MavlinkDialect" : $"public static class {className}");
-            Property(writer, property, $"The {dialect.Messages.Count} messages of {DocComment.Escape(dialect.Name)}.xml and what it includes.", create);
+            Property(
+                writer, property,
+                $"The {dialect.Messages.Count} messages of {DocComment.Escape(dialect.Name)}.xml and what it includes.",
+                create);
             foreach (DialectPart part in parts)
             {
                 writer.Blank();
-                int count = dialect.Messages.Count(message => part.Files.Contains(message.File, StringComparer.Ordinal));
-                Property(writer, options.PartProperties[part.File], $"The {count} messages of {DocComment.Escape(part.File)}{(part.Files.Count > 1 ? " and what it includes" : "")}.", $"{property}.Part(\"{part.File}\")");
+                int count = dialect.Messages.Count(
+                    message => part.Files.Contains(message.File, StringComparer.Ordinal));
+                Property(
+                    writer, options.PartProperties[part.File],
+                    $"The {count} messages of "
+                        + $"{DocComment.Escape(part.File)}{(part.Files.Count > 1 ? " and what it includes" : "")}.",
+                    $"{property}.Part(\"{part.File}\")");
             }
 
             writer.Close();

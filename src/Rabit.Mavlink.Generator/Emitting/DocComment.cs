@@ -41,7 +41,8 @@ internal static class DocComment
             yield return $"Replaced by {Escape(replacedBy)}.";
     }
 
-    public static string Join(IEnumerable<string> sentences) => string.Join(" ", sentences.Where(sentence => sentence.Length != 0));
+    public static string Join(IEnumerable<string> sentences)
+        => string.Join(" ", sentences.Where(sentence => sentence.Length != 0));
 
     public static string Escape(string text)
     {

@@ -13,9 +13,11 @@ internal sealed class EnumEmitter(Dialect dialect, GeneratedTypeNames names, Sou
     {
         IReadOnlyDictionary<string, string> entryNames = EntryNames.Of(definition);
         string kind = definition.IsBitmask ? "bit mask" : "enum";
-        string fact = $"{DocComment.Code(definition.Name)}, {kind} with {definition.Entries.Count} {(definition.Entries.Count == 1 ? "entry" : "entries")}.";
+        string fact = $"{DocComment.Code(definition.Name)}, {kind} with {definition.Entries.Count} "
+            + $"{(definition.Entries.Count == 1 ? "entry" : "entries")}.";
         DocComment.Summary(writer, definition.Description is null ? fact : DocComment.Sentence(definition.Description));
-        DocComment.Remarks(writer, (definition.Description is null ? [] : new[] { fact }).Concat(DocComment.Marks(definition.Marks, replacedBy: null)).ToList());
+        DocComment.Remarks(writer, (definition.Description is null ? [] : new[] { fact })
+            .Concat(DocComment.Marks(definition.Marks, replacedBy: null)).ToList());
         if (definition.IsBitmask)
             writer.Line("[global::System.Flags]");
         WireType underlying = EnumUnderlyingType.Of(definition, dialect);
@@ -36,15 +38,20 @@ internal sealed class EnumEmitter(Dialect dialect, GeneratedTypeNames names, Sou
     public static void EmitDocs(SourceWriter writer, EnumEntry entry)
     {
         string code = DocComment.Code(entry.Name) + ".";
-        DocComment.Summary(writer, entry.Description is null ? code : DocComment.Join([DocComment.Sentence(entry.Description), code]));
-        DocComment.Remarks(writer, DocComment.Marks(entry.Marks, entry.ReplacedBy).Concat(entry.Parameters.Select(Describe).Where(text => text.Length != 0)).ToList());
+        DocComment.Summary(
+            writer, entry.Description is null ? code : DocComment.Join([DocComment.Sentence(entry.Description), code]));
+        DocComment.Remarks(writer, DocComment.Marks(entry.Marks, entry.ReplacedBy)
+            .Concat(entry.Parameters.Select(Describe).Where(text => text.Length != 0)).ToList());
     }
 
     private void EmitEntry(EnumEntry entry, string name, WireType underlying)
     {
         EmitDocs(writer, entry);
         string value = entry.Value.ToString(CultureInfo.InvariantCulture);
-        writer.Line(entry.Value <= underlying.Max ? $"{name} = {value}," : $"{name} = unchecked(({underlying.CSharpName}){value}),");
+        writer.Line(
+            entry.Value <= underlying.Max
+                ? $"{name} = {value},"
+                : $"{name} = unchecked(({underlying.CSharpName}){value}),");
     }
 
     private static string Describe(CommandParameter parameter)

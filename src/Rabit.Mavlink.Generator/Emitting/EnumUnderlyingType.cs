@@ -6,8 +6,9 @@ using Rabit.Mavlink.Generator.Model;
 namespace Rabit.Mavlink.Generator.Emitting;
 
 /// <summary>
-/// The type under an enum: the first of int, uint, long, ulong (for bit masks uint, ulong, int, long) that holds every entry and
-/// every value of every field of that enum, so that a number that has no name yet is still the number that was sent.
+/// The type under an enum: the first of int, uint, long, ulong (for bit masks uint, ulong, int, long) that holds every
+/// entry and every value of every field of that enum, so that a number that has no name yet is still the number that
+/// was sent.
 /// </summary>
 internal static class EnumUnderlyingType
 {
@@ -17,11 +18,15 @@ internal static class EnumUnderlyingType
     public static WireType Of(EnumDefinition definition, Dialect dialect)
     {
         List<WireType> fields = dialect.Messages.SelectMany(message => message.Fields)
-            .Where(field => field.Type.IsInteger && string.Equals(field.Enum, definition.Name, StringComparison.Ordinal))
+            .Where(
+                field => field.Type.IsInteger && string.Equals(field.Enum, definition.Name, StringComparison.Ordinal))
             .Select(field => field.Type).ToList();
-        decimal smallest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Min)).DefaultIfEmpty().Min();
-        decimal largest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Max)).DefaultIfEmpty().Max();
-        WireType? fitting = (definition.IsBitmask ? Bits : Plain).FirstOrDefault(type => type.Min <= smallest && type.Max >= largest);
+        decimal smallest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Min))
+            .DefaultIfEmpty().Min();
+        decimal largest = definition.Entries.Select(entry => entry.Value).Concat(fields.Select(type => type.Max))
+            .DefaultIfEmpty().Max();
+        WireType? fitting = (definition.IsBitmask ? Bits : Plain)
+            .FirstOrDefault(type => type.Min <= smallest && type.Max >= largest);
         // Nothing holds both a negative number and 2^63: the bits still fit.
         return fitting ?? Plain[2];
     }

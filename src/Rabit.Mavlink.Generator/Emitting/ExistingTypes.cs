@@ -7,8 +7,9 @@ using Rabit.Mavlink.Generator.Naming;
 namespace Rabit.Mavlink.Generator.Emitting;
 
 /// <summary>
-/// The types that the package has already, so that a user's dialect need not have them again. Definitions are compared, not
-/// file names: a project that keeps a copy of common.xml beside a file of its own gets the package's types where the copy says the same.
+/// The types that the package has already, so that a user's dialect need not have them again. Definitions are compared,
+/// not file names: a project that keeps a copy of common.xml beside a file of its own gets the package's types where
+/// the copy says the same.
 /// </summary>
 public sealed class ExistingTypes
 {
@@ -36,9 +37,13 @@ public sealed class ExistingTypes
 
     /// <summary>The package's struct for a message, if it has the same fields in the same places.</summary>
     internal string? Find(MessageDefinition message) =>
-        _messages.TryGetValue(message.Id, out MessageDefinition? known) && known.HasSameWireForm(message) ? Qualified(_names.OfMessage(known)) : null;
+        _messages.TryGetValue(message.Id, out MessageDefinition? known) && known.HasSameWireForm(message)
+            ? Qualified(_names.OfMessage(known))
+            : null;
 
-    /// <summary>The package's enum, if it has all the entries and can hold all the values of the given fields.</summary>
+    /// <summary>
+    /// The package's enum, if it has all the entries and can hold all the values of the given fields.
+    /// </summary>
     internal string? Find(EnumDefinition definition, IEnumerable<WireType> fieldTypes)
     {
         if (!_enums.TryGetValue(definition.Name, out EnumDefinition? known) || known.IsBitmask != definition.IsBitmask)
@@ -51,9 +56,9 @@ public sealed class ExistingTypes
     }
 
     /// <summary>
-    /// The package's enum, if a dialect only adds entries to it: they have an entry in common, agree in all that both have, and
-    /// the package's enum can hold all the values of the given fields. A number that the package's enum gives to an entry which
-    /// the dialect does not include is no hindrance; it then has two names.
+    /// The package's enum, if a dialect only adds entries to it: they have an entry in common, agree in all that both
+    /// have, and the package's enum can hold all the values of the given fields. A number that the package's enum gives
+    /// to an entry which the dialect does not include is no hindrance; it then has two names.
     /// </summary>
     internal string? FindExtended(EnumDefinition definition, IEnumerable<WireType> fieldTypes)
     {

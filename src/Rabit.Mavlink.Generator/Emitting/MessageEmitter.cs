@@ -6,7 +6,9 @@ using Rabit.Mavlink.Generator.Naming;
 
 namespace Rabit.Mavlink.Generator.Emitting;
 
-/// <summary>Writes one message as a plain struct: one variable and one property per field, encode and decode in wire order.</summary>
+/// <summary>
+/// Writes one message as a plain struct: one variable and one property per field, encode and decode in wire order.
+/// </summary>
 internal sealed class MessageEmitter
 {
     private readonly GeneratedTypeNames _names;
@@ -27,7 +29,9 @@ internal sealed class MessageEmitter
     public void Emit()
     {
         string fact = $"{DocComment.Code(_message.Name)}, message {_message.Id} of {DocComment.Escape(_message.File)}.";
-        DocComment.Summary(_writer, _message.Description is null ? fact : DocComment.Join([DocComment.Sentence(_message.Description), fact]));
+        DocComment.Summary(
+            _writer,
+            _message.Description is null ? fact : DocComment.Join([DocComment.Sentence(_message.Description), fact]));
         DocComment.Remarks(_writer, DocComment.Marks(_message.Marks, _message.ReplacedBy).ToList());
         _writer.Open($"public struct {_typeName} : IMavlinkMessage");
         EmitConstants();
@@ -103,7 +107,8 @@ internal sealed class MessageEmitter
     private void EmitLengthCheck()
     {
         _writer.Line("if (payload.Length < MavlinkMaxLength)");
-        _writer.Line("    MavlinkPayload.ThrowTooShort(nameof(payload), MavlinkName, MavlinkMaxLength, payload.Length);");
+        _writer.Line(
+            "    MavlinkPayload.ThrowTooShort(nameof(payload), MavlinkName, MavlinkMaxLength, payload.Length);");
     }
 
     private string Write(FieldDefinition field, int offset)
@@ -125,14 +130,19 @@ internal sealed class MessageEmitter
         if (!field.Type.IsInteger)
             return $"MavlinkPayload.Read{field.Type.ClrName}(payload, {offset}, out {variable});";
         string value = $"MavlinkPayload.Read{field.Type.ClrName}(payload, {offset})";
-        return HasEnumType(field) ? $"{variable} = unchecked(({_names.OfEnum(field.Enum!)}){value});" : $"{variable} = {value};";
+        return HasEnumType(field)
+            ? $"{variable} = unchecked(({_names.OfEnum(field.Enum!)}){value});"
+            : $"{variable} = {value};";
     }
 
     // Arrays of enum values stay arrays of numbers; their doc names the enum.
-    private static bool HasEnumType(FieldDefinition field) => field.Enum is not null && field.ArrayLength == 0 && field.Type.IsInteger;
+    private static bool HasEnumType(FieldDefinition field)
+        => field.Enum is not null && field.ArrayLength == 0 && field.Type.IsInteger;
 
     private string TypeOf(FieldDefinition field) =>
-        field.ArrayLength != 0 ? _names.OfArray(ArrayType.Of(field)) : HasEnumType(field) ? _names.OfEnum(field.Enum!) : field.Type.CSharpName;
+        field.ArrayLength != 0 ? _names.OfArray(ArrayType.Of(field))
+            : HasEnumType(field) ? _names.OfEnum(field.Enum!)
+            : field.Type.CSharpName;
 
     private string Variable(FieldDefinition field)
     {

@@ -2,7 +2,9 @@ using System.Text;
 
 namespace Rabit.Mavlink.Generator.Emitting;
 
-/// <summary>Lines of C# with their indentation. Always line feeds, so that the same definitions give the same bytes everywhere.</summary>
+/// <summary>
+/// Lines of C# with their indentation. Always line feeds, so that the same definitions give the same bytes everywhere.
+/// </summary>
 internal sealed class SourceWriter
 {
     private readonly StringBuilder _text = new();

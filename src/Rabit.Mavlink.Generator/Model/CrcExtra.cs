@@ -3,8 +3,8 @@ using System.Collections.Generic;
 namespace Rabit.Mavlink.Generator.Model;
 
 /// <summary>
-/// The checksum byte of a message: CRC-16/MCRF4XX over its name and, in wire order, the type, name and array length of each
-/// field that is no extension; both bytes folded into one (MAVLink guide, "CRC_EXTRA calculation").
+/// The checksum byte of a message: CRC-16/MCRF4XX over its name and, in wire order, the type, name and array length of
+/// each field that is no extension; both bytes folded into one (MAVLink guide, "CRC_EXTRA calculation").
 /// </summary>
 internal static class CrcExtra
 {

@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Mavlink.Generator.Model;
 
-/// <summary>What a definition says of its own age: <c>wip</c>, <c>deprecated</c> and <c>superseded</c> elements.</summary>
+/// <summary>
+/// What a definition says of its own age: <c>wip</c>, <c>deprecated</c> and <c>superseded</c> elements.
+/// </summary>
 [Flags]
 public enum DefinitionMarks
 {

@@ -6,7 +6,8 @@ namespace Rabit.Mavlink.Generator.Model;
 /// <param name="Name">File name of the root without folder and ending.</param>
 /// <param name="Enums">Enums by name.</param>
 /// <param name="Messages">Messages by id.</param>
-public sealed record Dialect(string Name, IReadOnlyList<EnumDefinition> Enums, IReadOnlyList<MessageDefinition> Messages)
+public sealed record Dialect(
+    string Name, IReadOnlyList<EnumDefinition> Enums, IReadOnlyList<MessageDefinition> Messages)
 {
     /// <summary>Its files, included ones first, each with all that it includes.</summary>
     public IReadOnlyList<DialectPart> Parts { get; init; } = [];

@@ -16,7 +16,9 @@ public sealed record EnumEntry(string Name, decimal Value)
     /// <summary>Its age.</summary>
     public DefinitionMarks Marks { get; init; }
 
-    /// <summary>What to use instead of a deprecated or superseded one; null where the definition names nothing.</summary>
+    /// <summary>
+    /// What to use instead of a deprecated or superseded one; null where the definition names nothing.
+    /// </summary>
     public string? ReplacedBy { get; init; }
 
     /// <summary>Meaning of the parameters where the entry is a command.</summary>

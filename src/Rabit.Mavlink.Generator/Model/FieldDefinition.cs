@@ -1,10 +1,14 @@
 namespace Rabit.Mavlink.Generator.Model;
 
-/// <summary>One field of a message, as defined. What is not given is null; texts are as the definition writes them.</summary>
+/// <summary>
+/// One field of a message, as defined. What is not given is null; texts are as the definition writes them.
+/// </summary>
 /// <param name="Name">Name in the definition.</param>
 /// <param name="Type">Type of one element.</param>
 /// <param name="ArrayLength">Elements of an array, 0 for a single value.</param>
-/// <param name="IsExtension">Whether it came after MAVLink 1 and is therefore outside the checksum byte and the wire order.</param>
+/// <param name="IsExtension">
+/// Whether it came after MAVLink 1 and is therefore outside the checksum byte and the wire order.
+/// </param>
 public sealed record FieldDefinition(string Name, WireType Type, int ArrayLength, bool IsExtension)
 {
     /// <summary>Name of the enum that its values are of.</summary>

@@ -19,7 +19,8 @@ public sealed class MessageDefinition
         Name = name;
         Fields = fields;
         // OrderBy is stable, which the wire order relies on (MAVLink guide, "Field reordering").
-        List<FieldDefinition> basic = fields.Where(field => !field.IsExtension).OrderByDescending(field => field.Type.Size).ToList();
+        List<FieldDefinition> basic = fields.Where(field => !field.IsExtension)
+            .OrderByDescending(field => field.Type.Size).ToList();
         MinLength = basic.Sum(field => field.WireLength);
         CrcExtra = Model.CrcExtra.Compute(name, basic);
         WireFields = basic.Concat(fields.Where(field => field.IsExtension)).ToList();
@@ -39,7 +40,9 @@ public sealed class MessageDefinition
     /// <summary>Fields in the order of the definition.</summary>
     public IReadOnlyList<FieldDefinition> Fields { get; }
 
-    /// <summary>Fields in the order of the wire: large elements first, extensions last in the order of the definition.</summary>
+    /// <summary>
+    /// Fields in the order of the wire: large elements first, extensions last in the order of the definition.
+    /// </summary>
     public IReadOnlyList<FieldDefinition> WireFields { get; }
 
     /// <summary>Payload bytes without extensions.</summary>
@@ -60,7 +63,9 @@ public sealed class MessageDefinition
     /// <summary>Its age.</summary>
     public DefinitionMarks Marks { get; init; }
 
-    /// <summary>What to use instead of a deprecated or superseded one; null where the definition names nothing.</summary>
+    /// <summary>
+    /// What to use instead of a deprecated or superseded one; null where the definition names nothing.
+    /// </summary>
     public string? ReplacedBy { get; init; }
 
     /// <summary>Where a field begins in the payload.</summary>
@@ -74,15 +79,19 @@ public sealed class MessageDefinition
     public int AddressOffset(string fieldName)
     {
         FieldDefinition? field = Fields.FirstOrDefault(candidate =>
-            candidate.ArrayLength == 0 && candidate.Type.Size == 1 && string.Equals(candidate.Name, fieldName, StringComparison.Ordinal));
+            candidate.ArrayLength == 0 && candidate.Type.Size == 1
+                && string.Equals(candidate.Name, fieldName, StringComparison.Ordinal));
         return field is null ? -1 : OffsetOf(field);
     }
 
-    /// <summary>Whether another definition means the same bytes: id, name and every field by name, type, length and place.</summary>
+    /// <summary>
+    /// Whether another definition means the same bytes: id, name and every field by name, type, length and place.
+    /// </summary>
     /// <param name="other">The other definition.</param>
     /// <returns>Whether one struct will do for both. Units, enums and words may differ.</returns>
     public bool HasSameWireForm(MessageDefinition other) =>
-        other is not null && Id == other.Id && string.Equals(Name, other.Name, StringComparison.Ordinal) && Fields.Count == other.Fields.Count
+        other is not null && Id == other.Id && string.Equals(Name, other.Name, StringComparison.Ordinal)
+        && Fields.Count == other.Fields.Count
         && Fields.Zip(other.Fields, (left, right) =>
             string.Equals(left.Name, right.Name, StringComparison.Ordinal) && left.Type == right.Type
             && left.ArrayLength == right.ArrayLength && left.IsExtension == right.IsExtension).All(isSame => isSame);

@@ -8,11 +8,13 @@ namespace Rabit.Mavlink.Generator.Naming;
 /// <summary>
 /// Names of the members of an enum: what all have in common is left out.
 /// <list type="number">
-/// <item>Where every entry begins with the words of the enum's name, these are dropped and nothing else: <c>MAV_TYPE_GCS</c> is
-/// <c>MavType.Gcs</c>, and no entry that another file adds can change that.</item>
-/// <item>Otherwise each entry drops the words in front that all entries share or those that it shares with the enum's name,
-/// whichever are more: <c>MAV_COMP_ID_GPS</c> of MAV_COMPONENT is <c>Gps</c>, <c>EKF_ATTITUDE</c> of EKF_STATUS_FLAGS is <c>Attitude</c>.</item>
-/// <item>At least one word stays, and a rest that begins with a digit keeps the word before it: <c>GPS_FIX_TYPE_3D_FIX</c> is <c>Type3dFix</c>.</item>
+/// <item>Where every entry begins with the words of the enum's name, these are dropped and nothing else:
+/// <c>MAV_TYPE_GCS</c> is <c>MavType.Gcs</c>, and no entry that another file adds can change that.</item>
+/// <item>Otherwise each entry drops the words in front that all entries share or those that it shares with the enum's
+/// name, whichever are more: <c>MAV_COMP_ID_GPS</c> of MAV_COMPONENT is <c>Gps</c>, <c>EKF_ATTITUDE</c> of
+/// EKF_STATUS_FLAGS is <c>Attitude</c>.</item>
+/// <item>At least one word stays, and a rest that begins with a digit keeps the word before it:
+/// <c>GPS_FIX_TYPE_3D_FIX</c> is <c>Type3dFix</c>.</item>
 /// <item>Entries that would come out the same keep all their words.</item>
 /// </list>
 /// </summary>
@@ -52,7 +54,8 @@ internal static class EntryNames
     private static int Shared(string[] left, string[] right)
     {
         int count = 0;
-        while (count < left.Length && count < right.Length && string.Equals(left[count], right[count], StringComparison.OrdinalIgnoreCase))
+        while (count < left.Length && count < right.Length
+            && string.Equals(left[count], right[count], StringComparison.OrdinalIgnoreCase))
             count++;
         return count;
     }

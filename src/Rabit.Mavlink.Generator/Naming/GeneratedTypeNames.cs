@@ -8,10 +8,10 @@ using Rabit.Mavlink.Generator.Model;
 namespace Rabit.Mavlink.Generator.Naming;
 
 /// <summary>
-/// Names of the types of a dialect. Enums and messages are their names in the definition, in Pascal case. An enum whose name is
-/// taken gets Enum appended, a message whose name is taken Message, and if that is taken too its id. What the package has
-/// already keeps its name there; only the rest is the dialect's own. Entries that it adds to an enum of the package are in a class
-/// that is called after the dialect and the enum.
+/// Names of the types of a dialect. Enums and messages are their names in the definition, in Pascal case. An enum whose
+/// name is taken gets Enum appended, a message whose name is taken Message, and if that is taken too its id. What the
+/// package has already keeps its name there; only the rest is the dialect's own. Entries that it adds to an enum of the
+/// package are in a class that is called after the dialect and the enum.
 /// </summary>
 internal sealed class GeneratedTypeNames
 {
@@ -31,12 +31,16 @@ internal sealed class GeneratedTypeNames
     public GeneratedTypeNames(Dialect dialect, ExistingTypes? existing = null)
     {
         _existing = existing;
-        OwnMessages = dialect.Messages.Where(message => !Exists(_messages, message.Id, existing?.Find(message))).ToList();
+        OwnMessages = dialect.Messages.Where(message => !Exists(_messages, message.Id, existing?.Find(message)))
+            .ToList();
         _ownIds = [.. OwnMessages.Select(message => message.Id)];
-        OwnArrays = ArrayType.AllOf(OwnMessages).Where(array => !Exists(_arrays, array, existing?.Find(array))).ToList();
+        OwnArrays = ArrayType.AllOf(OwnMessages)
+            .Where(array => !Exists(_arrays, array, existing?.Find(array))).ToList();
         ILookup<string?, WireType> typesByEnum = OwnMessages.SelectMany(message => message.Fields)
-            .Where(field => field.Enum is not null && field.Type.IsInteger).ToLookup(field => field.Enum, field => field.Type, StringComparer.Ordinal);
-        OwnEnums = dialect.Enums.Where(definition => !Exists(_enums, definition.Name, existing?.Find(definition, typesByEnum[definition.Name]))).ToList();
+            .Where(field => field.Enum is not null && field.Type.IsInteger)
+            .ToLookup(field => field.Enum, field => field.Type, StringComparer.Ordinal);
+        OwnEnums = dialect.Enums.Where(definition => !Exists(
+            _enums, definition.Name, existing?.Find(definition, typesByEnum[definition.Name]))).ToList();
 
         ExtendedEnums = OwnEnums.Where(definition =>
             Exists(_enums, definition.Name, existing?.FindExtended(definition, typesByEnum[definition.Name]))).ToList();
@@ -50,7 +54,8 @@ internal sealed class GeneratedTypeNames
         foreach (EnumDefinition definition in NewEnums)
             _enums[definition.Name] = Take(PascalCase.Of(definition.Name), "Enum", definition.Name);
         foreach (MessageDefinition message in OwnMessages)
-            _messages[message.Id] = Take(PascalCase.Of(message.Name), "Message", message.Id.ToString(CultureInfo.InvariantCulture));
+            _messages[message.Id] = Take(
+                PascalCase.Of(message.Name), "Message", message.Id.ToString(CultureInfo.InvariantCulture));
         foreach (EnumDefinition definition in ExtendedEnums)
             _addedEntries[definition.Name] = Take(prefix + PascalCase.Of(definition.Name), "Entries", definition.Name);
     }

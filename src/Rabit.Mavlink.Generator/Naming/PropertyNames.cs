@@ -5,9 +5,10 @@ using Rabit.Mavlink.Generator.Model;
 namespace Rabit.Mavlink.Generator.Naming;
 
 /// <summary>
-/// Names of the properties of a message: <c>custom_mode</c> is CustomMode. A property that would be called like its message is
-/// called Value (<c>AIRSPEED.airspeed</c>: <c>Airspeed.Value</c>); one that would be called like a member that every message has
-/// gets Field appended; of two that would come out the same, the later one gets a 2 appended, a third a 3.
+/// Names of the properties of a message: <c>custom_mode</c> is CustomMode. A property that would be called like its
+/// message is called Value (<c>AIRSPEED.airspeed</c>: <c>Airspeed.Value</c>); one that would be called like a member
+/// that every message has gets Field appended; of two that would come out the same, the later one gets a 2 appended, a
+/// third a 3.
 /// </summary>
 internal static class PropertyNames
 {
@@ -18,7 +19,8 @@ internal static class PropertyNames
     };
 
     /// <summary>Whether a property would be called like its message, so that it is called Value.</summary>
-    public static bool IsCalledLikeMessage(FieldDefinition field, string typeName) => PascalCase.Of(field.Name) == typeName;
+    public static bool IsCalledLikeMessage(FieldDefinition field, string typeName)
+        => PascalCase.Of(field.Name) == typeName;
 
     /// <summary>The C# name of each field.</summary>
     public static IReadOnlyDictionary<FieldDefinition, string> Of(MessageDefinition message, string typeName)

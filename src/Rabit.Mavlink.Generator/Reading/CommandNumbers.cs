@@ -29,7 +29,8 @@ public static class CommandNumbers
             yield return new DialectFault(
                 DialectFaultKind.CommandOfPackage, entry.Place.Path, entry.Place.Line, entry.Place.Column,
                 $"{entry.Name} of enum {Commands} is {entry.Value}, "
-                + $"which is {other.Name} in {other.Place?.FileName} of the package; a vehicle that knows that one would carry it out.");
+                + $"which is {other.Name} in {other.Place?.FileName} of the package; a vehicle that knows that one "
+                + "would carry it out.");
         }
     }
 

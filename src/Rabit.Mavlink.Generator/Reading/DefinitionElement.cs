@@ -58,5 +58,7 @@ internal readonly struct DefinitionElement(XElement element, string path, FaultL
     }
 
     private static bool IsName(string name) =>
-        name.Length != 0 && !char.IsDigit(name[0]) && name.All(character => character is '_' or (>= 'a' and <= 'z') or (>= 'A' and <= 'Z') or (>= '0' and <= '9'));
+        name.Length != 0 && !char.IsDigit(name[0])
+            && name.All(
+                character => character is '_' or (>= 'a' and <= 'z') or (>= 'A' and <= 'Z') or (>= '0' and <= '9'));
 }

@@ -8,7 +8,10 @@ namespace Rabit.Mavlink.Generator.Reading;
 /// <param name="Reason">What is wrong, in a sentence that names the thing.</param>
 public sealed record DialectFault(DialectFaultKind Kind, string Path, int Line, int Column, string Reason)
 {
-    /// <summary>Whether the definitions can be used all the same: what is wrong may be meant so, or is ignored.</summary>
-    public bool IsWarning => Kind is DialectFaultKind.UnknownName or DialectFaultKind.CommandOfPackage or DialectFaultKind.FieldTooNarrow
-        or DialectFaultKind.EnumOfFloat or DialectFaultKind.UnnamedBits;
+    /// <summary>
+    /// Whether the definitions can be used all the same: what is wrong may be meant so, or is ignored.
+    /// </summary>
+    public bool IsWarning
+        => Kind is DialectFaultKind.UnknownName or DialectFaultKind.CommandOfPackage or DialectFaultKind.FieldTooNarrow
+            or DialectFaultKind.EnumOfFloat or DialectFaultKind.UnnamedBits;
 }

@@ -1,6 +1,9 @@
 namespace Rabit.Mavlink.Generator.Reading;
 
-/// <summary>What can be wrong with definitions. The number is that of the compiler diagnostic (RABMAV001 and so on) and never changes.</summary>
+/// <summary>
+/// What can be wrong with definitions. The number is that of the compiler diagnostic (RABMAV001 and so on) and never
+/// changes.
+/// </summary>
 public enum DialectFaultKind
 {
     /// <summary>Not XML, not a MAVLink definition, or a required attribute is missing or no name.</summary>
@@ -36,7 +39,9 @@ public enum DialectFaultKind
     /// <summary>A field names an enum that no file defines.</summary>
     UnknownEnum = 11,
 
-    /// <summary>An element or attribute is nearly called like one of the schema, or an element stands in the wrong place.</summary>
+    /// <summary>
+    /// An element or attribute is nearly called like one of the schema, or an element stands in the wrong place.
+    /// </summary>
     MisspeltName = 12,
 
     /// <summary>An element or attribute that the schema does not have; a warning, since a newer schema may.</summary>
@@ -46,7 +51,8 @@ public enum DialectFaultKind
     DuplicateEnumValue = 14,
 
     /// <summary>
-    /// A command has a number that the package's MAV_CMD gives to another one; a warning, since the dialect does not include it.
+    /// A command has a number that the package's MAV_CMD gives to another one; a warning, since the dialect does not
+    /// include it.
     /// </summary>
     CommandOfPackage = 15,
 

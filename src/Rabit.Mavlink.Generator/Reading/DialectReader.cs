@@ -9,7 +9,10 @@ namespace Rabit.Mavlink.Generator.Reading;
 /// <summary>Reads MAVLink definitions (MAVLink guide, "MAVLink XML schema") with everything they include.</summary>
 public static class DialectReader
 {
-    /// <summary>Reads a root file and what it includes. Throws for no definition, however broken: what is wrong is in the result.</summary>
+    /// <summary>
+    /// Reads a root file and what it includes. Throws for no definition, however broken: what is wrong is in the
+    /// result.
+    /// </summary>
     /// <param name="root">The file to begin with.</param>
     /// <param name="files">All files that may be included; the root may be among them.</param>
     /// <returns>The valid definitions and the faults.</returns>
@@ -35,7 +38,8 @@ public static class DialectReader
         new EnumValueCheck(enums, messages.EnumUses, faults).Run();
 
         string name = Path.GetFileNameWithoutExtension(IncludePath.FileName(root.Path));
-        return new DialectReadResult(new Dialect(name, enums.Enums, messages.Messages) { Parts = walk.Parts }, faults.Faults);
+        return new DialectReadResult(
+            new Dialect(name, enums.Enums, messages.Messages) { Parts = walk.Parts }, faults.Faults);
     }
 
     private static void Each(DefinitionElement file, string group, string name, Action<DefinitionElement> read)

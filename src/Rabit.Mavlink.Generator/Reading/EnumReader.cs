@@ -14,7 +14,8 @@ internal sealed class EnumReader
     public bool Knows(string name) => _enums.ContainsKey(name);
 
     public IReadOnlyList<EnumDefinition> Enums =>
-        _enums.Values.Select(merged => merged.ToDefinition()).OrderBy(definition => definition.Name, StringComparer.Ordinal).ToList();
+        _enums.Values.Select(merged => merged.ToDefinition())
+            .OrderBy(definition => definition.Name, StringComparer.Ordinal).ToList();
 
     public void Read(DefinitionElement element)
     {
@@ -37,7 +38,8 @@ internal sealed class EnumReader
         decimal value = merged.NextValue;
         if (text is null ? !NumberText.Fits(value) : !NumberText.TryParse(text, out value))
         {
-            element.Fault(DialectFaultKind.MalformedNumber, $"Value '{text ?? "one more"}' of {name} in enum {merged.Name} is no number of 64 bits; write 12, 0x1F, 0b101 or 2**4.");
+            element.Fault(DialectFaultKind.MalformedNumber, $"Value '{text ?? "one more"}' of {name} in enum "
+                + $"{merged.Name} is no number of 64 bits; write 12, 0x1F, 0b101 or 2**4.");
             return;
         }
 
@@ -63,7 +65,8 @@ internal sealed class EnumReader
         Place = element.Place,
         Marks = element.Marks,
         ReplacedBy = element.ReplacedBy,
-        Parameters = element.Element.Elements("param").Select(ToParameter).Where(parameter => parameter is not null).ToList()!,
+        Parameters = element.Element.Elements("param").Select(ToParameter).Where(
+            parameter => parameter is not null).ToList()!,
     };
 
     // A parameter only feeds the docs, so a bad one is left out rather than reported.

@@ -9,7 +9,8 @@ internal static class FieldReader
 {
     public static FieldDefinition? Read(DefinitionElement element, string message, bool isExtension)
     {
-        if (element.Name("name", $"A field of message {message}") is not { } name || ReadType(element, message, name) is not (var type, var length))
+        if (element.Name("name", $"A field of message {message}") is not { } name
+            || ReadType(element, message, name) is not (var type, var length))
             return null;
         return new FieldDefinition(name, type, length, isExtension)
         {
@@ -30,7 +31,9 @@ internal static class FieldReader
         int bracket = text.IndexOf('[');
         if (WireType.Find(bracket < 0 ? text : text.Substring(0, bracket)) is not { } type)
         {
-            element.Fault(DialectFaultKind.UnknownType, $"Field {name} of message {message} is of type '{text}', which MAVLink does not have.");
+            element.Fault(
+                DialectFaultKind.UnknownType,
+                $"Field {name} of message {message} is of type '{text}', which MAVLink does not have.");
             return null;
         }
 
@@ -38,9 +41,12 @@ internal static class FieldReader
             return (type, 0);
         string length = text.Substring(bracket + 1).TrimEnd(']');
         if (text.EndsWith("]", StringComparison.Ordinal)
-            && int.TryParse(length, NumberStyles.None, CultureInfo.InvariantCulture, out int elements) && elements is >= 1 and <= 255)
+            && int.TryParse(length, NumberStyles.None, CultureInfo.InvariantCulture, out int elements)
+            && elements is >= 1 and <= 255)
             return (type, elements);
-        element.Fault(DialectFaultKind.MalformedNumber, $"Field {name} of message {message}: '{length}' in '{text}' is no array length from 1 to 255.");
+        element.Fault(
+            DialectFaultKind.MalformedNumber,
+            $"Field {name} of message {message}: '{length}' in '{text}' is no array length from 1 to 255.");
         return null;
     }
 }

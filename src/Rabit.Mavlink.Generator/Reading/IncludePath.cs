@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Rabit.Mavlink.Generator.Reading;
 
-/// <summary>Finds an included file among the given ones: beside the including file first, then by its bare name wherever it is.</summary>
+/// <summary>
+/// Finds an included file among the given ones: beside the including file first, then by its bare name wherever it is.
+/// </summary>
 internal static class IncludePath
 {
     public static DialectFile? Find(IReadOnlyList<DialectFile> files, string from, string include)
@@ -13,11 +15,13 @@ internal static class IncludePath
         folder = folder.Substring(0, folder.LastIndexOf('/') + 1);
         string wanted = Normalize(folder + include.Replace('\\', '/'));
         return files.FirstOrDefault(file => Same(file.Path, wanted))
-            ?? files.FirstOrDefault(file => string.Equals(FileName(file.Path), FileName(include), StringComparison.OrdinalIgnoreCase));
+            ?? files.FirstOrDefault(
+                file => string.Equals(FileName(file.Path), FileName(include), StringComparison.OrdinalIgnoreCase));
     }
 
     // Windows and macOS do not distinguish case in names, and no two definition files differ only in case.
-    public static bool Same(string left, string right) => string.Equals(Normalize(left), Normalize(right), StringComparison.OrdinalIgnoreCase);
+    public static bool Same(string left, string right)
+        => string.Equals(Normalize(left), Normalize(right), StringComparison.OrdinalIgnoreCase);
 
     public static string FileName(string path) => path.Substring(path.Replace('\\', '/').LastIndexOf('/') + 1);
 

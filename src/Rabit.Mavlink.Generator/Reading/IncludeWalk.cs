@@ -17,7 +17,8 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
     private readonly Dictionary<string, SortedSet<string>> _parts = new(StringComparer.OrdinalIgnoreCase);
 
     /// <summary>The files found, included ones first.</summary>
-    public IReadOnlyList<DialectPart> Parts => _roots.Select(root => new DialectPart(root.FileName, _parts[IncludePath.Normalize(root.Path)])).ToList();
+    public IReadOnlyList<DialectPart> Parts
+        => _roots.Select(root => new DialectPart(root.FileName, _parts[IncludePath.Normalize(root.Path)])).ToList();
 
     public IReadOnlyList<DefinitionElement> Walk(DialectFile root)
     {
@@ -30,7 +31,10 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
         if (!_done.Add(IncludePath.Normalize(file.Path)) || Load(file) is not { } root)
             return;
         _open.Add(file.Path);
-        _parts[IncludePath.Normalize(file.Path)] = new SortedSet<string>(StringComparer.Ordinal) { IncludePath.FileName(file.Path) };
+        _parts[IncludePath.Normalize(file.Path)] = new SortedSet<string>(StringComparer.Ordinal)
+        {
+            IncludePath.FileName(file.Path)
+        };
         foreach (XElement include in root.Elements("include"))
             Follow(file, new DefinitionElement(include, file.Path, faults));
         _open.RemoveAt(_open.Count - 1);
@@ -42,7 +46,8 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
         string name = include.Element.Value.Trim();
         if (IncludePath.Find(files, from.Path, name) is not { } target)
         {
-            include.Fault(DialectFaultKind.MissingInclude, $"'{name}' is included, but it is neither among the definition files of the project nor among those of the package.");
+            include.Fault(DialectFaultKind.MissingInclude, $"'{name}' is included, but it is neither among the "
+                + "definition files of the project nor among those of the package.");
             return;
         }
 
@@ -64,11 +69,14 @@ internal sealed class IncludeWalk(IReadOnlyList<DialectFile> files, FaultList fa
         try
         {
             // No document types: a definition needs none, and a few lines of them can expand to gigabytes.
-            using var reader = XmlReader.Create(new StringReader(file.Text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit });
+            using var reader = XmlReader.Create(
+                new StringReader(file.Text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Prohibit });
             XElement? root = XDocument.Load(reader, LoadOptions.SetLineInfo).Root;
             if (root?.Name.LocalName == "mavlink")
                 return root;
-            faults.Add(DialectFaultKind.Malformed, file.Path, root, $"The root element is '{root?.Name.LocalName}', a MAVLink definition has 'mavlink'.");
+            faults.Add(
+                DialectFaultKind.Malformed, file.Path, root,
+                $"The root element is '{root?.Name.LocalName}', a MAVLink definition has 'mavlink'.");
         }
         catch (XmlException exception)
         {

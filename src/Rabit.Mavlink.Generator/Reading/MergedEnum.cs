@@ -24,12 +24,13 @@ internal sealed class MergedEnum(string name)
     public decimal NextValue => Math.Max(0, _entries.Select(entry => entry.Value).DefaultIfEmpty().Max()) + 1;
 
     /// <summary>
-    /// Adds an entry, or nothing where the same one is there already. Where one of its name has another value, or one of another
-    /// name has its value, nothing is added and that one is returned; otherwise null.
+    /// Adds an entry, or nothing where the same one is there already. Where one of its name has another value, or one
+    /// of another name has its value, nothing is added and that one is returned; otherwise null.
     /// </summary>
     public EnumEntry? TryAdd(EnumEntry entry)
     {
-        EnumEntry? sameName = _entries.FirstOrDefault(other => string.Equals(other.Name, entry.Name, StringComparison.Ordinal));
+        EnumEntry? sameName = _entries.FirstOrDefault(
+            other => string.Equals(other.Name, entry.Name, StringComparison.Ordinal));
         if (sameName is not null)
             return sameName.Value == entry.Value ? null : sameName;
         EnumEntry? sameValue = _entries.FirstOrDefault(other => other.Value == entry.Value);

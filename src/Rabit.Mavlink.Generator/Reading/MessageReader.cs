@@ -16,7 +16,9 @@ internal sealed class MessageReader(EnumReader enums)
     /// <summary>The length of a payload is one byte on the wire.</summary>
     private const int MaxPayload = 255;
 
-    /// <summary>What MAVLink's own C library can describe, and mavgen accepts (MAVLink guide, "MAVLink XML schema").</summary>
+    /// <summary>
+    /// What MAVLink's own C library can describe, and mavgen accepts (MAVLink guide, "MAVLink XML schema").
+    /// </summary>
     private const int MaxFields = 64;
 
     private readonly List<MessageDefinition> _messages = [];
@@ -29,7 +31,8 @@ internal sealed class MessageReader(EnumReader enums)
 
     public void Read(DefinitionElement element)
     {
-        if (element.Name("name", "A message") is not { } name || ReadId(element, name) is not { } id || ReadFields(element, name) is not { } read)
+        if (element.Name("name", "A message") is not { } name || ReadId(element, name) is not { } id
+            || ReadFields(element, name) is not { } read)
             return;
         List<FieldDefinition> fields = read.Select(pair => pair.Field).ToList();
         var message = new MessageDefinition(id, name, fields)
@@ -42,9 +45,13 @@ internal sealed class MessageReader(EnumReader enums)
         if (fields.Count == 0)
             element.Fault(DialectFaultKind.NoFields, $"Message {name} has no field.");
         else if (fields.Count > MaxFields)
-            element.Fault(DialectFaultKind.TooManyFields, $"Message {name} has {fields.Count} fields; MAVLink allows {MaxFields}.");
+            element.Fault(
+                DialectFaultKind.TooManyFields,
+                $"Message {name} has {fields.Count} fields; MAVLink allows {MaxFields}.");
         else if (message.MaxLength > MaxPayload)
-            element.Fault(DialectFaultKind.PayloadTooLong, $"Message {name} has {message.MaxLength} payload bytes; a frame holds {MaxPayload}.");
+            element.Fault(
+                DialectFaultKind.PayloadTooLong,
+                $"Message {name} has {message.MaxLength} payload bytes; a frame holds {MaxPayload}.");
         else if (IsNew(message, element))
             Add(message, read);
     }
@@ -52,7 +59,9 @@ internal sealed class MessageReader(EnumReader enums)
     private void Add(MessageDefinition message, List<(FieldDefinition Field, DefinitionElement Element)> fields)
     {
         _messages.Add(message);
-        _enumUses.AddRange(fields.Where(pair => pair.Field.Enum is not null).Select(pair => new EnumUse(message, pair.Field, pair.Element)));
+        _enumUses.AddRange(
+            fields.Where(pair => pair.Field.Enum is not null)
+                .Select(pair => new EnumUse(message, pair.Field, pair.Element)));
     }
 
     private static int? ReadId(DefinitionElement element, string name)
@@ -67,15 +76,21 @@ internal sealed class MessageReader(EnumReader enums)
     private bool IsNew(MessageDefinition message, DefinitionElement element)
     {
         MessageDefinition? sameId = _messages.FirstOrDefault(other => other.Id == message.Id);
-        MessageDefinition? sameName = _messages.FirstOrDefault(other => string.Equals(other.Name, message.Name, StringComparison.Ordinal));
+        MessageDefinition? sameName = _messages.FirstOrDefault(
+            other => string.Equals(other.Name, message.Name, StringComparison.Ordinal));
         if (sameId is not null)
-            element.Fault(DialectFaultKind.DuplicateMessageId, $"Message {message.Name} has id {message.Id}, which {sameId.Name} in {sameId.File} has already.");
+            element.Fault(
+                DialectFaultKind.DuplicateMessageId,
+                $"Message {message.Name} has id {message.Id}, which {sameId.Name} in {sameId.File} has already.");
         else if (sameName is not null)
-            element.Fault(DialectFaultKind.DuplicateMessageName, $"Message {message.Name} is already defined in {sameName.File}, with id {sameName.Id}.");
+            element.Fault(
+                DialectFaultKind.DuplicateMessageName,
+                $"Message {message.Name} is already defined in {sameName.File}, with id {sameName.Id}.");
         return sameId is null && sameName is null;
     }
 
-    private List<(FieldDefinition Field, DefinitionElement Element)>? ReadFields(DefinitionElement element, string message)
+    private List<(FieldDefinition Field, DefinitionElement Element)>? ReadFields(
+        DefinitionElement element, string message)
     {
         var fields = new List<(FieldDefinition Field, DefinitionElement Element)>();
         bool isExtension = false;
@@ -96,14 +111,17 @@ internal sealed class MessageReader(EnumReader enums)
         return isValid ? fields : null;
     }
 
-    private bool IsAllowed(FieldDefinition field, IEnumerable<FieldDefinition> before, DefinitionElement element, string message)
+    private bool IsAllowed(
+        FieldDefinition field, IEnumerable<FieldDefinition> before, DefinitionElement element, string message)
     {
         bool isDuplicate = before.Any(other => string.Equals(other.Name, field.Name, StringComparison.Ordinal));
         bool isUnknownEnum = field.Enum is not null && !enums.Knows(field.Enum);
         if (isDuplicate)
             element.Fault(DialectFaultKind.DuplicateField, $"Message {message} has two fields called {field.Name}.");
         if (isUnknownEnum)
-            element.Fault(DialectFaultKind.UnknownEnum, $"Field {field.Name} of message {message} is of enum {field.Enum}, which no file defines.");
+            element.Fault(
+                DialectFaultKind.UnknownEnum,
+                $"Field {field.Name} of message {message} is of enum {field.Enum}, which no file defines.");
         return !isDuplicate && !isUnknownEnum;
     }
 }

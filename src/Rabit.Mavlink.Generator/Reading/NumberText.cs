@@ -15,14 +15,16 @@ internal static class NumberText
             return TryPower(text.Substring(0, power), text.Substring(power + 2), out value);
         if (text.StartsWith("0x", StringComparison.OrdinalIgnoreCase))
         {
-            bool isHex = ulong.TryParse(text.Substring(2), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ulong bits);
+            bool isHex = ulong.TryParse(
+                text.Substring(2), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ulong bits);
             value = bits;
             return isHex;
         }
 
         if (text.StartsWith("0b", StringComparison.OrdinalIgnoreCase))
             return TryBinary(text.Substring(2), out value);
-        return decimal.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value) && Fits(value);
+        return decimal.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value)
+            && Fits(value);
     }
 
     /// <summary>Whether it is a 64-bit integer, signed or not.</summary>
@@ -48,7 +50,8 @@ internal static class NumberText
     private static bool TryPower(string baseText, string exponentText, out decimal value)
     {
         value = 1;
-        if (!TryParse(baseText, out decimal factor) || !TryParse(exponentText, out decimal exponent) || exponent is < 0 or > 64)
+        if (!TryParse(baseText, out decimal factor) || !TryParse(exponentText, out decimal exponent)
+            || exponent is < 0 or > 64)
             return false;
         for (int i = 0; i < exponent; i++)
         {

@@ -61,7 +61,9 @@ public static class MavlinkArray
     {
         if (elements.Length > length)
             ThrowTooMany(nameof(elements), typeof(TArray), length, elements.Length);
-        CopyBytes(ref BytesOf(ref array), ref MemoryMarshal.GetReference(MemoryMarshal.AsBytes(elements)), elements.Length * Unsafe.SizeOf<T>());
+        CopyBytes(
+            ref BytesOf(ref array), ref MemoryMarshal.GetReference(MemoryMarshal.AsBytes(elements)),
+            elements.Length * Unsafe.SizeOf<T>());
     }
 
     /// <summary>Copies all elements out.</summary>
@@ -77,7 +79,9 @@ public static class MavlinkArray
     {
         if (destination.Length < length)
             ThrowTooShort(nameof(destination), typeof(TArray), length, destination.Length);
-        CopyBytes(ref MemoryMarshal.GetReference(MemoryMarshal.AsBytes(destination)), ref BytesOf(ref array), length * Unsafe.SizeOf<T>());
+        CopyBytes(
+            ref MemoryMarshal.GetReference(MemoryMarshal.AsBytes(destination)), ref BytesOf(ref array),
+            length * Unsafe.SizeOf<T>());
     }
 
     /// <summary>Reads all elements from a payload.</summary>
@@ -144,7 +148,8 @@ public static class MavlinkArray
     {
         ulong hash = 0;
         for (int word = 0; word < Unsafe.SizeOf<TArray>() / sizeof(ulong); word++)
-            hash = unchecked(((hash << 5) | (hash >> 59)) ^ (Word(ref array, word) * 0x9E3779B97F4A7C15));   // 2^64 / golden ratio: spreads the bits
+            // 2^64 / golden ratio: spreads the bits
+            hash = unchecked(((hash << 5) | (hash >> 59)) ^ (Word(ref array, word) * 0x9E3779B97F4A7C15));
         return unchecked((int)(hash ^ (hash >> 32)));
     }
 
@@ -160,7 +165,8 @@ public static class MavlinkArray
     {
         var text = new StringBuilder("[");
         for (int index = 0; index < length; index++)
-            text.Append(index == 0 ? "" : ", ").Append(Get<TArray, T>(ref array, length, index).ToString(null, CultureInfo.InvariantCulture));
+            text.Append(index == 0 ? "" : ", ")
+                .Append(Get<TArray, T>(ref array, length, index).ToString(null, CultureInfo.InvariantCulture));
         return text.Append(']').ToString();
     }
 
@@ -180,7 +186,8 @@ public static class MavlinkArray
     private static ulong Word<TArray>(ref TArray array, int index)
         where TArray : struct => Unsafe.Add(ref Unsafe.As<TArray, ulong>(ref array), index);
 
-    private static void CopyBytes(ref byte destination, ref byte source, int count) => Unsafe.CopyBlockUnaligned(ref destination, ref source, (uint)count);
+    private static void CopyBytes(ref byte destination, ref byte source, int count)
+        => Unsafe.CopyBlockUnaligned(ref destination, ref source, (uint)count);
 
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static void ThrowIndex(string name, int length, int index) =>

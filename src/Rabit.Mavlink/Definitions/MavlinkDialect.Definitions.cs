@@ -15,7 +15,8 @@ public sealed partial class MavlinkDialect
     private readonly ConcurrentDictionary<int, MavlinkMessageDefinition?> _definitions = new();
     private readonly ConcurrentDictionary<string, MavlinkEnumDefinition> _enums = new(StringComparer.Ordinal);
 
-    internal MavlinkDialect(string name, IReadOnlyCollection<MavlinkMessageInfo> messages, DefinitionData own, MavlinkDialect? basis)
+    internal MavlinkDialect(
+        string name, IReadOnlyCollection<MavlinkMessageInfo> messages, DefinitionData own, MavlinkDialect? basis)
         : this(name, messages, basis is null ? [own] : [own, .. basis._sources])
     {
     }
@@ -41,16 +42,21 @@ public sealed partial class MavlinkDialect
         var messages = new Dictionary<int, MavlinkMessageInfo>();
         foreach (MavlinkDialect dialect in dialects)
         {
-            foreach (MavlinkMessageInfo message in (dialect ?? throw new ArgumentException("One of the dialects is null.", nameof(dialects))).Messages)
+            foreach (MavlinkMessageInfo message in (dialect
+                ?? throw new ArgumentException("One of the dialects is null.", nameof(dialects))).Messages)
             {
                 if (!messages.TryGetValue(message.Id, out MavlinkMessageInfo other) || IsLongerForm(message, other))
                     messages[message.Id] = message;
                 else if (!IsSameMessage(message, other))
-                    throw new ArgumentException($"Dialect '{name}': {dialect.Name} has {message.Name} (checksum byte {message.CrcExtra}) as message {message.Id}, which is {other.Name} (checksum byte {other.CrcExtra}) already.", nameof(dialects));
+                    throw new ArgumentException(
+                        $"Dialect '{name}': {dialect.Name} has {message.Name} (checksum byte {message.CrcExtra}) as "
+                            + $"message {message.Id}, which is {other.Name} (checksum byte {other.CrcExtra}) already.",
+                        nameof(dialects));
             }
         }
 
-        return new MavlinkDialect(name, messages.Values, dialects.SelectMany(dialect => dialect._sources).Distinct().ToArray());
+        return new MavlinkDialect(
+            name, messages.Values, dialects.SelectMany(dialect => dialect._sources).Distinct().ToArray());
     }
 
     /// <summary>
@@ -85,7 +91,8 @@ public sealed partial class MavlinkDialect
     /// </returns>
     public MavlinkMessageDefinition? FindDefinition(int messageId) =>
         _definitions.TryGetValue(messageId, out MavlinkMessageDefinition? known) ? known
-        : TryGetMessage(messageId, out MavlinkMessageInfo message) ? _definitions.GetOrAdd(messageId, ReadDefinition(message))
+        : TryGetMessage(messageId, out MavlinkMessageInfo message) ? _definitions.GetOrAdd(
+            messageId, ReadDefinition(message))
         : null;
 
     /// <summary>
@@ -103,7 +110,8 @@ public sealed partial class MavlinkDialect
     }
 
     /// <summary>The messages that one definition file and its includes have.</summary>
-    internal MavlinkDialect Part(string file) => new(Path.GetFileNameWithoutExtension(file), _sources[0].MessagesOf(file), _sources);
+    internal MavlinkDialect Part(string file)
+        => new(Path.GetFileNameWithoutExtension(file), _sources[0].MessagesOf(file), _sources);
 
     private static bool IsSameMessage(in MavlinkMessageInfo one, in MavlinkMessageInfo other) =>
         one.CrcExtra == other.CrcExtra && string.Equals(one.Name, other.Name, StringComparison.Ordinal);
@@ -130,6 +138,10 @@ public sealed partial class MavlinkDialect
         foreach (DefinitionData source in _sources)
             isKnown |= source.TryReadEnum(name, entries, ref isBitmask);
         // The first definition of a name counts: a dialect's own definitions come before those it is based on.
-        return isKnown ? new MavlinkEnumDefinition(name, isBitmask, entries.GroupBy(entry => entry.Name, StringComparer.Ordinal).Select(same => same.First())) : null;
+        return isKnown
+            ? new MavlinkEnumDefinition(
+                name, isBitmask,
+                entries.GroupBy(entry => entry.Name, StringComparer.Ordinal).Select(same => same.First()))
+            : null;
     }
 }

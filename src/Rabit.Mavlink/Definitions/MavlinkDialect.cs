@@ -31,13 +31,17 @@ public sealed partial class MavlinkDialect
     public MavlinkDialect(string name, IReadOnlyCollection<MavlinkMessageInfo> messages)
     {
         Name = name ?? throw new ArgumentNullException(nameof(name));
-        _byId = new Dictionary<int, MavlinkMessageInfo>((messages ?? throw new ArgumentNullException(nameof(messages))).Count);
+        _byId = new Dictionary<int, MavlinkMessageInfo>(
+            (messages ?? throw new ArgumentNullException(nameof(messages))).Count);
         foreach (MavlinkMessageInfo message in messages)
         {
             if (message.Id is < 0 or > WireFormat.MaxMessageIdV2)
-                throw new ArgumentException($"Dialect '{name}': {message.Name} has id {message.Id}; ids are 0 to {WireFormat.MaxMessageIdV2}.", nameof(messages));
+                throw new ArgumentException(
+                    $"Dialect '{name}': {message.Name} has id {message.Id}; ids are 0 to {WireFormat.MaxMessageIdV2}.",
+                    nameof(messages));
             if (_byId.TryGetValue(message.Id, out MavlinkMessageInfo other))
-                throw new ArgumentException($"Dialect '{name}': {other.Name} and {message.Name} both have id {message.Id}.", nameof(messages));
+                throw new ArgumentException(
+                    $"Dialect '{name}': {other.Name} and {message.Name} both have id {message.Id}.", nameof(messages));
             _byId.Add(message.Id, message);
         }
 

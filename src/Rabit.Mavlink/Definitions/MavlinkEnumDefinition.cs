@@ -18,7 +18,8 @@ public sealed class MavlinkEnumDefinition
     {
         Name = name;
         IsBitmask = isBitmask;
-        _entries = entries.OrderBy(entry => entry.Value).ToArray();   // stable: of two names for one value the first given stays first
+        // stable: of two names for one value the first given stays first
+        _entries = entries.OrderBy(entry => entry.Value).ToArray();
     }
 
     /// <summary>Name as the definition writes it, for example <c>MAV_TYPE</c>.</summary>

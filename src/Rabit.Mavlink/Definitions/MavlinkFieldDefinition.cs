@@ -121,7 +121,9 @@ public sealed class MavlinkFieldDefinition
     private void AppendText(StringBuilder text, in MavlinkFrame frame)
     {
         text.Append('"');
-        for (int index = 0; index < ArrayLength && frame.PayloadByte(Offset + index) is not 0 and byte character; index++)
+        for (int index = 0;
+            index < ArrayLength && frame.PayloadByte(Offset + index) is not 0 and byte character;
+            index++)
             text.Append(char.IsControl((char)character) ? '.' : (char)character);
         text.Append('"');
     }
@@ -174,6 +176,7 @@ public sealed class MavlinkFieldDefinition
     private void Check(in MavlinkFrame frame)
     {
         if (frame.MessageId != MessageId || frame.Version == MavlinkVersion.None)
-            throw new ArgumentException($"{Name} belongs to message {MessageId}; the frame is: {frame}.", nameof(frame));
+            throw new ArgumentException(
+                $"{Name} belongs to message {MessageId}; the frame is: {frame}.", nameof(frame));
     }
 }

@@ -18,7 +18,8 @@ public readonly struct MavlinkMessageInfo
     /// Payload offset of <c>target_component</c>, or -1 where the message has none.
     /// </param>
     public MavlinkMessageInfo(
-        int id, string name, byte crcExtra, byte minLength, byte maxLength, short targetSystemOffset, short targetComponentOffset)
+        int id, string name, byte crcExtra, byte minLength, byte maxLength, short targetSystemOffset,
+        short targetComponentOffset)
     {
         Id = id;
         Name = name;

@@ -35,12 +35,15 @@ public static class MavlinkText
         where TText : struct
     {
         if ((value ?? throw new ArgumentNullException(nameof(value))).Length > capacity)
-            throw new ArgumentException($"'{value}' has {value.Length} characters, {typeof(TText).Name} holds {capacity}.", nameof(value));
+            throw new ArgumentException(
+                $"'{value}' has {value.Length} characters, {typeof(TText).Name} holds {capacity}.", nameof(value));
         for (int index = 0; index < value.Length; index++)
         {
             char character = value[index];
             if (character is '\0' or > '\u00FF')
-                throw new ArgumentException($"'{value}': character {index} is U+{(int)character:X4}; a MAVLink text holds U+0001 to U+00FF.", nameof(value));
+                throw new ArgumentException(
+                    $"'{value}': character {index} is U+{(int)character:X4}; a MAVLink text holds U+0001 to U+00FF.",
+                    nameof(value));
             At(ref text, index) = (byte)character;
         }
     }

@@ -28,7 +28,9 @@ internal static class NumberFormat
         value.TryFormat(characters, out int length, "R", CultureInfo.InvariantCulture);
 
         // Of some powers of two, below which the next number is closer than above, .NET 10 writes a digit too few.
-        if (float.IsPow2(System.Math.Abs(value)) && !float.Parse(characters.Slice(0, length), NumberStyles.Float, CultureInfo.InvariantCulture).Equals(value))
+        if (float.IsPow2(System.Math.Abs(value))
+            && !float.Parse(characters.Slice(0, length), NumberStyles.Float, CultureInfo.InvariantCulture)
+                .Equals(value))
             ShortestNumber.Append(text, value);
         else
             text.Append(characters.Slice(0, length));
@@ -38,7 +40,9 @@ internal static class NumberFormat
     {
         System.Span<char> characters = stackalloc char[MaxCharacters];
         value.TryFormat(characters, out int length, "R", CultureInfo.InvariantCulture);
-        if (double.IsPow2(System.Math.Abs(value)) && !double.Parse(characters.Slice(0, length), NumberStyles.Float, CultureInfo.InvariantCulture).Equals(value))
+        if (double.IsPow2(System.Math.Abs(value))
+            && !double.Parse(characters.Slice(0, length), NumberStyles.Float, CultureInfo.InvariantCulture)
+                .Equals(value))
             ShortestNumber.Append(text, value);
         else
             text.Append(characters.Slice(0, length));

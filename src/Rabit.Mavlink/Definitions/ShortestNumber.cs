@@ -28,7 +28,9 @@ internal static class ShortestNumber
         if (AppendSpecial(text, value))
             return;
         long bits = BitConverter.DoubleToInt64Bits(value);
-        Append(text, bits & ((1L << DoubleFractionBits) - 1), (int)(bits >> DoubleFractionBits) & 0x7FF, DoubleFractionBits, DoubleExponentBias, DoubleDigitsBeforePoint);
+        Append(
+            text, bits & ((1L << DoubleFractionBits) - 1), (int)(bits >> DoubleFractionBits) & 0x7FF,
+            DoubleFractionBits, DoubleExponentBias, DoubleDigitsBeforePoint);
     }
 
     public static void Append(StringBuilder text, float value)
@@ -36,7 +38,9 @@ internal static class ShortestNumber
         if (AppendSpecial(text, value))
             return;
         uint bits = MavlinkParameter.FromFloat(value);
-        Append(text, bits & ((1L << SingleFractionBits) - 1), (int)(bits >> SingleFractionBits) & 0xFF, SingleFractionBits, SingleExponentBias, SingleDigitsBeforePoint);
+        Append(
+            text, bits & ((1L << SingleFractionBits) - 1), (int)(bits >> SingleFractionBits) & 0xFF, SingleFractionBits,
+            SingleExponentBias, SingleDigitsBeforePoint);
     }
 
     // Also the sign, which these runtimes leave out of zero.
@@ -57,11 +61,14 @@ internal static class ShortestNumber
         return value == 0 || double.IsInfinity(value);
     }
 
-    private static void Append(StringBuilder text, long fraction, int exponent, int fractionBits, int bias, int digitsBeforePoint)
+    private static void Append(
+        StringBuilder text, long fraction, int exponent, int fractionBits, int bias, int digitsBeforePoint)
     {
         long mantissa = exponent == 0 ? fraction : fraction | (1L << fractionBits);
         var digits = new char[digitsBeforePoint + 1];
-        int count = FindDigits(mantissa, Math.Max(exponent, 1) - bias, isBelowCloser: fraction == 0 && exponent > 1, digits, out int point);
+        int count = FindDigits(
+            mantissa, Math.Max(exponent, 1) - bias, isBelowCloser: fraction == 0 && exponent > 1, digits,
+            out int point);
         Write(text, digits, count, point, digitsBeforePoint);
     }
 

@@ -40,7 +40,8 @@ internal static class FrameEncoder
             return sent;
         }
 
-        while (length > sizeof(ulong) && BinaryPrimitives.ReadUInt64LittleEndian(payload.Slice(length - sizeof(ulong))) == 0)
+        while (length > sizeof(ulong)
+            && BinaryPrimitives.ReadUInt64LittleEndian(payload.Slice(length - sizeof(ulong))) == 0)
             length -= sizeof(ulong);
         while (length > 1 && payload[length - 1] == 0)
             length--;

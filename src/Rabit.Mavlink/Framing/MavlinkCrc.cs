@@ -44,7 +44,9 @@ public static class MavlinkCrc
         ref byte start = ref MemoryMarshal.GetReference(bytes);
         uint sum = crc;
         int position = AddBlocks(ref start, bytes.Length, ref sum);
-        return position == bytes.Length ? (ushort)sum : AddLast(sum, LastOf(ref start, bytes.Length, position), 8 * (bytes.Length - position));
+        return position == bytes.Length
+            ? (ushort)sum
+            : AddLast(sum, LastOf(ref start, bytes.Length, position), 8 * (bytes.Length - position));
     }
 
     /// <summary>
@@ -111,7 +113,8 @@ public static class MavlinkCrc
     // shifted out.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ulong LastOf(ref byte start, int length, int position) =>
-        (Unsafe.ReadUnaligned<ulong>(ref Unsafe.Add(ref start, length - Block)) >> 1) >> (63 - (8 * (length - position)));
+        (Unsafe.ReadUnaligned<ulong>(ref Unsafe.Add(ref start, length - Block)) >> 1)
+            >> (63 - (8 * (length - position)));
 
     // Adds 1 to 8 bytes: moved to the end of a block, since zeros before them contribute nothing.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -25,7 +25,8 @@ public unsafe partial struct MavlinkFrame
     /// <returns>The frame.</returns>
     /// <exception cref="ArgumentException">The version is MAVLink 1 and the message id is above 255.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The version is neither 1 nor 2.</exception>
-    public static MavlinkFrame Create<T>(in T message, byte systemId, byte componentId, byte sequence, MavlinkVersion version = MavlinkVersion.V2)
+    public static MavlinkFrame Create<T>(
+        in T message, byte systemId, byte componentId, byte sequence, MavlinkVersion version = MavlinkVersion.V2)
         where T : struct, IMavlinkMessage
     {
         T fields = message;
@@ -37,7 +38,8 @@ public unsafe partial struct MavlinkFrame
         header.WriteV2(new Span<byte>(wire, WireFormat.HeaderLengthV2), fields.MessageId);
         if (version == MavlinkVersion.V1)
             wire[0] = WireFormat.MagicV1;
-        wire[1] = (byte)FrameEncoder.EncodePayload(ref fields, version, new Span<byte>(wire + WireFormat.HeaderLengthV2, WireFormat.MaxPayloadLength));
+        wire[1] = (byte)FrameEncoder.EncodePayload(
+            ref fields, version, new Span<byte>(wire + WireFormat.HeaderLengthV2, WireFormat.MaxPayloadLength));
         frame._checksum = frame.ComputeChecksum(fields.CrcExtra);
         return frame;
     }
@@ -138,7 +140,8 @@ public unsafe partial struct MavlinkFrame
         // Every byte is written below: what was in that place before does not matter.
         Unsafe.SkipInit(out frame);
         int payloadLength = wire[1];
-        int end = (wire[0] == WireFormat.MagicV2 ? WireFormat.HeaderLengthV2 : WireFormat.HeaderLengthV1) + payloadLength;
+        int end = (wire[0] == WireFormat.MagicV2 ? WireFormat.HeaderLengthV2 : WireFormat.HeaderLengthV1)
+            + payloadLength;
         ReadOnlySpan<byte> bytes = wire.Slice(0, end + WireFormat.ChecksumLength);
         frame._checksum = (ushort)(bytes[end] | (bytes[end + 1] << 8));
 
@@ -154,16 +157,19 @@ public unsafe partial struct MavlinkFrame
             else
             {
                 ReadHeaderV1(from, to);
-                Unsafe.CopyBlockUnaligned(to + WireFormat.HeaderLengthV2, from + WireFormat.HeaderLengthV1, (uint)payloadLength);
+                Unsafe.CopyBlockUnaligned(
+                    to + WireFormat.HeaderLengthV2, from + WireFormat.HeaderLengthV1, (uint)payloadLength);
             }
 
-            Unsafe.InitBlockUnaligned(to + length, 0, (uint)(WireFormat.HeaderLengthV2 + WireFormat.MaxPayloadLength - length));
+            Unsafe.InitBlockUnaligned(
+                to + length, 0, (uint)(WireFormat.HeaderLengthV2 + WireFormat.MaxPayloadLength - length));
         }
 
         fixed (byte* signature = frame._signature)
         {
             if (frame.IsSigned)
-                wire.Slice(end + WireFormat.ChecksumLength).CopyTo(new Span<byte>(signature, WireFormat.SignatureLength));
+                wire.Slice(end + WireFormat.ChecksumLength)
+                    .CopyTo(new Span<byte>(signature, WireFormat.SignatureLength));
             else
                 Unsafe.InitBlockUnaligned(signature, 0, WireFormat.SignatureLength);
         }
@@ -189,7 +195,8 @@ public unsafe partial struct MavlinkFrame
         if (_wire[0] == 0)
             throw new InvalidOperationException("The frame is empty: it has no message.");
         if (!MavlinkCrc.TryFindExtra(ChecksumBeforeExtra(), _checksum, out byte crcExtra))
-            throw new InvalidOperationException($"The checksum of the frame is wrong, so that its CRC_EXTRA is unknown: {this}.");
+            throw new InvalidOperationException(
+                $"The checksum of the frame is wrong, so that its CRC_EXTRA is unknown: {this}.");
         return crcExtra;
     }
 
@@ -246,7 +253,8 @@ public unsafe partial struct MavlinkFrame
             destination[3] = wire[5];
             destination[4] = wire[6];
             destination[5] = wire[7];
-            new ReadOnlySpan<byte>(wire + WireFormat.HeaderLengthV2, wire[1]).CopyTo(destination.Slice(WireFormat.HeaderLengthV1));
+            new ReadOnlySpan<byte>(wire + WireFormat.HeaderLengthV2, wire[1])
+                .CopyTo(destination.Slice(WireFormat.HeaderLengthV1));
             return WireFormat.HeaderLengthV1 + wire[1];
         }
     }
@@ -258,7 +266,8 @@ public unsafe partial struct MavlinkFrame
         if (_wire[0] == WireFormat.MagicV2)
         {
             fixed (byte* wire = _wire)
-                return MavlinkCrc.Add(MavlinkCrc.Initial, new ReadOnlySpan<byte>(wire + 1, WireFormat.HeaderLengthV2 - 1 + wire[1]));
+                return MavlinkCrc.Add(
+                    MavlinkCrc.Initial, new ReadOnlySpan<byte>(wire + 1, WireFormat.HeaderLengthV2 - 1 + wire[1]));
         }
 
         Span<byte> bytes = stackalloc byte[WireFormat.HeaderLengthV1 + WireFormat.MaxPayloadLength];

@@ -86,7 +86,9 @@ public unsafe partial struct MavlinkFrame
     public readonly int WireLength => Version switch
     {
         MavlinkVersion.V1 => WireFormat.HeaderLengthV1 + PayloadLength + WireFormat.ChecksumLength,
-        MavlinkVersion.V2 => WireFormat.HeaderLengthV2 + PayloadLength + WireFormat.ChecksumLength + (IsSigned ? WireFormat.SignatureLength : 0),
+        MavlinkVersion.V2 =>
+            WireFormat.HeaderLengthV2 + PayloadLength + WireFormat.ChecksumLength
+                + (IsSigned ? WireFormat.SignatureLength : 0),
         _ => 0,
     };
 
@@ -174,13 +176,15 @@ public unsafe partial struct MavlinkFrame
     /// The description of this frame's message; any other counts as one without the field.
     /// </param>
     /// <returns>Component id; 0 is every component, also where the message has no such field.</returns>
-    public readonly byte TargetComponent(in MavlinkMessageInfo message) => TargetAt(message, message.TargetComponentOffset);
+    public readonly byte TargetComponent(in MavlinkMessageInfo message)
+        => TargetAt(message, message.TargetComponentOffset);
 
     /// <summary>Version, message id, source and sequence number, for logs and debuggers.</summary>
     /// <returns>For example <c>MAVLink 2 id 30 from 1/1 seq 17, 28 bytes</c>.</returns>
     public override readonly string ToString() => Version == MavlinkVersion.None
         ? "no frame"
-        : FormattableString.Invariant($"MAVLink {(int)Version} id {MessageId} from {SystemId}/{ComponentId} seq {Sequence}, {PayloadLength} bytes");
+        : FormattableString.Invariant(
+            $"MAVLink {(int)Version} id {MessageId} from {SystemId}/{ComponentId} seq {Sequence}, {PayloadLength} bytes");
 
     // A reader returns 'default' for an unknown id; its offsets of zero mean nothing.
     private readonly byte TargetAt(in MavlinkMessageInfo message, short offset) =>

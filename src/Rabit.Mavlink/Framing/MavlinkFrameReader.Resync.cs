@@ -37,7 +37,8 @@ public sealed partial class MavlinkFrameReader
     }
 
     // A frame of an unknown id gives way to a frame inside it, which may have arrived long before the whole of it has.
-    private static int BytesNeededFor(in ParsedHeader header) => header.Kind == HeaderKind.UnknownMessage ? 0 : header.Length;
+    private static int BytesNeededFor(in ParsedHeader header)
+        => header.Kind == HeaderKind.UnknownMessage ? 0 : header.Length;
 
     // A frame with an unknown incompatibility flag may mean anything: it is dropped whole.
     private void Drop(in ParsedHeader header)

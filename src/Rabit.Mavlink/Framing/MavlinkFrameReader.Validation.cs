@@ -18,13 +18,15 @@ public sealed partial class MavlinkFrameReader
     private int _scanned;
     private bool _frameFound;
 
-    private ValidationResult Validate(in ParsedHeader header, ReadOnlySpan<byte> rest, bool isLast) => header.Kind switch
-    {
-        HeaderKind.Incomplete => NeedsMoreUnless(isLast),
-        HeaderKind.KnownMessage => header.Length > rest.Length ? NeedsMoreUnless(isLast) : ValidateChecksum(header, rest),
-        HeaderKind.UnknownMessage => ValidateUnknown(header.Length, isLast),
-        _ => ValidationResult.Invalid,
-    };
+    private ValidationResult Validate(in ParsedHeader header, ReadOnlySpan<byte> rest, bool isLast)
+        => header.Kind switch
+        {
+            HeaderKind.Incomplete => NeedsMoreUnless(isLast),
+            HeaderKind.KnownMessage =>
+                header.Length > rest.Length ? NeedsMoreUnless(isLast) : ValidateChecksum(header, rest),
+            HeaderKind.UnknownMessage => ValidateUnknown(header.Length, isLast),
+            _ => ValidationResult.Invalid,
+        };
 
     private bool ChecksumMatches(in ParsedHeader header, ReadOnlySpan<byte> bytes)
     {
@@ -32,7 +34,8 @@ public sealed partial class MavlinkFrameReader
         return header.ChecksumMatches(bytes);
     }
 
-    private static ValidationResult NeedsMoreUnless(bool isLast) => isLast ? ValidationResult.Invalid : ValidationResult.NeedsMoreBytes;
+    private static ValidationResult NeedsMoreUnless(bool isLast)
+        => isLast ? ValidationResult.Invalid : ValidationResult.NeedsMoreBytes;
 
     private ValidationResult ValidateChecksum(in ParsedHeader header, ReadOnlySpan<byte> rest)
     {
@@ -69,7 +72,9 @@ public sealed partial class MavlinkFrameReader
             return ValidationResult.Valid;
         if (next == _end)
             return isLast ? ValidationResult.Valid : ValidationResult.NeedsMoreBytes;
-        return _buffer[next] is WireFormat.MagicV2 or WireFormat.MagicV1 ? ValidationResult.Valid : ValidationResult.Invalid;
+        return _buffer[next] is WireFormat.MagicV2 or WireFormat.MagicV1
+            ? ValidationResult.Valid
+            : ValidationResult.Invalid;
     }
 
     // Scans for the first checked frame that begins behind _start and before 'limit'. False: more bytes are needed.

@@ -265,7 +265,8 @@ public sealed partial class MavlinkFrameReader
         _boundary = _bufferOffset + _start;
     }
 
-    private void Deliver(in ParsedHeader header, ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
+    private void Deliver(
+        in ParsedHeader header, ReadOnlySpan<byte> bytes, out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
         bool isChecked = header.Kind == HeaderKind.KnownMessage;
         if (isChecked)

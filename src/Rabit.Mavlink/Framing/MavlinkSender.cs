@@ -28,9 +28,11 @@ public sealed class MavlinkSender
     public MavlinkSender(byte systemId, byte componentId)
     {
         if (systemId == 0)
-            throw new ArgumentOutOfRangeException(nameof(systemId), systemId, "0 means every system; ours is 1 to 255.");
+            throw new ArgumentOutOfRangeException(
+                nameof(systemId), systemId, "0 means every system; ours is 1 to 255.");
         if (componentId == 0)
-            throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
+            throw new ArgumentOutOfRangeException(
+                nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
         SystemId = systemId;
         ComponentId = componentId;
     }
@@ -105,11 +107,13 @@ public sealed class MavlinkSender
         T fields = message;
         FrameEncoder.CheckVersion(ref fields, _version);
         var header = new FrameHeader(_version, SystemId, ComponentId, NextSequence);
-        int maxLength = header.Length + fields.MaxLength + WireFormat.ChecksumLength + (_signer is null ? 0 : WireFormat.SignatureLength);
+        int maxLength = header.Length + fields.MaxLength + WireFormat.ChecksumLength
+            + (_signer is null ? 0 : WireFormat.SignatureLength);
         if (destination.Length < maxLength)
             return WriteCut(fields, destination);
 
-        int length = FrameEncoder.Write(ref fields, header, _signer is null ? (byte)0 : WireFormat.SignedFlag, destination);
+        int length = FrameEncoder.Write(
+            ref fields, header, _signer is null ? (byte)0 : WireFormat.SignedFlag, destination);
         if (_signer is not null)
         {
             _signer.Sign(destination.Slice(0, length), destination.Slice(length, WireFormat.SignatureLength));

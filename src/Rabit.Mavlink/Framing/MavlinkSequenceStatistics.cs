@@ -5,7 +5,8 @@ namespace Rabit.Mavlink;
 /// </summary>
 public readonly struct MavlinkSequenceStatistics
 {
-    internal MavlinkSequenceStatistics(byte systemId, byte componentId, byte lastSequence, long frames, long missing, long outOfOrder)
+    internal MavlinkSequenceStatistics(
+        byte systemId, byte componentId, byte lastSequence, long frames, long missing, long outOfOrder)
     {
         SystemId = systemId;
         ComponentId = componentId;

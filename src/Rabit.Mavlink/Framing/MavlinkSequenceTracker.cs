@@ -21,7 +21,8 @@ public sealed class MavlinkSequenceTracker
     public MavlinkSequenceTracker(int maxSources = 256)
     {
         if (maxSources < 1)
-            throw new ArgumentOutOfRangeException(nameof(maxSources), maxSources, "A tracker needs room for one sender at least.");
+            throw new ArgumentOutOfRangeException(
+                nameof(maxSources), maxSources, "A tracker needs room for one sender at least.");
         _sources = new MavlinkSequenceStatistics[maxSources];
         _indexBySource = new Dictionary<int, int>(maxSources);
     }

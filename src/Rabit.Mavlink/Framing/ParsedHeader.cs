@@ -58,7 +58,8 @@ internal readonly struct ParsedHeader
             return new ParsedHeader(HeaderKind.Incomplete, WireFormat.HeaderLengthV2, false, 0, 0);
 
         int flags = bytes[2];
-        int length = WireFormat.HeaderLengthV2 + WireFormat.ChecksumLength + bytes[1] + (WireFormat.SignatureLength * (flags & WireFormat.SignedFlag));
+        int length = WireFormat.HeaderLengthV2 + WireFormat.ChecksumLength + bytes[1]
+            + (WireFormat.SignatureLength * (flags & WireFormat.SignedFlag));
         bool hasUnknownFlags = (flags & ~WireFormat.SignedFlag) != 0;
         // Any payload length will do: shorter is cut, longer comes from a newer definition with more extension fields.
         int index = messages.IndexOf(bytes[7] | (bytes[8] << 8) | (bytes[9] << 16));

@@ -27,7 +27,8 @@ internal static class TlogFormat
         return time <= MaxTime ? (long)time : -1;
     }
 
-    public static void WriteTime(Span<byte> record, long timeMicroseconds) => BinaryPrimitives.WriteInt64BigEndian(record, timeMicroseconds);
+    public static void WriteTime(Span<byte> record, long timeMicroseconds)
+        => BinaryPrimitives.WriteInt64BigEndian(record, timeMicroseconds);
 
     public static DateTime ToUtc(long timeMicroseconds) => Epoch.AddTicks(timeMicroseconds * TicksPerMicrosecond);
 }

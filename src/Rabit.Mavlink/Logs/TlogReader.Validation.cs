@@ -41,14 +41,16 @@ public sealed partial class TlogReader
             : following.Length <= TlogFormat.TimeLength ? IsNearLast(time) : IsConfirmedBy(following, time);
     }
 
-    private bool TimeFits(long time, ReadOnlySpan<byte> following) => IsNearLast(time) || IsConfirmedBy(following, time);
+    private bool TimeFits(long time, ReadOnlySpan<byte> following)
+        => IsNearLast(time) || IsConfirmedBy(following, time);
 
     private bool IsNearLast(long time) => _lastTime is not { } last || Math.Abs(time - last) <= NearMicroseconds;
 
     // The record behind, if one seems to be there, is near in time, or the three times are in order however far apart.
     private bool IsConfirmedBy(ReadOnlySpan<byte> following, long time)
     {
-        if (following.Length <= TlogFormat.TimeLength || following[TlogFormat.TimeLength] is not (WireFormat.MagicV2 or WireFormat.MagicV1))
+        if (following.Length <= TlogFormat.TimeLength
+            || following[TlogFormat.TimeLength] is not (WireFormat.MagicV2 or WireFormat.MagicV1))
             return false;
         long next = TlogFormat.ReadTime(following);
         if (next < 0)

@@ -107,10 +107,12 @@ public sealed partial class TlogReader
         return false;
     }
 
-    private bool Take(in ParsedHeader header, long time, ReadOnlySpan<byte> rest, out MavlinkFrame frame, out TlogRecord record)
+    private bool Take(
+        in ParsedHeader header, long time, ReadOnlySpan<byte> rest, out MavlinkFrame frame, out TlogRecord record)
     {
         record = new TlogRecord(
-            Records + IncompatibleRecords, Position, time, header.Kind == HeaderKind.KnownMessage, _messages.At(header.MessageIndex));
+            Records + IncompatibleRecords, Position, time, header.Kind == HeaderKind.KnownMessage,
+            _messages.At(header.MessageIndex));
         MavlinkFrame.FromWire(rest.Slice(TlogFormat.TimeLength, header.Length), out frame);
         _start += TlogFormat.TimeLength + header.Length;
         _lastTime = time;

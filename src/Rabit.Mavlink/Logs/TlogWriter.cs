@@ -55,7 +55,8 @@ public sealed class TlogWriter
     public bool Write(long timeMicroseconds, in MavlinkFrame frame)
     {
         if (timeMicroseconds is < 0 or > TlogFormat.MaxTime)
-            throw new ArgumentOutOfRangeException(nameof(timeMicroseconds), timeMicroseconds, "A record's time lies between 1970 and 2100.");
+            throw new ArgumentOutOfRangeException(
+                nameof(timeMicroseconds), timeMicroseconds, "A record's time lies between 1970 and 2100.");
         if (frame.Version == MavlinkVersion.None)
             throw new ArgumentException("The frame is empty: nothing was ever put into it.", nameof(frame));
         if (frame.MessageId == SetupSigning)

@@ -33,5 +33,6 @@ internal struct BootTime
         return !isWrap;
     }
 
-    private static bool IsWrap(uint before, uint after) => before > uint.MaxValue - WrapWindowMs && after < WrapWindowMs;
+    private static bool IsWrap(uint before, uint after)
+        => before > uint.MaxValue - WrapWindowMs && after < WrapWindowMs;
 }

@@ -68,7 +68,8 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
     /// </summary>
     public bool IsSameKindAs(CommandExchange other) =>
         _command.Command == other._command.Command && _command.Target.SystemId == other._command.Target.SystemId
-        && (_command.Target.ComponentId == other._command.Target.ComponentId || _command.Target.ComponentId == 0 || other._command.Target.ComponentId == 0);
+        && (_command.Target.ComponentId == other._command.Target.ComponentId || _command.Target.ComponentId == 0
+            || other._command.Target.ComponentId == 0);
 
     public bool IsAnswered(in MavlinkFrame frame, in CommandAck answer) =>
         IsOpen && _sent > 0 && answer.Command == _command.Command && _command.Target.IsSourceOf(frame);
@@ -77,7 +78,8 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
     /// <returns>Whether it may have been for this command.</returns>
     public bool HandleLateAnswer(in MavlinkFrame frame, in CommandAck answer, TimeSpan now)
     {
-        if (Phase is not (CommandPhase.Completed or CommandPhase.OutcomeTaken) || now >= LateUntil || answer.Command != _command.Command || !_command.Target.IsSourceOf(frame))
+        if (Phase is not (CommandPhase.Completed or CommandPhase.OutcomeTaken) || now >= LateUntil
+            || answer.Command != _command.Command || !_command.Target.IsSourceOf(frame))
             return false;
         CountAnswer(answer.Result);
         if (IsFullyAnswered)
@@ -110,7 +112,9 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
         {
             _mayBeRunning |= Phase == CommandPhase.Sending && _sent > 0;
             Phase = CommandPhase.Sending;
-            frame = _isInt ? sender.Create(_command.ToInt()) : sender.Create(_command.ToLong((byte)Math.Min(_sent, byte.MaxValue)));
+            frame = _isInt
+                ? sender.Create(_command.ToInt())
+                : sender.Create(_command.ToLong((byte)Math.Min(_sent, byte.MaxValue)));
             _sent++;
         }
 
@@ -176,7 +180,8 @@ internal sealed class CommandExchange(MavlinkCommandOptions options)
 
             // To a copy in the other form, sent before.
             case MavResult.CommandIntOnly when _isInt && _hasSwitched:
-            case MavResult.CommandLongOnly or MavResult.CommandUnsupportedMavFrame when !_isInt && _hasSwitched && _command.Forms == MavlinkCommandForms.IntThenLong:
+            case MavResult.CommandLongOnly or MavResult.CommandUnsupportedMavFrame
+                when !_isInt && _hasSwitched && _command.Forms == MavlinkCommandForms.IntThenLong:
                 return;
             case MavResult.CommandIntOnly when !_isInt && !_hasSwitched:
             case MavResult.CommandLongOnly or MavResult.CommandUnsupportedMavFrame when _isInt && !_hasSwitched:

@@ -93,19 +93,21 @@ public readonly record struct MavlinkCommand
     /// <param name="param7">Parameter 7.</param>
     /// <returns>The command.</returns>
     public static MavlinkCommand Create(
-        MavlinkAddress target, MavCmd command, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0, float param5 = 0, float param6 = 0, float param7 = 0) => new()
-        {
-            Target = target,
-            Command = command,
-            Forms = MavlinkCommandForms.LongThenInt,
-            Param1 = param1,
-            Param2 = param2,
-            Param3 = param3,
-            Param4 = param4,
-            Param5 = param5,
-            Param6 = param6,
-            Param7 = param7,
-        };
+        MavlinkAddress target, MavCmd command, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0,
+        float param5 = 0, float param6 = 0, float param7 = 0)
+            => new()
+            {
+                Target = target,
+                Command = command,
+                Forms = MavlinkCommandForms.LongThenInt,
+                Param1 = param1,
+                Param2 = param2,
+                Param3 = param3,
+                Param4 = param4,
+                Param5 = param5,
+                Param6 = param6,
+                Param7 = param7,
+            };
 
     /// <summary>
     /// A command with a location, as COMMAND_INT first: the single-precision degrees of COMMAND_LONG are no better than
@@ -123,21 +125,23 @@ public readonly record struct MavlinkCommand
     /// <param name="param4">Parameter 4.</param>
     /// <returns>The command.</returns>
     public static MavlinkCommand AtLocation(
-        MavlinkAddress target, MavCmd command, MavFrame frame, int x, int y, float z, float param1 = 0, float param2 = 0, float param3 = 0, float param4 = 0) => new()
-        {
-            Target = target,
-            Command = command,
-            Forms = MavlinkCommandForms.IntThenLong,
-            HasLocation = true,
-            Frame = frame,
-            Param1 = param1,
-            Param2 = param2,
-            Param3 = param3,
-            Param4 = param4,
-            X = x,
-            Y = y,
-            Z = z,
-        };
+        MavlinkAddress target, MavCmd command, MavFrame frame, int x, int y, float z, float param1 = 0,
+        float param2 = 0, float param3 = 0, float param4 = 0)
+            => new()
+            {
+                Target = target,
+                Command = command,
+                Forms = MavlinkCommandForms.IntThenLong,
+                HasLocation = true,
+                Frame = frame,
+                Param1 = param1,
+                Param2 = param2,
+                Param3 = param3,
+                Param4 = param4,
+                X = x,
+                Y = y,
+                Z = z,
+            };
 
     internal CommandLong ToLong(byte confirmation) => new()
     {
@@ -170,13 +174,16 @@ public readonly record struct MavlinkCommand
     };
 
     // The max integer is "not given", as NaN is for floats.
-    private float ToFloat(int value) => value == int.MaxValue ? float.NaN : (float)(value * (IsLocal ? MetresPerUnit : DegreesPerUnit));
+    private float ToFloat(int value)
+        => value == int.MaxValue ? float.NaN : (float)(value * (IsLocal ? MetresPerUnit : DegreesPerUnit));
 
     private static int ToInteger(float value) => float.IsNaN(value) ? int.MaxValue
         : value >= int.MaxValue ? int.MaxValue
         : value <= int.MinValue ? int.MinValue
         : (int)Math.Round(value);
 
-    private bool IsLocal => Frame is MavFrame.LocalNed or MavFrame.LocalEnu or MavFrame.LocalOffsetNed or MavFrame.BodyNed or MavFrame.BodyOffsetNed
-        or MavFrame.BodyFrd or MavFrame.LocalFrd or MavFrame.LocalFlu;
+    private bool IsLocal
+        => Frame is MavFrame.LocalNed or MavFrame.LocalEnu or MavFrame.LocalOffsetNed or MavFrame.BodyNed
+            or MavFrame.BodyOffsetNed
+            or MavFrame.BodyFrd or MavFrame.LocalFrd or MavFrame.LocalFlu;
 }

@@ -12,4 +12,5 @@ namespace Rabit.Mavlink;
 /// <param name="Sent">How often the command was sent; 0 where it was cancelled before.</param>
 /// <param name="EndedAt">When it ended.</param>
 public readonly record struct MavlinkCommandOutcome(
-    int Handle, MavlinkCommand Command, MavlinkCommandStatus Status, MavResult? Result, int ResultParam2, int Sent, TimeSpan EndedAt);
+    int Handle, MavlinkCommand Command, MavlinkCommandStatus Status, MavResult? Result, int ResultParam2, int Sent,
+    TimeSpan EndedAt);

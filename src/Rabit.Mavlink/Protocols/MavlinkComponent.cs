@@ -12,4 +12,5 @@ namespace Rabit.Mavlink;
 /// <param name="IsLost">Whether it counts as lost.</param>
 /// <param name="Reboots">How many reboots were detected.</param>
 public readonly record struct MavlinkComponent(
-    MavlinkAddress Address, Heartbeat Heartbeat, TimeSpan FirstAt, TimeSpan LastAt, long Heartbeats, bool IsLost, int Reboots);
+    MavlinkAddress Address, Heartbeat Heartbeat, TimeSpan FirstAt, TimeSpan LastAt, long Heartbeats, bool IsLost,
+    int Reboots);

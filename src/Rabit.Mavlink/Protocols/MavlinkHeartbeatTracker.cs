@@ -103,7 +103,8 @@ public sealed class MavlinkHeartbeatTracker
     /// <param name="frame">The frame, checked by the reader.</param>
     /// <param name="heartbeat">Its message.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
-    public void Handle(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan now) => HandleHeartbeat(frame, heartbeat, now);
+    public void Handle(in MavlinkFrame frame, in Heartbeat heartbeat, TimeSpan now)
+        => HandleHeartbeat(frame, heartbeat, now);
 
     /// <summary>Takes the next event. Call it until there is none, after frames and at <see cref="NextDue"/>.</summary>
     /// <param name="now">The time.</param>
@@ -143,7 +144,9 @@ public sealed class MavlinkHeartbeatTracker
         int offset = frame.MessageId switch
         {
             SystemTime.MavlinkId => sizeof(ulong),
-            Attitude.MavlinkId or AttitudeQuaternion.MavlinkId or LocalPositionNed.MavlinkId or GlobalPositionInt.MavlinkId => 0,
+            Attitude.MavlinkId or AttitudeQuaternion.MavlinkId or LocalPositionNed.MavlinkId
+                or GlobalPositionInt.MavlinkId =>
+                0,
             _ => -1,
         };
         milliseconds = 0;
@@ -167,7 +170,9 @@ public sealed class MavlinkHeartbeatTracker
 
             _entries[Count++] = new Entry
             {
-                Value = new MavlinkComponent(new MavlinkAddress(frame.SystemId, frame.ComponentId), heartbeat, now, now, 1, IsLost: false, Reboots: 0),
+                Value = new MavlinkComponent(
+                    new MavlinkAddress(frame.SystemId, frame.ComponentId), heartbeat, now, now, 1, IsLost: false,
+                    Reboots: 0),
                 Open = 1 << (int)MavlinkComponentEvent.Appeared,
             };
             return;
@@ -184,7 +189,13 @@ public sealed class MavlinkHeartbeatTracker
 
         if (entry.Value.IsLost)
             entry.Open |= 1 << (int)MavlinkComponentEvent.Returned;
-        entry.Value = entry.Value with { Heartbeat = heartbeat, LastAt = now, Heartbeats = entry.Value.Heartbeats + 1, IsLost = false };
+        entry.Value = entry.Value with
+        {
+            Heartbeat = heartbeat,
+            LastAt = now,
+            Heartbeats = entry.Value.Heartbeats + 1,
+            IsLost = false
+        };
     }
 
     private void HandleBootTime(in MavlinkFrame frame, uint milliseconds)
@@ -203,7 +214,8 @@ public sealed class MavlinkHeartbeatTracker
     {
         for (int i = 0; i < Count; i++)
         {
-            if (_entries[i].Value.Address.SystemId == frame.SystemId && _entries[i].Value.Address.ComponentId == frame.ComponentId)
+            if (_entries[i].Value.Address.SystemId == frame.SystemId
+                && _entries[i].Value.Address.ComponentId == frame.ComponentId)
                 return i;
         }
 

@@ -81,7 +81,8 @@ public sealed partial class MavlinkMissionClient
     {
         if (!_own.IsTargetOf(item.TargetSystem, item.TargetComponent))
             return;
-        if (_operation == Operation.None && _isDownloadOver && item.Seq == _count - 1 && item.MissionType == _type && _seq == _count)
+        if (_operation == Operation.None && _isDownloadOver && item.Seq == _count - 1 && item.MissionType == _type
+            && _seq == _count)
         {
             // The vehicle did not receive the final acknowledgement.
             if (_finalAckRepeats++ < MaxFinalAckRepeats)
@@ -92,8 +93,10 @@ public sealed partial class MavlinkMissionClient
         // PX4 1.14 sends the items of fences and rally points without their type: accepted, unless they may be left
         // from a mission.
         bool hasNoType = item.MissionType == MavMissionType.Mission
-            && (frame.Version == MavlinkVersion.V1 || _lastPlainAt == TimeSpan.MinValue || now > _lastPlainAt + _options.LateAnswerTime);
-        if (_operation != Operation.Download || _step != Step.Request || item.Seq != _seq || (item.MissionType != _type && !hasNoType))
+            && (frame.Version == MavlinkVersion.V1 || _lastPlainAt == TimeSpan.MinValue
+                || now > _lastPlainAt + _options.LateAnswerTime);
+        if (_operation != Operation.Download || _step != Step.Request || item.Seq != _seq
+            || (item.MissionType != _type && !hasNoType))
             return;
         _items[_seq] = item;
         _seq++;

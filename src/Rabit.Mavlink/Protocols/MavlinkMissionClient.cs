@@ -117,7 +117,8 @@ public sealed partial class MavlinkMissionClient
     /// When to call <see cref="TryTakeFrame"/> at the latest; <see cref="TimeSpan.MaxValue"/> while there is nothing to
     /// wait for.
     /// </summary>
-    public TimeSpan NextDue => _finalAck is not null ? TimeSpan.Zero : _operation == Operation.None ? TimeSpan.MaxValue : _due;
+    public TimeSpan NextDue
+        => _finalAck is not null ? TimeSpan.Zero : _operation == Operation.None ? TimeSpan.MaxValue : _due;
 
     /// <summary>Starts an upload. The items are copied; sequence numbers, target and type are filled in.</summary>
     /// <param name="type">Mission, fence or rally points.</param>
@@ -148,7 +149,8 @@ public sealed partial class MavlinkMissionClient
     /// <param name="type">Mission, fence or rally points.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
     /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
-    public bool TryStartDownload(MavMissionType type, TimeSpan now) => TryStart(Operation.Download, Step.List, type, now);
+    public bool TryStartDownload(MavMissionType type, TimeSpan now)
+        => TryStart(Operation.Download, Step.List, type, now);
 
     /// <summary>Starts to clear.</summary>
     /// <param name="type">Mission, fence, rally points, or all of them.</param>
@@ -229,7 +231,9 @@ public sealed partial class MavlinkMissionClient
         _highest = -1;
         _result = null;
         _isDownloadOver = false;
-        _due = _lastSentAt != TimeSpan.MinValue && now < _lastSentAt + _options.LateAnswerTime ? _lastSentAt + _options.LateAnswerTime : now;
+        _due = _lastSentAt != TimeSpan.MinValue && now < _lastSentAt + _options.LateAnswerTime
+            ? _lastSentAt + _options.LateAnswerTime
+            : now;
         return true;
     }
 
@@ -245,7 +249,14 @@ public sealed partial class MavlinkMissionClient
         // A request may be a late duplicate; what is sent again without a request is the item after the last one
         // received.
         Step.Item => _sender.Create(_items[_tries > 0 ? _highest : _seq]),
-        Step.List => _sender.Create(new MissionRequestList { TargetSystem = _target.SystemId, TargetComponent = _target.ComponentId, MissionType = _type }),
+        Step.List =>
+            _sender.Create(
+                new MissionRequestList
+                {
+                    TargetSystem = _target.SystemId,
+                    TargetComponent = _target.ComponentId,
+                    MissionType = _type
+                }),
         Step.Request => _sender.Create(new MissionRequestInt
         {
             TargetSystem = _target.SystemId,
@@ -253,7 +264,14 @@ public sealed partial class MavlinkMissionClient
             Seq = (ushort)_seq,
             MissionType = _type,
         }),
-        _ => _sender.Create(new MissionClearAll { TargetSystem = _target.SystemId, TargetComponent = _target.ComponentId, MissionType = _type }),
+        _ =>
+            _sender.Create(
+                new MissionClearAll
+                {
+                    TargetSystem = _target.SystemId,
+                    TargetComponent = _target.ComponentId,
+                    MissionType = _type
+                }),
     };
 
     private void Reserve(int count)

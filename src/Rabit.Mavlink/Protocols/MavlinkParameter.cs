@@ -58,7 +58,9 @@ public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, u
         if (encoding == MavlinkParameterEncoding.Bytewise)
             return unchecked((uint)(long)whole);
         if ((float)whole != whole)
-            throw new ArgumentOutOfRangeException(nameof(value), value, "The C-cast encoding sends a float, which holds integers exactly up to 16 777 216.");
+            throw new ArgumentOutOfRangeException(
+                nameof(value), value,
+                "The C-cast encoding sends a float, which holds integers exactly up to 16 777 216.");
         return FromFloat((float)whole);
     }
 
@@ -68,8 +70,11 @@ public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, u
     /// <returns>Whether the capabilities include one.</returns>
     public static bool TryGetEncoding(MavProtocolCapability capabilities, out MavlinkParameterEncoding encoding)
     {
-        encoding = (capabilities & MavProtocolCapability.ParamEncodeBytewise) != 0 ? MavlinkParameterEncoding.Bytewise : MavlinkParameterEncoding.CCast;
-        return (capabilities & (MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.ParamEncodeCCast)) != 0;
+        encoding = (capabilities & MavProtocolCapability.ParamEncodeBytewise) != 0
+            ? MavlinkParameterEncoding.Bytewise
+            : MavlinkParameterEncoding.CCast;
+        return (capabilities & (MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.ParamEncodeCCast))
+            != 0;
     }
 
     /// <summary>

@@ -64,7 +64,8 @@ public sealed partial class MavlinkParameterClient
     private MavlinkFrame ListRequest()
     {
         _sent++;
-        return _sender.Create(new ParamRequestList { TargetSystem = _target.SystemId, TargetComponent = _target.ComponentId });
+        return _sender.Create(
+            new ParamRequestList { TargetSystem = _target.SystemId, TargetComponent = _target.ComponentId });
     }
 
     private MavlinkFrame AskForMissing()

@@ -65,7 +65,9 @@ public sealed partial class MavlinkParameterClient
     /// <param name="options">Time-outs and retries; null for the defaults.</param>
     /// <exception cref="ArgumentNullException">No sender.</exception>
     /// <exception cref="ArgumentException">The target is not one component.</exception>
-    public MavlinkParameterClient(MavlinkSender sender, MavlinkAddress target, MavlinkParameterEncoding encoding, MavlinkParameterOptions? options = null)
+    public MavlinkParameterClient(
+        MavlinkSender sender, MavlinkAddress target, MavlinkParameterEncoding encoding,
+        MavlinkParameterOptions? options = null)
     {
         _sender = sender ?? throw new ArgumentNullException(nameof(sender));
         if (target.SystemId == 0 || target.ComponentId == 0)
@@ -201,7 +203,8 @@ public sealed partial class MavlinkParameterClient
             return false;
 
         // A late report of an earlier request must not be mistaken for the answer.
-        bool isAgain = _lastSentAt != TimeSpan.MinValue && name == _name && index == _index && now < _lastSentAt + _options.LateAnswerTime;
+        bool isAgain = _lastSentAt != TimeSpan.MinValue && name == _name && index == _index
+            && now < _lastSentAt + _options.LateAnswerTime;
         _due = isAgain ? _lastSentAt + _options.LateAnswerTime : now;
         _operation = operation;
         _name = name;
@@ -243,7 +246,8 @@ public sealed partial class MavlinkParameterClient
         }
 
         Parameters.Update(parameter);
-        if (_operation == Operation.None || _tries == 0 || (_index >= 0 ? parameter.Index != _index : parameter.Name != _name))
+        if (_operation == Operation.None || _tries == 0
+            || (_index >= 0 ? parameter.Index != _index : parameter.Name != _name))
             return;
         if (_operation == Operation.Read || IsWanted(parameter))
         {
@@ -259,7 +263,8 @@ public sealed partial class MavlinkParameterClient
 
     // ArduPilot answers with its own type, whatever the request said; then it is the number that counts.
     private bool IsWanted(in MavlinkParameter parameter) => parameter.Bits == _wanted
-        || (parameter.Type != _type && parameter.ToDouble(Encoding).Equals(MavlinkParameter.Decode(_wanted, _type, Encoding)));
+        || (parameter.Type != _type
+            && parameter.ToDouble(Encoding).Equals(MavlinkParameter.Decode(_wanted, _type, Encoding)));
 
     private void Take(in ParamError error, TimeSpan now)
     {

@@ -52,13 +52,17 @@ public static class MavlinkParameterHash
     {
         "COM_FLIGHT_UUID" or "EKF2_MAG_DECL" or "LND_FLIGHT_T_HI" or "LND_FLIGHT_T_LO" or "SENS_DPRES_OFF" => true,
         _ when Begins(name, "ASPD_SCALE_") => true,
-        _ => IsOfASensor(name) && (Ends(name, "OFF") || Ends(name, "SCALE") || Ends(name, "ODIAG") || Ends(name, "COMP")),
+        _ =>
+            IsOfASensor(name)
+                && (Ends(name, "OFF") || Ends(name, "SCALE") || Ends(name, "ODIAG") || Ends(name, "COMP")),
     };
 
     // CAL_ACC0_XOFF, CAL_MAG1_ZODIAG, CAL_BARO0_OFF; but not CAL_MAG_COMP_TYP.
     private static bool IsOfASensor(string name)
     {
-        int length = Begins(name, "CAL_ACC") || Begins(name, "CAL_MAG") ? 7 : Begins(name, "CAL_GYRO") || Begins(name, "CAL_BARO") ? 8 : int.MaxValue;
+        int length = Begins(name, "CAL_ACC") || Begins(name, "CAL_MAG") ? 7
+            : Begins(name, "CAL_GYRO") || Begins(name, "CAL_BARO") ? 8
+            : int.MaxValue;
         return name.Length > length && name[length] is >= '0' and <= '9';
     }
 

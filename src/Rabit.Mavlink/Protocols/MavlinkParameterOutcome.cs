@@ -11,4 +11,5 @@ namespace Rabit.Mavlink;
 /// <param name="Sent">How many frames were sent for it.</param>
 /// <param name="EndedAt">When it ended.</param>
 public readonly record struct MavlinkParameterOutcome(
-    MavlinkParameterStatus Status, MavlinkParameter Parameter, MavParamError Error, int Missing, int Sent, TimeSpan EndedAt);
+    MavlinkParameterStatus Status, MavlinkParameter Parameter, MavParamError Error, int Missing, int Sent,
+    TimeSpan EndedAt);

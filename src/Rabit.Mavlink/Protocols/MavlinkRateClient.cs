@@ -64,7 +64,8 @@ public sealed class MavlinkRateClient
     /// <param name="wanted">Message ids and rates, hertz; 0 turns a message off.</param>
     /// <exception cref="ArgumentNullException">No sender.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A rate is negative or no number.</exception>
-    public MavlinkRateClient(MavlinkSender sender, MavlinkAddress target, ReadOnlySpan<(int MessageId, double Hertz)> wanted)
+    public MavlinkRateClient(
+        MavlinkSender sender, MavlinkAddress target, ReadOnlySpan<(int MessageId, double Hertz)> wanted)
     {
         _sender = sender ?? throw new ArgumentNullException(nameof(sender));
         _own = new MavlinkAddress(sender.SystemId, sender.ComponentId);
@@ -73,7 +74,9 @@ public sealed class MavlinkRateClient
         for (int i = 0; i < _entries.Length; i++)
         {
             if (!(wanted[i].Hertz >= 0 && wanted[i].Hertz <= 1e6))
-                throw new ArgumentOutOfRangeException(nameof(wanted), wanted[i].Hertz, $"The rate of message {wanted[i].MessageId} is 0 to 1 000 000 Hz.");
+                throw new ArgumentOutOfRangeException(
+                    nameof(wanted), wanted[i].Hertz,
+                    $"The rate of message {wanted[i].MessageId} is 0 to 1 000 000 Hz.");
             _entries[i].MessageId = wanted[i].MessageId;
             _entries[i].Hertz = wanted[i].Hertz;
         }
@@ -117,7 +120,13 @@ public sealed class MavlinkRateClient
         for (int i = 0; i < _entries.Length; i++)
         {
             ref Entry entry = ref _entries[i];
-            entry = new Entry { MessageId = entry.MessageId, Hertz = entry.Hertz, Measured = double.NaN, IsWaiting = true };
+            entry = new Entry
+            {
+                MessageId = entry.MessageId,
+                Hertz = entry.Hertz,
+                Measured = double.NaN,
+                IsWaiting = true
+            };
         }
     }
 
@@ -269,7 +278,8 @@ public sealed class MavlinkRateClient
             if (_windowStart is { } from && entry.Requests > 0 && entry.RequestedAt < from)
                 entry.Measured = entry.InWindow / (now - from).TotalSeconds;
             entry.InWindow = 0;
-            bool isOff = this[i].IsOffBy(Tolerance) && entry.Answer != MavlinkRateAnswer.Refused && entry.Repeats < MaxRepeats;
+            bool isOff = this[i].IsOffBy(Tolerance) && entry.Answer != MavlinkRateAnswer.Refused
+                && entry.Repeats < MaxRepeats;
             if (!isOff || entry.IsWaiting || now < entry.RequestedAt + RepeatAfter)
                 continue;
             entry.Repeats++;

@@ -10,7 +10,8 @@ namespace Rabit.Mavlink;
 /// </param>
 /// <param name="Answer">How the vehicle answered.</param>
 /// <param name="Requests">How often it was requested.</param>
-public readonly record struct MavlinkStreamRate(int MessageId, double WantedHertz, double MeasuredHertz, MavlinkRateAnswer Answer, int Requests)
+public readonly record struct MavlinkStreamRate(
+    int MessageId, double WantedHertz, double MeasuredHertz, MavlinkRateAnswer Answer, int Requests)
 {
     /// <summary>Whether the measured rate is away from the wanted one by more than a share of it.</summary>
     /// <param name="share">For example 0.2.</param>

@@ -54,7 +54,8 @@ public sealed class MavlinkTimesyncClient
             return;
         if (message.Tc1 == 0)
             Answer(frame, message, now);
-        else if (_target.IsSourceOf(frame) && Requests.IsAnswer(message, out TimeSpan askedAt) && Filter.AddRoundTrip(askedAt, now, message.Tc1 * SecondsPerNanosecond))
+        else if (_target.IsSourceOf(frame) && Requests.IsAnswer(message, out TimeSpan askedAt)
+            && Filter.AddRoundTrip(askedAt, now, message.Tc1 * SecondsPerNanosecond))
             Requests.Start(now);
     }
 

@@ -99,7 +99,8 @@ public sealed class MavlinkTimesyncFilter
 
         double middle = (askedAt.TotalSeconds + receivedAt.TotalSeconds) / 2;
         double offset = theirSeconds - middle;
-        bool hasJumped = _count > 0 && Math.Abs(offset - OffsetSecondsAt(middle)) > ((roundTrip + ShortestRoundTripSeconds) / 2) + JumpSeconds;
+        bool hasJumped = _count > 0
+            && Math.Abs(offset - OffsetSecondsAt(middle)) > ((roundTrip + ShortestRoundTripSeconds) / 2) + JumpSeconds;
         if (hasJumped)
         {
             Jumps++;
@@ -137,7 +138,8 @@ public sealed class MavlinkTimesyncFilter
     /// <summary>Whether enough answers were received, and recently.</summary>
     /// <param name="now">The time, by our clock.</param>
     /// <returns>Whether the offset is valid.</returns>
-    public bool IsKnown(TimeSpan now) => _count >= MinAnswers && now.TotalSeconds - (_origin + _newest) <= ValidFor.TotalSeconds;
+    public bool IsKnown(TimeSpan now)
+        => _count >= MinAnswers && now.TotalSeconds - (_origin + _newest) <= ValidFor.TotalSeconds;
 
     /// <summary>How far the autopilot's clock is ahead of ours. Only once there is an answer.</summary>
     /// <param name="ourSeconds">A time by our clock, seconds.</param>

@@ -71,13 +71,15 @@ public sealed class MavlinkRouter
     public MavlinkRouter(byte systemId, byte componentId, int maxSources = DefaultSources)
     {
         if (maxSources < 1)
-            throw new ArgumentOutOfRangeException(nameof(maxSources), maxSources, "A router needs room for one sender at least.");
+            throw new ArgumentOutOfRangeException(
+                nameof(maxSources), maxSources, "A router needs room for one sender at least.");
         SetOwnAddress(systemId, componentId);
         _table = new RouteTable(maxSources);
     }
 
     /// <summary>The decisions so far.</summary>
-    public MavlinkRouterCounters Counters => new(_delivered, _forwarded, _unknownTargets, _ourOwn, _linkLocal, _sourcesRefused);
+    public MavlinkRouterCounters Counters
+        => new(_delivered, _forwarded, _unknownTargets, _ourOwn, _linkLocal, _sourcesRefused);
 
     /// <summary>How many senders (system, component) it remembers.</summary>
     public int Sources => _table.Count;
@@ -92,23 +94,26 @@ public sealed class MavlinkRouter
     public void SetOwnAddress(byte systemId, byte componentId)
     {
         if (systemId == 0)
-            throw new ArgumentOutOfRangeException(nameof(systemId), systemId, "0 means every system; ours is 1 to 255.");
+            throw new ArgumentOutOfRangeException(
+                nameof(systemId), systemId, "0 means every system; ours is 1 to 255.");
         if (componentId == 0)
-            throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
+            throw new ArgumentOutOfRangeException(
+                nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
         _systemId = systemId;
         _componentId = componentId;
     }
 
     /// <summary>
-    /// Makes us another component of our system beside that of our own address: a payload or a gimbal that this computer drives. What is
-    /// addressed to it is for us, and what comes in from it is an echo.
+    /// Makes us another component of our system beside that of our own address: a payload or a gimbal that this
+    /// computer drives. What is addressed to it is for us, and what comes in from it is an echo.
     /// </summary>
     /// <param name="componentId">Its component id, 1 to 255.</param>
     /// <exception cref="ArgumentOutOfRangeException">The id is 0.</exception>
     public void AddOwnComponent(byte componentId)
     {
         if (componentId == 0)
-            throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
+            throw new ArgumentOutOfRangeException(
+                nameof(componentId), componentId, "0 means every component; ours is 1 to 255.");
         _ownComponents[componentId] = true;
     }
 
@@ -121,7 +126,9 @@ public sealed class MavlinkRouter
         ulong bit = Bit(link);
         _links |= bit;
         _sendLinks = (rules & MavlinkLinkRules.Send) != 0 ? _sendLinks | bit : _sendLinks & ~bit;
-        _forwardFromLinks = (rules & MavlinkLinkRules.ForwardFrom) != 0 ? _forwardFromLinks | bit : _forwardFromLinks & ~bit;
+        _forwardFromLinks = (rules & MavlinkLinkRules.ForwardFrom) != 0
+            ? _forwardFromLinks | bit
+            : _forwardFromLinks & ~bit;
     }
 
     /// <summary>Takes a link away and forgets who was seen on it.</summary>
@@ -169,16 +176,19 @@ public sealed class MavlinkRouter
     /// </param>
     /// <returns>Where it goes; never back to its link.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
-    public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkMessageInfo message, bool isChecked) => isChecked
-        ? Route(link, frame, frame.TargetSystem(message), frame.TargetComponent(message), isChecked)
-        : Route(link, frame, targetSystem: 0, targetComponent: 0, isChecked);
+    public MavlinkRoute Route(int link, in MavlinkFrame frame, in MavlinkMessageInfo message, bool isChecked)
+        => isChecked
+            ? Route(link, frame, frame.TargetSystem(message), frame.TargetComponent(message), isChecked)
+            : Route(link, frame, targetSystem: 0, targetComponent: 0, isChecked);
 
     /// <summary>Says where a frame goes that came in, and learns from it: where its address was read before.</summary>
     /// <param name="link">The link it came from.</param>
     /// <param name="frame">The frame.</param>
     /// <param name="targetSystem">See <see cref="MavlinkFrame.TargetSystem"/>.</param>
     /// <param name="targetComponent">See <see cref="MavlinkFrame.TargetComponent"/>.</param>
-    /// <param name="isChecked">Whether its id is known and its checksum right. Only then is it learned from and its address used.</param>
+    /// <param name="isChecked">
+    /// Whether its id is known and its checksum right. Only then is it learned from and its address used.
+    /// </param>
     /// <returns>Where it goes; never back to its link.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The link was not added.</exception>
     public MavlinkRoute Route(int link, in MavlinkFrame frame, byte targetSystem, byte targetComponent, bool isChecked)
@@ -194,7 +204,9 @@ public sealed class MavlinkRouter
 
         if (isChecked)
             Learn(frame, bit);
-        MavlinkRoute route = isChecked ? RouteByAddress(frame.MessageId, targetSystem, targetComponent) : RouteUnchecked(frame.MessageId);
+        MavlinkRoute route = isChecked
+            ? RouteByAddress(frame.MessageId, targetSystem, targetComponent)
+            : RouteUnchecked(frame.MessageId);
         ulong allowed = (_forwardFromLinks & bit) != 0 ? _sendLinks & ~bit : 0;
         return Count(new MavlinkRoute(route.Reason, route.DeliverLocally, route.ForwardTo & allowed));
     }
@@ -244,7 +256,8 @@ public sealed class MavlinkRouter
         : new MavlinkRoute(MavlinkRouteReason.UnknownMessage, deliverLocally: false, ulong.MaxValue);
 
     // Within our own system the component decides; another system sorts that out itself.
-    private ulong LinksTowards(byte system, byte component) => LinksOf(system, system == _systemId ? component : (byte)0);
+    private ulong LinksTowards(byte system, byte component)
+        => LinksOf(system, system == _systemId ? component : (byte)0);
 
     private static bool IsLinkLocal(int messageId) => messageId is SetupSigning or RadioStatus or Radio;
 

@@ -3,7 +3,8 @@ namespace Rabit.Mavlink;
 /// <summary>The decisions of a router since it was made. A copy, taken at one moment.</summary>
 public readonly struct MavlinkRouterCounters
 {
-    internal MavlinkRouterCounters(long delivered, long forwarded, long unknownTargets, long ourOwn, long linkLocal, long sourcesRefused)
+    internal MavlinkRouterCounters(
+        long delivered, long forwarded, long unknownTargets, long ourOwn, long linkLocal, long sourcesRefused)
     {
         Delivered = delivered;
         Forwarded = forwarded;

@@ -10,5 +10,6 @@ public static class MavlinkSignatureResultExtensions
     /// <see cref="MavlinkSignatureResult.UnsignedAllowed"/>.
     /// </returns>
     public static bool IsAccepted(this MavlinkSignatureResult result) =>
-        result is MavlinkSignatureResult.Valid or MavlinkSignatureResult.ValidNewStream or MavlinkSignatureResult.UnsignedAllowed;
+        result is MavlinkSignatureResult.Valid or MavlinkSignatureResult.ValidNewStream
+            or MavlinkSignatureResult.UnsignedAllowed;
 }

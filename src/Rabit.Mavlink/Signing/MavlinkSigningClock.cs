@@ -49,7 +49,8 @@ public sealed class MavlinkSigningClock
     public MavlinkSigningClock(long earliest = 0)
     {
         if (earliest is < 0 or > SignatureFormat.MaxTimestamp)
-            throw new ArgumentOutOfRangeException(nameof(earliest), earliest, $"A time stamp is 0 to {SignatureFormat.MaxTimestamp}.");
+            throw new ArgumentOutOfRangeException(
+                nameof(earliest), earliest, $"A time stamp is 0 to {SignatureFormat.MaxTimestamp}.");
         Start(earliest);
     }
 
@@ -110,7 +111,8 @@ public sealed class MavlinkSigningClock
         if (!_isSet)
             throw new InvalidOperationException("The signing clock was not set yet: call Advance first.");
         if (_last >= SignatureFormat.MaxTimestamp)
-            throw new InvalidOperationException("The signing clock has reached its end: no later time stamp fits into 48 bits.");
+            throw new InvalidOperationException(
+                "The signing clock has reached its end: no later time stamp fits into 48 bits.");
         return _last = Math.Max(_last + 1, _steady / TimeSpanTicksPerTick);
     }
 

@@ -36,7 +36,8 @@ public sealed class MavlinkSigningKey : IDisposable
     public MavlinkSigningKey(ReadOnlySpan<byte> secret)
     {
         if (secret.Length != Length)
-            throw new ArgumentException($"A signing key has {Length} bytes, {secret.Length} were given.", nameof(secret));
+            throw new ArgumentException(
+                $"A signing key has {Length} bytes, {secret.Length} were given.", nameof(secret));
         secret.CopyTo(_secret);
         if (IsZero(_secret))
             throw new ArgumentException("A signing key of zeros is no key.", nameof(secret));
@@ -113,7 +114,8 @@ public sealed class MavlinkSigningKey : IDisposable
     {
         ThrowIfDisposed();
         if (targetSystem == 0)
-            throw new ArgumentOutOfRangeException(nameof(targetSystem), targetSystem, "A key is given to one system, never broadcast.");
+            throw new ArgumentOutOfRangeException(
+                nameof(targetSystem), targetSystem, "A key is given to one system, never broadcast.");
         return new SetupSigning
         {
             TargetSystem = targetSystem,

@@ -46,12 +46,15 @@ public sealed class MavlinkVerifier
     /// </param>
     /// <exception cref="ArgumentNullException">No key or no clock.</exception>
     /// <exception cref="ArgumentOutOfRangeException">Room for less than one stream or for too many.</exception>
-    public MavlinkVerifier(MavlinkSigningKey key, MavlinkSigningClock clock, MavlinkUnsignedRule? acceptUnsigned = null, int maxStreams = 1024)
+    public MavlinkVerifier(
+        MavlinkSigningKey key, MavlinkSigningClock clock, MavlinkUnsignedRule? acceptUnsigned = null,
+        int maxStreams = 1024)
     {
         _key = key ?? throw new ArgumentNullException(nameof(key));
         _clock = clock ?? throw new ArgumentNullException(nameof(clock));
         if (maxStreams is < 1 or > 65_536)
-            throw new ArgumentOutOfRangeException(nameof(maxStreams), maxStreams, "A verifier remembers 1 to 65536 streams.");
+            throw new ArgumentOutOfRangeException(
+                nameof(maxStreams), maxStreams, "A verifier remembers 1 to 65536 streams.");
         _acceptUnsigned = acceptUnsigned ?? RadioStatusOnly;
         _streams = new ReplayTable(maxStreams);
     }
@@ -69,7 +72,8 @@ public sealed class MavlinkVerifier
     /// <param name="frame">The frame.</param>
     /// <param name="link">The link; not used here.</param>
     /// <returns>Whether it is RADIO_STATUS.</returns>
-    public static bool RadioStatusOnly(in MavlinkFrame frame, int link) => frame.MessageId == Messages.RadioStatus.MavlinkId;
+    public static bool RadioStatusOnly(in MavlinkFrame frame, int link)
+        => frame.MessageId == Messages.RadioStatus.MavlinkId;
 
     /// <summary>
     /// Validates one frame, in the order of arrival. Only an accepted frame changes what the verifier and its clock
@@ -82,7 +86,8 @@ public sealed class MavlinkVerifier
     public MavlinkSignatureResult Verify(in MavlinkFrame frame, int link = 0)
     {
         MavlinkSignatureResult result = frame.IsSigned ? VerifySigned(frame)
-            : frame.Version != MavlinkVersion.None && _acceptUnsigned(frame, link) ? MavlinkSignatureResult.UnsignedAllowed
+            : frame.Version != MavlinkVersion.None
+                && _acceptUnsigned(frame, link) ? MavlinkSignatureResult.UnsignedAllowed
             : MavlinkSignatureResult.NotSigned;
         Counters = Counters.With(result);
         return result;

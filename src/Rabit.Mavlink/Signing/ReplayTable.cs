@@ -54,5 +54,6 @@ internal sealed class ReplayTable
         _newest[place] = timestamp;
     }
 
-    public static int StreamOf(byte systemId, byte componentId, byte linkId) => (systemId << 16) | (componentId << 8) | linkId;
+    public static int StreamOf(byte systemId, byte componentId, byte linkId)
+        => (systemId << 16) | (componentId << 8) | linkId;
 }

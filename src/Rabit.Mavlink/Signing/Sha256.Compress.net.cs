@@ -19,7 +19,8 @@ internal static unsafe partial class Sha256
     // before, so that x and y are used in turn.
     private static void Compress(uint* state, byte* block)
     {
-        uint a = state[0], b = state[1], c = state[2], d = state[3], e = state[4], f = state[5], g = state[6], h = state[7];
+        uint a = state[0], b = state[1], c = state[2], d = state[3], e = state[4], f = state[5], g = state[6],
+            h = state[7];
         uint x, y = b ^ c, t;
         uint w0 = Load(block, 0), w1 = Load(block, 1), w2 = Load(block, 2), w3 = Load(block, 3);
         uint w4 = Load(block, 4), w5 = Load(block, 5), w6 = Load(block, 6), w7 = Load(block, 7);

@@ -37,7 +37,8 @@ internal static unsafe partial class Sha256
     private static void Compress(uint* state, byte* block, uint* schedule, uint* constants)
     {
         Expand(block, schedule, constants);
-        uint a = state[0], b = state[1], c = state[2], d = state[3], e = state[4], f = state[5], g = state[6], h = state[7];
+        uint a = state[0], b = state[1], c = state[2], d = state[3], e = state[4], f = state[5], g = state[6],
+            h = state[7];
         for (int round = 0; round < Rounds; round += 8)
         {
             uint* w = schedule + round;

@@ -25,7 +25,8 @@ internal static unsafe partial class Sha256
     ];
 
     /// <summary>How much room a message needs with its padding.</summary>
-    public static int PaddedLength(int length) => (length + 1 + LengthBytes + BlockLength - 1) / BlockLength * BlockLength;
+    public static int PaddedLength(int length)
+        => (length + 1 + LengthBytes + BlockLength - 1) / BlockLength * BlockLength;
 
     /// <summary>
     /// Hashes a message that lies at the start of a buffer; what is behind it is overwritten with the padding.
@@ -48,7 +49,8 @@ internal static unsafe partial class Sha256
     {
         uint* state = stackalloc uint[Words];
         Hash(buffer, length, state);
-        return BinaryPrimitives.ReverseEndianness(state[0]) | ((ulong)(BinaryPrimitives.ReverseEndianness(state[1]) & 0xFFFF) << 32);
+        return BinaryPrimitives.ReverseEndianness(state[0])
+            | ((ulong)(BinaryPrimitives.ReverseEndianness(state[1]) & 0xFFFF) << 32);
     }
 
     private static void Hash(Span<byte> buffer, int length, uint* state)

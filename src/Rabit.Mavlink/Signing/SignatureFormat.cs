@@ -19,7 +19,8 @@ internal static class SignatureFormat
     private const int HashOffset = LinkIdLength + TimestampLength;
 
     public static long ReadTimestamp(ReadOnlySpan<byte> signature) =>
-        BinaryPrimitives.ReadUInt32LittleEndian(signature.Slice(LinkIdLength)) | ((long)BinaryPrimitives.ReadUInt16LittleEndian(signature.Slice(LinkIdLength + 4)) << 32);
+        BinaryPrimitives.ReadUInt32LittleEndian(signature.Slice(LinkIdLength))
+            | ((long)BinaryPrimitives.ReadUInt16LittleEndian(signature.Slice(LinkIdLength + 4)) << 32);
 
     public static void WriteLinkAndTimestamp(Span<byte> signature, byte linkId, long timestamp)
     {
@@ -33,7 +34,8 @@ internal static class SignatureFormat
     /// differ.
     /// </summary>
     public static ulong ReadHash(ReadOnlySpan<byte> signature) =>
-        BinaryPrimitives.ReadUInt32LittleEndian(signature.Slice(HashOffset)) | ((ulong)BinaryPrimitives.ReadUInt16LittleEndian(signature.Slice(HashOffset + 4)) << 32);
+        BinaryPrimitives.ReadUInt32LittleEndian(signature.Slice(HashOffset))
+            | ((ulong)BinaryPrimitives.ReadUInt16LittleEndian(signature.Slice(HashOffset + 4)) << 32);
 
     public static void WriteHash(Span<byte> signature, ulong hash)
     {

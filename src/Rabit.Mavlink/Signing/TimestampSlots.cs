@@ -30,7 +30,8 @@ internal sealed class TimestampSlots
         for (int slot = 0; slot < SlotCount; slot++)
         {
             // The time stamp does not show which is newer: an orderly shutdown goes back behind what was reserved.
-            if (!TryRead(slot, out long timestamp, out ushort number) || (!isFirst && unchecked((short)(number - _number)) < 0))
+            if (!TryRead(slot, out long timestamp, out ushort number)
+                || (!isFirst && unchecked((short)(number - _number)) < 0))
                 continue;
             Newest = timestamp;
             _number = number;
@@ -63,7 +64,8 @@ internal sealed class TimestampSlots
         bool isWhole = _store.Read(slot, _record) == RecordLength
             && BinaryPrimitives.ReadUInt16LittleEndian(_record) == Mark
             && BinaryPrimitives.ReadUInt16LittleEndian(_record.AsSpan(CheckOffset)) == Check();
-        timestamp = BinaryPrimitives.ReadInt64LittleEndian(_record.AsSpan(TimestampOffset)) & SignatureFormat.MaxTimestamp;
+        timestamp = BinaryPrimitives.ReadInt64LittleEndian(_record.AsSpan(TimestampOffset))
+            & SignatureFormat.MaxTimestamp;
         number = BinaryPrimitives.ReadUInt16LittleEndian(_record.AsSpan(NumberOffset));
         return isWhole;
     }

@@ -44,7 +44,10 @@ internal static class CoverageRaster
     private static void Count(MapFrame frame, in CameraObservation observation, double cell, int rows, int[] counts)
     {
         (double X, double Y)[] corners =
-            [.. new[] { observation.TopLeft, observation.TopRight, observation.BottomRight, observation.BottomLeft }.Select(frame.ToMap)];
+        [
+            .. new[] { observation.TopLeft, observation.TopRight, observation.BottomRight, observation.BottomLeft }
+                .Select(frame.ToMap)
+        ];
         if (Array.Exists(corners, c => !(Math.Abs(c.X) + Math.Abs(c.Y) < MaxDistanceMetres * frame.UnitsPerMetre)))
             return;
         int first = Math.Max(0, (int)Math.Floor(corners.Min(c => c.Y) / cell));

@@ -105,7 +105,9 @@ public sealed class HtmlReport
             return mission.Failures[0];
         if (mission.Failures.Count > 1)
             return $"for {FlightText.Number(mission.Failures.Count)} reasons";
-        string targets = mission.Score is { } score ? $"{FlightText.Number(score.Found)} of {FlightText.Number(score.Targets.Count)} targets found, " : string.Empty;
+        string targets = mission.Score is { } score
+            ? $"{FlightText.Number(score.Found)} of {FlightText.Number(score.Targets.Count)} targets found, "
+            : string.Empty;
         return targets + "landed at home";
     }
 
@@ -114,15 +116,27 @@ public sealed class HtmlReport
         _page.Open("div", "class", "tiles");
         if (mission.Score is { } score)
         {
-            Tile("targets found", $"{FlightText.Number(score.Found)} / {FlightText.Number(score.Targets.Count)}", score.FalseTracks.Count == 0 ? "no false track" : $"{FlightText.Number(score.FalseTracks.Count)} false");
-            Tile("position error", $"{FlightText.Number(score.RmseMetres, "0.00")} m", $"RMS; {FlightText.Number(score.InEllipse)} of {FlightText.Number(score.Found)} in their ellipse");
+            Tile(
+                "targets found", $"{FlightText.Number(score.Found)} / {FlightText.Number(score.Targets.Count)}",
+                score.FalseTracks.Count == 0
+                    ? "no false track"
+                    : $"{FlightText.Number(score.FalseTracks.Count)} false");
+            Tile(
+                "position error", $"{FlightText.Number(score.RmseMetres, "0.00")} m",
+                $"RMS; {FlightText.Number(score.InEllipse)} of {FlightText.Number(score.Found)} in their ellipse");
         }
 
-        Tile("area covered", $"{FlightText.Number(mission.CoveragePercent, "0.0")} %", $"{FlightText.Number(mission.LanesFlown)} lanes flown");
-        Tile("path flown", $"{FlightText.Number(mission.FlownMetres, "0")} m", mission.OutsideFenceMetres > 0 ? $"{FlightText.Number(mission.OutsideFenceMetres, "0.0")} m outside the fence" : "inside the fence");
+        Tile(
+            "area covered", $"{FlightText.Number(mission.CoveragePercent, "0.0")} %",
+            $"{FlightText.Number(mission.LanesFlown)} lanes flown");
+        Tile("path flown", $"{FlightText.Number(mission.FlownMetres, "0")} m", mission.OutsideFenceMetres > 0
+            ? $"{FlightText.Number(mission.OutsideFenceMetres, "0.0")} m outside the fence"
+            : "inside the fence");
         Tile("flight time", FlightText.Clock(mission.FlightTime) + " min", "motors on");
         Tile("battery used", $"{FlightText.Number(mission.BatteryUsedPercent, "0")} %", "of its capacity");
-        Tile("landed", mission.HasLanded ? $"{FlightText.Number(mission.DistanceFromHomeMetres, "0.0")} m" : "no", "from home");
+        Tile(
+            "landed", mission.HasLanded ? $"{FlightText.Number(mission.DistanceFromHomeMetres, "0.0")} m" : "no",
+            "from home");
         _page.Close();
     }
 
@@ -145,15 +159,21 @@ public sealed class HtmlReport
         IEnumerable<string> points = samples.Where((_, index) => index % stride == 0).Select(s =>
         {
             (double x, double y) = _frame.ToMap(s.Position);
-            double[] values = [s.Time.TotalSeconds, x, y, s.HeightAboveHomeMetres, s.GroundSpeed, s.BatteryRemaining * 100, s.Coverage * 100];
-            return "[" + string.Join(",", values.Select(v => double.IsNaN(v) || double.IsInfinity(v) ? "null" : FlightText.Number(v, "0.#"))) + "]";
+            double[] values =
+            [
+                s.Time.TotalSeconds, x, y, s.HeightAboveHomeMetres, s.GroundSpeed, s.BatteryRemaining * 100,
+                s.Coverage * 100
+            ];
+            return "[" + string.Join(",", values.Select(
+                v => double.IsNaN(v) || double.IsInfinity(v) ? "null" : FlightText.Number(v, "0.#"))) + "]";
         });
         return "[" + string.Join(",", points) + "]";
     }
 
     private static string Resource(string name)
     {
-        using Stream stream = typeof(HtmlReport).Assembly.GetManifestResourceStream("Rabit.Uav.Reporting.Html." + name)!;
+        using Stream stream = typeof(HtmlReport).Assembly.GetManifestResourceStream(
+            "Rabit.Uav.Reporting.Html." + name)!;
         using var reader = new StreamReader(stream, Encoding.UTF8);
         return reader.ReadToEnd();
     }

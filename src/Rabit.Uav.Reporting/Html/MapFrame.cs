@@ -60,12 +60,15 @@ internal sealed class MapFrame
 
     public (double X, double Y) ToMap(GeodeticPosition position) => ToMap(_frame.ToNed(position));
 
-    public (double X, double Y) ToMap(NedPosition ned) => ((ned.East - WestMetres) * UnitsPerMetre, (NorthMetres - ned.North) * UnitsPerMetre);
+    public (double X, double Y) ToMap(NedPosition ned)
+        => ((ned.East - WestMetres) * UnitsPerMetre, (NorthMetres - ned.North) * UnitsPerMetre);
 
     /// <summary>"x,y x,y ..." for SVG.</summary>
-    public string Points(IEnumerable<GeodeticPosition> positions) => string.Join(" ", positions.Select(p => Point(ToMap(p))));
+    public string Points(IEnumerable<GeodeticPosition> positions)
+        => string.Join(" ", positions.Select(p => Point(ToMap(p))));
 
-    public static string Point((double X, double Y) point) => FlightText.Number(point.X, "0.#") + "," + FlightText.Number(point.Y, "0.#");
+    public static string Point((double X, double Y) point)
+        => FlightText.Number(point.X, "0.#") + "," + FlightText.Number(point.Y, "0.#");
 
     private static List<GeodeticPosition> Places(FlightSummary data)
     {

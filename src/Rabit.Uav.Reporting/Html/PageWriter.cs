@@ -59,7 +59,9 @@ internal sealed class PageWriter
 
     /// <exception cref="InvalidOperationException">An element is still open.</exception>
     public override string ToString()
-        => _open.Count == 0 ? _text.ToString() : throw new InvalidOperationException($"Element '{_open.Peek()}' was not closed.");
+        => _open.Count == 0
+            ? _text.ToString()
+            : throw new InvalidOperationException($"Element '{_open.Peek()}' was not closed.");
 
     private void Tag(string name, string[] attributes)
     {
@@ -105,5 +107,6 @@ internal sealed class PageWriter
         }
     }
 
-    private static bool IsSteering(char c) => c is >= '\u202A' and <= '\u202E' or >= '\u2066' and <= '\u2069' or '\uFFFE' or '\uFFFF';
+    private static bool IsSteering(char c)
+        => c is >= '\u202A' and <= '\u202E' or >= '\u2066' and <= '\u2069' or '\uFFFE' or '\uFFFF';
 }

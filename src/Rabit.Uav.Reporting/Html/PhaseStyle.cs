@@ -6,7 +6,8 @@ namespace Rabit.Uav.Reporting.Html;
 internal static class PhaseStyle
 {
     /// <summary>Whether the vehicle is in the air, as far as Mission Control knows.</summary>
-    public static bool IsFlown(MissionPhase phase) => phase is not (MissionPhase.WaitingForVehicle or MissionPhase.Arming or MissionPhase.Done);
+    public static bool IsFlown(MissionPhase phase)
+        => phase is not (MissionPhase.WaitingForVehicle or MissionPhase.Arming or MissionPhase.Done);
 
     /// <summary>The class of the style sheet that has its colour.</summary>
     public static string Class(MissionPhase phase) => phase switch

@@ -16,7 +16,9 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
     public void Write()
     {
         page.Open("figure", "class", "card map");
-        page.Open("svg", "viewBox", $"0 0 {FlightText.Number(MapFrame.Width)} {FlightText.Number(frame.Height, "0.#")}", "role", "img", "aria-label", "Map of the flight, north is up", "id", "map");
+        page.Open(
+            "svg", "viewBox", $"0 0 {FlightText.Number(MapFrame.Width)} {FlightText.Number(frame.Height, "0.#")}",
+            "role", "img", "aria-label", "Map of the flight, north is up", "id", "map");
         WriteSeenGround();
         WritePlan();
         WritePath();
@@ -34,8 +36,10 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
     {
         if (CoverageRaster.Draw(frame, data.Record.Observations) is not { } raster)
             return;
-        string[] all = ["x", "0", "y", "0", "width", FlightText.Number(MapFrame.Width), "height", FlightText.Number(frame.Height, "0.#")];
-        page.Open("mask", "id", "observations").Empty("image", [.. all, "href", raster, "preserveAspectRatio", "none"]).Close();
+        string[] all = ["x", "0", "y", "0", "width", FlightText.Number(MapFrame.Width), "height",
+            FlightText.Number(frame.Height, "0.#")];
+        page.Open("mask", "id", "observations")
+            .Empty("image", [.. all, "href", raster, "preserveAspectRatio", "none"]).Close();
         page.Empty("rect", [.. all, "class", "seen", "mask", "url(#observations)"]);
     }
 
@@ -70,7 +74,8 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
             IEnumerable<GeodeticPosition> piece = Enumerable.Range(first, end - first + 1)
                 .Where(i => i == end || (i - first) % stride == 0)
                 .Select(i => samples[i].Position);
-            page.Empty("polyline", "class", "path " + PhaseStyle.Class(samples[first].Phase), "points", frame.Points(piece));
+            page.Empty(
+                "polyline", "class", "path " + PhaseStyle.Class(samples[first].Phase), "points", frame.Points(piece));
             first = index;
         }
     }
@@ -94,13 +99,17 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
             _ => "track tentative",
         };
         page.Open("g", "class", kind);
-        page.Element("title", $"track {FlightText.Number(track.Id)}: {TargetClassNames.Name(track.Class)}, {track.State.ToString().ToLowerInvariant()}, {FlightText.Number(track.Reports)} reports");
+        page.Element("title", $"track {FlightText.Number(track.Id)}: {TargetClassNames.Name(track.Class)}, "
+            + $"{track.State.ToString().ToLowerInvariant()}, {FlightText.Number(track.Reports)} reports");
         page.Empty(
             "ellipse", "class", "ellipse", "cx", "0", "cy", "0",
             "rx", N(track.Covariance.HalfMajorAxis95Metres * frame.UnitsPerMetre),
             "ry", N(track.Covariance.HalfMinorAxis95Metres * frame.UnitsPerMetre),
-            "transform", $"translate({N(x)} {N(y)}) rotate({N((Angle.FromRadians(track.Covariance.MajorAxis.Radians).Degrees) - 90)})");
-        page.Empty("path", "class", "mark", "d", $"M{N(x)} {N(y - 7)}l7 7l-7 7l-7 -7z", "fill", TargetClassNames.Css(track.Class));
+            "transform", $"translate({N(x)} {N(y)}) "
+                + $"rotate({N((Angle.FromRadians(track.Covariance.MajorAxis.Radians).Degrees) - 90)})");
+        page.Empty(
+            "path", "class", "mark", "d", $"M{N(x)} {N(y - 7)}l7 7l-7 7l-7 -7z", "fill",
+            TargetClassNames.Css(track.Class));
         if (track.State != TrackState.Tentative)
             page.Element("text", $"{FlightText.Number(track.Id)}", "x", N(x + 12), "y", N(y - 9), "class", "label");
         page.Close();
@@ -110,7 +119,8 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
     {
         (double x, double y) = frame.ToMap(target.Position);
         page.Open("g", "class", target.IsFound ? "truth" : "truth missed");
-        page.Element("title", $"{target.Name}: {TargetClassNames.Name(target.Class)}, {(target.IsFound ? "found" : "missed")}");
+        page.Element(
+            "title", $"{target.Name}: {TargetClassNames.Name(target.Class)}, {(target.IsFound ? "found" : "missed")}");
         if (!target.IsFound)
             page.Empty("circle", "cx", N(x), "cy", N(y), "r", "16");
         page.Empty("path", "d", $"M{N(x - 17)} {N(y)}h34m-17 -17v34");
@@ -141,7 +151,9 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
         double y = frame.Height - 22;
         page.Open("g", "class", "scale");
         page.Empty("path", "d", $"M{N(left)} {N(y - 6)}v6h{N(right - left)}v-6");
-        page.Element("text", $"{FlightText.Number(metres)} m", "x", N((left + right) / 2), "y", N(y - 8), "text-anchor", "middle");
+        page.Element(
+            "text", $"{FlightText.Number(metres)} m", "x", N((left + right) / 2), "y", N(y - 8), "text-anchor",
+            "middle");
         page.Empty("path", "class", "north", "d", $"M{N(right - 8)} 52v-28l-6 9m6 -9l6 9");
         page.Element("text", "N", "x", N(right - 8), "y", "70", "text-anchor", "middle");
         page.Close();
@@ -150,7 +162,8 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
     private void WriteLegend()
     {
         page.Open("figcaption", "class", "legend");
-        foreach (MissionPhase phase in data.Record.Samples.Where(s => s.HasPosition).Select(s => s.Phase).Where(PhaseStyle.IsFlown).Distinct())
+        foreach (MissionPhase phase
+            in data.Record.Samples.Where(s => s.HasPosition).Select(s => s.Phase).Where(PhaseStyle.IsFlown).Distinct())
             Key("key line " + PhaseStyle.Class(phase), FlightText.Phase(phase));
         if (data.Record.Observations.Count > 0)
             Key("key seen", "ground seen, darker where seen more often");

@@ -34,7 +34,9 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
             WriteEvent(e);
         page.Close().Close().Close();
         if (data.EventCount > shown.Length)
-            page.Element("p", $"{FlightText.Number(data.EventCount - shown.Length)} more are left out; --log FILE keeps all.", "class", "note");
+            page.Element(
+                "p", $"{FlightText.Number(data.EventCount - shown.Length)} more are left out; --log FILE keeps all.",
+                "class", "note");
         page.Close();
     }
 
@@ -48,7 +50,8 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
             _ => "quiet",
         };
         page.Open("tr", "class", kind);
-        page.Element("td", FlightText.Number(e.Time.TotalSeconds, "0.00"), "class", "number").Element("td", e.Source, "class", "source").Element("td", e.Text);
+        page.Element("td", FlightText.Number(e.Time.TotalSeconds, "0.00"), "class", "number")
+            .Element("td", e.Source, "class", "source").Element("td", e.Text);
         page.Close();
     }
 
@@ -67,7 +70,8 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
             page.Open("tr", "class", "h-row-" + report.Level.ToString().ToLowerInvariant());
             page.Element("td", FlightText.Number(change.Time.TotalSeconds, "0.00"), "class", "number");
             page.Open("td", "class", "name").Element("b", report.Level.ToString(), "class", "level").Close();
-            page.Element("td", report.Text ?? "nothing to report").Element("td", Advice(report.Advice), "class", "name");
+            page.Element("td", report.Text ?? "nothing to report")
+                .Element("td", Advice(report.Advice), "class", "name");
             page.Close();
         }
 
@@ -81,7 +85,8 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
         page.Open("tbody");
         foreach (ManagerSummary manager in data.Managers)
         {
-            page.Open("tr", "class", manager.Faults > 0 ? "fault" : string.Empty).Element("td", manager.Name, "class", "name");
+            page.Open("tr", "class", manager.Faults > 0 ? "fault" : string.Empty)
+                .Element("td", manager.Name, "class", "name");
             foreach (string figure in NumbersOf(manager))
                 page.Element("td", figure, "class", "number");
             page.Element("td", manager.Outcome).Close();
@@ -114,8 +119,10 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
         {
             Fact(
                 "camera",
-                $"{FlightText.Number(imaging.Frames)} pictures, {FlightText.Number(imaging.Observations)} searched, {FlightText.Number(imaging.FramesRefused)} refused, "
-                + $"{FlightText.Number(imaging.FramesDropped)} lost, {FlightText.Number(imaging.Reports)} reports" + (imaging.Fault is { } fault ? $", {fault}" : string.Empty));
+                $"{FlightText.Number(imaging.Frames)} pictures, {FlightText.Number(imaging.Observations)} searched, "
+                + $"{FlightText.Number(imaging.FramesRefused)} refused, "
+                + $"{FlightText.Number(imaging.FramesDropped)} lost, {FlightText.Number(imaging.Reports)} reports"
+                + (imaging.Fault is { } fault ? $", {fault}" : string.Empty));
         }
 
         page.Close().Close().Close();

@@ -30,10 +30,12 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
             return;
         _start = _samples[0].Time.TotalSeconds;
         _end = Math.Max(_start + 1, _samples[_samples.Count - 1].Time.TotalSeconds);
-        double height = _y + (2 * (BandHeight + Gap)) + (4 * (ChartHeight + Gap)) + 34 + (data.Record.Managers.Count * BandHeight) + 8;
+        double height = _y + (2 * (BandHeight + Gap)) + (4 * (ChartHeight + Gap)) + 34
+            + (data.Record.Managers.Count * BandHeight) + 8;
         page.Open("section").Element("h2", "Time lines").Open("figure", "class", "card times");
         page.Open("div", "class", "wide").Open(
-            "svg", "viewBox", $"0 0 1000 {N(height)}", "id", "times", "role", "img", "aria-label", "Time lines of the flight",
+            "svg", "viewBox", $"0 0 1000 {N(height)}", "id", "times", "role", "img", "aria-label",
+            "Time lines of the flight",
             "data-left", N(Left), "data-right", N(Right), "data-start", N(_start), "data-end", N(_end));
         WriteTimeAxis(height);
         WritePhases();
@@ -45,7 +47,9 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
         WriteManagers();
         page.Empty("line", "id", "cursor", "class", "cursor", "x1", "-9", "x2", "-9", "y1", "16", "y2", N(height));
         page.Close().Close();
-        page.Element("figcaption", "Move over the time lines: the map shows where the vehicle was.", "id", "readout", "class", "readout");
+        page.Element(
+            "figcaption", "Move over the time lines: the map shows where the vehicle was.", "id", "readout", "class",
+            "readout");
         page.Close().Close();
     }
 
@@ -59,7 +63,8 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
         for (double t = Math.Ceiling(_start / step) * step; t <= _end; t += step)
         {
             page.Empty("line", "x1", N(X(t)), "x2", N(X(t)), "y1", "16", "y2", N(height - 4));
-            page.Element("text", FlightText.Clock(TimeSpan.FromSeconds(t)), "x", N(X(t)), "y", "11", "text-anchor", "middle");
+            page.Element(
+                "text", FlightText.Clock(TimeSpan.FromSeconds(t)), "x", N(X(t)), "y", "11", "text-anchor", "middle");
         }
 
         page.Close();
@@ -71,10 +76,13 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
         foreach ((double from, double to, FlightSample sample) in Bands(s => (int)s.Phase))
         {
             page.Open("g");
-            page.Element("title", $"{FlightText.Phase(sample.Phase)}, {FlightText.Clock(TimeSpan.FromSeconds(from))} to {FlightText.Clock(TimeSpan.FromSeconds(to))}");
+            page.Element("title", $"{FlightText.Phase(sample.Phase)}, {FlightText.Clock(TimeSpan.FromSeconds(from))} "
+                + $"to {FlightText.Clock(TimeSpan.FromSeconds(to))}");
             Band("band " + PhaseStyle.Class(sample.Phase), from, to);
             if (X(to) - X(from) > 7.5 * FlightText.Phase(sample.Phase).Length)
-                page.Element("text", FlightText.Phase(sample.Phase), "x", N((X(from) + X(to)) / 2), "y", N(_y + 13), "class", "in-band", "text-anchor", "middle");
+                page.Element(
+                    "text", FlightText.Phase(sample.Phase), "x", N((X(from) + X(to)) / 2), "y", N(_y + 13), "class",
+                    "in-band", "text-anchor", "middle");
             page.Close();
         }
 
@@ -86,7 +94,9 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
         Label("health", BandHeight);
         foreach ((double from, double to, FlightSample sample) in Bands(s => (int)s.Health))
         {
-            page.Open("g").Element("title", $"{sample.Health}, {FlightText.Clock(TimeSpan.FromSeconds(from))} to {FlightText.Clock(TimeSpan.FromSeconds(to))}");
+            page.Open("g")
+                .Element("title", $"{sample.Health}, {FlightText.Clock(TimeSpan.FromSeconds(from))} to "
+                    + $"{FlightText.Clock(TimeSpan.FromSeconds(to))}");
             Band("band h-" + sample.Health.ToString().ToLowerInvariant(), from, to);
             page.Close();
         }
@@ -105,11 +115,15 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
         double top = RoundUp(Math.Max(minimum, points.Select(p => p.Value).DefaultIfEmpty(0).Max()));
         double bottom = _y + ChartHeight;
         Label(name, ChartHeight, $"0 to {FlightText.Number(top)} {unit}");
-        page.Empty("rect", "class", "frame", "x", N(Left), "y", N(_y), "width", N(Right - Left), "height", N(ChartHeight));
+        page.Empty(
+            "rect", "class", "frame", "x", N(Left), "y", N(_y), "width", N(Right - Left), "height", N(ChartHeight));
         if (points.Length > 1)
         {
-            string line = string.Join(" ", points.Select(p => MapFrame.Point((X(p.T), bottom - (Math.Max(0, Math.Min(top, p.Value)) / top * ChartHeight)))));
-            page.Empty("polygon", "class", "fill " + kind, "points", $"{N(X(points[0].T))},{N(bottom)} {line} {N(X(points[points.Length - 1].T))},{N(bottom)}");
+            string line = string.Join(" ", points.Select(
+                p => MapFrame.Point((X(p.T), bottom - (Math.Max(0, Math.Min(top, p.Value)) / top * ChartHeight)))));
+            page.Empty(
+                "polygon", "class", "fill " + kind, "points",
+                $"{N(X(points[0].T))},{N(bottom)} {line} {N(X(points[points.Length - 1].T))},{N(bottom)}");
             page.Empty("polyline", "class", "line " + kind, "points", line);
         }
 
@@ -149,12 +163,13 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
         double rate = Rate(from, to);
         double x1 = X(from.Time.TotalSeconds);
         double width = Math.Max(0.5, X(to.Time.TotalSeconds) - x1);
-        bool isFaulty = to.Faults > from.Faults || to.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging;
+        bool isFaulty = to.Faults > from.Faults
+            || to.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging;
         if (rate <= 0 && !isFaulty)
             return;
         page.Empty(
-            "rect", "class", isFaulty ? "bin fault" : "bin", "x", N(x1), "y", N(_y + 1), "width", N(width), "height", N(BandHeight - 4),
-            "opacity", isFaulty ? "1" : FlightText.Number(0.12 + (0.78 * rate / max), "0.##"));
+            "rect", "class", isFaulty ? "bin fault" : "bin", "x", N(x1), "y", N(_y + 1), "width", N(width), "height",
+            N(BandHeight - 4), "opacity", isFaulty ? "1" : FlightText.Number(0.12 + (0.78 * rate / max), "0.##"));
     }
 
     private static double Rate(in ManagerSample from, in ManagerSample to)
@@ -163,13 +178,19 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
     private void Label(string name, double height, string? range = null)
     {
         bool hasRange = !string.IsNullOrEmpty(range);
-        page.Element("text", name, "x", N(Left - 10), "y", N(_y + (height / 2) + (hasRange ? -2 : range is null ? 4 : 2)), "text-anchor", "end", "class", "name");
+        page.Element(
+            "text", name, "x", N(Left - 10), "y", N(_y + (height / 2) + (hasRange ? -2 : range is null ? 4 : 2)),
+            "text-anchor", "end", "class", "name");
         if (hasRange)
-            page.Element("text", range!, "x", N(Left - 10), "y", N(_y + (height / 2) + 12), "text-anchor", "end", "class", "hint");
+            page.Element(
+                "text", range!, "x", N(Left - 10), "y", N(_y + (height / 2) + 12), "text-anchor", "end", "class",
+                "hint");
     }
 
     private void Band(string kind, double from, double to)
-        => page.Empty("rect", "class", kind, "x", N(X(from)), "y", N(_y), "width", N(Math.Max(0.5, X(to) - X(from))), "height", N(BandHeight));
+        => page.Empty(
+            "rect", "class", kind, "x", N(X(from)), "y", N(_y), "width", N(Math.Max(0.5, X(to) - X(from))), "height",
+            N(BandHeight));
 
     private IEnumerable<(double From, double To, FlightSample Sample)> Bands(Func<FlightSample, int> kind)
     {

@@ -8,7 +8,8 @@ namespace Rabit.Uav.Reporting;
 /// </summary>
 public readonly struct FlightModeChange
 {
-    internal FlightModeChange(in FlightPlace place, uint customMode, MavModeFlag baseMode, MavState systemStatus, string mode)
+    internal FlightModeChange(
+        in FlightPlace place, uint customMode, MavModeFlag baseMode, MavState systemStatus, string mode)
     {
         Link = place.Link;
         Record = place.Record;

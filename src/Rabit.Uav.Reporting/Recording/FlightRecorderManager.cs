@@ -107,7 +107,9 @@ public sealed class FlightRecorderManager : RabitManager
         _imaging.Fetch();
         _authority.Fetch();
         _tracks.Fetch();
-        _keeper.Take(now, _vehicle.Value, _mission.Value, _health.Value, _imaging.Value, _authority.Value, _tracks.Value ?? TrackList.None);
+        _keeper.Take(
+            now, _vehicle.Value, _mission.Value, _health.Value, _imaging.Value, _authority.Value,
+            _tracks.Value ?? TrackList.None);
         if (now >= _nextManagers)
         {
             _nextManagers = now + ManagerPeriod;

@@ -4,7 +4,8 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.Reporting;
 
 /// <summary>The ranges of GLOBAL_POSITION_INT, in the integers of the wire; null before the first.</summary>
-internal readonly struct PositionRanges(FlightRange? latitude, FlightRange? longitude, FlightRange? altitudeAmsl, FlightRange? heightAboveHome)
+internal readonly struct PositionRanges(
+    FlightRange? latitude, FlightRange? longitude, FlightRange? altitudeAmsl, FlightRange? heightAboveHome)
 {
     public FlightRange? Latitude { get; } = latitude;
 

@@ -23,7 +23,8 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
     private readonly object _gate = new();   // guards all below
     private readonly DecimatedSeries<FlightSample> _samples = new(MaxSamples);
     private readonly DecimatedSeries<CameraObservation> _observations = new(MaxObservations);
-    private readonly DecimatedSeries<ManagerSample>[] _managers = managerNames.Select(_ => new DecimatedSeries<ManagerSample>(MaxManagerSamples)).ToArray();
+    private readonly DecimatedSeries<ManagerSample>[] _managers =
+        managerNames.Select(_ => new DecimatedSeries<ManagerSample>(MaxManagerSamples)).ToArray();
     private readonly List<PhaseChange> _phases = [];
     private readonly TrackPictures _pictures = new(imageChips);
     private readonly List<HealthChange> _healthChanges = [];
@@ -95,7 +96,8 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
                 Observations = _observations.ToArray(),
                 Phases = _phases.ToArray(),
                 HealthChanges = _healthChanges.ToArray(),
-                Managers = _managers.Select((m, index) => new ManagerTimeLine(managerNames[index], m.ToArray())).ToArray(),
+                Managers = _managers.Select((m, index) => new ManagerTimeLine(managerNames[index], m.ToArray()))
+                    .ToArray(),
                 Telemetry = _telemetry.ToRecord(_framesDropped),
                 Autopilot = _autopilot,
                 Vehicle = _vehicle,
@@ -131,7 +133,8 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
         bool isNewPhase = mission.Phase != _mission.Phase || mission.Since != _mission.Since;
         if (isNewPhase && _phases.Count < MaxChanges)
             _phases.Add(new PhaseChange(mission.Since, mission.Phase, mission.Text));
-        bool isNewHealth = health.Level != _health.Level || health.Reasons != _health.Reasons || health.Advice != _health.Advice;
+        bool isNewHealth = health.Level != _health.Level || health.Reasons != _health.Reasons
+            || health.Advice != _health.Advice;
         if (isNewHealth && _healthChanges.Count < MaxChanges)
             _healthChanges.Add(new HealthChange(now, health));
     }
@@ -142,7 +145,9 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
         HasPosition = _vehicle.PositionTime is not null,
         Position = _vehicle.Position,
         HeightAboveHomeMetres = _vehicle.HeightAboveHomeMetres,
-        GroundSpeed = Math.Sqrt((_vehicle.VelocityNed.North * _vehicle.VelocityNed.North) + (_vehicle.VelocityNed.East * _vehicle.VelocityNed.East)),
+        GroundSpeed = Math.Sqrt(
+            (_vehicle.VelocityNed.North * _vehicle.VelocityNed.North)
+                + (_vehicle.VelocityNed.East * _vehicle.VelocityNed.East)),
         Yaw = _vehicle.Attitude.Yaw,
         BatteryRemaining = _vehicle.BatteryTime is null ? double.NaN : _vehicle.BatteryRemaining,
         Phase = _mission.Phase,

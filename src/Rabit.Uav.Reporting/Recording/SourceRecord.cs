@@ -32,7 +32,8 @@ internal sealed class SourceRecord
         if (isChange)
         {
             ModeChanges.Add(new FlightModeChange(
-                new FlightPlace(frame), heartbeat.CustomMode, heartbeat.BaseMode, heartbeat.SystemStatus, _modeNames.NameOf(heartbeat)));
+                new FlightPlace(frame), heartbeat.CustomMode, heartbeat.BaseMode, heartbeat.SystemStatus,
+                _modeNames.NameOf(heartbeat)));
         }
     }
 }

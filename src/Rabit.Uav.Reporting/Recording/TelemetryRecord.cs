@@ -77,7 +77,8 @@ public sealed class TelemetryRecord
     public long StatusTextsLeftOut { get; internal init; }
 
     /// <summary>Every command acknowledgement, of any source.</summary>
-    public IReadOnlyList<FlightAcknowledgement> Acknowledgements { get; internal init; } = Array.Empty<FlightAcknowledgement>();
+    public IReadOnlyList<FlightAcknowledgement> Acknowledgements { get; internal init; } =
+        Array.Empty<FlightAcknowledgement>();
 
     /// <summary>Acknowledgements that had no room in <see cref="Acknowledgements"/>.</summary>
     public long AcknowledgementsLeftOut { get; internal init; }

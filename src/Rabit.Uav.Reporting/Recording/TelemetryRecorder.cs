@@ -85,7 +85,8 @@ internal sealed class TelemetryRecorder
         int source = SourceOf(frame.SystemId, frame.ComponentId);
         if (_vehicle != 0 && source != _vehicle)
             return null;
-        if (!_sources.TryGetValue(source, out SourceRecord? known) && (_sources.Count < MaxSources || source == _vehicle))
+        if (!_sources.TryGetValue(source, out SourceRecord? known)
+            && (_sources.Count < MaxSources || source == _vehicle))
             _sources.Add(source, known = new SourceRecord());
         return known;
     }

@@ -22,7 +22,8 @@ internal sealed class TrackPictures(Func<IReadOnlyList<ImageChip>> imageChips)
         foreach (TargetTrack track in tracks.Tracks)
         {
             (long Picture, int Report) best = (track.BestPictureNumber, track.BestReportIndex);
-            if (best.Picture < 0 || (_best.TryGetValue(track.Id, out (long Picture, int Report) known) && known == best))
+            if (best.Picture < 0
+                || (_best.TryGetValue(track.Id, out (long Picture, int Report) known) && known == best))
                 continue;
             _best[track.Id] = best;
             chips ??= imageChips();

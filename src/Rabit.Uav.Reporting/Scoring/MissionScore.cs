@@ -32,5 +32,8 @@ public sealed class MissionScore
     public int InEllipse => Targets.Count(t => t.EllipseContainsTruth);
 
     /// <summary>Root mean square of the errors of the found targets, metres; NaN where none was found.</summary>
-    public double RmseMetres => Found == 0 ? double.NaN : Math.Sqrt(Targets.Where(t => t.IsFound).Average(t => t.ErrorMetres * t.ErrorMetres));
+    public double RmseMetres
+        => Found == 0
+            ? double.NaN
+            : Math.Sqrt(Targets.Where(t => t.IsFound).Average(t => t.ErrorMetres * t.ErrorMetres));
 }

@@ -32,7 +32,8 @@ public sealed class TargetScore
     public double ErrorMetres => Math.Sqrt((ErrorNorthMetres * ErrorNorthMetres) + (ErrorEastMetres * ErrorEastMetres));
 
     /// <summary>Whether the truth is inside the 95 % ellipse of the track; false where it was not found.</summary>
-    public bool EllipseContainsTruth => Track is not null && Track.Covariance.Contains95(-ErrorNorthMetres, -ErrorEastMetres);
+    public bool EllipseContainsTruth
+        => Track is not null && Track.Covariance.Contains95(-ErrorNorthMetres, -ErrorEastMetres);
 
     /// <summary>For logs and tests.</summary>
     public override string ToString() => Track is null

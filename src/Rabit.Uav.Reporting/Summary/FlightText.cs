@@ -30,18 +30,21 @@ public static class FlightText
 
     /// <summary>Seconds in a column of 12 characters, to begin a line with.</summary>
     /// <param name="time">By the clock of the run.</param>
-    public static string TimeStamp(TimeSpan time) => string.Format(CultureInfo.InvariantCulture, "{0,10:0.000}  ", time.TotalSeconds);
+    public static string TimeStamp(TimeSpan time)
+        => string.Format(CultureInfo.InvariantCulture, "{0,10:0.000}  ", time.TotalSeconds);
 
     /// <summary>
     /// A text from outside without what breaks a line, controls a terminal or turns the direction of writing: a dot
     /// in its place.
     /// </summary>
     /// <param name="text">The text.</param>
-    public static string Printable(string text) => new((text ?? throw new ArgumentNullException(nameof(text))).Select(c => IsControl(c) ? '.' : c).ToArray());
+    public static string Printable(string text)
+        => new((text ?? throw new ArgumentNullException(nameof(text))).Select(c => IsControl(c) ? '.' : c).ToArray());
 
     /// <summary>The level, and the text where there is one.</summary>
     /// <param name="health">The report.</param>
-    public static string Health(in HealthReport health) => health.Text is null ? health.Level.ToString() : $"{health.Level}: {health.Text}";
+    public static string Health(in HealthReport health)
+        => health.Text is null ? health.Level.ToString() : $"{health.Level}: {health.Text}";
 
     /// <summary>The name by which an autopilot is known.</summary>
     /// <param name="autopilot">As its heartbeat says.</param>

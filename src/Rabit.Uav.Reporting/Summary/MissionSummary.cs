@@ -99,7 +99,8 @@ public sealed class MissionSummary
         foreach (TargetScore missed in score.Targets.Where(t => !t.IsFound))
             yield return $"target {missed.Name} ({TargetClassNames.Name(missed.Class)}) was not found";
         foreach (TargetTrack track in score.FalseTracks)
-            yield return $"track {FlightText.Number(track.Id)} ({TargetClassNames.Name(track.Class)}) was confirmed and is not a target";
+            yield return $"track {FlightText.Number(track.Id)} ({TargetClassNames.Name(track.Class)}) was confirmed "
+                + "and is not a target";
     }
 
     private IEnumerable<string> FlightFailures(FlightRecord record)
@@ -110,7 +111,8 @@ public sealed class MissionSummary
         if (!result.HasFlown)
             yield return "it did not fly" + (Text is { } why ? $" ({why})" : string.Empty);
         else if (!HasLanded)
-            yield return $"it has not landed: it is armed, {Metres(record.Vehicle.HeightAboveHomeMetres)} high, in mode {record.Vehicle.Mode ?? "not known"}; it is not commanded any more";
+            yield return $"it has not landed: it is armed, {Metres(record.Vehicle.HeightAboveHomeMetres)} high, in "
+                + $"mode {record.Vehicle.Mode ?? "not known"}; it is not commanded any more";
         else if (double.IsNaN(DistanceFromHomeMetres))
             yield return "where it landed is not known";
         else if (DistanceFromHomeMetres > MissionResult.MaxLandingDistanceMetres)

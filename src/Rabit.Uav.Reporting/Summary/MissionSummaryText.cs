@@ -29,7 +29,8 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
 
     private void WriteFlight()
     {
-        Line($"phase at the end: {FlightText.Phase(mission.Phase)}{(mission.Text is { } text ? ", " + text : string.Empty)}");
+        Line("phase at the end: "
+            + $"{FlightText.Phase(mission.Phase)}{(mission.Text is { } text ? ", " + text : string.Empty)}");
         Line(string.Format(
             CultureInfo.InvariantCulture,
             "coverage {0} %, path {1} m, time {2} s, battery used {3} %, landed {4}",
@@ -42,14 +43,18 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
 
     private void WriteScore(MissionScore score)
     {
-        Line($"targets: {FlightText.Number(score.Found)} of {FlightText.Number(score.Targets.Count)} found, {FlightText.Number(score.FalseTracks.Count)} false; "
-            + $"error {FlightText.Number(score.RmseMetres, "0.00")} m RMS; {FlightText.Number(score.InEllipse)} in their 95 % ellipse");
+        Line($"targets: {FlightText.Number(score.Found)} of {FlightText.Number(score.Targets.Count)} found, "
+            + $"{FlightText.Number(score.FalseTracks.Count)} false; "
+            + $"error {FlightText.Number(score.RmseMetres, "0.00")} m RMS; {FlightText.Number(score.InEllipse)} in "
+            + "their 95 % ellipse");
         foreach (TargetScore target in score.Targets)
         {
             string name = $"  {target.Name,-8} {TargetClassNames.Name(target.Class),-8} ";
             Line(name + (target.Track is not { } track
                 ? "MISSED"
-                : $"found, error {FlightText.Number(target.ErrorMetres, "0.00")} m, 95 % ellipse {Ellipse(track)} {(target.EllipseContainsTruth ? "contains it" : "DOES NOT CONTAIN IT")}, track {FlightText.Number(track.Id)}, {FlightText.Number(track.Reports)} reports"));
+                : $"found, error {FlightText.Number(target.ErrorMetres, "0.00")} m, 95 % ellipse {Ellipse(track)} "
+                    + $"{(target.EllipseContainsTruth ? "contains it" : "DOES NOT CONTAIN IT")}, track "
+                    + $"{FlightText.Number(track.Id)}, {FlightText.Number(track.Reports)} reports"));
         }
 
         foreach (TargetTrack track in score.FalseTracks)
@@ -71,7 +76,8 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
             Line(FlightText.TimeStamp(change.Time) + Describe(change));
         IEnumerable<HealthChange> asked = summary.Record.HealthChanges.Where(c => c.Report.Advice != HealthAdvice.None);
         foreach (HealthChange change in asked)
-            Line($"{FlightText.TimeStamp(change.Time)}health asks for {change.Report.Advice}: {FlightText.Health(change.Report)}");
+            Line($"{FlightText.TimeStamp(change.Time)}health asks for {change.Report.Advice}: "
+                + $"{FlightText.Health(change.Report)}");
     }
 
     // A text that names its phase itself is not given the name twice.
@@ -99,11 +105,14 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
     }
 
     private static string Describe(TargetTrack track)
-        => $"{TargetClassNames.Name(track.Class),-8} track {FlightText.Number(track.Id)} at {FlightText.Degrees(track.Position.Latitude.Radians)} {FlightText.Degrees(track.Position.Longitude.Radians)}, "
+        => $"{TargetClassNames.Name(track.Class),-8} track {FlightText.Number(track.Id)} at "
+            + $"{FlightText.Degrees(track.Position.Latitude.Radians)} "
+            + $"{FlightText.Degrees(track.Position.Longitude.Radians)}, "
             + $"95 % ellipse {Ellipse(track)}, {FlightText.Number(track.Reports)} reports";
 
     private static string Ellipse(TargetTrack track)
-        => $"{FlightText.Number(track.Covariance.HalfMajorAxis95Metres, "0.0")} x {FlightText.Number(track.Covariance.HalfMinorAxis95Metres, "0.0")} m";
+        => $"{FlightText.Number(track.Covariance.HalfMajorAxis95Metres, "0.0")} x "
+            + $"{FlightText.Number(track.Covariance.HalfMinorAxis95Metres, "0.0")} m";
 
     private void Line(string text) => output.WriteLine(FlightText.Printable(text));
 }

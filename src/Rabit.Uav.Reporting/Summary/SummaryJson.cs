@@ -29,7 +29,8 @@ public static class SummaryJson
     {
         if (summary is null)
             throw new ArgumentNullException(nameof(summary));
-        using var json = new Utf8JsonWriter(stream ?? throw new ArgumentNullException(nameof(stream)), new JsonWriterOptions { Indented = true });
+        using var json = new Utf8JsonWriter(
+            stream ?? throw new ArgumentNullException(nameof(stream)), new JsonWriterOptions { Indented = true });
         Write(json, summary);
     }
 

@@ -41,14 +41,16 @@ public sealed class SummaryText
     /// <param name="summary">What to write.</param>
     public static void Write(TextWriter output, FlightSummary summary)
         => new SummaryText(
-            output ?? throw new ArgumentNullException(nameof(output)), summary ?? throw new ArgumentNullException(nameof(summary))).Write();
+            output ?? throw new ArgumentNullException(nameof(output)),
+            summary ?? throw new ArgumentNullException(nameof(summary))).Write();
 
     private void Write()
     {
         Line($"--- summary: {_summary.StopReason} ---");
         WriteFlight(_telemetry);
         if (_telemetry.FramesDropped > 0)
-            Line($"NOT RECORDED: {FlightText.Number(_telemetry.FramesDropped)} frames had no room in the recorder's queue");
+            Line($"NOT RECORDED: {FlightText.Number(_telemetry.FramesDropped)} frames had no room in the recorder's "
+                + "queue");
         for (int index = 0; index < _summary.Links.Count; index++)
             WriteLink(_summary.Links[index], index < _summary.LinkStatus.Count ? _summary.LinkStatus[index] : default);
         if (_summary.Camera is { } camera)
@@ -72,18 +74,21 @@ public sealed class SummaryText
         }
 
         double seconds = ((flight.LastUtcMicroseconds - flight.FirstUtcMicroseconds) ?? 0) / 1e6;
-        Line($"{FlightText.Autopilot(autopilot)} {flight.VehicleType}, system {flight.SystemId}, component {flight.ComponentId}, "
+        Line($"{FlightText.Autopilot(autopilot)} {flight.VehicleType}, system {flight.SystemId}, component "
+            + $"{flight.ComponentId}, "
             + seconds.ToString("0.0", CultureInfo.InvariantCulture) + " s");
         Line("mode changes:");
         foreach (FlightModeChange change in flight.ModeChanges)
-            Line($"{At(change.UtcMicroseconds)}{change.Mode}, {(change.IsArmed ? "armed" : "disarmed")}, {change.SystemStatus}");
+            Line($"{At(change.UtcMicroseconds)}{change.Mode}, {(change.IsArmed ? "armed" : "disarmed")}, "
+                + $"{change.SystemStatus}");
         Line("latitude   " + Range(flight.LatitudeDegE7, 1e7, "0.0000000", "degrees"));
         Line("longitude  " + Range(flight.LongitudeDegE7, 1e7, "0.0000000", "degrees"));
         Line("altitude   " + Range(flight.AltitudeAmslMillimetres, 1e3, "0.000", "m AMSL"));
         Line("height     " + Range(flight.HeightAboveHomeMillimetres, 1e3, "0.000", "m above home"));
         Line("status texts:" + (flight.StatusTexts.Count == 0 ? " none" : string.Empty));
         foreach (FlightStatusText text in flight.StatusTexts)
-            Line($"{At(text.UtcMicroseconds)}{text.Severity.ToString().ToLowerInvariant()}: {FlightText.Printable(text.Text)}");
+            Line($"{At(text.UtcMicroseconds)}{text.Severity.ToString().ToLowerInvariant()}: "
+                + $"{FlightText.Printable(text.Text)}");
         Line("command acknowledgements:" + (flight.Acknowledgements.Count == 0 ? " none" : string.Empty));
         if (flight.Acknowledgements.Count <= AcknowledgementsListed)
         {
@@ -118,7 +123,8 @@ public sealed class SummaryText
     {
         Line(string.Format(
             CultureInfo.InvariantCulture,
-            "camera folder: {0} pictures taken, {1} from before the run, {2} too late, {3} refused, {4} without a free buffer",
+            "camera folder: {0} pictures taken, {1} from before the run, {2} too late, {3} refused, {4} without a free "
+                + "buffer",
             camera.Delivered,
             camera.BeforeRun,
             camera.Late,
@@ -134,11 +140,15 @@ public sealed class SummaryText
         Line($"link {link.Url}: {status.State}{fault}, {link.Frames.ToString(CultureInfo.InvariantCulture)} frames");
         WriteRejected(status.Signatures);
         if (link.IncompatibleFrames > 0)
-            Line($"  {link.IncompatibleFrames.ToString(CultureInfo.InvariantCulture)} frames left out, because they have an incompatibility flag that is not known");
+            Line($"  {link.IncompatibleFrames.ToString(CultureInfo.InvariantCulture)} frames left out, because they "
+                + "have an incompatibility flag that is not known");
         if (link.BytesLost > 0)
         {
-            string where = link.FirstDamageOffset is { } offset ? $", the first at offset {offset.ToString(CultureInfo.InvariantCulture)}" : string.Empty;
-            Line($"  {link.BytesLost.ToString(CultureInfo.InvariantCulture)} bytes belong to no intact record or frame{where}");
+            string where = link.FirstDamageOffset is { } offset
+                ? $", the first at offset {offset.ToString(CultureInfo.InvariantCulture)}"
+                : string.Empty;
+            Line($"  {link.BytesLost.ToString(CultureInfo.InvariantCulture)} bytes belong to no intact record or "
+                + $"frame{where}");
         }
 
         foreach (MavlinkSequenceStatistics source in link.Sources)
@@ -151,7 +161,8 @@ public sealed class SummaryText
                 source.Frames,
                 source.Missing,
                 source.OutOfOrder));
-            Line("    " + Counts(link.Counts.Where(c => c.SystemId == source.SystemId && c.ComponentId == source.ComponentId)));
+            Line("    "
+                + Counts(link.Counts.Where(c => c.SystemId == source.SystemId && c.ComponentId == source.ComponentId)));
         }
 
         WriteUncertain(link);
@@ -164,7 +175,8 @@ public sealed class SummaryText
             return;
         Line(string.Format(
             CultureInfo.InvariantCulture,
-            "  {0} frames were rejected: {1} not signed, {2} with a bad signature, {3} too old, {4} of new senders too old, {5} of too many senders",
+            "  {0} frames were rejected: {1} not signed, {2} with a bad signature, {3} too old, {4} of new senders too "
+                + "old, {5} of too many senders",
             signatures.Rejected,
             signatures.NotSigned,
             signatures.BadSignatures,
@@ -176,25 +188,35 @@ public sealed class SummaryText
     // Sources of which nothing could be checked: their ids are unknown, so that even who sent them is not certain.
     private void WriteUncertain(LinkSummary link)
     {
-        FrameCount[] uncertain = link.Counts.Where(c => !link.Sources.Any(s => s.SystemId == c.SystemId && s.ComponentId == c.ComponentId)).ToArray();
+        FrameCount[] uncertain = link.Counts
+            .Where(c => !link.Sources.Any(s => s.SystemId == c.SystemId && s.ComponentId == c.ComponentId))
+            .ToArray();
         if (uncertain.Length > 0)
-            Line($"  from others, with ids that are not known: {uncertain.Sum(c => c.Count).ToString(CultureInfo.InvariantCulture)} frames of {uncertain.Length.ToString(CultureInfo.InvariantCulture)} kinds");
+            Line("  from others, with ids that are not known: "
+                + $"{uncertain.Sum(c => c.Count).ToString(CultureInfo.InvariantCulture)} frames of "
+                + $"{uncertain.Length.ToString(CultureInfo.InvariantCulture)} kinds");
         if (link.FramesNotListed > 0)
-            Line($"  of more kinds than are listed: {link.FramesNotListed.ToString(CultureInfo.InvariantCulture)} frames");
+            Line($"  of more kinds than are listed: {link.FramesNotListed.ToString(CultureInfo.InvariantCulture)} "
+                + "frames");
     }
 
     private static string Counts(IEnumerable<FrameCount> counts)
     {
-        string text = string.Join(", ", counts.Select(c => $"{c.Name ?? "id"} ({c.MessageId.ToString(CultureInfo.InvariantCulture)}) {c.Count.ToString(CultureInfo.InvariantCulture)}"));
+        string text = string.Join(
+            ", ",
+            counts.Select(c => $"{c.Name ?? "id"} ({c.MessageId.ToString(CultureInfo.InvariantCulture)}) "
+                + $"{c.Count.ToString(CultureInfo.InvariantCulture)}"));
         return text.Length == 0 ? "nothing" : text;
     }
 
     private static string Range(FlightRange? range, double unit, string format, string name) => range is not { } known
         ? "never received"
-        : $"{(known.Minimum / unit).ToString(format, CultureInfo.InvariantCulture)} to {(known.Maximum / unit).ToString(format, CultureInfo.InvariantCulture)} {name}";
+        : $"{(known.Minimum / unit).ToString(format, CultureInfo.InvariantCulture)} to "
+            + $"{(known.Maximum / unit).ToString(format, CultureInfo.InvariantCulture)} {name}";
 
     private string At(long utcMicroseconds)
-        => FlightText.TimeStamp(TimeSpan.FromTicks((utcMicroseconds - (_telemetry.FirstUtcMicroseconds ?? utcMicroseconds)) * 10));
+        => FlightText.TimeStamp(
+            TimeSpan.FromTicks((utcMicroseconds - (_telemetry.FirstUtcMicroseconds ?? utcMicroseconds)) * 10));
 
     private void Line(string text) => _output.WriteLine(text);
 }

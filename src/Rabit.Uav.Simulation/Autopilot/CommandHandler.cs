@@ -8,7 +8,8 @@ namespace Rabit.Uav.Simulation;
 /// COMMAND_LONG, COMMAND_INT and SET_MODE: executes them and acknowledges with the result codes of ArduCopter.
 /// </summary>
 internal sealed class CommandHandler(
-    FlightController controller, TargetReader targets, StreamSchedule streams, TelemetrySender telemetry, Gimbal gimbal, IFrameSink sink)
+    FlightController controller, TargetReader targets, StreamSchedule streams, TelemetrySender telemetry, Gimbal gimbal,
+    IFrameSink sink)
 {
     // "Force": MAVLink common.xml, MAV_CMD_COMPONENT_ARM_DISARM, param 2; ArduPilot takes 2989 for arming as well.
     private const float ForceMagic = 21196;
@@ -55,7 +56,8 @@ internal sealed class CommandHandler(
         switch (command.Command)
         {
             case MavCmd.ComponentArmDisarm: return ArmOrDisarm(command.Param1, command.Param2);
-            case MavCmd.DoSetMode: return SetModeTo((MavModeFlag)WholeNumber(command.Param1), WholeNumber(command.Param2));
+            case MavCmd.DoSetMode:
+                return SetModeTo((MavModeFlag)WholeNumber(command.Param1), WholeNumber(command.Param2));
             case MavCmd.NavTakeoff: return Result(controller.TryTakeOff(command.Z));
             case MavCmd.NavReturnToLaunch: return Result(controller.TrySetMode((uint)CopterMode.Rtl));
             case MavCmd.NavLand: return Result(controller.TrySetMode((uint)CopterMode.Land));
@@ -78,7 +80,8 @@ internal sealed class CommandHandler(
             case MavCmd.SetMessageInterval:
                 return streams.Set(messageId, command.Param2, controller.Situation.Time);
             case MavCmd.GetMessageInterval:
-                sink.Send(new MessageInterval { MessageId = (ushort)messageId, IntervalUs = streams.IntervalOf(messageId) });
+                sink.Send(
+                    new MessageInterval { MessageId = (ushort)messageId, IntervalUs = streams.IntervalOf(messageId) });
                 return MavResult.Accepted;
             case MavCmd.RequestMessage:
                 return RequestMessage(messageId);
@@ -103,11 +106,15 @@ internal sealed class CommandHandler(
     {
         if (arms.Equals(1f))
             return Result(controller.TryArm(isForced: magic.Equals(ForceMagic) || magic.Equals(ForceArmMagic)));
-        return arms.Equals(0f) ? Result(controller.TryDisarm(isForced: magic.Equals(ForceMagic))) : MavResult.Unsupported;
+        return arms.Equals(0f)
+            ? Result(controller.TryDisarm(isForced: magic.Equals(ForceMagic)))
+            : MavResult.Unsupported;
     }
 
     private MavResult SetModeTo(MavModeFlag baseMode, uint customMode)
-        => (baseMode & MavModeFlag.CustomModeEnabled) == 0 ? MavResult.Denied : Result(controller.TrySetMode(customMode));
+        => (baseMode & MavModeFlag.CustomModeEnabled) == 0
+            ? MavResult.Denied
+            : Result(controller.TrySetMode(customMode));
 
     private MavResult Reposition(in CommandInt command)
     {
@@ -131,7 +138,9 @@ internal sealed class CommandHandler(
             return MavResult.Failed;
         switch ((SpeedType)WholeNumber(kind))
         {
-            case SpeedType.Airspeed or SpeedType.Groundspeed: controller.Guided.SetSpeed(speed); return MavResult.Accepted;
+            case SpeedType.Airspeed or SpeedType.Groundspeed:
+                controller.Guided.SetSpeed(speed);
+                return MavResult.Accepted;
             case SpeedType.ClimbSpeed: controller.Guided.SetSpeedUp(speed); return MavResult.Accepted;
             case SpeedType.DescentSpeed: controller.Guided.SetSpeedDown(speed); return MavResult.Accepted;
             default: return MavResult.Denied;
@@ -140,7 +149,8 @@ internal sealed class CommandHandler(
 
     private MavResult Turn(float degrees, float direction, float isRelative)
     {
-        if (!controller.IsGuided || !(degrees >= 0 && degrees <= 360) || (!isRelative.Equals(0f) && !isRelative.Equals(1f)))
+        if (!controller.IsGuided || !(degrees >= 0 && degrees <= 360)
+            || (!isRelative.Equals(0f) && !isRelative.Equals(1f)))
             return MavResult.Failed;
         double angle = degrees * NedMath.RadiansPerDegree;
         bool turnsBack = direction < 0;
@@ -163,7 +173,8 @@ internal sealed class CommandHandler(
 
     private MavResult PointCamera(float pitchDegrees, float yawDegrees)
     {
-        if (float.IsNaN(pitchDegrees) || float.IsNaN(yawDegrees) || Math.Abs(pitchDegrees) > 360 || Math.Abs(yawDegrees) > 360)
+        if (float.IsNaN(pitchDegrees) || float.IsNaN(yawDegrees) || Math.Abs(pitchDegrees) > 360
+            || Math.Abs(yawDegrees) > 360)
             return MavResult.Denied;
         gimbal.Point(pitchDegrees * NedMath.RadiansPerDegree, yawDegrees * NedMath.RadiansPerDegree);
         return MavResult.Accepted;

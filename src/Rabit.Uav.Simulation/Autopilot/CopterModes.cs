@@ -5,21 +5,27 @@ namespace Rabit.Uav.Simulation;
 /// <summary>Flight modes of ArduCopter that the simulation knows, and what is true of them.</summary>
 internal static class CopterModes
 {
-    public static bool IsKnown(uint number) => (CopterMode)number is CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Auto
-        or CopterMode.Guided or CopterMode.Loiter or CopterMode.Rtl or CopterMode.Land or CopterMode.Poshold or CopterMode.Brake;
+    public static bool IsKnown(uint number)
+        => (CopterMode)number is CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Auto
+            or CopterMode.Guided or CopterMode.Loiter or CopterMode.Rtl or CopterMode.Land or CopterMode.Poshold
+            or CopterMode.Brake;
 
-    public static bool NeedsPosition(CopterMode mode) => mode is not (CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Land);
+    public static bool NeedsPosition(CopterMode mode)
+        => mode is not (CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Land);
 
     /// <summary>Whether a ground station may arm in it.</summary>
     public static bool IsArmable(CopterMode mode)
-        => mode is CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Loiter or CopterMode.Poshold or CopterMode.Guided;
+        => mode is CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Loiter or CopterMode.Poshold
+            or CopterMode.Guided;
 
     /// <summary>
     /// Whether the heartbeat sets MAV_MODE_FLAG_GUIDED_ENABLED: in GUIDED always, in others that steer by position
     /// while armed.
     /// </summary>
     public static bool IsGuidedFlag(CopterMode mode, bool isArmed) => mode == CopterMode.Guided
-        || (isArmed && mode is (CopterMode.Auto or CopterMode.Loiter or CopterMode.Rtl or CopterMode.Poshold or CopterMode.Brake));
+        || (isArmed
+            && mode is (CopterMode.Auto or CopterMode.Loiter or CopterMode.Rtl or CopterMode.Poshold
+                or CopterMode.Brake));
 
     /// <summary>As the autopilot's texts have it.</summary>
     public static string NameOf(CopterMode mode) => mode switch

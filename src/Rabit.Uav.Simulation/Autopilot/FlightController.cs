@@ -51,7 +51,8 @@ internal sealed class FlightController
     /// <summary>Called when it has armed: home is where it is, and HOME_POSITION is sent.</summary>
     public Action? Armed { get; set; }
 
-    public MavState Status => IsArmed && Failsafes.IsAnyOn ? MavState.Critical : Situation.IsLanded ? MavState.Standby : MavState.Active;
+    public MavState Status
+        => IsArmed && Failsafes.IsAnyOn ? MavState.Critical : Situation.IsLanded ? MavState.Standby : MavState.Active;
 
     public MavLandedState LandedState
     {

@@ -30,13 +30,15 @@ internal abstract class FlightMode
     public abstract void Fly(FlightSituation situation, ref MotionCommand command);
 
     /// <summary>The velocity that leads to a place and stops there.</summary>
-    protected static NedVector VelocityTo(FlightSituation situation, NedVector place, double speed, double speedUp, double speedDown)
+    protected static NedVector VelocityTo(
+        FlightSituation situation, NedVector place, double speed, double speedUp, double speedDown)
     {
         NedVector error = place.Minus(situation.Position);
         double distance = error.HorizontalLength();
         double horizontal = Approach(distance, speed, situation.HorizontalAcceleration * PlannedPart);
         double part = distance > 1e-6 ? horizontal / distance : 0;
-        double vertical = Approach(Math.Abs(error.Down), error.Down < 0 ? speedUp : speedDown, situation.VerticalAcceleration * PlannedPart);
+        double vertical = Approach(
+            Math.Abs(error.Down), error.Down < 0 ? speedUp : speedDown, situation.VerticalAcceleration * PlannedPart);
         return new NedVector(error.North * part, error.East * part, error.Down < 0 ? -vertical : vertical);
     }
 
@@ -44,14 +46,18 @@ internal abstract class FlightMode
     protected static NedVector VelocityTo(FlightSituation situation, NedVector place)
     {
         ParameterStore parameters = situation.Parameters;
-        return VelocityTo(situation, place, parameters.Speed.Value / 100, parameters.SpeedUp.Value / 100, parameters.SpeedDown.Value / 100);
+        return VelocityTo(
+            situation, place, parameters.Speed.Value / 100, parameters.SpeedUp.Value / 100,
+            parameters.SpeedDown.Value / 100);
     }
 
     // Proportional near the place, as much as braking allows further away (ArduPilot's square root controller).
     private static double Approach(double distance, double speed, double deceleration)
     {
         double near = deceleration / (PositionGain * PositionGain);
-        double possible = distance <= near ? PositionGain * distance : Math.Sqrt(2 * deceleration * (distance - (near / 2)));
+        double possible = distance <= near
+            ? PositionGain * distance
+            : Math.Sqrt(2 * deceleration * (distance - (near / 2)));
         return Math.Min(speed, possible);
     }
 }

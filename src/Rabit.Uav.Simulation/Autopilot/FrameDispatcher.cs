@@ -26,17 +26,32 @@ internal sealed class FrameDispatcher(
         switch (frame.MessageId)
         {
             case Heartbeat.MavlinkId: controller.Failsafes.ReceiveGroundHeartbeat(frame.SystemId); break;
-            case CommandLong.MavlinkId: frame.TryDecode(out CommandLong commandLong); commands.Handle(commandLong, sender); break;
-            case CommandInt.MavlinkId: frame.TryDecode(out CommandInt commandInt); commands.Handle(commandInt, sender); break;
+            case CommandLong.MavlinkId:
+                frame.TryDecode(out CommandLong commandLong);
+                commands.Handle(commandLong, sender);
+                break;
+            case CommandInt.MavlinkId:
+                frame.TryDecode(out CommandInt commandInt);
+                commands.Handle(commandInt, sender);
+                break;
             case SetMode.MavlinkId: frame.TryDecode(out SetMode mode); commands.Handle(mode, sender); break;
-            case SetPositionTargetGlobalInt.MavlinkId: frame.TryDecode(out SetPositionTargetGlobalInt global); targets.Handle(global); break;
-            case SetPositionTargetLocalNed.MavlinkId: frame.TryDecode(out SetPositionTargetLocalNed local); targets.Handle(local); break;
+            case SetPositionTargetGlobalInt.MavlinkId:
+                frame.TryDecode(out SetPositionTargetGlobalInt global);
+                targets.Handle(global);
+                break;
+            case SetPositionTargetLocalNed.MavlinkId:
+                frame.TryDecode(out SetPositionTargetLocalNed local);
+                targets.Handle(local);
+                break;
             case ParamRequestRead.MavlinkId: frame.TryDecode(out ParamRequestRead read); parameters.Handle(read); break;
             case ParamRequestList.MavlinkId: parameters.HandleListRequest(); break;
             case ParamSet.MavlinkId: frame.TryDecode(out ParamSet set); parameters.Handle(set); break;
             case RequestDataStream.MavlinkId: frame.TryDecode(out RequestDataStream stream); Handle(stream); break;
             case Timesync.MavlinkId: frame.TryDecode(out Timesync sync); Handle(sync, sender, bootNanoseconds); break;
-            case MissionRequestList.MavlinkId: frame.TryDecode(out MissionRequestList list); Handle(list, sender); break;
+            case MissionRequestList.MavlinkId:
+                frame.TryDecode(out MissionRequestList list);
+                Handle(list, sender);
+                break;
             case MissionCount.MavlinkId: frame.TryDecode(out MissionCount count); Handle(count, sender); break;
         }
     }
@@ -47,23 +62,38 @@ internal sealed class FrameDispatcher(
             return false;
         byte system = frame.TargetSystem(info);
         byte component = frame.TargetComponent(info);
-        return (system == 0 || system == address.SystemId) && (component == 0 || component == AutopilotAddress.ComponentId);
+        return (system == 0 || system == address.SystemId)
+            && (component == 0 || component == AutopilotAddress.ComponentId);
     }
 
     private void Handle(in RequestDataStream request)
-        => streams.SetGroup(request.ReqStreamId, request.StartStop == 0 ? 0 : request.ReqMessageRate, controller.Situation.Time);
+        => streams.SetGroup(
+            request.ReqStreamId, request.StartStop == 0 ? 0 : request.ReqMessageRate, controller.Situation.Time);
 
     private void Handle(in Timesync request, Sender sender, long bootNanoseconds)
     {
         // Anything but zero is the answer to a question of ours.
         if (request.Tc1 != 0)
             return;
-        sink.Send(new Timesync { Tc1 = bootNanoseconds, Ts1 = request.Ts1, TargetSystem = sender.SystemId, TargetComponent = sender.ComponentId });
+        sink.Send(
+            new Timesync
+            {
+                Tc1 = bootNanoseconds,
+                Ts1 = request.Ts1,
+                TargetSystem = sender.SystemId,
+                TargetComponent = sender.ComponentId
+            });
     }
 
     // It has no mission, and takes none.
     private void Handle(in MissionRequestList request, Sender sender)
-        => sink.Send(new MissionCount { TargetSystem = sender.SystemId, TargetComponent = sender.ComponentId, MissionType = request.MissionType });
+        => sink.Send(
+            new MissionCount
+            {
+                TargetSystem = sender.SystemId,
+                TargetComponent = sender.ComponentId,
+                MissionType = request.MissionType
+            });
 
     private void Handle(in MissionCount offer, Sender sender) => sink.Send(new MissionAck
     {

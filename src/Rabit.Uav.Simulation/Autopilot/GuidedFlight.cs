@@ -74,7 +74,8 @@ internal sealed class GuidedFlight : FlightMode
         _heading.Set(heading);
     }
 
-    public void GoToWithVelocity(FlightSituation situation, NedVector place, NedVector velocity, in HeadingTarget heading)
+    public void GoToWithVelocity(
+        FlightSituation situation, NedVector place, NedVector velocity, in HeadingTarget heading)
     {
         Take(Task.PlaceAndVelocity, situation);
         _place = place;
@@ -122,7 +123,8 @@ internal sealed class GuidedFlight : FlightMode
 
         EndTasks(situation);
         command.Velocity = Velocity(situation);
-        bool pointsAlong = situation.Parameters.YawBehaviour.Value > 0 && command.Velocity.HorizontalLength() > PointsAlongAbove * _speed;
+        bool pointsAlong = situation.Parameters.YawBehaviour.Value > 0
+            && command.Velocity.HorizontalLength() > PointsAlongAbove * _speed;
         _heading.Fly(situation, pointsAlong ? command.Velocity : default, ref command);
     }
 

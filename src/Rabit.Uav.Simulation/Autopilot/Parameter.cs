@@ -13,5 +13,6 @@ internal sealed class Parameter(string name, MavParamType type, float value)
     public float Value { get; private set; } = value;
 
     /// <summary>A type of whole numbers keeps the whole part.</summary>
-    public void Set(float newValue) => Value = Type == MavParamType.Real32 ? newValue : (float)System.Math.Truncate(newValue);
+    public void Set(float newValue)
+        => Value = Type == MavParamType.Real32 ? newValue : (float)System.Math.Truncate(newValue);
 }

@@ -35,7 +35,9 @@ internal sealed class ReturnFlight : FlightMode
         _start = situation.StoppingPoint;
         double slope = situation.Parameters.ReturnSlope.Value;
         double lowest = Math.Max(MinHeight, situation.Height);
-        double cone = slope >= 0.5 ? Math.Max(situation.Home.Minus(situation.Position).HorizontalLength() * slope, lowest) : double.MaxValue;
+        double cone = slope >= 0.5
+            ? Math.Max(situation.Home.Minus(situation.Position).HorizontalLength() * slope, lowest)
+            : double.MaxValue;
         _height = Math.Min(Math.Max(situation.Parameters.ReturnHeight.Value / 100, lowest), cone);
     }
 
@@ -79,6 +81,7 @@ internal sealed class ReturnFlight : FlightMode
     {
         ParameterStore parameters = situation.Parameters;
         float speed = parameters.ReturnSpeed.Value > 0 ? parameters.ReturnSpeed.Value : parameters.Speed.Value;
-        return VelocityTo(situation, above, speed / 100, parameters.SpeedUp.Value / 100, parameters.SpeedDown.Value / 100);
+        return VelocityTo(
+            situation, above, speed / 100, parameters.SpeedUp.Value / 100, parameters.SpeedDown.Value / 100);
     }
 }

@@ -19,7 +19,8 @@ internal sealed class StreamSchedule
     private static readonly int[] Position = [GlobalPositionInt.MavlinkId, LocalPositionNed.MavlinkId];
     private static readonly int[] Extra1 = [Attitude.MavlinkId];
     private static readonly int[] Extra2 = [VfrHud.MavlinkId];
-    private static readonly int[] Extra3 = [SystemTime.MavlinkId, BatteryStatus.MavlinkId, ExtendedSysState.MavlinkId, Wind.MavlinkId];
+    private static readonly int[] Extra3 =
+        [SystemTime.MavlinkId, BatteryStatus.MavlinkId, ExtendedSysState.MavlinkId, Wind.MavlinkId];
 
     private readonly List<Entry> _entries = [];
 

@@ -10,13 +10,18 @@ internal sealed partial class TelemetrySender
     private const uint Firmware = 0x0407_0000;   // 4.7.0-dev, which the recorded flight has too
     private const int Satellites = 10;
 
-    private const MavSysStatusSensor Sensors = MavSysStatusSensor.Sensor3dGyro | MavSysStatusSensor.Sensor3dAccel | MavSysStatusSensor.Sensor3dMag
-        | MavSysStatusSensor.AbsolutePressure | MavSysStatusSensor.Gps | MavSysStatusSensor.AngularRateControl | MavSysStatusSensor.AttitudeStabilization
-        | MavSysStatusSensor.YawPosition | MavSysStatusSensor.ZAltitudeControl | MavSysStatusSensor.XyPositionControl | MavSysStatusSensor.MotorOutputs
+    private const MavSysStatusSensor Sensors = MavSysStatusSensor.Sensor3dGyro | MavSysStatusSensor.Sensor3dAccel
+        | MavSysStatusSensor.Sensor3dMag
+        | MavSysStatusSensor.AbsolutePressure | MavSysStatusSensor.Gps | MavSysStatusSensor.AngularRateControl
+        | MavSysStatusSensor.AttitudeStabilization
+        | MavSysStatusSensor.YawPosition | MavSysStatusSensor.ZAltitudeControl | MavSysStatusSensor.XyPositionControl
+        | MavSysStatusSensor.MotorOutputs
         | MavSysStatusSensor.Ahrs | MavSysStatusSensor.Battery | MavSysStatusSensor.PrearmCheck;
 
-    private const MavProtocolCapability Capabilities = MavProtocolCapability.ParamFloat | MavProtocolCapability.CommandInt
-        | MavProtocolCapability.SetPositionTargetLocalNed | MavProtocolCapability.SetPositionTargetGlobalInt | MavProtocolCapability.Mavlink2
+    private const MavProtocolCapability Capabilities = MavProtocolCapability.ParamFloat
+        | MavProtocolCapability.CommandInt
+        | MavProtocolCapability.SetPositionTargetLocalNed | MavProtocolCapability.SetPositionTargetGlobalInt
+        | MavProtocolCapability.Mavlink2
         | MavProtocolCapability.ParamEncodeCCast;
 
     private void SendSysStatus()
@@ -113,7 +118,8 @@ internal sealed partial class TelemetrySender
         });
     }
 
-    private void SendVersion() => sink.Send(new AutopilotVersion { Capabilities = Capabilities, FlightSwVersion = Firmware, Uid = uid });
+    private void SendVersion()
+        => sink.Send(new AutopilotVersion { Capabilities = Capabilities, FlightSwVersion = Firmware, Uid = uid });
 
     private sbyte Percent() => (sbyte)Math.Round(_state.BatteryRemaining * 100);
 

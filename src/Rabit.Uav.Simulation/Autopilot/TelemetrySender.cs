@@ -19,10 +19,12 @@ internal sealed partial class TelemetrySender(FlightController controller, World
     /// <summary>Where local positions count from; null before the first position.</summary>
     public NedVector? Origin { get; set; }
 
-    public static bool IsKnown(int messageId) => messageId is Heartbeat.MavlinkId or SysStatus.MavlinkId or SystemTime.MavlinkId
-        or GpsRawInt.MavlinkId or Attitude.MavlinkId or LocalPositionNed.MavlinkId or GlobalPositionInt.MavlinkId
-        or VfrHud.MavlinkId or BatteryStatus.MavlinkId or AutopilotVersion.MavlinkId or Wind.MavlinkId
-        or HomePosition.MavlinkId or ExtendedSysState.MavlinkId or GpsGlobalOrigin.MavlinkId or GimbalDeviceAttitudeStatus.MavlinkId;
+    public static bool IsKnown(int messageId)
+        => messageId is Heartbeat.MavlinkId or SysStatus.MavlinkId or SystemTime.MavlinkId
+            or GpsRawInt.MavlinkId or Attitude.MavlinkId or LocalPositionNed.MavlinkId or GlobalPositionInt.MavlinkId
+            or VfrHud.MavlinkId or BatteryStatus.MavlinkId or AutopilotVersion.MavlinkId or Wind.MavlinkId
+            or HomePosition.MavlinkId or ExtendedSysState.MavlinkId or GpsGlobalOrigin.MavlinkId
+            or GimbalDeviceAttitudeStatus.MavlinkId;
 
     /// <summary>The state that the following messages report.</summary>
     public void Update(in AutopilotState state) => _state = state;
@@ -34,7 +36,9 @@ internal sealed partial class TelemetrySender(FlightController controller, World
         {
             case Heartbeat.MavlinkId: SendHeartbeat(); break;
             case SysStatus.MavlinkId: SendSysStatus(); break;
-            case SystemTime.MavlinkId: sink.Send(new SystemTime { TimeUnixUsec = _state.UtcMicroseconds, TimeBootMs = BootMilliseconds }); break;
+            case SystemTime.MavlinkId:
+                sink.Send(new SystemTime { TimeUnixUsec = _state.UtcMicroseconds, TimeBootMs = BootMilliseconds });
+                break;
             case GpsRawInt.MavlinkId: SendGps(); break;
             case Attitude.MavlinkId: SendAttitude(); break;
             case LocalPositionNed.MavlinkId: SendLocalPosition(); break;
@@ -54,7 +58,8 @@ internal sealed partial class TelemetrySender(FlightController controller, World
 
     private void SendHeartbeat()
     {
-        MavModeFlag mode = MavModeFlag.CustomModeEnabled | MavModeFlag.StabilizeEnabled | MavModeFlag.ManualInputEnabled;
+        MavModeFlag mode = MavModeFlag.CustomModeEnabled | MavModeFlag.StabilizeEnabled
+            | MavModeFlag.ManualInputEnabled;
         if (CopterModes.IsGuidedFlag(controller.Mode, controller.IsArmed))
             mode |= MavModeFlag.GuidedEnabled;
         if (controller.IsArmed)
@@ -150,7 +155,14 @@ internal sealed partial class TelemetrySender(FlightController controller, World
         q[1] = (float)(-sinYaw * sinPitch);
         q[2] = (float)(cosYaw * sinPitch);
         q[3] = (float)(sinYaw * cosPitch);
-        sink.Send(new GimbalDeviceAttitudeStatus { TimeBootMs = BootMilliseconds, Flags = GimbalDeviceFlags.YawInVehicleFrame, Q = q, GimbalDeviceId = 1 });
+        sink.Send(
+            new GimbalDeviceAttitudeStatus
+            {
+                TimeBootMs = BootMilliseconds,
+                Flags = GimbalDeviceFlags.YawInVehicleFrame,
+                Q = q,
+                GimbalDeviceId = 1
+            });
     }
 
     private double Heading()
@@ -163,5 +175,6 @@ internal sealed partial class TelemetrySender(FlightController controller, World
 
     private static int Scaled(double value, double scale) => (int)Math.Round(value * scale);
 
-    private static short Short(double value) => (short)NedMath.Limited(Math.Round(value), short.MinValue, short.MaxValue);
+    private static short Short(double value)
+        => (short)NedMath.Limited(Math.Round(value), short.MinValue, short.MaxValue);
 }

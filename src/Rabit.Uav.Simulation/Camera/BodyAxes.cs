@@ -29,11 +29,13 @@ internal readonly struct BodyAxes(Vector3 forward, Vector3 right, Vector3 down)
         var forward = new Vector3(cosPitch * cosYaw, cosPitch * sinYaw, -sinPitch);
         var levelRight = new Vector3(-sinYaw, cosYaw, 0);
         var levelDown = new Vector3(sinPitch * cosYaw, sinPitch * sinYaw, cosPitch);   // forward x right
-        return new BodyAxes(forward, Blend(levelRight, cosRoll, levelDown, sinRoll), Blend(levelDown, cosRoll, levelRight, -sinRoll));
+        return new BodyAxes(
+            forward, Blend(levelRight, cosRoll, levelDown, sinRoll), Blend(levelDown, cosRoll, levelRight, -sinRoll));
     }
 
     /// <summary>These axes, which are given against others, in the frame of those others.</summary>
-    public BodyAxes TransformedBy(in BodyAxes outer) => new(outer.Transform(Forward), outer.Transform(Right), outer.Transform(Down));
+    public BodyAxes TransformedBy(in BodyAxes outer)
+        => new(outer.Transform(Forward), outer.Transform(Right), outer.Transform(Down));
 
     /// <summary>A vector that is given along these axes, in the frame these axes are given in.</summary>
     public Vector3 Transform(Vector3 vector) => new(
@@ -42,5 +44,6 @@ internal readonly struct BodyAxes(Vector3 forward, Vector3 right, Vector3 down)
         (vector.First * Forward.Third) + (vector.Second * Right.Third) + (vector.Third * Down.Third));
 
     private static Vector3 Blend(Vector3 a, double partOfA, Vector3 b, double partOfB) => new(
-        (a.First * partOfA) + (b.First * partOfB), (a.Second * partOfA) + (b.Second * partOfB), (a.Third * partOfA) + (b.Third * partOfB));
+        (a.First * partOfA) + (b.First * partOfB), (a.Second * partOfA) + (b.Second * partOfB),
+        (a.Third * partOfA) + (b.Third * partOfB));
 }

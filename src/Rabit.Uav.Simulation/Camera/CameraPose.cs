@@ -8,12 +8,15 @@ internal readonly struct CameraPose
 {
     public CameraPose(in TruePose pose, SimulatedCameraOptions camera)
     {
-        BodyAxes body = BodyAxes.FromEulerAngles(pose.Attitude.Yaw.Radians, pose.Attitude.Pitch.Radians, pose.Attitude.Roll.Radians);
+        BodyAxes body = BodyAxes.FromEulerAngles(
+            pose.Attitude.Yaw.Radians, pose.Attitude.Pitch.Radians, pose.Attitude.Roll.Radians);
         BodyAxes foot = BodyAxes.FromEulerAngles(
             camera.MisalignmentYaw.Radians, camera.MisalignmentPitch.Radians, camera.MisalignmentRoll.Radians);
-        Axes = BodyAxes.FromEulerAngles(pose.CameraYaw.Radians, pose.CameraPitch.Radians, roll: 0).TransformedBy(foot).TransformedBy(body);
+        Axes = BodyAxes.FromEulerAngles(pose.CameraYaw.Radians, pose.CameraPitch.Radians, roll: 0).TransformedBy(foot)
+            .TransformedBy(body);
 
-        Vector3 lever = body.Transform(new Vector3(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres));
+        Vector3 lever = body.Transform(
+            new Vector3(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres));
         North = pose.Position.North + lever.First;
         East = pose.Position.East + lever.Second;
         Height = -(pose.Position.Down + lever.Third);

@@ -32,7 +32,9 @@ public sealed class CameraRecorderManager : RabitManager
         : base(ManagerName)
     {
         _writer = writer ?? throw new ArgumentNullException(nameof(writer));
-        _camera = AttachReader("camera", camera ?? throw new ArgumentNullException(nameof(camera)), PicturesWaiting, QueueFullMode.DropOldest);
+        _camera = AttachReader(
+            "camera", camera ?? throw new ArgumentNullException(nameof(camera)), PicturesWaiting,
+            QueueFullMode.DropOldest);
         _folder = AttachWriter("folder", new PictureFolderTarget(writer), PicturesWaiting, QueueFullMode.Reject);
     }
 
@@ -47,8 +49,13 @@ public sealed class CameraRecorderManager : RabitManager
     {
         while (_camera.TryPop(out CameraFrame frame))
         {
-            var picture = new RecordedPicture { Frame = frame, FrameStartUtc = Clock.GetUtcNow() - (Now - frame.FrameStart) };
-            if (_folder.State is DeviceState.Faulted or DeviceState.Ended || _folder.Push(picture) == PushResult.Rejected)
+            var picture = new RecordedPicture
+            {
+                Frame = frame,
+                FrameStartUtc = Clock.GetUtcNow() - (Now - frame.FrameStart)
+            };
+            if (_folder.State is DeviceState.Faulted or DeviceState.Ended
+                || _folder.Push(picture) == PushResult.Rejected)
             {
                 picture.Dispose();
                 System.Threading.Interlocked.Increment(ref _dropped);

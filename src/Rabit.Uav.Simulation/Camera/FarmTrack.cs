@@ -28,7 +28,8 @@ internal readonly struct FarmTrack
     public double BareAt(double north, double east)
     {
         double turn = 2 * Math.PI * north / _period;
-        double line = _middle + (_swing * Math.Sin(turn + _phase)) + (0.3 * _swing * Math.Sin((3 * turn) + (2 * _phase)));
+        double line = _middle + (_swing * Math.Sin(turn + _phase))
+            + (0.3 * _swing * Math.Sin((3 * turn) + (2 * _phase)));
         double off = east - line;
         off -= _period * Math.Floor((off / _period) + 0.5);
         double fromRut = Math.Abs(Math.Abs(off) - HalfGauge);

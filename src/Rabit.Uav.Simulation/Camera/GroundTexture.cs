@@ -45,7 +45,8 @@ internal sealed class GroundTexture
         n = (int)((north * (FinePerMetre * 256)) + IndexOffset);
         e = (int)((east * (FinePerMetre * 256)) + IndexOffset);
         int light = 256 + ((FineAt(n, e) * grain) >> 8);
-        return (Light(colour >> 16, light) << 16) | (Light((colour >> 8) & 0xFF, light) << 8) | Light(colour & 0xFF, light);
+        return (Light(colour >> 16, light) << 16) | (Light((colour >> 8) & 0xFF, light) << 8)
+            | Light(colour & 0xFF, light);
     }
 
     private static uint Light(uint channel, int light)
@@ -103,7 +104,8 @@ internal sealed class GroundTexture
                 int at = (row << SizeBits) | column;
                 double dry = Smooth(0.38, 0.68, dryness[at]);
                 double bare = Smooth(0.60, 0.78, soil[at]);
-                bare = Math.Max(bare, 0.85 * track.BareAt(row / (double)CoarsePerMetre, column / (double)CoarsePerMetre));
+                bare = Math.Max(
+                    bare, 0.85 * track.BareAt(row / (double)CoarsePerMetre, column / (double)CoarsePerMetre));
                 double gain = 0.72 + (0.56 * light[at]);
                 _coarse[at] = (Mix(84, 128, 132, dry, bare, gain) << 16)
                     | (Mix(104, 124, 114, dry, bare, gain) << 8)

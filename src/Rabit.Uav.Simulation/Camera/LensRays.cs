@@ -87,7 +87,8 @@ internal sealed class LensRays
             (fx, fy) = (fx - xd, fy - yd);
             double r2 = (x * x) + (y * y);
             double radial = 1 + (r2 * (_camera.K1 + (r2 * (_camera.K2 + (r2 * _camera.K3)))));
-            double slope = 2 * (_camera.K1 + (r2 * ((2 * _camera.K2) + (r2 * 3 * _camera.K3))));   // of radial, by r, over r
+            // of radial, by r, over r
+            double slope = 2 * (_camera.K1 + (r2 * ((2 * _camera.K2) + (r2 * 3 * _camera.K3))));
             double dxx = radial + (x * x * slope) + (2 * _camera.P1 * y) + (6 * _camera.P2 * x);
             double dyy = radial + (y * y * slope) + (6 * _camera.P1 * y) + (2 * _camera.P2 * x);
             double dxy = (x * y * slope) + (2 * _camera.P1 * x) + (2 * _camera.P2 * y);
@@ -100,6 +101,7 @@ internal sealed class LensRays
             y -= ((dxx * fy) - (dxy * fx)) / determinant;
         }
 
-        throw new ArgumentException($"Simulated camera: with this distortion no ray of light falls on pixel ({u}, {v}).", nameof(u));
+        throw new ArgumentException(
+            $"Simulated camera: with this distortion no ray of light falls on pixel ({u}, {v}).", nameof(u));
     }
 }

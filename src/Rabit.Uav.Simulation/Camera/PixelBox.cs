@@ -19,14 +19,16 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
 
     /// <summary>The box around both.</summary>
     public PixelBox With(PixelBox other) => new(
-        Math.Min(Left, other.Left), Math.Min(Top, other.Top), Math.Max(Right, other.Right), Math.Max(Bottom, other.Bottom));
+        Math.Min(Left, other.Left), Math.Min(Top, other.Top), Math.Max(Right, other.Right),
+        Math.Max(Bottom, other.Bottom));
 
     /// <summary>The pixels in which a rectangle on the ground may be seen; false if there are none.</summary>
     public static bool TryFind(SimulatedTarget sheet, in CameraPose pose, LensRays lens, out PixelBox box)
     {
         box = default;
         (double sin, double cos) = (Math.Sin(sheet.Heading.Radians), Math.Cos(sheet.Heading.Radians));
-        (double leastX, double mostX, double leastY, double mostY) = (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
+        (double leastX, double mostX, double leastY, double mostY) =
+            (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
         int behind = 0;
         for (int corner = 0; corner < 4; corner++)
         {
@@ -58,16 +60,19 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
         }
 
         double margin = MarginPixels / lens.Focal;
-        if (leastX > lens.MaxX + margin || mostX < lens.MinX - margin || leastY > lens.MaxY + margin || mostY < lens.MinY - margin)
+        if (leastX > lens.MaxX + margin || mostX < lens.MinX - margin || leastY > lens.MaxY + margin
+            || mostY < lens.MinY - margin)
             return false;
         box = Around(
-            Math.Max(leastX, lens.MinX), Math.Min(mostX, lens.MaxX), Math.Max(leastY, lens.MinY), Math.Min(mostY, lens.MaxY), lens);
+            Math.Max(leastX, lens.MinX), Math.Min(mostX, lens.MaxX), Math.Max(leastY, lens.MinY),
+            Math.Min(mostY, lens.MaxY), lens);
         return box.Left <= box.Right && box.Top <= box.Bottom;
     }
 
     private static PixelBox Around(double leastX, double mostX, double leastY, double mostY, LensRays lens)
     {
-        (double left, double right, double top, double bottom) = (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
+        (double left, double right, double top, double bottom) =
+            (double.MaxValue, double.MinValue, double.MaxValue, double.MinValue);
         for (int point = 0; point < 9; point++)
         {
             double x = leastX + ((mostX - leastX) * (point % 3) / 2);
@@ -86,5 +91,6 @@ internal readonly struct PixelBox(int left, int top, int right, int bottom)
             Math.Min(lens.Height - 1, (int)Math.Ceiling(bottom + marginY)));
     }
 
-    private static double Along(Vector3 way, Vector3 axis) => (way.First * axis.First) + (way.Second * axis.Second) + (way.Third * axis.Third);
+    private static double Along(Vector3 way, Vector3 axis)
+        => (way.First * axis.First) + (way.Second * axis.Second) + (way.Third * axis.Third);
 }

@@ -54,5 +54,6 @@ internal readonly struct SheetView
     private static double Term(Vector3 axis, double height, double towardsNorth, double towardsEast, double camera)
         => (height * ((axis.First * towardsNorth) + (axis.Second * towardsEast))) + (camera * axis.Third);
 
-    private static double Value(Vector3 terms, double x, double y) => (terms.First * x) + (terms.Second * y) + terms.Third;
+    private static double Value(Vector3 terms, double x, double y)
+        => (terms.First * x) + (terms.Second * y) + terms.Third;
 }

@@ -36,7 +36,8 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
     private long _overtaken;
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
-    internal SimulatedCamera(SimulatedCameraOptions options, TruthHistory truth, IEnumerable<SimulatedTarget> things, ulong seed)
+    internal SimulatedCamera(
+        SimulatedCameraOptions options, TruthHistory truth, IEnumerable<SimulatedTarget> things, ulong seed)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         _truth = truth;
@@ -122,7 +123,8 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
 
     private CameraFrame Expose(TimeSpan start, in CameraPose middle, BufferLease lease)
     {
-        if (!TryGetCameraPose(start + Part(1), out CameraPose early) || !TryGetCameraPose(start + Part(3), out CameraPose late))
+        if (!TryGetCameraPose(start + Part(1), out CameraPose early)
+            || !TryGetCameraPose(start + Part(3), out CameraPose late))
             (early, late) = (middle, middle);
         _renderer.Render(middle, early, late, _number, lease.Array);
         return new CameraFrame
@@ -156,7 +158,8 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
 
     private TimeSpan Part(int quarters) => TimeSpan.FromTicks(_options.Exposure.Ticks * quarters / 4);
 
-    private TimeSpan StartTime(long number) => _opened + TimeSpan.FromTicks((long)((number + 1) * TimeSpan.TicksPerSecond / _options.FramesPerSecond));
+    private TimeSpan StartTime(long number)
+        => _opened + TimeSpan.FromTicks((long)((number + 1) * TimeSpan.TicksPerSecond / _options.FramesPerSecond));
 
     private TimeSpan DueTime(long number) => StartTime(number) + _options.Delay;
 }

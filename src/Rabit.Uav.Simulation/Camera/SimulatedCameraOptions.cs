@@ -95,7 +95,8 @@ public sealed class SimulatedCameraOptions
             Height = full.Height / 2,
             FocalX = full.FocalX / 2,
             FocalY = full.FocalY / 2,
-            CentreX = ((full.CentreX + 0.5) / 2) - 0.5,   // the corner of the picture stays where it is, not the centre of its first pixel
+            // the corner of the picture stays where it is, not the centre of its first pixel
+            CentreX = ((full.CentreX + 0.5) / 2) - 0.5,
             CentreY = ((full.CentreY + 0.5) / 2) - 0.5,
             K1 = full.K1,
             K2 = full.K2,
@@ -110,14 +111,16 @@ public sealed class SimulatedCameraOptions
     internal SimulatedCameraOptions ValidatedCopy(string parameter)
     {
         if (Camera is null || Freezes is null)
-            throw new ArgumentException($"Simulated camera: {nameof(Camera)} and {nameof(Freezes)} may not be null.", parameter);
+            throw new ArgumentException(
+                $"Simulated camera: {nameof(Camera)} and {nameof(Freezes)} may not be null.", parameter);
         var faults = new List<string>();
         CheckPixels(faults, "Width", Camera.Width);
         CheckPixels(faults, "Height", Camera.Height);
         if (!(Camera.FocalX > 0) || !(Camera.FocalY > 0) || double.IsInfinity(Camera.FocalX + Camera.FocalY))
             faults.Add($"the focal lengths are {Camera.FocalX} and {Camera.FocalY} px; they must be above zero");
         if (Camera.RowReadout != TimeSpan.Zero)
-            faults.Add($"{nameof(Camera.RowReadout)} is {Camera.RowReadout}; it exposes all rows at once, so that it must be zero");
+            faults.Add($"{nameof(Camera.RowReadout)} is {Camera.RowReadout}; it exposes all rows at once, so that it "
+                + "must be zero");
         if (!(FramesPerSecond > 0) || FramesPerSecond > 1000)
             faults.Add($"{nameof(FramesPerSecond)} is {FramesPerSecond}; it must be above 0 and at most 1000");
         if (Exposure < TimeSpan.Zero)
@@ -139,7 +142,9 @@ public sealed class SimulatedCameraOptions
     internal SimulatedCameraOptions With(IEnumerable<ScriptedFault> faults)
     {
         var copy = (SimulatedCameraOptions)MemberwiseClone();
-        copy.Freezes = Freezes.Concat(faults.Where(f => f.Kind == ScriptedFaultKind.CameraFreeze).Select(f => new CameraFreeze(f.At, f.Duration))).ToArray();
+        copy.Freezes = Freezes.Concat(
+            faults.Where(f => f.Kind == ScriptedFaultKind.CameraFreeze).Select(f => new CameraFreeze(f.At, f.Duration)))
+            .ToArray();
         return copy;
     }
 

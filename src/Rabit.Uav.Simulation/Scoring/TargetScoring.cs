@@ -33,7 +33,8 @@ public static class TargetScoring
     /// <param name="tracks">Confirmed ones count; others are ignored.</param>
     public static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks) => Score(truth, tracks, null);
 
-    private static MissionScore Score(TargetTruth truth, IEnumerable<TargetTrack> tracks, double? distanceFromHomeMetres)
+    private static MissionScore Score(
+        TargetTruth truth, IEnumerable<TargetTrack> tracks, double? distanceFromHomeMetres)
     {
         if (truth is null)
             throw new ArgumentNullException(nameof(truth));
@@ -56,7 +57,8 @@ public static class TargetScoring
     }
 
     // By distance; among equals by target and track, so that the same tracks always score the same.
-    private static IEnumerable<(int Target, TargetTrack Track, double Metres)> Pairs(TargetTruth truth, TargetTrack[] tracks)
+    private static IEnumerable<(int Target, TargetTrack Track, double Metres)> Pairs(
+        TargetTruth truth, TargetTrack[] tracks)
         => Enumerable.Range(0, truth.Targets.Count)
             .SelectMany(target => tracks
                 .Where(t => t.Class == truth.Targets[target].Class)

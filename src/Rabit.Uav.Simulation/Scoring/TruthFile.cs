@@ -8,7 +8,8 @@ namespace Rabit.Uav.Simulation;
 
 /// <summary>
 /// Truth as JSON, docs/uavconsole-summary.md:
-/// <c>{"format":"rabit-truth","version":1,"home":{"latitudeDegrees","longitudeDegrees"},"targets":[{"name","class","latitudeDegrees","longitudeDegrees"}]}</c>.
+/// format and version, home (latitudeDegrees, longitudeDegrees), and targets (name, class, latitudeDegrees,
+/// longitudeDegrees).
 /// Other fields are ignored when it is read.
 /// </summary>
 /// <example>
@@ -77,7 +78,8 @@ public static class TruthFile
 
     private static Utf8JsonWriter Begin(Stream stream, TargetTruth truth)
     {
-        var json = new Utf8JsonWriter(stream ?? throw new ArgumentNullException(nameof(stream)), new JsonWriterOptions { Indented = true });
+        var json = new Utf8JsonWriter(
+            stream ?? throw new ArgumentNullException(nameof(stream)), new JsonWriterOptions { Indented = true });
         json.WriteStartObject();
         json.WriteString("format", Format);
         json.WriteNumber("version", Version);
@@ -151,5 +153,6 @@ public static class TruthFile
         json.WriteNumber("longitudeDegrees", Degrees(position.Longitude.Radians, 9));
     }
 
-    private static double Degrees(double radians, int decimals) => Math.Round(Angle.FromRadians(radians).Degrees, decimals);
+    private static double Degrees(double radians, int decimals)
+        => Math.Round(Angle.FromRadians(radians).Degrees, decimals);
 }

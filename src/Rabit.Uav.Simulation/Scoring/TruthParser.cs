@@ -68,7 +68,8 @@ internal sealed class TruthParser(List<string> faults)
     private double DegreesOf(JsonElement element, string name, double limit, string where)
     {
         if (element.ValueKind == JsonValueKind.Object && element.TryGetProperty(name, out JsonElement value)
-            && value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double degrees) && Math.Abs(degrees) <= limit)
+            && value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double degrees)
+            && Math.Abs(degrees) <= limit)
             return degrees;
         if (!IsRenamed(element, name))
             faults.Add($"{where}: {name} is not a number from {-limit} to {limit}");
@@ -92,7 +93,8 @@ internal sealed class TruthParser(List<string> faults)
     }
 
     private static string? StringOf(JsonElement element, string name)
-        => element.ValueKind == JsonValueKind.Object && element.TryGetProperty(name, out JsonElement value) && value.ValueKind == JsonValueKind.String
+        => element.ValueKind == JsonValueKind.Object && element.TryGetProperty(name, out JsonElement value)
+            && value.ValueKind == JsonValueKind.String
             ? value.GetString()
             : null;
 }

@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>The autopilot's own clock: it was switched on before the run began, and it runs a little fast or slow.</summary>
+/// <summary>
+/// The autopilot's own clock: it was switched on before the run began, and it runs a little fast or slow.
+/// </summary>
 internal sealed class BootClock(TimeSpan bootedBefore, double driftPpm)
 {
     private const double MicrosecondsPerTick = 0.1;

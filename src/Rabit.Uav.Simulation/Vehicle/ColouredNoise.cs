@@ -17,7 +17,8 @@ internal sealed class ColouredNoise
     /// <param name="timeConstant">Seconds.</param>
     /// <param name="step">Seconds between two calls of <see cref="Step"/>.</param>
     /// <param name="startsAtZero">Whether it begins at 0 and grows, or as if it had always been there.</param>
-    public ColouredNoise(SimulationRandom random, double sigma, double timeConstant, double step, bool startsAtZero = false)
+    public ColouredNoise(
+        SimulationRandom random, double sigma, double timeConstant, double step, bool startsAtZero = false)
     {
         _random = random;
         _kept = Math.Exp(-step / timeConstant);

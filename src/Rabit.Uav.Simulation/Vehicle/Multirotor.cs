@@ -87,15 +87,18 @@ internal sealed class Multirotor
     // The velocity that is flown moves to the one that is wanted no faster than it may; the loop holds it.
     private NedVector Steer(in MotionCommand command, double seconds)
     {
-        NedVector change = command.Velocity.Minus(_reference).LimitedHorizontally(command.HorizontalAcceleration * seconds);
+        NedVector change = command.Velocity.Minus(_reference)
+            .LimitedHorizontally(command.HorizontalAcceleration * seconds);
         double reach = command.VerticalAcceleration * seconds;
         change = new NedVector(change.North, change.East, NedMath.Limited(change.Down, -reach, reach));
         _reference = _reference.Plus(change);
 
         NedVector error = _reference.Minus(Velocity);
-        NedVector wanted = change.Times(1 / seconds).Plus(error.Times(VelocityGain)).LimitedHorizontally(command.HorizontalAcceleration);
+        NedVector wanted = change.Times(1 / seconds).Plus(error.Times(VelocityGain))
+            .LimitedHorizontally(command.HorizontalAcceleration);
         if (!IsOnGround)
-            _lean = _lean.Plus(new NedVector(error.North, error.East, 0).Times(LeanGain * seconds)).LimitedHorizontally(MaxLean);
+            _lean = _lean.Plus(new NedVector(error.North, error.East, 0).Times(LeanGain * seconds))
+                .LimitedHorizontally(MaxLean);
         double down = NedMath.Limited(wanted.Down, -2 * command.VerticalAcceleration, 2 * command.VerticalAcceleration);
         return new NedVector(wanted.North + _lean.North, wanted.East + _lean.East, down);
     }
@@ -128,7 +131,9 @@ internal sealed class Multirotor
     {
         _yawRate = 0;
         Lean(0, 0, seconds);
-        Move(new NedVector(-FallDrag * air.North, -FallDrag * air.East, NedMath.Gravity - (FallDrag * Velocity.Down)), seconds);
+        Move(
+            new NedVector(-FallDrag * air.North, -FallDrag * air.East, NedMath.Gravity - (FallDrag * Velocity.Down)),
+            seconds);
         Forget();
     }
 

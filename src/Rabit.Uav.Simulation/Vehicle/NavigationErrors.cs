@@ -9,7 +9,8 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 internal sealed class NavigationErrors
 {
-    private const double PositionConstant = 1.0;   // metres, standard deviation on each axis, never more than twice that
+    // metres, standard deviation on each axis, never more than twice that
+    private const double PositionConstant = 1.0;
     private const double WalkSigma = 0.7;          // metres
     private const double WalkSeconds = 1800;
     private const double PositionNoise = 0.3;      // metres
@@ -30,7 +31,8 @@ internal sealed class NavigationErrors
     {
         var once = new SimulationRandom(seed, "navigation constants");
         _positionConstant = new NedVector(
-            once.ModestNormal(PositionConstant), once.ModestNormal(PositionConstant), once.ModestNormal(PositionConstant));
+            once.ModestNormal(PositionConstant), once.ModestNormal(PositionConstant),
+            once.ModestNormal(PositionConstant));
         _angleConstant = EulerAngles.FromRadians(
             once.ModestNormal(AngleConstant), once.ModestNormal(AngleConstant), once.ModestNormal(AngleConstant));
         _walk = ThreeOf(new SimulationRandom(seed, "position walk"), WalkSigma, WalkSeconds, step, startsAtZero: true);
@@ -67,6 +69,8 @@ internal sealed class NavigationErrors
 
     private static NedVector Of(ColouredNoise[] three) => new(three[0].Value, three[1].Value, three[2].Value);
 
-    private static ColouredNoise[] ThreeOf(SimulationRandom random, double sigma, double seconds, double step, bool startsAtZero = false)
-        => [new(random, sigma, seconds, step, startsAtZero), new(random, sigma, seconds, step, startsAtZero), new(random, sigma, seconds, step, startsAtZero)];
+    private static ColouredNoise[] ThreeOf(
+        SimulationRandom random, double sigma, double seconds, double step, bool startsAtZero = false)
+        => [new(random, sigma, seconds, step, startsAtZero), new(random, sigma, seconds, step, startsAtZero),
+            new(random, sigma, seconds, step, startsAtZero)];
 }

@@ -57,9 +57,11 @@ internal sealed class SimulatedVehicle : IFrameSink
 
         var constants = new SimulationRandom(options.Seed, "vehicle constants");
         _clock = new BootClock(
-            options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80)), options.ClockDriftPpm ?? constants.ModestNormal(20));
+            options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80)),
+            options.ClockDriftPpm ?? constants.ModestNormal(20));
         double fromRadians = options.WindFrom?.Radians ?? constants.Uniform(-Math.PI, Math.PI);
-        Air = new WindField(new SimulationRandom(options.Seed, "wind"), options.WindMetresPerSecond, fromRadians, StepSeconds);
+        Air = new WindField(
+            new SimulationRandom(options.Seed, "wind"), options.WindMetresPerSecond, fromRadians, StepSeconds);
 
         Controller = new FlightController(Parameters, Say) { BatteryVolts = Pack.Volts };
         Controller.Situation.StepSeconds = StepSeconds;
@@ -198,7 +200,9 @@ internal sealed class SimulatedVehicle : IFrameSink
     private void Observe(DateTimeOffset? utc)
     {
         if (utc is { } known)
-            _utcMicroseconds = Controller.HasPosition ? (ulong)((known - DateTimeOffset.FromUnixTimeSeconds(0)).Ticks / TicksPerMicrosecond) : 0;
+            _utcMicroseconds = Controller.HasPosition
+                ? (ulong)((known - DateTimeOffset.FromUnixTimeSeconds(0)).Ticks / TicksPerMicrosecond)
+                : 0;
         EulerAngles errors = _errors.EstimatedAttitude;
         _telemetry.Update(new AutopilotState
         {
@@ -243,5 +247,6 @@ internal sealed class SimulatedVehicle : IFrameSink
         _parameters.Step();
     }
 
-    private void Say(MavSeverity severity, string text) => Send(new Statustext { Severity = severity, Text = new Text50(text) });
+    private void Say(MavSeverity severity, string text)
+        => Send(new Statustext { Severity = severity, Text = new Text50(text) });
 }

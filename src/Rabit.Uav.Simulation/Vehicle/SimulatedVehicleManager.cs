@@ -36,7 +36,9 @@ internal sealed class SimulatedVehicleManager : RabitManager
     /// <param name="recorder">Keeps the truth.</param>
     /// <param name="link">Its telemetry.</param>
     /// <param name="signing">Null where the link is not signed.</param>
-    public SimulatedVehicleManager(string name, SimulatedVehicle vehicle, DelayedFrames delayed, TruthRecorder recorder, IByteLink link, VehicleSigning? signing)
+    public SimulatedVehicleManager(
+        string name, SimulatedVehicle vehicle, DelayedFrames delayed, TruthRecorder recorder, IByteLink link,
+        VehicleSigning? signing)
         : base(name)
     {
         _signing = signing;
@@ -94,7 +96,8 @@ internal sealed class SimulatedVehicleManager : RabitManager
         if (_signing is null || _signing.Accepts(frame))
             return true;
         if (!_hasReportedRejection)
-            Log(FormattableString.Invariant($"a frame of {frame.SystemId}/{frame.ComponentId} was rejected: it is not signed with the key, or not in time; all such are"));
+            Log(FormattableString.Invariant(
+                $"a frame of {frame.SystemId}/{frame.ComponentId} was rejected: it is not signed with the key, or not in time; all such are"));
         _hasReportedRejection = true;
         return false;
     }
@@ -109,7 +112,8 @@ internal sealed class SimulatedVehicleManager : RabitManager
     {
         while (_delayed.TryTake(now, out MavlinkFrame frame))
         {
-            if (_vehicle.IsSilent || IsLinkGone() || _writer.Push(_signing is null ? frame : _signing.Sign(frame)) == PushResult.Rejected)
+            if (_vehicle.IsSilent || IsLinkGone()
+                || _writer.Push(_signing is null ? frame : _signing.Sign(frame)) == PushResult.Rejected)
                 _lost++;
             else
                 _sent++;
@@ -118,7 +122,8 @@ internal sealed class SimulatedVehicleManager : RabitManager
 
     private bool IsLinkGone()
     {
-        bool hasEnded = _reader.State is DeviceState.Ended or DeviceState.Faulted || _writer.State is DeviceState.Ended or DeviceState.Faulted;
+        bool hasEnded = _reader.State is DeviceState.Ended or DeviceState.Faulted
+            || _writer.State is DeviceState.Ended or DeviceState.Faulted;
         if (hasEnded && !_hasReportedEnd)
             Log("the link has ended; the vehicle flies on without it");
         _hasReportedEnd |= hasEnded;

@@ -21,7 +21,10 @@ internal sealed class GroundPolygon
             throw new ArgumentException($"An area needs at least 3 corners; it has {_corners.Length}.", parameter);
         int bad = Array.FindIndex(_corners, c => !IsFinite(c.North) || !IsFinite(c.East));
         if (bad >= 0)
-            throw new ArgumentException($"Corner {bad + 1} of the area is not a finite position: {_corners[bad].North} north, {_corners[bad].East} east.", parameter);
+            throw new ArgumentException(
+                $"Corner {bad + 1} of the area is not a finite position: {_corners[bad].North} north, "
+                    + $"{_corners[bad].East} east.",
+                parameter);
         (South, North) = (_corners.Min(c => c.North), _corners.Max(c => c.North));
         (West, East) = (_corners.Min(c => c.East), _corners.Max(c => c.East));
     }
@@ -57,7 +60,8 @@ internal sealed class GroundPolygon
         double best = double.PositiveInfinity;
         for (int i = 0, j = _corners.Length - 1; i < _corners.Length; j = i++)
         {
-            (double alongNorth, double alongEast) = (_corners[i].North - _corners[j].North, _corners[i].East - _corners[j].East);
+            (double alongNorth, double alongEast) =
+                (_corners[i].North - _corners[j].North, _corners[i].East - _corners[j].East);
             (double fromNorth, double fromEast) = (north - _corners[j].North, east - _corners[j].East);
             double length2 = (alongNorth * alongNorth) + (alongEast * alongEast);
             double part = length2 > 0 ? ((fromNorth * alongNorth) + (fromEast * alongEast)) / length2 : 0;

@@ -11,11 +11,14 @@ internal static class NedMath
 
     public const double RadiansPerDegree = Math.PI / 180;
 
-    public static NedVector Plus(this NedVector a, NedVector b) => new(a.North + b.North, a.East + b.East, a.Down + b.Down);
+    public static NedVector Plus(this NedVector a, NedVector b)
+        => new(a.North + b.North, a.East + b.East, a.Down + b.Down);
 
-    public static NedVector Minus(this NedVector a, NedVector b) => new(a.North - b.North, a.East - b.East, a.Down - b.Down);
+    public static NedVector Minus(this NedVector a, NedVector b)
+        => new(a.North - b.North, a.East - b.East, a.Down - b.Down);
 
-    public static NedVector Times(this NedVector a, double factor) => new(a.North * factor, a.East * factor, a.Down * factor);
+    public static NedVector Times(this NedVector a, double factor)
+        => new(a.North * factor, a.East * factor, a.Down * factor);
 
     public static double HorizontalLength(this NedVector a) => Math.Sqrt((a.North * a.North) + (a.East * a.East));
 
@@ -26,7 +29,8 @@ internal static class NedMath
         return own <= length ? a : new NedVector(a.North * length / own, a.East * length / own, a.Down);
     }
 
-    public static double Limited(double value, double low, double high) => value < low ? low : value > high ? high : value;
+    public static double Limited(double value, double low, double high)
+        => value < low ? low : value > high ? high : value;
 
     /// <summary>An angle from -pi to pi.</summary>
     public static double Wrapped(double radians) => Math.IEEERemainder(radians, 2 * Math.PI);

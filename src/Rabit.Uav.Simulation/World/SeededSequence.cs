@@ -41,7 +41,8 @@ internal struct SeededSequence(ulong seed)
     /// <summary>
     /// A seed for something else that hangs on this one: different purposes and numbers give unrelated sequences.
     /// </summary>
-    public static ulong Derive(ulong seed, ulong purpose, ulong number = 0) => Mix(Mix(seed + (purpose * Golden)) + ((number + 1) * Golden));
+    public static ulong Derive(ulong seed, ulong purpose, ulong number = 0)
+        => Mix(Mix(seed + (purpose * Golden)) + ((number + 1) * Golden));
 
     private static ulong Mix(ulong bits)
     {

@@ -15,7 +15,9 @@ public sealed class SimulatedTarget
     /// <summary>What it is, one line for a person: "red panel 1", "rusty sheet 7".</summary>
     public string Name { get; init; } = string.Empty;
 
-    /// <summary>Its class; <see cref="TargetClassName.None"/> for a distractor that has the colour of no class, but a near one.</summary>
+    /// <summary>
+    /// Its class; <see cref="TargetClassName.None"/> for a distractor that has the colour of no class, but a near one.
+    /// </summary>
     public TargetClassName Class { get; init; }
 
     /// <summary>Where its centre lies in the frame of the world; on the ground, at 0 down.</summary>

@@ -18,7 +18,8 @@ internal readonly struct SurfaceColour(int red, int green, int blue)
     public SurfaceColour Vary(ref SeededSequence random)
     {
         double light = 1 + (0.07 * random.NextSigned());
-        return new SurfaceColour(Channel(Red, light, ref random), Channel(Green, light, ref random), Channel(Blue, light, ref random));
+        return new SurfaceColour(
+            Channel(Red, light, ref random), Channel(Green, light, ref random), Channel(Blue, light, ref random));
     }
 
     private static int Channel(int nominal, double light, ref SeededSequence random)

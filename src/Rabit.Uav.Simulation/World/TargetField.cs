@@ -45,7 +45,8 @@ public static class TargetField
         if (targets < 0 || distractors < 0)
         {
             throw new ArgumentOutOfRangeException(
-                targets < 0 ? nameof(targets) : nameof(distractors), "The numbers of targets and distractors cannot be negative.");
+                targets < 0 ? nameof(targets) : nameof(distractors),
+                "The numbers of targets and distractors cannot be negative.");
         }
 
         List<(double North, double East)> places = FindPlaces(seed, polygon, targets, distractors);
@@ -65,20 +66,22 @@ public static class TargetField
     }
 
     private static SimulatedTarget Make(
-        int id, TargetKind kind, (double North, double East) place, bool isDistractor, ref SeededSequence random) => new()
-        {
-            Id = id,
-            Name = kind.Name + " " + id.ToString(CultureInfo.InvariantCulture),
-            Class = kind.Class,
-            Position = new NedPosition(place.North, place.East, 0),
-            SideMetres = kind.SideMetres,
-            WidthMetres = kind.WidthMetres,
-            Heading = Angle.FromRadians(2 * Math.PI * random.NextUnit()),
-            IsDistractor = isDistractor,
-            Surface = kind.Surface.Vary(ref random),
-        };
+        int id, TargetKind kind, (double North, double East) place, bool isDistractor, ref SeededSequence random)
+            => new()
+            {
+                Id = id,
+                Name = kind.Name + " " + id.ToString(CultureInfo.InvariantCulture),
+                Class = kind.Class,
+                Position = new NedPosition(place.North, place.East, 0),
+                SideMetres = kind.SideMetres,
+                WidthMetres = kind.WidthMetres,
+                Heading = Angle.FromRadians(2 * Math.PI * random.NextUnit()),
+                IsDistractor = isDistractor,
+                Surface = kind.Surface.Vary(ref random),
+            };
 
-    private static List<(double North, double East)> FindPlaces(ulong seed, GroundPolygon area, int targets, int distractors)
+    private static List<(double North, double East)> FindPlaces(
+        ulong seed, GroundPolygon area, int targets, int distractors)
     {
         var random = new SeededSequence(SeededSequence.Derive(seed, PurposeOfPlaces));
         int count = targets + distractors;
@@ -101,7 +104,8 @@ public static class TargetField
 
         string text = string.Format(
             CultureInfo.InvariantCulture,
-            "{0} targets do not fit into the area, {1} m from its edge and {2} m from each other: only {3} found a place.",
+            "{0} targets do not fit into the area, {1} m from its edge and {2} m from each other: only {3} found a "
+                + "place.",
             targets, EdgeDistanceMetres, MutualDistanceMetres, most.Count);
         throw new ArgumentException(text, nameof(area));
     }
@@ -112,7 +116,8 @@ public static class TargetField
         {
             double north = area.South + ((area.North - area.South) * random.NextUnit());
             double east = area.West + ((area.East - area.West) * random.NextUnit());
-            if (area.Contains(north, east) && area.DistanceToEdge(north, east) >= EdgeDistanceMetres && IsFree(places, north, east))
+            if (area.Contains(north, east) && area.DistanceToEdge(north, east) >= EdgeDistanceMetres
+                && IsFree(places, north, east))
             {
                 places.Add((north, east));
                 return true;

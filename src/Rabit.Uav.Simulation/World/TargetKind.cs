@@ -3,7 +3,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>A sort of thing on the ground.</summary>
-internal sealed class TargetKind(string name, TargetClassName targetClass, SurfaceColour surface, double sideMetres, double widthMetres)
+internal sealed class TargetKind(
+    string name, TargetClassName targetClass, SurfaceColour surface, double sideMetres, double widthMetres)
 {
     public string Name { get; } = name;
 

@@ -39,7 +39,8 @@ internal sealed class WorldFrame
         double normal = NormalRadius(sin);
         double radius = normal + place.AltitudeAmslMetres;
         double correction = EccentricitySquared * ((_normal * _sin) - (normal * sin));
-        double up = (radius * ((_cos * cos * Math.Cos(east)) + (_sin * sin))) + (_sin * correction) - (_normal + Origin.AltitudeAmslMetres);
+        double up = (radius * ((_cos * cos * Math.Cos(east)) + (_sin * sin))) + (_sin * correction)
+            - (_normal + Origin.AltitudeAmslMetres);
         double north = (radius * ((_cos * sin) - (_sin * cos * Math.Cos(east)))) + (_cos * correction);
         return new NedVector(north, radius * cos * Math.Sin(east), -up);
     }

@@ -4,8 +4,9 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Flight modes of ArduPilot by the names that its users know from their ground stations. The custom mode of a heartbeat is a
-/// plain number whose meaning depends on the kind of vehicle (enums COPTER_MODE, PLANE_MODE, ... of ardupilotmega.xml).
+/// Flight modes of ArduPilot by the names that its users know from their ground stations. The custom mode of a
+/// heartbeat is a plain number whose meaning depends on the kind of vehicle (enums COPTER_MODE, PLANE_MODE, ... of
+/// ardupilotmega.xml).
 /// </summary>
 internal static class ArdupilotModes
 {
@@ -13,8 +14,10 @@ internal static class ArdupilotModes
     private const uint MaxMode = 63;
 
     /// <summary>Whether it flies as a copter does.</summary>
-    public static bool IsCopter(MavType vehicle) => vehicle is MavType.Quadrotor or MavType.Coaxial or MavType.Helicopter or MavType.Hexarotor
-        or MavType.Octorotor or MavType.Tricopter or MavType.Dodecarotor or MavType.Decarotor or MavType.GenericMultirotor;
+    public static bool IsCopter(MavType vehicle)
+        => vehicle is MavType.Quadrotor or MavType.Coaxial or MavType.Helicopter or MavType.Hexarotor
+            or MavType.Octorotor or MavType.Tricopter or MavType.Dodecarotor or MavType.Decarotor
+            or MavType.GenericMultirotor;
 
     /// <summary>The number of a mode, by its name in any case; null where the vehicle has none of that name.</summary>
     public static uint? NumberOf(MavType vehicle, string name)

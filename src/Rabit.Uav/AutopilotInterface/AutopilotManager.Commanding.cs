@@ -102,14 +102,16 @@ public sealed partial class AutopilotManager
         OwnAddress own = _ownAddress.Value;
         request.TargetSystem = _tracker.State.SystemId;
         request.TargetComponent = _tracker.State.ComponentId;
-        _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(request, own.SystemId, own.ComponentId, sequence: 0) });
+        _outgoing.Push(
+            new OutgoingFrame { Frame = MavlinkFrame.Create(request, own.SystemId, own.ComponentId, sequence: 0) });
     }
 
     // Logged once, and again when it is another; while answers may still come there is nothing to report.
     private void ReportBasis(TimeSpan now)
     {
         ClockBasis basis = _clock.BasisAt(now);
-        bool mayStillCome = basis == ClockBasis.Arrival && _options.RequestsRates && now - _requestingSince < TimesyncWait;
+        bool mayStillCome = basis == ClockBasis.Arrival && _options.RequestsRates
+            && now - _requestingSince < TimesyncWait;
         if (basis == _reportedBasis || basis == ClockBasis.None || mayStillCome)
             return;
         _reportedBasis = basis;

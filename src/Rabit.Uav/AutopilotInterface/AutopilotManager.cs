@@ -8,9 +8,10 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Receives the autopilot: turns its frames into the state of the vehicle, keeps its last texts and acknowledgements, knows when it
-/// is lost, and asks it for the message rates that the others need. ArduPilot, PX4, or any other in general terms. Where it may, it carries
-/// out the commands of Mission Control, until the pilot or the autopilot takes the command away.
+/// Receives the autopilot: turns its frames into the state of the vehicle, keeps its last texts and acknowledgements,
+/// knows when it is lost, and asks it for the message rates that the others need. ArduPilot, PX4, or any other in
+/// general terms. Where it may, it carries out the commands of Mission Control, until the pilot or the autopilot takes
+/// the command away.
 /// </summary>
 public sealed partial class AutopilotManager : RabitManager
 {
@@ -45,14 +46,16 @@ public sealed partial class AutopilotManager : RabitManager
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         _executor = new CommandExecutor(_options.MayCommand);
         _tracker = new VehicleTracker(_options.SystemId, _options.HeartbeatTimeout);
-        _frames = Receive<LinkFrame>(MessageNames.AutopilotFrames, FramesWaiting, QueueFullMode.Reject, wakeOnPush: true);
+        _frames = Receive<LinkFrame>(
+            MessageNames.AutopilotFrames, FramesWaiting, QueueFullMode.Reject, wakeOnPush: true);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
         _vehicle = Publish(MessageNames.VehicleState, VehicleTracker.Unknown);
         _ownAddress = Publish(MessageNames.OwnAddress, new OwnAddress { ComponentId = _options.ComponentId });
         _statusTexts = Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
         _acknowledgements = Publish(MessageNames.CommandAcknowledgements, RecentItems<CommandAcknowledgement>.None);
         _statistics = Publish<AutopilotStatistics>(MessageNames.AutopilotStatistics);
-        _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands, CommandsWaiting, QueueFullMode.Reject, wakeOnPush: true);
+        _commands = Receive<VehicleCommand>(
+            MessageNames.VehicleCommands, CommandsWaiting, QueueFullMode.Reject, wakeOnPush: true);
         _answers = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
         _poses = Send<PoseSample>(MessageNames.Poses);
@@ -99,8 +102,8 @@ public sealed partial class AutopilotManager : RabitManager
         return all;
     }
 
-    // Checked for a moment that is a wake-up delay ago: what had come by then has been handed over by now, even where the
-    // whole computer stood still in between.
+    // Checked for a moment that is a wake-up delay ago: what had come by then has been handed over by now, even where
+    // the whole computer stood still in between.
     private VehicleEvents CheckSilence()
     {
         TimeSpan now = Now;
@@ -125,7 +128,8 @@ public sealed partial class AutopilotManager : RabitManager
         if ((events & VehicleEvents.Found) != 0)
         {
             VehicleState vehicle = _tracker.State;
-            Log($"autopilot {vehicle.Autopilot} of a {vehicle.VehicleType}, system {vehicle.SystemId}, component {vehicle.ComponentId}");
+            Log($"autopilot {vehicle.Autopilot} of a {vehicle.VehicleType}, system {vehicle.SystemId}, component "
+                + $"{vehicle.ComponentId}");
             PostOwnAddress(vehicle.SystemId);
             MakeClients(vehicle);
         }
@@ -154,7 +158,8 @@ public sealed partial class AutopilotManager : RabitManager
         // Communications numbers and signs what goes out.
         var sender = new MavlinkSender(own.SystemId, own.ComponentId);
         _executor.Connect(sender, target);
-        _rates = new MavlinkRateClient(sender, target, _options.RequestedRates.Select(r => (r.MessageId, r.Hertz)).ToArray());
+        _rates = new MavlinkRateClient(
+            sender, target, _options.RequestedRates.Select(r => (r.MessageId, r.Hertz)).ToArray());
     }
 
     private void RequestRates()
@@ -223,5 +228,7 @@ public sealed partial class AutopilotManager : RabitManager
     }
 
     private string NameOf(int messageId)
-        => _options.Dialect.TryGetMessage(messageId, out MavlinkMessageInfo message) ? message.Name : "an unknown message";
+        => _options.Dialect.TryGetMessage(messageId, out MavlinkMessageInfo message)
+            ? message.Name
+            : "an unknown message";
 }

@@ -14,8 +14,8 @@ public sealed class AutopilotOptions
     private const double MaxRate = 1000;
 
     /// <summary>
-    /// The system id of our vehicle. Where it is set, autopilots of other systems are never taken for ours; where it is null,
-    /// the first autopilot that is received is ours, and we take its system id.
+    /// The system id of our vehicle. Where it is set, autopilots of other systems are never taken for ours; where it is
+    /// null, the first autopilot that is received is ours, and we take its system id.
     /// </summary>
     /// <value>The default is null.</value>
     public byte? SystemId { get; set; }
@@ -28,11 +28,17 @@ public sealed class AutopilotOptions
     /// <value>The default is 5 s: four to five missed at 1 Hz (MAVLink guide, "Heartbeat/Connection Protocol").</value>
     public TimeSpan HeartbeatTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
-    /// <summary>Whether the autopilot is asked for <see cref="RequestedRates"/> and for its time: not in a replay, which answers nothing.</summary>
+    /// <summary>
+    /// Whether the autopilot is asked for <see cref="RequestedRates"/> and for its time: not in a replay, which answers
+    /// nothing.
+    /// </summary>
     /// <value>The default is true.</value>
     public bool RequestsRates { get; set; } = true;
 
-    /// <summary>Whether vehicle commands are carried out. Where it is false, every one is answered <see cref="VehicleCommandOutcome.NotInCommand"/>.</summary>
+    /// <summary>
+    /// Whether vehicle commands are carried out. Where it is false, every one is answered
+    /// <see cref="VehicleCommandOutcome.NotInCommand"/>.
+    /// </summary>
     /// <value>The default is false: we observe.</value>
     public bool MayCommand { get; set; }
 
@@ -40,10 +46,12 @@ public sealed class AutopilotOptions
     /// <value>The default is <see cref="MavlinkDialect.All"/>.</value>
     public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
 
-    /// <summary>What the autopilot is asked to send, and how often, when it is found, found again or has rebooted.</summary>
+    /// <summary>
+    /// What the autopilot is asked to send, and how often, when it is found, found again or has rebooted.
+    /// </summary>
     /// <value>
-    /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees is located by it,
-    /// position at 10 Hz, the rest at 1 or 2 Hz.
+    /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees
+    /// is located by it, position at 10 Hz, the rest at 1 or 2 Hz.
     /// </value>
     public IReadOnlyList<RequestedRate> RequestedRates { get; set; } =
     [
@@ -74,11 +82,13 @@ public sealed class AutopilotOptions
     private IEnumerable<string> FindFaults()
     {
         if (SystemId == 0)
-            yield return $"{nameof(SystemId)} is 0, which means every system; it must be 1 to 255, or null for that of the autopilot";
+            yield return $"{nameof(SystemId)} is 0, which means every system; it must be 1 to 255, or null for that of "
+                + "the autopilot";
         if (ComponentId == 0)
             yield return $"{nameof(ComponentId)} is 0, which means every component; it must be 1 to 255";
         if (HeartbeatTimeout < TimeSpan.FromSeconds(1))
-            yield return $"{nameof(HeartbeatTimeout)} is {HeartbeatTimeout}; heartbeats come once a second, so it must be at least that";
+            yield return $"{nameof(HeartbeatTimeout)} is {HeartbeatTimeout}; heartbeats come once a second, so it must "
+                + "be at least that";
         if (Dialect is null)
             yield return $"{nameof(Dialect)} is null";
         if (RequestedRates is null)
@@ -86,7 +96,8 @@ public sealed class AutopilotOptions
         foreach (RequestedRate rate in RequestedRates ?? [])
         {
             if (Dialect?.TryGetMessage(rate.MessageId, out _) == false)
-                yield return $"{nameof(RequestedRates)} has message {rate.MessageId}, which dialect '{Dialect.Name}' does not have";
+                yield return $"{nameof(RequestedRates)} has message {rate.MessageId}, which dialect '{Dialect.Name}' "
+                    + "does not have";
             if (!(rate.Hertz > 0 && rate.Hertz <= MaxRate))
             {
                 yield return FormattableString.Invariant(
@@ -94,7 +105,8 @@ public sealed class AutopilotOptions
             }
         }
 
-        foreach (int twice in (RequestedRates ?? []).GroupBy(r => r.MessageId).Where(g => g.Count() > 1).Select(g => g.Key))
+        foreach (int twice
+            in (RequestedRates ?? []).GroupBy(r => r.MessageId).Where(g => g.Count() > 1).Select(g => g.Key))
             yield return $"{nameof(RequestedRates)} has message {twice} more than once";
     }
 }

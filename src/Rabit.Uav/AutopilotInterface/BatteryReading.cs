@@ -17,11 +17,14 @@ internal readonly struct BatteryReading(TimeSpan time, double volts, double ampe
     /// <summary>0 to 1.</summary>
     public double Remaining { get; } = remaining;
 
-    /// <summary>The same, with the figures of another reading where this one does not know, if that one is not too old.</summary>
+    /// <summary>
+    /// The same, with the figures of another reading where this one does not know, if that one is not too old.
+    /// </summary>
     public BatteryReading FilledFrom(in BatteryReading other, TimeSpan atMostOlder)
         => other.Time == TimeSpan.MinValue || Time - other.Time > atMostOlder
             ? this
-            : new BatteryReading(Time, Known(Volts, other.Volts), Known(Amperes, other.Amperes), Known(Remaining, other.Remaining));
+            : new BatteryReading(
+                Time, Known(Volts, other.Volts), Known(Amperes, other.Amperes), Known(Remaining, other.Remaining));
 
     private static double Known(double figure, double otherwise) => double.IsNaN(figure) ? otherwise : figure;
 }

@@ -4,8 +4,8 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Joins the two messages that report the first battery. Either may know a figure that the other does not; of two that know
-/// it the newer counts.
+/// Joins the two messages that report the first battery. Either may know a figure that the other does not; of two that
+/// know it the newer counts.
 /// </summary>
 internal sealed class BatteryTracker
 {
@@ -31,11 +31,13 @@ internal sealed class BatteryTracker
     /// <summary>Takes BATTERY_STATUS of battery 0.</summary>
     public BatteryReading Take(in BatteryStatus message, TimeSpan time)
     {
-        _batteryStatus = new BatteryReading(time, Volts(message), Amperes(message.CurrentBattery), Fraction(message.BatteryRemaining));
+        _batteryStatus = new BatteryReading(
+            time, Volts(message), Amperes(message.CurrentBattery), Fraction(message.BatteryRemaining));
         return _batteryStatus.FilledFrom(_systemStatus, FillsGapsFor);
     }
 
-    // Cells one by one, or the whole battery in the first; 65535 is no cell. Cells 11 to 14 are extensions, where 0 is no cell.
+    // Cells one by one, or the whole battery in the first; 65535 is no cell. Cells 11 to 14 are extensions, where 0 is
+    // no cell.
     private static double Volts(in BatteryStatus message)
     {
         UInt16Array10 cells = message.Voltages;

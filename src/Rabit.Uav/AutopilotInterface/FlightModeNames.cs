@@ -5,7 +5,8 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// The flight mode of a heartbeat as a text, by the autopilot's own name. Allocates only for the number of a mode that is not known. One thread.
+/// The flight mode of a heartbeat as a text, by the autopilot's own name. Allocates only for the number of a mode that
+/// is not known. One thread.
 /// </summary>
 public sealed class FlightModeNames
 {
@@ -14,7 +15,9 @@ public sealed class FlightModeNames
 
     private readonly Dictionary<uint, string> _unknown = [];
 
-    /// <summary>Returns the name, for example <c>GUIDED</c> or <c>AUTO.LOITER</c>; <c>mode 42</c> where it has none.</summary>
+    /// <summary>
+    /// Returns the name, for example <c>GUIDED</c> or <c>AUTO.LOITER</c>; <c>mode 42</c> where it has none.
+    /// </summary>
     /// <param name="heartbeat">Of the autopilot.</param>
     public string NameOf(in Heartbeat heartbeat)
     {

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Flight modes of PX4 by the names of its own commander. The custom mode of a heartbeat holds a main mode in its third byte
-/// and a sub mode in its fourth (PX4, px4_custom_mode.h); MAVLink's definitions do not list them.
+/// Flight modes of PX4 by the names of its own commander. The custom mode of a heartbeat holds a main mode in its third
+/// byte and a sub mode in its fourth (PX4, px4_custom_mode.h); MAVLink's definitions do not list them.
 /// </summary>
 internal static class Px4Modes
 {

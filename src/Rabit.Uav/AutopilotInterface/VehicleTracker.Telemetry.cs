@@ -13,7 +13,8 @@ internal sealed partial class VehicleTracker
     private const int NorthPoleDegE7 = 900_000_000;
     private const int DateLineDegE7 = 1_800_000_000;
 
-    // A clock that says less is not set, one that says more is wrong: 2000-01-01 and 2100-01-01 UTC in microseconds since 1970.
+    // A clock that says less is not set, one that says more is wrong: 2000-01-01 and 2100-01-01 UTC in microseconds
+    // since 1970.
     private const ulong EarliestUtc = 946_684_800_000_000;
     private const ulong MaxUtc = 4_102_444_800_000_000;
 
@@ -27,7 +28,9 @@ internal sealed partial class VehicleTracker
         => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
 
     public VehicleEvents Update(in LinkFrame frame, in SysStatus message)
-        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(_battery.Take(message, frame.Time))) : events;
+        => Begin(frame, out VehicleEvents events)
+            ? Complete(frame, events | Apply(_battery.Take(message, frame.Time)))
+            : events;
 
     public VehicleEvents Update(in LinkFrame frame, in BatteryStatus message)
         => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
@@ -56,7 +59,8 @@ internal sealed partial class VehicleTracker
             return VehicleEvents.Refused;
 
         _state.PositionTime = time;
-        _state.Position = GeodeticPosition.FromRadians(message.Lat * RadiansPerDegE7, message.Lon * RadiansPerDegE7, message.Alt / 1000.0);
+        _state.Position = GeodeticPosition.FromRadians(
+            message.Lat * RadiansPerDegE7, message.Lon * RadiansPerDegE7, message.Alt / 1000.0);
         _state.HeightAboveHomeMetres = message.RelativeAlt / 1000.0;
         _state.VelocityNed = new NedVector(message.Vx / 100.0, message.Vy / 100.0, message.Vz / 100.0);
         return VehicleEvents.Changed;
@@ -65,7 +69,8 @@ internal sealed partial class VehicleTracker
     private VehicleEvents Apply(in Attitude message, TimeSpan time)
     {
         BootTimeMs = message.TimeBootMs;
-        bool isValid = IsAngle(message.Roll) && IsAngle(message.Pitch) && Math.Abs(message.Pitch) < Math.PI / 2 + 1e-3 && IsAngle(message.Yaw)
+        bool isValid = IsAngle(message.Roll) && IsAngle(message.Pitch) && Math.Abs(message.Pitch) < Math.PI / 2 + 1e-3
+            && IsAngle(message.Yaw)
             && IsFinite(message.Rollspeed) && IsFinite(message.Pitchspeed) && IsFinite(message.Yawspeed);
         if (!isValid)
             return VehicleEvents.Refused;
@@ -100,7 +105,9 @@ internal sealed partial class VehicleTracker
     private VehicleEvents Apply(in SystemTime message, TimeSpan time)
     {
         _state.UtcTime = time;
-        _state.GpsUtcMicroseconds = message.TimeUnixUsec is >= EarliestUtc and <= MaxUtc ? (long)message.TimeUnixUsec : 0;
+        _state.GpsUtcMicroseconds = message.TimeUnixUsec is >= EarliestUtc and <= MaxUtc
+            ? (long)message.TimeUnixUsec
+            : 0;
         BootTimeMs = message.TimeBootMs;
         return VehicleEvents.Changed;
     }

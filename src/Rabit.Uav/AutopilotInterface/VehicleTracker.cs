@@ -6,9 +6,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Keeps the state of the vehicle by the messages of the autopilot. The first autopilot that is received is ours and stays so,
-/// lost or not: a second one on the same net is another aircraft. Time comes in with the frames; no I/O, one thread. Each frame comes in
-/// once, by the <c>Update</c> of its message.
+/// Keeps the state of the vehicle by the messages of the autopilot. The first autopilot that is received is ours and
+/// stays so, lost or not: a second one on the same net is another aircraft. Time comes in with the frames; no I/O, one
+/// thread. Each frame comes in once, by the <c>Update</c> of its message.
 /// </summary>
 /// <param name="systemId">The system that the autopilot must be of; null for any.</param>
 /// <param name="heartbeatTimeout">After what time without a heartbeat the autopilot is lost.</param>
@@ -34,7 +34,9 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
     /// <summary>When the newest part of the state was true.</summary>
     public TimeSpan NewestTime { get; private set; }
 
-    /// <summary>The time since boot of the last message that has one, milliseconds; 0 where the autopilot does not know it.</summary>
+    /// <summary>
+    /// The time since boot of the last message that has one, milliseconds; 0 where the autopilot does not know it.
+    /// </summary>
     public uint BootTimeMs { get; private set; }
 
     /// <summary>Whether the autopilot is known and the frame comes from it.</summary>
@@ -50,8 +52,8 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         => Stamp(CheckConnection(frame.Time) | Apply(frame.Frame, heartbeat, frame.Time), frame.Time);
 
     /// <summary>
-    /// Says whether the autopilot was lost by a time. Frames bring their own, so that a gap between two heartbeats counts the
-    /// same whether they were handled at once or late together.
+    /// Says whether the autopilot was lost by a time. Frames bring their own, so that a gap between two heartbeats
+    /// counts the same whether they were handled at once or late together.
     /// </summary>
     public VehicleEvents CheckConnection(TimeSpan time)
     {
@@ -128,13 +130,17 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         return events;
     }
 
-    // "INVALID" is what everything that is no flight controller says of its autopilot (MAVLink guide, "Heartbeat/Connection
-    // Protocol"); some ground stations and companions say otherwise, so their types are left out too.
+    // "INVALID" is what everything that is no flight controller says of its autopilot (MAVLink guide,
+    // "Heartbeat/Connection Protocol"); some ground stations and companions say otherwise, so their types are left out
+    // too.
     private static bool IsAutopilot(in MavlinkFrame frame, in Heartbeat heartbeat)
         => frame.SystemId != 0
         && frame.ComponentId != 0
         && heartbeat.Autopilot != MavAutopilot.Invalid
-        && heartbeat.Type is not (MavType.Gcs or MavType.OnboardController or MavType.Gimbal or MavType.Adsb or MavType.Camera
-            or MavType.ChargingStation or MavType.Flarm or MavType.Servo or MavType.Odid or MavType.Battery or MavType.Log
-            or MavType.Osd or MavType.Imu or MavType.Gps or MavType.Winch or MavType.Illuminator or MavType.Gripper or MavType.Radio);
+        && heartbeat.Type is not (MavType.Gcs or MavType.OnboardController or MavType.Gimbal or MavType.Adsb
+            or MavType.Camera
+            or MavType.ChargingStation or MavType.Flarm or MavType.Servo or MavType.Odid or MavType.Battery
+            or MavType.Log
+            or MavType.Osd or MavType.Imu or MavType.Gps or MavType.Winch or MavType.Illuminator or MavType.Gripper
+            or MavType.Radio);
 }

@@ -4,8 +4,9 @@ using System.Collections.Generic;
 namespace Rabit.Uav.CameraGeometry;
 
 /// <summary>
-/// A camera's pinhole and its lens, as OpenCV defines them: camera axes x right, y down, z along the optical axis; the centre of the top
-/// left pixel is (0, 0); Brown-Conrady distortion k1, k2, p1, p2, k3 (OpenCV, "Camera Calibration and 3D Reconstruction"). Immutable.
+/// A camera's pinhole and its lens, as OpenCV defines them: camera axes x right, y down, z along the optical axis; the
+/// centre of the top left pixel is (0, 0); Brown-Conrady distortion k1, k2, p1, p2, k3 (OpenCV, "Camera Calibration and
+/// 3D Reconstruction"). Immutable.
 /// </summary>
 public sealed class CameraModel
 {
@@ -54,8 +55,8 @@ public sealed class CameraModel
     private static readonly TimeSpan MaxReadout = TimeSpan.FromMilliseconds(500);
 
     /// <summary>
-    /// The direction in which a pixel looks, with the lens distortion undone: (x, y, 1) in the axes of the camera. False where it
-    /// cannot be undone: outside the picture it may fold.
+    /// The direction in which a pixel looks, with the lens distortion undone: (x, y, 1) in the axes of the camera.
+    /// False where it cannot be undone: outside the picture it may fold.
     /// </summary>
     /// <param name="column">Pixels; the centre of the top left pixel is 0.</param>
     /// <param name="row">Pixels; the centre of the top left pixel is 0.</param>
@@ -83,7 +84,9 @@ public sealed class CameraModel
         return false;
     }
 
-    /// <summary>The pixel at which something is seen; false if it is not in front of the camera. It may lie outside the picture.</summary>
+    /// <summary>
+    /// The pixel at which something is seen; false if it is not in front of the camera. It may lie outside the picture.
+    /// </summary>
     /// <param name="x">To the right of the camera, in any unit.</param>
     /// <param name="y">Below it.</param>
     /// <param name="z">In front of it, along the optical axis.</param>
@@ -117,7 +120,8 @@ public sealed class CameraModel
         if (Width < 1 || Height < 1)
             yield return FormattableString.Invariant($"the camera's picture is {Width} x {Height}");
         if (!(FocalX > 0 && FocalY > 0) || double.IsInfinity(FocalX + FocalY))
-            yield return FormattableString.Invariant($"the camera's focal length is {FocalX}, {FocalY}; it must be above 0");
+            yield return FormattableString.Invariant(
+                $"the camera's focal length is {FocalX}, {FocalY}; it must be above 0");
         double sum = CentreX + CentreY + K1 + K2 + P1 + P2 + K3;
         if (double.IsNaN(sum) || double.IsInfinity(sum))
             yield return "the camera's principal point or distortion is not a number";

@@ -4,13 +4,13 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.CameraGeometry;
 
 /// <summary>
-/// How a camera sits on the vehicle: misalignment and lever arms. Its gimbal turns by yaw, then pitch, from where the optical axis points forward: pitch -90 degrees looks
-/// straight down with the top of the picture forward. A camera without a gimbal is one whose angles never change, or has a
-/// <see cref="FixedBodyFromCamera"/>. Immutable.
+/// How a camera sits on the vehicle: misalignment and lever arms. Its gimbal turns by yaw, then pitch, from where the
+/// optical axis points forward: pitch -90 degrees looks straight down with the top of the picture forward. A camera
+/// without a gimbal is one whose angles never change, or has a <see cref="FixedBodyFromCamera"/>. Immutable.
 /// </summary>
 /// <remarks>
-/// Body from gimbal = Rz(misalignment yaw) Ry(misalignment pitch) Rx(misalignment roll) Rz(gimbal yaw) Ry(gimbal pitch). Axes of the
-/// gimbal: x along the optical axis, y to the right in the picture, z down in the picture.
+/// Body from gimbal = Rz(misalignment yaw) Ry(misalignment pitch) Rx(misalignment roll) Rz(gimbal yaw) Ry(gimbal
+/// pitch). Axes of the gimbal: x along the optical axis, y to the right in the picture, z down in the picture.
 /// </remarks>
 public sealed class CameraMount
 {
@@ -26,10 +26,16 @@ public sealed class CameraMount
     /// <summary>Where the gimbal's centre is, from the point whose position the autopilot reports, metres.</summary>
     public BodyVector GimbalLeverArmMetres { get; init; }
 
-    /// <summary>Where the camera is from the gimbal's centre, metres, in the axes of the gimbal: forward is along the optical axis.</summary>
+    /// <summary>
+    /// Where the camera is from the gimbal's centre, metres, in the axes of the gimbal: forward is along the optical
+    /// axis.
+    /// </summary>
     public BodyVector CameraLeverArmMetres { get; init; }
 
-    /// <summary>For a camera without a gimbal: from its axes (x right, y down, z along the optical axis) to the body's. The misalignment comes on top.</summary>
+    /// <summary>
+    /// For a camera without a gimbal: from its axes (x right, y down, z along the optical axis) to the body's. The
+    /// misalignment comes on top.
+    /// </summary>
     /// <value>Null, the default, where the angles of the gimbal say it. See <see cref="Rotation.FromMatrix"/>.</value>
     public Rotation? FixedBodyFromCamera { get; init; }
 
@@ -48,8 +54,10 @@ public sealed class CameraMount
             ? fixedCamera * GimbalFromCamera.Inverse
             : Rotation.FromEuler(new EulerAngles(Angle.Zero, gimbalPitch, gimbalYaw));
         Rotation bodyFromGimbal = Rotation.FromEuler(new EulerAngles(
-            MisalignmentRoll + misalignmentError.Roll, MisalignmentPitch + misalignmentError.Pitch, MisalignmentYaw + misalignmentError.Yaw)) * gimbal;
-        (double x, double y, double z) = bodyFromGimbal.Apply(CameraLeverArmMetres.Forward, CameraLeverArmMetres.Right, CameraLeverArmMetres.Down);
+            MisalignmentRoll + misalignmentError.Roll, MisalignmentPitch + misalignmentError.Pitch,
+            MisalignmentYaw + misalignmentError.Yaw)) * gimbal;
+        (double x, double y, double z) = bodyFromGimbal.Apply(
+            CameraLeverArmMetres.Forward, CameraLeverArmMetres.Right, CameraLeverArmMetres.Down);
         return new CameraExtrinsics(
             bodyFromGimbal * GimbalFromCamera,
             GimbalLeverArmMetres + new BodyVector(x, y, z));

@@ -11,10 +11,13 @@ public readonly record struct GroundRay(NedPosition Origin, NedVector Direction)
     public Angle Depression => Angle.FromRadians(System.Math.Atan2(Direction.Down, Direction.HorizontalLength));
 
     /// <summary>
-    /// Where it intersects a level plane below; false where it begins below that plane, or points too near to the horizon or above it.
+    /// Where it intersects a level plane below; false where it begins below that plane, or points too near to the
+    /// horizon or above it.
     /// </summary>
     /// <param name="downMetres">Where the plane is, down positive.</param>
-    /// <param name="minDepression">It must point further below the horizon than that: near the horizon every error grows without limit.</param>
+    /// <param name="minDepression">
+    /// It must point further below the horizon than that: near the horizon every error grows without limit.
+    /// </param>
     /// <param name="point">The intersection; nothing if the answer is false.</param>
     public bool TryIntersectLevel(double downMetres, Angle minDepression, out NedPosition point)
     {
@@ -35,7 +38,8 @@ public readonly record struct GroundRay(NedPosition Origin, NedVector Direction)
     /// <summary>Where it intersects a plane that may slope; false where it goes away from it or along it.</summary>
     internal bool TryIntersectPlane(NedPosition on, double downByNorth, double downByEast, out NedPosition point)
     {
-        double height = on.Down + (downByNorth * (Origin.North - on.North)) + (downByEast * (Origin.East - on.East)) - Origin.Down;
+        double height = on.Down + (downByNorth * (Origin.North - on.North)) + (downByEast * (Origin.East - on.East))
+            - Origin.Down;
         double scale = height / (Direction.Down - (downByNorth * Direction.North) - (downByEast * Direction.East));
         point = Origin + (scale * Direction);
         return scale > 0 && !double.IsInfinity(scale);

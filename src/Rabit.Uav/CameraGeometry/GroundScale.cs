@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Uav.CameraGeometry;
 
-/// <summary>How far one pixel reaches on the ground at a place of the picture, metres for a pixel. A plain value.</summary>
+/// <summary>
+/// How far one pixel reaches on the ground at a place of the picture, metres for a pixel. A plain value.
+/// </summary>
 public struct GroundScale
 {
     /// <summary>Metres north per column to the right.</summary>

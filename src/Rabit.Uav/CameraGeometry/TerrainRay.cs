@@ -26,7 +26,8 @@ internal static class TerrainRay
         {
             // Above the highest post there is no terrain; the earth falls away below the ray, never towards it.
             double next = reached + Math.Max(StepMetres, aboveAll / direction.Down);
-            GeolocationError error = Clearance(frame, terrain, ray.Origin + (next * direction), out clearance, out aboveAll);
+            GeolocationError error = Clearance(
+                frame, terrain, ray.Origin + (next * direction), out clearance, out aboveAll);
             if (error != GeolocationError.None)
                 return error;
             if (aboveAll <= 0 && clearance <= 0)
@@ -39,8 +40,11 @@ internal static class TerrainRay
         }
     }
 
-    /// <summary>How much lower the ground is for a metre to the north and to the east; level where it is not known.</summary>
-    public static void Slope(in LocalNedFrame frame, TerrainGrid terrain, NedPosition at, out double downByNorth, out double downByEast)
+    /// <summary>
+    /// How much lower the ground is for a metre to the north and to the east; level where it is not known.
+    /// </summary>
+    public static void Slope(
+        in LocalNedFrame frame, TerrainGrid terrain, NedPosition at, out double downByNorth, out double downByEast)
     {
         downByNorth = Slope(frame, terrain, at, new NedVector(1, 0, 0));
         downByEast = Slope(frame, terrain, at, new NedVector(0, 1, 0));
@@ -48,8 +52,10 @@ internal static class TerrainRay
 
     private static double Slope(in LocalNedFrame frame, TerrainGrid terrain, NedPosition at, NedVector metre)
     {
-        bool isKnown = terrain.TryAltitude(frame.ToGeodetic(at - metre).Point, out AmslAltitude before) == TerrainLookup.Known;
-        isKnown &= terrain.TryAltitude(frame.ToGeodetic(at + metre).Point, out AmslAltitude after) == TerrainLookup.Known;
+        bool isKnown =
+            terrain.TryAltitude(frame.ToGeodetic(at - metre).Point, out AmslAltitude before) == TerrainLookup.Known;
+        isKnown &=
+            terrain.TryAltitude(frame.ToGeodetic(at + metre).Point, out AmslAltitude after) == TerrainLookup.Known;
         return isKnown ? (before.Metres - after.Metres) / 2 : 0;
     }
 
@@ -68,12 +74,14 @@ internal static class TerrainRay
 
     // Bisection between a distance above the ground and one below it.
     private static NedPosition Narrow(
-        NedPosition origin, NedVector direction, in LocalNedFrame frame, TerrainGrid terrain, double above, double below)
+        NedPosition origin, NedVector direction, in LocalNedFrame frame, TerrainGrid terrain, double above,
+        double below)
     {
         while (below - above > ToleranceMetres)
         {
             double middle = (above + below) / 2;
-            GeolocationError error = Clearance(frame, terrain, origin + (middle * direction), out double clearance, out _);
+            GeolocationError error = Clearance(
+                frame, terrain, origin + (middle * direction), out double clearance, out _);
             if (error == GeolocationError.None && clearance <= 0)
                 below = middle;
             else

@@ -19,7 +19,8 @@ public sealed partial class CommunicationsManager
         if (options.TimestampStore is not { } store)
             return new LinkSigning(options, _options.Links.Count, store: null);
         _timestamps = new TimestampTarget(store);
-        BlockingWriter<TimestampRecord> writer = AttachWriter("signing clock", _timestamps, TimestampsWaiting, QueueFullMode.DropOldest);
+        BlockingWriter<TimestampRecord> writer = AttachWriter(
+            "signing clock", _timestamps, TimestampsWaiting, QueueFullMode.DropOldest);
         return new LinkSigning(options, _options.Links.Count, new QueuedTimestampStore(store, _timestamps, writer));
     }
 
@@ -44,8 +45,10 @@ public sealed partial class CommunicationsManager
         {
             if (port.TakeNewRejections(out MavlinkSignatureCounters counts, out long rejected))
             {
-                Log($"link {port.Number}: {rejected} frames were rejected; since the start {counts.NotSigned} not signed, {counts.BadSignatures} with a bad signature, "
-                    + $"{counts.OldTimestamps} too old, {counts.NewStreamsTooOld} of new senders too old, {counts.TooManyStreams} of too many senders");
+                Log($"link {port.Number}: {rejected} frames were rejected; since the start {counts.NotSigned} not "
+                    + $"signed, {counts.BadSignatures} with a bad signature, "
+                    + $"{counts.OldTimestamps} too old, {counts.NewStreamsTooOld} of new senders too old, "
+                    + $"{counts.TooManyStreams} of too many senders");
             }
         }
 

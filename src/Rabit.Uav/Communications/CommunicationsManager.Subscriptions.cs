@@ -14,11 +14,13 @@ public sealed partial class CommunicationsManager
     private SubscriptionPort[] _subscriptionsToAll = [];
 
     /// <summary>What went to the queue of each subscription, in the order of the options. Any thread.</summary>
-    public IReadOnlyList<MavlinkSubscriptionCounters> CountSubscriptions() => _subscriptions.Select(s => s.Counters).ToArray();
+    public IReadOnlyList<MavlinkSubscriptionCounters> CountSubscriptions()
+        => _subscriptions.Select(s => s.Counters).ToArray();
 
     private SubscriptionPort[] OpenSubscriptions()
     {
-        SubscriptionPort[] ports = _options.Subscriptions.Select(s => new SubscriptionPort(s, Send<LinkFrame>(s.Queue))).ToArray();
+        SubscriptionPort[] ports = _options.Subscriptions.Select(s => new SubscriptionPort(s, Send<LinkFrame>(s.Queue)))
+            .ToArray();
         foreach (int id in _options.Subscriptions.SelectMany(s => s.MessageIds).Distinct())
             _subscriptionsById.Add(id, ports.Where(p => p.Includes(id)).ToArray());
         _subscriptionsToAll = ports.Where((_, index) => _options.Subscriptions[index].MessageIds.Count == 0).ToArray();

@@ -54,7 +54,8 @@ public sealed partial class CommunicationsManager
                 if (tunnel is not { } message)
                     continue;
                 if (own.IsKnown)
-                    SendVehicleMessages(channel, MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0));
+                    SendVehicleMessages(
+                        channel, MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0));
                 else
                     channel.CountUnsendable();
             }
@@ -86,7 +87,9 @@ public sealed partial class CommunicationsManager
         }
     }
 
-    /// <returns>Whether it is a vehicle message of a type that has a route, which does not concern the autopilot.</returns>
+    /// <returns>
+    /// Whether it is a vehicle message of a type that has a route, which does not concern the autopilot.
+    /// </returns>
     private bool TakeVehicleMessage(in LinkFrame frame)
     {
         MavlinkFrame mavlink = frame.Frame;

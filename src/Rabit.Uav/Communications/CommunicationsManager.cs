@@ -9,9 +9,10 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// The post office between aircraft and ground: it owns the links, delivers frames that are for us to Autopilot Interface and to subscriptions,
-/// forwards the others unchanged by MAVLink's address rules, and sends the frames of the other managers. It reads addresses, never meaning.
-/// It reports our position to ground and others, and carries typed messages between vehicles.
+/// The post office between aircraft and ground: it owns the links, delivers frames that are for us to Autopilot
+/// Interface and to subscriptions, forwards the others unchanged by MAVLink's address rules, and sends the frames of
+/// the other managers. It reads addresses, never meaning. It reports our position to ground and others, and carries
+/// typed messages between vehicles.
 /// </summary>
 public sealed partial class CommunicationsManager : RabitManager
 {
@@ -43,7 +44,7 @@ public sealed partial class CommunicationsManager : RabitManager
         _options = (options ?? throw new ArgumentNullException(nameof(options))).Validate(nameof(options));
         _own = new FrameStatistics(_options.Dialect);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress, wakeOnPost: true);
-        
+
         // Only where something waits for room in it: a replay.
         bool isWokenByPops = _options.RecordedFiles.Count > 0 || _options.StopsWhenAllLinksEnd;
         _autopilot = Send<LinkFrame>(MessageNames.AutopilotFrames, wakeOnPop: isWokenByPops);
@@ -63,7 +64,9 @@ public sealed partial class CommunicationsManager : RabitManager
     /// <summary>What came in over each link, counted where its frames are made. Any thread.</summary>
     public IReadOnlyList<LinkSummary> SummariseLinks() => _ports.Select(p => p.Summarise()).ToArray();
 
-    /// <summary>The frames of our own that were to be sent, whether or not a link could take them. Any thread.</summary>
+    /// <summary>
+    /// The frames of our own that were to be sent, whether or not a link could take them. Any thread.
+    /// </summary>
     public IReadOnlyList<FrameCount> CountOwnFrames() => _own.Counts();
 
     /// <inheritdoc/>
@@ -127,7 +130,9 @@ public sealed partial class CommunicationsManager : RabitManager
             number,
             file.Url.ToString(),
             tally,
-            AttachReader($"link {number} in", new RecordedFrameSource(file, number, origin, tally), _options.FramesWaitingIn, QueueFullMode.Wait),
+            AttachReader(
+                $"link {number} in", new RecordedFrameSource(file, number, origin, tally), _options.FramesWaitingIn,
+                QueueFullMode.Wait),
             writer: null,
             Publish<LinkStatus>(MessageNames.LinkStatus(number)),
             () => file.BytesLost,
@@ -140,7 +145,8 @@ public sealed partial class CommunicationsManager : RabitManager
         _router.SetLink(number, MavlinkLinkRules.ReceiveOnly);
     }
 
-    // Frames of a recorded log stay where they are while Autopilot Interface has no room for them; its next pop wakes us.
+    // Frames of a recorded log stay where they are while Autopilot Interface has no room for them; its next pop wakes
+    // us.
     private void TakeFrames(LinkPort port)
     {
         for (int taken = 0; taken < _options.FramesWaitingIn; taken++)
@@ -155,7 +161,8 @@ public sealed partial class CommunicationsManager : RabitManager
                 Route(frame, port.IsRecorded);
         }
 
-        // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which is at once.
+        // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which
+        // is at once.
         WakeUp();
     }
 
@@ -168,7 +175,8 @@ public sealed partial class CommunicationsManager : RabitManager
         if (isRecorded && !own.IsKnown && mavlink.ComponentId == own.ComponentId)
             return;
 
-        MavlinkRoute route = _router.Route(frame.Link, mavlink, frame.TargetSystemId, frame.TargetComponentId, frame.IsChecked);
+        MavlinkRoute route = _router.Route(
+            frame.Link, mavlink, frame.TargetSystemId, frame.TargetComponentId, frame.IsChecked);
 
         // A log is no network: whatever its target was then, it is part of the flight that is replayed now.
         bool isReplayed = isRecorded && frame.IsChecked && route.Reason != MavlinkRouteReason.OurOwn;
@@ -248,7 +256,8 @@ public sealed partial class CommunicationsManager : RabitManager
         foreach (SubscriptionPort subscription in _subscriptions)
         {
             if (subscription.TakeNewDrops() is > 0 and long lost)
-                Log($"{lost} frames for queue '{subscription.Queue}' were dropped: it is full, since its manager receives too slowly");
+                Log($"{lost} frames for queue '{subscription.Queue}' were dropped: it is full, since its manager "
+                    + "receives too slowly");
         }
 
         ReportSigning();
@@ -257,7 +266,8 @@ public sealed partial class CommunicationsManager : RabitManager
     // Not before everything is handled: what is still to be read or popped wakes us again.
     private void StopAtTheEnd()
     {
-        bool isOver = _ports.TrueForAll(p => p.HasEnded && p.Reader.Counters.Resident == 0) && _autopilot.Counters.Resident == 0;
+        bool isOver = _ports.TrueForAll(p => p.HasEnded && p.Reader.Counters.Resident == 0)
+            && _autopilot.Counters.Resident == 0;
         if (!isOver)
             return;
         PostStatus();

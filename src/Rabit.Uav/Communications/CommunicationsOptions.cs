@@ -15,7 +15,9 @@ public sealed class CommunicationsOptions
     /// <summary>Live links, open. They stay the caller's to dispose, after the run.</summary>
     public IReadOnlyList<IByteLink> Links { get; set; } = Array.Empty<IByteLink>();
 
-    /// <summary>Recorded logs that are played, open. They are numbered after the live links, and stay the caller's to dispose.</summary>
+    /// <summary>
+    /// Recorded logs that are played, open. They are numbered after the live links, and stay the caller's to dispose.
+    /// </summary>
     public IReadOnlyList<RecordedFile> RecordedFiles { get; set; } = Array.Empty<RecordedFile>();
 
     /// <summary>How many frames of one link may wait to be handled.</summary>
@@ -34,16 +36,25 @@ public sealed class CommunicationsOptions
     /// <value>The default is false.</value>
     public bool StopsWhenAllLinksEnd { get; set; }
 
-    /// <summary>How often our own position goes out to all live links, from our own address, while it is known; 0 for never.</summary>
-    /// <value>The default is 1 Hz: what others keep clear by (ArduPilot forgets a vehicle after 3 s, AP_Follow).</value>
+    /// <summary>
+    /// How often our own position goes out to all live links, from our own address, while it is known; 0 for never.
+    /// </summary>
+    /// <value>
+    /// The default is 1 Hz: what others keep clear by (ArduPilot forgets a vehicle after 3 s, AP_Follow).
+    /// </value>
     public double PositionRateHz { get; set; } = 1;
 
     /// <summary>What types of messages are exchanged with other vehicles, each by a codec of its own.</summary>
     /// <value>The default is none.</value>
     public IReadOnlyList<VehicleMessageRoute> VehicleMessageRoutes { get; set; } = Array.Empty<VehicleMessageRoute>();
 
-    /// <summary>How many bytes of vehicle messages one link carries per second, frames and all; what is above is dropped and counted.</summary>
-    /// <value>The default is 1000: thirteen target reports; a radio with error correction carries 3600 (SiK at 57600 baud).</value>
+    /// <summary>
+    /// How many bytes of vehicle messages one link carries per second, frames and all; what is above is dropped and
+    /// counted.
+    /// </summary>
+    /// <value>
+    /// The default is 1000: thirteen target reports; a radio with error correction carries 3600 (SiK at 57600 baud).
+    /// </value>
     public int VehicleMessageBytesPerSecond { get; set; } = 1000;
 
     /// <summary>Which live links are signed, and how; null for none.</summary>
@@ -54,7 +65,10 @@ public sealed class CommunicationsOptions
     /// The messages that are checked and named on all links. Messages of your own are put together with ours:
     /// <c>MavlinkDialect.Combine("mine", MavlinkDialect.All, MineDialect.Instance)</c>.
     /// </summary>
-    /// <value>The default is <see cref="MavlinkDialect.All"/>. It must have all of <see cref="MavlinkDialect.Common"/>, which the managers use.</value>
+    /// <value>
+    /// The default is <see cref="MavlinkDialect.All"/>. It must have all of <see cref="MavlinkDialect.Common"/>, which
+    /// the managers use.
+    /// </value>
     public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
 
     /// <summary>Which frames go to queues of other managers, beside those that Autopilot Interface receives.</summary>
@@ -70,7 +84,10 @@ public sealed class CommunicationsOptions
     {
         var faults = new List<string>();
         if (Links is null || RecordedFiles is null || VehicleMessageRoutes is null)
-            throw new ArgumentException("Communications: the lists of links, recorded files and vehicle message routes may be empty, but not null.", parameter);
+            throw new ArgumentException(
+                "Communications: the lists of links, recorded files and vehicle message routes may be empty, but not "
+                    + "null.",
+                parameter);
         faults.AddRange(SubscriptionCheck.FindFaults(Dialect, Subscriptions));
         if (Count == 0)
             faults.Add("there is no link");
@@ -84,10 +101,14 @@ public sealed class CommunicationsOptions
         if (SilentAfter <= TimeSpan.Zero)
             faults.Add($"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero");
         if (!(PositionRateHz >= 0 && PositionRateHz <= MaxPositionRate))
-            faults.Add(FormattableString.Invariant($"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {MaxPositionRate}"));
+            faults.Add(
+                FormattableString.Invariant(
+                    $"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {MaxPositionRate}"));
         if (VehicleMessageBytesPerSecond < MavlinkFrame.MaxWireLength)
-            faults.Add($"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; it must be at least one frame, {MavlinkFrame.MaxWireLength}");
-        foreach (IGrouping<int, VehicleMessageRoute> twice in VehicleMessageRoutes.GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
+            faults.Add($"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; it must be at least "
+                + $"one frame, {MavlinkFrame.MaxWireLength}");
+        foreach (IGrouping<int, VehicleMessageRoute> twice
+            in VehicleMessageRoutes.GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
             faults.Add($"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once");
         if (faults.Count > 0)
             throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".", parameter);

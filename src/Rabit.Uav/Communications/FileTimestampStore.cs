@@ -15,7 +15,8 @@ public sealed class FileTimestampStore : IMavlinkTimestampStore
     /// <summary>Makes a store; nothing is read or written yet.</summary>
     /// <param name="path">The files are this with <c>.0</c> and <c>.1</c> appended. They hold no secret.</param>
     /// <exception cref="ArgumentException">No path.</exception>
-    public FileTimestampStore(string path) => _path = string.IsNullOrEmpty(path) ? throw new ArgumentException("A path is needed.", nameof(path)) : path;
+    public FileTimestampStore(string path)
+        => _path = string.IsNullOrEmpty(path) ? throw new ArgumentException("A path is needed.", nameof(path)) : path;
 
     /// <inheritdoc/>
     public int Read(int slot, Span<byte> record)

@@ -5,7 +5,8 @@ namespace Rabit.Uav.Communications;
 /// <summary>How many frames of one message came from one source. Immutable.</summary>
 public sealed class FrameCount
 {
-    internal FrameCount(int messageId, string? name, byte systemId, byte componentId, MavlinkVersion version, long count)
+    internal FrameCount(
+        int messageId, string? name, byte systemId, byte componentId, MavlinkVersion version, long count)
     {
         MessageId = messageId;
         Name = name;

@@ -5,8 +5,8 @@ using Rabit.Mavlink;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Counts frames by message and source, and the gaps of each source. One thread counts, any thread may ask: a lock guards all of it.
-/// Allocates only for a message or source that is new.
+/// Counts frames by message and source, and the gaps of each source. One thread counts, any thread may ask: a lock
+/// guards all of it. Allocates only for a message or source that is new.
 /// </summary>
 /// <param name="dialect">Names the messages.</param>
 internal sealed class FrameStatistics(MavlinkDialect dialect)
@@ -82,10 +82,12 @@ internal sealed class FrameStatistics(MavlinkDialect dialect)
     public IReadOnlyList<MavlinkSequenceStatistics> Sources()
     {
         lock (_gate)
-            return Enumerable.Range(0, _sequences.Count).Select(i => _sequences[i]).OrderBy(s => (s.SystemId << 8) | s.ComponentId).ToArray();
+            return Enumerable.Range(0, _sequences.Count).Select(i => _sequences[i])
+                .OrderBy(s => (s.SystemId << 8) | s.ComponentId).ToArray();
     }
 
-    private bool HasRoom(bool isChecked) => _counts.Count < MaxKinds && (isChecked || _uncheckedKinds < MaxUncheckedKinds);
+    private bool HasRoom(bool isChecked)
+        => _counts.Count < MaxKinds && (isChecked || _uncheckedKinds < MaxUncheckedKinds);
 
     private void Add(long key, bool isChecked)
     {
@@ -96,7 +98,8 @@ internal sealed class FrameStatistics(MavlinkDialect dialect)
 
     // Source, then message id, then version: the order in which people read them.
     private static long KeyOf(in MavlinkFrame frame)
-        => ((long)frame.SystemId << 40) | ((long)frame.ComponentId << 32) | ((long)frame.MessageId << 2) | (uint)frame.Version;
+        => ((long)frame.SystemId << 40) | ((long)frame.ComponentId << 32) | ((long)frame.MessageId << 2)
+            | (uint)frame.Version;
 
     private FrameCount ToCount(long key, long count)
     {

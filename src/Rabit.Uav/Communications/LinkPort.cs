@@ -5,7 +5,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>One link as Communications sees it: what reads it, what writes it, what is counted, what is reported of it.</summary>
+/// <summary>
+/// One link as Communications sees it: what reads it, what writes it, what is counted, what is reported of it.
+/// </summary>
 internal sealed class LinkPort(
     int number,
     string url,
@@ -38,7 +40,10 @@ internal sealed class LinkPort(
 
     public void CountSignature(MavlinkSignatureResult result) => _signatures = _signatures.With(result);
 
-    /// <summary>Says how many frames were rejected since they were last reported; again only when they have doubled, so that a flood fills no log.</summary>
+    /// <summary>
+    /// Says how many frames were rejected since they were last reported; again only when they have doubled, so that a
+    /// flood fills no log.
+    /// </summary>
     public bool TakeNewRejections(out MavlinkSignatureCounters counts, out long rejected)
     {
         counts = _signatures;
@@ -59,7 +64,9 @@ internal sealed class LinkPort(
             _framesOut++;
     }
 
-    /// <summary>Whether the rate limit lets the link carry a frame of a vehicle message now; if so, it is counted against it.</summary>
+    /// <summary>
+    /// Whether the rate limit lets the link carry a frame of a vehicle message now; if so, it is counted against it.
+    /// </summary>
     public bool TryTakeRate(in MavlinkFrame frame, TimeSpan now) => rateLimiter.TryTake(frame.WireLength, now);
 
     public void PostStatus(TimeSpan now, TimeSpan silentAfter, long droppedIn)
@@ -86,7 +93,10 @@ internal sealed class LinkPort(
         status.Post();
     }
 
-    public LinkSummary Summarise() => new(url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset, incompatibleFrames(), tally.NotListed);
+    public LinkSummary Summarise()
+        => new(
+            url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset,
+            incompatibleFrames(), tally.NotListed);
 
     // What a log still held when the run was stopped was not dropped: it is in the log.
     private long DiscardedIn => IsRecorded ? 0 : Reader.Discarded;

@@ -4,7 +4,10 @@ using Rabit.Mavlink;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>Signs and verifies the frames of all signed links: one key, one clock, one verifier, a signer per link. The manager's thread only.</summary>
+/// <summary>
+/// Signs and verifies the frames of all signed links: one key, one clock, one verifier, a signer per link. The
+/// manager's thread only.
+/// </summary>
 internal sealed class LinkSigning
 {
     private readonly MavlinkSigningClock _clock;

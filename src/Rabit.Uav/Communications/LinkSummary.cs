@@ -7,7 +7,8 @@ namespace Rabit.Uav.Communications;
 public sealed class LinkSummary
 {
     internal LinkSummary(
-        string url, long frames, IReadOnlyList<FrameCount> counts, IReadOnlyList<MavlinkSequenceStatistics> sources, long bytesLost, long? firstDamageOffset, long incompatibleFrames, long framesNotListed)
+        string url, long frames, IReadOnlyList<FrameCount> counts, IReadOnlyList<MavlinkSequenceStatistics> sources,
+        long bytesLost, long? firstDamageOffset, long incompatibleFrames, long framesNotListed)
     {
         Url = url;
         Frames = frames;
@@ -28,7 +29,9 @@ public sealed class LinkSummary
     /// <summary>The frames by message and source, ordered by source, then by message id.</summary>
     public IReadOnlyList<FrameCount> Counts { get; }
 
-    /// <summary>Frames of so many kinds that <see cref="Counts"/> has no room for them; they are in <see cref="Frames"/>.</summary>
+    /// <summary>
+    /// Frames of so many kinds that <see cref="Counts"/> has no room for them; they are in <see cref="Frames"/>.
+    /// </summary>
     public long FramesNotListed { get; }
 
     /// <summary>Frames and gaps of each source.</summary>
@@ -37,7 +40,10 @@ public sealed class LinkSummary
     /// <summary>Bytes that belong to no frame or record.</summary>
     public long BytesLost { get; }
 
-    /// <summary>Intact frames that had to be left out, because they have an incompatibility flag that is not known here. They are in no other figure.</summary>
+    /// <summary>
+    /// Intact frames that had to be left out, because they have an incompatibility flag that is not known here. They
+    /// are in no other figure.
+    /// </summary>
     public long IncompatibleFrames { get; }
 
     /// <summary>File offset of the first damage of a recorded log; null where there is none.</summary>

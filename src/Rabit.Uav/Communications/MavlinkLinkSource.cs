@@ -8,8 +8,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Makes MAVLink frames of the bytes of a live link: the source of a manager's reader. Frames that cannot be checked are delivered too; see
-/// <see cref="LinkFrame.IsChecked"/>. Allocates nothing per frame. Used by one reader, whose thread calls it.
+/// Makes MAVLink frames of the bytes of a live link: the source of a manager's reader. Frames that cannot be checked
+/// are delivered too; see <see cref="LinkFrame.IsChecked"/>. Allocates nothing per frame. Used by one reader, whose
+/// thread calls it.
 /// </summary>
 /// <example>
 /// <code>
@@ -38,7 +39,9 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
     private bool _hasEnded;
 
     /// <summary>Makes the source.</summary>
-    /// <param name="link">Open; it stays the caller's to dispose, since its writer may not be done yet when its reader is.</param>
+    /// <param name="link">
+    /// Open; it stays the caller's to dispose, since its writer may not be done yet when its reader is.
+    /// </param>
     /// <param name="number">What <see cref="LinkFrame.Link"/> says.</param>
     /// <param name="dialect">The messages that are checked; null for <see cref="MavlinkDialect.All"/>.</param>
     /// <exception cref="ArgumentNullException">No link.</exception>
@@ -80,7 +83,14 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
             if (TryTakeFrame(out MavlinkFrame frame, out MavlinkFrameInfo info))
             {
                 _statistics?.Count(frame, info.IsChecked);
-                value = new LinkFrame { Frame = frame, Link = _number, Index = _index++, Time = _time, UtcMicroseconds = _utcMicroseconds };
+                value = new LinkFrame
+                {
+                    Frame = frame,
+                    Link = _number,
+                    Index = _index++,
+                    Time = _time,
+                    UtcMicroseconds = _utcMicroseconds
+                };
                 value.SetAddress(info.IsChecked, info.Message);
                 return ReaderStep.Value;
             }

@@ -7,8 +7,8 @@ using Rabit.Mavlink;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Writes MAVLink frames to a live link: the target of a manager's writer. A frame that a link loses, also the one by which it ends, is
-/// counted. Allocates nothing per frame. Used by one writer, whose thread calls it.
+/// Writes MAVLink frames to a live link: the target of a manager's writer. A frame that a link loses, also the one by
+/// which it ends, is counted. Allocates nothing per frame. Used by one writer, whose thread calls it.
 /// </summary>
 /// <param name="link">Open; it stays the caller's to dispose.</param>
 /// <exception cref="ArgumentNullException">No link.</exception>
@@ -61,7 +61,9 @@ public sealed class MavlinkLinkTarget(IByteLink link) : IWriterTarget<MavlinkFra
     {
     }
 
-    /// <returns>False where this frame is lost but the next one may get through. Some links say so by their counter alone.</returns>
+    /// <returns>
+    /// False where this frame is lost but the next one may get through. Some links say so by their counter alone.
+    /// </returns>
     private bool TryWrite(int length)
     {
         long dropped = _link.Counters.WritesDropped;

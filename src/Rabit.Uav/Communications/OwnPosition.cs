@@ -51,7 +51,8 @@ internal sealed class OwnPosition(double hertz)
         Hdg = vehicle.AttitudeTime is null ? UnknownHeading : Heading(vehicle.Attitude.Yaw),
     };
 
-    private static int Millimetres(double metres) => (int)Math.Round(Math.Max(int.MinValue, Math.Min(int.MaxValue, metres * 1000)));
+    private static int Millimetres(double metres)
+        => (int)Math.Round(Math.Max(int.MinValue, Math.Min(int.MaxValue, metres * 1000)));
 
     private static short CentimetresPerSecond(double metresPerSecond)
         => (short)Math.Round(Math.Max(short.MinValue, Math.Min(short.MaxValue, metresPerSecond * 100)));

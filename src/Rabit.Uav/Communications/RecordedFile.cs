@@ -6,8 +6,9 @@ using Rabit.Mavlink;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// A recorded flight (.tlog) as a link: it gives the frames of its records with their stamps, and takes nothing. The one link that
-/// knows MAVLink, because a record is more than its bytes. One thread at a time, but for the figures, which any thread may read.
+/// A recorded flight (.tlog) as a link: it gives the frames of its records with their stamps, and takes nothing. The
+/// one link that knows MAVLink, because a record is more than its bytes. One thread at a time, but for the figures,
+/// which any thread may read.
 /// </summary>
 public sealed class RecordedFile : IDisposable
 {
@@ -45,7 +46,8 @@ public sealed class RecordedFile : IDisposable
         get
         {
             lock (_gate)
-                return Length == 0 ? 1 : Math.Min(1, (double)_reader.Position / Length);   // a log may grow while it is read
+                // a log may grow while it is read
+                return Length == 0 ? 1 : Math.Min(1, (double)_reader.Position / Length);
         }
     }
 
@@ -59,7 +61,10 @@ public sealed class RecordedFile : IDisposable
         }
     }
 
-    /// <summary>Intact records so far whose frame has an incompatibility flag that is not known, so that it had to be left out. Any thread.</summary>
+    /// <summary>
+    /// Intact records so far whose frame has an incompatibility flag that is not known, so that it had to be left out.
+    /// Any thread.
+    /// </summary>
     public long IncompatibleFrames
     {
         get
@@ -81,8 +86,12 @@ public sealed class RecordedFile : IDisposable
 
     /// <summary>Opens a log and reads up to its first record.</summary>
     /// <param name="url">Of kind <see cref="LinkKind.RecordedFile"/>.</param>
-    /// <param name="dialect">The messages whose checksum can be checked; null for <see cref="MavlinkDialect.All"/>.</param>
-    /// <exception cref="LinkException">There is no such file, it may not be read, or it has no intact record.</exception>
+    /// <param name="dialect">
+    /// The messages whose checksum can be checked; null for <see cref="MavlinkDialect.All"/>.
+    /// </param>
+    /// <exception cref="LinkException">
+    /// There is no such file, it may not be read, or it has no intact record.
+    /// </exception>
     public static RecordedFile Open(LinkUrl url, MavlinkDialect? dialect = null)
     {
         if (url is null || url.Kind != LinkKind.RecordedFile)
@@ -148,12 +157,14 @@ public sealed class RecordedFile : IDisposable
         {
             return new FileStream(url.Path!, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        catch (Exception e)
+            when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
             string reason = e switch
             {
                 FileNotFoundException or DirectoryNotFoundException => "no such file",
-                UnauthorizedAccessException => Directory.Exists(url.Path!) ? "that is a folder" : "no permission to read it",
+                UnauthorizedAccessException =>
+                    Directory.Exists(url.Path!) ? "that is a folder" : "no permission to read it",
                 _ => e.Message,
             };
             throw new LinkException(url.ToString(), reason, linkEnded: true, e);

@@ -6,19 +6,22 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Plays a recorded log: each record comes when its stamp is due, counted from the start of the earliest log that is played, so that
-/// several logs merge by their stamps. Where the stamps step, because the recorder's clock was set, it goes on from there at their pace:
-/// else all that follows would come at once, or after the years since 1970. It never blocks: real time waits for the due time, virtual
-/// time jumps to it.
+/// Plays a recorded log: each record comes when its stamp is due, counted from the start of the earliest log that is
+/// played, so that several logs merge by their stamps. Where the stamps step, because the recorder's clock was set, it
+/// goes on from there at their pace: else all that follows would come at once, or after the years since 1970. It never
+/// blocks: real time waits for the due time, virtual time jumps to it.
 /// </summary>
-internal sealed class RecordedFrameSource(RecordedFile file, int number, long originUtcMicroseconds, FrameStatistics tally) : IReaderSource<LinkFrame>
+internal sealed class RecordedFrameSource(
+    RecordedFile file, int number, long originUtcMicroseconds, FrameStatistics tally)
+    : IReaderSource<LinkFrame>
 {
     private const long TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000;
 
     // Records of several senders may lie a little out of order; a clock that was set has moved by more.
     private const long StepBackMicroseconds = 1_000_000;
 
-    // A recorder may pause; one that was silent for longer had its clock set, as a computer without one does at its first fix.
+    // A recorder may pause; one that was silent for longer had its clock set, as a computer without one does at its
+    // first fix.
     private const long StepForwardMicroseconds = 3_600_000_000;
 
     private ReaderContext? _context;
@@ -80,7 +83,8 @@ internal sealed class RecordedFrameSource(RecordedFile file, int number, long or
     {
         long since = utcMicroseconds - originUtcMicroseconds + _shiftMicroseconds;
         bool isStep = _hasBegun
-            && (since < _lastMicroseconds - StepBackMicroseconds || since > _lastMicroseconds + StepForwardMicroseconds);
+            && (since < _lastMicroseconds - StepBackMicroseconds
+                || since > _lastMicroseconds + StepForwardMicroseconds);
         if (isStep)
         {
             _shiftMicroseconds += _lastMicroseconds - since;

@@ -12,10 +12,14 @@ public static class SigningKeyFile
     // A key file is a line; a film that is named by mistake is not read to its end.
     private const int MaxFileLength = 4096;
 
-    /// <summary>Reads a key: 32 bytes, or a text that begins with its 64 hexadecimal digits, as <c>sha256sum</c> writes it.</summary>
+    /// <summary>
+    /// Reads a key: 32 bytes, or a text that begins with its 64 hexadecimal digits, as <c>sha256sum</c> writes it.
+    /// </summary>
     /// <param name="path">The file.</param>
     /// <returns>The key; the caller disposes of it.</returns>
-    /// <exception cref="ArgumentException">The file cannot be read, or holds no key; the text names the file and says why.</exception>
+    /// <exception cref="ArgumentException">
+    /// The file cannot be read, or holds no key; the text names the file and says why.
+    /// </exception>
     public static MavlinkSigningKey Read(string path)
     {
         byte[] content = ReadBytes(path);
@@ -23,7 +27,10 @@ public static class SigningKeyFile
         try
         {
             if (secret is null)
-                throw new ArgumentException($"Signing key {path}: it holds neither {MavlinkSigningKey.Length} bytes nor {HexLength} hexadecimal digits.", nameof(path));
+                throw new ArgumentException(
+                    $"Signing key {path}: it holds neither {MavlinkSigningKey.Length} bytes nor {HexLength} "
+                        + "hexadecimal digits.",
+                    nameof(path));
             if (Array.TrueForAll(secret, b => b == 0))
                 throw new ArgumentException($"Signing key {path}: a key of zeros is no key.", nameof(path));
             return new MavlinkSigningKey(secret);
@@ -56,7 +63,8 @@ public static class SigningKeyFile
 
     private static byte[]? FromHex(byte[] text)
     {
-        bool isText = text.Length >= HexLength && (text.Length == HexLength || text[HexLength] is (byte)' ' or (byte)'\r' or (byte)'\n' or (byte)'\t');
+        bool isText = text.Length >= HexLength
+            && (text.Length == HexLength || text[HexLength] is (byte)' ' or (byte)'\r' or (byte)'\n' or (byte)'\t');
         if (!isText)
             return null;
         var secret = new byte[MavlinkSigningKey.Length];

@@ -5,11 +5,18 @@ using Rabit.Mavlink;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>Which links are signed, and how (MAVLink guide, "Message signing"; docs/concepts/signing.md). Read once, when the manager is made.</summary>
+/// <summary>
+/// Which links are signed, and how (MAVLink guide, "Message signing"; docs/concepts/signing.md). Read once, when the
+/// manager is made.
+/// </summary>
 /// <example>
 /// <code>
 /// using MavlinkSigningKey key = SigningKeyFile.Read("/var/lib/my-aircraft/key");
-/// options.Signing = new SigningOptions(key) { Links = [1], TimestampStore = new FileTimestampStore("/var/lib/my-aircraft/signing") };
+/// options.Signing = new SigningOptions(key)
+/// {
+///     Links = [1],
+///     TimestampStore = new FileTimestampStore("/var/lib/my-aircraft/signing"),
+/// };
 /// </code>
 /// </example>
 /// <param name="key">The secret, the same for all links; its owner disposes of it, after the run.</param>
@@ -19,11 +26,17 @@ public sealed class SigningOptions(MavlinkSigningKey key)
     /// <summary>The secret.</summary>
     public MavlinkSigningKey Key { get; } = key ?? throw new ArgumentNullException(nameof(key));
 
-    /// <summary>The numbers of the live links that are signed; null for all of them. The others, a cable for example, are neither signed nor verified.</summary>
+    /// <summary>
+    /// The numbers of the live links that are signed; null for all of them. The others, a cable for example, are
+    /// neither signed nor verified.
+    /// </summary>
     /// <value>The default is null.</value>
     public IReadOnlyList<int>? Links { get; set; }
 
-    /// <summary>The link id in the signatures of link 0; that of link n is n more. Receivers remember the newest time stamp per link id.</summary>
+    /// <summary>
+    /// The link id in the signatures of link 0; that of link n is n more. Receivers remember the newest time stamp per
+    /// link id.
+    /// </summary>
     /// <value>The default is 0.</value>
     public byte FirstLinkId { get; set; }
 
@@ -31,7 +44,10 @@ public sealed class SigningOptions(MavlinkSigningKey key)
     /// <value>The default is <see cref="MavlinkVerifier.RadioStatusOnly"/>.</value>
     public MavlinkUnsignedRule AcceptUnsigned { get; set; } = MavlinkVerifier.RadioStatusOnly;
 
-    /// <summary>Where the signing clock is stored, so that a restart does not go back; null for nowhere. Written on a thread of its own, about every 30 s.</summary>
+    /// <summary>
+    /// Where the signing clock is stored, so that a restart does not go back; null for nowhere. Written on a thread of
+    /// its own, about every 30 s.
+    /// </summary>
     /// <value>The default is null.</value>
     public IMavlinkTimestampStore? TimestampStore { get; set; }
 
@@ -40,7 +56,8 @@ public sealed class SigningOptions(MavlinkSigningKey key)
         foreach (int link in (Links ?? []).Where(l => l < 0 || l >= liveLinks))
             yield return $"link {link} is to be signed, but there are {liveLinks} live links, numbered from 0";
         if (liveLinks > 0 && FirstLinkId + liveLinks - 1 > byte.MaxValue)
-            yield return $"{nameof(FirstLinkId)} is {FirstLinkId}, and there are {liveLinks} live links; link ids end at {byte.MaxValue}";
+            yield return $"{nameof(FirstLinkId)} is {FirstLinkId}, and there are {liveLinks} live links; link ids end "
+                + $"at {byte.MaxValue}";
         if (AcceptUnsigned is null)
             yield return $"{nameof(AcceptUnsigned)} is null";
     }

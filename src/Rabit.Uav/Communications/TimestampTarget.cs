@@ -6,8 +6,8 @@ using Rabit.Mavlink;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Stores the signing clock on the writer's thread, since a disk may take its time. What is stored is due only 10 s after it was handed over, so
-/// that it is in time all the same.
+/// Stores the signing clock on the writer's thread, since a disk may take its time. What is stored is due only 10 s
+/// after it was handed over, so that it is in time all the same.
 /// </summary>
 internal sealed class TimestampTarget(IMavlinkTimestampStore store) : IWriterTarget<TimestampRecord>
 {

@@ -61,8 +61,10 @@ public sealed class HealthManager : RabitManager
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         if (linkCount < 0)
-            throw new ArgumentOutOfRangeException(nameof(linkCount), linkCount, "The number of links cannot be negative.");
-        _managers = NamesToMonitor(managerNames).Select(name => new ManagerWatch(name, SubscribeToStatus(name))).ToArray();
+            throw new ArgumentOutOfRangeException(
+                nameof(linkCount), linkCount, "The number of links cannot be negative.");
+        _managers = NamesToMonitor(managerNames)
+            .Select(name => new ManagerWatch(name, SubscribeToStatus(name))).ToArray();
         _links = Enumerable.Range(0, linkCount)
             .Select(number => new LinkWatch(number, Subscribe<LinkStatus>(MessageNames.LinkStatus(number)))).ToArray();
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
@@ -91,8 +93,10 @@ public sealed class HealthManager : RabitManager
     private static List<string> NamesToMonitor(IEnumerable<string> managerNames)
     {
         List<string> names = (managerNames ?? throw new ArgumentNullException(nameof(managerNames))).ToList();
-        foreach (IGrouping<string, string> twice in names.GroupBy(n => n, StringComparer.Ordinal).Where(g => g.Count() > 1))
-            throw new ArgumentException($"Health Monitoring: manager '{twice.Key}' is named more than once.", nameof(managerNames));
+        foreach (IGrouping<string, string> twice
+            in names.GroupBy(n => n, StringComparer.Ordinal).Where(g => g.Count() > 1))
+            throw new ArgumentException(
+                $"Health Monitoring: manager '{twice.Key}' is named more than once.", nameof(managerNames));
         if (!names.Contains(ManagerName, StringComparer.Ordinal))
             names.Add(ManagerName);
         return names;
@@ -197,7 +201,10 @@ public sealed class HealthManager : RabitManager
             MavlinkVersion = MavlinkMessagesVersion,
         };
         OwnAddress own = _ownAddress.Value;
-        var frame = new OutgoingFrame { Frame = MavlinkFrame.Create(heartbeat, own.SystemId, own.ComponentId, sequence: 0) };
+        var frame = new OutgoingFrame
+        {
+            Frame = MavlinkFrame.Create(heartbeat, own.SystemId, own.ComponentId, sequence: 0)
+        };
         if (_outgoing.Push(frame) != PushResult.Rejected)
             _next.HeartbeatsSent++;
     }
@@ -209,7 +216,11 @@ public sealed class HealthManager : RabitManager
             return;
         IReadOnlyList<Statustext> chunks = _texts.NextChunks(_next, now);
         for (int i = 0; i < chunks.Count; i++)
-            _outgoing.Push(new OutgoingFrame { Frame = MavlinkFrame.Create(chunks[i], own.SystemId, own.ComponentId, sequence: 0) });
+            _outgoing.Push(
+                new OutgoingFrame
+                {
+                    Frame = MavlinkFrame.Create(chunks[i], own.SystemId, own.ComponentId, sequence: 0)
+                });
     }
 
     // At once when it has changed, else once a second, so that its age shows that we are alive.

@@ -90,7 +90,8 @@ public sealed class HealthOptions
     private IEnumerable<string> FindFaults()
     {
         if (!(BatteryLowFraction > 0 && BatteryLowFraction < 1))
-            yield return FormattableString.Invariant($"{nameof(BatteryLowFraction)} is {BatteryLowFraction}; it must be between 0 and 1");
+            yield return FormattableString.Invariant(
+                $"{nameof(BatteryLowFraction)} is {BatteryLowFraction}; it must be between 0 and 1");
         if (!(BatteryCriticalFraction > 0 && BatteryCriticalFraction < BatteryLowFraction))
         {
             yield return FormattableString.Invariant(
@@ -98,15 +99,18 @@ public sealed class HealthOptions
         }
 
         if (AutopilotTimeout < TimeSpan.FromSeconds(1))
-            yield return $"{nameof(AutopilotTimeout)} is {AutopilotTimeout}; heartbeats come once a second: it must be at least that";
+            yield return $"{nameof(AutopilotTimeout)} is {AutopilotTimeout}; heartbeats come once a second: it must be "
+                + "at least that";
         if (StuckAfter < HealthManager.EvaluationPeriod)
         {
-            yield return $"{nameof(StuckAfter)} is {StuckAfter}; the rules are evaluated every {HealthManager.EvaluationPeriod}, "
+            yield return $"{nameof(StuckAfter)} is {StuckAfter}; the rules are evaluated every "
+                + $"{HealthManager.EvaluationPeriod}, "
                 + "so it must be at least that";
         }
 
         if (StuckReturnToLaunchAfter < StuckAfter)
-            yield return $"{nameof(StuckReturnToLaunchAfter)} is {StuckReturnToLaunchAfter}; it must be at least {nameof(StuckAfter)}";
+            yield return $"{nameof(StuckReturnToLaunchAfter)} is {StuckReturnToLaunchAfter}; it must be at least "
+                + $"{nameof(StuckAfter)}";
         if (RecentWindow <= TimeSpan.Zero)
             yield return $"{nameof(RecentWindow)} is {RecentWindow}; it must be above zero";
         if (FirstFrameTimeout <= TimeSpan.Zero)

@@ -16,13 +16,15 @@ internal static class HealthRules
     private static readonly HealthRule<ManagerFacts>[] OfManagers =
     [
         new(HealthReasons.ManagerFaulted, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
-            static (in ManagerFacts m, HealthOptions _) => m.State is ManagerState.Faulted or ManagerState.Restarting || m.HasFaultedRecently,
+            static (in ManagerFacts m, HealthOptions _) => m.State is ManagerState.Faulted or ManagerState.Restarting
+                || m.HasFaultedRecently,
             static (in ManagerFacts m) => m.Faults),
         new(HealthReasons.ManagerHangs, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
             static (in ManagerFacts m, HealthOptions _) => m.State == ManagerState.Hanging,
             static (in ManagerFacts m) => m.HangingSince.Ticks),
         new(HealthReasons.ManagerStuck, HealthLevel.Critical, HealthAdvice.None,
-            static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckAfter) && !IsQuietFor(m, o.StuckReturnToLaunchAfter),
+            static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckAfter)
+                && !IsQuietFor(m, o.StuckReturnToLaunchAfter),
             static (in ManagerFacts m) => m.WakeUpDelay.Ticks),
         new(HealthReasons.ManagerStuck, HealthLevel.Critical, HealthAdvice.ReturnToLaunch,
             static (in ManagerFacts m, HealthOptions o) => IsQuietFor(m, o.StuckReturnToLaunchAfter),
@@ -44,11 +46,13 @@ internal static class HealthRules
                 is MavState.Critical or MavState.Emergency or MavState.FlightTermination,
             static (in VehicleFacts v) => (long)v.State.SystemStatus),
         new(HealthReasons.BatteryCritical, HealthLevel.Critical, HealthAdvice.Land,
-            static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null && v.State.BatteryRemaining <= o.BatteryCriticalFraction,
+            static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null
+                && v.State.BatteryRemaining <= o.BatteryCriticalFraction,
             static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
         new(HealthReasons.BatteryLow, HealthLevel.Warning, HealthAdvice.ReturnToLaunch,
             static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null
-                && v.State.BatteryRemaining <= o.BatteryLowFraction && v.State.BatteryRemaining > o.BatteryCriticalFraction,
+                && v.State.BatteryRemaining <= o.BatteryLowFraction
+                && v.State.BatteryRemaining > o.BatteryCriticalFraction,
             static (in VehicleFacts v) => Percent(v.State.BatteryRemaining)),
         new(HealthReasons.WindHigh, HealthLevel.Warning, HealthAdvice.ReturnToLaunch,
             static (in VehicleFacts v, HealthOptions o) => v.WindHighFor >= o.WindHighAfter,
@@ -69,7 +73,8 @@ internal static class HealthRules
     private static readonly HealthRule<LinkFacts>[] OfLinks =
     [
         new(HealthReasons.LinkDown, HealthLevel.Critical, HealthAdvice.None,
-            static (in LinkFacts l, HealthOptions _) => l.State == LinkState.Failed || (l.State == LinkState.Ended && !l.IsRecorded),
+            static (in LinkFacts l, HealthOptions _) => l.State == LinkState.Failed
+                || (l.State == LinkState.Ended && !l.IsRecorded),
             static (in LinkFacts l) => (long)l.State),
         new(HealthReasons.LinkSilent, HealthLevel.Warning, HealthAdvice.None,
             static (in LinkFacts l, HealthOptions o) => l.State == LinkState.Silent
@@ -129,7 +134,8 @@ internal static class HealthRules
         => IsRunning(manager) && manager.QuietFor > manager.WakeUpDelay + longer;
 
     // Before its first unit of work a manager is "starting"; one that never begins it counts as stuck too.
-    private static bool IsRunning(in ManagerFacts manager) => manager.State is ManagerState.Running or ManagerState.Starting;
+    private static bool IsRunning(in ManagerFacts manager)
+        => manager.State is ManagerState.Running or ManagerState.Starting;
 
     // Rounded down; autopilots report whole per cent, and 0.29 * 100 is slightly less than 29.
     private static long Percent(double fraction) => (long)Math.Floor((fraction * 100) + 1e-9);

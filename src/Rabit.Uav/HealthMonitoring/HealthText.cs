@@ -20,8 +20,10 @@ internal static class HealthText
 
     private static string Describe(HealthFinding finding) => finding.Reason switch
     {
-        HealthReasons.ManagerFaulted => Invariant($"manager {finding.Subject} faulted ({finding.Figure} faults so far)"),
-        HealthReasons.ManagerStuck => Invariant($"manager {finding.Subject} is stuck (it should run every {Seconds(finding.Figure)} s)"),
+        HealthReasons.ManagerFaulted =>
+            Invariant($"manager {finding.Subject} faulted ({finding.Figure} faults so far)"),
+        HealthReasons.ManagerStuck =>
+            Invariant($"manager {finding.Subject} is stuck (it should run every {Seconds(finding.Figure)} s)"),
         HealthReasons.ManagerHangs => Invariant($"manager {finding.Subject} hangs (since {Seconds(finding.Figure)} s)"),
         HealthReasons.NoAutopilot => "no autopilot detected yet",
         HealthReasons.AutopilotLost => Invariant($"autopilot lost (last heartbeat at {Seconds(finding.Figure)} s)"),
@@ -30,17 +32,20 @@ internal static class HealthText
         HealthReasons.BatteryLow => Invariant($"battery low ({finding.Figure} %)"),
         HealthReasons.LinkDown when finding.Figure == (long)LinkState.Failed => $"link {finding.Subject} failed",
         HealthReasons.LinkDown => $"link {finding.Subject} was closed by the other end",
-        HealthReasons.LinkSilent when finding.Figure == (long)LinkState.Waiting => $"link {finding.Subject}: nothing received yet",
+        HealthReasons.LinkSilent when finding.Figure == (long)LinkState.Waiting =>
+            $"link {finding.Subject}: nothing received yet",
         HealthReasons.LinkSilent => $"link {finding.Subject} is silent",
         HealthReasons.FramesDropped => Invariant($"link {finding.Subject} dropped frames ({finding.Figure} so far)"),
         HealthReasons.CameraSilent when finding.Figure < 0 => "the camera has delivered no picture yet",
-        HealthReasons.CameraSilent => Invariant($"the camera delivers no pictures (last at {Seconds(finding.Figure)} s)"),
+        HealthReasons.CameraSilent =>
+            Invariant($"the camera delivers no pictures (last at {Seconds(finding.Figure)} s)"),
         HealthReasons.DetectorFault => Invariant($"the target detector is at fault ({finding.Figure} times so far)"),
         HealthReasons.WindHigh => Invariant($"wind too strong ({finding.Figure} m/s)"),
         _ => finding.Reason.ToString(),
     };
 
-    private static string Seconds(long ticks) => new TimeSpan(ticks).TotalSeconds.ToString("0.0", CultureInfo.InvariantCulture);
+    private static string Seconds(long ticks)
+        => new TimeSpan(ticks).TotalSeconds.ToString("0.0", CultureInfo.InvariantCulture);
 
     private static string Invariant(FormattableString text) => FormattableString.Invariant(text);
 }

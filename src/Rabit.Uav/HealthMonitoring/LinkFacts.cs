@@ -4,7 +4,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>Input of the rules for a link.</summary>
-internal readonly struct LinkFacts(string name, in LinkStatus status, long framesDropped, bool hasDroppedRecently, TimeSpan monitoredFor)
+internal readonly struct LinkFacts(
+    string name, in LinkStatus status, long framesDropped, bool hasDroppedRecently, TimeSpan monitoredFor)
 {
     /// <summary>Its URL; its number until Communications has reported it.</summary>
     public string Name { get; } = name;

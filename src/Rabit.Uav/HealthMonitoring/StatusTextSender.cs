@@ -70,7 +70,8 @@ internal sealed class StatusTextSender(TimeSpan period)
     }
 
     private void Add(string text, MavSeverity severity, ushort id, byte chunk)
-        => _chunks.Add(new Statustext { Severity = severity, Text = new Text50(ToAscii(text)), Id = id, ChunkSeq = chunk });
+        => _chunks.Add(
+            new Statustext { Severity = severity, Text = new Text50(ToAscii(text)), Id = id, ChunkSeq = chunk });
 
     private static string ToAscii(string text)
     {

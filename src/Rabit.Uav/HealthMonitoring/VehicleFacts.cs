@@ -4,7 +4,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>Input of the rules for the vehicle.</summary>
-internal readonly struct VehicleFacts(in VehicleState state, TimeSpan now, bool isReplayOver, TimeSpan? windHighFor = null)
+internal readonly struct VehicleFacts(
+    in VehicleState state, TimeSpan now, bool isReplayOver, TimeSpan? windHighFor = null)
 {
     public VehicleState State { get; } = state;
 

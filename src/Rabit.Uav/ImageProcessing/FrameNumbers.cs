@@ -7,7 +7,10 @@ internal sealed class FrameNumbers
 
     public long Lost { get; private set; }
 
-    /// <summary>Takes the number of a picture that arrived. A number that goes back is a camera that was restarted, or a late picture.</summary>
+    /// <summary>
+    /// Takes the number of a picture that arrived. A number that goes back is a camera that was restarted, or a late
+    /// picture.
+    /// </summary>
     public void Take(long number)
     {
         if (number > _next)

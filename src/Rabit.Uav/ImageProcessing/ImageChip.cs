@@ -28,6 +28,9 @@ public sealed class ImageChip
     /// <summary>Rows.</summary>
     public int Height { get; }
 
-    /// <summary>The pixels, a new array at each call: 8 bits each of red, green and blue, row by row from the top left, without padding.</summary>
+    /// <summary>
+    /// The pixels, a new array at each call: 8 bits each of red, green and blue, row by row from the top left, without
+    /// padding.
+    /// </summary>
     public byte[] CopyPixels() => (byte[])_pixels.Clone();
 }

@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// The newest image chips, a bounded number. Image Processing adds; any thread reads. It is no channel between managers: it is for
-/// displays of the flight.
+/// The newest image chips, a bounded number. Image Processing adds; any thread reads. It is no channel between
+/// managers: it is for displays of the flight.
 /// </summary>
 internal sealed class ImageChipBuffer(int capacity, int side)
 {
@@ -22,7 +22,8 @@ internal sealed class ImageChipBuffer(int capacity, int side)
     }
 
     /// <summary>Cuts a square out around a place; less where the border is near.</summary>
-    public void Add(long pictureNumber, int reportIndex, byte[] picture, int width, int height, double centreX, double centreY)
+    public void Add(
+        long pictureNumber, int reportIndex, byte[] picture, int width, int height, double centreX, double centreY)
     {
         if (capacity == 0)
             return;

@@ -7,13 +7,15 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Searches the camera's pictures for targets (<see cref="ITargetDetector"/>), and reports where on the ground they are, how uncertain
-/// that is, and which ground was seen. What to search for, and where the camera points, is a command of Mission Control.
+/// Searches the camera's pictures for targets (<see cref="ITargetDetector"/>), and reports where on the ground they
+/// are, how uncertain that is, and which ground was seen. What to search for, and where the camera points, is a command
+/// of Mission Control.
 /// </summary>
 /// <remarks>
-/// A picture is geolocated with the pose at the middle of its exposure, interpolated between the samples of the autopilot before and
-/// after; until those have arrived it waits. Without them the pose is extrapolated by a tenth of a second at most, with a larger
-/// covariance, or the picture is refused. The manager owns the buffers of the pictures it holds and gives all back.
+/// A picture is geolocated with the pose at the middle of its exposure, interpolated between the samples of the
+/// autopilot before and after; until those have arrived it waits. Without them the pose is extrapolated by a tenth of a
+/// second at most, with a larger covariance, or the picture is refused. The manager owns the buffers of the pictures it
+/// holds and gives all back.
 /// </remarks>
 public sealed class ImageProcessingManager : RabitManager
 {
@@ -55,12 +57,15 @@ public sealed class ImageProcessingManager : RabitManager
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
-    /// <param name="camera">What is read; null where there is none, and then there is nothing to do but to say so.</param>
+    /// <param name="camera">
+    /// What is read; null where there is none, and then there is nothing to do but to say so.
+    /// </param>
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     public ImageProcessingManager(ImageProcessingOptions options, IReaderSource<CameraFrame>? camera)
         : base(ManagerName)
     {
-        _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(camera is not null, nameof(options));
+        _options = (options ?? throw new ArgumentNullException(nameof(options)))
+            .ValidatedCopy(camera is not null, nameof(options));
         _poses = new PoseHistory(_options.MaxPoseGap);
         if (camera is not null)
         {
@@ -79,7 +84,9 @@ public sealed class ImageProcessingManager : RabitManager
         WakeUpDelay = IdlePeriod;
     }
 
-    /// <summary>Parts of pictures around the newest reports, oldest first: a snapshot. Any thread, at any time.</summary>
+    /// <summary>
+    /// Parts of pictures around the newest reports, oldest first: a snapshot. Any thread, at any time.
+    /// </summary>
     public IReadOnlyList<ImageChip> ImageChips => _imageChips.Kept;
 
     /// <inheritdoc/>
@@ -125,7 +132,8 @@ public sealed class ImageProcessingManager : RabitManager
         }
     }
 
-    // A waiting picture is searched when its pose arrives, which wakes this manager, or refused when it has waited long enough.
+    // A waiting picture is searched when its pose arrives, which wakes this manager, or refused when it has waited long
+    // enough.
     private TimeSpan NextWakeUp(TimeSpan now)
     {
         TimeSpan delay = IdlePeriod;
@@ -149,7 +157,8 @@ public sealed class ImageProcessingManager : RabitManager
                 Refuse(i, answer == PoseLookup.Gap ? PoseGap : PoseTooOld);
             else if (now - _waiting.Since(i) < _options.PoseTimeout)
                 i++;
-            else if (_poses.Extrapolate(MiddleOf(_waiting[i]), _options.MaxExtrapolation, out pose) == PoseLookup.Extrapolated)
+            else if (_poses.Extrapolate(MiddleOf(_waiting[i]), _options.MaxExtrapolation, out pose)
+                == PoseLookup.Extrapolated)
                 Search(i, pose);
             else
                 Refuse(i, NoPose);
@@ -187,7 +196,9 @@ public sealed class ImageProcessingManager : RabitManager
         _next.Observations++;
         _next.ReportsDropped += _search.Dropped;
         foreach (TargetReport report in observation.Reports)
-            _imageChips.Add(report.PictureNumber, report.Index, frame.Pixels.Array, frame.Width, frame.Height, report.CentreX, report.CentreY);
+            _imageChips.Add(
+                report.PictureNumber, report.Index, frame.Pixels.Array, frame.Width, frame.Height, report.CentreX,
+                report.CentreY);
         _next.LastObservation = observation;
         if (_observations.Push(observation) == PushResult.Rejected)
             _next.ReportsDropped += observation.Reports.Length;
@@ -220,7 +231,8 @@ public sealed class ImageProcessingManager : RabitManager
         if (_next.HasEnded && _next.Fault is null && _camera?.Fault is { } fault)
             _next.Fault = $"{fault.GetType().Name}: {fault.Message}";
         ref ImagingStatus posted = ref _status.Value;
-        bool isNews = _lastPost is null || posted.Mode != _next.Mode || posted.HasEnded != _next.HasEnded || posted.Observations != _next.Observations;
+        bool isNews = _lastPost is null || posted.Mode != _next.Mode || posted.HasEnded != _next.HasEnded
+            || posted.Observations != _next.Observations;
         if (_search is not null)
             ReadDetector(_search);
         if (!isNews && now - _lastPost < StatusPeriod)

@@ -8,7 +8,9 @@ using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>The camera of Image Processing, the classes of targets, and the detector. Read once, when the manager is made.</summary>
+/// <summary>
+/// The camera of Image Processing, the classes of targets, and the detector. Read once, when the manager is made.
+/// </summary>
 public sealed class ImageProcessingOptions
 {
     // A report's index is a byte between vehicles.
@@ -18,7 +20,9 @@ public sealed class ImageProcessingOptions
     public CameraModel? Camera { get; set; }
 
     /// <summary>How the camera sits on the vehicle.</summary>
-    /// <value>The default is no misalignment and no distance from the point whose position the autopilot reports.</value>
+    /// <value>
+    /// The default is no misalignment and no distance from the point whose position the autopilot reports.
+    /// </value>
     public CameraMount Mount { get; set; } = new();
 
     /// <summary>The errors of what positions on the ground are computed from.</summary>
@@ -32,14 +36,21 @@ public sealed class ImageProcessingOptions
     /// <value>The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>.</value>
     public ITargetDetector? Detector { get; set; }
 
-    /// <summary>How long the detector may take for a picture, by the manager's clock; longer ones are counted and reported by Health.</summary>
+    /// <summary>
+    /// How long the detector may take for a picture, by the manager's clock; longer ones are counted and reported by
+    /// Health.
+    /// </summary>
     /// <value>The default is 200 ms: four pictures a second leave 250 ms for each.</value>
     public TimeSpan DetectorTimeBudget { get; set; } = TimeSpan.FromMilliseconds(200);
 
-    /// <summary>What the default detector takes for a target; of no effect with another <see cref="Detector"/>.</summary>
+    /// <summary>
+    /// What the default detector takes for a target; of no effect with another <see cref="Detector"/>.
+    /// </summary>
     public ColourDetectorOptions ColourDetector { get; set; } = new();
 
-    /// <summary>How many targets of one picture are reported, the most confident first; the others are counted. 1 to 200.</summary>
+    /// <summary>
+    /// How many targets of one picture are reported, the most confident first; the others are counted. 1 to 200.
+    /// </summary>
     /// <value>The default is 16.</value>
     public int MaxReportsPerPicture { get; set; } = 16;
 
@@ -51,7 +62,10 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 300 ms.</value>
     public TimeSpan PoseTimeout { get; set; } = TimeSpan.FromMilliseconds(300);
 
-    /// <summary>How far beyond the newest samples a pose is extrapolated, once a picture has waited long enough; its covariance grows with that.</summary>
+    /// <summary>
+    /// How far beyond the newest samples a pose is extrapolated, once a picture has waited long enough; its covariance
+    /// grows with that.
+    /// </summary>
     /// <value>The default is 100 ms; zero refuses such pictures.</value>
     public TimeSpan MaxExtrapolation { get; set; } = TimeSpan.FromMilliseconds(100);
 
@@ -63,7 +77,10 @@ public sealed class ImageProcessingOptions
     /// <value>The default is 1 s: at 5 Hz four may be lost on the way.</value>
     public TimeSpan MaxPoseGap { get; set; } = TimeSpan.FromSeconds(1);
 
-    /// <summary>How many pictures may wait for a pose; a further one drops the oldest. Each of them keeps a buffer of the camera's pool.</summary>
+    /// <summary>
+    /// How many pictures may wait for a pose; a further one drops the oldest. Each of them keeps a buffer of the
+    /// camera's pool.
+    /// </summary>
     /// <value>The default is 2.</value>
     public int FramesWaiting { get; set; } = 2;
 
@@ -79,7 +96,9 @@ public sealed class ImageProcessingOptions
     internal ImageProcessingOptions ValidatedCopy(bool hasCamera, string parameter)
     {
         if (Mount is null || Errors is null || ColourDetector is null)
-            throw new ArgumentException("Image Processing: the mount, the errors and the colour detector's options may not be null.", parameter);
+            throw new ArgumentException(
+                "Image Processing: the mount, the errors and the colour detector's options may not be null.",
+                parameter);
         List<string> faults = FindFaults(hasCamera).Concat(FindFaultsInParts()).ToList();
         if (faults.Count > 0)
             throw new ArgumentException("Image Processing: " + string.Join("; ", faults) + ".", parameter);
@@ -100,7 +119,8 @@ public sealed class ImageProcessingOptions
         if (MaxReportsPerPicture is < 1 or > ReportsLimit)
             yield return $"{nameof(MaxReportsPerPicture)} is {MaxReportsPerPicture}; it must be 1 to {ReportsLimit}";
         if (!(MinDepression.Degrees > 0 && MinDepression.Degrees < 90))
-            yield return FormattableString.Invariant($"{nameof(MinDepression)} is {MinDepression}; it must be between 0 and 90°");
+            yield return FormattableString.Invariant(
+                $"{nameof(MinDepression)} is {MinDepression}; it must be between 0 and 90°");
         if (PoseTimeout < TimeSpan.Zero)
             yield return $"{nameof(PoseTimeout)} is {PoseTimeout}; it must not be negative";
         if (MaxExtrapolation < TimeSpan.Zero || MaxExtrapolation > TimeSpan.FromSeconds(1))
@@ -110,7 +130,8 @@ public sealed class ImageProcessingOptions
         if (FramesWaiting < 1)
             yield return $"{nameof(FramesWaiting)} is {FramesWaiting}; it must be at least 1";
         if (ImageChipSide < 1 || MaxImageChips < 0)
-            yield return $"{nameof(ImageChipSide)} is {ImageChipSide} and {nameof(MaxImageChips)} {MaxImageChips}; they must be at least 1 and 0";
+            yield return $"{nameof(ImageChipSide)} is {ImageChipSide} and {nameof(MaxImageChips)} {MaxImageChips}; "
+                + "they must be at least 1 and 0";
     }
 
     private IEnumerable<string> FindFaultsInParts()

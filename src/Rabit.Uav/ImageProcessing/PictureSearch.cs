@@ -8,8 +8,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Searches one picture whose pose is known: which ground it shows, what the detector finds in it, where that is. The result stays
-/// until the next picture. Allocates nothing for a picture without targets; for one thread.
+/// Searches one picture whose pose is known: which ground it shows, what the detector finds in it, where that is. The
+/// result stays until the next picture. Allocates nothing for a picture without targets; for one thread.
 /// </summary>
 internal sealed class PictureSearch : IGroundScaleSource
 {
@@ -39,7 +39,8 @@ internal sealed class PictureSearch : IGroundScaleSource
         _poses = poses;
         _maxExtrapolation = options.MaxExtrapolation;
         _detector = new DetectorRunner(
-            options.Detector ?? options.CreateColourDetector(), options.DetectorTimeBudget, options.MaxReportsPerPicture, clock);
+            options.Detector ?? options.CreateColourDetector(), options.DetectorTimeBudget,
+            options.MaxReportsPerPicture, clock);
         _wanted = new WantedClasses(options.TargetClasses);
         _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepression, options.Terrain);
         _reports = new TargetReport[options.MaxReportsPerPicture];
@@ -87,9 +88,11 @@ internal sealed class PictureSearch : IGroundScaleSource
     }
 
     /// <inheritdoc/>
-    public bool TryScale(double column, double row, out GroundScale scale) => _projection.TryScale(column, row, out scale);
+    public bool TryScale(double column, double row, out GroundScale scale)
+        => _projection.TryScale(column, row, out scale);
 
-    private string? Detect(in CameraFrame frame, in Pose pose, in ImagingCommand command, ImmutableArray<TargetClass> classes)
+    private string? Detect(
+        in CameraFrame frame, in Pose pose, in ImagingCommand command, ImmutableArray<TargetClass> classes)
     {
         _projection = _projector.At(pose, command);
         var input = new DetectorInput(
@@ -124,14 +127,15 @@ internal sealed class PictureSearch : IGroundScaleSource
 
     private TimeSpan TimeOfRow(in CameraFrame frame, double row) => frame.MidExposure + _camera.ReadoutOf(row);
 
-    // The caller made sure that there are poses around all rows; where they are extrapolated, the last rows may lie a little beyond,
-    // and go on from the middle one.
+    // The caller made sure that there are poses around all rows; where they are extrapolated, the last rows may lie a
+    // little beyond, and go on from the middle one.
     private Pose PoseOfRow(in CameraFrame frame, double row, in Pose middle)
     {
         Pose pose = middle;
         TimeSpan time = TimeOfRow(frame, row);
         if (_camera.RowReadout > TimeSpan.Zero
-            && _poses.Extrapolate(time, _maxExtrapolation, out pose) is not (PoseLookup.Known or PoseLookup.Extrapolated))
+            && _poses.Extrapolate(time, _maxExtrapolation, out pose) is not (PoseLookup.Known
+                or PoseLookup.Extrapolated))
         {
             pose = middle.After((time - middle.Time).TotalSeconds);
             pose.ExtrapolatedSeconds = Math.Max(0, middle.ExtrapolatedSeconds + (time - middle.Time).TotalSeconds);
@@ -140,7 +144,8 @@ internal sealed class PictureSearch : IGroundScaleSource
         return pose;
     }
 
-    private void Report(in TargetDetection detection, in CameraFrame frame, in Pose middle, in ImagingCommand command, byte systemId)
+    private void Report(
+        in TargetDetection detection, in CameraFrame frame, in Pose middle, in ImagingCommand command, byte systemId)
     {
         (double column, double row) = (detection.CentreX, detection.CentreY);
         GroundProjection projection = _projector.At(PoseOfRow(frame, row, middle), command);

@@ -3,7 +3,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>The few pictures that wait for a pose of their time, in the order of arrival. Owns their buffers; for one thread.</summary>
+/// <summary>
+/// The few pictures that wait for a pose of their time, in the order of arrival. Owns their buffers; for one thread.
+/// </summary>
 internal sealed class WaitingFrames(int capacity)
 {
     private readonly CameraFrame[] _frames = new CameraFrame[capacity];

@@ -5,7 +5,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>Which of the declared classes are to be searched for. Allocates only when the command changes; for one thread.</summary>
+/// <summary>
+/// Which of the declared classes are to be searched for. Allocates only when the command changes; for one thread.
+/// </summary>
 internal sealed class WantedClasses
 {
     private readonly ImmutableArray<TargetClass> _declared;

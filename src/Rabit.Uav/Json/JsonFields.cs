@@ -6,8 +6,9 @@ using System.Text.Json;
 namespace Rabit.Uav.Json;
 
 /// <summary>
-/// The properties of one JSON object, read one by one. What is not of the kind it should be becomes a fault with path and value, and so
-/// does a property that is not read, and one that has another name now. All faults of a document are collected in one list.
+/// The properties of one JSON object, read one by one. What is not of the kind it should be becomes a fault with path
+/// and value, and so does a property that is not read, and one that has another name now. All faults of a document are
+/// collected in one list.
 /// </summary>
 internal sealed class JsonFields
 {
@@ -17,7 +18,8 @@ internal sealed class JsonFields
     private readonly List<string> _faults;
     private readonly Dictionary<string, JsonElement> _values = new(StringComparer.Ordinal);
     private readonly List<string> _known = [];
-    private readonly HashSet<string> _renamed = new(StringComparer.Ordinal);   // new names of properties that are there under their old ones
+    // new names of properties that are there under their old ones
+    private readonly HashSet<string> _renamed = new(StringComparer.Ordinal);
 
     /// <param name="element">An object; anything else has no properties.</param>
     /// <param name="path">Where it is; empty for the root.</param>
@@ -36,7 +38,9 @@ internal sealed class JsonFields
         }
     }
 
-    /// <summary>Blames properties that are there under the name of an older form, with the name that they have now.</summary>
+    /// <summary>
+    /// Blames properties that are there under the name of an older form, with the name that they have now.
+    /// </summary>
     public void Renamed(params (string Old, string New)[] names)
     {
         foreach ((string old, string now) in names.Where(n => Has(n.Old)))
@@ -60,7 +64,8 @@ internal sealed class JsonFields
         if (!Has(name))
             return null;
         JsonElement value = _values[name];
-        if (value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) && !double.IsInfinity(number))
+        if (value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number)
+            && !double.IsInfinity(number))
             return number;
         Blame(name, value, "must be a number");
         return double.NaN;
@@ -85,7 +90,9 @@ internal sealed class JsonFields
 
     /// <summary>A whole number of 64 bits; null where there is none, which is not blamed.</summary>
     public long? Long(string name)
-        => Has(name) && _values[name].ValueKind == JsonValueKind.Number && _values[name].TryGetInt64(out long number) ? number : null;
+        => Has(name) && _values[name].ValueKind == JsonValueKind.Number && _values[name].TryGetInt64(out long number)
+            ? number
+            : null;
 
     /// <summary>A list of so many numbers; zeros where it is another.</summary>
     public double[] RequiredNumbers(string name, int count)
@@ -159,7 +166,9 @@ internal sealed class JsonFields
         return new JsonFields(value, _prefix + name, _faults);
     }
 
-    /// <summary>The properties of an object in here; where it is missing, that is the one fault, and not what would be in it.</summary>
+    /// <summary>
+    /// The properties of an object in here; where it is missing, that is the one fault, and not what would be in it.
+    /// </summary>
     public JsonFields RequiredObject(string name)
     {
         if (Has(name) && _values[name].ValueKind == JsonValueKind.Object)
@@ -184,14 +193,20 @@ internal sealed class JsonFields
         _faults.Add($"{_prefix}{name} is {shown}; it {text}");
     }
 
-    /// <summary>Blames the properties that were not read: a wrongly spelt one would silently be left to its default.</summary>
+    /// <summary>
+    /// Blames the properties that were not read: a wrongly spelt one would silently be left to its default.
+    /// </summary>
     public void RefuseOthers()
     {
         foreach (string name in _values.Keys.Where(n => !_known.Contains(n)))
         {
-            string? near = _known.FirstOrDefault(k => name.Length >= 3 && k.StartsWith(name, StringComparison.OrdinalIgnoreCase))
-                ?? _known.OrderBy(k => Distance(k, name)).FirstOrDefault(k => Distance(k, name) <= Math.Max(2, name.Length / 3));
-            _faults.Add($"{_prefix}{name} is unknown; " + (near is null ? "there are " + string.Join(", ", _known) : $"did you mean {near}?"));
+            string? near = _known.FirstOrDefault(
+                k => name.Length >= 3 && k.StartsWith(name, StringComparison.OrdinalIgnoreCase))
+                ?? _known.OrderBy(k => Distance(k, name))
+                    .FirstOrDefault(k => Distance(k, name) <= Math.Max(2, name.Length / 3));
+            _faults.Add(
+                $"{_prefix}{name} is unknown; "
+                    + (near is null ? "there are " + string.Join(", ", _known) : $"did you mean {near}?"));
         }
     }
 

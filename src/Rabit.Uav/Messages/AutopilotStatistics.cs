@@ -6,13 +6,18 @@ public struct AutopilotStatistics
     /// <summary>Frames that Communications handed over.</summary>
     public long Frames { get; set; }
 
-    /// <summary>Those of them that came from other systems or components than the autopilot, or before it was known.</summary>
+    /// <summary>
+    /// Those of them that came from other systems or components than the autopilot, or before it was known.
+    /// </summary>
     public long FramesOfOthers { get; set; }
 
     /// <summary>Heartbeats of further autopilots, which are not the vehicle's.</summary>
     public long HeartbeatsOfOtherAutopilots { get; set; }
 
-    /// <summary>Messages of the autopilot with values out of range (not a number, a latitude beyond the pole, ...), which were ignored.</summary>
+    /// <summary>
+    /// Messages of the autopilot with values out of range (not a number, a latitude beyond the pole, ...), which were
+    /// ignored.
+    /// </summary>
     public long RefusedMessages { get; set; }
 
     /// <summary>How often the connection to the autopilot was lost.</summary>

@@ -5,12 +5,14 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// A picture in a pooled buffer: its holder is the only owner of the buffer, and hands it on or disposes it. 8 bits each of red, green and
-/// blue, row by row from the top left, without padding. A plain value.
+/// A picture in a pooled buffer: its holder is the only owner of the buffer, and hands it on or disposes it. 8 bits
+/// each of red, green and blue, row by row from the top left, without padding. A plain value.
 /// </summary>
 public struct CameraFrame : IDisposable
 {
-    /// <summary>The pixels: <see cref="Width"/> x <see cref="Height"/> x 3 bytes from the start of the buffer.</summary>
+    /// <summary>
+    /// The pixels: <see cref="Width"/> x <see cref="Height"/> x 3 bytes from the start of the buffer.
+    /// </summary>
     public BufferLease Pixels { get; set; }
 
     /// <summary>Columns.</summary>
@@ -29,8 +31,9 @@ public struct CameraFrame : IDisposable
     public TimeSpan Exposure { get; set; }
 
     /// <summary>
-    /// The middle of the exposure: what the picture shows was true then. With a rolling shutter (<c>CameraModel.RowReadout</c>) that
-    /// holds of the top row, and each row comes so much later than the one above it.
+    /// The middle of the exposure: what the picture shows was true then. With a rolling shutter
+    /// (<c>CameraModel.RowReadout</c>) that holds of the top row, and each row comes so much later than the one above
+    /// it.
     /// </summary>
     public readonly TimeSpan MidExposure => FrameStart + TimeSpan.FromTicks(Exposure.Ticks / 2);
 

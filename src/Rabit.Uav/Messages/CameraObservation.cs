@@ -5,8 +5,9 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// A picture that was searched for targets: which ground it shows, and the reports of the targets that were found, also when there are
-/// none, so that a miss counts only for what could be seen. A plain value; the reports are immutable, and copies share them.
+/// A picture that was searched for targets: which ground it shows, and the reports of the targets that were found, also
+/// when there are none, so that a miss counts only for what could be seen. A plain value; the reports are immutable,
+/// and copies share them.
 /// </summary>
 public struct CameraObservation
 {
@@ -18,7 +19,9 @@ public struct CameraObservation
     /// <summary>Number of the picture.</summary>
     public long Number { get; set; }
 
-    /// <summary>When: mid-exposure by the clock of the run; of the middle row, where rows are exposed one after the other.</summary>
+    /// <summary>
+    /// When: mid-exposure by the clock of the run; of the middle row, where rows are exposed one after the other.
+    /// </summary>
     public TimeSpan Time { get; set; }
 
     /// <summary>The targets that were found, by <see cref="TargetReport.Index"/>; never default.</summary>

@@ -12,7 +12,8 @@ public sealed class CommandAcknowledgement
     /// <param name="result">The answer.</param>
     /// <param name="targetSystem">Whom the answer is for; 0 for all.</param>
     /// <param name="targetComponent">Whom the answer is for; 0 for every component.</param>
-    public CommandAcknowledgement(TimeSpan time, MavCmd command, MavResult result, byte targetSystem, byte targetComponent)
+    public CommandAcknowledgement(
+        TimeSpan time, MavCmd command, MavResult result, byte targetSystem, byte targetComponent)
     {
         Time = time;
         Command = command;

@@ -2,7 +2,9 @@ using System.Collections.Immutable;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>The classes that Image Processing searches for where the user declares none: square panels of five colours.</summary>
+/// <summary>
+/// The classes that Image Processing searches for where the user declares none: square panels of five colours.
+/// </summary>
 public static class DefaultTargetClasses
 {
     /// <summary>"red", nominally sRGB 205,28,32.</summary>

@@ -1,8 +1,8 @@
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// A typed message between vehicles: what one manager pushes here falls into the queue of the manager over there that declared the type.
-/// A plain value if its content is one.
+/// A typed message between vehicles: what one manager pushes here falls into the queue of the manager over there that
+/// declared the type. A plain value if its content is one.
 /// </summary>
 /// <typeparam name="T">What is inside; Communications has a codec for each such type.</typeparam>
 public struct Envelope<T>

@@ -48,6 +48,8 @@ public enum HealthReasons
     /// <summary>The watchdog detected a manager that hangs.</summary>
     ManagerHangs = 4096,
 
-    /// <summary>The target detector threw, gave detections that are not valid, or took longer than its time budget.</summary>
+    /// <summary>
+    /// The target detector threw, gave detections that are not valid, or took longer than its time budget.
+    /// </summary>
     DetectorFault = 8192,
 }

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// What Image Processing did so far: posted for each picture that was searched, and at least once a second. A plain value; counts are
-/// since the start.
+/// What Image Processing did so far: posted for each picture that was searched, and at least once a second. A plain
+/// value; counts are since the start.
 /// </summary>
 public struct ImagingStatus
 {
@@ -23,7 +23,9 @@ public struct ImagingStatus
     /// <summary>Pictures that were searched.</summary>
     public long Observations { get; set; }
 
-    /// <summary>The last picture that was searched, the ground that it shows and its reports; empty before the first.</summary>
+    /// <summary>
+    /// The last picture that was searched, the ground that it shows and its reports; empty before the first.
+    /// </summary>
     public CameraObservation LastObservation { get; set; }
 
     /// <summary>Pictures that were lost before they arrived, or had no room.</summary>
@@ -40,13 +42,21 @@ public struct ImagingStatus
     /// <summary>Reports of targets that went out.</summary>
     public long Reports { get; set; }
 
-    /// <summary>Targets that were detected but not reported: too many in one picture, not on the ground, or no room in the queue.</summary>
+    /// <summary>
+    /// Targets that were detected but not reported: too many in one picture, not on the ground, or no room in the
+    /// queue.
+    /// </summary>
     public long ReportsDropped { get; set; }
 
-    /// <summary>How often the detector threw or returned an impossible number of detections; those pictures count as not searched.</summary>
+    /// <summary>
+    /// How often the detector threw or returned an impossible number of detections; those pictures count as not
+    /// searched.
+    /// </summary>
     public long DetectorFailures { get; set; }
 
-    /// <summary>Detections that were not valid, such as outside the picture, of a class that was not asked for, or not a number.</summary>
+    /// <summary>
+    /// Detections that were not valid, such as outside the picture, of a class that was not asked for, or not a number.
+    /// </summary>
     public long DetectionsRefused { get; set; }
 
     /// <summary>How often the detector took longer than <c>ImageProcessingOptions.DetectorTimeBudget</c>.</summary>
@@ -55,7 +65,9 @@ public struct ImagingStatus
     /// <summary>What was wrong with the detector the last time; null where nothing was.</summary>
     public string? LastDetectorFault { get; set; }
 
-    /// <summary>The classes of the last command that are not declared, and so not searched for; null where there are none.</summary>
+    /// <summary>
+    /// The classes of the last command that are not declared, and so not searched for; null where there are none.
+    /// </summary>
     public string? UnknownClasses { get; set; }
 
     /// <summary>Whether the camera gives no more pictures, because it has no more or failed.</summary>

@@ -3,7 +3,9 @@ using Rabit.Mavlink;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>What Communications reports of one link, at least once a second. A plain value; counts are since the start.</summary>
+/// <summary>
+/// What Communications reports of one link, at least once a second. A plain value; counts are since the start.
+/// </summary>
 public struct LinkStatus
 {
     /// <summary>How it is.</summary>
@@ -33,10 +35,15 @@ public struct LinkStatus
     /// <summary>Frames that came in and had no room in our queues.</summary>
     public long FramesDroppedIn { get; set; }
 
-    /// <summary>Frames that were to go out and did not: there was no room, no connected receiver, or the link had ended.</summary>
+    /// <summary>
+    /// Frames that were to go out and did not: there was no room, no connected receiver, or the link had ended.
+    /// </summary>
     public long FramesDroppedOut { get; set; }
 
-    /// <summary>The results of verifying the signatures of the frames that came in, where the link is signed. Rejected ones count in <see cref="FramesIn"/>, and go nowhere.</summary>
+    /// <summary>
+    /// The results of verifying the signatures of the frames that came in, where the link is signed. Rejected ones
+    /// count in <see cref="FramesIn"/>, and go nowhere.
+    /// </summary>
     public MavlinkSignatureCounters Signatures { get; set; }
 
     /// <summary>How much of a recorded log has been read, 0 to 1; NaN for a live link.</summary>

@@ -11,10 +11,14 @@ public static class MessageNames
     /// <summary>Message <see cref="Messages.OwnAddress"/>, posted by Autopilot Interface.</summary>
     public const string OwnAddress = "own address";
 
-    /// <summary>Message <see cref="RecentItems{T}"/> of <see cref="StatusText"/>, posted by Autopilot Interface.</summary>
+    /// <summary>
+    /// Message <see cref="RecentItems{T}"/> of <see cref="StatusText"/>, posted by Autopilot Interface.
+    /// </summary>
     public const string StatusTexts = "status texts";
 
-    /// <summary>Message <see cref="RecentItems{T}"/> of <see cref="CommandAcknowledgement"/>, posted by Autopilot Interface.</summary>
+    /// <summary>
+    /// Message <see cref="RecentItems{T}"/> of <see cref="CommandAcknowledgement"/>, posted by Autopilot Interface.
+    /// </summary>
     public const string CommandAcknowledgements = "command acknowledgements";
 
     /// <summary>Message <see cref="Messages.AutopilotStatistics"/>, posted by Autopilot Interface.</summary>
@@ -44,7 +48,9 @@ public static class MessageNames
     /// <summary>Message <see cref="MissionStatus"/>, posted by Mission Control.</summary>
     public const string Mission = "mission";
 
-    /// <summary>Queue of <see cref="PoseSample"/>: every position and attitude, from Autopilot Interface to Image Processing.</summary>
+    /// <summary>
+    /// Queue of <see cref="PoseSample"/>: every position and attitude, from Autopilot Interface to Image Processing.
+    /// </summary>
     public const string Poses = "poses";
 
     /// <summary>Queue of <see cref="VehicleCommand"/>: from Mission Control to Autopilot Interface.</summary>
@@ -53,16 +59,26 @@ public static class MessageNames
     /// <summary>Queue of <see cref="VehicleCommandResult"/>: from Autopilot Interface to Mission Control.</summary>
     public const string VehicleCommandResults = "vehicle command results";
 
-    /// <summary>Queue of <see cref="TargetReport"/>: reports of other vehicles, from Communications to Sensor Fusion.</summary>
+    /// <summary>
+    /// Queue of <see cref="TargetReport"/>: reports of other vehicles, from Communications to Sensor Fusion.
+    /// </summary>
     public const string TargetReports = "target reports";
 
-    /// <summary>Queue of <see cref="Envelope{T}"/> of <see cref="TargetReport"/>: from Sensor Fusion to Communications, for other vehicles.</summary>
+    /// <summary>
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="TargetReport"/>: from Sensor Fusion to Communications, for
+    /// other vehicles.
+    /// </summary>
     public const string OutgoingTargetReports = "outgoing target reports";
 
-    /// <summary>Queue of <see cref="CameraObservation"/>: searched pictures with their reports, from Image Processing to Sensor Fusion.</summary>
+    /// <summary>
+    /// Queue of <see cref="CameraObservation"/>: searched pictures with their reports, from Image Processing to Sensor
+    /// Fusion.
+    /// </summary>
     public const string CameraObservations = "camera observations";
 
-    /// <summary>Queue of <see cref="CameraObservation"/>: from Image Processing to Mission Control, for the coverage.</summary>
+    /// <summary>
+    /// Queue of <see cref="CameraObservation"/>: from Image Processing to Mission Control, for the coverage.
+    /// </summary>
     public const string SearchedGround = "searched ground";
 
     /// <summary>Message <see cref="Messages.LinkStatus"/> of one link, posted by Communications.</summary>

@@ -19,7 +19,8 @@ public enum MissionFailures
     NotLanded = 4,
 
     /// <summary>
-    /// The vehicle landed farther from home than <see cref="MissionResult.MaxLandingDistanceMetres"/>, or where is not known.
+    /// The vehicle landed farther from home than <see cref="MissionResult.MaxLandingDistanceMetres"/>, or where is not
+    /// known.
     /// </summary>
     AwayFromHome = 8,
 

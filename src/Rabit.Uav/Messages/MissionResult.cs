@@ -1,8 +1,8 @@
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// The result of a mission, by what Mission Control knows: the phases, the fence, and the position that the autopilot reports. While the mission
-/// is in progress it is what the result would be now. A plain value.
+/// The result of a mission, by what Mission Control knows: the phases, the fence, and the position that the autopilot
+/// reports. While the mission is in progress it is what the result would be now. A plain value.
 /// </summary>
 public struct MissionResult
 {

@@ -5,7 +5,8 @@ namespace Rabit.Uav.Messages;
 /// <summary>The progress of the mission, posted at least once a second. A plain value.</summary>
 /// <example>
 /// <code>
-/// MessageSubscriber&lt;MissionStatus&gt; mission = reactor.Workspace.Subscribe&lt;MissionStatus&gt;(MessageNames.Mission);
+/// MessageSubscriber&lt;MissionStatus&gt; mission =
+///     reactor.Workspace.Subscribe&lt;MissionStatus&gt;(MessageNames.Mission);
 /// if (mission.Fetch())
 ///     Console.WriteLine($"{mission.Value.Phase}: {mission.Value.Text}");   // "Searching: lane 2 of 4, 38.1 % seen"
 /// </code>

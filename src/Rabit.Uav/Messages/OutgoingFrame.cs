@@ -2,7 +2,9 @@ using Rabit.Mavlink;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>A frame of ours that is to be sent. Communications gives it its sequence number and finds the links. A plain value.</summary>
+/// <summary>
+/// A frame of ours that is to be sent. Communications gives it its sequence number and finds the links. A plain value.
+/// </summary>
 public struct OutgoingFrame
 {
     /// <summary>The frame, from our own address, with any sequence number.</summary>

@@ -4,15 +4,17 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// One thing that the autopilot said of where the vehicle was or how it stood, with the time at which that was true by the clock
-/// of the run. A plain value; what <see cref="Kind"/> does not name is empty.
+/// One thing that the autopilot said of where the vehicle was or how it stood, with the time at which that was true by
+/// the clock of the run. A plain value; what <see cref="Kind"/> does not name is empty.
 /// </summary>
 public struct PoseSample
 {
     /// <summary>Which part it holds.</summary>
     public PoseSampleKind Kind { get; set; }
 
-    /// <summary>When it was true, by the clock of the run: the autopilot's own time stamp, mapped to our clock.</summary>
+    /// <summary>
+    /// When it was true, by the clock of the run: the autopilot's own time stamp, mapped to our clock.
+    /// </summary>
     public TimeSpan Time { get; set; }
 
     /// <summary>Where the vehicle was. Of a position.</summary>

@@ -3,9 +3,9 @@ using System;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// The name of a class of targets, such as "red" or "person": 1 to 16 printable ASCII characters, upper and lower case distinct. The
-/// user declares the classes; one that only another vehicle knows keeps its name. A plain value of 16 bytes; copies and compares
-/// without allocation.
+/// The name of a class of targets, such as "red" or "person": 1 to 16 printable ASCII characters, upper and lower case
+/// distinct. The user declares the classes; one that only another vehicle knows keeps its name. A plain value of 16
+/// bytes; copies and compares without allocation.
 /// </summary>
 public readonly struct TargetClassName : IEquatable<TargetClassName>
 {
@@ -60,7 +60,9 @@ public readonly struct TargetClassName : IEquatable<TargetClassName>
     public static bool operator !=(TargetClassName left, TargetClassName right) => !left.Equals(right);
 
     /// <summary>Makes a name of a text, if it can be one.</summary>
-    /// <param name="text">1 to 16 printable ASCII characters, the first and the last no space; anything else is refused.</param>
+    /// <param name="text">
+    /// 1 to 16 printable ASCII characters, the first and the last no space; anything else is refused.
+    /// </param>
     /// <param name="name">The name; <see cref="None"/> if the answer is false.</param>
     public static bool TryParse(string? text, out TargetClassName name)
     {
@@ -79,7 +81,9 @@ public readonly struct TargetClassName : IEquatable<TargetClassName>
     }
 
     /// <summary>Makes a name of the bytes that came from elsewhere, if they can be one. Allocates nothing.</summary>
-    /// <param name="ascii">1 to 16 printable ASCII characters, the first and the last no space, without padding.</param>
+    /// <param name="ascii">
+    /// 1 to 16 printable ASCII characters, the first and the last no space, without padding.
+    /// </param>
     /// <param name="name">The name; <see cref="None"/> if the answer is false.</param>
     public static bool TryRead(ReadOnlySpan<byte> ascii, out TargetClassName name)
     {
@@ -108,7 +112,8 @@ public readonly struct TargetClassName : IEquatable<TargetClassName>
     {
         int length = Length;
         if (destination.Length < length)
-            throw new ArgumentException($"There are {destination.Length} bytes for {length} characters.", nameof(destination));
+            throw new ArgumentException(
+                $"There are {destination.Length} bytes for {length} characters.", nameof(destination));
         for (int i = 0; i < length; i++)
             destination[i] = ByteAt(i);
         return length;

@@ -9,22 +9,34 @@ public struct TargetReport
     /// <summary>MAVLink system id of the vehicle that saw it.</summary>
     public byte SourceSystemId { get; set; }
 
-    /// <summary>The picture it was seen in: <see cref="CameraObservation.Number"/>. With the source and <see cref="Index"/> it is the identity of the report.</summary>
+    /// <summary>
+    /// The picture it was seen in: <see cref="CameraObservation.Number"/>. With the source and <see cref="Index"/> it
+    /// is the identity of the report.
+    /// </summary>
     public long PictureNumber { get; set; }
 
     /// <summary>Which report of that picture it is, from 0.</summary>
     public int Index { get; set; }
 
-    /// <summary>When it was there: mid-exposure by the clock of the run; of its own row, where rows are exposed one after the other.</summary>
+    /// <summary>
+    /// When it was there: mid-exposure by the clock of the run; of its own row, where rows are exposed one after the
+    /// other.
+    /// </summary>
     public TimeSpan Time { get; set; }
 
     /// <summary>Where it stood, on the ground.</summary>
     public GeodeticPosition Position { get; set; }
 
-    /// <summary>How uncertain that is, without what is the same in every picture of a flight (see <see cref="SystematicCovariance"/>).</summary>
+    /// <summary>
+    /// How uncertain that is, without what is the same in every picture of a flight (see
+    /// <see cref="SystematicCovariance"/>).
+    /// </summary>
     public HorizontalCovariance Covariance { get; set; }
 
-    /// <summary>The part of the uncertainty that does not average out over the pictures of one vehicle: satellite position and mount biases.</summary>
+    /// <summary>
+    /// The part of the uncertainty that does not average out over the pictures of one vehicle: satellite position and
+    /// mount biases.
+    /// </summary>
     public HorizontalCovariance SystematicCovariance { get; set; }
 
     /// <summary>Its class: a declared one, or that of another vehicle.</summary>

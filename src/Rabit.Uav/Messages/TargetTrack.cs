@@ -42,7 +42,9 @@ public sealed class TargetTrack
     /// <summary>Side of a square of its area, metres: mean of the reports.</summary>
     public double SizeMetres { get; init; }
 
-    /// <summary>The picture of the report with the best score, of our own camera; -1 when another vehicle saw it.</summary>
+    /// <summary>
+    /// The picture of the report with the best score, of our own camera; -1 when another vehicle saw it.
+    /// </summary>
     public long BestPictureNumber { get; init; } = -1;
 
     /// <summary>Which report of that picture.</summary>

@@ -5,7 +5,10 @@ using System.Linq;
 
 namespace Rabit.Uav.Messages;
 
-/// <summary>All tracks of Sensor Fusion, by id; tracks that were deleted before they were confirmed are in no list any more. Immutable.</summary>
+/// <summary>
+/// All tracks of Sensor Fusion, by id; tracks that were deleted before they were confirmed are in no list any more.
+/// Immutable.
+/// </summary>
 public sealed class TrackList
 {
     /// <summary>Makes one.</summary>

@@ -34,7 +34,8 @@ public struct VehicleCommand
     public double SpeedMetresPerSecond { get; set; }
 
     /// <summary>
-    /// Heading to keep, clockwise from true north; <see cref="Angle.NaN"/> leaves it to the autopilot. Of GoTo and Velocity.
+    /// Heading to keep, clockwise from true north; <see cref="Angle.NaN"/> leaves it to the autopilot. Of GoTo and
+    /// Velocity.
     /// </summary>
     public Angle Yaw { get; set; }
 

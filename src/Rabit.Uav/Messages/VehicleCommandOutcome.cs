@@ -3,7 +3,9 @@ namespace Rabit.Uav.Messages;
 /// <summary>What became of a command.</summary>
 public enum VehicleCommandOutcome
 {
-    /// <summary>The autopilot took it, and does it now. That the vehicle has arrived is to be seen in its state.</summary>
+    /// <summary>
+    /// The autopilot took it, and does it now. That the vehicle has arrived is to be seen in its state.
+    /// </summary>
     Accepted,
 
     /// <summary>The autopilot refused it, or we did: it is not possible here.</summary>

@@ -5,8 +5,8 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// What the autopilot says of the vehicle: the latest of everything. Stamped with the time at which the newest part was true;
-/// parts with a rate of their own carry their own times, by the clock of the run. A plain value.
+/// What the autopilot says of the vehicle: the latest of everything. Stamped with the time at which the newest part was
+/// true; parts with a rate of their own carry their own times, by the clock of the run. A plain value.
 /// </summary>
 public struct VehicleState
 {
@@ -28,7 +28,10 @@ public struct VehicleState
     /// <summary>The kind of vehicle.</summary>
     public MavType VehicleType { get; set; }
 
-    /// <summary>The flight mode by the autopilot's own name, for example <c>GUIDED</c> or <c>AUTO.LOITER</c>; null before the first heartbeat.</summary>
+    /// <summary>
+    /// The flight mode by the autopilot's own name, for example <c>GUIDED</c> or <c>AUTO.LOITER</c>; null before the
+    /// first heartbeat.
+    /// </summary>
     public string? Mode { get; set; }
 
     /// <summary>The flight mode as the autopilot sends it.</summary>
@@ -88,7 +91,10 @@ public struct VehicleState
     /// <summary>Satellites in view; 255 where the autopilot does not know it.</summary>
     public int Satellites { get; set; }
 
-    /// <summary>The autopilot's UTC from satellites, microseconds since 1970, true at <see cref="UtcTime"/>; 0 where it does not know it.</summary>
+    /// <summary>
+    /// The autopilot's UTC from satellites, microseconds since 1970, true at <see cref="UtcTime"/>; 0 where it does not
+    /// know it.
+    /// </summary>
     public long GpsUtcMicroseconds { get; set; }
 
     /// <summary>When <see cref="GpsUtcMicroseconds"/> was true; null before the first.</summary>
@@ -97,6 +103,9 @@ public struct VehicleState
     /// <summary>When the autopilot last reported its estimate of the wind; null where it never did.</summary>
     public TimeSpan? WindTime { get; set; }
 
-    /// <summary>Speed of the wind over ground, metres per second, as the autopilot estimates it (ArduPilot); NaN where it reports none.</summary>
+    /// <summary>
+    /// Speed of the wind over ground, metres per second, as the autopilot estimates it (ArduPilot); NaN where it
+    /// reports none.
+    /// </summary>
     public double WindMetresPerSecond { get; set; }
 }

@@ -66,21 +66,25 @@ internal sealed class FlightPlan
         double far = mission.Area.Select(c => frame.ToNed(c)).Max(n => new PlanePoint(n.North, n.East).Length);
         if (!(far <= MaxAreaDistanceMetres))
         {
-            return $"the area extends {MissionNumbers.Of(far)} m from the vehicle; the limit is {MissionNumbers.Of(MaxAreaDistanceMetres)} m";
+            return $"the area extends {MissionNumbers.Of(far)} m from the vehicle; the limit is "
+                + $"{MissionNumbers.Of(MaxAreaDistanceMetres)} m";
         }
 
         if (mission.Home is not { } home)
             return null;
         NedPosition off = frame.ToNed(
-            GeodeticPosition.FromRadians(home.Latitude.Radians, home.Longitude.Radians, frame.Origin.AltitudeAmslMetres));
+            GeodeticPosition.FromRadians(
+                home.Latitude.Radians, home.Longitude.Radians, frame.Origin.AltitudeAmslMetres));
         double distance = new PlanePoint(off.North, off.East).Length;
         if (!(distance <= MaxHomeDistanceMetres))
-            return $"the vehicle is {MissionNumbers.Of(distance)} m from the mission's home; the limit is {MissionNumbers.Of(MaxHomeDistanceMetres)} m";
+            return $"the vehicle is {MissionNumbers.Of(distance)} m from the mission's home; the limit is "
+                + $"{MissionNumbers.Of(MaxHomeDistanceMetres)} m";
         double difference = Math.Abs(
             (home.GroundAltitudeAmslMetres ?? frame.Origin.AltitudeAmslMetres) - frame.Origin.AltitudeAmslMetres);
         return difference <= MaxAltitudeDifferenceMetres
             ? null
-            : $"the ground is at {MissionNumbers.Of(frame.Origin.AltitudeAmslMetres)} m above mean sea level according to the vehicle, "
+            : $"the ground is at {MissionNumbers.Of(frame.Origin.AltitudeAmslMetres)} m above mean sea level according "
+                + "to the vehicle, "
                 + $"at {MissionNumbers.Of(home.GroundAltitudeAmslMetres!.Value)} m according to the mission";
     }
 

@@ -39,7 +39,8 @@ internal static class GapPlanner
         return NearestFirst(legs, from);
     }
 
-    private static IEnumerable<LaneSegment> LegsOf(List<(double Offset, double Along)> strip, PlanePoint along, double cell, double spacing)
+    private static IEnumerable<LaneSegment> LegsOf(
+        List<(double Offset, double Along)> strip, PlanePoint along, double cell, double spacing)
     {
         IEnumerable<(double, double)> intervals = strip.Select(c => (c.Along - (cell / 2), c.Along + (cell / 2)));
         foreach ((double from, double to) in LanePlanner.Join(intervals, gap: spacing / 2))

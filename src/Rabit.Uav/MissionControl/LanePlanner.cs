@@ -26,7 +26,8 @@ internal static class LanePlanner
     /// </param>
     /// <param name="headingRadians">Direction of the lanes; null for the one that needs the fewest.</param>
     /// <param name="from">Where the vehicle is.</param>
-    public static IReadOnlyList<LaneSegment> Plan(PlanePolygon area, double spacingMetres, double? headingRadians, PlanePoint from)
+    public static IReadOnlyList<LaneSegment> Plan(
+        PlanePolygon area, double spacingMetres, double? headingRadians, PlanePoint from)
     {
         double heading = headingRadians ?? BestHeading(area, spacingMetres);
         List<List<LaneSegment>> lanes = Lanes(area, spacingMetres, heading);
@@ -85,7 +86,8 @@ internal static class LanePlanner
     {
         var right = new PlanePoint(-along.East, along.North);
         double missing = Math.Max(0, MinSegmentMetres - (to - from)) / 2;
-        return new LaneSegment(((from - missing) * along) + (offset * right), ((to + missing) * along) + (offset * right));
+        return new LaneSegment(
+            ((from - missing) * along) + (offset * right), ((to + missing) * along) + (offset * right));
     }
 
     private static int LaneCount(PlanePolygon area, double spacing, double heading)
@@ -110,7 +112,8 @@ internal static class LanePlanner
         int count = LaneCount(area, spacing, heading);
         double strip = (to - from) / count;
         return Enumerable.Range(0, count)
-            .Select(i => Join(Extents(area, along, from + (i * strip), from + ((i + 1) * strip)), JoinedGapInSpacings * spacing)
+            .Select(i => Join(
+                Extents(area, along, from + (i * strip), from + ((i + 1) * strip)), JoinedGapInSpacings * spacing)
                 .Select(x => Segment(along, from + ((i + 0.5) * strip), x.From, x.To)).ToList())
             .Where(segments => segments.Count > 0)
             .ToList();

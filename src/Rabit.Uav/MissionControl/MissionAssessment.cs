@@ -27,7 +27,9 @@ internal sealed class MissionAssessment
     {
         bool hasFlown = _maxHeightMetres > FlownHeightMetres;
         bool hasLanded = hasFlown && !flight.Vehicle.IsArmed;
-        double distance = flight.Plan is null || flight.Vehicle.PositionTime is null ? double.NaN : flight.Position.Length;
+        double distance = flight.Plan is null || flight.Vehicle.PositionTime is null
+            ? double.NaN
+            : flight.Position.Length;
         MissionFailures failures = If(MissionFailures.GivenUp, hasFlown && flight.Aborted is not null)
             | If(MissionFailures.NotFlown, !hasFlown)
             | If(MissionFailures.NotLanded, hasFlown && !hasLanded)

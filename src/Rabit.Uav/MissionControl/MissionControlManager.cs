@@ -41,14 +41,16 @@ public sealed class MissionControlManager : RabitManager
     public MissionControlManager(MissionControlOptions options)
         : base(ManagerName)
     {
-        MissionControlOptions copy = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
+        MissionControlOptions copy = (options ?? throw new ArgumentNullException(nameof(options)))
+            .ValidatedCopy(nameof(options));
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _health = Subscribe<HealthReport>(MessageNames.Health);
         _tracks = Subscribe<TrackList>(MessageNames.Tracks);
         _authority = Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
         _imaging = Subscribe<ImagingStatus>(MessageNames.Imaging);
         _results = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
-        _searchedGround = Receive<CameraObservation>(MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+        _searchedGround = Receive<CameraObservation>(
+            MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
         _commands = Send<VehicleCommand>(MessageNames.VehicleCommands);
         _imagingCommand = Publish<ImagingCommand>(MessageNames.ImagingCommand);
         _status = Publish<MissionStatus>(MessageNames.Mission);

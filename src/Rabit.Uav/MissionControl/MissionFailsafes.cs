@@ -25,7 +25,8 @@ internal sealed class MissionFailsafes
     public static MissionStep CheckAuthority(MissionFlight flight)
     {
         if (flight.Authority.State == CommandAuthorityState.TakenAway)
-            return new MissionStep(MissionEvent.TakenOver, flight.Authority.TakenBy ?? "the pilot or the autopilot took over");
+            return new MissionStep(
+                MissionEvent.TakenOver, flight.Authority.TakenBy ?? "the pilot or the autopilot took over");
         if (flight.Commands.NotInCommand is not { } why)
             return MissionStep.Stay;
         return flight.Authority.State == CommandAuthorityState.Observing
@@ -45,13 +46,15 @@ internal sealed class MissionFailsafes
         {
             flight.Text = "autopilot not connected";
             if (flight.Plan is not null && flight.Now - since > MaxDisconnection)
-                return new MissionStep(MissionEvent.Impossible, $"no autopilot for {MissionNumbers.Seconds(MaxDisconnection)}");
+                return new MissionStep(
+                    MissionEvent.Impossible, $"no autopilot for {MissionNumbers.Seconds(MaxDisconnection)}");
         }
         else if (_noPositionSince is { } lost)
         {
             flight.Text = "no position";
             if (flight.Now - lost > MaxTimeWithoutPosition && flight.IsFlying)
-                return new MissionStep(MissionEvent.LandNow, $"no position for {MissionNumbers.Seconds(MaxTimeWithoutPosition)}");
+                return new MissionStep(
+                    MissionEvent.LandNow, $"no position for {MissionNumbers.Seconds(MaxTimeWithoutPosition)}");
         }
 
         return MissionStep.Stay;
@@ -78,7 +81,8 @@ internal sealed class MissionFailsafes
         => "health: " + (flight.Health.AdviceText ?? flight.Health.Text ?? "no reason given");
 
     private static bool IsBeforeTakeOff(MissionFlight flight, MissionPhase phase)
-        => phase is MissionPhase.WaitingForVehicle or MissionPhase.Arming || (phase == MissionPhase.TakingOff && !flight.IsFlying);
+        => phase is MissionPhase.WaitingForVehicle or MissionPhase.Arming
+            || (phase == MissionPhase.TakingOff && !flight.IsFlying);
 
     private static MissionStep CheckBeforeTakeOff(MissionFlight flight, MissionPhase phase, string? abort)
     {
@@ -95,7 +99,8 @@ internal sealed class MissionFailsafes
         if (!flight.Vehicle.IsArmed && (!isLanding || flight.HeightMetres > LandedHeightMetres))
         {
             return new MissionStep(
-                MissionEvent.Impossible, $"the motors stopped at a height of {MissionNumbers.Of(flight.HeightMetres)} m");
+                MissionEvent.Impossible,
+                $"the motors stopped at a height of {MissionNumbers.Of(flight.HeightMetres)} m");
         }
 
         bool isOnGround = flight.Vehicle.LandedState == MavLandedState.OnGround && !isLanding;

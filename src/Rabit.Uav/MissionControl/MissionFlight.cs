@@ -6,7 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>What the phases of a mission share: the inputs, the plan and the progress.</summary>
-internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions options, CommandDispatcher commands, Action<string> log)
+internal sealed class MissionFlight(
+    MissionPlan mission, MissionControlOptions options, CommandDispatcher commands, Action<string> log)
 {
     // Below this a vehicle that reports no landed state is taken to be on the ground.
     private const double OnGroundHeightMetres = 2;
@@ -92,7 +93,8 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
         GeodeticPosition at = Vehicle.Position;
         Plan = FlightPlan.Create(
             Mission,
-            GeodeticPosition.FromRadians(at.Latitude.Radians, at.Longitude.Radians, at.AltitudeAmslMetres - HeightMetres),
+            GeodeticPosition.FromRadians(
+                at.Latitude.Radians, at.Longitude.Radians, at.AltitudeAmslMetres - HeightMetres),
             out string fault);
         if (Plan is not null)
             Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
@@ -116,7 +118,8 @@ internal sealed class MissionFlight(MissionPlan mission, MissionControlOptions o
             Yaw = Angle.FromRadians(yawRadians),
         };
         if (!Commands.IsGoal(command))
-            Commands.SetGoal(command, $"go to {MissionNumbers.Of(to)}, height {MissionNumbers.Of(heightMetres)} m", RetryAfter);
+            Commands.SetGoal(
+                command, $"go to {MissionNumbers.Of(to)}, height {MissionNumbers.Of(heightMetres)} m", RetryAfter);
     }
 
     /// <summary>Sets a goal that has no parameters.</summary>

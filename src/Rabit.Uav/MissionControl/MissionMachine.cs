@@ -23,8 +23,8 @@ internal sealed class MissionMachine
         _flight = flight;
         _states = new MissionState[]
         {
-            new WaitingForVehicleState(), new ArmingState(), new TakingOffState(), new InTransitState(), new SearchingState(),
-            new RevisitingState(), new ReturningState(), new LandingState(),
+            new WaitingForVehicleState(), new ArmingState(), new TakingOffState(), new InTransitState(),
+            new SearchingState(), new RevisitingState(), new ReturningState(), new LandingState(),
             new EndState(MissionPhase.Done), new EndState(MissionPhase.HandedOver), new EndState(MissionPhase.Failed),
         }.ToDictionary(s => s.Phase);
         _state = _states[MissionPhase.WaitingForVehicle];

@@ -49,7 +49,9 @@ public sealed class MissionPlan
     /// </summary>
     public Angle? LaneHeading { get; init; }
 
-    /// <summary>The classes of the targets of interest; empty, the default, for all that Image Processing has.</summary>
+    /// <summary>
+    /// The classes of the targets of interest; empty, the default, for all that Image Processing has.
+    /// </summary>
     public ImmutableArray<TargetClassName> Targets { get; init; } = [];
 
     /// <summary>Where the vehicle is expected at the start; null where that is not checked.</summary>

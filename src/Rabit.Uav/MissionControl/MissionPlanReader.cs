@@ -117,7 +117,8 @@ internal static class MissionPlanReader
         return area.ToImmutable();
     }
 
-    private static string Item(string list, int index) => string.Format(CultureInfo.InvariantCulture, "{0}[{1}]", list, index);
+    private static string Item(string list, int index)
+        => string.Format(CultureInfo.InvariantCulture, "{0}[{1}]", list, index);
 
     private static GeodeticPosition? ReadCorner(JsonElement corner)
     {
@@ -138,8 +139,10 @@ internal static class MissionPlanReader
         int index = 0;
         foreach (JsonElement name in names.EnumerateArray())
         {
-            if (name.ValueKind != JsonValueKind.String || !TargetClassName.TryParse(name.GetString(), out TargetClassName target))
-                fields.Blame(Item("targets", index), name, "must be the name of a target class: " + TargetClassName.Rule);
+            if (name.ValueKind != JsonValueKind.String
+                || !TargetClassName.TryParse(name.GetString(), out TargetClassName target))
+                fields.Blame(
+                    Item("targets", index), name, "must be the name of a target class: " + TargetClassName.Rule);
             else if (!targets.Contains(target))
                 targets.Add(target);
             index++;

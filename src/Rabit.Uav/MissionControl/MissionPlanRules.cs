@@ -68,7 +68,8 @@ internal static class MissionPlanRules
         if (!IsPosition(home.Latitude.Radians, home.Longitude.Radians))
             yield return "home is not a position: latitude must be -90 to 90, longitude -180 to 180 degrees";
         if (home.GroundAltitudeAmslMetres is { } altitude && !(altitude >= -500 && altitude <= 9000))
-            yield return FormattableString.Invariant($"home.groundAltitudeAmslMetres is {altitude}; it must be -500 to 9000");
+            yield return FormattableString.Invariant(
+                $"home.groundAltitudeAmslMetres is {altitude}; it must be -500 to 9000");
     }
 
     private static IEnumerable<string> AreaFaults(MissionPlan plan)
@@ -100,7 +101,8 @@ internal static class MissionPlanRules
     {
         // The local plane is an approximation: so far from its origin it lies a metre above the ellipsoid.
         const double MaxCornerDistance = 5000;
-        int far = Enumerable.Range(0, area.Corners.Count).FirstOrDefault(i => area.Corners[i].Length > MaxCornerDistance);
+        int far = Enumerable.Range(0, area.Corners.Count)
+            .FirstOrDefault(i => area.Corners[i].Length > MaxCornerDistance);
         if (far > 0)
         {
             yield return FormattableString.Invariant(
@@ -129,7 +131,8 @@ internal static class MissionPlanRules
         }
     }
 
-    private static bool IsPosition(double latitude, double longitude) => Math.Abs(latitude) <= Math.PI / 2 && Math.Abs(longitude) <= Math.PI;
+    private static bool IsPosition(double latitude, double longitude)
+        => Math.Abs(latitude) <= Math.PI / 2 && Math.Abs(longitude) <= Math.PI;
 
     // Degrees of a file are reported as they were given, and not a rounding above their limit.
     private static double ToDegrees(Angle angle) => Math.Round(angle.Degrees, 9);

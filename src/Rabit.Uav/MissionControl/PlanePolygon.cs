@@ -105,7 +105,8 @@ internal sealed class PlanePolygon
         int start = hull.Count;
         foreach (PlanePoint p in sorted)
         {
-            while (hull.Count - start >= 2 && (hull[hull.Count - 1] - hull[hull.Count - 2]).Cross(p - hull[hull.Count - 1]) <= 0)
+            while (hull.Count - start >= 2
+                && (hull[hull.Count - 1] - hull[hull.Count - 2]).Cross(p - hull[hull.Count - 1]) <= 0)
                 hull.RemoveAt(hull.Count - 1);
             hull.Add(p);
         }

@@ -61,7 +61,8 @@ internal sealed class Revisits
             Completed++;
     }
 
-    public static TargetTrack? Find(MissionFlight flight, int id) => flight.Tracks.Tracks.FirstOrDefault(t => t.Id == id);
+    public static TargetTrack? Find(MissionFlight flight, int id)
+        => flight.Tracks.Tracks.FirstOrDefault(t => t.Id == id);
 
     public static PlanePoint PositionOf(TargetTrack track, MissionFlight flight)
     {

@@ -43,7 +43,8 @@ internal sealed class SearchRoute
     /// <returns>How many.</returns>
     public int AddGapLegs(PlanePoint from)
     {
-        List<LaneSegment> legs = GapPlanner.Plan(Coverage.Unseen(), Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
+        List<LaneSegment> legs = GapPlanner.Plan(
+            Coverage.Unseen(), Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
         _legs.AddRange(legs);
         GapPasses++;
         return legs.Count;
@@ -67,7 +68,8 @@ internal sealed class SearchRoute
     {
         const double MaxSideMetres = 2000;
         double first = (b - a).Cross(c - b);
-        bool isConvex = first * (c - b).Cross(d - c) > 0 && first * (d - c).Cross(a - d) > 0 && first * (a - d).Cross(b - a) > 0;
+        bool isConvex = first * (c - b).Cross(d - c) > 0 && first * (d - c).Cross(a - d) > 0
+            && first * (a - d).Cross(b - a) > 0;
         return isConvex && (b - a).Length < MaxSideMetres && (c - b).Length < MaxSideMetres
             && (d - c).Length < MaxSideMetres && (a - d).Length < MaxSideMetres;
     }

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// Pairs rows with columns at the least total cost, by shortest augmenting paths (Jonker, Volgenant, Computing 38, 1987): rows cubed.
-/// A row that finds no column worth it goes without, for a price. The room it works in is kept.
+/// Pairs rows with columns at the least total cost, by shortest augmenting paths (Jonker, Volgenant, Computing 38,
+/// 1987): rows cubed. A row that finds no column worth it goes without, for a price. The room it works in is kept.
 /// </summary>
 internal sealed class Assignment
 {
@@ -37,7 +37,8 @@ internal sealed class Assignment
             (_rowPrice, _result) = (new double[rows + 1], new int[rows + 1]);
         int all = columns + rows + 1;
         if (_columnPrice.Length < all)
-            (_columnPrice, _shortest, _rowOf, _cameFrom, _isDone) = (new double[all], new double[all], new int[all], new int[all], new bool[all]);
+            (_columnPrice, _shortest, _rowOf, _cameFrom, _isDone) =
+                (new double[all], new double[all], new int[all], new int[all], new bool[all]);
     }
 
     /// <summary>How many rows there are.</summary>

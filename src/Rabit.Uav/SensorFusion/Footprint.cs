@@ -4,7 +4,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.SensorFusion;
 
-/// <summary>The ground that a picture shows: a convex quadrangle in the plane of a local frame, metres. A plain value.</summary>
+/// <summary>
+/// The ground that a picture shows: a convex quadrangle in the plane of a local frame, metres. A plain value.
+/// </summary>
 internal readonly struct Footprint
 {
     // A picture that shows more than this was not searched: the observation is wrong.
@@ -23,7 +25,9 @@ internal readonly struct Footprint
     /// <summary>Whether there is one; one that shows nothing contains nothing.</summary>
     public bool IsKnown => _turn != 0;
 
-    /// <summary>The footprint of an observation; an unknown one if its corners are not those of a picture of the ground.</summary>
+    /// <summary>
+    /// The footprint of an observation; an unknown one if its corners are not those of a picture of the ground.
+    /// </summary>
     public static Footprint Of(in CameraObservation observation, in LocalNedFrame frame)
     {
         NedPosition a = frame.ToNed(observation.TopLeft);
@@ -41,8 +45,10 @@ internal readonly struct Footprint
     /// <summary>Whether a point is in it and no nearer to its border than a margin.</summary>
     public bool Contains(double north, double east, double marginMetres)
         => IsKnown
-            && IsInside(_n0, _e0, _n1, _e1, north, east, marginMetres) && IsInside(_n1, _e1, _n2, _e2, north, east, marginMetres)
-            && IsInside(_n2, _e2, _n3, _e3, north, east, marginMetres) && IsInside(_n3, _e3, _n0, _e0, north, east, marginMetres);
+            && IsInside(_n0, _e0, _n1, _e1, north, east, marginMetres)
+            && IsInside(_n1, _e1, _n2, _e2, north, east, marginMetres)
+            && IsInside(_n2, _e2, _n3, _e3, north, east, marginMetres)
+            && IsInside(_n3, _e3, _n0, _e0, north, east, marginMetres);
 
     private bool IsInside(double n0, double e0, double n1, double e1, double north, double east, double margin)
     {

@@ -5,8 +5,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// Groups the reports of other vehicles by picture: each travels in a message of its own, and all of a picture are to be assigned to
-/// tracks at once. A group is given out some time after its first report. For one thread.
+/// Groups the reports of other vehicles by picture: each travels in a message of its own, and all of a picture are to
+/// be assigned to tracks at once. A group is given out some time after its first report. For one thread.
 /// </summary>
 internal sealed class ForeignReportGroups(FusionStatistics statistics)
 {
@@ -29,7 +29,10 @@ internal sealed class ForeignReportGroups(FusionStatistics statistics)
             group.Reports.Add(report);
     }
 
-    /// <summary>Takes out a group that began at a time or before, the oldest first; null when there is none. Give it back after use.</summary>
+    /// <summary>
+    /// Takes out a group that began at a time or before, the oldest first; null when there is none. Give it back after
+    /// use.
+    /// </summary>
     public ReportGroup? TakeSince(TimeSpan time)
     {
         if (_groups.Count == 0 || _groups[0].Since > time)

@@ -108,7 +108,8 @@ internal sealed class FusedTrack
         _sizeSum += other._sizeSum;
         _sizes += other._sizes;
         if (other._bestScore > _bestScore)
-            (_bestScore, BestPictureNumber, BestReportIndex) = (other._bestScore, other.BestPictureNumber, other.BestReportIndex);
+            (_bestScore, BestPictureNumber, BestReportIndex) =
+                (other._bestScore, other.BestPictureNumber, other.BestReportIndex);
         if (other.State == TrackState.Confirmed)
             State = TrackState.Confirmed;
     }
@@ -132,8 +133,8 @@ internal sealed class FusedTrack
     };
 
     /// <summary>
-    /// The covariance of the difference of two tracks by systematic errors: those of one vehicle are partly the same in both, those of
-    /// two are independent.
+    /// The covariance of the difference of two tracks by systematic errors: those of one vehicle are partly the same in
+    /// both, those of two are independent.
     /// </summary>
     public static HorizontalCovariance SystematicOf(FusedTrack a, FusedTrack b)
         => a.LastSource == b.LastSource ? Larger(a.Systematic, b.Systematic) : a.Systematic + b.Systematic;
@@ -148,7 +149,8 @@ internal sealed class FusedTrack
 
         // Only pictures of our own can be shown.
         if (report.IsOwn && report.Report.Score > _bestScore)
-            (_bestScore, BestPictureNumber, BestReportIndex) = (report.Report.Score, report.Report.PictureNumber, report.Report.Index);
+            (_bestScore, BestPictureNumber, BestReportIndex) =
+                (report.Report.Score, report.Report.PictureNumber, report.Report.Index);
     }
 
     private static HorizontalCovariance Larger(HorizontalCovariance a, HorizontalCovariance b)

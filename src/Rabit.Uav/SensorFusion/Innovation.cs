@@ -3,7 +3,9 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.SensorFusion;
 
-/// <summary>A measured position against the expected one, metres, and how uncertain the difference is. A plain value.</summary>
+/// <summary>
+/// A measured position against the expected one, metres, and how uncertain the difference is. A plain value.
+/// </summary>
 internal readonly struct Innovation(double north, double east, HorizontalCovariance covariance)
 {
     public double North { get; } = north;
@@ -16,8 +18,8 @@ internal readonly struct Innovation(double north, double east, HorizontalCovaria
     public double DistanceSquared => Covariance.MahalanobisSquared(North, East);
 
     /// <summary>
-    /// What pairing them costs: squared distance and logarithm of the determinant, without which a track that knows nothing would win
-    /// every report (Bar-Shalom, Li, Kirubarajan, 6.4).
+    /// What pairing them costs: squared distance and logarithm of the determinant, without which a track that knows
+    /// nothing would win every report (Bar-Shalom, Li, Kirubarajan, 6.4).
     /// </summary>
     public double Cost => DistanceSquared
         + Math.Log((Covariance.NorthNorth * Covariance.EastEast) - (Covariance.NorthEast * Covariance.NorthEast));

@@ -4,9 +4,9 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// Kalman filter of one target on the ground: position and velocity, north and east, under white acceleration (Bar-Shalom, Li,
-/// Kirubarajan: "Estimation with Applications to Tracking and Navigation", 6.2.2). State order N, vN, E, vE; metres and seconds.
-/// A plain value without anything on the heap: a copy is a filter of its own.
+/// Kalman filter of one target on the ground: position and velocity, north and east, under white acceleration
+/// (Bar-Shalom, Li, Kirubarajan: "Estimation with Applications to Tracking and Navigation", 6.2.2). State order N, vN,
+/// E, vE; metres and seconds. A plain value without anything on the heap: a copy is a filter of its own.
 /// </summary>
 internal struct PlanarFilter
 {
@@ -114,8 +114,8 @@ internal struct PlanarFilter
     }
 
     /// <summary>
-    /// Takes a measurement in, Joseph form. One that is late is a measurement of where the target was then: position less velocity
-    /// times lag. That is exact but for the process noise of the lag.
+    /// Takes a measurement in, Joseph form. One that is late is a measurement of where the target was then: position
+    /// less velocity times lag. That is exact but for the process noise of the lag.
     /// </summary>
     /// <inheritdoc cref="Expect"/>
     public void Update(double north, double east, HorizontalCovariance covariance, double lagSeconds)
@@ -174,7 +174,8 @@ internal struct PlanarFilter
         _p33 = Joseph(ap, a, gain, r, 3, 3);
     }
 
-    private static double Joseph(Span<double> ap, Span<double> a, Span<double> gain, HorizontalCovariance r, int i, int j)
+    private static double Joseph(
+        Span<double> ap, Span<double> a, Span<double> gain, HorizontalCovariance r, int i, int j)
     {
         double noise = (gain[i * 2] * ((r.NorthNorth * gain[j * 2]) + (r.NorthEast * gain[(j * 2) + 1])))
             + (gain[(i * 2) + 1] * ((r.NorthEast * gain[j * 2]) + (r.EastEast * gain[(j * 2) + 1])));

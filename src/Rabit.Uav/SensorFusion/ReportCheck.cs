@@ -39,7 +39,8 @@ internal static class ReportCheck
         => observation.SourceSystemId != 0
             && observation.Number >= 0
             && observation.Time >= TimeSpan.Zero && observation.Time <= now + FutureTolerance
-            && IsPlace(observation.TopLeft) && IsPlace(observation.TopRight) && IsPlace(observation.BottomRight) && IsPlace(observation.BottomLeft);
+            && IsPlace(observation.TopLeft) && IsPlace(observation.TopRight) && IsPlace(observation.BottomRight)
+            && IsPlace(observation.BottomLeft);
 
     private static bool IsPlace(GeodeticPosition place)
         => Math.Abs(place.Latitude.Radians) <= Math.PI / 2
@@ -56,5 +57,6 @@ internal static class ReportCheck
             && c.EastEast is >= 0 and <= MaxSigmaMetres * MaxSigmaMetres
             && Determinant(c) >= -1e-9 * c.NorthNorth * c.EastEast;
 
-    private static double Determinant(HorizontalCovariance c) => (c.NorthNorth * c.EastEast) - (c.NorthEast * c.NorthEast);
+    private static double Determinant(HorizontalCovariance c)
+        => (c.NorthNorth * c.EastEast) - (c.NorthEast * c.NorthEast);
 }

@@ -2,7 +2,10 @@ using System.Collections.Generic;
 
 namespace Rabit.Uav.SensorFusion;
 
-/// <summary>Remembers which reports arrived, so that each counts once however often a link delivers it. The oldest are forgotten.</summary>
+/// <summary>
+/// Remembers which reports arrived, so that each counts once however often a link delivers it. The oldest are
+/// forgotten.
+/// </summary>
 internal sealed class SeenReports(int capacity)
 {
     private readonly HashSet<ReportKey> _seen = [];

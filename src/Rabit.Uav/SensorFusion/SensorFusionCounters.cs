@@ -1,6 +1,9 @@
 namespace Rabit.Uav.SensorFusion;
 
-/// <summary>The counters of Sensor Fusion since the start: every report that arrived is in exactly one of the counts of reports. Immutable.</summary>
+/// <summary>
+/// The counters of Sensor Fusion since the start: every report that arrived is in exactly one of the counts of reports.
+/// Immutable.
+/// </summary>
 public sealed class SensorFusionCounters
 {
     /// <summary>Reports that updated a track.</summary>
@@ -15,7 +18,10 @@ public sealed class SensorFusionCounters
     /// <summary>Reports that were too old to be used.</summary>
     public long ReportsLate { get; init; }
 
-    /// <summary>Reports that are not valid: not a number, a covariance that is none, a place far away from all others, a time in the future.</summary>
+    /// <summary>
+    /// Reports that are not valid: not a number, a covariance that is none, a place far away from all others, a time in
+    /// the future.
+    /// </summary>
     public long ReportsRefused { get; init; }
 
     /// <summary>Reports that should have started a track or waited, and found no room.</summary>

@@ -9,8 +9,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// Makes tracks of the reports of our own camera and of other vehicles: which reports are of one target, where it is, how certain
-/// that is. An observation that shows the place of a target without reporting it counts as a miss; one that does not show it does not.
+/// Makes tracks of the reports of our own camera and of other vehicles: which reports are of one target, where it is,
+/// how certain that is. An observation that shows the place of a target without reporting it counts as a miss; one that
+/// does not show it does not.
 /// </summary>
 public sealed class SensorFusionManager : RabitManager
 {
@@ -163,7 +164,8 @@ public sealed class SensorFusionManager : RabitManager
             _newest = time;
     }
 
-    // The first report is the origin. As long as nothing is confirmed, one from far away moves it: the first may have been wrong.
+    // The first report is the origin. As long as nothing is confirmed, one from far away moves it: the first may have
+    // been wrong.
     private void Anchor(GeodeticPosition first)
     {
         if (_frame is { } frame && (_tracker.HasConfirmed || !IsFarAway(frame.ToNed(first))))
@@ -177,7 +179,8 @@ public sealed class SensorFusionManager : RabitManager
         _frame = LocalNedFrame.IgnoringGeoid(first);
     }
 
-    private static bool IsFarAway(NedPosition place) => !(Math.Abs(place.North) < FarAwayMetres && Math.Abs(place.East) < FarAwayMetres);
+    private static bool IsFarAway(NedPosition place)
+        => !(Math.Abs(place.North) < FarAwayMetres && Math.Abs(place.East) < FarAwayMetres);
 
     private void Share()
     {

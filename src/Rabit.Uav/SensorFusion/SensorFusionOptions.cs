@@ -8,13 +8,18 @@ namespace Rabit.Uav.SensorFusion;
 public sealed class SensorFusionOptions
 {
     /// <summary>Intensity of the white acceleration by which a target may change its velocity, m2/s3.</summary>
-    /// <value>The default is 1e-7, for targets that stand: an hour unseen would add 4 cm/s. For walkers 0.05 to 0.1, for cars 0.5 to 1.</value>
+    /// <value>
+    /// The default is 1e-7, for targets that stand: an hour unseen would add 4 cm/s. For walkers 0.05 to 0.1, for cars
+    /// 0.5 to 1.
+    /// </value>
     public double ProcessNoise { get; set; } = 1e-7;
 
-    /// <summary>Standard deviation of the velocity with which a track starts, per axis, metres per second; the mean is 0.</summary>
+    /// <summary>
+    /// Standard deviation of the velocity with which a track starts, per axis, metres per second; the mean is 0.
+    /// </summary>
     /// <value>
-    /// The default is 0.01, for targets that stand. A larger one makes a track that was not seen for minutes so wide that it takes the
-    /// reports of its neighbours; for things that move 0.5 to 3.
+    /// The default is 0.01, for targets that stand. A larger one makes a track that was not seen for minutes so wide
+    /// that it takes the reports of its neighbours; for things that move 0.5 to 3.
     /// </value>
     public double StartVelocitySigma { get; set; } = 0.01;
 
@@ -22,7 +27,10 @@ public sealed class SensorFusionOptions
     /// <value>The default is 9.21: chi-square with two degrees of freedom, 99 %.</value>
     public double Gate { get; set; } = 9.21;
 
-    /// <summary>In how many of the last <see cref="ConfirmOutOf"/> observations of its place a track must be reported to be confirmed.</summary>
+    /// <summary>
+    /// In how many of the last <see cref="ConfirmOutOf"/> observations of its place a track must be reported to be
+    /// confirmed.
+    /// </summary>
     /// <value>The default is 3.</value>
     public int ConfirmHits { get; set; } = 3;
 
@@ -30,7 +38,10 @@ public sealed class SensorFusionOptions
     /// <value>The default is 5.</value>
     public int ConfirmOutOf { get; set; } = 5;
 
-    /// <summary>After how many misses in a row a confirmed track is lost. An observation that does not show its place is no miss.</summary>
+    /// <summary>
+    /// After how many misses in a row a confirmed track is lost. An observation that does not show its place is no
+    /// miss.
+    /// </summary>
     /// <value>The default is 6: three seconds with two pictures a second.</value>
     public int LostAfterMisses { get; set; } = 6;
 
@@ -38,11 +49,16 @@ public sealed class SensorFusionOptions
     /// <value>The default is 2 min: longer than a neighbouring lane takes.</value>
     public TimeSpan TentativeLifetime { get; set; } = TimeSpan.FromMinutes(2);
 
-    /// <summary>How far inside the border of a picture a track must be for a miss to count, metres, beside twice its own uncertainty.</summary>
+    /// <summary>
+    /// How far inside the border of a picture a track must be for a miss to count, metres, beside twice its own
+    /// uncertainty.
+    /// </summary>
     /// <value>The default is 1 m: a panel that the border cuts is not seen.</value>
     public double FootprintMarginMetres { get; set; } = 1;
 
-    /// <summary>How long reports of another vehicle wait for the others of the same picture, which are then assigned together.</summary>
+    /// <summary>
+    /// How long reports of another vehicle wait for the others of the same picture, which are then assigned together.
+    /// </summary>
     /// <value>The default is 0.5 s.</value>
     public TimeSpan ReportGroupingDelay { get; set; } = TimeSpan.FromSeconds(0.5);
 
@@ -54,7 +70,9 @@ public sealed class SensorFusionOptions
     /// <value>The default is 200.</value>
     public int MaxTracks { get; set; } = 200;
 
-    /// <summary>Whether own reports that belong to a confirmed track go out to other vehicles, at most one a second and track.</summary>
+    /// <summary>
+    /// Whether own reports that belong to a confirmed track go out to other vehicles, at most one a second and track.
+    /// </summary>
     /// <value>The default is true.</value>
     public bool SharesReports { get; set; } = true;
 
@@ -70,19 +88,25 @@ public sealed class SensorFusionOptions
     private IEnumerable<string> FindFaults()
     {
         if (!(ProcessNoise >= 0 && ProcessNoise <= 1000))
-            yield return FormattableString.Invariant($"{nameof(ProcessNoise)} is {ProcessNoise}; it must be 0 to 1000 m2/s3");
+            yield return FormattableString.Invariant(
+                $"{nameof(ProcessNoise)} is {ProcessNoise}; it must be 0 to 1000 m2/s3");
         if (!(StartVelocitySigma > 0 && StartVelocitySigma <= 100))
-            yield return FormattableString.Invariant($"{nameof(StartVelocitySigma)} is {StartVelocitySigma}; it must be above 0 and at most 100 m/s");
+            yield return FormattableString.Invariant(
+                $"{nameof(StartVelocitySigma)} is {StartVelocitySigma}; it must be above 0 and at most 100 m/s");
         if (!(Gate > 0 && Gate <= 100))
             yield return FormattableString.Invariant($"{nameof(Gate)} is {Gate}; it must be above 0 and at most 100");
         if (ConfirmOutOf is < 1 or > DetectionHistory.Capacity)
-            yield return FormattableString.Invariant($"{nameof(ConfirmOutOf)} is {ConfirmOutOf}; it must be 1 to {DetectionHistory.Capacity}");
+            yield return FormattableString.Invariant(
+                $"{nameof(ConfirmOutOf)} is {ConfirmOutOf}; it must be 1 to {DetectionHistory.Capacity}");
         if (ConfirmHits < 1 || ConfirmHits > ConfirmOutOf)
-            yield return FormattableString.Invariant($"{nameof(ConfirmHits)} is {ConfirmHits}; it must be 1 to {nameof(ConfirmOutOf)}");
+            yield return FormattableString.Invariant(
+                $"{nameof(ConfirmHits)} is {ConfirmHits}; it must be 1 to {nameof(ConfirmOutOf)}");
         if (LostAfterMisses < 1)
-            yield return FormattableString.Invariant($"{nameof(LostAfterMisses)} is {LostAfterMisses}; it must be at least 1");
+            yield return FormattableString.Invariant(
+                $"{nameof(LostAfterMisses)} is {LostAfterMisses}; it must be at least 1");
         if (!(FootprintMarginMetres >= 0 && FootprintMarginMetres <= 1000))
-            yield return FormattableString.Invariant($"{nameof(FootprintMarginMetres)} is {FootprintMarginMetres}; it must be 0 to 1000 m");
+            yield return FormattableString.Invariant(
+                $"{nameof(FootprintMarginMetres)} is {FootprintMarginMetres}; it must be 0 to 1000 m");
         if (TentativeLifetime <= TimeSpan.Zero)
             yield return $"{nameof(TentativeLifetime)} is {TentativeLifetime}; it must be above zero";
         if (ReportGroupingDelay <= TimeSpan.Zero)

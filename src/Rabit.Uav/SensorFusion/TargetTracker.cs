@@ -6,8 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// The tracks. The reports of one observation are assigned to them all at once; a report that fits none starts a track; a track that
-/// should have been reported and was not counts a miss.
+/// The tracks. The reports of one observation are assigned to them all at once; a report that fits none starts a track;
+/// a track that should have been reported and was not counts a miss.
 /// </summary>
 internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistics statistics)
 {
@@ -41,7 +41,8 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     /// <param name="footprint">What it shows; unknown for reports of another vehicle.</param>
     /// <param name="updated">For each report, the track that it is in now; null where it has none.</param>
     /// <returns>Whether anything changed.</returns>
-    public bool Update(IReadOnlyList<LocatedReport> reports, TimeSpan time, in Footprint footprint, List<FusedTrack?> updated)
+    public bool Update(
+        IReadOnlyList<LocatedReport> reports, TimeSpan time, in Footprint footprint, List<FusedTrack?> updated)
     {
         _observationCount++;
         int before = _tracks.Count;

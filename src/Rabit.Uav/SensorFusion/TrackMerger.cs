@@ -6,8 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
-/// Makes one of two tracks that are of one target. Two that were reported in the same picture more than once are two targets, however
-/// near they stand.
+/// Makes one of two tracks that are of one target. Two that were reported in the same picture more than once are two
+/// targets, however near they stand.
 /// </summary>
 internal sealed class TrackMerger
 {

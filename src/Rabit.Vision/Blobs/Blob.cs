@@ -1,6 +1,8 @@
 namespace Rabit.Vision;
 
-/// <summary>Pixels of one class of colours that touch each other, and the upright box around them. A plain value.</summary>
+/// <summary>
+/// Pixels of one class of colours that touch each other, and the upright box around them. A plain value.
+/// </summary>
 public struct Blob
 {
     /// <summary>As <see cref="ColourTable.ClassOf"/> gives it.</summary>

@@ -3,10 +3,12 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>
-/// Finds the blobs of a picture: row by row into runs of one colour, runs that touch (also at a corner) joined by union-find. Fixed
-/// memory; for one thread.
+/// Finds the blobs of a picture: row by row into runs of one colour, runs that touch (also at a corner) joined by
+/// union-find. Fixed memory; for one thread.
 /// </summary>
-/// <remarks>Rosenfeld and Pfaltz, "Sequential operations in digital picture processing", Journal of the ACM 13(4), 1966.</remarks>
+/// <remarks>
+/// Rosenfeld and Pfaltz, "Sequential operations in digital picture processing", Journal of the ACM 13(4), 1966.
+/// </remarks>
 /// <example>
 /// <code>
 /// var finder = new BlobFinder();                    // kept from picture to picture
@@ -35,7 +37,9 @@ public sealed class BlobFinder
     /// <summary>How many blobs the last picture had.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Finds all blobs; false if there are more than fit in, so that the picture was not searched. Allocates nothing.</summary>
+    /// <summary>
+    /// Finds all blobs; false if there are more than fit in, so that the picture was not searched. Allocates nothing.
+    /// </summary>
     /// <param name="pixels">Red, green, blue, row by row.</param>
     /// <param name="width">Columns.</param>
     /// <param name="height">Rows.</param>

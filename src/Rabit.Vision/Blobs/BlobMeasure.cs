@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>
-/// Measures a blob below the size of a pixel: from the colour inside and that of the ground around it follows of each pixel which part
-/// of it is covered; area, centre and second moments are sums over those parts.
+/// Measures a blob below the size of a pixel: from the colour inside and that of the ground around it follows of each
+/// pixel which part of it is covered; area, centre and second moments are sums over those parts.
 /// </summary>
 /// <example>
 /// <code>
@@ -52,7 +52,8 @@ public sealed class BlobMeasure
         Colour inside = InsideOf(blob);
         Colour around = AroundOf(blob);
         shape = new BlobShape { Red = inside.Red, Green = inside.Green, Blue = inside.Blue };
-        (double red, double green, double blue) = (inside.Red - around.Red, inside.Green - around.Green, inside.Blue - around.Blue);
+        (double red, double green, double blue) =
+            (inside.Red - around.Red, inside.Green - around.Green, inside.Blue - around.Blue);
         double contrast = (red * red) + (green * green) + (blue * blue);
         if (contrast < 1)
             return false;
@@ -63,10 +64,13 @@ public sealed class BlobMeasure
         (double sum, double sumX, double sumY, double sumXX, double sumXY, double sumYY) = (0, 0, 0, 0, 0, 0);
         for (int row = Math.Max(0, blob.Top - Margin); row <= Math.Min(_height - 1, blob.Bottom + Margin); row++)
         {
-            for (int column = Math.Max(0, blob.Left - Margin); column <= Math.Min(_width - 1, blob.Right + Margin); column++)
+            for (int column = Math.Max(0, blob.Left - Margin);
+                column <= Math.Min(_width - 1, blob.Right + Margin);
+                column++)
             {
                 int at = ((row * _width) + column) * 3;
-                double part = Math.Min(1, (_pixels[at] * red) + (_pixels[at + 1] * green) + (_pixels[at + 2] * blue) - offset);
+                double part = Math.Min(
+                    1, (_pixels[at] * red) + (_pixels[at + 1] * green) + (_pixels[at + 2] * blue) - offset);
                 if (part < MinCoverage)
                     continue;
                 (double x, double y) = (column - blob.Left, row - blob.Top);
@@ -91,7 +95,8 @@ public sealed class BlobMeasure
         return true;
     }
 
-    // The mean of what has its own colour on all four sides, which no ground shines into; of all, where it is too thin for that.
+    // The mean of what has its own colour on all four sides, which no ground shines into; of all, where it is too thin
+    // for that.
     private Colour InsideOf(in Blob blob)
     {
         Colour inner = default;

@@ -10,6 +10,8 @@ internal static class PixelBuffer
         if (pixels is null)
             throw new ArgumentNullException(nameof(pixels));
         if (width < 1 || height < 1 || pixels.Length / 3 / width < height)
-            throw new ArgumentException($"A buffer of {pixels.Length} bytes does not hold a picture of {width} x {height} pixels.", nameof(pixels));
+            throw new ArgumentException(
+                $"A buffer of {pixels.Length} bytes does not hold a picture of {width} x {height} pixels.",
+                nameof(pixels));
     }
 }

@@ -3,9 +3,9 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>
-/// A colour and what still counts as it. Light and shade change how bright a thing is, but not its hue, and hardly its saturation; so the
-/// window of hue is narrow, saturation is compared with that of the nominal colour, and brightness counts only where it is too dark to
-/// decide. Immutable.
+/// A colour and what still counts as it. Light and shade change how bright a thing is, but not its hue, and hardly its
+/// saturation; so the window of hue is narrow, saturation is compared with that of the nominal colour, and brightness
+/// counts only where it is too dark to decide. Immutable.
 /// </summary>
 /// <example>
 /// <code>
@@ -45,10 +45,13 @@ public sealed class ColourRange
     public bool Contains(double red, double green, double blue)
     {
         (double hue, double saturation, double chroma) = Describe(red, green, blue);
-        return HueDistance(hue) <= HueWindowDegrees && saturation >= MinSaturationRatio * _saturation && chroma >= MinChromaRatio * _chroma;
+        return HueDistance(hue) <= HueWindowDegrees && saturation >= MinSaturationRatio * _saturation
+            && chroma >= MinChromaRatio * _chroma;
     }
 
-    /// <summary>How near a colour is to the nominal one, whatever the light: 1 is the same, 0.6 the edge of what still counts.</summary>
+    /// <summary>
+    /// How near a colour is to the nominal one, whatever the light: 1 is the same, 0.6 the edge of what still counts.
+    /// </summary>
     /// <param name="red">0 to 255.</param>
     /// <param name="green">0 to 255.</param>
     /// <param name="blue">0 to 255.</param>
@@ -65,7 +68,8 @@ public sealed class ColourRange
         return off > 180 ? 360 - off : off;
     }
 
-    // Hue, saturation and chroma (A. R. Smith, "Color gamut transform pairs", SIGGRAPH 1978), of channels from 0 to 255.
+    // Hue, saturation and chroma (A. R. Smith, "Color gamut transform pairs", SIGGRAPH 1978), of channels from 0 to
+    // 255.
     private static (double HueDegrees, double Saturation, double Chroma) Describe(double red, double green, double blue)
     {
         double max = Math.Max(red, Math.Max(green, blue));

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>
-/// Classifies every colour of a picture, in steps of 8 for each channel, by the <see cref="ColourRange"/> that it falls into: a look-up
-/// table of 32 KB, which stays in the cache. For one thread at a time.
+/// Classifies every colour of a picture, in steps of 8 for each channel, by the <see cref="ColourRange"/> that it falls
+/// into: a look-up table of 32 KB, which stays in the cache. For one thread at a time.
 /// </summary>
 /// <example>
 /// <code>
@@ -31,11 +31,14 @@ public sealed class ColourTable
     public ColourTable(ReadOnlySpan<ColourRange> ranges)
     {
         if (ranges.Length > 32)
-            throw new ArgumentException($"There are {ranges.Length} colour ranges; at most 32 are possible.", nameof(ranges));
+            throw new ArgumentException(
+                $"There are {ranges.Length} colour ranges; at most 32 are possible.", nameof(ranges));
         _ranges = ranges.ToArray();
     }
 
-    /// <summary>By red, green, blue from the high bits: 0 for no range, else one more than the index of the range.</summary>
+    /// <summary>
+    /// By red, green, blue from the high bits: 0 for no range, else one more than the index of the range.
+    /// </summary>
     internal byte[] Classes { get; } = new byte[1 << (3 * Bits)];
 
     /// <summary>The class of a colour: 0 for none, else one more than the index of its range.</summary>
@@ -45,7 +48,9 @@ public sealed class ColourTable
     public int ClassOf(byte red, byte green, byte blue)
         => Classes[((red >> Shift) << (2 * Bits)) | ((green >> Shift) << Bits) | (blue >> Shift)];
 
-    /// <summary>Selects ranges. A colour belongs to the range it is closest to, selected or not. Allocates nothing.</summary>
+    /// <summary>
+    /// Selects ranges. A colour belongs to the range it is closest to, selected or not. Allocates nothing.
+    /// </summary>
     /// <param name="ranges">A bit for each range, the first in bit 0.</param>
     public void Select(uint ranges)
     {

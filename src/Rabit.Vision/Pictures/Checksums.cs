@@ -1,6 +1,9 @@
 namespace Rabit.Vision;
 
-/// <summary>The two checksums of a PNG: CRC-32 over each chunk (PNG specification, annex D) and Adler-32 over the pixels (RFC 1950, 8.2).</summary>
+/// <summary>
+/// The two checksums of a PNG: CRC-32 over each chunk (PNG specification, annex D) and Adler-32 over the pixels (RFC
+/// 1950, 8.2).
+/// </summary>
 internal static class Checksums
 {
     private const uint CrcPolynomial = 0xEDB88320;

@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Vision;
 
-/// <summary>A picture, or the folder of a camera, could not be read or written. The message is one line that names it and the reason, fit for a user.</summary>
+/// <summary>
+/// A picture, or the folder of a camera, could not be read or written. The message is one line that names it and the
+/// reason, fit for a user.
+/// </summary>
 /// <example>
 /// <code>
 /// try

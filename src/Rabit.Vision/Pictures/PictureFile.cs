@@ -5,7 +5,10 @@ using System.Text;
 
 namespace Rabit.Vision;
 
-/// <summary>Pictures in files: PNG and binary PPM (P6), 8 bits per channel. What a file is, its first bytes say, not its name. Any thread.</summary>
+/// <summary>
+/// Pictures in files: PNG and binary PPM (P6), 8 bits per channel. What a file is, its first bytes say, not its name.
+/// Any thread.
+/// </summary>
 /// <example>
 /// <code>
 /// RgbPicture picture = PictureFile.Load("in.png");
@@ -19,7 +22,9 @@ public static class PictureFile
 
     /// <summary>Reads a picture.</summary>
     /// <param name="path">The file.</param>
-    /// <exception cref="PictureException">There is no such file, it may not be read, it is of a kind that is not read, or damaged.</exception>
+    /// <exception cref="PictureException">
+    /// There is no such file, it may not be read, it is of a kind that is not read, or damaged.
+    /// </exception>
     public static RgbPicture Load(string path)
     {
         byte[]? buffer = null;
@@ -40,7 +45,9 @@ public static class PictureFile
         }
     }
 
-    /// <summary>Writes a picture, as PPM if the name ends in ".ppm", else as PNG. A file of that name is replaced.</summary>
+    /// <summary>
+    /// Writes a picture, as PPM if the name ends in ".ppm", else as PNG. A file of that name is replaced.
+    /// </summary>
     /// <param name="path">The file.</param>
     /// <param name="picture">The picture.</param>
     /// <exception cref="PictureException">The file cannot be written.</exception>
@@ -50,7 +57,8 @@ public static class PictureFile
             throw new ArgumentNullException(nameof(picture));
         bool isPpm = path.EndsWith(".ppm", StringComparison.OrdinalIgnoreCase);
         byte[] header = isPpm
-            ? Encoding.ASCII.GetBytes(string.Format(CultureInfo.InvariantCulture, "P6\n{0} {1}\n255\n", picture.Width, picture.Height))
+            ? Encoding.ASCII.GetBytes(
+                string.Format(CultureInfo.InvariantCulture, "P6\n{0} {1}\n255\n", picture.Width, picture.Height))
             : PngPicture.Encode(picture);
         try
         {
@@ -95,7 +103,8 @@ public static class PictureFile
     private static void DemandSize(string path, int width, int height, int wantedWidth, int wantedHeight)
     {
         if (width != wantedWidth || height != wantedHeight)
-            throw new PictureException(path, $"it is {width} x {height} pixels; those of its camera are {wantedWidth} x {wantedHeight}");
+            throw new PictureException(
+                path, $"it is {width} x {height} pixels; those of its camera are {wantedWidth} x {wantedHeight}");
     }
 
     private static PngDecoder OpenPng(string path, byte[] file, int length)
@@ -115,7 +124,8 @@ public static class PictureFile
     {
         try
         {
-            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+            using var file = new FileStream(
+                path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
             if (file.Length > MaxFileBytes)
                 throw new PictureException(path, $"it has {file.Length} bytes; at most {MaxFileBytes} are read");
             int length = (int)file.Length;

@@ -5,8 +5,8 @@ using System.IO.Compression;
 namespace Rabit.Vision;
 
 /// <summary>
-/// Reads one PNG. The chunks are checked at once, so that the size is known and validated before memory is spent on it; the pixels when
-/// they are asked for.
+/// Reads one PNG. The chunks are checked at once, so that the size is known and validated before memory is spent on it;
+/// the pixels when they are asked for.
 /// </summary>
 internal sealed class PngDecoder
 {
@@ -121,7 +121,8 @@ internal sealed class PngDecoder
             throw Fault(fault);
         (Width, Height) = ((int)width, (int)height);
         _colour = (PngColour)_file[at + 9];
-        if (_colour is not (PngColour.Grey or PngColour.Rgb or PngColour.Palette or PngColour.GreyAlpha or PngColour.Rgba))
+        if (_colour is not (PngColour.Grey or PngColour.Rgb or PngColour.Palette or PngColour.GreyAlpha
+            or PngColour.Rgba))
             throw Fault($"its colour type {_file[at + 9]} does not exist");
         if (_file[at + 8] != 8)
             throw Fault($"it has {_file[at + 8]} bits per channel; only 8 are read");
@@ -154,7 +155,8 @@ internal sealed class PngDecoder
         }
         catch (Exception e) when (e is InvalidDataException or IOException)
         {
-            throw new PictureException(_name, $"it is damaged: its pixels cannot be unpacked in row {row} of {Height}", e);
+            throw new PictureException(
+                _name, $"it is damaged: its pixels cannot be unpacked in row {row} of {Height}", e);
         }
     }
 

@@ -5,8 +5,8 @@ using System.IO.Compression;
 namespace Rabit.Vision;
 
 /// <summary>
-/// Pictures as PNG (W3C, "Portable Network Graphics Specification", third edition). Writes 8-bit RGB; reads 8-bit RGB, RGBA (alpha is
-/// dropped), grey, grey with alpha, and palette, not interlaced. Any thread.
+/// Pictures as PNG (W3C, "Portable Network Graphics Specification", third edition). Writes 8-bit RGB; reads 8-bit RGB,
+/// RGBA (alpha is dropped), grey, grey with alpha, and palette, not interlaced. Any thread.
 /// </summary>
 /// <example>
 /// <code>

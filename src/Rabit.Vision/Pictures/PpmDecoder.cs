@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Vision;
 
-/// <summary>Reads one binary PPM (Netpbm, "PPM Format Specification"): "P6", width, height, 255, one white space, pixels.</summary>
+/// <summary>
+/// Reads one binary PPM (Netpbm, "PPM Format Specification"): "P6", width, height, 255, one white space, pixels.
+/// </summary>
 internal sealed class PpmDecoder
 {
     private const int MaxDigits = 9;
@@ -52,10 +54,12 @@ internal sealed class PpmDecoder
         int digits = 0;
         for (; at < _length && _file[at] is >= (byte)'0' and <= (byte)'9' && digits <= MaxDigits; at++, digits++)
             value = unchecked((value * 10) + _file[at] - '0');
-        if (at == before + digits || digits == 0 || digits > MaxDigits || at >= _length || !(IsSpace(_file[at]) || _file[at] == '#'))
+        if (at == before + digits || digits == 0 || digits > MaxDigits || at >= _length
+            || !(IsSpace(_file[at]) || _file[at] == '#'))
             throw new PictureException(_name, "its header is wrong or cut off");
         return value;
     }
 
-    private static bool IsSpace(byte value) => value is (byte)' ' or (byte)'\t' or (byte)'\n' or (byte)'\r' or 0x0B or 0x0C;
+    private static bool IsSpace(byte value)
+        => value is (byte)' ' or (byte)'\t' or (byte)'\n' or (byte)'\r' or 0x0B or 0x0C;
 }

@@ -20,7 +20,9 @@ public sealed class RgbPicture
     /// <summary>Makes a picture of bytes, which are not copied.</summary>
     /// <param name="width">Columns, 1 to <see cref="MaxPixelsPerSide"/>.</param>
     /// <param name="height">Rows, 1 to <see cref="MaxPixelsPerSide"/>.</param>
-    /// <param name="pixels">At least width x height x 3 bytes; what follows them does not belong to the picture.</param>
+    /// <param name="pixels">
+    /// At least width x height x 3 bytes; what follows them does not belong to the picture.
+    /// </param>
     /// <exception cref="ArgumentException">The size is out of range, or the bytes are too few.</exception>
     public RgbPicture(int width, int height, byte[] pixels)
     {
@@ -28,7 +30,9 @@ public sealed class RgbPicture
             throw new ArgumentException("A picture: " + fault + ".", nameof(width));
         Pixels = pixels ?? throw new ArgumentNullException(nameof(pixels));
         if (pixels.Length < width * height * 3)
-            throw new ArgumentException($"A picture of {width} x {height} needs {width * height * 3} bytes; there are {pixels.Length}.", nameof(pixels));
+            throw new ArgumentException(
+                $"A picture of {width} x {height} needs {width * height * 3} bytes; there are {pixels.Length}.",
+                nameof(pixels));
         (Width, Height) = (width, height);
     }
 
@@ -49,7 +53,8 @@ public sealed class RgbPicture
         if (width < 1 || height < 1)
             return $"its size of {width} x {height} is none";
         return width > MaxPixelsPerSide || height > MaxPixelsPerSide || width * height > MaxPixels
-            ? $"its size of {width} x {height} is more than this reads (at most {MaxPixelsPerSide} a side and {MaxPixels} pixels)"
+            ? $"its size of {width} x {height} is more than this reads (at most {MaxPixelsPerSide} a side and "
+                + $"{MaxPixels} pixels)"
             : null;
     }
 }

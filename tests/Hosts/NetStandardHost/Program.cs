@@ -5,7 +5,8 @@ using Rabit.Core;
 
 // Prints what happens, one line each, until Ctrl-C or SIGTERM.
 Console.WriteLine(typeof(RabitReactor).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName);
-ReactorResult result = new RabitReactor(new ReactorOptions { Log = entry => Console.WriteLine(entry.Text) }) { new Worker() }.Run();
+ReactorResult result =
+    new RabitReactor(new ReactorOptions { Log = entry => Console.WriteLine(entry.Text) }) { new Worker() }.Run();
 return result.ExitCode;
 
 internal sealed class Worker() : RabitManager("worker")

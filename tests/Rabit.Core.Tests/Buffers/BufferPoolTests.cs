@@ -6,7 +6,10 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Buffers;
 
-/// <summary>Contract 2.5: a large buffer has one owner at a time, and one that was handed on or given back is dead for who had it.</summary>
+/// <summary>
+/// Contract 2.5: a large buffer has one owner at a time, and one that was handed on or given back is dead for who had
+/// it.
+/// </summary>
 public sealed class BufferPoolTests
 {
     private readonly BufferPool _pool = new("pictures", 2, 16);
@@ -36,7 +39,8 @@ public sealed class BufferPoolTests
         Assert.True(none.IsEmpty);
         Assert.Equal(2, _pool.Refused);
         Assert.Equal(0, _pool.Free);
-        Assert.Equal("Pool 'pictures': 0 of 2 buffers are free, 2 times none was; 'a' has 1; 'b' has 1.", _pool.Describe());
+        Assert.Equal(
+            "Pool 'pictures': 0 of 2 buffers are free, 2 times none was; 'a' has 1; 'b' has 1.", _pool.Describe());
     }
 
     [Fact, Trait("Clause", "2.5")]
@@ -125,11 +129,21 @@ public sealed class BufferPoolTests
     [Fact, Trait("Clause", "2.5")]
     public void Constructor_BadArguments_SaysWhich()
     {
-        Assert.Contains("A pool needs a name", Assert.Throws<ArgumentException>(() => new BufferPool(" ", 1, 1)).Message, StringComparison.Ordinal);
-        Assert.Contains("'p'", Assert.Throws<ArgumentOutOfRangeException>(() => new BufferPool("p", 0, 1)).Message, StringComparison.Ordinal);
-        Assert.Contains("'p'", Assert.Throws<ArgumentOutOfRangeException>(() => new BufferPool("p", 1, 0)).Message, StringComparison.Ordinal);
-        Assert.Contains("'pictures'", Assert.Throws<ArgumentException>(() => _pool.TryRent("", out _)).Message, StringComparison.Ordinal);
-        Assert.Contains("new owner", Assert.Throws<ArgumentException>(() => Rent("a").HandTo("")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "A pool needs a name", Assert.Throws<ArgumentException>(() => new BufferPool(" ", 1, 1)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "'p'", Assert.Throws<ArgumentOutOfRangeException>(() => new BufferPool("p", 0, 1)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "'p'", Assert.Throws<ArgumentOutOfRangeException>(() => new BufferPool("p", 1, 0)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "'pictures'", Assert.Throws<ArgumentException>(() => _pool.TryRent("", out _)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "new owner", Assert.Throws<ArgumentException>(() => Rent("a").HandTo("")).Message,
+            StringComparison.Ordinal);
         Assert.Equal((1, 1), (new BufferPool("p", 1, 1).Count, new BufferPool("p", 1, 1).BufferBytes));
     }
 

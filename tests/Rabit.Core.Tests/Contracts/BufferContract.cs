@@ -33,7 +33,9 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
                 Assert.True(receiver.TryPop(out Picture picture));
                 BufferLease mine = picture.Pixels.HandTo("sink");
                 Assert.Equal(i, mine.Span[0]);
-                Assert.Contains("'sink' has it now", Assert.Throws<InvalidOperationException>(() => _ = kept.Array).Message, StringComparison.Ordinal);
+                Assert.Contains(
+                    "'sink' has it now", Assert.Throws<InvalidOperationException>(() => _ = kept.Array).Message,
+                    StringComparison.Ordinal);
                 mine.Dispose();
             });
         }
@@ -74,7 +76,8 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         ScriptedManager source = run.Add("source");
         ScriptedManager sink = run.Add("sink");
         QueueSender<Picture> sender = source.Send<Picture>("queue");
-        QueueReceiver<Picture> receiver = sink.Receive<Picture>("queue", 2, QueueFullMode.DropOldest, wakeOnPush: false);
+        QueueReceiver<Picture> receiver = sink.Receive<Picture>(
+            "queue", 2, QueueFullMode.DropOldest, wakeOnPush: false);
 
         run.StartAndSettle();
         run.On(source, () =>
@@ -220,7 +223,8 @@ public abstract class BufferContract(TimeKind kind) : ContractTests(kind)
         ScriptedManager source = run.Add("source");
         ScriptedManager sink = run.Add("sink");
         QueueSender<Grenade> sender = source.Send<Grenade>("queue");
-        QueueReceiver<Grenade> receiver = sink.Receive<Grenade>("queue", 1, QueueFullMode.DropOldest, wakeOnPush: false);
+        QueueReceiver<Grenade> receiver = sink.Receive<Grenade>(
+            "queue", 1, QueueFullMode.DropOldest, wakeOnPush: false);
 
         run.StartAndSettle();
         run.On(source, () =>

@@ -5,7 +5,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
 
-/// <summary>Contract 1.8: readers and writers, with sources and targets that do not block and so run in either time.</summary>
+/// <summary>
+/// Contract 1.8: readers and writers, with sources and targets that do not block and so run in either time.
+/// </summary>
 public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
 {
     private static readonly TimeSpan AtOnce = TimeSpan.Zero;
@@ -15,7 +17,8 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
-        BlockingReader<int> reader = manager.AttachReader("line", new ScriptedSource(run.Board, TimeSpan.FromMilliseconds(2), 1, 2, 3));
+        BlockingReader<int> reader = manager.AttachReader(
+            "line", new ScriptedSource(run.Board, TimeSpan.FromMilliseconds(2), 1, 2, 3));
         var got = new List<int>();
         manager.OnUnit = () => Drain(reader, got);
 
@@ -135,7 +138,10 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
-        var source = new ScriptedSource(run.Board, AtOnce, 1) { OnRead = () => throw new InvalidOperationException("unplugged") };
+        var source = new ScriptedSource(run.Board, AtOnce, 1)
+        {
+            OnRead = () => throw new InvalidOperationException("unplugged")
+        };
         BlockingReader<int> reader = manager.AttachReader("line", source);
 
         run.StartAndSettle();
@@ -154,7 +160,10 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
-        var source = new ScriptedSource(run.Board, AtOnce, 1) { OnOpen = () => throw new InvalidOperationException("no such line") };
+        var source = new ScriptedSource(run.Board, AtOnce, 1)
+        {
+            OnOpen = () => throw new InvalidOperationException("no such line")
+        };
         BlockingReader<int> reader = manager.AttachReader("line", source);
 
         run.Start();
@@ -170,7 +179,8 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
-        BlockingReader<int> reader = manager.AttachReader("line", new ScriptedSource(run.Board, AtOnce, 1, 2, 3), capacity: 1);
+        BlockingReader<int> reader = manager.AttachReader(
+            "line", new ScriptedSource(run.Board, AtOnce, 1, 2, 3), capacity: 1);
 
         run.Start();
         run.Until(() => CountersOf(run, manager, reader).Resident == 1, "the queue is full");
@@ -186,7 +196,10 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
-        var source = new ScriptedSource(run.Board, AtOnce, 1, 2, 3) { OnClose = () => throw new InvalidOperationException("stuck") };
+        var source = new ScriptedSource(run.Board, AtOnce, 1, 2, 3)
+        {
+            OnClose = () => throw new InvalidOperationException("stuck")
+        };
         BlockingReader<int> reader = manager.AttachReader("line", source, capacity: 1);
 
         run.Start();
@@ -194,7 +207,8 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
         run.Finish();
 
         Assert.Equal(1, reader.Discarded);
-        Assert.Contains("stuck", Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault).Text, StringComparison.Ordinal);
+        Assert.Contains(
+            "stuck", Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault).Text, StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "1.8")]
@@ -261,7 +275,8 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
     {
         for (int seed = 0; seed < 20; seed++)
         {
-            using TestRun run = NewRun(options => options.Time = Kind.HasThreads ? CreateTime() : new VirtualTime(seed));
+            using TestRun run = NewRun(
+                options => options.Time = Kind.HasThreads ? CreateTime() : new VirtualTime(seed));
             ScriptedManager manager = run.Add("m");
             var target = new ScriptedTarget(run.Board);
             BlockingWriter<int> writer = manager.AttachWriter("radio", target);
@@ -274,7 +289,9 @@ public abstract class DeviceContract(TimeKind kind) : ContractTests(kind)
             run.Start();
             run.FinishByItself();
 
-            Assert.True(target.Written.Count == 1 && writer.Discarded == 0, $"seed {seed}: {target.Written.Count} written, {writer.Discarded} discarded");
+            Assert.True(
+                target.Written.Count == 1 && writer.Discarded == 0,
+                $"seed {seed}: {target.Written.Count} written, {writer.Discarded} discarded");
             Assert.Equal(["open", "close"], run.Board.Entries);
         }
     }

@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
 
-/// <summary>Contract 1.8 and 4.4: what a manager and the log get to know of a device, and what is not counted or reported.</summary>
+/// <summary>
+/// Contract 1.8 and 4.4: what a manager and the log get to know of a device, and what is not counted or reported.
+/// </summary>
 public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
 {
     // Only a test that fails waits this long.
@@ -34,14 +36,19 @@ public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
             throw new IOException("unplugged");
         };
         source.OnOpen = () => Assert.True(++opens == 1 || woken.Wait(TestTimeout));
-        manager.AttachReader("line", source, reconnect: ReconnectPolicy.After(TimeSpan.FromMilliseconds(2), TimeSpan.FromMilliseconds(2)));
+        manager.AttachReader(
+            "line", source,
+            reconnect: ReconnectPolicy.After(TimeSpan.FromMilliseconds(2), TimeSpan.FromMilliseconds(2)));
 
         run.StartAndSettle();
-        run.Until(() => manager.Causes.Count(c => (c & WakeUpCauses.Device) != 0) == 2, "its manager is woken by the fault and when the device is open again");
+        run.Until(
+            () => manager.Causes.Count(c => (c & WakeUpCauses.Device) != 0) == 2,
+            "its manager is woken by the fault and when the device is open again");
         run.Finish();
 
         RabitLogEntry fault = Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault);
-        Assert.Equal(("m/line", "failed, and will be opened again: IOException: unplugged"), (fault.Source, fault.Text));
+        Assert.Equal(
+            ("m/line", "failed, and will be opened again: IOException: unplugged"), (fault.Source, fault.Text));
         Assert.Single(run.Log, e => e.Source == "m/line" && e.Text == "its device is open again, reconnect 1");
     }
 
@@ -57,7 +64,8 @@ public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
                 throw new IOException("unplugged");
         };
         BlockingWriter<int> writer = manager.AttachWriter("radio", target);
-        manager.OnShutdown = () => Assert.Equal(3, Enumerable.Range(1, 3).Count(i => writer.Push(i) == PushResult.Queued));
+        manager.OnShutdown = () => Assert.Equal(
+            3, Enumerable.Range(1, 3).Count(i => writer.Push(i) == PushResult.Queued));
 
         run.StartAndSettle();
         run.Until(() => writer.State == DeviceState.Running, "the writer runs");
@@ -76,7 +84,11 @@ public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
-        var source = new ScriptedSource(run.Board, TimeSpan.Zero) { OnClose = () => throw new IOException("stuck"), AtTheEnd = ReaderStep.WaitForSignal };
+        var source = new ScriptedSource(run.Board, TimeSpan.Zero)
+        {
+            OnClose = () => throw new IOException("stuck"),
+            AtTheEnd = ReaderStep.WaitForSignal
+        };
         BlockingReader<int> reader = manager.AttachReader("line", source);
 
         run.StartAndSettle();

@@ -115,7 +115,8 @@ public abstract class FaultContract(TimeKind kind) : ContractTests(kind)
         faulty.FaultPolicy = FaultPolicy.CarryOnAfter(TimeSpan.FromMilliseconds(2), TimeSpan.FromSeconds(1000));
         faulty.WakeUpDelay = TimeSpan.FromMilliseconds(1);
 
-        // Eight faults in a row would end in a back-off of 256 ms; with a successful unit between them it stays at 2 ms.
+        // Eight faults in a row would end in a back-off of 256 ms; with a successful unit between them it stays at 2
+        // ms.
         faulty.OnUnit = () =>
         {
             begins.Add(faulty.Time);
@@ -205,14 +206,17 @@ public abstract class FaultContract(TimeKind kind) : ContractTests(kind)
         ManagerResult result = run.Finish().Managers[0];
 
         Assert.Equal(10, result.Faults.Count);
-        Assert.All(result.Faults.Select((f, i) => (f.Exception.Message, i)), f => Assert.Equal("number " + (f.i + 1), f.Message));
+        Assert.All(
+            result.Faults.Select((f, i) => (f.Exception.Message, i)),
+            f => Assert.Equal("number " + (f.i + 1), f.Message));
         Assert.True(result.FaultCount >= 25);
     }
 
     [Fact, Trait("Clause", "1.7")]
     public void Log_ThatThrows_HarmsNoManager()
     {
-        using TestRun run = NewRun(options => options.Log = _ => throw new InvalidOperationException("the disk is full"));
+        using TestRun run = NewRun(
+            options => options.Log = _ => throw new InvalidOperationException("the disk is full"));
         ScriptedManager manager = run.Add("m");
 
         run.StartAndSettle();
@@ -224,8 +228,10 @@ public abstract class FaultContract(TimeKind kind) : ContractTests(kind)
     [Fact, Trait("Clause", "1.7")]
     public void FaultPolicy_BadDelays_AreRefused()
     {
-        Assert.Throws<ArgumentOutOfRangeException>(() => FaultPolicy.CarryOnAfter(TimeSpan.Zero, TimeSpan.FromSeconds(1)));
-        Assert.Throws<ArgumentOutOfRangeException>(() => FaultPolicy.CarryOnAfter(TimeSpan.FromSeconds(2), TimeSpan.FromSeconds(1)));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => FaultPolicy.CarryOnAfter(TimeSpan.Zero, TimeSpan.FromSeconds(1)));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => FaultPolicy.CarryOnAfter(TimeSpan.FromSeconds(2), TimeSpan.FromSeconds(1)));
     }
 
     private static void Throw(ScriptedManager manager, ManagerStage stage, string text)

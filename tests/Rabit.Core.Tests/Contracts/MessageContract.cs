@@ -324,7 +324,8 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
             Assert.True(pair.Subscriber.IsFresh(TimeSpan.FromMinutes(10)));
             Assert.False(pair.Subscriber.IsFresh(TimeSpan.FromSeconds(4)));
             Assert.False(pair.Subscriber.IsFresh(TimeSpan.Zero));
-            string message = Assert.Throws<ArgumentOutOfRangeException>(() => pair.Subscriber.IsFresh(TimeSpan.FromTicks(-1))).Message;
+            string message = Assert.Throws<ArgumentOutOfRangeException>(
+                () => pair.Subscriber.IsFresh(TimeSpan.FromTicks(-1))).Message;
             Assert.Contains("'sample'", message, StringComparison.Ordinal);
         });
         pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(pair.Poster.Time + TimeSpan.FromHours(1)));

@@ -131,8 +131,14 @@ public abstract class MessageEndpointContract(TimeKind kind) : ContractTests(kin
         });
         Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.Publish<int>("late"));
         Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.Send<int>("late"));
-        Assert.Contains("'ordre'", Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.Subscribe<int>("ordre")).Message, StringComparison.Ordinal);
-        Assert.Contains("Int64", Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.Subscribe<long>("order")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "'ordre'",
+            Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.Subscribe<int>("ordre")).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "Int64",
+            Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.Subscribe<long>("order")).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "2.2"), Trait("Clause", "2.8")]

@@ -19,7 +19,8 @@ public abstract class PeriodContract(TimeKind kind) : ContractTests(kind)
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
 
-        var thrown = Assert.Throws<ArgumentOutOfRangeException>(() => manager.Period = TimeSpan.FromMilliseconds(milliseconds));
+        var thrown = Assert.Throws<ArgumentOutOfRangeException>(
+            () => manager.Period = TimeSpan.FromMilliseconds(milliseconds));
 
         Assert.Contains("'m'", thrown.Message, StringComparison.Ordinal);
     }
@@ -39,10 +40,13 @@ public abstract class PeriodContract(TimeKind kind) : ContractTests(kind)
         run.Until(() => manager.Units >= 8, "the timer wakes on");
         run.Finish();
 
-        // Never early, whatever the machine does; how late it is, is for the machine and the benchmarks. The grid begins after the start, and
-        // before the first unit of work can look at the clock, by however much the machine stands still in between.
+        // Never early, whatever the machine does; how late it is, is for the machine and the benchmarks. The grid
+        // begins after the start, and before the first unit of work can look at the clock, by however much the machine
+        // stands still in between.
         IEnumerable<TimeSpan> byTimer = begins.Where((_, i) => manager.Causes[i] == WakeUpCauses.Timer);
-        Assert.All(byTimer.Select((at, i) => at - start - TimeSpan.FromTicks(Period.Ticks * (i + 1))), late => Assert.True(late >= TimeSpan.Zero, $"{late}"));
+        Assert.All(
+            byTimer.Select((at, i) => at - start - TimeSpan.FromTicks(Period.Ticks * (i + 1))),
+            late => Assert.True(late >= TimeSpan.Zero, $"{late}"));
     }
 
     [Fact, Trait("Clause", "1.3")]
@@ -94,8 +98,11 @@ public sealed class PeriodContractInRealTime() : PeriodContract(TimeKind.Real)
         run.Finish();
 
         // Four deadlines passed: one run at once, and then the grid again.
-        Assert.True(run.StatusOf(manager).MissedDeadlines >= 4, $"{run.StatusOf(manager).MissedDeadlines} missed deadlines");
-        Assert.True(begins[3] - begins[1] >= TimeSpan.FromTicks(period.Ticks * 4), "the deadlines that passed were caught up on");
+        Assert.True(
+            run.StatusOf(manager).MissedDeadlines >= 4, $"{run.StatusOf(manager).MissedDeadlines} missed deadlines");
+        Assert.True(
+            begins[3] - begins[1] >= TimeSpan.FromTicks(period.Ticks * 4),
+            "the deadlines that passed were caught up on");
     }
 }
 
@@ -119,8 +126,8 @@ public sealed class PeriodContractInVirtualTime() : PeriodContract(TimeKind.Virt
         reactor.Stop();
         reactor.Finish();
 
-        // 0 to 25 passes 10 and 20; 25 to 50 is for 20 and passes 30, 40 and 50; 50 to 75 is for 50 and passes 60 and 70; the
-        // last, to 100, is for 70 and passes 80, 90 and 100.
+        // 0 to 25 passes 10 and 20; 25 to 50 is for 20 and passes 30, 40 and 50; 50 to 75 is for 50 and passes 60 and
+        // 70; the last, to 100, is for 70 and passes 80, 90 and 100.
         Assert.Equal([0, 25, 50, 75], begins.Select(b => (int)b.TotalMilliseconds));
         Assert.Equal(2 + 3 + 2 + 3, status.Value.MissedDeadlines);
     }

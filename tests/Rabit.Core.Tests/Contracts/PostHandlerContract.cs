@@ -41,8 +41,10 @@ public abstract class PostHandlerContract(TimeKind kind) : ContractTests(kind)
         MessageSubscriber<Sample> outside = pair.Run.Reactor.Workspace.Subscribe<Sample>("sample");
         outside.OnPost(_ =>
         {
-            // Another thread fetches, and makes an end, while the handler waits for it: a lock held here would hold it up.
-            var thread = new Thread(() => fetched = outside.ForceFetch() && pair.Run.Reactor.Workspace.Subscribe<Sample>("sample").Fetch());
+            // Another thread fetches, and makes an end, while the handler waits for it: a lock held here would hold it
+            // up.
+            var thread = new Thread(
+                () => fetched = outside.ForceFetch() && pair.Run.Reactor.Workspace.Subscribe<Sample>("sample").Fetch());
             thread.Start();
             Assert.True(thread.Join(TimeSpan.FromSeconds(20)));
         });

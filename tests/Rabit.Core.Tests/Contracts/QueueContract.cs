@@ -14,7 +14,8 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         const int Each = 2000;
         using TestRun run = NewRun();
         ScriptedManager sink = run.Add("sink");
-        QueueReceiver<(int Sender, int Number)> receiver = sink.Receive<(int Sender, int Number)>("queue", capacity: 3 * Each);
+        QueueReceiver<(int Sender, int Number)> receiver = sink.Receive<(int Sender, int Number)>(
+            "queue", capacity: 3 * Each);
         var senders = new List<ScriptedManager>();
         for (int s = 0; s < 3; s++)
         {
@@ -83,7 +84,8 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         pair.Run.On(pair.Source, () =>
         {
             Assert.Equal(
-                [PushResult.Queued, PushResult.Queued, PushResult.Queued, PushResult.QueuedDroppedNewest, PushResult.QueuedDroppedNewest],
+                [PushResult.Queued, PushResult.Queued, PushResult.Queued, PushResult.QueuedDroppedNewest,
+                    PushResult.QueuedDroppedNewest],
                 Push(pair.Sender, 1, 2, 3, 4, 5));
             AssertCounters(pair.Sender.Counters, pushed: 5, popped: 0, dropped: 2, rejected: 0, resident: 3);
         });
@@ -105,7 +107,8 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         {
             Assert.Equal(0, pair.Sender.PushFrom([]));
             Assert.Equal(putIn, pair.Sender.PushFrom([0, 1, 2, 3, 4, 5]));
-            AssertCounters(pair.Sender.Counters, pushed: putIn, popped: 0, dropped: putIn - 4, rejected: 6 - putIn, resident: 4);
+            AssertCounters(
+                pair.Sender.Counters, pushed: putIn, popped: 0, dropped: putIn - 4, rejected: 6 - putIn, resident: 4);
         });
         pair.Run.Until(() => pair.Sink.Units == 2, "the push wakes the sink");
         pair.Run.On(pair.Sink, () =>
@@ -155,7 +158,8 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal("queue", queue.Name);
         AssertCounters(queue.Counters, pushed: 3, popped: 1, dropped: 0, rejected: 0, resident: 2);
         Assert.Contains("queue queue: 2 values were left", result.ToString(), StringComparison.Ordinal);
-        Assert.Contains(pair.Run.Log, e => e.Kind == RabitLogKind.Note && e.Source == "queue" && e.Text.Contains("2 values", StringComparison.Ordinal));
+        Assert.Contains(pair.Run.Log, e => e.Kind == RabitLogKind.Note && e.Source == "queue"
+            && e.Text.Contains("2 values", StringComparison.Ordinal));
     }
 
     [Fact, Trait("Clause", "3.5")]
@@ -231,7 +235,9 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
                 }
 
                 QueueCounters counters = receiver.Counters;
-                Assert.True(counters.Pushed == counters.Popped + counters.Dropped + counters.Resident, $"seed {Seed}, step {i}");
+                Assert.True(
+                    counters.Pushed == counters.Popped + counters.Dropped + counters.Resident,
+                    $"seed {Seed}, step {i}");
                 Assert.Equal(model.Count, receiver.Count);
             }
         });
@@ -339,10 +345,14 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         Assert.Contains("'sink'", text, StringComparison.Ordinal);
     }
 
-    private static void AssertCounters(QueueCounters counters, long pushed, long popped, long dropped, long rejected, int resident)
-        => Assert.Equal((pushed, popped, dropped, rejected, resident), (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected, counters.Resident));
+    private static void AssertCounters(
+        QueueCounters counters, long pushed, long popped, long dropped, long rejected, int resident)
+        => Assert.Equal(
+            (pushed, popped, dropped, rejected, resident),
+            (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected, counters.Resident));
 
-    private static PushResult[] Push(QueueSender<int> sender, params int[] values) => values.Select(v => sender.Push(v)).ToArray();
+    private static PushResult[] Push(QueueSender<int> sender, params int[] values)
+        => values.Select(v => sender.Push(v)).ToArray();
 
     private static int[] PopAll(QueueReceiver<int> receiver)
     {

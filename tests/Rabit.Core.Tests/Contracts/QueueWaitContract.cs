@@ -45,7 +45,8 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager sink = run.Add("sink");
-        QueueReceiver<int> receiver = sink.Receive<int>("queue", 1, QueueFullMode.Wait, wakeOnPush: false, maxWait: Limit);
+        QueueReceiver<int> receiver = sink.Receive<int>(
+            "queue", 1, QueueFullMode.Wait, wakeOnPush: false, maxWait: Limit);
         QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
         run.StartAndSettle();
 
@@ -79,7 +80,8 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
 
         Assert.Equal(PushResult.Queued, await InTime(third));
         run.On(sink, () => Assert.Equal(3, Pop(receiver)));
-        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => outside.PushAsync(4, cancellation.Token).AsTask());
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(
+            () => outside.PushAsync(4, cancellation.Token).AsTask());
     }
 
     [Fact, Trait("Clause", "3.1")]
@@ -124,8 +126,12 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
         run.StartAndSettle();
 
-        Assert.Contains("PushAsync", Assert.Throws<InvalidOperationException>(() => outside.Push(1)).Message, StringComparison.Ordinal);
-        Assert.Contains("'queue'", Assert.Throws<InvalidOperationException>(() => outside.PushFrom([1])).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "PushAsync", Assert.Throws<InvalidOperationException>(() => outside.Push(1)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "'queue'", Assert.Throws<InvalidOperationException>(() => outside.PushFrom([1])).Message,
+            StringComparison.Ordinal);
         Assert.Equal(PushResult.Queued, await outside.PushAsync(1));
     }
 
@@ -137,11 +143,17 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         QueueReceiver<int> receiver = manager.Receive<int>("queue");
         QueueSender<int> sender = manager.Send<int>("queue");
 
-        Assert.Contains("'m'", Assert.Throws<InvalidOperationException>(() => sender.AsChannelWriter()).Message, StringComparison.Ordinal);
-        Assert.Contains("'m'", Assert.Throws<InvalidOperationException>(() => receiver.AsChannelReader()).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "'m'", Assert.Throws<InvalidOperationException>(() => sender.AsChannelWriter()).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "'m'", Assert.Throws<InvalidOperationException>(() => receiver.AsChannelReader()).Message,
+            StringComparison.Ordinal);
         run.StartAndSettle();
         run.On(manager, () =>
-            Assert.Contains("'m'", Assert.Throws<InvalidOperationException>(() => sender.PushAsync(1).AsTask().Status).Message, StringComparison.Ordinal));
+            Assert.Contains(
+                "'m'", Assert.Throws<InvalidOperationException>(() => sender.PushAsync(1).AsTask().Status).Message,
+                StringComparison.Ordinal));
     }
 
     [Fact, Trait("Clause", "1.8"), Trait("Clause", "3.1")]
@@ -150,7 +162,8 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
         var source = new ScriptedSource(run.Board, TimeSpan.Zero, 1, 2, 3);
-        BlockingReader<int> reader = manager.AttachReader("line", source, capacity: 1, QueueFullMode.Wait, maxWait: Limit);
+        BlockingReader<int> reader = manager.AttachReader(
+            "line", source, capacity: 1, QueueFullMode.Wait, maxWait: Limit);
         TimeSpan begin = run.Reactor.Now;
 
         run.Start();
@@ -302,7 +315,8 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         cancellation.Cancel();
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => InTime(forRoom));
         Assert.True(reader.TryRead(out _));
-        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => reader.WaitToReadAsync(cancellation.Token).AsTask());
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(
+            () => reader.WaitToReadAsync(cancellation.Token).AsTask());
 
         Assert.True(writer.TryWrite(2));
         Assert.True(await reader.WaitToReadAsync());
@@ -317,13 +331,17 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         QueueSender<int> outside = run.Reactor.Workspace.Send<int>("queue");
         run.Start();
 
-        Assert.Contains("'queue'", Assert.Throws<InvalidOperationException>(() => outside.AsChannelWriter()).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "'queue'", Assert.Throws<InvalidOperationException>(() => outside.AsChannelWriter()).Message,
+            StringComparison.Ordinal);
     }
 
-    private static void AssertCounters(QueueCounters counters, long pushed, long popped, long rejected, int resident, int highWater)
+    private static void AssertCounters(
+        QueueCounters counters, long pushed, long popped, long rejected, int resident, int highWater)
         => Assert.Equal(
             (pushed, popped, 0, rejected, resident, highWater),
-            (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected, counters.Resident, counters.HighWater));
+            (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected, counters.Resident,
+                counters.HighWater));
 
     private static int Pop(QueueReceiver<int> receiver) => receiver.TryPop(out int value) ? value : -1;
 
@@ -348,7 +366,8 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
         return value;
     }
 
-    private static (WeakReference Value, Task<PushResult> Push) Push(QueueSender<byte[]> sender, CancellationToken cancellation)
+    private static (WeakReference Value, Task<PushResult> Push) Push(
+        QueueSender<byte[]> sender, CancellationToken cancellation)
     {
         var value = new byte[1000];
         return (new WeakReference(value), sender.PushAsync(value, cancellation).AsTask());

@@ -7,7 +7,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
 
-/// <summary>Contract 4.1 to 4.3 and 5.1: workspaces, the start, the barrier, the stop and the result; the clock.</summary>
+/// <summary>
+/// Contract 4.1 to 4.3 and 5.1: workspaces, the start, the barrier, the stop and the result; the clock.
+/// </summary>
 public abstract class ReactorContract(TimeKind kind) : ContractTests(kind)
 {
     [Fact, Trait("Clause", "4.1")]
@@ -167,7 +169,8 @@ public abstract class ReactorContract(TimeKind kind) : ContractTests(kind)
 
         Assert.Equal((1, 0, 1), (first.Startups, first.Units, first.Shutdowns));
         Assert.Equal((0, 0, 0), (second.Startups, second.Units, second.Shutdowns));
-        Assert.Equal([ManagerOutcome.Ended, ManagerOutcome.NotStarted], result.Managers.Select(m => m.Outcome).ToArray());
+        Assert.Equal(
+            [ManagerOutcome.Ended, ManagerOutcome.NotStarted], result.Managers.Select(m => m.Outcome).ToArray());
         Assert.Equal(0, result.ExitCode);
     }
 
@@ -318,7 +321,8 @@ public abstract class ReactorContract(TimeKind kind) : ContractTests(kind)
         run.Finish("enough");
 
         Assert.Equal(
-            ["Lifecycle reactor: starts m", "Manager m: hello", "Lifecycle reactor: stops: enough", "Lifecycle m: m: Ended, 1 runs"],
+            ["Lifecycle reactor: starts m", "Manager m: hello", "Lifecycle reactor: stops: enough",
+                "Lifecycle m: m: Ended, 1 runs"],
             run.Log.Select(e => $"{e.Kind} {e.Source}: {e.Text}").ToArray());
     }
 

@@ -9,7 +9,8 @@ namespace Rabit.Core.Tests.Contracts;
 /// <summary>Contract 1.8: readers and writers whose device fails and comes back.</summary>
 public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
 {
-    private static readonly ReconnectPolicy Quick = ReconnectPolicy.After(TimeSpan.FromMilliseconds(2), TimeSpan.FromMilliseconds(8));
+    private static readonly ReconnectPolicy Quick = ReconnectPolicy.After(
+        TimeSpan.FromMilliseconds(2), TimeSpan.FromMilliseconds(8));
 
     [Fact, Trait("Clause", "1.8")]
     public void Reader_SourceFailsOnce_IsOpenedAgainAndLosesNothing()
@@ -64,7 +65,10 @@ public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
         bool wasReconnecting = false;
 
         run.StartAndSettle();
-        run.Until(() => (wasReconnecting |= reader.State == DeviceState.Reconnecting) && opens.Count == 6 && reader.Reconnects == 1, "it is open again");
+        run.Until(
+            () => (wasReconnecting |= reader.State == DeviceState.Reconnecting) && opens.Count == 6
+                && reader.Reconnects == 1,
+            "it is open again");
         TimeSpan since = reader.StateSince;
         run.Finish();
 
@@ -78,7 +82,8 @@ public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal(5, reader.Faults);
         Assert.True(since >= opens[5], $"{since} {opens[5]}");
         Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault);
-        Assert.Single(run.Log, e => e.Kind == RabitLogKind.Lifecycle && e.Text.Contains("open again", StringComparison.Ordinal));
+        Assert.Single(
+            run.Log, e => e.Kind == RabitLogKind.Lifecycle && e.Text.Contains("open again", StringComparison.Ordinal));
     }
 
     [Fact, Trait("Clause", "1.8")]
@@ -86,9 +91,14 @@ public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
-        var source = new ScriptedSource(run.Board, TimeSpan.Zero, 1) { OnRead = () => throw new IOException("unplugged") };
+        var source = new ScriptedSource(run.Board, TimeSpan.Zero, 1)
+        {
+            OnRead = () => throw new IOException("unplugged")
+        };
         BlockingReader<int> reader = manager.AttachReader(
-            "line", source, reconnect: ReconnectPolicy.After(TimeSpan.FromMilliseconds(1), TimeSpan.FromMilliseconds(1), maxAttempts: 3));
+            "line", source,
+            reconnect: ReconnectPolicy.After(
+                TimeSpan.FromMilliseconds(1), TimeSpan.FromMilliseconds(1), maxAttempts: 3));
 
         run.StartAndSettle();
         run.Until(() => reader.State == DeviceState.Faulted, "it gives up");
@@ -103,7 +113,10 @@ public abstract class ReconnectContract(TimeKind kind) : ContractTests(kind)
     {
         using TestRun run = NewRun();
         ScriptedManager manager = run.Add("m");
-        var source = new ScriptedSource(run.Board, TimeSpan.Zero, 1) { OnRead = () => throw new IOException("unplugged") };
+        var source = new ScriptedSource(run.Board, TimeSpan.Zero, 1)
+        {
+            OnRead = () => throw new IOException("unplugged")
+        };
         BlockingReader<int> reader = manager.AttachReader(
             "line", source, reconnect: ReconnectPolicy.After(TimeSpan.FromHours(1), TimeSpan.FromHours(1)));
 

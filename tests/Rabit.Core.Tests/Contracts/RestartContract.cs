@@ -35,7 +35,8 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal((1, 1), (result.Managers[0].Restarts, run.StatusOf(faulty).Restarts));
         Assert.Equal(ManagerOutcome.Faulted, result.Managers[0].Outcome);
         Assert.Equal(1, result.ExitCode);
-        Assert.Contains(run.Log, e => e.Kind == RabitLogKind.Lifecycle && e.Text.Contains("restart 1", StringComparison.Ordinal));
+        Assert.Contains(
+            run.Log, e => e.Kind == RabitLogKind.Lifecycle && e.Text.Contains("restart 1", StringComparison.Ordinal));
     }
 
     [Fact, Trait("Clause", "1.7")]
@@ -140,7 +141,8 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         }
         else
         {
-            run.Until(() => faulty.Shutdowns == 5 && run.StatusOf(faulty).State == ManagerState.Faulted, "it is stopped");
+            run.Until(
+                () => faulty.Shutdowns == 5 && run.StatusOf(faulty).State == ManagerState.Faulted, "it is stopped");
             run.OnAndSettle(other, () => { });
             result = run.Finish();
         }
@@ -156,7 +158,9 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
 
         Assert.Equal((5, 5), (faulty.Startups, faulty.Shutdowns));
         Assert.Equal((4, 5), (result.Managers[0].Restarts, result.Managers[0].FaultCount));
-        Assert.Equal(end == FaultAction.StopSystem ? ManagerOutcome.Faulted : ManagerOutcome.StoppedAlone, result.Managers[0].Outcome);
+        Assert.Equal(
+            end == FaultAction.StopSystem ? ManagerOutcome.Faulted : ManagerOutcome.StoppedAlone,
+            result.Managers[0].Outcome);
         Assert.Equal(ManagerOutcome.Ended, result.Managers[1].Outcome);
         Assert.Equal(1, result.ExitCode);
     }
@@ -229,7 +233,9 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
             faulty.StopAll("seen enough");
             run.Board.Write("stopped");
             if (Kind.HasThreads)
-                Assert.True(System.Threading.SpinWait.SpinUntil(() => faulty.WakeUpEvent.StopRequested, TimeSpan.FromSeconds(20)));
+                Assert.True(
+                    System.Threading.SpinWait.SpinUntil(
+                        () => faulty.WakeUpEvent.StopRequested, TimeSpan.FromSeconds(20)));
         };
 
         run.Start();
@@ -286,7 +292,9 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         run.Until(() => faulty.Shutdowns == 1 && run.StatusOf(faulty).State == ManagerState.Faulted, "it is stopped");
         run.OnAndSettle(other, () =>
         {
-            Assert.Equal([PushResult.Queued, PushResult.Queued, PushResult.Rejected], new[] { outbox.Push(1), outbox.Push(2), outbox.Push(3) });
+            Assert.Equal(
+                [PushResult.Queued, PushResult.Queued, PushResult.Rejected],
+                new[] { outbox.Push(1), outbox.Push(2), outbox.Push(3) });
             seen.Fetch();
             Assert.Equal(42, seen.Value);
         });
@@ -302,7 +310,8 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         ScriptedManager faulty = run.Add("faulty");
         faulty.FaultPolicy = FaultPolicy.StopManager;
         var target = new ScriptedTarget(run.Board);
-        BlockingReader<int> reader = faulty.AttachReader("in", new ScriptedSource(run.Board, TimeSpan.Zero) { AtTheEnd = ReaderStep.WaitForSignal });
+        BlockingReader<int> reader = faulty.AttachReader(
+            "in", new ScriptedSource(run.Board, TimeSpan.Zero) { AtTheEnd = ReaderStep.WaitForSignal });
         BlockingWriter<int> writer = faulty.AttachWriter("out", target);
         faulty.OnShutdown = () => writer.Push(2);
         faulty.OnUnit = () =>
@@ -351,11 +360,12 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         Assert.Throws<ArgumentOutOfRangeException>(() => FaultPolicy.RestartAfter(one, one, 0, Minute));
         Assert.Throws<ArgumentOutOfRangeException>(() => FaultPolicy.RestartAfter(one, one, 1001, Minute));
         Assert.Throws<ArgumentOutOfRangeException>(() => FaultPolicy.RestartAfter(one, one, 1, TimeSpan.Zero));
-        Assert.Throws<ArgumentOutOfRangeException>(() => FaultPolicy.RestartAfter(one, one, 1, Minute, FaultAction.CarryOn));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => FaultPolicy.RestartAfter(one, one, 1, Minute, FaultAction.CarryOn));
     }
 
-    // However slow the machine is: what a test does between fault and restart comes before the second start-up has ended.
-    // In virtual time it comes before that begins, so nothing waits.
+    // However slow the machine is: what a test does between fault and restart comes before the second start-up has
+    // ended. In virtual time it comes before that begins, so nothing waits.
     private static ManualResetEventSlim HoldTheSecondStartup(ScriptedManager manager)
     {
         var mayStartAgain = new ManualResetEventSlim();
@@ -367,7 +377,8 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         return mayStartAgain;
     }
 
-    private static ScriptedManager AddRestarting(TestRun run, int milliseconds, int most, FaultAction end = FaultAction.StopSystem)
+    private static ScriptedManager AddRestarting(
+        TestRun run, int milliseconds, int most, FaultAction end = FaultAction.StopSystem)
     {
         ScriptedManager manager = run.Add("faulty");
         var first = TimeSpan.FromMilliseconds(milliseconds);

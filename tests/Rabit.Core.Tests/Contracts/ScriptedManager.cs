@@ -6,8 +6,8 @@ using System.Threading;
 namespace Rabit.Core.Tests.Contracts;
 
 /// <summary>
-/// A manager made of delegates, with everything that a derived class may use made public. Its timer is an hour, so that a test
-/// sees only the wakes that it means.
+/// A manager made of delegates, with everything that a derived class may use made public. Its timer is an hour, so that
+/// a test sees only the wakes that it means.
 /// </summary>
 internal sealed class ScriptedManager : RabitManager
 {
@@ -84,7 +84,8 @@ internal sealed class ScriptedManager : RabitManager
         => base.SubscribeToStatus(managerName, wakeOnPost);
 
     public new QueueReceiver<T> Receive<T>(
-        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, bool wakeOnPush = true, TimeSpan? maxWait = null)
+        string name, int capacity = 100, QueueFullMode whenFull = QueueFullMode.Reject, bool wakeOnPush = true,
+        TimeSpan? maxWait = null)
         => base.Receive<T>(name, capacity, whenFull, wakeOnPush, maxWait);
 
     public new QueueSender<T> Send<T>(string name, bool wakeOnPop = false) => base.Send<T>(name, wakeOnPop);

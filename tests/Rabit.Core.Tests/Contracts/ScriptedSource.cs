@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Rabit.Core.Tests.Contracts;
 
-/// <summary>A source that never blocks: it gives its values one by one, each not before its time, and then ends.</summary>
+/// <summary>
+/// A source that never blocks: it gives its values one by one, each not before its time, and then ends.
+/// </summary>
 internal sealed class ScriptedSource(TestBoard board, TimeSpan interval, params int[] values) : IReaderSource<int>
 {
     private readonly Queue<int> _values = new(values);

@@ -153,7 +153,9 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
         pair.Run.On(pair.Fetcher, () =>
         {
             fails = true;
-            AssertNames(Assert.Throws<InvalidOperationException>(() => pair.Subscriber.Fetch()), "'scan'", "TestScan.CopyTo", "fetched", "bad point");
+            AssertNames(
+                Assert.Throws<InvalidOperationException>(() => pair.Subscriber.Fetch()), "'scan'", "TestScan.CopyTo",
+                "fetched", "bad point");
             Assert.Equal(3, pair.Subscriber.Value.Number);
             Assert.True(pair.Subscriber.Value.IsWhole);
             Assert.Equal(0, pair.Subscriber.Stamp.Version);
@@ -201,9 +203,12 @@ public abstract class SelfCopyingContract(TimeKind kind) : ContractTests(kind)
     public void Start_SelfCopyingClassThatCannotBeTrusted_IsReportedWithItsName()
     {
         Assert.Contains("'m': Open copies itself but is not sealed", FaultOf(new Open()), StringComparison.Ordinal);
-        Assert.Contains("'m': ClonesToItself.Clone gives the same instance", FaultOf(new ClonesToItself()), StringComparison.Ordinal);
+        Assert.Contains(
+            "'m': ClonesToItself.Clone gives the same instance", FaultOf(new ClonesToItself()),
+            StringComparison.Ordinal);
         Assert.Contains("'m': ClonesToNull.Clone gives null", FaultOf(new ClonesToNull()), StringComparison.Ordinal);
-        Assert.Contains("'m': CannotClone.Clone threw FormatException: no", FaultOf(new CannotClone()), StringComparison.Ordinal);
+        Assert.Contains(
+            "'m': CannotClone.Clone threw FormatException: no", FaultOf(new CannotClone()), StringComparison.Ordinal);
         Assert.Contains("must state a first value", FaultOf<TestScan>(null), StringComparison.Ordinal);
         Assert.Contains("'m': HoldsScan.Scan", FaultOf(default(HoldsScan)), StringComparison.Ordinal);
     }

@@ -68,7 +68,8 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         run.Finish();
 
         ManagerStatus status = run.StatusOf(manager);
-        Assert.Equal((1, 1, 1, 2, 0), (status.WakeUps.Push, status.WakeUps.Post, status.WakeUps.Pop, status.WakeUps.Request, status.WakeUps.Device));
+        Assert.Equal((1, 1, 1, 2, 0), (status.WakeUps.Push, status.WakeUps.Post, status.WakeUps.Pop,
+            status.WakeUps.Request, status.WakeUps.Device));
         Assert.Equal(manager.Units, status.Runs);
         Assert.Equal(status.Runs, status.UnitOfWorkTime.Count);
     }
@@ -223,7 +224,8 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
             Assert.StartsWith("manager ", lines[0], StringComparison.Ordinal);
             Assert.StartsWith("m ", lines[1], StringComparison.Ordinal);
             Assert.StartsWith("the other one ", lines[2], StringComparison.Ordinal);
-            Assert.Equal(lines[1].IndexOf(" 2 ", StringComparison.Ordinal), lines[2].IndexOf(" 1 ", StringComparison.Ordinal));
+            Assert.Equal(
+                lines[1].IndexOf(" 2 ", StringComparison.Ordinal), lines[2].IndexOf(" 1 ", StringComparison.Ordinal));
         }
 
         Assert.Contains("Ended", last, StringComparison.Ordinal);
@@ -237,7 +239,9 @@ public abstract class StatusContract(TimeKind kind) : ContractTests(kind)
         using TestRun run = NewRun();
         run.Add("m").SubscribeToStatus("ghost");
 
-        Assert.Contains("'ghost/status'", Assert.Single(Assert.Throws<RabitWiringException>(run.Start).Faults), StringComparison.Ordinal);
+        Assert.Contains(
+            "'ghost/status'", Assert.Single(Assert.Throws<RabitWiringException>(run.Start).Faults),
+            StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "4.4")]

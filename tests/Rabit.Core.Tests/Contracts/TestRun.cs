@@ -5,7 +5,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
 
-/// <summary>A reactor under test: scripted managers, a board, the log, and a way to go on until something is so.</summary>
+/// <summary>
+/// A reactor under test: scripted managers, a board, the log, and a way to go on until something is so.
+/// </summary>
 internal sealed class TestRun : IDisposable
 {
     private readonly TimeKind _kind;
@@ -67,7 +69,8 @@ internal sealed class TestRun : IDisposable
 
     /// <summary>Lets the run go on until something is so; fails the test if it does not come so.</summary>
     public void Until(Func<bool> condition, string what)
-        => Assert.True(_kind.TryReach(Reactor, Board, condition), $"In {_kind} it never came so that {what}. {Describe()}");
+        => Assert.True(
+            _kind.TryReach(Reactor, Board, condition), $"In {_kind} it never came so that {what}. {Describe()}");
 
     /// <summary>Lets a manager do something in a unit of work, waits for it, and throws here what it threw.</summary>
     public void On(ScriptedManager manager, Action action)
@@ -78,7 +81,9 @@ internal sealed class TestRun : IDisposable
         job.Rethrow();
     }
 
-    /// <summary>As <see cref="On"/>, and waits until the unit of work has ended and the manager has nothing more to do.</summary>
+    /// <summary>
+    /// As <see cref="On"/>, and waits until the unit of work has ended and the manager has nothing more to do.
+    /// </summary>
     public void OnAndSettle(ScriptedManager manager, Action action)
     {
         On(manager, action);
@@ -114,5 +119,6 @@ internal sealed class TestRun : IDisposable
         Board.Changed();
     }
 
-    private string Describe() => "Log:" + string.Concat(Log.Select(e => "\n" + e)) + "\nBoard: " + string.Join(", ", Board.Entries);
+    private string Describe()
+        => "Log:" + string.Concat(Log.Select(e => "\n" + e)) + "\nBoard: " + string.Join(", ", Board.Entries);
 }

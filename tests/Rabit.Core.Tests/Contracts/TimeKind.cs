@@ -5,7 +5,8 @@ using System.Threading;
 namespace Rabit.Core.Tests.Contracts;
 
 /// <summary>
-/// The two kinds of time that pass the same contract tests, and how a test lets a run go on in each until something is so.
+/// The two kinds of time that pass the same contract tests, and how a test lets a run go on in each until something is
+/// so.
 /// </summary>
 public abstract class TimeKind
 {

@@ -44,7 +44,8 @@ public abstract class WakeUpContract(TimeKind kind) : ContractTests(kind)
                 sleeper.WakeUp();
         });
         run.Until(
-            () => run.StatusOf(sleeper).WakeUps is var w && w.Request + w.Merged == Wakes, "every wake causes a run or merges with another");
+            () => run.StatusOf(sleeper).WakeUps is var w && w.Request + w.Merged == Wakes,
+            "every wake causes a run or merges with another");
 
         // Without threads nothing runs between the wakes: they are one.
         if (!Kind.HasThreads)

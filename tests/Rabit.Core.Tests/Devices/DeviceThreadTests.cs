@@ -61,7 +61,8 @@ public sealed class DeviceThreadTests
         run.Finish();
 
         Assert.Equal(1, other.Shutdowns);
-        Assert.Contains(run.Log, e => e.Kind == RabitLogKind.Fault && e.Source == "m/line" && e.Text.Contains("stuck", StringComparison.Ordinal));
+        Assert.Contains(run.Log, e => e.Kind == RabitLogKind.Fault && e.Source == "m/line"
+            && e.Text.Contains("stuck", StringComparison.Ordinal));
     }
 
     [Fact, Trait("Clause", "1.8"), Trait("Clause", "3.1")]

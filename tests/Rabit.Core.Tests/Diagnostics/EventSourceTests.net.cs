@@ -8,7 +8,10 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Diagnostics;
 
-/// <summary>Contract 4.4: what a listener in the process, dotnet-trace or PerfView sees of a run. Mono 6.8 hands no events to listeners.</summary>
+/// <summary>
+/// Contract 4.4: what a listener in the process, dotnet-trace or PerfView sees of a run. Mono 6.8 hands no events to
+/// listeners.
+/// </summary>
 public sealed class EventSourceTests
 {
     [Fact, Trait("Clause", "4.4")]
@@ -26,7 +29,8 @@ public sealed class EventSourceTests
         run.Reactor.RunFor(TimeSpan.FromMilliseconds(15));
         run.Finish();
 
-        Assert.Equal(2, listener.Events.Count(e => e.StartsWith("Fault ", StringComparison.Ordinal) && e.Contains("boom")));
+        Assert.Equal(
+            2, listener.Events.Count(e => e.StartsWith("Fault ", StringComparison.Ordinal) && e.Contains("boom")));
         Assert.Contains(listener.Events, e => e.StartsWith("Lifecycle ", StringComparison.Ordinal));
         Assert.Equal(2, listener.Events.Count(e => e.StartsWith("UnitOfWork ", StringComparison.Ordinal)));
         Assert.Contains(listener.Events, e => e == $"UnitOfWork {name} 0 0");
@@ -57,7 +61,10 @@ public sealed class EventSourceTests
             if (name is null || eventData.Payload is null || !name.Equals(eventData.Payload[0]))
                 return;
             lock (_events)
-                _events.Add(eventData.EventName + " " + string.Join(" ", eventData.Payload.Select(p => Convert.ToString(p, CultureInfo.InvariantCulture))));
+                _events.Add(
+                    eventData.EventName + " "
+                        + string.Join(
+                            " ", eventData.Payload.Select(p => Convert.ToString(p, CultureInfo.InvariantCulture))));
         }
     }
 }

@@ -7,7 +7,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Diagnostics;
 
-/// <summary>Contract 4.4: what OpenTelemetry and dotnet-counters read, by the listener of the runtime that both use.</summary>
+/// <summary>
+/// Contract 4.4: what OpenTelemetry and dotnet-counters read, by the listener of the runtime that both use.
+/// </summary>
 public sealed class MeterTests
 {
     [Fact, Trait("Clause", "4.4")]
@@ -27,7 +29,8 @@ public sealed class MeterTests
         var seen = new Dictionary<string, double>(StringComparer.Ordinal);
         using var listener = new MeterListener { InstrumentPublished = (instrument, l) => Enable(instrument, l, Name) };
         listener.SetMeasurementEventCallback<long>((instrument, value, tags, _) => seen[Key(instrument, tags)] = value);
-        listener.SetMeasurementEventCallback<double>((instrument, value, tags, _) => seen[Key(instrument, tags)] = value);
+        listener.SetMeasurementEventCallback<double>(
+            (instrument, value, tags, _) => seen[Key(instrument, tags)] = value);
 
         run.Start();
         listener.Start();
@@ -41,7 +44,9 @@ public sealed class MeterTests
         Assert.Equal(1, seen["rabit.manager.faults manager=m"]);
         Assert.Equal((double)ManagerState.Running, seen["rabit.manager.state manager=m"]);
         Assert.Equal(status.WakeUps.Timer, seen["rabit.manager.wakeups manager=m cause=Timer"]);
-        Assert.Equal(status.UnitOfWorkTime.Percentile99.TotalSeconds, seen["rabit.manager.unit_of_work.duration manager=m quantile=0.99"]);
+        Assert.Equal(
+            status.UnitOfWorkTime.Percentile99.TotalSeconds,
+            seen["rabit.manager.unit_of_work.duration manager=m quantile=0.99"]);
         Assert.Contains("rabit.manager.wake.latency manager=m quantile=1", seen.Keys);
         Assert.Contains("rabit.manager.period.error manager=m quantile=0.5", seen.Keys);
 
@@ -53,7 +58,8 @@ public sealed class MeterTests
 
     private static void Enable(Instrument instrument, MeterListener listener, string run)
     {
-        if (instrument.Meter.Name == "Rabit.Core" && instrument.Meter.Tags!.Any(t => t.Key == "rabit.run" && run.Equals(t.Value)))
+        if (instrument.Meter.Name == "Rabit.Core"
+            && instrument.Meter.Tags!.Any(t => t.Key == "rabit.run" && run.Equals(t.Value)))
             listener.EnableMeasurementEvents(instrument);
     }
 

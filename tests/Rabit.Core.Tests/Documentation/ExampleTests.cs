@@ -4,7 +4,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Documentation;
 
-/// <summary>The examples in the XML documentation of Rabit.Core are code that compiles: they are in Examples.cs, line by line.</summary>
+/// <summary>
+/// The examples in the XML documentation of Rabit.Core are code that compiles: they are in Examples.cs, line by line.
+/// </summary>
 public sealed class ExampleTests
 {
     [Fact]

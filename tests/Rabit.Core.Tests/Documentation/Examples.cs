@@ -1,6 +1,7 @@
 using System;
 
-#pragma warning disable MA0048, CA1822, CA1859, CA1852, SA1402 // examples of the documentation, in one file: see ExampleTests
+// examples of the documentation, in one file: see ExampleTests
+#pragma warning disable MA0048, CA1822, CA1859, CA1852, SA1402
 #pragma warning disable CA1812, IDE0051, IDE0059, S1144
 
 namespace Rabit.Core.Tests.Documentation;
@@ -112,7 +113,10 @@ internal sealed class Display : RabitManager
     public static RabitReactor Supervised()
     {
         var camera = new Camera { FaultPolicy = FaultPolicy.Restart };
-        var logger = new Logger { FaultPolicy = FaultPolicy.CarryOnAfter(TimeSpan.FromMilliseconds(50), TimeSpan.FromSeconds(5)) };
+        var logger = new Logger
+        {
+            FaultPolicy = FaultPolicy.CarryOnAfter(TimeSpan.FromMilliseconds(50), TimeSpan.FromSeconds(5)),
+        };
         return [camera, logger];
     }
 

@@ -5,15 +5,17 @@ using System.Linq;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// Folds the places of a thread's code that go on alike, however they were reached: a loop that tries again comes back to where it was.
+/// Folds the places of a thread's code that go on alike, however they were reached: a loop that tries again comes back
+/// to where it was.
 /// </summary>
 /// <remarks>
-/// Two places of one piece that are about to do the same are claimed to be alike. The claim is watched: whatever the thread is received at the
-/// one, in the whole exploration, its code is run with at the other too, and must do the same for some steps on. A claim that breaks is never
-/// made again, and the exploration begins again. This is how a program is tested against an automaton (Chow: "Testing software design modeled by
-/// finite-state machines", IEEE TSE 1978): it is exact unless the code hides a difference for longer than it is watched.
-/// What is watched grows with the number of answers to the power of the steps. So a large exploration follows, from each place, only a few answers
-/// that lead to the same kind of operation for all the steps; the others are watched for one step.
+/// Two places of one piece that are about to do the same are claimed to be alike. The claim is watched: whatever the
+/// thread is received at the one, in the whole exploration, its code is run with at the other too, and must do the same
+/// for some steps on. A claim that breaks is never made again, and the exploration begins again. This is how a program
+/// is tested against an automaton (Chow: "Testing software design modeled by finite-state machines", IEEE TSE 1978): it
+/// is exact unless the code hides a difference for longer than it is watched. What is watched grows with the number of
+/// answers to the power of the steps. So a large exploration follows, from each place, only a few answers that lead to
+/// the same kind of operation for all the steps; the others are watched for one step.
 /// Tests explore without folding, with all answers and with few, and find the same number of interleavings.
 /// </remarks>
 internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
@@ -91,9 +93,12 @@ internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
     {
         if (ReferenceEquals(folded.Place, place))
             return true;
-        if (folded.Place.Tree != place.Tree || !folded.Place.Operation.IsLike(place.Operation) || !folded.Place.From.Equals(place.From) || place.Operation.Kind == SyncKind.End)
+        if (folded.Place.Tree != place.Tree || !folded.Place.Operation.IsLike(place.Operation)
+            || !folded.Place.From.Equals(place.From) || place.Operation.Kind == SyncKind.End)
             return false;
-        return steps == 0 || folded.Next.TrueForAll(next => GoOnAlike(next.Place, place.After(next.Received), StepsAfter(next, steps)));
+        return steps == 0
+            || folded.Next.TrueForAll(
+                next => GoOnAlike(next.Place, place.After(next.Received), StepsAfter(next, steps)));
     }
 
     private void Watch(FoldedPlace folded, FoldClaim claim)
@@ -102,7 +107,9 @@ internal sealed class CodeFold(int watchedSteps, int watchedAnswers)
             return;
         folded.Claims.Add(claim);
         foreach (FoldedPlace.Answer next in folded.Next)
-            Watch(next.Place, claim with { Place = claim.Place.After(next.Received), Steps = StepsAfter(next, claim.Steps) });
+            Watch(
+                next.Place,
+                claim with { Place = claim.Place.After(next.Received), Steps = StepsAfter(next, claim.Steps) });
     }
 
     internal sealed class ClaimBroken : Exception;

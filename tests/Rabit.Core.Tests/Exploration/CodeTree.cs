@@ -3,8 +3,8 @@ using System.Collections.Generic;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// What a thread does in answer to everything it may be received, found by running its code: a place in the tree is a place in the code with
-/// all its local variables. The code is run to each place once.
+/// What a thread does in answer to everything it may be received, found by running its code: a place in the tree is a
+/// place in the code with all its local variables. The code is run to each place once.
 /// </summary>
 internal sealed class CodeTree(ExploredThread thread, Recorder recorder)
 {

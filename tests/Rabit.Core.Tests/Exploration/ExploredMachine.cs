@@ -4,7 +4,10 @@ using System.Linq;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>The machine that the explored threads run on: processors, memory, kernel and clock. It takes one step at a time, as it is asked to.</summary>
+/// <summary>
+/// The machine that the explored threads run on: processors, memory, kernel and clock. It takes one step at a time, as
+/// it is asked to.
+/// </summary>
 internal sealed class ExploredMachine
 {
     private const int Asleep = 1;
@@ -31,7 +34,8 @@ internal sealed class ExploredMachine
         _places = new CodeFold(options.WatchedSteps, options.WatchedAnswers);
         _updates = new RetriedUpdates();
         _options = options;
-        _shape = new StateShape(_threads.Count, model.Size.Locations, model.Size.Writes, model.Size.Signals, model.Notes);
+        _shape = new StateShape(
+            _threads.Count, model.Size.Locations, model.Size.Writes, model.Size.Signals, model.Notes);
         _memory = new ExploredMemory(_shape, options.Memory);
         _hasEnded = new bool[_threads.Count];
         _lastMoment = new TimeSpan(model.Ticks.Step.Ticks * model.Ticks.Times);
@@ -44,7 +48,8 @@ internal sealed class ExploredMachine
     public string NameOf(int thread) => _threads[thread].Name;
 
     /// <summary>Whether the thread may do nothing more.</summary>
-    public bool MayRest(ExploredState state, int thread) => OperationOf(state, thread) is { Kind: SyncKind.End } or { MayNeverCome: true };
+    public bool MayRest(ExploredState state, int thread)
+        => OperationOf(state, thread) is { Kind: SyncKind.End } or { MayNeverCome: true };
 
     public SyncOperation OperationOf(ExploredState state, int thread) => _places[state.Place(thread)].Place.Operation;
 
@@ -55,7 +60,9 @@ internal sealed class ExploredMachine
         return (place.Place.Operation.Kind == SyncKind.NoteOfNext ? _places.After(place, 0) : place).Place.Operation;
     }
 
-    /// <summary>Whether the next step of the thread may be taken at once and alone: no run is lost by putting off the others.</summary>
+    /// <summary>
+    /// Whether the next step of the thread may be taken at once and alone: no run is lost by putting off the others.
+    /// </summary>
     public bool IsFree(ExploredState state, int thread)
     {
         if (!_options.TakesFreeSteps)
@@ -64,7 +71,9 @@ internal sealed class ExploredMachine
         SyncOperation operation = place.Place.Operation;
         return operation.Kind switch
         {
-            SyncKind.Write => _options.Memory != MemoryModel.SequentiallyConsistent && !IsNoted(place, 0) && _writers.IsLone(operation.Location, thread),
+            SyncKind.Write =>
+                _options.Memory != MemoryModel.SequentiallyConsistent && !IsNoted(place, 0)
+                    && _writers.IsLone(operation.Location, thread),
 
             // A clock that stands still for good: no thread sees when it is read.
             SyncKind.ReadClock => state.TicksLeft == 0 && !IsNoted(place, (int)state.Now.Ticks),
@@ -141,7 +150,8 @@ internal sealed class ExploredMachine
     }
 
     // What the model notes happens then and not earlier.
-    private bool IsNoted(FoldedPlace place, int received) => _places.After(place, received).Place.Operation.Kind is SyncKind.Note or SyncKind.ReadOldest;
+    private bool IsNoted(FoldedPlace place, int received)
+        => _places.After(place, received).Place.Operation.Kind is SyncKind.Note or SyncKind.ReadOldest;
 
     private void Forget(ExploredState state)
     {
@@ -164,7 +174,8 @@ internal sealed class ExploredMachine
             return true;
         FoldedPlace swap = _places.After(place, result);
         _writers.Meet(read.Location, thread);
-        _memory.Interlocked(state.Numbers, thread, read.Location, swap.Place.Operation.Value ^ first, null, isRead: false);
+        _memory.Interlocked(
+            state.Numbers, thread, read.Location, swap.Place.Operation.Value ^ first, null, isRead: false);
         _updates.Meet(read.Location, swap.Place.Operation.Value);
         place = _places.After(swap, result);
         return true;
@@ -199,13 +210,17 @@ internal sealed class ExploredMachine
         switch (operation.Kind)
         {
             case SyncKind.Exchange or SyncKind.InterlockedRead:
-                result = first ^ _memory.Interlocked(s, thread, location, operation.Value ^ first, null, operation.Kind == SyncKind.InterlockedRead);
+                result = first
+                    ^ _memory.Interlocked(
+                        s, thread, location, operation.Value ^ first, null, operation.Kind == SyncKind.InterlockedRead);
                 break;
             case SyncKind.InterlockedWrite:
                 _memory.Interlocked(s, thread, location, operation.Value ^ first, null, isRead: false);
                 break;
             case SyncKind.CompareExchange:
-                result = first ^ _memory.Interlocked(s, thread, location, operation.Value ^ first, operation.Comparand ^ first, isRead: false);
+                result = first
+                    ^ _memory.Interlocked(
+                        s, thread, location, operation.Value ^ first, operation.Comparand ^ first, isRead: false);
                 break;
             case SyncKind.Fence:
                 _memory.Fence(s, thread);
@@ -227,7 +242,8 @@ internal sealed class ExploredMachine
 
     private static bool UsesMemory(SyncKind kind) => kind <= SyncKind.InterlockedWrite;
 
-    // Choices: 0 what the wait is for, 1 its time is over, 2 no reason. A futex wait that has not begun: what the kernel finds in the word.
+    // Choices: 0 what the wait is for, 1 its time is over, 2 no reason. A futex wait that has not begun: what the
+    // kernel finds in the word.
     private StepKind Wait(ExploredState state, int thread, in SyncOperation operation, int choice, out int result)
     {
         result = 0;
@@ -244,7 +260,10 @@ internal sealed class ExploredMachine
 
         switch (choice)
         {
-            case 0 when operation.Kind == SyncKind.FutexWait ? state.WaitStage(thread) == Woken : state.SignalIsSet(operation.Location) != 0:
+            case 0
+                when operation.Kind == SyncKind.FutexWait
+                    ? state.WaitStage(thread) == Woken
+                    : state.SignalIsSet(operation.Location) != 0:
                 if (operation.Kind == SyncKind.Wait)
                 {
                     state.SignalIsSet(operation.Location) = 0;
@@ -274,7 +293,8 @@ internal sealed class ExploredMachine
             if (operation.Kind == SyncKind.Note)
                 operation.Note!(state);
             else if (operation.Kind == SyncKind.ReadOldest)
-                received = _recorder.InitialValue(operation.Location) ^ _memory.Oldest(state.Numbers, thread, operation.Location);
+                received = _recorder.InitialValue(operation.Location)
+                    ^ _memory.Oldest(state.Numbers, thread, operation.Location);
 
             // A clock that stands still for good may be read at once: no thread sees a difference.
             else if (operation.Kind == SyncKind.ReadClock && state.TicksLeft == 0)

@@ -6,19 +6,24 @@ namespace Rabit.Core.Tests.Exploration;
 /// A memory that may show each thread other values than the newest, within the rules of the .NET memory model.
 /// </summary>
 /// <remarks>
-/// Each location keeps its writes in order. A thread has a view: for each location the oldest write that it may still be shown. It may be
-/// shown any later one, and its view moves there. So a plain or volatile write may stay unseen while its thread goes on (a store buffer),
-/// plain writes may come to light in another order than they were made, and plain reads may be answered early (Arm).
+/// Each location keeps its writes in order. A thread has a view: for each location the oldest write that it may still
+/// be shown. It may be shown any later one, and its view moves there. So a plain or volatile write may stay unseen
+/// while its thread goes on (a store buffer), plain writes may come to light in another order than they were made, and
+/// plain reads may be answered early (Arm).
 /// <list type="bullet">
-/// <item>A volatile write hands on its thread's view, and a volatile read takes it over: what was done before is seen after.</item>
-/// <item>A plain write may move before racing writes of other threads that its thread has not seen, but not between an interlocked operation
-/// and the write that this read; so may a volatile one.</item>
-/// <item>An interlocked operation sees the newest write, hands on and takes over as volatile ones do, and is a full fence.</item>
-/// <item>A full fence takes over what all fences before it have handed on, and all that plain reads before it were shown.</item>
+/// <item>A volatile write hands on its thread's view, and a volatile read takes it over: what was done before is seen
+/// after.</item>
+/// <item>A plain write may move before racing writes of other threads that its thread has not seen, but not between an
+/// interlocked operation and the write that this read; so may a volatile one.</item>
+/// <item>An interlocked operation sees the newest write, hands on and takes over as volatile ones do, and is a full
+/// fence.</item>
+/// <item>A full fence takes over what all fences before it have handed on, and all that plain reads before it were
+/// shown.</item>
 /// </list>
-/// This is the view-based form of release and acquire with fences (Kang, Hur, Lahav, Vafeiadis, Dreyer: "A promising semantics for
-/// relaxed-memory concurrency", POPL 2017, sections 2 to 4), without promises: a read is not delayed past a later write of its thread. It allows all
-/// that x86 does, and more than Arm does (two readers may see two writers' writes in different orders).
+/// This is the view-based form of release and acquire with fences (Kang, Hur, Lahav, Vafeiadis, Dreyer: "A promising
+/// semantics for relaxed-memory concurrency", POPL 2017, sections 2 to 4), without promises: a read is not delayed past
+/// a later write of its thread. It allows all that x86 does, and more than Arm does (two readers may see two writers'
+/// writes in different orders).
 /// </remarks>
 internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
 {
@@ -69,7 +74,9 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
         return true;
     }
 
-    /// <summary>Writes at a place among the writes that the thread has not seen, by choice: 0 is after them all.</summary>
+    /// <summary>
+    /// Writes at a place among the writes that the thread has not seen, by choice: 0 is after them all.
+    /// </summary>
     public bool TryWrite(int[] s, int thread, int location, int choice, bool isVolatile, int value)
     {
         int index = s[shape.Counts + location];
@@ -157,7 +164,8 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
 
     private int View(int thread, int kind) => shape.Views + (((3 * thread) + kind) * _locations);
 
-    private int Write(int location, int index) => shape.Memory + (((location * shape.Writes) + index) * shape.WriteSize);
+    private int Write(int location, int index)
+        => shape.Memory + (((location * shape.Writes) + index) * shape.WriteSize);
 
     private void TakeOverFences(int[] s, int thread)
     {
@@ -198,7 +206,9 @@ internal sealed class ExploredMemory(StateShape shape, MemoryModel model)
     {
         int count = s[shape.Counts + location]++;
         if (count == shape.Writes)
-            throw new InvalidOperationException($"Location {location} has more than {shape.Writes} writes in sight: the shape of the state is too small.");
+            throw new InvalidOperationException(
+                $"Location {location} has more than {shape.Writes} writes in sight: the shape of the state is too "
+                    + "small.");
         int write = Write(location, index);
         if (index < count)
         {

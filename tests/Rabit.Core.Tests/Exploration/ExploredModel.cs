@@ -4,7 +4,9 @@ using Rabit.Core.Time;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>What is explored: threads, what their notes count, and what must hold when nothing more happens by itself.</summary>
+/// <summary>
+/// What is explored: threads, what their notes count, and what must hold when nothing more happens by itself.
+/// </summary>
 internal abstract class ExploredModel
 {
     /// <summary>The threads; they share objects that were made for this model and nothing else.</summary>
@@ -16,15 +18,17 @@ internal abstract class ExploredModel
     /// <summary>How often time may pass, and how far it goes each time.</summary>
     public virtual (int Times, TimeSpan Step) Ticks => (0, default);
 
-    /// <summary>How often a wait may return without a reason, as the kernel and a signal to the process make it do.</summary>
+    /// <summary>
+    /// How often a wait may return without a reason, as the kernel and a signal to the process make it do.
+    /// </summary>
     public virtual int EarlyReturns => 0;
 
     /// <summary>How many locations and signals the code has, and how many writes of one may be in sight.</summary>
     public virtual (int Locations, int Signals, int Writes) Size => (8, 1, 12);
 
     /// <summary>
-    /// What must hold whenever no thread can go on unless time passes. For each thread whether it has ended, or may never do what it does next; any
-    /// other waits.
+    /// What must hold whenever no thread can go on unless time passes. For each thread whether it has ended, or may
+    /// never do what it does next; any other waits.
     /// </summary>
     public abstract void CheckQuiet(ExploredState state, Func<int, bool> mayRest);
 }

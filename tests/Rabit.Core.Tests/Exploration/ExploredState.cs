@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>Where everything stands between two steps. The model may look at the time and keep numbers of its own in it.</summary>
+/// <summary>
+/// Where everything stands between two steps. The model may look at the time and keep numbers of its own in it.
+/// </summary>
 internal sealed class ExploredState(StateShape shape)
 {
     private const int NowAt = 0;
@@ -54,11 +56,16 @@ internal sealed class ExploredState(StateShape shape)
     {
         Array.Copy(other._numbers, _numbers, shape.Memory);
         for (int location = 0; location < shape.Locations; location++)
-            Array.Copy(other._numbers, FirstWrite(location), _numbers, FirstWrite(location), EndOfWrites(location) - FirstWrite(location));
+            Array.Copy(
+                other._numbers, FirstWrite(location), _numbers, FirstWrite(location),
+                EndOfWrites(location) - FirstWrite(location));
         Fault = other.Fault;
     }
 
-    /// <summary>The state in 128 bits: two states with the same ones are taken for one. Of 10^8 states two different ones do so once in 10^22.</summary>
+    /// <summary>
+    /// The state in 128 bits: two states with the same ones are taken for one. Of 10^8 states two different ones do so
+    /// once in 10^22.
+    /// </summary>
     public StateKey Key()
     {
         var key = default(StateKey);
@@ -71,5 +78,6 @@ internal sealed class ExploredState(StateShape shape)
     private int FirstWrite(int location) => shape.Memory + (location * shape.Writes * shape.WriteSize);
 
     // Of those in sight; what lies behind them means nothing.
-    private int EndOfWrites(int location) => FirstWrite(location) + (_numbers[shape.Counts + location] * shape.WriteSize);
+    private int EndOfWrites(int location)
+        => FirstWrite(location) + (_numbers[shape.Counts + location] * shape.WriteSize);
 }

@@ -4,7 +4,9 @@ using Rabit.Core.Time;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>The points as the explorer sees them: each asks the recorder what the memory, the kernel or the clock answers.</summary>
+/// <summary>
+/// The points as the explorer sees them: each asks the recorder what the memory, the kernel or the clock answers.
+/// </summary>
 internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
 {
     public int Read(ref int location) => Perform(SyncKind.Read, ref location);
@@ -17,9 +19,11 @@ internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
 
     public int Exchange(ref int location, int value) => Perform(SyncKind.Exchange, ref location, value);
 
-    public int CompareExchange(ref int location, int value, int comparand) => Perform(SyncKind.CompareExchange, ref location, value, comparand);
+    public int CompareExchange(ref int location, int value, int comparand)
+        => Perform(SyncKind.CompareExchange, ref location, value, comparand);
 
-    public long InterlockedRead(ref long location) => Perform(new SyncOperation(SyncKind.InterlockedRead, Mine.LocationOf(ref location)));
+    public long InterlockedRead(ref long location)
+        => Perform(new SyncOperation(SyncKind.InterlockedRead, Mine.LocationOf(ref location)));
 
     public void InterlockedWrite(ref long location, long value)
         => Perform(new SyncOperation(SyncKind.InterlockedWrite, Mine.LocationOf(ref location), checked((int)value)));
@@ -29,7 +33,11 @@ internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
     public void Set(AutoResetEvent signal) => Perform(new SyncOperation(SyncKind.Set, Mine.SignalOf(signal)));
 
     public void Wait(AutoResetEvent signal, int milliseconds)
-        => Perform(new SyncOperation(SyncKind.Wait, Mine.SignalOf(signal)) { AtMost = TimeSpan.FromMilliseconds(milliseconds) });
+        => Perform(
+            new SyncOperation(SyncKind.Wait, Mine.SignalOf(signal))
+            {
+                AtMost = TimeSpan.FromMilliseconds(milliseconds)
+            });
 
     public void FutexWake(int* word) => Perform(SyncKind.FutexWake, ref *word);
 
@@ -39,7 +47,8 @@ internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
     /// <summary>A remark of the model, on what has just been done.</summary>
     /// <param name="about">Compared: two notes that do the same have the same.</param>
     /// <param name="note">What it does.</param>
-    public static void Note(object about, Action<ExploredState> note) => Perform(new SyncOperation(SyncKind.Note) { About = about, Note = note });
+    public static void Note(object about, Action<ExploredState> note)
+        => Perform(new SyncOperation(SyncKind.Note) { About = about, Note = note });
 
     /// <summary>A remark of the model, on what is done next.</summary>
     /// <param name="about">Compared: two notes that do the same have the same.</param>
@@ -49,12 +58,14 @@ internal readonly unsafe struct ExploredSyncPoints : ILitmusPoints
         => Perform(new SyncOperation(SyncKind.NoteOfNext) { About = about, Note = note, MayNeverCome = mayNeverCome });
 
     /// <summary>
-    /// The oldest value that a plain read might be shown, now or ever after: views only grow. Where a check bears the newer ones if it bears
-    /// the oldest, and the code does not, this stands for the read; no other thread sees whether one has read.
+    /// The oldest value that a plain read might be shown, now or ever after: views only grow. Where a check bears the
+    /// newer ones if it bears the oldest, and the code does not, this stands for the read; no other thread sees whether
+    /// one has read.
     /// </summary>
     public static int OldestSeen(ref int location) => Perform(SyncKind.ReadOldest, ref location);
 
-    private static Recorder Mine => Recorder.Current ?? throw new InvalidOperationException("Nothing is explored on this thread.");
+    private static Recorder Mine
+        => Recorder.Current ?? throw new InvalidOperationException("Nothing is explored on this thread.");
 
     private static int Perform(SyncKind kind, ref int location, int value = 0, int comparand = 0)
         => Perform(new SyncOperation(kind, Mine.LocationOf(ref location), value, comparand));

@@ -1,8 +1,8 @@
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// A thread of a model. Its code is cut into pieces where it keeps nothing but a value that can be compared, so that the explorer knows
-/// two ways to the same place as one.
+/// A thread of a model. Its code is cut into pieces where it keeps nothing but a value that can be compared, so that
+/// the explorer knows two ways to the same place as one.
 /// </summary>
 internal abstract class ExploredThread(string name)
 {

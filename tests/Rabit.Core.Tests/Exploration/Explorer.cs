@@ -4,14 +4,15 @@ using System.Collections.Generic;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// Runs the code of a model in every interleaving of its synchronisation points, with everything that the memory may show, every
-/// moment at which time may pass, and every early return of a wait.
+/// Runs the code of a model in every interleaving of its synchronisation points, with everything that the memory may
+/// show, every moment at which time may pass, and every early return of a wait.
 /// </summary>
 /// <remarks>
-/// Depth first, each state once. That the number of interleavings comes out all the same is simple: those from a state on are those
-/// from its successors on, added up. Nothing is taken by chance. Two things are not walked twice: places in the code that go on alike
-/// (<see cref="CodeFold"/>), and retries of a compare-and-swap (<see cref="RetriedUpdates"/>). A step that conflicts with no other is taken alone
-/// (<see cref="LoneWriters"/>), so the interleavings that are counted are those that remain. Tests explore with and without.
+/// Depth first, each state once. That the number of interleavings comes out all the same is simple: those from a state
+/// on are those from its successors on, added up. Nothing is taken by chance. Two things are not walked twice: places
+/// in the code that go on alike (<see cref="CodeFold"/>), and retries of a compare-and-swap
+/// (<see cref="RetriedUpdates"/>). A step that conflicts with no other is taken alone (<see cref="LoneWriters"/>), so
+/// the interleavings that are counted are those that remain. Tests explore with and without.
 /// </remarks>
 internal sealed class Explorer
 {
@@ -35,10 +36,12 @@ internal sealed class Explorer
     /// <summary>Explores to the end, or to the first fault.</summary>
     /// <param name="model">Made again for each exploration.</param>
     /// <param name="memory">What the memory may show.</param>
-    public static ExplorationResult Explore(ExploredModel model, MemoryModel memory = MemoryModel.Weak) => Explore(model, new ExplorerOptions(memory));
+    public static ExplorationResult Explore(ExploredModel model, MemoryModel memory = MemoryModel.Weak)
+        => Explore(model, new ExplorerOptions(memory));
 
     /// <inheritdoc cref="Explore(ExploredModel, MemoryModel)"/>
-    public static ExplorationResult Explore(ExploredModel model, ExplorerOptions options) => new Explorer(model, options).Explore();
+    public static ExplorationResult Explore(ExploredModel model, ExplorerOptions options)
+        => new Explorer(model, options).Explore();
 
     private ExplorationResult Explore()
     {
@@ -51,7 +54,8 @@ internal sealed class Explorer
                 _stepCount = 0;
                 _machine.Begin(StateAt(0));
                 double interleavings = InterleavingsFrom(0);
-                return new ExplorationResult(_fault, _steps.ConvertAll(Describe), interleavings, _known.Count, _stepCount);
+                return new ExplorationResult(
+                    _fault, _steps.ConvertAll(Describe), interleavings, _known.Count, _stepCount);
             }
             catch (CodeFold.ClaimBroken)
             {
@@ -68,7 +72,9 @@ internal sealed class Explorer
             return interleavings;
 
         if (depth == MaxSteps)
-            throw new InvalidOperationException($"No end after {MaxSteps} steps; the first: {string.Join("; ", _steps.GetRange(0, 40).ConvertAll(Describe))}");
+            throw new InvalidOperationException(
+                $"No end after {MaxSteps} steps; the first: "
+                    + $"{string.Join("; ", _steps.GetRange(0, 40).ConvertAll(Describe))}");
         interleavings = FreeThread(state) is { } free ? InterleavingsOf(free, depth, out _) : InterleavingsOfAll(depth);
         if (_fault is not null)
             return 0;
@@ -163,9 +169,11 @@ internal sealed class Explorer
         SyncOperation operation = step.Operation;
         string what = operation.Kind switch
         {
-            SyncKind.Write or SyncKind.VolatileWrite or SyncKind.InterlockedWrite => $"#{operation.Location} = {operation.Value}",
+            SyncKind.Write or SyncKind.VolatileWrite or SyncKind.InterlockedWrite =>
+                $"#{operation.Location} = {operation.Value}",
             SyncKind.Exchange => $"#{operation.Location} = {operation.Value}, was {step.Result}",
-            SyncKind.CompareExchange => $"#{operation.Location} = {operation.Value} if {operation.Comparand}, was {step.Result}",
+            SyncKind.CompareExchange =>
+                $"#{operation.Location} = {operation.Value} if {operation.Comparand}, was {step.Result}",
             SyncKind.Fence or SyncKind.ReadClock => $"{step.Result}",
             _ => $"#{operation.Location}: {step.Result}",
         };

@@ -6,8 +6,8 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// A small wake-up with causes, a count and a mark "asleep" in one word, as the real one has, into which a fault can be put. Only for the
-/// explorer to find: nothing else uses it.
+/// A small wake-up with causes, a count and a mark "asleep" in one word, as the real one has, into which a fault can be
+/// put. Only for the explorer to find: nothing else uses it.
 /// </summary>
 internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUnderTest
 {
@@ -30,7 +30,8 @@ internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUn
 
     public override void Wake(WakeUpCauses cause)
     {
-        if (fault == SeededFault.WakeDroppedDuringStartup && cause != WakeUpCauses.Start && Sync.VolatileRead(ref _isOpen) == 0)
+        if (fault == SeededFault.WakeDroppedDuringStartup && cause != WakeUpCauses.Start
+            && Sync.VolatileRead(ref _isOpen) == 0)
             return;
         if (fault == SeededFault.UnfencedAlreadySetRead && (Sync.VolatileRead(ref _state) & (int)cause) != 0)
             return;
@@ -69,7 +70,8 @@ internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUn
                 return;
             if (fault == SeededFault.WakeDroppedDuringStartup && (taken & (int)WakeUpCauses.Start) != 0)
                 Sync.VolatileWrite(ref _isOpen, 1);
-            next = runStep(new ConsumedWakeUps((WakeUpCauses)(taken & Any & ~Stop), taken / OneWake, stop: false), null);
+            next = runStep(
+                new ConsumedWakeUps((WakeUpCauses)(taken & Any & ~Stop), taken / OneWake, stop: false), null);
         }
     }
 
@@ -113,7 +115,8 @@ internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUn
                 return seen;
             case SeededFault.WakesThatStack:
                 seen = Sync.VolatileRead(ref _state);
-                return Sync.CompareExchange(ref _state, seen / OneWake > 1 ? seen - OneWake : 0, seen) == seen && seen / OneWake > 1
+                return Sync.CompareExchange(ref _state, seen / OneWake > 1 ? seen - OneWake : 0, seen) == seen
+                    && seen / OneWake > 1
                     ? (seen & Any) + OneWake
                     : seen;
             default:

@@ -17,7 +17,10 @@ internal sealed class FoldedPlace(CodePlace place, int number)
     /// <summary>The same, by what the thread is received.</summary>
     public Dictionary<int, FoldedPlace> ByAnswer { get; } = [];
 
-    /// <summary>How many of the values of the location this place is known to be a retried update for; see <see cref="RetriedUpdates"/>.</summary>
+    /// <summary>
+    /// How many of the values of the location this place is known to be a retried update for; see
+    /// <see cref="RetriedUpdates"/>.
+    /// </summary>
     public int RetriesKnown { get; set; }
 
     /// <summary>The others, and for how many steps each is watched.</summary>
@@ -27,7 +30,9 @@ internal sealed class FoldedPlace(CodePlace place, int number)
     public Answer Add(int received, FoldedPlace place)
     {
         SyncOperation operation = place.Place.Operation;
-        var answer = new Answer(received, place, Next.Count(n => n.Place.Place.Operation.Kind == operation.Kind && n.Place.Place.Operation.Location == operation.Location));
+        var answer = new Answer(received, place, Next.Count(
+            n => n.Place.Place.Operation.Kind == operation.Kind
+                && n.Place.Place.Operation.Location == operation.Location));
         Next.Add(answer);
         ByAnswer.Add(received, place);
         return answer;
@@ -36,6 +41,8 @@ internal sealed class FoldedPlace(CodePlace place, int number)
     /// <summary>An answer, and where it leads.</summary>
     /// <param name="Received">What the thread is received.</param>
     /// <param name="Place">Where it is then.</param>
-    /// <param name="Rank">How many answers that lead to an operation of the same kind in the same location came up before this one.</param>
+    /// <param name="Rank">
+    /// How many answers that lead to an operation of the same kind in the same location came up before this one.
+    /// </param>
     internal readonly record struct Answer(int Received, FoldedPlace Place, int Rank);
 }

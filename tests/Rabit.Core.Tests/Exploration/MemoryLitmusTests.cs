@@ -6,8 +6,9 @@ using Xunit;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// The classic small programs that distinguish memory models (Alglave, Maranget, Tautschnig: "Herding cats", TOPLAS 2014, figure 3), run by the
-/// explorer: what x86 and Arm do is found, and what volatile, interlocked operations and fences forbid is not.
+/// The classic small programs that distinguish memory models (Alglave, Maranget, Tautschnig: "Herding cats", TOPLAS
+/// 2014, figure 3), run by the explorer: what x86 and Arm do is found, and what volatile, interlocked operations and
+/// fences forbid is not.
 /// </summary>
 public sealed class MemoryLitmusTests
 {
@@ -130,7 +131,9 @@ public sealed class MemoryLitmusTests
         Assert.Equal(reorders, passing.Contains("1 0"));
     }
 
-    /// <summary>Steps of two threads that do not meet interleave in as many ways as the binomial coefficient says.</summary>
+    /// <summary>
+    /// Steps of two threads that do not meet interleave in as many ways as the binomial coefficient says.
+    /// </summary>
     [Fact]
     public void Interleavings_OfThreadsThatDoNotMeet_AreAsManyAsTheBinomialCoefficient()
     {
@@ -140,7 +143,9 @@ public sealed class MemoryLitmusTests
             () => { P.Write(ref _x[0], 1); P.Write(ref _x[0], 2); P.Write(ref _x[0], 3); },
             () => { P.Write(ref _y[0], 1); P.Write(ref _y[0], 2); P.Write(ref _y[0], 3); P.Write(ref _y[0], 4); });
 
-        Assert.Equal(35, Explorer.Explore(model, new ExplorerOptions(MemoryModel.Weak) { TakesFreeSteps = false }).Interleavings);
+        Assert.Equal(
+            35,
+            Explorer.Explore(model, new ExplorerOptions(MemoryModel.Weak) { TakesFreeSteps = false }).Interleavings);
     }
 
     private HashSet<string> PassThroughStoreBuffers(string kind)
@@ -168,7 +173,8 @@ public sealed class MemoryLitmusTests
             _ => P.Read(ref location[0]),
         };
 
-    private static void Record(int note, int value) => ExploredSyncPoints.Note((note, value), state => state.Note(note) = value);
+    private static void Record(int note, int value)
+        => ExploredSyncPoints.Note((note, value), state => state.Note(note) = value);
 
     // What the locations hold in the end: the last one to record does so after all writes.
     private void RecordTheEnd()
@@ -193,7 +199,9 @@ public sealed class MemoryLitmusTests
     {
         _x[0] = _y[0] = 0;
         var outcomes = new HashSet<string>(StringComparer.Ordinal);
-        var model = new SmallModel(notes, state => outcomes.Add(string.Join(" ", Enumerable.Range(0, notes).Select(i => state.Note(i)))), threads);
+        var model = new SmallModel(
+            notes, state => outcomes.Add(string.Join(" ", Enumerable.Range(0, notes).Select(i => state.Note(i)))),
+            threads);
         Assert.Null(Explorer.Explore(model, options).Fault);
         return outcomes;
     }

@@ -7,8 +7,9 @@ internal enum MemoryModel
     SequentiallyConsistent,
 
     /// <summary>
-    /// Each processor has a store buffer: its own writes may stay unseen by the others until an interlocked operation or a fence, volatile
-    /// ones in their order (x86), plain ones in any (Arm). Reads are in order, and what one other processor has seen all see.
+    /// Each processor has a store buffer: its own writes may stay unseen by the others until an interlocked operation
+    /// or a fence, volatile ones in their order (x86), plain ones in any (Arm). Reads are in order, and what one other
+    /// processor has seen all see.
     /// </summary>
     StoreBuffers,
 

@@ -16,9 +16,11 @@ internal sealed class ProductionWakeUp : WakeUpUnderTest
         _loop = new StepLoop<ExploredSyncPoints>(_wakeUp, signal, clock);
     }
 
-    public static WakeUpUnderTest OnEvent(RunClock clock) => new ProductionWakeUp(new EventWaitSignal<ExploredSyncPoints>(clock), clock);
+    public static WakeUpUnderTest OnEvent(RunClock clock)
+        => new ProductionWakeUp(new EventWaitSignal<ExploredSyncPoints>(clock), clock);
 
-    public static WakeUpUnderTest OnFutex(RunClock clock) => new ProductionWakeUp(new FutexWaitSignal<ExploredSyncPoints>(clock), clock);
+    public static WakeUpUnderTest OnFutex(RunClock clock)
+        => new ProductionWakeUp(new FutexWaitSignal<ExploredSyncPoints>(clock), clock);
 
     public static Func<RunClock, WakeUpUnderTest> On(string engine) => engine switch
     {
@@ -31,5 +33,6 @@ internal sealed class ProductionWakeUp : WakeUpUnderTest
 
     public override void RequestStop() => _wakeUp.RequestStop();
 
-    public override void Run(NextStep next, Func<ConsumedWakeUps, TimeSpan?, NextStep> runStep) => _loop.Run(next, runStep);
+    public override void Run(NextStep next, Func<ConsumedWakeUps, TimeSpan?, NextStep> runStep)
+        => _loop.Run(next, runStep);
 }

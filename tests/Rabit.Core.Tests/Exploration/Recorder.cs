@@ -5,11 +5,13 @@ using System.Threading;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// Runs a piece of code up to its next synchronisation point: the points before it get the results that the script gives them; at the next
-/// one the code is left. So a thread needs no thread, and its state is what it was received so far.
+/// Runs a piece of code up to its next synchronisation point: the points before it get the results that the script
+/// gives them; at the next one the code is left. So a thread needs no thread, and its state is what it was received so
+/// far.
 /// </summary>
 /// <remarks>
-/// A location is known by a number that is written into it when it is first met; what it holds at any time is the explorer's business.
+/// A location is known by a number that is written into it when it is first met; what it holds at any time is the
+/// explorer's business.
 /// </remarks>
 internal sealed class Recorder
 {
@@ -32,7 +34,9 @@ internal sealed class Recorder
     /// <param name="next">The operation at which it was left; default where it came to its end.</param>
     /// <param name="rest">What the code returned.</param>
     /// <returns>False where the code came to its end.</returns>
-    public bool TryRun(Func<object?> code, IReadOnlyList<(SyncOperation Operation, int Result)> script, out SyncOperation next, out object? rest)
+    public bool TryRun(
+        Func<object?> code, IReadOnlyList<(SyncOperation Operation, int Result)> script, out SyncOperation next,
+        out object? rest)
     {
         (_script, _position, _next, rest) = (script, 0, default, null);
         Current = this;
@@ -71,7 +75,9 @@ internal sealed class Recorder
 
         (SyncOperation before, int result) = _script[_position++];
         if (!before.IsLike(operation))
-            throw new InvalidOperationException($"The code did {operation} where it did {before} before: it depends on something that is no synchronisation point.");
+            throw new InvalidOperationException(
+                $"The code did {operation} where it did {before} before: it depends on something that is no "
+                    + "synchronisation point.");
         return result;
     }
 

@@ -5,7 +5,10 @@ using Xunit.Abstractions;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>What the explorer leaves out makes no difference: small scenarios are explored with it and without, with the same verdict.</summary>
+/// <summary>
+/// What the explorer leaves out makes no difference: small scenarios are explored with it and without, with the same
+/// verdict.
+/// </summary>
 public sealed class ReducedExplorationTests(ITestOutputHelper output)
 {
     private static readonly ExplorerOptions Reduced = new(MemoryModel.StoreBuffers);
@@ -36,7 +39,8 @@ public sealed class ReducedExplorationTests(ITestOutputHelper output)
     [InlineData("event", 2, 2)]
     [InlineData("event", 3, 1)]
     [InlineData("futex", 2, 1)]
-    public void Explore_WatchingFewAnswersOfMoreWakers_FindsTheSameInterleavings(string engine, int wakers, int wakesEach)
+    public void Explore_WatchingFewAnswersOfMoreWakers_FindsTheSameInterleavings(
+        string engine, int wakers, int wakesEach)
         => AssertTheSameWithFewAnswers(engine, All(wakers, wakesEach));
 
     /// <summary>Those that walk fewer.</summary>
@@ -44,7 +48,8 @@ public sealed class ReducedExplorationTests(ITestOutputHelper output)
     [InlineData("event", 1, 1, false)]
     [InlineData("futex", 1, 1, false)]
     [InlineData("event", 1, 1, true)]
-    public void Explore_WithAndWithoutReductions_FindsNoFaultInProduction(string engine, int wakers, int wakesEach, bool isWeak)
+    public void Explore_WithAndWithoutReductions_FindsNoFaultInProduction(
+        string engine, int wakers, int wakesEach, bool isWeak)
         => AssertNoFaultWithAndWithout(engine, wakers, wakesEach, isWeak);
 
     [Theory, Trait("Category", "Long")]
@@ -52,7 +57,8 @@ public sealed class ReducedExplorationTests(ITestOutputHelper output)
     [InlineData("event", 2, 1, false)]
     [InlineData("futex", 1, 2, false)]
     [InlineData("event", 2, 1, true)]
-    public void Explore_MoreWakersWithAndWithoutReductions_FindsNoFaultInProduction(string engine, int wakers, int wakesEach, bool isWeak)
+    public void Explore_MoreWakersWithAndWithoutReductions_FindsNoFaultInProduction(
+        string engine, int wakers, int wakesEach, bool isWeak)
         => AssertNoFaultWithAndWithout(engine, wakers, wakesEach, isWeak);
 
     [Theory]
@@ -104,9 +110,11 @@ public sealed class ReducedExplorationTests(ITestOutputHelper output)
         Assert.Equal([1, 2, 12], outcomes.OrderBy(outcome => outcome));
     }
 
-    private static WakeUpScenario All(int wakers, int wakesEach) => new(wakers, wakesEach) { Starts = true, Stops = true, Ticks = 1 };
+    private static WakeUpScenario All(int wakers, int wakesEach)
+        => new(wakers, wakesEach) { Starts = true, Stops = true, Ticks = 1 };
 
-    private static WakeUpModel Faulty(WakeUpScenario scenario, SeededFault fault) => new(scenario, clock => new FaultyWakeUp(fault, clock));
+    private static WakeUpModel Faulty(WakeUpScenario scenario, SeededFault fault)
+        => new(scenario, clock => new FaultyWakeUp(fault, clock));
 
     private void AssertNoFaultWithAndWithout(string engine, int wakers, int wakesEach, bool isWeak)
     {

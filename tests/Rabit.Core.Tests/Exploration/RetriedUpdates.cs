@@ -3,14 +3,14 @@ using System.Collections.Generic;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// Finds reads that begin an update: read a location, compare-and-swap it, and where that fails go on as if the value that it found had been
-/// read at first. Such an update is one step: the newest value is read and changed.
+/// Finds reads that begin an update: read a location, compare-and-swap it, and where that fails go on as if the value
+/// that it found had been read at first. Such an update is one step: the newest value is read and changed.
 /// </summary>
 /// <remarks>
-/// Nothing is lost by that. A run in which the swap fails is, for all others, a run in which the thread read later; what the failed swap does
-/// beside, being a fence, is to hurry the thread's own writes, and that only takes choices from the others.
-/// That the code is of that kind is not assumed but tried with every value that the location has ever had, up to what it does after
-/// the swap; where a new value shows otherwise, the exploration begins again without.
+/// Nothing is lost by that. A run in which the swap fails is, for all others, a run in which the thread read later;
+/// what the failed swap does beside, being a fence, is to hurry the thread's own writes, and that only takes choices
+/// from the others. That the code is of that kind is not assumed but tried with every value that the location has ever
+/// had, up to what it does after the swap; where a new value shows otherwise, the exploration begins again without.
 /// </remarks>
 internal sealed class RetriedUpdates
 {
@@ -46,7 +46,8 @@ internal sealed class RetriedUpdates
         for (int known = place.RetriesKnown; known < values.Count; known++)
         {
             int one = values[known];
-            if (Retries(place.Place, one, values[0]) && Retries(place.Place, values[0], one) && Retries(place.Place, values[known / 2], one))
+            if (Retries(place.Place, one, values[0]) && Retries(place.Place, values[0], one)
+                && Retries(place.Place, values[known / 2], one))
                 continue;
             _others.Add(place.Place);
             if (place.RetriesKnown > 0)
@@ -58,7 +59,8 @@ internal sealed class RetriedUpdates
         return true;
     }
 
-    // Whether the code, received one value and then that another was found, does what it does when it is received the other at once.
+    // Whether the code, received one value and then that another was found, does what it does when it is received the
+    // other at once.
     private static bool Retries(CodePlace place, int received, int found)
     {
         CodePlace swap = place.After(received);
@@ -68,7 +70,8 @@ internal sealed class RetriedUpdates
         if (received == found)
             return true;
         CodePlace again = swap.After(found);
-        return again.Operation.IsLike(atOnce.Operation) && again.After(found).Operation.IsLike(atOnce.After(found).Operation);
+        return again.Operation.IsLike(atOnce.Operation)
+            && again.After(found).Operation.IsLike(atOnce.After(found).Operation);
     }
 
     private static bool IsSwapOf(CodePlace swap, CodePlace place, int received)

@@ -9,7 +9,9 @@ public enum SeededFault
     /// <summary>The causes are read before the turn, and cleared after it.</summary>
     FlagClearedAfterTheWork,
 
-    /// <summary>They are cleared by a plain write, which may come to light when the turn has read already: rabitcpp does it so.</summary>
+    /// <summary>
+    /// They are cleared by a plain write, which may come to light when the turn has read already: rabitcpp does it so.
+    /// </summary>
     FlagClearedByAPlainWrite,
 
     /// <summary>The sleeper is signalled first and finds the cause too late.</summary>

@@ -3,7 +3,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>The explorer can fail: it finds each fault that is put into a wake-up, and prints the schedule that shows it.</summary>
+/// <summary>
+/// The explorer can fail: it finds each fault that is put into a wake-up, and prints the schedule that shows it.
+/// </summary>
 public sealed class SeededFaultTests(ITestOutputHelper output)
 {
     [Theory]
@@ -33,18 +35,24 @@ public sealed class SeededFaultTests(ITestOutputHelper output)
         Assert.Null(result.Fault);
     }
 
-    /// <summary>Only a memory with store buffers shows it: an explorer that interleaves and no more would pass it.</summary>
+    /// <summary>
+    /// Only a memory with store buffers shows it: an explorer that interleaves and no more would pass it.
+    /// </summary>
     [Fact]
     public void Explore_UnfencedReadOnASequentiallyConsistentMemory_FindsNone()
         => Assert.Null(Explorer.Explore(
-            new WakeUpModel(new WakeUpScenario(1, 2) { ChecksCounts = false }, clock => new FaultyWakeUp(SeededFault.UnfencedAlreadySetRead, clock)),
+            new WakeUpModel(
+                new WakeUpScenario(1, 2) { ChecksCounts = false },
+                clock => new FaultyWakeUp(SeededFault.UnfencedAlreadySetRead, clock)),
             MemoryModel.SequentiallyConsistent).Fault);
 
     [Fact]
     public void Explore_UnfencedReadOnStoreBuffers_FindsALostPost()
     {
         ExplorationResult result = Explorer.Explore(
-            new WakeUpModel(new WakeUpScenario(1, 2) { ChecksCounts = false }, clock => new FaultyWakeUp(SeededFault.UnfencedAlreadySetRead, clock)),
+            new WakeUpModel(
+                new WakeUpScenario(1, 2) { ChecksCounts = false },
+                clock => new FaultyWakeUp(SeededFault.UnfencedAlreadySetRead, clock)),
             MemoryModel.StoreBuffers);
 
         output.WriteLine(result.ToString());

@@ -7,7 +7,8 @@ namespace Rabit.Core.Tests.Exploration;
 /// <summary>A few short threads, and a check at each end.</summary>
 internal sealed class SmallModel(int notes, Action<ExploredState> check, params Action[] threads) : ExploredModel
 {
-    public override IReadOnlyList<ExploredThread> Threads { get; } = threads.Select((code, i) => new OnePieceThread($"thread {i}", code)).ToArray();
+    public override IReadOnlyList<ExploredThread> Threads { get; } =
+        threads.Select((code, i) => new OnePieceThread($"thread {i}", code)).ToArray();
 
     public override int Notes => notes;
 

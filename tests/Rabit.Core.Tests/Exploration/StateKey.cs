@@ -8,7 +8,8 @@ internal struct StateKey : IEquatable<StateKey>
     private ulong _a;
     private ulong _b;
 
-    // Two multiplicative hashes with unlike odd factors (from SplitMix64 and from the golden ratio); the shift carries high bits back down.
+    // Two multiplicative hashes with unlike odd factors (from SplitMix64 and from the golden ratio); the shift carries
+    // high bits back down.
     public void Add(int[] numbers, int from, int to)
     {
         for (int i = from; i < to; i += 2)

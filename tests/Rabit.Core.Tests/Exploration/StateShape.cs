@@ -27,7 +27,9 @@ internal sealed class StateShape
 
     public int Notes { get; }
 
-    /// <summary>A write: its value, whether an interlocked operation made it, and what it shows to the thread that reads it.</summary>
+    /// <summary>
+    /// A write: its value, whether an interlocked operation made it, and what it shows to the thread that reads it.
+    /// </summary>
     public int WriteSize { get; }
 
     public int Views { get; }

@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>The states that are known, with the number of interleavings from each on: 24 bytes each in two arrays, for there are many.</summary>
+/// <summary>
+/// The states that are known, with the number of interleavings from each on: 24 bytes each in two arrays, for there are
+/// many.
+/// </summary>
 internal sealed class StateTable
 {
     private StateKey[] _keys = new StateKey[1024];

@@ -18,13 +18,17 @@ internal enum SyncKind
     FutexWait,
     ReadClock,
 
-    /// <summary>A remark of the model, no operation of the code: taken at once, together with the operation before it.</summary>
+    /// <summary>
+    /// A remark of the model, no operation of the code: taken at once, together with the operation before it.
+    /// </summary>
     Note,
 
     /// <summary>The same, together with the operation after it.</summary>
     NoteOfNext,
 
-    /// <summary>A question of the model: the oldest value that a read here might be shown. Taken as a note is.</summary>
+    /// <summary>
+    /// A question of the model: the oldest value that a read here might be shown. Taken as a note is.
+    /// </summary>
     ReadOldest,
 
     /// <summary>The thread has ended.</summary>

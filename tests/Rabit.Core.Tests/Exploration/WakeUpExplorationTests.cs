@@ -6,12 +6,14 @@ using Xunit.Abstractions;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// Contract 1.2, 1.4 and 1.6 in every interleaving of the code that flies, on both wait engines: no wake lost, none in two turns, exactly one
-/// more turn for any number of them, and a stop gets through. The numbers of interleavings are printed.
+/// Contract 1.2, 1.4 and 1.6 in every interleaving of the code that flies, on both wait engines: no wake lost, none in
+/// two turns, exactly one more turn for any number of them, and a stop gets through. The numbers of interleavings are
+/// printed.
 /// </summary>
 public sealed class WakeUpExplorationTests(ITestOutputHelper output)
 {
-    // Many values of one word: to watch all of them for all steps takes longer than the exploration (ReducedExplorationTests).
+    // Many values of one word: to watch all of them for all steps takes longer than the exploration
+    // (ReducedExplorationTests).
     private const int WatchedAnswers = 2;
 
     [Theory, Trait("Clause", "1.2"), Trait("Clause", "1.4"), Trait("Clause", "1.6")]
@@ -27,7 +29,8 @@ public sealed class WakeUpExplorationTests(ITestOutputHelper output)
     [InlineData("event", 2, 1)]
     [InlineData("futex", 1, 1)]
     [InlineData("futex", 1, 2)]
-    public void Wakes_FromTheBarrierToTheStopWithATimer_AreNeitherLostNorStacked(string engine, int wakers, int wakesEach)
+    public void Wakes_FromTheBarrierToTheStopWithATimer_AreNeitherLostNorStacked(
+        string engine, int wakers, int wakesEach)
         => AssertNoFault(engine, All(wakers, wakesEach) with { EarlyReturns = 1 }, MemoryModel.StoreBuffers);
 
     [Theory, Trait("Clause", "1.4"), Trait("Clause", "1.6")]
@@ -35,13 +38,16 @@ public sealed class WakeUpExplorationTests(ITestOutputHelper output)
     [InlineData("event", 2, 1)]
     [InlineData("futex", 1, 1)]
     public void Wakes_OnAMemoryThatAlsoReadsEarly_AreNeitherLostNorStacked(string engine, int wakers, int wakesEach)
-        => AssertNoFault(engine, new WakeUpScenario(wakers, wakesEach) { Stops = true, Starts = true }, MemoryModel.Weak);
+        => AssertNoFault(
+            engine, new WakeUpScenario(wakers, wakesEach) { Stops = true, Starts = true }, MemoryModel.Weak);
 
     [Theory, Trait("Clause", "1.4"), Trait("Clause", "1.7")]
     [InlineData("event")]
     [InlineData("futex")]
     public void Wakes_DuringABackOff_WaitForItsEnd(string engine)
-        => AssertNoFault(engine, new WakeUpScenario(1, 2) { Ticks = 2, BacksOff = true, EarlyReturns = 1 }, MemoryModel.StoreBuffers);
+        => AssertNoFault(
+            engine, new WakeUpScenario(1, 2) { Ticks = 2, BacksOff = true, EarlyReturns = 1 },
+            MemoryModel.StoreBuffers);
 
     [Theory, Trait("Clause", "1.6")]
     [InlineData("event")]
@@ -59,21 +65,26 @@ public sealed class WakeUpExplorationTests(ITestOutputHelper output)
     [InlineData("event", 2, 2, 1)]
     [InlineData("futex", 3, 2, 0)]
     [InlineData("futex", 2, 2, 1)]
-    public void Wakes_FromTheBarrierToTheStop_OfMoreWakers_AreNeitherLostNorStacked(string engine, int wakers, int wakesEach, int earlyReturns)
+    public void Wakes_FromTheBarrierToTheStop_OfMoreWakers_AreNeitherLostNorStacked(
+        string engine, int wakers, int wakesEach, int earlyReturns)
         => AssertNoFault(engine, All(wakers, wakesEach) with { EarlyReturns = earlyReturns }, MemoryModel.StoreBuffers);
 
     [Theory, Trait("Category", "Long"), Trait("Clause", "1.4"), Trait("Clause", "1.6")]
     [InlineData("event", 3, 1)]
     [InlineData("event", 2, 2)]
-    public void Wakes_OfMoreWakersOnAMemoryThatAlsoReadsEarly_AreNeitherLostNorStacked(string engine, int wakers, int wakesEach)
-        => AssertNoFault(engine, new WakeUpScenario(wakers, wakesEach) { Stops = true, Starts = true }, MemoryModel.Weak);
+    public void Wakes_OfMoreWakersOnAMemoryThatAlsoReadsEarly_AreNeitherLostNorStacked(
+        string engine, int wakers, int wakesEach)
+        => AssertNoFault(
+            engine, new WakeUpScenario(wakers, wakesEach) { Stops = true, Starts = true }, MemoryModel.Weak);
 
-    private static WakeUpScenario All(int wakers, int wakesEach) => new(wakers, wakesEach) { Starts = true, Stops = true, Ticks = 1 };
+    private static WakeUpScenario All(int wakers, int wakesEach)
+        => new(wakers, wakesEach) { Starts = true, Stops = true, Ticks = 1 };
 
     private void AssertNoFault(string engine, WakeUpScenario scenario, MemoryModel memory)
     {
         ExplorationResult result = Explorer.Explore(
-            new WakeUpModel(scenario, ProductionWakeUp.On(engine)), new ExplorerOptions(memory) { WatchedAnswers = WatchedAnswers });
+            new WakeUpModel(scenario, ProductionWakeUp.On(engine)),
+            new ExplorerOptions(memory) { WatchedAnswers = WatchedAnswers });
         output.WriteLine($"{engine}, {memory}: {scenario}");
         output.WriteLine(result.ToString());
         Assert.True(result.Fault is null, result.ToString());

@@ -3,10 +3,13 @@ using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Tests.Exploration;
 
-/// <summary>What was called, what returned and what the turns took, as far as a check still asks for it, and these checks.</summary>
+/// <summary>
+/// What was called, what returned and what the turns took, as far as a check still asks for it, and these checks.
+/// </summary>
 /// <remarks>
-/// A wake counts as called with the first step of its call and as returned with the last: the sharpest that can be asked for. A number that can only be
-/// compared in one way from now on becomes 0, so that states which differ in nothing that matters are one.
+/// A wake counts as called with the first step of its call and as returned with the last: the sharpest that can be
+/// asked for. A number that can only be compared in one way from now on becomes 0, so that states which differ in
+/// nothing that matters are one.
 /// </remarks>
 internal sealed class WakeUpHistory(WakeUpScenario scenario)
 {
@@ -18,7 +21,8 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
     private const int StopReturned = 5;
     private const int PerWaker = 6;
 
-    // For each waker: wakes called and returned, the same when the last turn began, the number that the last turn saw, and what its reads must see.
+    // For each waker: wakes called and returned, the same when the last turn began, the number that the last turn saw,
+    // and what its reads must see.
     private const int Called = 0;
     private const int Returned = 1;
     private const int CalledBefore = 2;
@@ -27,7 +31,8 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
     private const int MustSee = 5;
     private const int Each = 6;
 
-    private static readonly WakeUpCauses[] Causes = [WakeUpCauses.Post, WakeUpCauses.Push, WakeUpCauses.Request, WakeUpCauses.Pop];
+    private static readonly WakeUpCauses[] Causes =
+        [WakeUpCauses.Post, WakeUpCauses.Push, WakeUpCauses.Request, WakeUpCauses.Pop];
 
     public int Size => PerWaker + (scenario.Wakers * Each);
 
@@ -56,7 +61,9 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
             Set(s, Of(waker, Seen), 0);
     }
 
-    /// <summary>A turn begins: it has all wakes that have returned, none that was not called, and their causes.</summary>
+    /// <summary>
+    /// A turn begins: it has all wakes that have returned, none that was not called, and their causes.
+    /// </summary>
     public void BeginStep(ExploredState s, NextStep planned, ConsumedWakeUps wakes, TimeSpan? wokenAt)
     {
         bool isTimer = (wakes.Causes & WakeUpCauses.Timer) != 0;
@@ -67,7 +74,9 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
         s.Require(wokenAt is null || wokenAt <= s.Now, "a wake is said to have come later than now");
         s.Require(isWanted || isTimer, "a wake ended a sleep that it should not");
         int taken = s.Note(Taken) += wakes.Count;
-        s.Require(!scenario.ChecksCounts || taken >= s.Note(StartReturned) + Sum(s, Returned), "a wake that had returned is not in the turn");
+        s.Require(
+            !scenario.ChecksCounts || taken >= s.Note(StartReturned) + Sum(s, Returned),
+            "a wake that had returned is not in the turn");
         s.Require(taken <= s.Note(StartCalled) + Sum(s, Called), "a wake is in two turns");
         for (int waker = 0; waker < scenario.Wakers; waker++)
             BeginStep(s, waker, (wakes.Causes & Causes[waker]) != 0);
@@ -95,19 +104,26 @@ internal sealed class WakeUpHistory(WakeUpScenario scenario)
     {
         s.Require(s.Note(StopReturned) == 0 || s.Note(IsOver) != 0, "a stop was lost: the sleeper goes on sleeping");
 
-        // A sleeper that backs off, or is at the barrier, keeps its wakes; that they are all in its next turn is checked there.
+        // A sleeper that backs off, or is at the barrier, keeps its wakes; that they are all in its next turn is
+        // checked there.
         if (s.Note(IsOver) != 0 || scenario.BacksOff || (scenario.Stops && !scenario.Starts))
             return;
-        s.Require(!scenario.ChecksCounts || s.Note(Taken) == s.Note(StartReturned) + Sum(s, Returned), "a wake was lost: the sleeper goes on sleeping");
+        s.Require(
+            !scenario.ChecksCounts || s.Note(Taken) == s.Note(StartReturned) + Sum(s, Returned),
+            "a wake was lost: the sleeper goes on sleeping");
         for (int waker = 0; waker < scenario.Wakers; waker++)
-            s.Require(s.Note(Of(waker, Seen)) == s.Note(Of(waker, Returned)), "a post was lost: the last turn saw an older one");
+            s.Require(
+                s.Note(Of(waker, Seen)) == s.Note(Of(waker, Returned)),
+                "a post was lost: the last turn saw an older one");
     }
 
     private void BeginStep(ExploredState s, int waker, bool isCause)
     {
         int called = s.Note(Of(waker, Called));
         int returned = s.Note(Of(waker, Returned));
-        s.Require(!scenario.ChecksCounts || isCause || returned <= s.Note(Of(waker, CalledBefore)), "a wake is in the turn, but not its cause");
+        s.Require(
+            !scenario.ChecksCounts || isCause || returned <= s.Note(Of(waker, CalledBefore)),
+            "a wake is in the turn, but not its cause");
         s.Require(!isCause || called > s.Note(Of(waker, ReturnedBefore)), "a cause is in the turn, but not its wake");
         s.Note(Of(waker, CalledBefore)) = called;
         s.Note(Of(waker, ReturnedBefore)) = called > returned ? 0 : returned;

@@ -6,14 +6,17 @@ using Rabit.Core.WakeUp;
 namespace Rabit.Core.Tests.Exploration;
 
 /// <summary>
-/// One sleeper, some wakers, the reactor that opens the start-up barrier and stops, and time: contract 1.2, 1.4 and 1.6.
+/// One sleeper, some wakers, the reactor that opens the start-up barrier and stops, and time: contract 1.2, 1.4 and
+/// 1.6.
 /// </summary>
 /// <remarks>
 /// Each waker writes a number plainly, as a post would, and wakes. What must hold (<see cref="WakeUpHistory"/>):
 /// <list type="bullet">
-/// <item>at each turn: all wakes that have returned are in it or were in an earlier one, no wake is in two, none is in before it was called;
-/// its causes are theirs; a turn without a wake has a timer that was due; a turn sees what was written before its wakes;</item>
-/// <item>when nothing happens any more without the timer, be it that no stop ever comes: every wake was in a turn that saw its number;</item>
+/// <item>at each turn: all wakes that have returned are in it or were in an earlier one, no wake is in two, none is in
+/// before it was called; its causes are theirs; a turn without a wake has a timer that was due; a turn sees what was
+/// written before its wakes;</item>
+/// <item>when nothing happens any more without the timer, be it that no stop ever comes: every wake was in a turn that
+/// saw its number;</item>
 /// <item>a stop ends the sleeper, and after it has returned no turn begins.</item>
 /// </list>
 /// </remarks>
@@ -130,7 +133,8 @@ internal sealed class WakeUpModel : ExploredModel
 
     private sealed class Sleeper(WakeUpModel model) : ExploredThread("sleeper")
     {
-        public override object Begin => model._scenario.Starts || model._scenario.Stops ? NextStep.AtStart() : NextStep.At(TimeSpan.MaxValue);
+        public override object Begin
+            => model._scenario.Starts || model._scenario.Stops ? NextStep.AtStart() : NextStep.At(TimeSpan.MaxValue);
 
         public override object? Run(object from)
         {

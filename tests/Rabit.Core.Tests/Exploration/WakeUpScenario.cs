@@ -20,9 +20,13 @@ internal sealed record WakeUpScenario(int Wakers, int WakesEach)
     /// <summary>Whether turns are checked for all wakes and causes, or only for what they see.</summary>
     public bool ChecksCounts { get; init; } = true;
 
-    /// <summary>Whether a turn reads what the wakers wrote step by step, or asks for the oldest that it might be shown.</summary>
+    /// <summary>
+    /// Whether a turn reads what the wakers wrote step by step, or asks for the oldest that it might be shown.
+    /// </summary>
     public bool ReadsInSteps { get; init; }
 
-    /// <summary>Whether every turn fails, so that the next comes with the timer and not before, and wakes are kept.</summary>
+    /// <summary>
+    /// Whether every turn fails, so that the next comes with the timer and not before, and wakes are kept.
+    /// </summary>
     public bool BacksOff { get; init; }
 }

@@ -4,7 +4,10 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Managers;
 
-/// <summary>Contract 4.2: what a manager is given wrongly is refused at once, with an error that names the manager and the thing.</summary>
+/// <summary>
+/// Contract 4.2: what a manager is given wrongly is refused at once, with an error that names the manager and the
+/// thing.
+/// </summary>
 public sealed class ManagerArgumentTests
 {
     private readonly TestBoard _board = new();
@@ -68,10 +71,13 @@ public sealed class ManagerArgumentTests
 
     [Fact]
     public void Time_BeforeTheStart_IsAnErrorThatNamesTheManager()
-        => Assert.Contains("'m' is not in a reactor that has started", Assert.Throws<InvalidOperationException>(() => New().Time).Message, StringComparison.Ordinal);
+        => Assert.Contains(
+            "'m' is not in a reactor that has started",
+            Assert.Throws<InvalidOperationException>(() => New().Time).Message, StringComparison.Ordinal);
 
     [Fact]
-    public void StatusMessageName_OfAName_IsWhatTheDocumentationSays() => Assert.Equal("pilot/status", RabitManager.StatusMessageName("pilot"));
+    public void StatusMessageName_OfAName_IsWhatTheDocumentationSays()
+        => Assert.Equal("pilot/status", RabitManager.StatusMessageName("pilot"));
 
     private ScriptedManager New() => new("m", _board);
 

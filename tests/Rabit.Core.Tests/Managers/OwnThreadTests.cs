@@ -16,7 +16,8 @@ public sealed class OwnThreadTests
         foreach (string name in new[] { "a", "b" })
         {
             ScriptedManager manager = run.Add(name);
-            void WriteThread() => run.Board.Write($"{name} {Thread.CurrentThread.Name} {Environment.CurrentManagedThreadId}");
+            void WriteThread()
+                => run.Board.Write($"{name} {Thread.CurrentThread.Name} {Environment.CurrentManagedThreadId}");
             manager.OnStartup = WriteThread;
             manager.OnUnit = WriteThread;
             manager.OnShutdown = WriteThread;
@@ -25,13 +26,15 @@ public sealed class OwnThreadTests
         run.StartAndSettle();
         run.Finish();
 
-        string[] distinct = run.Board.Entries.Distinct(StringComparer.Ordinal).OrderBy(e => e, StringComparer.Ordinal).ToArray();
+        string[] distinct = run.Board.Entries.Distinct(StringComparer.Ordinal)
+            .OrderBy(e => e, StringComparer.Ordinal).ToArray();
         Assert.Equal(6, run.Board.Entries.Count);
         Assert.Equal(2, distinct.Length);
         Assert.StartsWith("a a ", distinct[0], StringComparison.Ordinal);
         Assert.StartsWith("b b ", distinct[1], StringComparison.Ordinal);
         Assert.NotEqual(distinct[0].Substring(4), distinct[1].Substring(4));
-        Assert.DoesNotContain(distinct, e => e.EndsWith(" " + Environment.CurrentManagedThreadId, StringComparison.Ordinal));
+        Assert.DoesNotContain(
+            distinct, e => e.EndsWith(" " + Environment.CurrentManagedThreadId, StringComparison.Ordinal));
     }
 
     [Fact, Trait("Clause", "1.8")]
@@ -40,14 +43,20 @@ public sealed class OwnThreadTests
         using var run = new TestRun(TimeKind.Real);
         ScriptedManager manager = run.Add("m");
         void WriteThread() => run.Board.Write(Thread.CurrentThread.Name + " " + Environment.CurrentManagedThreadId);
-        var source = new ScriptedSource(new TestBoard(), TimeSpan.Zero, 1) { OnOpen = WriteThread, OnRead = WriteThread, OnClose = WriteThread };
+        var source = new ScriptedSource(new TestBoard(), TimeSpan.Zero, 1)
+        {
+            OnOpen = WriteThread,
+            OnRead = WriteThread,
+            OnClose = WriteThread
+        };
         manager.AttachReader("line", source);
 
         run.Start();
         run.Until(() => run.Board.Entries.Count >= 2, "the source is read");
         run.Finish();
 
-        Assert.StartsWith("m/line ", Assert.Single(run.Board.Entries.Distinct(StringComparer.Ordinal)), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "m/line ", Assert.Single(run.Board.Entries.Distinct(StringComparer.Ordinal)), StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "1.2")]

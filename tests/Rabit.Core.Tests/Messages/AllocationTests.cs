@@ -10,7 +10,8 @@ public sealed class AllocationTests
 {
     // .NET Framework's reference assemblies lack it; both runtimes have it.
     private static readonly Func<long> AllocatedBytes = (Func<long>)Delegate.CreateDelegate(
-        typeof(Func<long>), typeof(GC).GetMethod("GetAllocatedBytesForCurrentThread", BindingFlags.Public | BindingFlags.Static)!);
+        typeof(Func<long>),
+        typeof(GC).GetMethod("GetAllocatedBytesForCurrentThread", BindingFlags.Public | BindingFlags.Static)!);
 
     [Fact, Trait("Clause", "2.5")]
     public void PostAndFetch_SteadyState_AllocateNothing()

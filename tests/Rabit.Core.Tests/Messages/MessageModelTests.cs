@@ -10,15 +10,19 @@ using Xunit.Abstractions;
 namespace Rabit.Core.Tests.Messages;
 
 /// <summary>
-/// Contract 2.2 to 2.4 against a model that is too simple to be wrong: a list of all posts. Random sequences of posts, fetches and
-/// checks by several owners, every way in which a global copy is kept, from versions near the wrap-around as well.
+/// Contract 2.2 to 2.4 against a model that is too simple to be wrong: a list of all posts. Random sequences of posts,
+/// fetches and checks by several owners, every way in which a global copy is kept, from versions near the wrap-around
+/// as well.
 /// </summary>
 public sealed class MessageModelTests(ITestOutputHelper output)
 {
     private const int Sequences = 20;
     private const int StepsPerSequence = 300;
 
-    /// <summary>How the global copy is kept: posters alone or not, fetches with tries before the lock or at once, and the version that it begins with.</summary>
+    /// <summary>
+    /// How the global copy is kept: posters alone or not, fetches with tries before the lock or at once, and the
+    /// version that it begins with.
+    /// </summary>
     public static TheoryData<bool, int, int> Ways()
     {
         var ways = new TheoryData<bool, int, int>();
@@ -41,7 +45,8 @@ public sealed class MessageModelTests(ITestOutputHelper output)
         foreach (ulong seed in Seeds())
         {
             var shared = new SharedValue<TestBlock>(MessagePlaces.New("block"), default, isAlone, firstVersion, tries);
-            var comparison = new Comparison<TestBlock>(seed, shared, firstVersion, (copy, n) => copy.Value = new TestBlock(n), b => b.IsWhole ? b.Number : -1);
+            var comparison = new Comparison<TestBlock>(
+                seed, shared, firstVersion, (copy, n) => copy.Value = new TestBlock(n), b => b.IsWhole ? b.Number : -1);
             comparison.Run(posters: isAlone ? 1 : 3);
         }
     }
@@ -52,8 +57,10 @@ public sealed class MessageModelTests(ITestOutputHelper output)
     {
         foreach (ulong seed in Seeds())
         {
-            var shared = new SharedValue<TestNote>(MessagePlaces.New("note"), new TestNote(0), isAlone, firstVersion, tries);
-            var comparison = new Comparison<TestNote>(seed, shared, firstVersion, (copy, n) => copy.Value = new TestNote(n), n => n.IsWhole ? n.Number : -1);
+            var shared = new SharedValue<TestNote>(
+                MessagePlaces.New("note"), new TestNote(0), isAlone, firstVersion, tries);
+            var comparison = new Comparison<TestNote>(
+                seed, shared, firstVersion, (copy, n) => copy.Value = new TestNote(n), n => n.IsWhole ? n.Number : -1);
             comparison.Run(posters: isAlone ? 1 : 3);
         }
     }
@@ -64,7 +71,8 @@ public sealed class MessageModelTests(ITestOutputHelper output)
         foreach (ulong seed in Seeds())
         {
             var shared = new SharedObject<TestScan>(MessagePlaces.New("scan"), new TestScan());
-            var comparison = new Comparison<TestScan>(seed, shared, firstVersion: 0, (copy, n) => copy.Value.Fill(n), s => s.IsWhole ? s.Number : -1);
+            var comparison = new Comparison<TestScan>(
+                seed, shared, firstVersion: 0, (copy, n) => copy.Value.Fill(n), s => s.IsWhole ? s.Number : -1);
             comparison.Run(posters: 3);
         }
     }
@@ -80,7 +88,8 @@ public sealed class MessageModelTests(ITestOutputHelper output)
     }
 
     /// <summary>One random sequence, done with the message and with the model.</summary>
-    private sealed class Comparison<T>(ulong seed, SharedMessage<T> shared, int firstVersion, Action<LocalCopy<T>, long> fill, Func<T, long> numberOf)
+    private sealed class Comparison<T>(
+        ulong seed, SharedMessage<T> shared, int firstVersion, Action<LocalCopy<T>, long> fill, Func<T, long> numberOf)
     {
         private readonly List<string> _history = [];
         private readonly List<Post> _posts = [];   // the model of the global copy
@@ -138,7 +147,8 @@ public sealed class MessageModelTests(ITestOutputHelper output)
 
         private void CheckCopy(Side side)
         {
-            Check(numberOf(side.Copy.Value) == side.Holds, side, $"holds {numberOf(side.Copy.Value)}, not {side.Holds}");
+            Check(
+                numberOf(side.Copy.Value) == side.Holds, side, $"holds {numberOf(side.Copy.Value)}, not {side.Holds}");
             Check(side.Copy.Stamp.Version == VersionAt(side.Seen), side, $"has version {side.Copy.Stamp.Version}");
             if (side.Seen > 0)
                 Check(side.Copy.Stamp.Time == _posts[side.Seen - 1].Time, side, $"has time {side.Copy.Stamp.Time}");
@@ -147,10 +157,12 @@ public sealed class MessageModelTests(ITestOutputHelper output)
         private int VersionAt(int posts) => posts == 0 ? firstVersion : _posts[posts - 1].Version;
 
         // Plain counts, zero left out.
-        private static int After(int version) => version == -1 ? 1 : version == int.MaxValue ? int.MinValue : version + 1;
+        private static int After(int version)
+            => version == -1 ? 1 : version == int.MaxValue ? int.MinValue : version + 1;
 
         private void Check(bool isSo, Side side, string what)
-            => Assert.True(isSo, isSo ? "" : $"seed {seed}: {side.Owner.Name} {what} after: {string.Join("; ", _history)}");
+            => Assert.True(
+                isSo, isSo ? "" : $"seed {seed}: {side.Owner.Name} {what} after: {string.Join("; ", _history)}");
 
         /// <summary>A post, as the model keeps it.</summary>
         private sealed record Post(long Number, TimeSpan Time, int Version);

@@ -10,9 +10,9 @@ using Xunit;
 namespace Rabit.Core.Tests.Messages;
 
 /// <summary>
-/// Contract 2.4 with threads that never pause: no value is torn, none older than one already seen, every post is either news or
-/// counted as missed, and neither side keeps the other from getting on. Posters go on until each fetcher has had its news, and
-/// fetchers until the posters have had their posts, so starving either is standing still.
+/// Contract 2.4 with threads that never pause: no value is torn, none older than one already seen, every post is either
+/// news or counted as missed, and neither side keeps the other from getting on. Posters go on until each fetcher has
+/// had its news, and fetchers until the posters have had their posts, so starving either is standing still.
 /// </summary>
 [Trait("Category", "Stress")]
 public sealed class MessageStressTests
@@ -20,8 +20,9 @@ public sealed class MessageStressTests
     private const int Fetchers = 2;
     private const int MinPosts = 20_000;
 
-    // A fetcher that sleeps in the lock is woken when the machine gets around to it: on one with twenty times too much to do that
-    // takes a tenth of a second each time. So few are asked for; on an idle machine there are millions a second.
+    // A fetcher that sleeps in the lock is woken when the machine gets around to it: on one with twenty times too much
+    // to do that takes a tenth of a second each time. So few are asked for; on an idle machine there are millions a
+    // second.
     private const int MinNews = 200;
 
     private static readonly TimeSpan MinTime = TimeSpan.FromMilliseconds(150);
@@ -34,7 +35,8 @@ public sealed class MessageStressTests
     [Theory, Trait("Clause", "2.4")]
     [MemberData(nameof(Ways))]
     public void StructWithReferences_FlatOut_IsWholeInOrderAndCounted(int posters, int tries)
-        => Run(posters, new SharedValue<TestBlock>(MessagePlaces.New("block"), default, posters == 1, version: -MinPosts / 2, tries),
+        => Run(posters, new SharedValue<TestBlock>(
+            MessagePlaces.New("block"), default, posters == 1, version: -MinPosts / 2, tries),
             (copy, n) => copy.Value = new TestBlock(n), b => b.IsWhole ? b.Number : -1);
 
     [Theory, Trait("Clause", "2.4")]
@@ -46,7 +48,8 @@ public sealed class MessageStressTests
     [Theory, Trait("Clause", "2.4")]
     [MemberData(nameof(Ways))]
     public void ImmutableClass_FlatOut_IsWholeInOrderAndCounted(int posters, int tries)
-        => Run(posters, new SharedValue<TestNote>(MessagePlaces.New("note"), new TestNote(0), posters == 1, tries: tries),
+        => Run(
+            posters, new SharedValue<TestNote>(MessagePlaces.New("note"), new TestNote(0), posters == 1, tries: tries),
             (copy, n) => copy.Value = new TestNote(n), n => n.IsWhole ? n.Number : -1);
 
     [Theory, Trait("Clause", "2.4"), Trait("Clause", "2.5")]
@@ -56,7 +59,8 @@ public sealed class MessageStressTests
         => Run(posters, new SharedObject<TestScan>(MessagePlaces.New("scan"), new TestScan()),
             (copy, n) => copy.Value.Fill(n), s => s.IsWhole ? s.Number : -1);
 
-    private static void Run<T>(int posters, SharedMessage<T> shared, Action<LocalCopy<T>, long> fill, Func<T, long> numberOf)
+    private static void Run<T>(
+        int posters, SharedMessage<T> shared, Action<LocalCopy<T>, long> fill, Func<T, long> numberOf)
     {
         int first = shared.Version;
         var done = new Progress(posters, Fetchers);
@@ -137,7 +141,8 @@ public sealed class MessageStressTests
             {
                 if (_elapsed.Elapsed > TestTimeout)
                     Fail($"standing still: posts {string.Join(" ", _posts)}, news {string.Join(" ", _news)}");
-                return Volatile.Read(ref _failure) is not null || (_elapsed.Elapsed > MinTime && HaveAll(_posts, MinPosts) && HaveAll(_news, MinNews));
+                return Volatile.Read(ref _failure) is not null
+                    || (_elapsed.Elapsed > MinTime && HaveAll(_posts, MinPosts) && HaveAll(_news, MinNews));
             }
         }
 

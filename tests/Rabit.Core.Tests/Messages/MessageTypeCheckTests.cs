@@ -15,12 +15,16 @@ public sealed class MessageTypeCheckTests
     public static TheoryData<Type> Accepted => new()
     {
         typeof(int), typeof(double), typeof(bool), typeof(char), typeof(IntPtr), typeof(DayOfWeek), typeof(string),
-        typeof(decimal), typeof(DateTime), typeof(DateTimeOffset), typeof(TimeSpan), typeof(Guid), typeof(Version), typeof(Uri), typeof(TimeZoneInfo),
+        typeof(decimal), typeof(DateTime), typeof(DateTimeOffset), typeof(TimeSpan), typeof(Guid), typeof(Version),
+        typeof(Uri), typeof(TimeZoneInfo),
         typeof(int?), typeof(Plain?), typeof((int, string)), typeof(KeyValuePair<string, int>),
-        typeof(Plain), typeof(Nested), typeof(Generic<Plain>), typeof(SealedRecord), typeof(RecordStruct), typeof(Fixed),
+        typeof(Plain), typeof(Nested), typeof(Generic<Plain>), typeof(SealedRecord), typeof(RecordStruct),
+        typeof(Fixed),
         typeof(ReadOnlyClass), typeof(Node), typeof(Derived), typeof(HoldsImmutables), typeof(StaticsOnly),
-        typeof(ImmutableArray<int>), typeof(ImmutableList<string>), typeof(ImmutableDictionary<string, Plain>), typeof(Tree),
-        typeof(ManagerStatus), typeof(MessageStamp), typeof(QueueCounters), typeof(Vouched), typeof(HoldsVouched), typeof(IVouched),
+        typeof(ImmutableArray<int>), typeof(ImmutableList<string>), typeof(ImmutableDictionary<string, Plain>),
+        typeof(Tree),
+        typeof(ManagerStatus), typeof(MessageStamp), typeof(QueueCounters), typeof(Vouched), typeof(HoldsVouched),
+        typeof(IVouched),
     };
 
     public static TheoryData<Type, string> Refused => new()
@@ -54,8 +58,10 @@ public sealed class MessageTypeCheckTests
         { typeof(IImmutableList<int>), "which may hold something mutable" },
         { typeof(HoldsPointer), "HoldsPointer.Memory is a pointer" },
 
-        { typeof(BufferLease), "BufferLease is a BufferLease: a buffer has one owner at a time, and travels by queue." },
-        { typeof(HoldsBuffer), "HoldsBuffer.Pixels is a BufferLease: a buffer has one owner at a time, and travels by queue." },
+        { typeof(BufferLease),
+            "BufferLease is a BufferLease: a buffer has one owner at a time, and travels by queue." },
+        { typeof(HoldsBuffer),
+            "HoldsBuffer.Pixels is a BufferLease: a buffer has one owner at a time, and travels by queue." },
 
         // A culture can be changed unless it was made read only.
         { typeof(CultureInfo), "CultureInfo" },
@@ -78,14 +84,21 @@ public sealed class MessageTypeCheckTests
     {
         Type[] trusted = [typeof(MutableClass), typeof(Stranger<>), typeof(IDisposable)];
 
-        foreach (Type type in new[] { typeof(MutableClass), typeof(HoldsMutable), typeof(Stranger<string>), typeof(IDisposable), typeof(Generic<Stranger<int>>) })
+        foreach (Type type in new[]
+        {
+            typeof(MutableClass), typeof(HoldsMutable), typeof(Stranger<string>), typeof(IDisposable),
+            typeof(Generic<Stranger<int>>)
+        })
         {
             Assert.NotNull(MessageTypeCheck.FindFault(type));
             Assert.Null(MessageTypeCheck.FindFault(type, trusted: trusted));
         }
 
-        Assert.Contains("<Int32[]> is an array", MessageTypeCheck.FindFault(typeof(Stranger<int[]>), trusted: trusted), StringComparison.Ordinal);
-        Assert.Contains("is an array", MessageTypeCheck.FindFault(typeof(HoldsArray), trusted: trusted), StringComparison.Ordinal);
+        Assert.Contains(
+            "<Int32[]> is an array", MessageTypeCheck.FindFault(typeof(Stranger<int[]>), trusted: trusted),
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "is an array", MessageTypeCheck.FindFault(typeof(HoldsArray), trusted: trusted), StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "2.5"), Trait("Clause", "4.2")]
@@ -99,12 +112,15 @@ public sealed class MessageTypeCheckTests
                 run.Reactor.Workspace.TrustImmutable(typeof(MutableClass));
             if (!trusts)
             {
-                Assert.Contains("HoldsMutable.Part.Count", Assert.Throws<RabitWiringException>(run.Start).Message, StringComparison.Ordinal);
+                Assert.Contains(
+                    "HoldsMutable.Part.Count", Assert.Throws<RabitWiringException>(run.Start).Message,
+                    StringComparison.Ordinal);
                 continue;
             }
 
             run.Start();
-            string message = Assert.Throws<InvalidOperationException>(() => run.Reactor.Workspace.TrustImmutable(typeof(Plain))).Message;
+            string message = Assert.Throws<InvalidOperationException>(
+                () => run.Reactor.Workspace.TrustImmutable(typeof(Plain))).Message;
             Assert.Contains("Plain", message, StringComparison.Ordinal);
         }
     }
@@ -120,7 +136,8 @@ public sealed class MessageTypeCheckTests
         Assert.Contains(faults, f => f.StartsWith("Message 'spectrum': HoldsArray.Samples", StringComparison.Ordinal));
     }
 
-#pragma warning disable CS0649, CA1051, CA1823, CA1852, IDE0044, IDE0051, CS0169, CS0414 // Only the shapes of these types matter.
+    // Only the shapes of these types matter.
+#pragma warning disable CS0649, CA1051, CA1823, CA1852, IDE0044, IDE0051, CS0169, CS0414
 #pragma warning disable CA1812, CA2211, MA0069, MA0036, CA1052 // Same.
     internal struct Plain
     {

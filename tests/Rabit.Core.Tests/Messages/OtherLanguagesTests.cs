@@ -20,7 +20,8 @@ public sealed class OtherLanguagesTests
         ];
 
         Assert.Equal(7, methods.Length);
-        Assert.All(methods, m => Assert.All(m.GetParameters().Append(m.ReturnParameter), p => Assert.Empty(p.GetRequiredCustomModifiers())));
+        Assert.All(methods, m => Assert.All(
+            m.GetParameters().Append(m.ReturnParameter), p => Assert.Empty(p.GetRequiredCustomModifiers())));
     }
 
     private static MethodInfo[] Overloads(System.Type type, string name)

@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Core.Tests.Messages;
 
-/// <summary>A struct longer than a cache line, so that no processor copies it in one piece, with references in it. The default is whole.</summary>
+/// <summary>
+/// A struct longer than a cache line, so that no processor copies it in one piece, with references in it. The default
+/// is whole.
+/// </summary>
 internal readonly struct TestBlock(long number)
 {
     // Of each number modulo 8 one text, made once: a reference says which post it came with.
@@ -16,7 +19,8 @@ internal readonly struct TestBlock(long number)
     private readonly long _e = number << 8;
     private readonly string? _last = Texts[number & 7];
     private readonly long _f = number * 5;
-    private readonly long _checksum = unchecked((number * 3) - number + (number * number) + (number << 8) + (number * 5));
+    private readonly long _checksum = unchecked((number * 3) - number + (number * number) + (number << 8)
+        + (number * 5));
 
     public long Number => _a;
 

@@ -2,7 +2,9 @@ using System;
 
 namespace Rabit.Core.Tests.Messages;
 
-/// <summary>A class that copies itself: an array that is filled in again and again. Its copy can be made to fail half-way.</summary>
+/// <summary>
+/// A class that copies itself: an array that is filled in again and again. Its copy can be made to fail half-way.
+/// </summary>
 internal sealed class TestScan : ISelfCopying<TestScan>
 {
     private readonly long[] _points = new long[40];

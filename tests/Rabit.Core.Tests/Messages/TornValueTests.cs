@@ -74,10 +74,12 @@ public sealed class TornValueTests
         private readonly long _f = -number;
         private readonly long _g = number << 8;
         private readonly long _h = number * number;
-        private readonly long _checksum = unchecked((number * 3) + ~number + (number ^ 0x5555) + number + 7 - number + (number << 8) + (number * number));
+        private readonly long _checksum = unchecked((number * 3) + ~number + (number ^ 0x5555) + number + 7 - number
+            + (number << 8) + (number * number));
 
         public long Number => _a;
 
-        public bool IsWhole => _b == _a * 3 && unchecked(_b + _c + _d + _e + _f + _g + _h) == _checksum && _c == ~_a && _h == _a * _a;
+        public bool IsWhole
+            => _b == _a * 3 && unchecked(_b + _c + _d + _e + _f + _g + _h) == _checksum && _c == ~_a && _h == _a * _a;
     }
 }

@@ -4,7 +4,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Predecessors;
 
-/// <summary>What clocks and statistics of the predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
+/// <summary>
+/// What clocks and statistics of the predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.
+/// </summary>
 public sealed class ClockDefectTests
 {
     // There: one clock for the whole process, which any part could set.

@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Predecessors;
 
-/// <summary>What managers of the C++ and C# predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
+/// <summary>
+/// What managers of the C++ and C# predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.
+/// </summary>
 public abstract class ManagerDefectsContract(TimeKind kind) : ContractTests(kind)
 {
     // There: flags that threads share without any guard.
@@ -25,7 +27,8 @@ public abstract class ManagerDefectsContract(TimeKind kind) : ContractTests(kind
         Assert.Equal(1, manager.Shutdowns);
     }
 
-    // There: the flag "woken" was cleared after the unit of work had begun, and took a wake with it that came in between.
+    // There: the flag "woken" was cleared after the unit of work had begun, and took a wake with it that came in
+    // between.
     [Fact, Trait("Defect", "2")]
     public void Wake_AtTheEndOfAUnit_BringsOneMore()
     {
@@ -88,7 +91,9 @@ public abstract class ManagerDefectsContract(TimeKind kind) : ContractTests(kind
             });
         }
 
-        run.Until(() => run.StatusOf(woken).WakeUps is var counts && counts.Request + counts.Merged == 300, "all wakes are counted");
+        run.Until(
+            () => run.StatusOf(woken).WakeUps is var counts && counts.Request + counts.Merged == 300,
+            "all wakes are counted");
         run.OnAndSettle(woken, () => { });
         WakeUpStatistics after = run.StatusOf(woken).WakeUps;
         run.Finish();
@@ -137,7 +142,9 @@ public abstract class ManagerDefectsContract(TimeKind kind) : ContractTests(kind
         run.Finish();
 
         double[] gaps = at.Skip(1).Zip(at, (later, earlier) => (later - earlier).TotalMilliseconds).Take(5).ToArray();
-        Assert.All(gaps.Zip([10, 20, 40, 80, 80], (gap, least) => (gap, least)), g => Assert.True(g.gap >= g.least, $"{g.gap} < {g.least}"));
+        Assert.All(
+            gaps.Zip([10, 20, 40, 80, 80], (gap, least) => (gap, least)),
+            g => Assert.True(g.gap >= g.least, $"{g.gap} < {g.least}"));
     }
 
     // There: a message "stop all" arrived over the manager's own request to stop, and took it back.

@@ -6,10 +6,14 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Predecessors;
 
-/// <summary>What publish-subscribe messages of the predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
+/// <summary>
+/// What publish-subscribe messages of the predecessors got wrong; the numbers are those of
+/// docs/concepts/predecessors.md.
+/// </summary>
 public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind)
 {
-    // There: subscribers were called while the message's mutex was held; one that posted or fetched could stand still for ever.
+    // There: subscribers were called while the message's mutex was held; one that posted or fetched could stand still
+    // for ever.
     [Fact, Trait("Defect", "18")]
     public void Handlers_ThatPostToEachOther_DoNotStandStill()
     {
@@ -30,12 +34,14 @@ public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind
         run.Until(() => System.Threading.Volatile.Read(ref handled) >= 1000, "the ball has gone to and fro");
     }
 
-    // There: a stamp was read without the lock, half of it old and half of it new on 32-bit machines, and compared as a time.
+    // There: a stamp was read without the lock, half of it old and half of it new on 32-bit machines, and compared as a
+    // time.
     [Fact, Trait("Defect", "19")]
     public void Fetch_StampsThatGoBackAndForth_FollowsThePosts()
     {
         using TestRun run = NewRun();
-        (ScriptedManager poster, ScriptedManager fetcher, MessagePublisher<int> publisher, MessageSubscriber<int> subscriber) = Connect(run);
+        (ScriptedManager poster, ScriptedManager fetcher, MessagePublisher<int> publisher,
+            MessageSubscriber<int> subscriber) = Connect(run);
 
         run.StartAndSettle();
         foreach (int number in Enumerable.Range(1, 20))
@@ -59,7 +65,8 @@ public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind
     public void Fetch_ManyPostsWithOneStamp_MissesNone()
     {
         using TestRun run = NewRun();
-        (ScriptedManager poster, ScriptedManager fetcher, MessagePublisher<int> publisher, MessageSubscriber<int> subscriber) = Connect(run);
+        (ScriptedManager poster, ScriptedManager fetcher, MessagePublisher<int> publisher,
+            MessageSubscriber<int> subscriber) = Connect(run);
         int news = 0;
 
         run.StartAndSettle();
@@ -77,7 +84,8 @@ public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind
     public void Post_ThenAChangeOfTheLocalCopy_LeavesWhatWasPosted()
     {
         using TestRun run = NewRun();
-        (ScriptedManager poster, ScriptedManager fetcher, MessagePublisher<int> publisher, MessageSubscriber<int> subscriber) = Connect(run);
+        (ScriptedManager poster, ScriptedManager fetcher, MessagePublisher<int> publisher,
+            MessageSubscriber<int> subscriber) = Connect(run);
 
         run.StartAndSettle();
         run.On(poster, () =>
@@ -106,7 +114,9 @@ public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind
 
         string text = Assert.Throws<RabitWiringException>(run.Start).Message;
 
-        Assert.All(["'number'", "'a'", "'b'", "Int32", "Double"], part => Assert.Contains(part, text, StringComparison.Ordinal));
+        Assert.All(
+            ["'number'", "'a'", "'b'", "Int32", "Double"],
+            part => Assert.Contains(part, text, StringComparison.Ordinal));
     }
 
     // There: a message that existed was not found by its name, and one that did not was made of nothing and used.
@@ -146,14 +156,16 @@ public abstract class MessageDefectsContract(TimeKind kind) : ContractTests(kind
         });
     }
 
-    private static (ScriptedManager Poster, ScriptedManager Fetcher, MessagePublisher<int> Publisher, MessageSubscriber<int> Subscriber) Connect(TestRun run)
+    private static (ScriptedManager Poster, ScriptedManager Fetcher, MessagePublisher<int> Publisher,
+        MessageSubscriber<int> Subscriber) Connect(TestRun run)
     {
         ScriptedManager poster = run.Add("poster");
         ScriptedManager fetcher = run.Add("fetcher");
         return (poster, fetcher, poster.Publish<int>("number"), fetcher.Subscribe<int>("number"));
     }
 
-    private static void PlayBall(ScriptedManager player, MessageSubscriber<int> from, MessagePublisher<int> to, bool begins)
+    private static void PlayBall(
+        ScriptedManager player, MessageSubscriber<int> from, MessagePublisher<int> to, bool begins)
         => player.OnUnit = () =>
         {
             bool isTheFirst = begins && player.Units == 1;

@@ -7,10 +7,14 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Predecessors;
 
-/// <summary>What queues, pools and workspaces of the predecessors got wrong; the numbers are those of docs/concepts/predecessors.md.</summary>
+/// <summary>
+/// What queues, pools and workspaces of the predecessors got wrong; the numbers are those of
+/// docs/concepts/predecessors.md.
+/// </summary>
 public abstract class QueueDefectsContract(TimeKind kind) : ContractTests(kind)
 {
-    // There: names, managers and queues stood in one place for the whole process, and the second system found those of the first.
+    // There: names, managers and queues stood in one place for the whole process, and the second system found those of
+    // the first.
     [Fact, Trait("Defect", "16")]
     public void Workspace_OfASecondRunInOneProcess_KnowsNothingOfTheFirst()
     {
@@ -23,7 +27,8 @@ public abstract class QueueDefectsContract(TimeKind kind) : ContractTests(kind)
         using TestRun second = NewRun();
         second.Add("m").Subscribe<int>("number");
 
-        Assert.Contains("'number'", Assert.Throws<RabitWiringException>(second.Start).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "'number'", Assert.Throws<RabitWiringException>(second.Start).Message, StringComparison.Ordinal);
     }
 
     // There: a second queue of the same name took the place of the first without a word, one of another type crashed.
@@ -59,7 +64,8 @@ public abstract class QueueDefectsContract(TimeKind kind) : ContractTests(kind)
         Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Push, WakeUpCauses.Request], sink.Causes);
     }
 
-    // There: a queue made for one sender could be had by many, and a value that was popped stayed in the ring and in memory.
+    // There: a queue made for one sender could be had by many, and a value that was popped stayed in the ring and in
+    // memory.
     [Fact, Trait("Defect", "23")]
     public void Pop_AValue_LetsGoOfIt()
     {
@@ -79,7 +85,8 @@ public abstract class QueueDefectsContract(TimeKind kind) : ContractTests(kind)
 
         run.OnAndSettle(sink, () => Assert.Equal(2, PopAll(receiver)));
 
-        // Mono's collector looks at stacks conservatively: it may keep one thing alive, but not what no thread has held for long.
+        // Mono's collector looks at stacks conservatively: it may keep one thing alive, but not what no thread has held
+        // for long.
         run.OnAndSettle(sink, () => { });
         Collect();
         Assert.True(things.Count(t => t.IsAlive) <= (Type.GetType("Mono.Runtime") is null ? 0 : 1));

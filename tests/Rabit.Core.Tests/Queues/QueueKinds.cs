@@ -35,7 +35,8 @@ internal static class QueueKinds
         {
             Pair => new SingleProducerRing<T>("q", capacity, receiver, isOwnQueue: false, start),
             Ring => new MultiProducerRing<T>("q", capacity, receiver, start),
-            _ => new LockedQueue<T>("q", capacity, RuleOf(kind), receiver, maxWait: null, clock, new RabitLog(null, logRuns: false, clock)),
+            _ => new LockedQueue<T>(
+                "q", capacity, RuleOf(kind), receiver, maxWait: null, clock, new RabitLog(null, logRuns: false, clock)),
         };
     }
 }

@@ -18,7 +18,11 @@ public sealed class QueueModelTests
     private const int BaseSeed = 20261121;
 
     public static IEnumerable<object[]> Kinds()
-        => from kind in new[] { QueueKinds.Pair, QueueKinds.Ring, QueueKinds.Rejects, QueueKinds.DropsOldest, QueueKinds.DropsNewest, QueueKinds.Waits }
+        => from kind in new[]
+        {
+            QueueKinds.Pair, QueueKinds.Ring, QueueKinds.Rejects, QueueKinds.DropsOldest, QueueKinds.DropsNewest,
+            QueueKinds.Waits
+        }
            from capacity in new[] { 1, 2, 3, 4, 5, 7, 8, 9, 100 }
            select new object[] { kind, capacity };
 
@@ -32,12 +36,17 @@ public sealed class QueueModelTests
             int seed = unchecked((BaseSeed * capacity) + start);
             try
             {
-                Walk(QueueKinds.Create<int>(kind, capacity, receiver: null, start), new QueueModel(capacity, QueueKinds.RuleOf(kind)), seed);
+                Walk(
+                    QueueKinds.Create<int>(kind, capacity, receiver: null, start),
+                    new QueueModel(capacity, QueueKinds.RuleOf(kind)), seed);
             }
             catch (Exception e)
             {
                 throw new InvalidOperationException(
-                    string.Format(CultureInfo.InvariantCulture, "{0}, capacity {1}, start {2}, seed {3}: {4}", kind, capacity, start, seed, e.Message), e);
+                    string.Format(
+                        CultureInfo.InvariantCulture, "{0}, capacity {1}, start {2}, seed {3}: {4}", kind, capacity,
+                        start, seed, e.Message),
+                    e);
             }
         }
     }
@@ -47,7 +56,8 @@ public sealed class QueueModelTests
     [InlineData(QueueKinds.Ring)]
     public void Counters_PositionsWrapRound_GoOnCounting(string kind)
     {
-        // The positions start where they have been after 2^31 values and wrap after ten more; the counters count from the start.
+        // The positions start where they have been after 2^31 values and wrap after ten more; the counters count from
+        // the start.
         foreach (int start in new[] { int.MaxValue - 10, -10 })
         {
             MessageQueue<int> queue = QueueKinds.Create<int>(kind, 4, receiver: null, start);
@@ -57,7 +67,8 @@ public sealed class QueueModelTests
                 Assert.Equal((i + 1L, i, 1), (queue.Counters.Pushed, queue.Counters.Popped, queue.Counters.Resident));
                 Assert.True(queue.TryPop(out int value));
                 Assert.Equal(i, value);
-                Assert.Equal((i + 1L, i + 1L, 0), (queue.Counters.Pushed, queue.Counters.Popped, queue.Counters.Resident));
+                Assert.Equal(
+                    (i + 1L, i + 1L, 0), (queue.Counters.Pushed, queue.Counters.Popped, queue.Counters.Resident));
             }
         }
     }
@@ -168,7 +179,8 @@ public sealed class QueueModelTests
             }
 
             QueueCounters counters = queue.Counters;
-            Assert.Equal(model.Counters, (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected, counters.Resident, counters.HighWater));
+            Assert.Equal(model.Counters, (counters.Pushed, counters.Popped, counters.Dropped, counters.Rejected,
+                counters.Resident, counters.HighWater));
             Assert.Equal(counters.Pushed, counters.Popped + counters.Dropped + counters.Resident);
             Assert.Equal(counters.Resident, queue.Count);
         }

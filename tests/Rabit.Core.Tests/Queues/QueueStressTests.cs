@@ -9,7 +9,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Queues;
 
-/// <summary>Contract 3.1 with real threads: senders and a receiver flat out, and a thread that reads the counters all the while.</summary>
+/// <summary>
+/// Contract 3.1 with real threads: senders and a receiver flat out, and a thread that reads the counters all the while.
+/// </summary>
 [Trait("Category", "Stress")]
 public sealed class QueueStressTests
 {
@@ -18,7 +20,10 @@ public sealed class QueueStressTests
     private static readonly TimeSpan Duration = TimeSpan.FromMilliseconds(300);
 
     public static IEnumerable<object[]> Kinds()
-        => from kind in new[] { QueueKinds.Pair, QueueKinds.Ring, QueueKinds.Rejects, QueueKinds.DropsOldest, QueueKinds.DropsNewest }
+        => from kind in new[]
+        {
+            QueueKinds.Pair, QueueKinds.Ring, QueueKinds.Rejects, QueueKinds.DropsOldest, QueueKinds.DropsNewest
+        }
            from capacity in new[] { 1, 3, 64 }
            select new object[] { kind, capacity };
 
@@ -89,7 +94,8 @@ public sealed class QueueStressTests
         return next;
     }
 
-    private static void Receive(MessageQueue<Entry> queue, long[] received, bool drops, List<string> faults, ref int sending)
+    private static void Receive(
+        MessageQueue<Entry> queue, long[] received, bool drops, List<string> faults, ref int sending)
     {
         long[] next = new long[received.Length];
         var batch = new Entry[5];
@@ -124,8 +130,10 @@ public sealed class QueueStressTests
         while (Volatile.Read(ref sending) > 0)
         {
             QueueCounters counters = queue.Counters;
-            if (counters.Pushed != counters.Popped + counters.Dropped + counters.Resident || counters.Resident < 0 || counters.Resident > counters.Capacity || counters.Popped < popped)
-                Add(faults, $"counters: {counters.Pushed} pushed, {counters.Popped} popped, {counters.Dropped} dropped, {counters.Resident} resident");
+            if (counters.Pushed != counters.Popped + counters.Dropped + counters.Resident || counters.Resident < 0
+                || counters.Resident > counters.Capacity || counters.Popped < popped)
+                Add(faults, $"counters: {counters.Pushed} pushed, {counters.Popped} popped, {counters.Dropped} "
+                    + $"dropped, {counters.Resident} resident");
             popped = counters.Popped;
             Thread.Yield();
         }

@@ -13,7 +13,12 @@ internal static class ClimateMission
         using var log = new StringWriter(new StringBuilder());
         var time = new VirtualTime(seed) { EventLog = log };
         time.SetUnitOfWorkDuration("heater", TimeSpan.FromMilliseconds(1), TimeSpan.FromMilliseconds(30));
-        var reactor = new RabitReactor(new ReactorOptions { Time = time, StopsOnSignals = false }) { new Thermometer(), new Heater(), new Logger() };
+        var reactor = new RabitReactor(new ReactorOptions { Time = time, StopsOnSignals = false })
+        {
+            new Thermometer(),
+            new Heater(),
+            new Logger()
+        };
         QueueSender<double> outside = reactor.Workspace.Send<double>("readings");
         reactor.Start();
         reactor.RunFor(TimeSpan.FromMilliseconds(100));
@@ -80,7 +85,8 @@ internal static class ClimateMission
             : base("logger")
         {
             _readings = Receive<double>("readings", 3, QueueFullMode.DropOldest, wakeOnPush: false);
-            _gauge = AttachReader("gauge", new ScriptedSource(new TestBoard(), TimeSpan.FromMilliseconds(70), 1, 2), capacity: 1);
+            _gauge = AttachReader(
+                "gauge", new ScriptedSource(new TestBoard(), TimeSpan.FromMilliseconds(70), 1, 2), capacity: 1);
             Period = TimeSpan.FromMilliseconds(80);
         }
 

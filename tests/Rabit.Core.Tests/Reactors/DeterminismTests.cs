@@ -41,7 +41,9 @@ public sealed class DeterminismTests(ITestOutputHelper output)
         Assert.True(differs);
     }
 
-    /// <summary>Two hours of mission, one after the other, in a minute of real time on any machine; seconds on a usual one.</summary>
+    /// <summary>
+    /// Two hours of mission, one after the other, in a minute of real time on any machine; seconds on a usual one.
+    /// </summary>
     [Fact, Trait("Clause", "5.2"), Trait("Category", "Long")]
     public void SameSeed_AnHourOfMission_GivesTheSameLogToTheByteInSeconds()
     {

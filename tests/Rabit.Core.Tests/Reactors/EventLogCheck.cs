@@ -7,9 +7,9 @@ using System.Text.RegularExpressions;
 namespace Rabit.Core.Tests.Reactors;
 
 /// <summary>
-/// Whether an event log is that of a legal run, whatever the order among equals: time does not go back, versions count by one, the
-/// counters of queues balance, no manager runs without a reason, and every wake is followed by a run at the same instant. For runs
-/// without modelled durations.
+/// Whether an event log is that of a legal run, whatever the order among equals: time does not go back, versions count
+/// by one, the counters of queues balance, no manager runs without a reason, and every wake is followed by a run at the
+/// same instant. For runs without modelled durations.
 /// </summary>
 internal sealed class EventLogCheck
 {
@@ -31,7 +31,9 @@ internal sealed class EventLogCheck
 
     private void Read(string line)
     {
-        Match match = Regex.Match(line, @"^ *(?<time>\d+\.\d{7}) (?<who>[^:]+): (?<what>.+)$", RegexOptions.CultureInvariant, TimeSpan.FromSeconds(10));
+        Match match = Regex.Match(
+            line, @"^ *(?<time>\d+\.\d{7}) (?<who>[^:]+): (?<what>.+)$", RegexOptions.CultureInvariant,
+            TimeSpan.FromSeconds(10));
         if (!match.Success)
         {
             _faults.Add("no line of an event log: " + line);
@@ -67,7 +69,8 @@ internal sealed class EventLogCheck
     private void Run(string who, string causes)
     {
         bool wasWoken = _woken.Remove(who);
-        bool hasTimer = causes.Contains("Timer", StringComparison.Ordinal) || causes.Contains("Start", StringComparison.Ordinal);
+        bool hasTimer = causes.Contains("Timer", StringComparison.Ordinal)
+            || causes.Contains("Start", StringComparison.Ordinal);
         if (!wasWoken && !hasTimer)
             _faults.Add($"{who} is woken by {causes} at {_now}, without a wake-up");
     }
@@ -98,7 +101,8 @@ internal sealed class EventLogCheck
                     holds -= long.Parse(words[0], CultureInfo.InvariantCulture);
                     break;
                 default:
-                    if (string.Equals(words[0], "holds", StringComparison.Ordinal) && holds != long.Parse(words[1], CultureInfo.InvariantCulture))
+                    if (string.Equals(words[0], "holds", StringComparison.Ordinal)
+                        && holds != long.Parse(words[1], CultureInfo.InvariantCulture))
                         _faults.Add($"queue {name} holds {words[1]} at {_now}, by its counters {holds}");
                     break;
             }

@@ -123,7 +123,9 @@ public sealed class EventLogTests
         ReactorResult result = run.FinishByItself();
 
         Assert.Equal(1, result.ExitCode);
-        Assert.Contains("event log could not be written: the disk is full", Assert.IsType<IOException>(result.Failure).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "event log could not be written: the disk is full", Assert.IsType<IOException>(result.Failure).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact, Trait("Clause", "5.2")]
@@ -146,7 +148,8 @@ public sealed class EventLogTests
         return log.ToString();
     }
 
-    private static string WithoutSeed(string log) => string.Join("\n", log.Split('\n').Where(l => !l.Contains(" seed ", StringComparison.Ordinal)));
+    private static string WithoutSeed(string log)
+        => string.Join("\n", log.Split('\n').Where(l => !l.Contains(" seed ", StringComparison.Ordinal)));
 
     private sealed class Sender : RabitManager
     {

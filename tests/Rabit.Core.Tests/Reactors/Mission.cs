@@ -5,7 +5,9 @@ using Rabit.Core.Tests.Contracts;
 
 namespace Rabit.Core.Tests.Reactors;
 
-/// <summary>Six managers at 50 Hz that post, fetch, push and pop, with a scripted reader: something for virtual time to repeat.</summary>
+/// <summary>
+/// Six managers at 50 Hz that post, fetch, push and pop, with a scripted reader: something for virtual time to repeat.
+/// </summary>
 internal sealed class Mission : IDisposable
 {
     private const int Managers = 6;
@@ -15,7 +17,8 @@ internal sealed class Mission : IDisposable
 
     public Mission(RabitTime time)
     {
-        _reactor = new RabitReactor(new ReactorOptions { Time = time, Log = Write, LogRuns = true, StopsOnSignals = false });
+        _reactor = new RabitReactor(
+            new ReactorOptions { Time = time, Log = Write, LogRuns = true, StopsOnSignals = false });
         for (int i = 0; i < Managers; i++)
             _reactor.Add(new Member(i));
     }
@@ -28,7 +31,8 @@ internal sealed class Mission : IDisposable
     {
         _reactor.Start();
         for (int step = 0; step < steps; step++)
-            _reactor.RunFor(TimeSpan.FromTicks((duration.Ticks * (step + 1) / steps) - (duration.Ticks * step / steps)));
+            _reactor.RunFor(
+                TimeSpan.FromTicks((duration.Ticks * (step + 1) / steps) - (duration.Ticks * step / steps)));
         _reactor.Stop("landed");
         ReactorResult result = _reactor.Finish();
         _text.Append(result).Append('\n');
@@ -79,7 +83,9 @@ internal sealed class Mission : IDisposable
             _outbox = Send<long>("inbox " + ((number + 2) % Managers), wakeOnPop: number == 2);
             WakeUpDelay = TimeSpan.FromMilliseconds(20);
             if (number == 3)
-                _reader = AttachReader("sensor", new ScriptedSource(new TestBoard(), TimeSpan.FromMilliseconds(100), new int[100]), capacity: 4);
+                _reader = AttachReader(
+                    "sensor", new ScriptedSource(new TestBoard(), TimeSpan.FromMilliseconds(100), new int[100]),
+                    capacity: 4);
         }
 
         public long Sum { get; private set; }

@@ -138,7 +138,8 @@ public sealed class ModelledDurationTests
         Assert.Contains("'ghost'", error.Message, StringComparison.Ordinal);
     }
 
-    private static List<TimeSpan> Durations(long seed, TimeSpan shortest, TimeSpan longest, TimeSpan neighbour = default)
+    private static List<TimeSpan> Durations(
+        long seed, TimeSpan shortest, TimeSpan longest, TimeSpan neighbour = default)
     {
         var time = new VirtualTime(seed);
         time.SetUnitOfWorkDuration("worker", shortest, longest);

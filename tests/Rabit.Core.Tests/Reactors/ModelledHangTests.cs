@@ -6,7 +6,10 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Reactors;
 
-/// <summary>Contract 4.5 in virtual time: a modelled duration beyond the limit is found at its very time, and the same in every run.</summary>
+/// <summary>
+/// Contract 4.5 in virtual time: a modelled duration beyond the limit is found at its very time, and the same in every
+/// run.
+/// </summary>
 public sealed class ModelledHangTests
 {
     private static readonly TimeSpan At = TimeSpan.FromSeconds(3);
@@ -33,7 +36,8 @@ public sealed class ModelledHangTests
         Assert.Equal(ManagerState.Running, seen.First(s => s.Item1 > At + Limit).Item2);
         Assert.Equal(TimeSpan.FromSeconds(11), seen.First(s => s.Item1 > At + Limit).Item1);
         ManagerHang hang = Assert.Single(result.Managers[0].Hangs);
-        Assert.Equal((ManagerStage.UnitOfWork, At, Limit, "searching"), (hang.Stage, hang.Since, hang.Duration, hang.Doing));
+        Assert.Equal(
+            (ManagerStage.UnitOfWork, At, Limit, "searching"), (hang.Stage, hang.Since, hang.Duration, hang.Doing));
         Assert.Equal(ManagerOutcome.Ended, result.Managers[0].Outcome);
 
         // A run each second, 0 to 3 s and 12 to 20 s: its timer starts when it is back.
@@ -95,7 +99,8 @@ public sealed class ModelledHangTests
         using var run = new TestRun(TimeKind.Virtual, options => options.Time = time);
         run.Add("m");
 
-        Assert.Contains("'ghost'", Assert.Single(Assert.Throws<RabitWiringException>(run.Start).Faults), StringComparison.Ordinal);
+        Assert.Contains(
+            "'ghost'", Assert.Single(Assert.Throws<RabitWiringException>(run.Start).Faults), StringComparison.Ordinal);
     }
 
     private static TestRun NewRun(TimeSpan duration, out ScriptedManager hanging, HangPolicy policy)

@@ -10,15 +10,16 @@ using Xunit;
 namespace Rabit.Core.Tests.Reactors;
 
 /// <summary>
-/// Contract 4.3 for the netstandard2.0 build on .NET, which programs of .NET 8 and 9 get from the package: a process of its
-/// own (tests/Hosts/NetStandardHost), and a real signal.
+/// Contract 4.3 for the netstandard2.0 build on .NET, which programs of .NET 8 and 9 get from the package: a process of
+/// its own (tests/Hosts/NetStandardHost), and a real signal.
 /// </summary>
 public sealed class StopSignalProcessTests
 {
     private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(60);
 
     private static string Host => Path.Combine(
-        Repository.Root, "artifacts", "bin", "NetStandardHost", Path.GetFileName(AppContext.BaseDirectory.TrimEnd('/', '\\')), "NetStandardHost.dll");
+        Repository.Root, "artifacts", "bin", "NetStandardHost",
+        Path.GetFileName(AppContext.BaseDirectory.TrimEnd('/', '\\')), "NetStandardHost.dll");
 
     [HostFact, Trait("Clause", "4.3")]
     public Task Sigterm_ToTheNetStandardBuild_StopsTheRunInOrder() => AssertStops(signal: 15, "stops: SIGTERM");

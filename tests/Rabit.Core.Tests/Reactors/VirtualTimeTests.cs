@@ -35,7 +35,8 @@ public sealed class VirtualTimeTests
 
     [Fact, Trait("Clause", "5.2")]
     public void Timers_OfTheClock_AreRefused()
-        => Assert.Throws<NotSupportedException>(() => new VirtualTime().Clock.CreateTimer(_ => { }, null, TimeSpan.Zero, TimeSpan.Zero));
+        => Assert.Throws<NotSupportedException>(
+            () => new VirtualTime().Clock.CreateTimer(_ => { }, null, TimeSpan.Zero, TimeSpan.Zero));
 
     [Fact, Trait("Clause", "5.2")]
     public void RunFor_Steps_RunsWhatIsDueInEachAndNothingElse()
@@ -77,9 +78,11 @@ public sealed class VirtualTimeTests
         Assert.Throws<ArgumentOutOfRangeException>(() => time.Pace = 0);
         Assert.Throws<ArgumentOutOfRangeException>(() => time.Pace = double.NaN);
         Assert.Throws<ArgumentOutOfRangeException>(() => time.MaxRunsPerInstant = 0);
-        var error = Assert.Throws<ArgumentOutOfRangeException>(() => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(-1)));
+        var error = Assert.Throws<ArgumentOutOfRangeException>(
+            () => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(-1)));
         Assert.Contains("'slow'", error.Message, StringComparison.Ordinal);
-        error = Assert.Throws<ArgumentOutOfRangeException>(() => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(2), TimeSpan.FromTicks(1)));
+        error = Assert.Throws<ArgumentOutOfRangeException>(
+            () => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(2), TimeSpan.FromTicks(1)));
         Assert.Contains("'slow'", error.Message, StringComparison.Ordinal);
     }
 
@@ -140,7 +143,8 @@ public sealed class VirtualTimeTests
         else
             manager.AttachWriter("line", new BlockingDevice());
 
-        Assert.Contains("'m/line'", Assert.Single(Assert.Throws<RabitWiringException>(run.Start).Faults), StringComparison.Ordinal);
+        Assert.Contains(
+            "'m/line'", Assert.Single(Assert.Throws<RabitWiringException>(run.Start).Faults), StringComparison.Ordinal);
     }
 
     [Theory, Trait("Clause", "5.2")]
@@ -245,7 +249,9 @@ public sealed class VirtualTimeTests
         Assert.Equal(manager.Units, run.Reactor.RealStepTime("m").Count);
         Assert.True(run.Reactor.RealStepTime("m").Total > TimeSpan.Zero);
         Assert.Equal(TimeSpan.Zero, run.StatusOf(manager).UnitOfWorkTime.Total);
-        Assert.Contains("'ghost'", Assert.Throws<ArgumentException>(() => run.Reactor.RealStepTime("ghost")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "'ghost'", Assert.Throws<ArgumentException>(() => run.Reactor.RealStepTime("ghost")).Message,
+            StringComparison.Ordinal);
     }
 
     private static TestRun NewRun(VirtualTime time) => new(TimeKind.Virtual, options => options.Time = time);

@@ -9,7 +9,10 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Reactors;
 
-/// <summary>A hundred workspaces at once, again and again, on both wait engines: each does its own work, and no thread or object of them is left.</summary>
+/// <summary>
+/// A hundred workspaces at once, again and again, on both wait engines: each does its own work, and no thread or object
+/// of them is left.
+/// </summary>
 [Trait("Category", "Stress")]
 public sealed class WorkspaceStressTests
 {
@@ -39,7 +42,9 @@ public sealed class WorkspaceStressTests
 
         // Mono's collector takes what looks like a reference on a stack for one, so that some may be found alive.
         int mayStay = Type.GetType("Mono.Runtime") is null ? 0 : reactors.Count / 10;
-        WaitUntil(() => Alive(reactors) <= mayStay, () => $"{Alive(reactors)} of {reactors.Count} workspaces are left in memory");
+        WaitUntil(
+            () => Alive(reactors) <= mayStay,
+            () => $"{Alive(reactors)} of {reactors.Count} workspaces are left in memory");
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -60,7 +65,8 @@ public sealed class WorkspaceStressTests
 
         void RunOne(int number)
         {
-            var reactor = new RabitReactor(new ReactorOptions { Time = new RealTime { WaitEngine = engine }, StopsOnSignals = false });
+            var reactor = new RabitReactor(
+                new ReactorOptions { Time = new RealTime { WaitEngine = engine }, StopsOnSignals = false });
             var ping = new Player($"{Prefix}{number} a", "ping", "pong", isFirst: true);
             var pong = new Player($"{Prefix}{number} b", "pong", "ping", isFirst: false);
             reactor.Add(ping);

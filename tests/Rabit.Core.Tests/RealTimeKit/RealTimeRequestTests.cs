@@ -57,7 +57,8 @@ public sealed class RealTimeRequestTests
             TimerSlack = TimeSpan.FromTicks(10),
             WarmUpRuns = 2,
         });
-        ReactorResult result = Run(new RabitReactor(new ReactorOptions { Log = e => log.Add(e.Text), StopsOnSignals = false }), manager);
+        ReactorResult result = Run(
+            new RabitReactor(new ReactorOptions { Log = e => log.Add(e.Text), StopsOnSignals = false }), manager);
 
         Assert.Equal(0, result.ExitCode);
         RealTimeReport report = Assert.Single(result.Managers).RealTime;
@@ -68,7 +69,9 @@ public sealed class RealTimeRequestTests
         Assert.Equal(OnLinux(2), manager.WarmUpsAtStartup);
 
         // No system refuses a thread an exacter timer.
-        Assert.Equal(OperatingSystem.IsLinux(), report.Grants.Single(g => g.Requested.StartsWith("timer slack", StringComparison.Ordinal)).IsGranted);
+        Assert.Equal(
+            OperatingSystem.IsLinux(),
+            report.Grants.Single(g => g.Requested.StartsWith("timer slack", StringComparison.Ordinal)).IsGranted);
     }
 
     [Fact]
@@ -78,7 +81,8 @@ public sealed class RealTimeRequestTests
         ReactorResult result = Run(new RabitReactor(new VirtualTime(seed: 1)), manager);
 
         Assert.Equal(0, manager.WarmUps);
-        Assert.All(Assert.Single(result.Managers).RealTime.Grants, g => Assert.Equal("virtual time has no threads", g.Reason));
+        Assert.All(
+            Assert.Single(result.Managers).RealTime.Grants, g => Assert.Equal("virtual time has no threads", g.Reason));
     }
 
     [Fact]

@@ -33,7 +33,8 @@ public sealed class RealTimeSetupTests
         Assert.Equal(["lock", "slack 1000", "CPUs 1", "RoundRobin 50"], _system.Asked);
         Assert.True(report.IsGranted);
         Assert.Equal(5, report.Grants.Count);
-        Assert.Contains(_log, line => line.EndsWith("m: real time: priority round robin 50: granted", StringComparison.Ordinal));
+        Assert.Contains(
+            _log, line => line.EndsWith("m: real time: priority round robin 50: granted", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -72,7 +73,9 @@ public sealed class RealTimeSetupTests
     public void Apply_MemoryNotLocked_SaysWhy(int error, string expected)
     {
         _system.Error = error;
-        Assert.StartsWith(expected, Assert.Single(Apply(new RealTimeRequest { LocksMemory = true }).Grants).Reason, StringComparison.Ordinal);
+        Assert.StartsWith(
+            expected, Assert.Single(Apply(new RealTimeRequest { LocksMemory = true }).Grants).Reason,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -84,14 +87,24 @@ public sealed class RealTimeSetupTests
 
     [Fact]
     public void Apply_NoCpuThatTheProcessMayUse_SaysSo()
-        => Assert.Equal("EINVAL: the process may use none of them", Assert.Single(Apply(new RealTimeRequest { Cpus = [7] }).Grants).Reason);
+        => Assert.Equal(
+            "EINVAL: the process may use none of them",
+            Assert.Single(Apply(new RealTimeRequest { Cpus = [7] }).Grants).Reason);
 
     [Fact]
     public void Apply_NoSystem_GrantsNothingAndSaysWhy()
     {
         _setup = new RealTimeSetup(NewLog(), control: null, "only on a Tuesday");
 
-        RealTimeReport report = Apply(new RealTimeRequest { Priority = 1, Cpus = [0], LocksMemory = true, TimerSlack = TimeSpan.FromTicks(1), WarmUpRuns = 1 });
+        RealTimeReport report = Apply(
+            new RealTimeRequest
+            {
+                Priority = 1,
+                Cpus = [0],
+                LocksMemory = true,
+                TimerSlack = TimeSpan.FromTicks(1),
+                WarmUpRuns = 1
+            });
 
         Assert.Equal(5, report.Grants.Count);
         Assert.All(report.Grants, g => Assert.Equal("only on a Tuesday", g.Reason));
@@ -109,9 +122,12 @@ public sealed class RealTimeSetupTests
     [Fact]
     public void Apply_WarmUpThrows_IsInTheReportAndNoFault()
     {
-        var manager = new RequestingManager("m", new RealTimeRequest { WarmUpRuns = 30 }, () => throw new NotSupportedException("too cold"));
+        var manager = new RequestingManager(
+            "m", new RealTimeRequest { WarmUpRuns = 30 }, () => throw new NotSupportedException("too cold"));
         Setup.Apply(new ManagerActivity(manager, NewRun()));
-        Assert.Equal("warm-up 30 runs: not granted, NotSupportedException: too cold", Assert.Single(manager.RealTimeReport.Grants).ToString());
+        Assert.Equal(
+            "warm-up 30 runs: not granted, NotSupportedException: too cold",
+            Assert.Single(manager.RealTimeReport.Grants).ToString());
         Assert.Equal(1, manager.WarmUps);
     }
 
@@ -149,7 +165,9 @@ public sealed class RealTimeSetupTests
     {
         _system.ThrottlesRealTime = false;
         Assert.True(Apply(new RealTimeRequest { Priority = 1 }).IsGranted);
-        Assert.Contains("throttling is off", Assert.Single(Apply(new RealTimeRequest { Priority = 1 }, "second").Grants).Reason, StringComparison.Ordinal);
+        Assert.Contains(
+            "throttling is off", Assert.Single(Apply(new RealTimeRequest { Priority = 1 }, "second").Grants).Reason,
+            StringComparison.Ordinal);
     }
 
     [Theory]
@@ -157,7 +175,8 @@ public sealed class RealTimeSetupTests
     [InlineData(new[] { 0 }, new[] { 1 }, new[] { 2 }, false)]
     [InlineData(new[] { 0, 1 }, new[] { 0 }, new[] { 0, 1, 2 }, false)]
     [InlineData(new[] { 0, 1 }, new[] { 0, 1 }, new[] { 0, 1 }, true)]
-    public void TryAdmit_ThreeOnThreeCpus_RefusesTheOneThatLeavesNoCpu(int[] first, int[] second, int[] third, bool isAdmitted)
+    public void TryAdmit_ThreeOnThreeCpus_RefusesTheOneThatLeavesNoCpu(
+        int[] first, int[] second, int[] third, bool isAdmitted)
     {
         int[] all = [0, 1, 2];
         var guard = new SpinGuard();
@@ -174,8 +193,10 @@ public sealed class RealTimeSetupTests
     public void ToString_OfAReport_IsATable()
     {
         _system.Error = 3;
-        string[] lines = Apply(new RealTimeRequest { Cpus = [0], TimerSlack = TimeSpan.FromTicks(10) }).ToString().Split('\n');
-        Assert.Equal(["requested         granted  reason", "timer slack 1 µs  no       ESRCH", "CPUs 0            yes"], lines);
+        string[] lines = Apply(new RealTimeRequest { Cpus = [0], TimerSlack = TimeSpan.FromTicks(10) })
+            .ToString().Split('\n');
+        Assert.Equal(
+            ["requested         granted  reason", "timer slack 1 µs  no       ESRCH", "CPUs 0            yes"], lines);
     }
 
     private RealTimeReport Apply(RealTimeRequest? request, string name = "m")

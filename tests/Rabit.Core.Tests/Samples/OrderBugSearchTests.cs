@@ -7,7 +7,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Core.Tests.Samples;
 
-/// <summary>The planted order bug of samples/OrderBugSearch is found by a seed, replayed by it, and gone when it is fixed.</summary>
+/// <summary>
+/// The planted order bug of samples/OrderBugSearch is found by a seed, replayed by it, and gone when it is fixed.
+/// </summary>
 public sealed class OrderBugSearchTests(ITestOutputHelper output)
 {
     private const int Seeds = 1000;
@@ -48,7 +50,8 @@ public sealed class OrderBugSearchTests(ITestOutputHelper output)
     private static string Replay(long seed)
     {
         using var log = new StringWriter();
-        Assert.Throws<PumpHouseException>(() => PumpHouse.Run(new VirtualTime(seed) { EventLog = log }, isFixed: false));
+        Assert.Throws<PumpHouseException>(
+            () => PumpHouse.Run(new VirtualTime(seed) { EventLog = log }, isFixed: false));
         return log.ToString();
     }
 }

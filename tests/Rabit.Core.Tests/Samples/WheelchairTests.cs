@@ -11,7 +11,8 @@ public sealed class WheelchairTests
     private static readonly TimeSpan Step = Braking.ControlPeriod;
     private static readonly TimeSpan DriverLetsGo = TimeSpan.FromSeconds(7);
 
-    // How much nearer than it must the chair may stand: the bound counts a whole period at full speed, and the decision falls on a period.
+    // How much nearer than it must the chair may stand: the bound counts a whole period at full speed, and the decision
+    // falls on a period.
     private const double SlackMetres = 0.08;
 
     [Theory]

@@ -23,7 +23,8 @@ public sealed class DurationHistogramTests
         {
             // From a tick to days, each octave as likely as the next.
             double octaves = random.Next(1, 43);
-            long[] ticks = Enumerable.Range(0, count).Select(_ => (long)Math.Pow(2, random.NextDouble() * octaves)).ToArray();
+            long[] ticks = Enumerable.Range(0, count)
+                .Select(_ => (long)Math.Pow(2, random.NextDouble() * octaves)).ToArray();
             var histogram = new DurationHistogram();
             foreach (long t in ticks)
                 histogram.Add(new TimeSpan(t));
@@ -35,7 +36,8 @@ public sealed class DurationHistogramTests
             AssertNear(ticks[count - (count / 1000) - 1], p999);
 
             void AssertNear(long exact, TimeSpan found) => Assert.True(
-                found.Ticks >= exact && found.Ticks <= exact * (1 + Error), $"seed {Seed + count}, round {round}: {found.Ticks} for {exact}");
+                found.Ticks >= exact && found.Ticks <= exact * (1 + Error),
+                $"seed {Seed + count}, round {round}: {found.Ticks} for {exact}");
         }
     }
 

@@ -10,7 +10,8 @@ public sealed class DurationStatisticsTests
     [Fact, Trait("Clause", "4.4")]
     public void ToString_WithoutPercentiles_HasNumberAndRange()
     {
-        DurationStatistics statistics = default(DurationStatistics).With(TimeSpan.FromMilliseconds(1)).With(TimeSpan.FromMilliseconds(4));
+        DurationStatistics statistics = default(DurationStatistics).With(TimeSpan.FromMilliseconds(1))
+            .With(TimeSpan.FromMilliseconds(4));
 
         Assert.Equal("2 times, min 1.000 mean 2.500 max 4.000 ms", statistics.ToString());
     }
@@ -18,7 +19,8 @@ public sealed class DurationStatisticsTests
     [Fact, Trait("Clause", "4.4")]
     public void ToString_WithPercentiles_HasThemToo()
     {
-        DurationStatistics statistics = default(DurationStatistics).With(TimeSpan.FromMilliseconds(1)).With(TimeSpan.FromMilliseconds(4));
+        DurationStatistics statistics = default(DurationStatistics).With(TimeSpan.FromMilliseconds(1))
+            .With(TimeSpan.FromMilliseconds(4));
         var histogram = new DurationHistogram();
         histogram.Add(TimeSpan.FromMilliseconds(1));
         histogram.Add(TimeSpan.FromMilliseconds(4));
@@ -27,7 +29,8 @@ public sealed class DurationStatisticsTests
 
         // Half of them: the upper end of its step of the histogram; the others are capped by the longest.
         Assert.Equal(
-            FormattableString.Invariant($"2 times, min 1.000 mean 2.500 max 4.000 ms, p50 {statistics.Percentile50.TotalMilliseconds:0.000} p99 4.000 p99.9 4.000 ms"),
+            FormattableString.Invariant(
+                $"2 times, min 1.000 mean 2.500 max 4.000 ms, p50 {statistics.Percentile50.TotalMilliseconds:0.000} p99 4.000 p99.9 4.000 ms"),
             statistics.ToString());
         Assert.InRange(statistics.Percentile50, TimeSpan.FromMilliseconds(1), TimeSpan.FromTicks(10_625));
     }

@@ -14,13 +14,16 @@ public sealed class WakeUpStatisticsTests
     [InlineData(WakeUpCauses.Request, 0, 0, 0, 0, 1, 0)]
     [InlineData(WakeUpCauses.Device, 0, 0, 0, 0, 0, 1)]
     [InlineData(WakeUpCauses.Timer | WakeUpCauses.Device, 1, 0, 0, 0, 0, 1)]
-    public void Count_Causes_CountsEachOfThemAndNoOther(WakeUpCauses causes, int timer, int post, int push, int pop, int request, int device)
+    public void Count_Causes_CountsEachOfThemAndNoOther(
+        WakeUpCauses causes, int timer, int post, int push, int pop, int request, int device)
     {
         var counts = default(WakeUpStatistics);
 
         counts.Count(causes, wakes: 1);
 
-        Assert.Equal((timer, post, push, pop, request, device), (counts.Timer, counts.Post, counts.Push, counts.Pop, counts.Request, counts.Device));
+        Assert.Equal(
+            (timer, post, push, pop, request, device),
+            (counts.Timer, counts.Post, counts.Push, counts.Pop, counts.Request, counts.Device));
         Assert.Equal(0, counts.Merged);
     }
 

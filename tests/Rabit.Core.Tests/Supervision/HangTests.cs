@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Supervision;
 
-/// <summary>Contract 1.6: a manager that does not stop in time is named, with what it is doing; the others end all the same.</summary>
+/// <summary>
+/// Contract 1.6: a manager that does not stop in time is named, with what it is doing; the others end all the same.
+/// </summary>
 public sealed class HangTests
 {
     // Short for the one that hangs, long for the others, who must end within it on a busy machine.

@@ -4,7 +4,10 @@ using Xunit;
 
 namespace Rabit.Core.Tests.Supervision;
 
-/// <summary>Contract 1.7 to 1.9: the figures of the ready-made policies, which figures are taken, and what is said of the others.</summary>
+/// <summary>
+/// Contract 1.7 to 1.9: the figures of the ready-made policies, which figures are taken, and what is said of the
+/// others.
+/// </summary>
 public sealed class PolicyTests
 {
     private static readonly TimeSpan Second = TimeSpan.FromSeconds(1);
@@ -49,12 +52,20 @@ public sealed class PolicyTests
     {
         AssertRefused(() => FaultPolicy.CarryOnAfter(TimeSpan.Zero, Second), "firstDelay", "The delay after a fault");
         AssertRefused(() => FaultPolicy.CarryOnAfter(Minute, Second), "maxDelay", "The longest delay after a fault");
-        AssertRefused(() => FaultPolicy.RestartAfter(TimeSpan.Zero, Second, 1, Minute), "firstDelay", "The delay before a restart");
-        AssertRefused(() => FaultPolicy.RestartAfter(Minute, Second, 1, Minute), "maxDelay", "The longest delay before a restart");
+        AssertRefused(
+            () => FaultPolicy.RestartAfter(TimeSpan.Zero, Second, 1, Minute), "firstDelay",
+            "The delay before a restart");
+        AssertRefused(
+            () => FaultPolicy.RestartAfter(Minute, Second, 1, Minute), "maxDelay",
+            "The longest delay before a restart");
         AssertRefused(() => FaultPolicy.RestartAfter(Second, Second, 0, Minute), "maxRestarts", "1 to 1000 times");
         AssertRefused(() => FaultPolicy.RestartAfter(Second, Second, 1001, Minute), "maxRestarts", "1 to 1000 times");
-        AssertRefused(() => FaultPolicy.RestartAfter(Second, Second, 1, TimeSpan.Zero), "window", "The window in which restarts are counted");
-        AssertRefused(() => FaultPolicy.RestartAfter(Second, Second, 1, Minute, FaultAction.CarryOn), "finally", "Restarts end with a stop");
+        AssertRefused(
+            () => FaultPolicy.RestartAfter(Second, Second, 1, TimeSpan.Zero), "window",
+            "The window in which restarts are counted");
+        AssertRefused(
+            () => FaultPolicy.RestartAfter(Second, Second, 1, Minute, FaultAction.CarryOn), "finally",
+            "Restarts end with a stop");
     }
 
     [Fact]
@@ -76,9 +87,14 @@ public sealed class PolicyTests
     [Fact]
     public void ReconnectPolicy_BadFigures_AreRefusedByName()
     {
-        AssertRefused(() => ReconnectPolicy.After(TimeSpan.Zero, Second), "firstDelay", "The delay before a device is opened again");
-        AssertRefused(() => ReconnectPolicy.After(Minute, Second), "maxDelay", "The longest delay before a device is opened again");
-        AssertRefused(() => ReconnectPolicy.After(Second, Second, maxAttempts: 0), "maxAttempts", "ReconnectPolicy.Never");
+        AssertRefused(
+            () => ReconnectPolicy.After(TimeSpan.Zero, Second), "firstDelay",
+            "The delay before a device is opened again");
+        AssertRefused(
+            () => ReconnectPolicy.After(Minute, Second), "maxDelay",
+            "The longest delay before a device is opened again");
+        AssertRefused(
+            () => ReconnectPolicy.After(Second, Second, maxAttempts: 0), "maxAttempts", "ReconnectPolicy.Never");
     }
 
     [Fact]
@@ -117,8 +133,10 @@ public sealed class PolicyTests
     public void HangPolicy_BadFigures_AreRefusedByName()
     {
         AssertRefused(() => HangPolicy.Report.WithLimits(TimeSpan.Zero), "unitOfWork", "limit of the watchdog");
-        AssertRefused(() => HangPolicy.Report.WithLimits(Second, startup: TimeSpan.Zero), "startup", "limit of the watchdog");
-        AssertRefused(() => HangPolicy.Report.WithLimits(Second, shutdown: TimeSpan.Zero), "shutdown", "limit of the watchdog");
+        AssertRefused(
+            () => HangPolicy.Report.WithLimits(Second, startup: TimeSpan.Zero), "startup", "limit of the watchdog");
+        AssertRefused(
+            () => HangPolicy.Report.WithLimits(Second, shutdown: TimeSpan.Zero), "shutdown", "limit of the watchdog");
         AssertRefused(() => HangPolicy.Report.AndCall(null!), "callback");
     }
 

@@ -65,7 +65,8 @@ public sealed class RestartWindowTests
         return (taken, (int)delay.TotalSeconds);
     }
 
-    private static FaultPolicy Policy(int maxRestarts) => FaultPolicy.RestartAfter(Seconds(1), Seconds(8), maxRestarts, Seconds(60));
+    private static FaultPolicy Policy(int maxRestarts)
+        => FaultPolicy.RestartAfter(Seconds(1), Seconds(8), maxRestarts, Seconds(60));
 
     private static TimeSpan Seconds(int seconds) => TimeSpan.FromSeconds(seconds);
 }

@@ -59,7 +59,9 @@ public sealed class WatchdogTests
         Assert.Same(hang, Assert.Single(ended.Hangs));
         Assert.Contains("hangs in " + stage, ended.ToString(), StringComparison.Ordinal);
         Assert.Equal(0, result.ExitCode);
-        Assert.Equal((ManagerState.Stopped, 1, TimeSpan.Zero), (ended.Status.State, ended.Status.Hangs, ended.Status.HangingSince));
+        Assert.Equal(
+            (ManagerState.Stopped, 1, TimeSpan.Zero),
+            (ended.Status.State, ended.Status.Hangs, ended.Status.HangingSince));
         Assert.Equal(2, run.Log.Count(e => e.Kind == RabitLogKind.Hang && e.Source == "m"));
     }
 
@@ -131,7 +133,8 @@ public sealed class WatchdogTests
             run.OnAndSettle(manager, () => Assert.True(found.WaitOne(TimeSpan.FromSeconds(20))));
         run.Finish();
 
-        Assert.Contains(run.Log, e => e.Kind == RabitLogKind.Fault && e.Text.Contains("my own fault", StringComparison.Ordinal));
+        Assert.Contains(
+            run.Log, e => e.Kind == RabitLogKind.Fault && e.Text.Contains("my own fault", StringComparison.Ordinal));
     }
 
     [Fact, Trait("Clause", "4.5")]
@@ -203,8 +206,11 @@ public sealed class WatchdogTests
     public void Limits_Bad_AreRefused()
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => HangPolicy.Report.WithLimits(TimeSpan.Zero));
-        Assert.Throws<ArgumentOutOfRangeException>(() => HangPolicy.Report.WithLimits(TimeSpan.FromSeconds(1), startup: TimeSpan.FromSeconds(-2)));
-        Assert.Equal(Timeout.InfiniteTimeSpan, HangPolicy.Report.WithLimits(TimeSpan.FromSeconds(1), shutdown: Timeout.InfiniteTimeSpan).ShutdownLimit);
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => HangPolicy.Report.WithLimits(TimeSpan.FromSeconds(1), startup: TimeSpan.FromSeconds(-2)));
+        Assert.Equal(
+            Timeout.InfiniteTimeSpan,
+            HangPolicy.Report.WithLimits(TimeSpan.FromSeconds(1), shutdown: Timeout.InfiniteTimeSpan).ShutdownLimit);
     }
 
     private static TestRun NewRun(ManualClock clock, HangPolicy policy) => new(TimeKind.Real, options =>

@@ -50,7 +50,11 @@ public sealed class SeedSearchTests
     private static void RunRace(VirtualTime time)
     {
         string order = string.Empty;
-        var reactor = new RabitReactor(time) { new Runner("a", () => order += "a"), new Runner("b", () => order += "b") };
+        var reactor = new RabitReactor(time)
+        {
+            new Runner("a", () => order += "a"),
+            new Runner("b", () => order += "b")
+        };
         reactor.Start();
         reactor.RunFor(TimeSpan.FromMilliseconds(10));
         reactor.Stop();

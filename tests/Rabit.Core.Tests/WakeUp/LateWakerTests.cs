@@ -7,8 +7,8 @@ using Xunit;
 namespace Rabit.Core.Tests.WakeUp;
 
 /// <summary>
-/// Contract 1.4 and 4.4 at their narrowest: a waker that has set its cause, and is held up just before it signals. The clock
-/// that it reads there is the test's, and holds it.
+/// Contract 1.4 and 4.4 at their narrowest: a waker that has set its cause, and is held up just before it signals. The
+/// clock that it reads there is the test's, and holds it.
 /// </summary>
 public sealed class LateWakerTests
 {

@@ -14,7 +14,8 @@ public sealed class WaitEnginesTests
     [InlineData(WaitEngine.Best, "Futex", true, WaitEngine.Futex)]
     [InlineData(WaitEngine.Event, "futex", true, WaitEngine.Event)]
     [InlineData(WaitEngine.Futex, "event", true, WaitEngine.Futex)]
-    public void Choose_WhatWorks_IsTakenWithoutANote(WaitEngine asked, string? variable, bool isFutexThere, WaitEngine expected)
+    public void Choose_WhatWorks_IsTakenWithoutANote(
+        WaitEngine asked, string? variable, bool isFutexThere, WaitEngine expected)
     {
         Assert.Equal(expected, WaitEngines.Choose(asked, variable, isFutexThere, out string? note));
         Assert.Null(note);
@@ -24,7 +25,8 @@ public sealed class WaitEnginesTests
     [InlineData(WaitEngine.Futex, null, false, WaitEngine.Event, "does not work here")]
     [InlineData(WaitEngine.Best, "futex", false, WaitEngine.Event, "does not work here")]
     [InlineData(WaitEngine.Best, "spin", true, WaitEngine.Futex, "'spin'")]
-    public void Choose_WhatDoesNotWork_IsNoted(WaitEngine asked, string? variable, bool isFutexThere, WaitEngine expected, string inNote)
+    public void Choose_WhatDoesNotWork_IsNoted(
+        WaitEngine asked, string? variable, bool isFutexThere, WaitEngine expected, string inNote)
     {
         Assert.Equal(expected, WaitEngines.Choose(asked, variable, isFutexThere, out string? note));
         Assert.Contains(inNote, note, StringComparison.Ordinal);

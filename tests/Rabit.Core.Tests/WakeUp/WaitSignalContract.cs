@@ -7,7 +7,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.WakeUp;
 
-/// <summary>What every wait engine keeps to: a signal ends the wait, is kept for one wait, and a timer is never early.</summary>
+/// <summary>
+/// What every wait engine keeps to: a signal ends the wait, is kept for one wait, and a timer is never early.
+/// </summary>
 public abstract class WaitSignalContract
 {
     private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
@@ -66,7 +68,8 @@ public abstract class WaitSignalContract
         }
         while (clock.Now < until);
 
-        // A Unix signal may end a wait early, as Mono's collector sends them; an engine that does not sleep would come here thousands of times.
+        // A Unix signal may end a wait early, as Mono's collector sends them; an engine that does not sleep would come
+        // here thousands of times.
         Assert.InRange(waits, 1, 20);
     }
 
@@ -148,9 +151,11 @@ public sealed class EventWaitSignalTests : WaitSignalContract
 public sealed class FutexWaitSignalTests : WaitSignalContract
 {
     // The build machines are Linux; a machine without it would run the engine that it cannot have.
-    private protected override IWaitSignal Create(RunClock clock) => WaitEngines.Create(Futex.IsThere ? WaitEngine.Futex : WaitEngine.Event, clock);
+    private protected override IWaitSignal Create(RunClock clock)
+        => WaitEngines.Create(Futex.IsThere ? WaitEngine.Futex : WaitEngine.Event, clock);
 
     [Fact]
     public void IsThere_OnLinux_IsTrue()
-        => Assert.True(Futex.IsThere || Environment.OSVersion.Platform != PlatformID.Unix, "the kernel says no to futexes");
+        => Assert.True(
+            Futex.IsThere || Environment.OSVersion.Platform != PlatformID.Unix, "the kernel says no to futexes");
 }

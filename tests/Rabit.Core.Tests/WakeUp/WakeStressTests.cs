@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Rabit.Core.Tests.WakeUp;
 
-/// <summary>Contract 1.4 under load: none is lost. Every step waits for the manager's answer, so a lost wake stands still.</summary>
+/// <summary>
+/// Contract 1.4 under load: none is lost. Every step waits for the manager's answer, so a lost wake stands still.
+/// </summary>
 [Trait("Category", "Stress")]
 public sealed class WakeStressTests
 {

@@ -69,14 +69,17 @@ public sealed class WakeUpEventTests
     }
 
     /// <summary>
-    /// Every sequence of seven steps, against a model that a person can check: what must be taken is a set of causes and a number, and a
-    /// signal must have been given whenever something that is wanted came while the sleeper slept.
+    /// Every sequence of seven steps, against a model that a person can check: what must be taken is a set of causes
+    /// and a number, and a signal must have been given whenever something that is wanted came while the sleeper slept.
     /// </summary>
     [Fact, Trait("Clause", "1.2"), Trait("Clause", "1.4"), Trait("Clause", "1.6")]
     public void Steps_InEveryOrder_LoseNoWakeAndSignalEverySleeper()
     {
         const int Length = 7;
-        Step[] steps = [Step.WakeByPost, Step.WakeByPush, Step.RequestStop, Step.FallAsleep, Step.FallAsleepForStopOnly, Step.Take];
+        Step[] steps =
+        [
+            Step.WakeByPost, Step.WakeByPush, Step.RequestStop, Step.FallAsleep, Step.FallAsleepForStopOnly, Step.Take
+        ];
         int sequences = (int)Math.Pow(steps.Length, Length);
         var sequence = new Step[Length];
         for (int number = 0; number < sequences; number++)

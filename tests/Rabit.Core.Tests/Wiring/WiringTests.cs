@@ -60,7 +60,9 @@ public sealed class WiringTests
 
     [Fact, Trait("Clause", "4.2")]
     public void Faults_ReactorWithoutManagers_IsOne()
-        => Assert.Contains("no manager", Assert.Single(Assert.Throws<RabitWiringException>(new RabitReactor().Start).Faults), StringComparison.Ordinal);
+        => Assert.Contains(
+            "no manager", Assert.Single(Assert.Throws<RabitWiringException>(new RabitReactor().Start).Faults),
+            StringComparison.Ordinal);
 
     [Fact, Trait("Clause", "4.2"), Trait("Clause", "2.2")]
     public void Faults_TwoFirstValues_IsOne()
@@ -69,7 +71,9 @@ public sealed class WiringTests
         run.Add("a").Publish("height", 1);
         run.Add("b").Publish("height", 2);
 
-        Assert.Contains(Assert.Throws<RabitWiringException>(run.Start).Faults, f => f.Contains("first value", StringComparison.Ordinal));
+        Assert.Contains(
+            Assert.Throws<RabitWiringException>(run.Start).Faults,
+            f => f.Contains("first value", StringComparison.Ordinal));
     }
 
     [Theory, Trait("Clause", "4.2")]
@@ -224,7 +228,8 @@ public sealed class WiringTests
     // The order of ends of one name is that of their declaration or binding: not the drawing's matter.
     private static void AssertSameLines(IEnumerable<string> expected, string drawing)
         => Assert.Equal(
-            expected.OrderBy(l => l, StringComparer.Ordinal), drawing.TrimEnd('\n').Split('\n').OrderBy(l => l, StringComparer.Ordinal));
+            expected.OrderBy(l => l, StringComparer.Ordinal),
+            drawing.TrimEnd('\n').Split('\n').OrderBy(l => l, StringComparer.Ordinal));
 
     private static TestRun NewDrawnRun()
     {

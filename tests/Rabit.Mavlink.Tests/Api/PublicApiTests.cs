@@ -11,5 +11,7 @@ public sealed class PublicApiTests
 {
     [Fact]
     public void PublicSurface_OfTheAssembly_IsThatOfTheFile()
-        => PublicApiText.AssertUnchanged(typeof(MavlinkFrame).Assembly, "tests/Rabit.Mavlink.Tests/Api/PublicApi.txt", exceptNamespace: "Rabit.Mavlink.Messages");
+        => PublicApiText.AssertUnchanged(
+            typeof(MavlinkFrame).Assembly, "tests/Rabit.Mavlink.Tests/Api/PublicApi.txt",
+            exceptNamespace: "Rabit.Mavlink.Messages");
 }

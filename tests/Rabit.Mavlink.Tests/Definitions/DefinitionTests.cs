@@ -28,7 +28,9 @@ public class DefinitionTests
             Assert.Equal(
                 (message.Name, message.CrcExtra, message.MinLength, message.MaxLength),
                 (found.Info.Name, found.Info.CrcExtra, found.Info.MinLength, found.Info.MaxLength));
-            Assert.Equal(message.Fields.Select(field => Describe(field, message.OffsetOf(field))), found.Fields.Select(Describe));
+            Assert.Equal(
+                message.Fields.Select(field => Describe(field, message.OffsetOf(field))),
+                found.Fields.Select(Describe));
         }
     }
 
@@ -70,17 +72,27 @@ public class DefinitionTests
     [Fact]
     public void AppendTo_Attitude_NamesFieldsAndUnits()
     {
-        MavlinkFrame frame = MavlinkFrame.Create(new Attitude { TimeBootMs = 1200, Roll = 0.5f, Yaw = -1.25f }, 1, 1, 0);
+        MavlinkFrame frame = MavlinkFrame.Create(
+            new Attitude { TimeBootMs = 1200, Roll = 0.5f, Yaw = -1.25f }, 1, 1, 0);
         Assert.Equal(
-            "ATTITUDE time_boot_ms=1200 ms, roll=0.5 rad, pitch=0 rad, yaw=-1.25 rad, rollspeed=0 rad/s, pitchspeed=0 rad/s, yawspeed=0 rad/s", Print(frame));
+            "ATTITUDE time_boot_ms=1200 ms, roll=0.5 rad, pitch=0 rad, yaw=-1.25 rad, rollspeed=0 rad/s, pitchspeed=0 "
+                + "rad/s, yawspeed=0 rad/s",
+            Print(frame));
     }
 
     [Fact]
     public void AppendTo_EnumsAndBits_AreNamed()
     {
-        var heartbeat = new Heartbeat { Type = MavType.Quadrotor, Autopilot = (MavAutopilot)77, BaseMode = MavModeFlag.SafetyArmed | MavModeFlag.CustomModeEnabled, MavlinkVersion = 3 };
+        var heartbeat = new Heartbeat
+        {
+            Type = MavType.Quadrotor,
+            Autopilot = (MavAutopilot)77,
+            BaseMode = MavModeFlag.SafetyArmed | MavModeFlag.CustomModeEnabled,
+            MavlinkVersion = 3
+        };
         Assert.Equal(
-            "HEARTBEAT type=MAV_TYPE_QUADROTOR, autopilot=77, base_mode=MAV_MODE_FLAG_CUSTOM_MODE_ENABLED|MAV_MODE_FLAG_SAFETY_ARMED, "
+            "HEARTBEAT type=MAV_TYPE_QUADROTOR, autopilot=77, "
+            + "base_mode=MAV_MODE_FLAG_CUSTOM_MODE_ENABLED|MAV_MODE_FLAG_SAFETY_ARMED, "
             + "custom_mode=0, system_status=MAV_STATE_UNINIT, mavlink_version=3",
             Print(MavlinkFrame.Create(heartbeat, 1, 1, 0)));
     }
@@ -89,7 +101,9 @@ public class DefinitionTests
     public void AppendTo_TextWithControlCharacters_ShowsDots()
     {
         var status = new Statustext { Severity = MavSeverity.Info, Text = new Text50("a\u001b[2Jb") };
-        Assert.StartsWith("STATUSTEXT severity=MAV_SEVERITY_INFO, text=\"a.[2Jb\"", Print(MavlinkFrame.Create(status, 1, 1, 0)), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "STATUSTEXT severity=MAV_SEVERITY_INFO, text=\"a.[2Jb\"", Print(MavlinkFrame.Create(status, 1, 1, 0)),
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -106,9 +120,11 @@ public class DefinitionTests
         MavlinkFieldDefinition roll = MavlinkDialect.All.FindDefinition(Attitude.MavlinkId)!.FindField("ROLL")!;
         Assert.Throws<ArgumentException>(() => roll.GetValue(MavlinkFrame.Create(default(Heartbeat), 1, 1, 0)));
         Assert.Throws<ArgumentException>(() => roll.GetValue(default));
-        Assert.Throws<ArgumentOutOfRangeException>(() => roll.GetValue(MavlinkFrame.Create(default(Attitude), 1, 1, 0), 1));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => roll.GetValue(MavlinkFrame.Create(default(Attitude), 1, 1, 0), 1));
         Assert.Throws<InvalidOperationException>(() => roll.GetText(MavlinkFrame.Create(default(Attitude), 1, 1, 0)));
-        Assert.Throws<InvalidOperationException>(() => roll.GetValue(MavlinkFrame.Create(default(Attitude), 1, 1, 0)).ToInt64());
+        Assert.Throws<InvalidOperationException>(
+            () => roll.GetValue(MavlinkFrame.Create(default(Attitude), 1, 1, 0)).ToInt64());
     }
 
     [Fact]
@@ -142,9 +158,10 @@ public class DefinitionTests
         return frame;
     }
 
-    private static string Listed(JsonElement value, MavlinkFieldDefinition field) => value.ValueKind == JsonValueKind.Array
-        ? string.Join(" ", value.EnumerateArray().Select(element => ListedElement(element, field)))
-        : ListedElement(value, field);
+    private static string Listed(JsonElement value, MavlinkFieldDefinition field)
+        => value.ValueKind == JsonValueKind.Array
+            ? string.Join(" ", value.EnumerateArray().Select(element => ListedElement(element, field)))
+            : ListedElement(value, field);
 
     private static string ListedElement(JsonElement value, MavlinkFieldDefinition field)
     {
@@ -158,7 +175,9 @@ public class DefinitionTests
             "-inf" => double.NegativeInfinity,
             _ => double.Parse(text, CultureInfo.InvariantCulture),
         };
-        return number.ToString("R", CultureInfo.InvariantCulture).TrimStart('-') == "0" ? "0" : number.ToString("R", CultureInfo.InvariantCulture);
+        return number.ToString("R", CultureInfo.InvariantCulture).TrimStart('-') == "0"
+            ? "0"
+            : number.ToString("R", CultureInfo.InvariantCulture);
     }
 
     private static string Actual(MavlinkFieldDefinition field, MavlinkFrame frame)

@@ -18,7 +18,8 @@ public class MavlinkDialectTests
     public void Part_EveryFile_HasTheMessagesOfTheFileAndItsIncludes(string file)
     {
         MavlinkDialect dialect = typeof(MavlinkDialect).GetProperties()
-            .Where(property => property.PropertyType == typeof(MavlinkDialect)).Select(property => (MavlinkDialect)property.GetValue(null)!)
+            .Where(property => property.PropertyType == typeof(MavlinkDialect))
+            .Select(property => (MavlinkDialect)property.GetValue(null)!)
             .Single(candidate => candidate.Name == file.Substring(0, file.IndexOf('.')));
         Assert.Equal(
             Generator.Definitions.Package(file).Messages.Select(message => message.Name),
@@ -48,7 +49,8 @@ public class MavlinkDialectTests
     [Fact]
     public void Combine_PartsThatOverlap_HasEachMessageOnce()
     {
-        MavlinkDialect dialect = MavlinkDialect.Combine("both", MavlinkDialect.Common, new MavlinkDialect("own", [Own]), MavlinkDialect.Minimal);
+        MavlinkDialect dialect = MavlinkDialect.Combine(
+            "both", MavlinkDialect.Common, new MavlinkDialect("own", [Own]), MavlinkDialect.Minimal);
         Assert.Equal(("both", MavlinkDialect.Common.Count + 1), (dialect.Name, dialect.Count));
         Assert.True(dialect.TryGetMessage(70_000, out MavlinkMessageInfo own));
         Assert.Equal("OWN", own.Name);
@@ -62,7 +64,8 @@ public class MavlinkDialectTests
     {
         var newer = new MavlinkDialect("newer", [new MavlinkMessageInfo(70_000, "OWN", 17, 4, 8, -1, -1)]);
         var older = new MavlinkDialect("older", [Own]);
-        foreach (MavlinkDialect dialect in new[] { MavlinkDialect.Combine("a", newer, older), MavlinkDialect.Combine("b", older, newer) })
+        foreach (MavlinkDialect dialect
+            in new[] { MavlinkDialect.Combine("a", newer, older), MavlinkDialect.Combine("b", older, newer) })
         {
             Assert.True(dialect.TryGetMessage(70_000, out MavlinkMessageInfo message));
             Assert.Equal(8, message.MaxLength);
@@ -73,8 +76,12 @@ public class MavlinkDialectTests
     public void Combine_OneIdForTwoMessages_NamesBoth()
     {
         var other = new MavlinkDialect("other", [new MavlinkMessageInfo(70_000, "THEIRS", 18, 4, 4, -1, -1)]);
-        ArgumentException exception = Assert.Throws<ArgumentException>(() => MavlinkDialect.Combine("both", new MavlinkDialect("own", [Own]), other));
-        Assert.Contains("Dialect 'both': other has THEIRS (checksum byte 18) as message 70000, which is OWN (checksum byte 17) already.", exception.Message);
+        ArgumentException exception = Assert.Throws<ArgumentException>(
+            () => MavlinkDialect.Combine("both", new MavlinkDialect("own", [Own]), other));
+        Assert.Contains(
+            "Dialect 'both': other has THEIRS (checksum byte 18) as message 70000, which is OWN (checksum byte 17) "
+                + "already.",
+            exception.Message);
     }
 
     [Fact]
@@ -89,5 +96,7 @@ public class MavlinkDialectTests
     [InlineData("")]
     [InlineData("\u0002")]
     public void Create_DataOfAnotherVersion_SaysToCompileAgain(string data) =>
-        Assert.Contains("compile its project", Assert.Throws<InvalidOperationException>(() => MavlinkDialectData.Create(data, null)).Message);
+        Assert.Contains(
+            "compile its project",
+            Assert.Throws<InvalidOperationException>(() => MavlinkDialectData.Create(data, null)).Message);
 }

@@ -68,7 +68,8 @@ public class ShortestNumberTests
         double read = double.Parse(text, CultureInfo.InvariantCulture);
         bool mayBeTheNeighbour = Type.GetType("Mono.Runtime") is not null;
         return read.Equals(value)
-            || (mayBeTheNeighbour && Math.Abs(BitConverter.DoubleToInt64Bits(read) - BitConverter.DoubleToInt64Bits(value)) == 1);
+            || (mayBeTheNeighbour
+                && Math.Abs(BitConverter.DoubleToInt64Bits(read) - BitConverter.DoubleToInt64Bits(value)) == 1);
     }
 
     // Any bits at all, small whole numbers and short fractions, powers of two (below which the next number is closer),

@@ -14,10 +14,12 @@ public class DocumentedCodeTests
 
     // What a document may leave out: it names the package of each type.
     internal static readonly ProgramCompiler Compiler = new(
-        ["System", "System.Diagnostics", "System.IO", "Rabit.Mavlink", "Rabit.Mavlink.Messages"], typeof(IMavlinkMessage));
+        ["System", "System.Diagnostics", "System.IO", "Rabit.Mavlink", "Rabit.Mavlink.Messages"],
+        typeof(IMavlinkMessage));
 
     private const string TimestampStore =
-        "sealed class FileTimestampStore(string path) : IMavlinkTimestampStore { public int Read(int slot, Span<byte> r) => path.Length; public bool Write(int slot, ReadOnlySpan<byte> r) => true; }";
+        "sealed class FileTimestampStore(string path) : IMavlinkTimestampStore { public int Read(int slot, Span<byte> "
+            + "r) => path.Length; public bool Write(int slot, ReadOnlySpan<byte> r) => true; }";
 
     [Theory]
     [InlineData("src/Rabit.Mavlink/README.md", 3)]
@@ -36,7 +38,8 @@ public class DocumentedCodeTests
         List<string> blocks = BlocksOf("src/Rabit.Mavlink/README.md");
         string[] loops = [.. blocks.Where(block => block.Contains("TcpClient", StringComparison.Ordinal))];
         Assert.Equal(2, loops.Length);
-        Assert.All(loops, loop => Assert.InRange(loop.Split('\n').Count(line => line.Trim().Length > 0), 1, MaxLoopLines));
+        Assert.All(
+            loops, loop => Assert.InRange(loop.Split('\n').Count(line => line.Trim().Length > 0), 1, MaxLoopLines));
     }
 
     private static List<string> BlocksOf(string document)
@@ -65,8 +68,11 @@ public class DocumentedCodeTests
 
     private static void AssertCompiles(string program)
     {
-        bool usesStore = program.Contains("FileTimestampStore", StringComparison.Ordinal) && !program.Contains("class FileTimestampStore", StringComparison.Ordinal);
-        IReadOnlyList<string> errors = usesStore ? Compiler.ErrorsOf(program, TimestampStore) : Compiler.ErrorsOf(program);
+        bool usesStore = program.Contains("FileTimestampStore", StringComparison.Ordinal)
+            && !program.Contains("class FileTimestampStore", StringComparison.Ordinal);
+        IReadOnlyList<string> errors = usesStore
+            ? Compiler.ErrorsOf(program, TimestampStore)
+            : Compiler.ErrorsOf(program);
         Assert.True(errors.Count == 0, string.Join("\n", errors) + "\n\n" + program);
     }
 }

@@ -19,7 +19,8 @@ public class EdgeCaseTests
             string name = $"{line.GetProperty("case")} {line.GetProperty("name")}";
             byte[] wire = TestData.FromHex(line.GetProperty("hex").GetString()!);
             var reader = new MavlinkFrameReader(MavlinkDialect.All);
-            List<FoundFrame> found = FrameCollector.Read(wire, wire.Length, reader).Where(frame => frame.Info.IsChecked).ToList();
+            List<FoundFrame> found = FrameCollector.Read(wire, wire.Length, reader)
+                .Where(frame => frame.Info.IsChecked).ToList();
 
             string expected = line.GetProperty("expect").GetString()!;
             if (expected != "either")

@@ -16,7 +16,8 @@ internal static class FuzzBytes
     public static byte[] Make(int seed, int length)
     {
         var random = new Random(seed);
-        byte[][] sources = [TestData.Bytes("ardupilot-flight.tlog"), TestData.Bytes("px4-flight.tlog"), TestData.Bytes("d-signed.bin"), TestData.Bytes("c-garbage-part.bin"), SignedStream];
+        byte[][] sources = [TestData.Bytes("ardupilot-flight.tlog"), TestData.Bytes("px4-flight.tlog"),
+            TestData.Bytes("d-signed.bin"), TestData.Bytes("c-garbage-part.bin"), SignedStream];
         byte[] source = sources[seed % sources.Length];
         var bytes = new byte[length];
         int filled = 0;

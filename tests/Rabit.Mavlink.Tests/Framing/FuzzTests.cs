@@ -24,7 +24,8 @@ public class FuzzTests(ITestOutputHelper output)
         pair => pair.Key,
         pair => (Decode)Delegate.CreateDelegate(
             typeof(Decode),
-            typeof(FuzzTests).GetMethod(nameof(DecodeAndEncode), BindingFlags.NonPublic | BindingFlags.Static)!.MakeGenericMethod(pair.Value)));
+            typeof(FuzzTests).GetMethod(nameof(DecodeAndEncode), BindingFlags.NonPublic | BindingFlags.Static)!
+                .MakeGenericMethod(pair.Value)));
 
     private readonly byte[] _wire = new byte[MavlinkFrame.MaxWireLength];
 
@@ -41,7 +42,9 @@ public class FuzzTests(ITestOutputHelper output)
     public void Everything_ManyMutatedBytes_ComesToAnEndWithoutAFault()
     {
         string? megabytes = Environment.GetEnvironmentVariable("RABIT_FUZZ_MEGABYTES");
-        long wanted = 1_000_000L * (string.IsNullOrEmpty(megabytes) ? 200 : int.Parse(megabytes, System.Globalization.CultureInfo.InvariantCulture));
+        long wanted = 1_000_000L * (string.IsNullOrEmpty(megabytes)
+            ? 200
+            : int.Parse(megabytes, System.Globalization.CultureInfo.InvariantCulture));
         int seed = FirstSeed + 10;
         for (long done = 0; done < wanted; done += BytesPerSeed)
             Run(seed++);
@@ -85,11 +88,14 @@ public class FuzzTests(ITestOutputHelper output)
             inFrames += Use(frame, info, bytes, verifier, router);
         counters = reader.Counters;
         Assert.Equal((bytes.Length, 0), (counters.Bytes, reader.PendingBytes));
-        Assert.InRange(bytes.Length - inFrames - counters.SkippedBytes, 0, counters.IncompatibleFrames * MavlinkFrame.MaxWireLength);
+        Assert.InRange(
+            bytes.Length - inFrames - counters.SkippedBytes, 0,
+            counters.IncompatibleFrames * MavlinkFrame.MaxWireLength);
         return inFrames;
     }
 
-    private int Use(in MavlinkFrame frame, in MavlinkFrameInfo info, byte[] bytes, MavlinkVerifier verifier, MavlinkRouter router)
+    private int Use(
+        in MavlinkFrame frame, in MavlinkFrameInfo info, byte[] bytes, MavlinkVerifier verifier, MavlinkRouter router)
     {
         int length = frame.WriteTo(_wire);
         Assert.True(bytes.AsSpan((int)info.StreamOffset, length).SequenceEqual(_wire.AsSpan(0, length)));

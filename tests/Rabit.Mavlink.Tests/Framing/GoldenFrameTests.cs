@@ -32,9 +32,13 @@ public class GoldenFrameTests
             MavlinkFrame signed = Wire.Single(vector.V2Signed, out _);
             Remake remake = RemakeOf(MessageTypes.ById[vector.Id]);
 
-            Assert.True(vector.V2.AsSpan().SequenceEqual(Wire.Bytes(remake(signed, MavlinkVersion.V2))), $"{vector} as MAVLink 2");
+            Assert.True(
+                vector.V2.AsSpan().SequenceEqual(Wire.Bytes(remake(signed, MavlinkVersion.V2))),
+                $"{vector} as MAVLink 2");
             if (vector.V1 is not null)
-                Assert.True(vector.V1.AsSpan().SequenceEqual(Wire.Bytes(remake(signed, MavlinkVersion.V1))), $"{vector} as MAVLink 1");
+                Assert.True(
+                    vector.V1.AsSpan().SequenceEqual(Wire.Bytes(remake(signed, MavlinkVersion.V1))),
+                    $"{vector} as MAVLink 1");
         }
     }
 
@@ -46,14 +50,17 @@ public class GoldenFrameTests
         Assert.True(info.IsChecked, vector.ToString());
         Assert.Equal(vector.Name, info.Message.Name);
         Assert.Equal((version, vector.Id, isSigned), (frame.Version, frame.MessageId, frame.IsSigned));
-        Assert.Equal((vector.SystemId, vector.ComponentId, vector.Sequence), (frame.SystemId, frame.ComponentId, frame.Sequence));
+        Assert.Equal(
+            (vector.SystemId, vector.ComponentId, vector.Sequence),
+            (frame.SystemId, frame.ComponentId, frame.Sequence));
         Assert.Equal(wire, Wire.Bytes(frame));
         return 1;
     }
 
     private static Remake RemakeOf(Type message) => (Remake)Delegate.CreateDelegate(
         typeof(Remake),
-        typeof(GoldenFrameTests).GetMethod(nameof(DecodeAndCreate), BindingFlags.NonPublic | BindingFlags.Static)!.MakeGenericMethod(message));
+        typeof(GoldenFrameTests).GetMethod(nameof(DecodeAndCreate), BindingFlags.NonPublic | BindingFlags.Static)!
+            .MakeGenericMethod(message));
 
     private static MavlinkFrame DecodeAndCreate<T>(in MavlinkFrame frame, MavlinkVersion version)
         where T : struct, IMavlinkMessage

@@ -28,7 +28,9 @@ public class MavlinkCrcTests
             ushort expected = BitByBit(start, bytes, length);
             Assert.Equal(expected, MavlinkCrc.Add(start, bytes.AsSpan(0, length)));
             Assert.Equal(BitByBit(expected, [bytes[length]], 1), MavlinkCrc.Add(expected, bytes[length]));
-            Assert.Equal(BitByBit(MavlinkCrc.Initial, bytes, length + 1), MavlinkCrc.OfFrame(bytes.AsSpan(0, length), bytes[length]));
+            Assert.Equal(
+                BitByBit(MavlinkCrc.Initial, bytes, length + 1),
+                MavlinkCrc.OfFrame(bytes.AsSpan(0, length), bytes[length]));
         }
     }
 

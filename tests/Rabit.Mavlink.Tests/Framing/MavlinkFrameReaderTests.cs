@@ -15,7 +15,8 @@ public class MavlinkFrameReaderTests
     private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All);
 
     [Fact]
-    public void Constructor_NoDialect_Throws() => Assert.Throws<ArgumentNullException>("dialect", () => new MavlinkFrameReader(null!));
+    public void Constructor_NoDialect_Throws()
+        => Assert.Throws<ArgumentNullException>("dialect", () => new MavlinkFrameReader(null!));
 
     [Fact]
     public void TryRead_LastByteMissing_WaitsForIt()
@@ -111,7 +112,9 @@ public class MavlinkFrameReaderTests
         byte[] frame = Wire.V2(messageId, [1], Wire.Info<Heartbeat>().CrcExtra, flags);
 
         Assert.Single(Feed(Wire.Join(frame, Known)));
-        Assert.Equal((1, 0, 0), (_reader.Counters.IncompatibleFrames, _reader.Counters.SkippedBytes, _reader.Counters.BadChecksums));
+        Assert.Equal(
+            (1, 0, 0),
+            (_reader.Counters.IncompatibleFrames, _reader.Counters.SkippedBytes, _reader.Counters.BadChecksums));
     }
 
     [Fact]
@@ -148,5 +151,6 @@ public class MavlinkFrameReaderTests
         Assert.Equal(0, _reader.Counters.BadChecksums);
     }
 
-    private List<FoundFrame> Feed(params byte[] bytes) => FrameCollector.Read(bytes, bytes.Length, _reader, flush: false);
+    private List<FoundFrame> Feed(params byte[] bytes)
+        => FrameCollector.Read(bytes, bytes.Length, _reader, flush: false);
 }

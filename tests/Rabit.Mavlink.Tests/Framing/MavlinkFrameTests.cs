@@ -16,8 +16,11 @@ public class MavlinkFrameTests
     {
         MavlinkFrame frame = MavlinkFrame.Create(Sample, 7, 191, 200);
 
-        Assert.Equal((MavlinkVersion.V2, 7, 191, 200, 0), (frame.Version, frame.SystemId, frame.ComponentId, frame.Sequence, frame.MessageId));
-        Assert.Equal((0, 0, false, 9, 21), (frame.IncompatibilityFlags, frame.CompatibilityFlags, frame.IsSigned, frame.PayloadLength, frame.WireLength));
+        Assert.Equal(
+            (MavlinkVersion.V2, 7, 191, 200, 0),
+            (frame.Version, frame.SystemId, frame.ComponentId, frame.Sequence, frame.MessageId));
+        Assert.Equal((0, 0, false, 9, 21), (frame.IncompatibilityFlags, frame.CompatibilityFlags, frame.IsSigned,
+            frame.PayloadLength, frame.WireLength));
     }
 
     [Fact]
@@ -43,7 +46,8 @@ public class MavlinkFrameTests
     [Fact]
     public void Create_V1WithIdAbove255_NamesMessageAndId()
     {
-        var fault = Assert.Throws<ArgumentException>(() => MavlinkFrame.Create(default(SetupSigning), 1, 1, 0, MavlinkVersion.V1));
+        var fault = Assert.Throws<ArgumentException>(
+            () => MavlinkFrame.Create(default(SetupSigning), 1, 1, 0, MavlinkVersion.V1));
 
         Assert.Contains("SetupSigning has id 256", fault.Message, StringComparison.Ordinal);
     }
@@ -52,7 +56,8 @@ public class MavlinkFrameTests
     [InlineData(0)]
     [InlineData(3)]
     public void Create_NoSuchVersion_Throws(int version) =>
-        Assert.Throws<ArgumentOutOfRangeException>(nameof(version), () => MavlinkFrame.Create(Sample, 1, 1, 0, (MavlinkVersion)version));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            nameof(version), () => MavlinkFrame.Create(Sample, 1, 1, 0, (MavlinkVersion)version));
 
     [Fact]
     public void TryDecode_OtherMessage_IsFalse()
@@ -77,7 +82,8 @@ public class MavlinkFrameTests
     {
         MavlinkFrame frame = MavlinkFrame.Create(Sample, 1, 1, 0);
 
-        var fault = Assert.Throws<ArgumentException>("destination", () => frame.WriteTo(new byte[frame.WireLength - 1]));
+        var fault = Assert.Throws<ArgumentException>(
+            "destination", () => frame.WriteTo(new byte[frame.WireLength - 1]));
 
         Assert.Contains("20 bytes, 21 are needed", fault.Message, StringComparison.Ordinal);
     }
@@ -116,16 +122,20 @@ public class MavlinkFrameTests
     public void TryRead_NoFrameIntoAnOldFrame_IsNoFrameInEveryMember()
     {
         var reader = new MavlinkFrameReader(MavlinkDialect.All);
-        ReadOnlySpan<byte> bytes = Wire.V2(0, [1, 2, 3, 4, 5, 6, 7, 8, 9], Wire.Info<Heartbeat>().CrcExtra, incompatibilityFlags: 1);
+        ReadOnlySpan<byte> bytes = Wire.V2(
+            0, [1, 2, 3, 4, 5, 6, 7, 8, 9], Wire.Info<Heartbeat>().CrcExtra, incompatibilityFlags: 1);
         Assert.True(reader.TryRead(ref bytes, out MavlinkFrame frame, out MavlinkFrameInfo info));
         bytes = new byte[] { 0xFD };
         Assert.False(reader.TryRead(ref bytes, out frame, out info));
         bytes = new byte[] { 9 };
         Assert.False(reader.TryRead(ref bytes, out frame, out info));
 
-        Assert.Equal((MavlinkVersion.None, 0, 0, 0), (frame.Version, frame.WireLength, frame.PayloadLength, frame.MessageId));
+        Assert.Equal(
+            (MavlinkVersion.None, 0, 0, 0), (frame.Version, frame.WireLength, frame.PayloadLength, frame.MessageId));
         Assert.Equal((0, 0, 0, 0), (frame.SystemId, frame.ComponentId, frame.Sequence, frame.Checksum));
-        Assert.Equal((0, 0, false, 0L), (frame.IncompatibilityFlags, frame.SignatureLinkId, frame.IsSigned, frame.SignatureTimestamp));
+        Assert.Equal(
+            (0, 0, false, 0L),
+            (frame.IncompatibilityFlags, frame.SignatureLinkId, frame.IsSigned, frame.SignatureTimestamp));
         Assert.All(Enumerable.Range(0, 255), index => Assert.Equal(0, frame.PayloadByte(index)));
         Assert.False(frame.TryDecode(out Heartbeat _));
         Assert.Null(info.Message.Name);
@@ -152,7 +162,8 @@ public class MavlinkFrameTests
     public void WithSequence_WrongChecksumOrNoFrame_Throws()
     {
         // Of an unknown id, which a reader cannot check: of 65536 checksums all but 256 are found out.
-        MavlinkFrame wrong = Wire.Single([0xFD, 1, 0, 0, 0, 1, 1, 0x34, 0x12, 0x56, 7, 0xAA, 0x55], out MavlinkFrameInfo info);
+        MavlinkFrame wrong = Wire.Single(
+            [0xFD, 1, 0, 0, 0, 1, 1, 0x34, 0x12, 0x56, 7, 0xAA, 0x55], out MavlinkFrameInfo info);
         Assert.False(info.IsChecked);
 
         Assert.Throws<InvalidOperationException>(() => wrong.WithSequence(1));
@@ -163,7 +174,8 @@ public class MavlinkFrameTests
     [Fact]
     public void CopySignatureTo_SignedAndUnsigned_GivesThirteenBytesOrNone()
     {
-        MavlinkFrame signed = Wire.Single(Wire.V2(0, [1], Wire.Info<Heartbeat>().CrcExtra, incompatibilityFlags: 1), out _);
+        MavlinkFrame signed = Wire.Single(
+            Wire.V2(0, [1], Wire.Info<Heartbeat>().CrcExtra, incompatibilityFlags: 1), out _);
         var signature = new byte[13];
 
         Assert.Equal(13, signed.CopySignatureTo(signature));
@@ -176,7 +188,8 @@ public class MavlinkFrameTests
     {
         MavlinkMessageInfo command = Wire.Info<CommandLong>();
         MavlinkMessageInfo heartbeat = Wire.Info<Heartbeat>();
-        MavlinkFrame addressed = MavlinkFrame.Create(new CommandLong { TargetSystem = 3, TargetComponent = 4 }, 1, 1, 0);
+        MavlinkFrame addressed = MavlinkFrame.Create(
+            new CommandLong { TargetSystem = 3, TargetComponent = 4 }, 1, 1, 0);
         MavlinkFrame cut = MavlinkFrame.Create(default(CommandLong), 1, 1, 0);
         MavlinkFrame broadcast = MavlinkFrame.Create(Sample, 1, 1, 0);
 
@@ -191,7 +204,8 @@ public class MavlinkFrameTests
     [InlineData(MavlinkVersion.V2)]
     public void WithSequence_Unsigned_GivesWhatCreateGives(MavlinkVersion version)
     {
-        MavlinkFrame renumbered = MavlinkFrame.Create(Sample, 1, 191, 5, version).WithSequence(6, Wire.Info<Heartbeat>().CrcExtra);
+        MavlinkFrame renumbered = MavlinkFrame.Create(Sample, 1, 191, 5, version)
+            .WithSequence(6, Wire.Info<Heartbeat>().CrcExtra);
 
         Assert.Equal(Wire.Bytes(MavlinkFrame.Create(Sample, 1, 191, 6, version)), Wire.Bytes(renumbered));
     }
@@ -209,7 +223,8 @@ public class MavlinkFrameTests
     }
 
     [Fact]
-    public void Size_IsThatOfItsBytesNearly() => Assert.InRange(Marshal.SizeOf<MavlinkFrame>(), MavlinkFrame.MaxWireLength, 288);
+    public void Size_IsThatOfItsBytesNearly()
+        => Assert.InRange(Marshal.SizeOf<MavlinkFrame>(), MavlinkFrame.MaxWireLength, 288);
 
     [Fact]
     public void ToString_NamesIdSourceAndSequence() =>

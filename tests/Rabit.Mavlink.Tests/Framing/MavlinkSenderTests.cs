@@ -50,7 +50,9 @@ public class MavlinkSenderTests
     {
         int length = _sender.Write(new Attitude { Yaw = 1 }, _buffer.AsSpan());
 
-        Assert.Equal(Wire.Bytes(new MavlinkSender(7, 191).Create(new Attitude { Yaw = 1 })), _buffer.AsSpan(0, length).ToArray());
+        Assert.Equal(
+            Wire.Bytes(new MavlinkSender(7, 191).Create(new Attitude { Yaw = 1 })),
+            _buffer.AsSpan(0, length).ToArray());
     }
 
     [Fact]
@@ -63,7 +65,9 @@ public class MavlinkSenderTests
 
         Assert.Equal(length, buffer.Written.Length);
         var found = FrameCollector.Read(buffer.Written, 5, new MavlinkFrameReader(MavlinkDialect.All));
-        Assert.Equal([Attitude.MavlinkId, Heartbeat.MavlinkId, Ping.MavlinkId], found.ConvertAll(frame => frame.Frame.MessageId));
+        Assert.Equal(
+            [Attitude.MavlinkId, Heartbeat.MavlinkId, Ping.MavlinkId],
+            found.ConvertAll(frame => frame.Frame.MessageId));
         Assert.Equal([0, 1, 2], found.ConvertAll(frame => (int)frame.Frame.Sequence));
     }
 
@@ -103,15 +107,19 @@ public class MavlinkSenderTests
         MavlinkFrame created = _sender.Create(default(Heartbeat));
 
         Assert.All(new[] { written, created }, frame => Assert.True(Keys.One.Matches(frame)));
-        Assert.Equal((Keys.Noon, Keys.Noon + 1, (byte)5), (written.SignatureTimestamp, created.SignatureTimestamp, created.SignatureLinkId));
+        Assert.Equal(
+            (Keys.Noon, Keys.Noon + 1, (byte)5),
+            (written.SignatureTimestamp, created.SignatureTimestamp, created.SignatureLinkId));
     }
 
     [Fact]
     public void Mavlink1AndSigner_EitherWay_IsRefused()
     {
         var signer = new MavlinkSigner(Keys.One, 0, Keys.ClockAt(Keys.Noon));
-        Assert.Throws<InvalidOperationException>(() => new MavlinkSender(1, 1) { Version = MavlinkVersion.V1 }.Signer = signer);
-        Assert.Throws<InvalidOperationException>(() => new MavlinkSender(1, 1) { Signer = signer }.Version = MavlinkVersion.V1);
+        Assert.Throws<InvalidOperationException>(
+            () => new MavlinkSender(1, 1) { Version = MavlinkVersion.V1 }.Signer = signer);
+        Assert.Throws<InvalidOperationException>(
+            () => new MavlinkSender(1, 1) { Signer = signer }.Version = MavlinkVersion.V1);
     }
 
     [Theory]
@@ -121,11 +129,13 @@ public class MavlinkSenderTests
         Assert.Throws<ArgumentOutOfRangeException>(() => new MavlinkSender(systemId, componentId));
 
     [Fact]
-    public void Version_NeitherOneNorTwo_IsRefused() => Assert.Throws<ArgumentOutOfRangeException>(() => _sender.Version = MavlinkVersion.None);
+    public void Version_NeitherOneNorTwo_IsRefused()
+        => Assert.Throws<ArgumentOutOfRangeException>(() => _sender.Version = MavlinkVersion.None);
 
     private static Remake RemakeOf(string method, int messageId) => (Remake)Delegate.CreateDelegate(
         typeof(Remake),
-        typeof(MavlinkSenderTests).GetMethod(method, BindingFlags.NonPublic | BindingFlags.Static)!.MakeGenericMethod(MessageTypes.ById[messageId]));
+        typeof(MavlinkSenderTests).GetMethod(method, BindingFlags.NonPublic | BindingFlags.Static)!
+            .MakeGenericMethod(MessageTypes.ById[messageId]));
 
     private static byte[] DecodeAndWrite<T>(in MavlinkFrame frame, MavlinkVersion version, int room)
         where T : struct, IMavlinkMessage

@@ -38,7 +38,8 @@ public class MavlinkSequenceTrackerTests
         tracker.Track(Frame(1, 191, 11));
 
         Assert.Equal(2, tracker.Count);
-        Assert.Equal((1, 191, 2L, 0L), (tracker[0].SystemId, tracker[0].ComponentId, tracker[0].Frames, tracker[0].Missing));
+        Assert.Equal(
+            (1, 191, 2L, 0L), (tracker[0].SystemId, tracker[0].ComponentId, tracker[0].Frames, tracker[0].Missing));
         Assert.Equal((1, 1, 200), (tracker[1].SystemId, tracker[1].ComponentId, tracker[1].LastSequence));
         Assert.False(tracker.TryGet(2, 1, out _));
         Assert.Throws<ArgumentOutOfRangeException>("index", () => tracker[2]);

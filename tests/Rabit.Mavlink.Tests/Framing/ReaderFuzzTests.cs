@@ -25,11 +25,17 @@ public class ReaderFuzzTests(ITestOutputHelper output)
         byte[] bytes = FuzzBytes.Make(seed, BytesPerSeed);
         var whole = new MavlinkFrameReader(MavlinkDialect.All);
         List<FoundFrame> found = FrameCollector.Read(bytes, bytes.Length, whole);
-        List<FoundFrame> inChunks = FrameCollector.Read(bytes, 1 + (seed * 7), new MavlinkFrameReader(MavlinkDialect.All));
+        List<FoundFrame> inChunks = FrameCollector.Read(
+            bytes, 1 + (seed * 7), new MavlinkFrameReader(MavlinkDialect.All));
 
-        Assert.Equal(found.Select(frame => frame.ToString()), inChunks.Select(frame => frame.ToString()), StringComparer.Ordinal);
-        var expected = ReferenceScan.OffsetsOfCheckedFrames(bytes, MavlinkDialect.All).Where(offset => !HasUnknownFlag(bytes, offset));
-        Assert.Equal(expected.Select(offset => (long)offset), found.Where(frame => frame.Info.IsChecked).Select(frame => frame.Info.StreamOffset));
+        Assert.Equal(
+            found.Select(frame => frame.ToString()), inChunks.Select(frame => frame.ToString()),
+            StringComparer.Ordinal);
+        var expected = ReferenceScan.OffsetsOfCheckedFrames(bytes, MavlinkDialect.All)
+            .Where(offset => !HasUnknownFlag(bytes, offset));
+        Assert.Equal(
+            expected.Select(offset => (long)offset),
+            found.Where(frame => frame.Info.IsChecked).Select(frame => frame.Info.StreamOffset));
         AssertInOrderAndByteForByte(bytes, found);
         Assert.Equal((bytes.Length, 0), (whole.Counters.Bytes, whole.PendingBytes));
     }
@@ -71,7 +77,8 @@ public class ReaderFuzzTests(ITestOutputHelper output)
         Assert.True(watch.Elapsed < TimeSpan.FromSeconds(30), $"{watch.Elapsed}");
     }
 
-    private static bool HasUnknownFlag(byte[] bytes, int offset) => bytes[offset] == 0xFD && (bytes[offset + 2] & ~1) != 0;
+    private static bool HasUnknownFlag(byte[] bytes, int offset)
+        => bytes[offset] == 0xFD && (bytes[offset + 2] & ~1) != 0;
 
     private static void AssertInOrderAndByteForByte(byte[] bytes, List<FoundFrame> found)
     {

@@ -74,6 +74,8 @@ public class ReaderWorkTests(ITestOutputHelper output)
         var random = new Random(2026);
         byte[] headers = [0xFD, 0xFD, 0xFE, 0xFE, 0xFF, 0xFE, 0, 0, 1, 0x83, 0x40];
         for (int count = 0; count < 1000; count++)
-            yield return Enumerable.Range(0, random.Next(1, 13)).Select(_ => random.Next(6) == 0 ? (byte)ids[random.Next(ids.Length)] : headers[random.Next(headers.Length)]).ToArray();
+            yield return Enumerable.Range(0, random.Next(1, 13)).Select(_ => random.Next(6) == 0
+                ? (byte)ids[random.Next(ids.Length)]
+                : headers[random.Next(headers.Length)]).ToArray();
     }
 }

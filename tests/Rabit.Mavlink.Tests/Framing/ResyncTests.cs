@@ -31,7 +31,8 @@ public class ResyncTests
 
         Assert.Equal([Heartbeat.MavlinkId, Wire.UnknownId, Attitude.MavlinkId], Ids(Wire.Join(Inner, unknown, Behind)));
         // The other policy delivers what the checksum proves.
-        Assert.DoesNotContain(Wire.UnknownId, Ids(Wire.Join(Inner, unknown, Behind), new MavlinkFrameReader(MavlinkDialect.All)));
+        Assert.DoesNotContain(
+            Wire.UnknownId, Ids(Wire.Join(Inner, unknown, Behind), new MavlinkFrameReader(MavlinkDialect.All)));
     }
 
     [Fact]
@@ -52,16 +53,20 @@ public class ResyncTests
         // 30 bytes of payload and two of checksum: the first frame is inside, the second is behind.
         byte[] stream = Wire.Join(header, first, new byte[32 - first.Length], Behind);
         Assert.Equal([Attitude.MavlinkId], Ids(stream));
-        Assert.Equal([Heartbeat.MavlinkId, Attitude.MavlinkId], Ids(stream, new MavlinkFrameReader(MavlinkDialect.All)));
+        Assert.Equal(
+            [Heartbeat.MavlinkId, Attitude.MavlinkId], Ids(stream, new MavlinkFrameReader(MavlinkDialect.All)));
     }
 
     [Fact]
     public void SkipFrame_IntactFlight_IsReadAsInTheOtherMode()
     {
         byte[] stream = Stream("px4-flight.tlog");
-        string[] expected = FrameCollector.Read(stream, 1000, new MavlinkFrameReader(MavlinkDialect.All)).Select(frame => frame.ToString()).ToArray();
+        string[] expected = FrameCollector.Read(stream, 1000, new MavlinkFrameReader(MavlinkDialect.All))
+            .Select(frame => frame.ToString()).ToArray();
 
-        Assert.Equal(expected, FrameCollector.Read(stream, 1000, _reader).Select(frame => frame.ToString()), StringComparer.Ordinal);
+        Assert.Equal(
+            expected, FrameCollector.Read(stream, 1000, _reader).Select(frame => frame.ToString()),
+            StringComparer.Ordinal);
         Assert.Equal(0, _reader.Counters.SkippedBytes);
     }
 
@@ -74,10 +79,15 @@ public class ResyncTests
     {
         byte[] stream = TestData.Bytes("c-garbage-part.bin");
         var whole = new MavlinkFrameReader(MavlinkDialect.All, MavlinkInvalidFramePolicy.SkipFrame);
-        string[] expected = FrameCollector.Read(stream, stream.Length, whole).Select(frame => frame.ToString()).ToArray();
+        string[] expected = FrameCollector.Read(stream, stream.Length, whole)
+            .Select(frame => frame.ToString()).ToArray();
 
-        Assert.Equal(expected, FrameCollector.Read(stream, chunk, _reader).Select(frame => frame.ToString()), StringComparer.Ordinal);
-        Assert.Equal((whole.Counters.SkippedBytes, whole.Counters.BadChecksums), (_reader.Counters.SkippedBytes, _reader.Counters.BadChecksums));
+        Assert.Equal(
+            expected, FrameCollector.Read(stream, chunk, _reader).Select(frame => frame.ToString()),
+            StringComparer.Ordinal);
+        Assert.Equal(
+            (whole.Counters.SkippedBytes, whole.Counters.BadChecksums),
+            (_reader.Counters.SkippedBytes, _reader.Counters.BadChecksums));
         Assert.Equal(stream.Length, _reader.Counters.Bytes);
     }
 

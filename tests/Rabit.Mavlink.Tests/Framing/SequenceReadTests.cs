@@ -18,7 +18,9 @@ public class SequenceReadTests
     public void TryRead_Segments_FindsTheFramesOfTheWhole(int segmentLength)
     {
         byte[] bytes = TestData.Bytes("ardupilot-flight.tlog").Take(20_000).ToArray();
-        string[] expected = FrameCollector.Read(bytes, bytes.Length, new MavlinkFrameReader(MavlinkDialect.All), flush: false).Select(frame => frame.ToString()).ToArray();
+        string[] expected =
+            FrameCollector.Read(bytes, bytes.Length, new MavlinkFrameReader(MavlinkDialect.All), flush: false)
+                .Select(frame => frame.ToString()).ToArray();
         var reader = new MavlinkFrameReader(MavlinkDialect.All);
         var found = new List<string>();
 

@@ -16,7 +16,8 @@ public class VectorStreamTests
     private static readonly int[] ChunkLengths = [1, 7, 64, 1000, int.MaxValue];
 
     [ExtendedDataFact("a-truncated-headers.bin")]
-    public void TryRead_StreamWithTruncatedHeaders_FindsExactlyTheListedFrames() => FindsTheListedFrames("a-truncated-headers", 5000);
+    public void TryRead_StreamWithTruncatedHeaders_FindsExactlyTheListedFrames()
+        => FindsTheListedFrames("a-truncated-headers", 5000);
 
     [ExtendedDataFact("b-byte-loss.bin")]
     public void TryRead_StreamWithLostBytes_FindsExactlyTheListedFrames() => FindsTheListedFrames("b-byte-loss", 4737);
@@ -42,9 +43,15 @@ public class VectorStreamTests
             var reader = new MavlinkFrameReader(CrcExtraDialect.All);
             List<FoundFrame> found = FrameCollector.Read(bytes, Math.Min(chunk, bytes.Length), reader);
 
-            Assert.Equal(rows.Select(row => Line(row, row[8].GetString() == "deliver")), found.Select(frame => frame.ToString()), StringComparer.Ordinal);
-            Assert.Equal((330, 159, 111), (reader.Counters.Frames, reader.Counters.UnknownFrames, reader.Counters.IncompatibleFrames));
-            Assert.Equal((0, 0, bytes.Length), (reader.Counters.SkippedBytes, reader.Counters.BadChecksums, reader.Counters.Bytes));
+            Assert.Equal(
+                rows.Select(row => Line(row, row[8].GetString() == "deliver")), found.Select(frame => frame.ToString()),
+                StringComparer.Ordinal);
+            Assert.Equal(
+                (330, 159, 111),
+                (reader.Counters.Frames, reader.Counters.UnknownFrames, reader.Counters.IncompatibleFrames));
+            Assert.Equal(
+                (0, 0, bytes.Length),
+                (reader.Counters.SkippedBytes, reader.Counters.BadChecksums, reader.Counters.Bytes));
             Assert.All(found, frame => AssertSameBytes(bytes, frame));
         }
     }
@@ -64,7 +71,9 @@ public class VectorStreamTests
             var reader = new MavlinkFrameReader(CrcExtraDialect.All);
             List<FoundFrame> found = FrameCollector.Read(bytes, Math.Min(chunk, bytes.Length), reader);
 
-            Assert.Equal(rows, found.Where(frame => frame.Info.IsChecked).Select(frame => frame.ToString()), StringComparer.Ordinal);
+            Assert.Equal(
+                rows, found.Where(frame => frame.Info.IsChecked).Select(frame => frame.ToString()),
+                StringComparer.Ordinal);
             Assert.All(found, frame => AssertSameBytes(bytes, frame));
             string all = string.Join("\n", found);
             Assert.Equal(first ??= all, all);
@@ -81,6 +90,8 @@ public class VectorStreamTests
     {
         var wire = new byte[MavlinkFrame.MaxWireLength];
         int length = found.Frame.WriteTo(wire);
-        Assert.True(stream.AsSpan((int)found.Info.StreamOffset, length).SequenceEqual(wire.AsSpan(0, length)), found.ToString());
+        Assert.True(
+            stream.AsSpan((int)found.Info.StreamOffset, length).SequenceEqual(wire.AsSpan(0, length)),
+            found.ToString());
     }
 }

@@ -21,11 +21,13 @@ internal static class Wire
         where T : struct, IMavlinkMessage => Bytes(MavlinkFrame.Create(message, 1, 1, sequence, version));
 
     /// <summary>A MAVLink 2 frame of any id, flags and payload. A signed flag gets 13 bytes of 0x5A.</summary>
-    public static byte[] V2(int messageId, byte[] payload, byte crcExtra = 0, byte incompatibilityFlags = 0, byte sequence = 0)
+    public static byte[] V2(
+        int messageId, byte[] payload, byte crcExtra = 0, byte incompatibilityFlags = 0, byte sequence = 0)
     {
         var bytes = new List<byte>
         {
-            0xFD, (byte)payload.Length, incompatibilityFlags, 0, sequence, 1, 1, (byte)messageId, (byte)(messageId >> 8), (byte)(messageId >> 16),
+            0xFD, (byte)payload.Length, incompatibilityFlags, 0, sequence, 1, 1, (byte)messageId,
+            (byte)(messageId >> 8), (byte)(messageId >> 16),
         };
         bytes.AddRange(payload);
         ushort crc = MavlinkCrc.Add(MavlinkCrc.Add(MavlinkCrc.Initial, bytes.Skip(1).ToArray()), crcExtra);
@@ -41,7 +43,9 @@ internal static class Wire
     /// <summary>What the dialect says of a message.</summary>
     public static MavlinkMessageInfo Info<T>()
         where T : struct, IMavlinkMessage =>
-        MavlinkDialect.All.TryGetMessage(default(T).MessageId, out MavlinkMessageInfo info) ? info : throw new InvalidOperationException(typeof(T).Name);
+        MavlinkDialect.All.TryGetMessage(default(T).MessageId, out MavlinkMessageInfo info)
+            ? info
+            : throw new InvalidOperationException(typeof(T).Name);
 
     /// <summary>Reads the one frame that the bytes are.</summary>
     public static MavlinkFrame Single(byte[] bytes, out MavlinkFrameInfo info)

@@ -10,26 +10,36 @@ using Xunit;
 
 namespace Rabit.Mavlink.Tests.Generator;
 
-/// <summary>The definition files of the package: described, and valid for mavgen, so that both can be fed with the same files.</summary>
+/// <summary>
+/// The definition files of the package: described, and valid for mavgen, so that both can be fed with the same files.
+/// </summary>
 public class DefinitionFileTests
 {
-    private static readonly string[] Order = ["wip", "deprecated", "superseded", "description", "entry", "param", "field", "extensions"];
+    private static readonly string[] Order =
+        ["wip", "deprecated", "superseded", "description", "entry", "param", "field", "extensions"];
 
-    public static TheoryData<string> Files { get; } = [.. Definitions.PackageFiles.Select(file => System.IO.Path.GetFileName(file.Path))];
+    public static TheoryData<string> Files { get; } =
+        [.. Definitions.PackageFiles.Select(file => System.IO.Path.GetFileName(file.Path))];
 
     [Theory]
     [MemberData(nameof(Files))]
     public void File_AsTheSchemaRequires_HasMarksThenDescriptionThenContent(string name)
     {
-        XElement root = XElement.Parse(Definitions.PackageFiles.Single(file => System.IO.Path.GetFileName(file.Path) == name).Text);
-        foreach (XElement element in root.Descendants().Where(element => element.Name.LocalName is "message" or "enum" or "entry"))
+        XElement root = XElement.Parse(
+            Definitions.PackageFiles.Single(file => System.IO.Path.GetFileName(file.Path) == name).Text);
+        foreach (XElement element
+            in root.Descendants().Where(element => element.Name.LocalName is "message" or "enum" or "entry"))
         {
             // Fields and the "extensions" between them may alternate.
-            int[] order = element.Elements().Select(child => Math.Min(Array.IndexOf(Order, child.Name.LocalName), 6)).ToArray();
-            Assert.True(order.SequenceEqual(order.OrderBy(place => place)), $"{name}: the children of {element.Attribute("name")?.Value} are out of order");
+            int[] order = element.Elements()
+                .Select(child => Math.Min(Array.IndexOf(Order, child.Name.LocalName), 6)).ToArray();
+            Assert.True(
+                order.SequenceEqual(order.OrderBy(place => place)),
+                $"{name}: the children of {element.Attribute("name")?.Value} are out of order");
         }
 
-        foreach (XElement mark in root.Descendants().Where(element => element.Name.LocalName is "deprecated" or "superseded"))
+        foreach (XElement mark
+            in root.Descendants().Where(element => element.Name.LocalName is "deprecated" or "superseded"))
         {
             Assert.Matches(new Regex("^20[0-9]{2}-(0[1-9]|1[012])$"), mark.Attribute("since")?.Value);
             Assert.NotNull(mark.Attribute("replaced_by"));
@@ -39,23 +49,35 @@ public class DefinitionFileTests
     [Theory]
     [MemberData(nameof(Files))]
     public void Read_FileOfThePackage_GivesNoFaults(string name) =>
-        Assert.Empty(DialectReader.Read(Definitions.PackageFiles.Single(file => System.IO.Path.GetFileName(file.Path) == name), Definitions.PackageFiles).Faults);
+        Assert.Empty(
+            DialectReader.Read(
+                Definitions.PackageFiles.Single(file => System.IO.Path.GetFileName(file.Path) == name),
+                Definitions.PackageFiles).Faults);
 
     [Fact]
     public void Definitions_OfThePackage_DescribeEveryMessageAndCommand()
     {
-        Assert.Empty(Definitions.All.Messages.Where(message => message.Description is null).Select(message => message.Name));
-        Assert.Empty(Definitions.All.Enums.Single(definition => definition.Name == "MAV_CMD").Entries.Where(entry => entry.Description is null).Select(entry => entry.Name));
-        int described = Definitions.All.Messages.Sum(message => message.Fields.Count(field => field.Description is not null));
+        Assert.Empty(
+            Definitions.All.Messages.Where(message => message.Description is null).Select(message => message.Name));
+        Assert.Empty(
+            Definitions.All.Enums.Single(definition => definition.Name == "MAV_CMD").Entries
+                .Where(entry => entry.Description is null).Select(entry => entry.Name));
+        int described = Definitions.All.Messages.Sum(
+            message => message.Fields.Count(field => field.Description is not null));
         Assert.True(described > 2030, $"only {described} fields are described");
     }
 
     [Fact]
     public void Definitions_ReplacedByNames_AreMessagesOrEntriesOrEmpty()
     {
-        HashSet<string> known = [.. Definitions.All.Messages.Select(message => message.Name), .. Definitions.All.Enums.SelectMany(definition => definition.Entries).Select(entry => entry.Name)];
+        HashSet<string> known =
+        [
+            .. Definitions.All.Messages.Select(message => message.Name),
+            .. Definitions.All.Enums.SelectMany(definition => definition.Entries).Select(entry => entry.Name)
+        ];
         IEnumerable<string?> replacements = Definitions.All.Messages.Select(message => message.ReplacedBy)
-            .Concat(Definitions.All.Enums.SelectMany(definition => definition.Entries).Select(entry => entry.ReplacedBy));
+            .Concat(
+                Definitions.All.Enums.SelectMany(definition => definition.Entries).Select(entry => entry.ReplacedBy));
         Assert.DoesNotContain(replacements, name => name is not null && !known.Contains(name));
     }
 
@@ -65,10 +87,19 @@ public class DefinitionFileTests
         IReadOnlyList<GeneratedSource> sources = CSharpEmitter.Emit(Definitions.All, new EmitOptions("Check"));
         string Text(string name) => sources.Single(source => source.Name == name + ".g.cs").Text;
 
-        Assert.Contains("/// <summary>State of one battery: cells, current, charge used and left. <c>BATTERY_STATUS</c>", Text("BatteryStatus"), StringComparison.Ordinal);
-        Assert.Contains("/// <summary>Latitude. <c>lat</c>, int32_t. Unit: degE7.", Text("GlobalPositionInt"), StringComparison.Ordinal);
-        Assert.Contains("/// <summary>Go to a position. <c>MAV_CMD_NAV_WAYPOINT</c>.</summary>", Text("MavCmd"), StringComparison.Ordinal);
-        Assert.Contains("/// <para>Replaced by MISSION_ITEM_INT.</para>", Text("MissionItem"), StringComparison.Ordinal);
-        Assert.Contains("Not called like its field, since a C# member cannot have the name of its type.", Text("Airspeed"), StringComparison.Ordinal);
+        Assert.Contains(
+            "/// <summary>State of one battery: cells, current, charge used and left. <c>BATTERY_STATUS</c>",
+            Text("BatteryStatus"), StringComparison.Ordinal);
+        Assert.Contains(
+            "/// <summary>Latitude. <c>lat</c>, int32_t. Unit: degE7.", Text("GlobalPositionInt"),
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "/// <summary>Go to a position. <c>MAV_CMD_NAV_WAYPOINT</c>.</summary>", Text("MavCmd"),
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "/// <para>Replaced by MISSION_ITEM_INT.</para>", Text("MissionItem"), StringComparison.Ordinal);
+        Assert.Contains(
+            "Not called like its field, since a C# member cannot have the name of its type.", Text("Airspeed"),
+            StringComparison.Ordinal);
     }
 }

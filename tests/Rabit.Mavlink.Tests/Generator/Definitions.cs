@@ -21,27 +21,40 @@ internal static class Definitions
 
     public static Dialect Package(string file)
     {
-        DialectReadResult result = DialectReader.Read(PackageFiles.Single(candidate => Path.GetFileName(candidate.Path) == file), PackageFiles);
-        return result.Faults.Count == 0 ? result.Dialect : throw new InvalidDataException(string.Join("\n", result.Faults));
+        DialectReadResult result = DialectReader.Read(
+            PackageFiles.Single(candidate => Path.GetFileName(candidate.Path) == file), PackageFiles);
+        return result.Faults.Count == 0
+            ? result.Dialect
+            : throw new InvalidDataException(string.Join("\n", result.Faults));
     }
 
-    /// <summary>Reads files given as name and content; the first is the root. The content is what stands between the mavlink tags.</summary>
+    /// <summary>
+    /// Reads files given as name and content; the first is the root. The content is what stands between the mavlink
+    /// tags.
+    /// </summary>
     public static DialectReadResult Read(params (string Name, string Content)[] files)
     {
-        List<DialectFile> made = files.Select(file => new DialectFile("folder/" + file.Name, $"<mavlink>\n{file.Content}\n</mavlink>")).ToList();
+        List<DialectFile> made = files
+            .Select(file => new DialectFile("folder/" + file.Name, $"<mavlink>\n{file.Content}\n</mavlink>"))
+            .ToList();
         return DialectReader.Read(made[0], made);
     }
 
     /// <summary>The same with the definitions of the package to include.</summary>
     public static Dialect ReadWithPackage(params (string Name, string Content)[] files)
     {
-        List<DialectFile> made = files.Select(file => new DialectFile("folder/" + file.Name, $"<mavlink>\n{file.Content}\n</mavlink>")).ToList();
+        List<DialectFile> made = files
+            .Select(file => new DialectFile("folder/" + file.Name, $"<mavlink>\n{file.Content}\n</mavlink>"))
+            .ToList();
         DialectReadResult result = DialectReader.Read(made[0], made.Concat(PackageFiles).ToList());
-        return result.Faults.Count == 0 ? result.Dialect : throw new InvalidDataException(string.Join("\n", result.Faults));
+        return result.Faults.Count == 0
+            ? result.Dialect
+            : throw new InvalidDataException(string.Join("\n", result.Faults));
     }
 
     /// <summary>Reads one file that holds only messages.</summary>
-    public static DialectReadResult ReadMessages(string messages) => Read(("root.xml", $"<messages>\n{messages}\n</messages>"));
+    public static DialectReadResult ReadMessages(string messages)
+        => Read(("root.xml", $"<messages>\n{messages}\n</messages>"));
 
     /// <summary>Reads one file that holds only enums.</summary>
     public static DialectReadResult ReadEnums(string enums) => Read(("root.xml", $"<enums>\n{enums}\n</enums>"));

@@ -56,43 +56,56 @@ public class DialectFaultTests
     [Fact]
     public void Read_BadEnumValue_IsMalformedNumber() =>
         AssertOnlyFault(
-            Definitions.ReadEnums("<enum name='E'>\n<entry name='E_A' value='1 1'/></enum>"), DialectFaultKind.MalformedNumber, FirstLine + 1, "E_A");
+            Definitions.ReadEnums("<enum name='E'>\n<entry name='E_A' value='1 1'/></enum>"),
+            DialectFaultKind.MalformedNumber, FirstLine + 1, "E_A");
 
     [Fact]
     public void Read_IncludeNotGiven_NamesIt() =>
-        AssertOnlyFault(Definitions.Read(("root.xml", "\n<include>nowhere.xml</include>")), DialectFaultKind.MissingInclude, 3, "nowhere.xml");
+        AssertOnlyFault(
+            Definitions.Read(("root.xml", "\n<include>nowhere.xml</include>")), DialectFaultKind.MissingInclude, 3,
+            "nowhere.xml");
 
     [Fact]
     public void Read_IncludeCycle_ShowsTheCycle()
     {
         DialectReadResult result = Definitions.Read(
-            ("root.xml", "<include>a.xml</include>"), ("a.xml", "<include>b.xml</include>"), ("b.xml", "<include>a.xml</include>"));
+            ("root.xml", "<include>a.xml</include>"), ("a.xml", "<include>b.xml</include>"),
+            ("b.xml", "<include>a.xml</include>"));
         AssertOnlyFault(result, DialectFaultKind.IncludeCycle, 2, "a.xml -> b.xml -> a.xml");
         Assert.Equal("folder/b.xml", result.Faults[0].Path);
     }
 
     [Fact]
     public void Read_FileThatIncludesItself_IsACycle() =>
-        AssertOnlyFault(Definitions.Read(("root.xml", "<include>root.xml</include>")), DialectFaultKind.IncludeCycle, 2, "root.xml -> root.xml");
+        AssertOnlyFault(
+            Definitions.Read(("root.xml", "<include>root.xml</include>")), DialectFaultKind.IncludeCycle, 2,
+            "root.xml -> root.xml");
 
     [Fact]
     public void Read_TwoMessagesOfOneId_NamesBothAndKeepsTheFirst()
     {
-        DialectReadResult result = Definitions.ReadMessages("<message id='5' name='A'><field type='uint8_t' name='a'/></message>\n<message id='5' name='B'><field type='uint8_t' name='a'/></message>");
-        AssertOnlyFault(result, DialectFaultKind.DuplicateMessageId, FirstLine + 1, "B has id 5, which A in root.xml has");
+        DialectReadResult result = Definitions.ReadMessages(
+            "<message id='5' name='A'><field type='uint8_t' name='a'/></message>\n<message id='5' name='B'><field "
+                + "type='uint8_t' name='a'/></message>");
+        AssertOnlyFault(
+            result, DialectFaultKind.DuplicateMessageId, FirstLine + 1, "B has id 5, which A in root.xml has");
         Assert.Equal("A", result.Dialect.Messages.Single().Name);
     }
 
     [Fact]
     public void Read_TwoMessagesOfOneName_SaysWhereTheFirstIs() =>
         AssertOnlyFault(
-            Definitions.ReadMessages("<message id='5' name='A'><field type='uint8_t' name='a'/></message>\n<message id='6' name='A'><field type='uint8_t' name='a'/></message>"), DialectFaultKind.DuplicateMessageName, FirstLine + 1, "id 5");
+            Definitions.ReadMessages(
+                "<message id='5' name='A'><field type='uint8_t' name='a'/></message>\n<message id='6' name='A'><field "
+                    + "type='uint8_t' name='a'/></message>"),
+            DialectFaultKind.DuplicateMessageName, FirstLine + 1, "id 5");
 
     [Fact]
     public void Read_TwoFieldsOfOneName_LeavesTheMessageOut()
     {
         DialectReadResult result = Definitions.ReadMessages(
-            "<message id='5' name='A'><field type='float' name='x'/>\n<field type='float' name='x'/></message><message id='6' name='B'><field type='uint8_t' name='a'/></message>");
+            "<message id='5' name='A'><field type='float' name='x'/>\n<field type='float' name='x'/></message><message "
+                + "id='6' name='B'><field type='uint8_t' name='a'/></message>");
         AssertOnlyFault(result, DialectFaultKind.DuplicateField, FirstLine + 1, "called x");
         Assert.Equal("B", result.Dialect.Messages.Single().Name);
     }
@@ -110,27 +123,35 @@ public class DialectFaultTests
     [Fact]
     public void Read_PayloadOf256Bytes_IsTooLong()
     {
-        Assert.Empty(Definitions.ReadMessages("<message id='5' name='A'><field type='uint8_t[255]' name='x'/></message>").Faults);
+        Assert.Empty(
+            Definitions.ReadMessages(
+                "<message id='5' name='A'><field type='uint8_t[255]' name='x'/></message>").Faults);
         AssertOnlyFault(
-            Definitions.ReadMessages("<message id='5' name='A'><field type='uint8_t[254]' name='x'/><extensions/><field type='int16_t' name='y'/></message>"),
+            Definitions.ReadMessages(
+                "<message id='5' name='A'><field type='uint8_t[254]' name='x'/><extensions/><field type='int16_t' "
+                    + "name='y'/></message>"),
             DialectFaultKind.PayloadTooLong, FirstLine, "256");
     }
 
     [Fact]
     public void Read_EntryWithTwoValues_NamesBoth() =>
         AssertOnlyFault(
-            Definitions.ReadEnums("<enum name='E'><entry name='E_A' value='1'/></enum>\n<enum name='E'><entry name='E_A' value='2'/></enum>"),
+            Definitions.ReadEnums("<enum name='E'><entry name='E_A' value='1'/></enum>\n<enum name='E'><entry "
+                + "name='E_A' value='2'/></enum>"),
             DialectFaultKind.ConflictingEnumValue, FirstLine + 1, "E_A of enum E is 2 here and 1 elsewhere");
 
     [Fact]
     public void Read_FieldOfUnknownEnum_NamesIt() =>
         AssertOnlyFault(
-            Definitions.ReadMessages("<message id='5' name='A'><field type='uint8_t' name='x' enum='NO_SUCH'/></message>"),
+            Definitions.ReadMessages(
+                "<message id='5' name='A'><field type='uint8_t' name='x' enum='NO_SUCH'/></message>"),
             DialectFaultKind.UnknownEnum, FirstLine, "NO_SUCH");
 
     [Fact]
     public void Read_SeveralFaults_ReportsAll() =>
-        Assert.Equal(3, Definitions.ReadMessages("<message id='x' name='A'><field type='uint8_t' name='a'/></message><message id='1' name='B'><field type='q' name='f'/><field type='q' name='g'/></message>").Faults.Count);
+        Assert.Equal(3, Definitions.ReadMessages("<message id='x' name='A'><field type='uint8_t' "
+            + "name='a'/></message><message id='1' name='B'><field type='q' name='f'/><field type='q' "
+            + "name='g'/></message>").Faults.Count);
 
     private static void AssertOnlyFault(DialectReadResult result, DialectFaultKind kind, int line, string named) =>
         AssertFault(Assert.Single(result.Faults), kind, line, named);

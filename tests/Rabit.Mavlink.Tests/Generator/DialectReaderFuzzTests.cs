@@ -17,13 +17,15 @@ public class DialectReaderFuzzTests(ITestOutputHelper output)
         int seed = Environment.TickCount;
         output.WriteLine($"seed {seed}");
         var random = new Random(seed);
-        string valid = Definitions.PackageFiles.Single(file => file.Path.EndsWith("minimal.xml", StringComparison.Ordinal)).Text;
+        string valid =
+            Definitions.PackageFiles.Single(file => file.Path.EndsWith("minimal.xml", StringComparison.Ordinal)).Text;
         for (int round = 0; round < 300; round++)
         {
             char[] text = valid.ToCharArray();
             for (int change = random.Next(1, 6); change > 0; change--)
                 text[random.Next(text.Length)] = Letters[random.Next(Letters.Length)];
-            var file = new DialectFile("root.xml", new string(text, 0, round % 3 == 0 ? random.Next(text.Length) : text.Length));
+            var file = new DialectFile(
+                "root.xml", new string(text, 0, round % 3 == 0 ? random.Next(text.Length) : text.Length));
             DialectReadResult result = DialectReader.Read(file, [file]);
             Assert.NotEmpty(CSharpEmitter.Emit(result.Dialect, new EmitOptions("Check")));
         }

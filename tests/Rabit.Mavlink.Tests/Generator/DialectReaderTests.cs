@@ -45,7 +45,10 @@ public class DialectReaderTests
             </message>
             """;
         Assert.Equal(50, Definitions.ReadMessages(Heartbeat("")).Dialect.Messages.Single().CrcExtra);
-        Assert.Equal(50, Definitions.ReadMessages(Heartbeat("""<extensions/><field type="float" name="more"/>""")).Dialect.Messages.Single().CrcExtra);
+        Assert.Equal(
+            50,
+            Definitions.ReadMessages(Heartbeat("""<extensions/><field type="float" name="more"/>""")).Dialect.Messages
+                .Single().CrcExtra);
     }
 
     [Fact]
@@ -62,19 +65,24 @@ public class DialectReaderTests
     public void Read_EnumInTwoFiles_MergesEntriesAndFlags()
     {
         DialectReadResult result = Definitions.Read(
-            ("root.xml", """<include>other.xml</include><enums><enum name="E"><entry name="E_C" value="0b100"/><entry name="E_A" value="1"/></enum></enums>"""),
-            ("other.xml", """<enums><enum name="E" bitmask="true"><entry name="E_A" value="0x1"/><entry name="E_B" value="2**1"/></enum></enums>"""));
+            ("root.xml",
+                """<include>other.xml</include><enums><enum name="E"><entry name="E_C" value="0b100"/><entry name="E_A" value="1"/></enum></enums>"""),
+            ("other.xml",
+                """<enums><enum name="E" bitmask="true"><entry name="E_A" value="0x1"/><entry name="E_B" value="2**1"/></enum></enums>"""));
 
         Assert.Empty(result.Faults);
         EnumDefinition merged = result.Dialect.Enums.Single();
         Assert.True(merged.IsBitmask);
-        Assert.Equal(new[] { ("E_A", 1m), ("E_B", 2m), ("E_C", 4m) }, merged.Entries.Select(entry => (entry.Name, entry.Value)));
+        Assert.Equal(
+            new[] { ("E_A", 1m), ("E_B", 2m), ("E_C", 4m) }, merged.Entries.Select(entry => (entry.Name, entry.Value)));
     }
 
     [Fact]
     public void Read_EntryWithoutValue_CountsOnFromOneAsMavgenDoes()
     {
-        EnumDefinition definition = Definitions.ReadEnums("""<enum name="E"><entry name="E_A"/><entry name="E_B" value="7"/><entry name="E_C"/></enum>""").Dialect.Enums.Single();
+        EnumDefinition definition = Definitions.ReadEnums(
+            """<enum name="E"><entry name="E_A"/><entry name="E_B" value="7"/><entry name="E_C"/></enum>""").Dialect.Enums
+            .Single();
         Assert.Equal(new[] { 1m, 7m, 8m }, definition.Entries.Select(entry => entry.Value));
     }
 
@@ -85,7 +93,8 @@ public class DialectReaderTests
             ("root.xml", "<include>left.xml</include><include>right.xml</include>"),
             ("left.xml", "<include>base.xml</include>"),
             ("right.xml", "<include>BASE.xml</include>"),
-            ("base.xml", """<messages><message id="1" name="M"><field type="uint8_t" name="a"/></message></messages>"""));
+            ("base.xml",
+                """<messages><message id="1" name="M"><field type="uint8_t" name="a"/></message></messages>"""));
         Assert.Empty(result.Faults);
         Assert.Equal("base.xml", result.Dialect.Messages.Single().File);
     }
@@ -93,12 +102,16 @@ public class DialectReaderTests
     [Fact]
     public void Read_IncludeInOtherFolder_IsFoundByPathFirstThenByName()
     {
-        var root = new DialectFile(@"C:\mine\root.xml", "<mavlink><include>../base/b.xml</include><include>far.xml</include></mavlink>");
+        var root = new DialectFile(
+            @"C:\mine\root.xml", "<mavlink><include>../base/b.xml</include><include>far.xml</include></mavlink>");
         DialectReadResult result = DialectReader.Read(root,
         [
-            new DialectFile("C:/elsewhere/b.xml", "<mavlink><messages><message id='9' name='WRONG'><field type='uint8_t' name='a'/></message></messages></mavlink>"),
-            new DialectFile("C:/base/b.xml", "<mavlink><messages><message id='1' name='NEAR'><field type='uint8_t' name='a'/></message></messages></mavlink>"),
-            new DialectFile("/package/far.xml", "<mavlink><messages><message id='2' name='FAR'><field type='uint8_t' name='a'/></message></messages></mavlink>"),
+            new DialectFile("C:/elsewhere/b.xml", "<mavlink><messages><message id='9' name='WRONG'><field "
+                + "type='uint8_t' name='a'/></message></messages></mavlink>"),
+            new DialectFile("C:/base/b.xml", "<mavlink><messages><message id='1' name='NEAR'><field type='uint8_t' "
+                + "name='a'/></message></messages></mavlink>"),
+            new DialectFile("/package/far.xml", "<mavlink><messages><message id='2' name='FAR'><field type='uint8_t' "
+                + "name='a'/></message></messages></mavlink>"),
         ]);
         Assert.Empty(result.Faults);
         Assert.Equal(new[] { "NEAR", "FAR" }, result.Dialect.Messages.Select(message => message.Name));

@@ -13,13 +13,19 @@ public class DialectSpellingTests
     [InlineData("<mesages/>", 2, "'messages' is probably meant")]
     [InlineData("<messages>\n<mesage id='1' name='M'/></messages>", 3, "'message' is probably meant")]
     [InlineData("<messages>\n<Message id='1' name='M'/></messages>", 3, "'message' is probably meant")]
-    [InlineData("<messages><message id='1' name='M'><field type='uint8_t' name='a'/>\n<extension/></message></messages>", 3, "'extensions' is probably meant")]
-    [InlineData("<enums><enum name='E'><entry name='E_A' value='1'>\n<parm index='1'/></entry></enum></enums>", 3, "'param' is probably meant")]
-    [InlineData("<messages>\n<field type='uint8_t' name='a'/></messages>", 3, "'field' cannot stand in 'messages'; it belongs in 'message'")]
+    [InlineData(
+        "<messages><message id='1' name='M'><field type='uint8_t' name='a'/>\n<extension/></message></messages>", 3,
+        "'extensions' is probably meant")]
+    [InlineData("<enums><enum name='E'><entry name='E_A' value='1'>\n<parm index='1'/></entry></enum></enums>", 3,
+        "'param' is probably meant")]
+    [InlineData("<messages>\n<field type='uint8_t' name='a'/></messages>", 3,
+        "'field' cannot stand in 'messages'; it belongs in 'message'")]
     [InlineData("<message id='1' name='M'/>", 2, "belongs in 'messages'")]
     [InlineData("<messages><enums/></messages>", 2, "belongs in 'mavlink'")]
-    [InlineData("<messages><message id='1' name='M'>\n<field type='uint8_t' name='a' unit='m'/></message></messages>", 3, "'units' is probably meant")]
-    [InlineData("<messages><message id='1' name='M'>\n<field type='uint8_t' name='a' enm='E'/></message></messages>", 3, "'enum' is probably meant")]
+    [InlineData("<messages><message id='1' name='M'>\n<field type='uint8_t' name='a' unit='m'/></message></messages>",
+        3, "'units' is probably meant")]
+    [InlineData("<messages><message id='1' name='M'>\n<field type='uint8_t' name='a' enm='E'/></message></messages>", 3,
+        "'enum' is probably meant")]
     [InlineData("<enums><enum name='E'>\n<entry name='E_A' valu='7'/></enum></enums>", 3, "'value' is probably meant")]
     [InlineData("<enums>\n<enum name='E' bitmsk='true'/></enums>", 3, "'bitmask' is probably meant")]
     public void Read_MisspeltOrMisplacedName_IsAnErrorAtItsLine(string content, int line, string hint)
@@ -33,7 +39,8 @@ public class DialectSpellingTests
     [Theory]
     [InlineData("<owner>We</owner>", "'owner' in 'mavlink'")]
     [InlineData("<messages colour='red'/>", "'colour' of 'messages'")]
-    [InlineData("<messages><message id='1' name='M' units='m'><field type='uint8_t' name='a'/></message></messages>", "'units' of 'message' (it is one of 'param' or 'field')")]
+    [InlineData("<messages><message id='1' name='M' units='m'><field type='uint8_t' name='a'/></message></messages>",
+        "'units' of 'message' (it is one of 'param' or 'field')")]
     public void Read_NameThatIsNearNoOther_IsAWarning(string content, string named)
     {
         DialectFault fault = Assert.Single(Definitions.Read(("root.xml", content)).Faults);
@@ -60,7 +67,9 @@ public class DialectSpellingTests
     {
         var file = new DialectFile(
             "root.xml",
-            $"<mavlink xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' xsi:noNamespaceSchemaLocation='mavlink.xsd' xmlns:a='urn:acme'><a:owner x='1'/><messages a:y='2'>{Message}</messages></mavlink>");
+            "<mavlink xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' "
+                + "xsi:noNamespaceSchemaLocation='mavlink.xsd' xmlns:a='urn:acme'><a:owner x='1'/><messages "
+                + $"a:y='2'>{Message}</messages></mavlink>");
         DialectReadResult result = DialectReader.Read(file, [file]);
         Assert.Empty(result.Faults);
         Assert.Equal("M", result.Dialect.Messages.Single().Name);

@@ -11,8 +11,10 @@ public class FieldDocsTests
     [Fact]
     public void Emit_EveryField_DocumentsUnitRangeInvalidValueAndEnum()
     {
-        string[] lines = CSharpEmitter.Emit(Definitions.All, new EmitOptions("Check")).SelectMany(source => source.Text.Split('\n')).ToArray();
-        ILookup<string, string> docs = lines.Where(line => line.StartsWith("        /// <summary>", System.StringComparison.Ordinal) && line.Contains("<c>"))
+        string[] lines = CSharpEmitter.Emit(Definitions.All, new EmitOptions("Check"))
+            .SelectMany(source => source.Text.Split('\n')).ToArray();
+        ILookup<string, string> docs = lines.Where(
+            line => line.StartsWith("        /// <summary>", System.StringComparison.Ordinal) && line.Contains("<c>"))
             .ToLookup(line => line.Split(["<c>", "</c>"], System.StringSplitOptions.None)[1]);
         int facts = 0;
         foreach (FieldDefinition field in Definitions.All.Messages.SelectMany(message => message.Fields))

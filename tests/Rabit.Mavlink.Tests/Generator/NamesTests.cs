@@ -16,7 +16,8 @@ public class NamesTests
     [InlineData("V1_1", "V1_1")]
     [InlineData("YAW_45", "Yaw45")]
     [InlineData("_3d", "N3d")]
-    public void Of_DefinitionName_IsPascalCase(string name, string expected) => Assert.Equal(expected, PascalCase.Of(name));
+    public void Of_DefinitionName_IsPascalCase(string name, string expected)
+        => Assert.Equal(expected, PascalCase.Of(name));
 
     [Theory]
     [InlineData("MAV_TYPE", "MAV_TYPE_QUADROTOR", "Quadrotor")]
@@ -29,14 +30,17 @@ public class NamesTests
     [InlineData("CELLULAR_CONFIG_RESPONSE", "CELLULAR_CONFIG_BLOCKED_PUK_REQUIRED", "BlockedPukRequired")]
     [InlineData("RALLY_FLAGS", "FAVORABLE_WIND", "FavorableWind")]
     public void EntryNames_PackageEnums_LeaveOutWhatIsCommon(string name, string entry, string expected) =>
-        Assert.Equal(expected, EntryNames.Of(Definitions.All.Enums.Single(definition => definition.Name == name))[entry]);
+        Assert.Equal(
+            expected, EntryNames.Of(Definitions.All.Enums.Single(definition => definition.Name == name))[entry]);
 
     [Fact]
     public void EntryNames_SameAfterStripping_KeepAllTheirWords()
     {
         EnumDefinition definition = Definitions.ReadEnums(
-            "<enum name='MAV_X'><entry name='MAV_X_A' value='0'/><entry name='MAV_A' value='1'/><entry name='MAV_X_B' value='2'/></enum>").Dialect.Enums.Single();
-        Assert.Equal(new[] { "MavXA", "MavA", "B" }, definition.Entries.Select(entry => EntryNames.Of(definition)[entry.Name]));
+            "<enum name='MAV_X'><entry name='MAV_X_A' value='0'/><entry name='MAV_A' value='1'/><entry name='MAV_X_B' "
+                + "value='2'/></enum>").Dialect.Enums.Single();
+        Assert.Equal(
+            new[] { "MavXA", "MavA", "B" }, definition.Entries.Select(entry => EntryNames.Of(definition)[entry.Name]));
     }
 
     [Fact]
@@ -54,7 +58,8 @@ public class NamesTests
     public void PropertyNames_PackageMessages_FollowTheRules(string message, string field, string expected)
     {
         MessageDefinition definition = Definitions.All.Messages.Single(candidate => candidate.Name == message);
-        Assert.Equal(expected, PropertyNames.Of(definition, PascalCase.Of(message))[definition.Fields.Single(candidate => candidate.Name == field)]);
+        Assert.Equal(expected, PropertyNames.Of(definition, PascalCase.Of(message))[
+            definition.Fields.Single(candidate => candidate.Name == field)]);
     }
 
     [Fact]
@@ -66,7 +71,9 @@ public class NamesTests
               <field type="uint8_t" name="value"/>
             </message>
             """).Dialect.Messages.Single();
-        Assert.Equal(new[] { "AB", "AB2", "EncodeField", "MavlinkIdField", "ValueField" }, message.Fields.Select(field => PropertyNames.Of(message, "Value")[field]));
+        Assert.Equal(
+            new[] { "AB", "AB2", "EncodeField", "MavlinkIdField", "ValueField" },
+            message.Fields.Select(field => PropertyNames.Of(message, "Value")[field]));
     }
 
     [Fact]

@@ -42,5 +42,6 @@ public class NumberTextTests
     [InlineData("18446744073709551615**2")]
     [InlineData("18446744073709551616")]
     [InlineData("0x10000000000000000")]
-    public void TryParse_NoNumberOr64BitsExceeded_Refuses(string text) => Assert.False(NumberText.TryParse(text, out _));
+    public void TryParse_NoNumberOr64BitsExceeded_Refuses(string text)
+        => Assert.False(NumberText.TryParse(text, out _));
 }

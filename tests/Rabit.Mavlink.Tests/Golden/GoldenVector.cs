@@ -32,7 +32,8 @@ internal sealed class GoldenVector(JsonElement line)
     /// Values by field name, in the order of the definition. 64-bit integers, NaN and infinities are strings.
     /// </summary>
     public IReadOnlyList<KeyValuePair<string, JsonElement>> Fields { get; } =
-        line.GetProperty("fields").EnumerateObject().Select(field => new KeyValuePair<string, JsonElement>(field.Name, field.Value)).ToList();
+        line.GetProperty("fields").EnumerateObject()
+            .Select(field => new KeyValuePair<string, JsonElement>(field.Name, field.Value)).ToList();
 
     public byte SystemId { get; } = line.GetProperty("sysid").GetByte();
 

@@ -6,5 +6,6 @@ namespace Rabit.Mavlink.Tests.Golden;
 /// <summary>Reads golden.jsonl: 301 messages in three cases each.</summary>
 internal static class GoldenVectors
 {
-    public static IReadOnlyList<GoldenVector> All { get; } = TestData.Lines("golden.jsonl").Select(line => new GoldenVector(line)).ToList();
+    public static IReadOnlyList<GoldenVector> All { get; } =
+        TestData.Lines("golden.jsonl").Select(line => new GoldenVector(line)).ToList();
 }

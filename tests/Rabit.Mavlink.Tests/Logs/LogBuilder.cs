@@ -17,7 +17,8 @@ internal sealed class LogBuilder
 
     public long Length => _bytes.Length;
 
-    public LogBuilder Record(long timeMicroseconds) => Record(timeMicroseconds, Wire.Of(default(Heartbeat), _sequence++));
+    public LogBuilder Record(long timeMicroseconds)
+        => Record(timeMicroseconds, Wire.Of(default(Heartbeat), _sequence++));
 
     public LogBuilder Record(long timeMicroseconds, byte[] frame)
     {

@@ -27,8 +27,11 @@ public class TlogDamageTests(ITestOutputHelper output)
         TlogReader log = LogBuilder.Read(damaged, out List<ReadRecord> records);
 
         var found = new HashSet<string>(records.Select(record => record.ToString()), StringComparer.Ordinal);
-        Assert.All(all.Where((_, index) => !touched.Contains(index)), record => Assert.Contains(record.ToString(), found));
-        Assert.Equal(damaged.Length, log.LostBytes + records.Sum(record => 8 + record.Wire.Length) + (damaged.Length - log.Position));
+        Assert.All(
+            all.Where((_, index) => !touched.Contains(index)), record => Assert.Contains(record.ToString(), found));
+        Assert.Equal(
+            damaged.Length,
+            log.LostBytes + records.Sum(record => 8 + record.Wire.Length) + (damaged.Length - log.Position));
         Assert.InRange(records.Count, all.Count - touched.Count, all.Count);
         output.WriteLine($"{touched.Count} touched, {log.LostBytes} bytes lost, first at {log.FirstDamageOffset}");
     }
@@ -38,7 +41,8 @@ public class TlogDamageTests(ITestOutputHelper output)
     {
         touched = [];
         var bytes = flight.ToList();
-        foreach (int index in Enumerable.Range(0, Damages).Select(_ => random.Next(all.Count)).Distinct().OrderByDescending(index => index).ToList())
+        foreach (int index in Enumerable.Range(0, Damages).Select(_ => random.Next(all.Count)).Distinct()
+            .OrderByDescending(index => index).ToList())
         {
             int offset = (int)all[index].Record.Offset;
             int length = 8 + all[index].Wire.Length;

@@ -32,7 +32,8 @@ public class TlogFlightTests
 
         JsonElement facts = sidecar.RootElement;
         Assert.Equal((TlogEnd.Complete, facts.GetProperty("records").GetInt64()), (log.End, log.Records));
-        Assert.Equal((0L, null, facts.GetProperty("bytes").GetInt64()), (log.LostBytes, log.FirstDamageOffset, log.Position));
+        Assert.Equal(
+            (0L, null, facts.GetProperty("bytes").GetInt64()), (log.LostBytes, log.FirstDamageOffset, log.Position));
         Assert.Equal(facts.GetProperty("first_us").GetInt64(), times[0]);
         Assert.Equal(facts.GetProperty("last_us").GetInt64(), times[times.Count - 1]);
         Assert.Equal(ListedCounts(facts), Sorted(counts), StringComparer.Ordinal);
@@ -66,10 +67,13 @@ public class TlogFlightTests
         counts.Select(pair => $"{pair.Key}: {pair.Value}").OrderBy(line => line, StringComparer.Ordinal).ToList();
 
     private static List<string> ListedSequences(JsonElement facts) => facts.GetProperty("sequence").EnumerateArray()
-        .Select(row => $"{row.GetProperty("sysid")}/{row.GetProperty("compid")} {row.GetProperty("frames")} {row.GetProperty("missing")} {row.GetProperty("out_of_order")}")
+        .Select(row => $"{row.GetProperty("sysid")}/{row.GetProperty("compid")} {row.GetProperty("frames")} "
+            + $"{row.GetProperty("missing")} {row.GetProperty("out_of_order")}")
         .OrderBy(line => line, StringComparer.Ordinal).ToList();
 
-    private static List<string> Sequences(MavlinkSequenceTracker tracker) => Enumerable.Range(0, tracker.Count).Select(index => tracker[index])
-        .Select(source => $"{source.SystemId}/{source.ComponentId} {source.Frames} {source.Missing} {source.OutOfOrder}")
-        .OrderBy(line => line, StringComparer.Ordinal).ToList();
+    private static List<string> Sequences(MavlinkSequenceTracker tracker)
+        => Enumerable.Range(0, tracker.Count).Select(index => tracker[index])
+            .Select(source => $"{source.SystemId}/{source.ComponentId} {source.Frames} {source.Missing} "
+                + $"{source.OutOfOrder}")
+            .OrderBy(line => line, StringComparer.Ordinal).ToList();
 }

@@ -59,7 +59,9 @@ public class TlogReaderTests
         _log.Record(Start).Record(Start + 1).Read(out List<ReadRecord> records);
 
         TlogRecord second = records[1].Record;
-        Assert.Equal((1, RecordLength, Start + 1, true), (second.Index, second.Offset, second.TimeMicroseconds, second.IsChecked));
+        Assert.Equal(
+            (1, RecordLength, Start + 1, true),
+            (second.Index, second.Offset, second.TimeMicroseconds, second.IsChecked));
         Assert.Equal(new DateTime(2026, 9, 21, 14, 13, 20, DateTimeKind.Utc).AddTicks(10), second.TimeUtc);
     }
 
@@ -82,7 +84,8 @@ public class TlogReaderTests
     [Fact]
     public void TryRead_EveryByteDamagedInTurn_LosesNoOtherRecord()
     {
-        byte[] whole = new LogBuilder().Record(Start).Record(Start + 10).Record(Start + 20).Record(Start + 30).ToArray();
+        byte[] whole = new LogBuilder().Record(Start).Record(Start + 10).Record(Start + 20)
+            .Record(Start + 30).ToArray();
         LogBuilder.Read(whole, out List<ReadRecord> intact);
         for (int offset = RecordLength; offset < 2 * RecordLength; offset++)
         {
@@ -92,7 +95,8 @@ public class TlogReaderTests
 
             Assert.Equal(
                 new[] { intact[0], intact[2], intact[3] }.Select(record => record.ToString()),
-                records.Where(record => record.Record.IsChecked && record.Record.Offset != RecordLength).Select(record => record.ToString()),
+                records.Where(record => record.Record.IsChecked && record.Record.Offset != RecordLength)
+                    .Select(record => record.ToString()),
                 StringComparer.Ordinal);
             // A small error in a time cannot be detected, nor that an unknown id was another one.
             if (records.Count == 3)
@@ -105,7 +109,8 @@ public class TlogReaderTests
     {
         var garbage = new byte[1000];
         new Random(2).NextBytes(garbage);
-        TlogReader log = _log.Record(Start).Raw(garbage).Record(Start + 1).Raw(0xFD, 0, 0xFE).Read(out List<ReadRecord> records);
+        TlogReader log = _log.Record(Start).Raw(garbage).Record(Start + 1).Raw(0xFD, 0, 0xFE)
+            .Read(out List<ReadRecord> records);
 
         Assert.Equal(2, records.Count);
         Assert.Equal((1003, RecordLength), (log.LostBytes, log.FirstDamageOffset));
@@ -127,7 +132,8 @@ public class TlogReaderTests
     [Fact]
     public void TryRead_UnknownIds_DeliversThemUncheckedWhereRecordsFollow()
     {
-        TlogReader log = _log.Record(Start, Unknown).Record(Start + 1, Unknown).Record(Start + 2).Record(Start + 3, Unknown).Read(out List<ReadRecord> records);
+        TlogReader log = _log.Record(Start, Unknown).Record(Start + 1, Unknown).Record(Start + 2)
+            .Record(Start + 3, Unknown).Read(out List<ReadRecord> records);
 
         Assert.Equal([false, false, true, false], records.Select(record => record.Record.IsChecked));
         Assert.Equal(0, log.LostBytes);
@@ -138,7 +144,8 @@ public class TlogReaderTests
     {
         byte[] longer = (byte[])Unknown.Clone();
         longer[1] = 200;
-        TlogReader log = _log.Record(Start).Record(Start + 1, longer).Record(Start + 2).Record(Start + 3).Read(out List<ReadRecord> records);
+        TlogReader log = _log.Record(Start).Record(Start + 1, longer).Record(Start + 2).Record(Start + 3)
+            .Read(out List<ReadRecord> records);
 
         Assert.Equal([Start, Start + 2, Start + 3], records.Select(record => record.Record.TimeMicroseconds));
         Assert.Equal(8 + longer.Length, log.LostBytes);
@@ -159,7 +166,8 @@ public class TlogReaderTests
     [InlineData(-Day)]
     public void TryRead_ClockSetWhileRecording_AcceptsIt(long step)
     {
-        TlogReader log = _log.Record(Start).Record(Start + 1).Record(Start + step).Record(Start + step + 1).Read(out List<ReadRecord> records);
+        TlogReader log = _log.Record(Start).Record(Start + 1).Record(Start + step).Record(Start + step + 1)
+            .Read(out List<ReadRecord> records);
 
         Assert.Equal((4, 0), (records.Count, log.LostBytes));
     }
@@ -167,7 +175,8 @@ public class TlogReaderTests
     [Fact]
     public void TryRead_OneRecordADay_AcceptsThemAllButALastOneThatNothingConfirms()
     {
-        TlogReader log = _log.Record(Start).Record(Start + Day).Record(Start + (2 * Day)).Read(out List<ReadRecord> records);
+        TlogReader log = _log.Record(Start).Record(Start + Day).Record(Start + (2 * Day))
+            .Read(out List<ReadRecord> records);
 
         Assert.Equal((2, RecordLength), (records.Count, log.LostBytes));
     }

@@ -38,7 +38,8 @@ public class TlogSizeTests(ITestOutputHelper output)
         long recordsPerFlight = log.Records;
 
         long allocated = Allocated.By(Read, () => Open(length));
-        output.WriteLine($"{length / 1e6:0} MB in {watch.Elapsed.TotalSeconds:0.0} s, {length / 1e6 / watch.Elapsed.TotalSeconds:0} MB/s");
+        output.WriteLine($"{length / 1e6:0} MB in {watch.Elapsed.TotalSeconds:0.0} s, "
+            + $"{length / 1e6 / watch.Elapsed.TotalSeconds:0} MB/s");
         Assert.Equal((0L, 0L), (allocated, log.LostBytes));
         Assert.Equal(recordsPerFlight * (length / flight.Length), log.Records);
     }

@@ -45,7 +45,8 @@ public class TlogWriterTests
     [InlineData(-1)]
     [InlineData(long.MaxValue)]
     public void Write_ImpossibleTime_Throws(long time) =>
-        Assert.Throws<ArgumentOutOfRangeException>("timeMicroseconds", () => _writer.Write(time, MavlinkFrame.Create(default(Heartbeat), 1, 1, 0)));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            "timeMicroseconds", () => _writer.Write(time, MavlinkFrame.Create(default(Heartbeat), 1, 1, 0)));
 
     [Fact]
     public void Write_EmptyFrame_Throws() => Assert.Throws<ArgumentException>("frame", () => _writer.Write(0, default));

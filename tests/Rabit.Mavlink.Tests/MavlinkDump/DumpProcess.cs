@@ -32,10 +32,12 @@ internal sealed class DumpProcess
     /// <summary>Starts it and waits for its end.</summary>
     public static DumpProcess Run(params string[] arguments)
     {
-        IEnumerable<string> all = new[] { Path.Combine(Folder, IsMono ? "MavlinkDump.exe" : "MavlinkDump.dll") }.Concat(arguments);
+        IEnumerable<string> all = new[] { Path.Combine(Folder, IsMono ? "MavlinkDump.exe" : "MavlinkDump.dll") }
+            .Concat(arguments);
         using var process = new Process
         {
-            StartInfo = new ProcessStartInfo(IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(argument => "\"" + argument + "\"")))
+            StartInfo = new ProcessStartInfo(
+                IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(argument => "\"" + argument + "\"")))
             {
                 UseShellExecute = false,
                 RedirectStandardOutput = true,
@@ -57,5 +59,6 @@ internal sealed class DumpProcess
         return new DumpProcess(process.ExitCode, output.Result, errors.Result);
     }
 
-    private static string[] Lines(string text) => text.Split(['\n'], StringSplitOptions.RemoveEmptyEntries).Select(line => line.TrimEnd('\r')).ToArray();
+    private static string[] Lines(string text)
+        => text.Split(['\n'], StringSplitOptions.RemoveEmptyEntries).Select(line => line.TrimEnd('\r')).ToArray();
 }

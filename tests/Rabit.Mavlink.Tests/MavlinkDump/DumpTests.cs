@@ -43,7 +43,8 @@ public sealed class DumpTests : IDisposable
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)
     {
         Save(new LogBuilder().Record(LogBuilder.Start));
-        AssertRefused(expected, arguments.Split([' '], StringSplitOptions.RemoveEmptyEntries).Select(argument => argument == "FILE" ? _log : argument).ToArray());
+        AssertRefused(expected, arguments.Split([' '], StringSplitOptions.RemoveEmptyEntries)
+            .Select(argument => argument == "FILE" ? _log : argument).ToArray());
     }
 
     [Fact]
@@ -79,7 +80,10 @@ public sealed class DumpTests : IDisposable
         Save(log);
         DumpProcess dump = DumpProcess.Run(_log);
         string[] sender = dump.Output[2].Split([' '], StringSplitOptions.RemoveEmptyEntries);
-        Assert.Equal(["30", "9", "23.08", "0"], new[] { sender[sender.Length - 5], sender[sender.Length - 3], sender[sender.Length - 2], sender[sender.Length - 1] });
+        Assert.Equal(["30", "9", "23.08", "0"], new[]
+        {
+            sender[sender.Length - 5], sender[sender.Length - 3], sender[sender.Length - 2], sender[sender.Length - 1]
+        });
         Assert.Contains("30     7.63", dump.Output[4]);
     }
 
@@ -97,7 +101,8 @@ public sealed class DumpTests : IDisposable
 
         DumpProcess lines = DumpProcess.Run(_log, "--print");
         Assert.Equal((0, 3), (lines.ExitCode, lines.Output.Count));
-        Assert.Contains($"5 bytes belong to no intact record, the first at offset {damage}", Assert.Single(lines.Errors));
+        Assert.Contains(
+            $"5 bytes belong to no intact record, the first at offset {damage}", Assert.Single(lines.Errors));
     }
 
     [Fact]
@@ -105,12 +110,17 @@ public sealed class DumpTests : IDisposable
     {
         const string Name = "UNKNOWN_11259375";
         Save(new LogBuilder()
-            .Record(LogBuilder.Start, Wire.Of(default(Heartbeat), 0)).Record(LogBuilder.Start + 1, Wire.V2(Wire.UnknownId, [1, 0xAB], sequence: 1))
+            .Record(LogBuilder.Start, Wire.Of(default(Heartbeat), 0))
+            .Record(LogBuilder.Start + 1, Wire.V2(Wire.UnknownId, [1, 0xAB], sequence: 1))
             .Record(LogBuilder.Start + 2, Wire.Of(default(Heartbeat), 2)));
 
-        Assert.Contains(DumpProcess.Run(_log).Output, line => line.StartsWith(Name + "  11259375", StringComparison.Ordinal));
-        Assert.EndsWith(Name + " 01ab", Assert.Single(DumpProcess.Run(_log, "-m", "11259375").Output), StringComparison.Ordinal);
-        Assert.EndsWith($"\"message\":\"{Name}\",\"payload\":\"01ab\"}}", Assert.Single(DumpProcess.Run(_log, "-m", "11259375", "--json").Output), StringComparison.Ordinal);
+        Assert.Contains(
+            DumpProcess.Run(_log).Output, line => line.StartsWith(Name + "  11259375", StringComparison.Ordinal));
+        Assert.EndsWith(
+            Name + " 01ab", Assert.Single(DumpProcess.Run(_log, "-m", "11259375").Output), StringComparison.Ordinal);
+        Assert.EndsWith(
+            $"\"message\":\"{Name}\",\"payload\":\"01ab\"}}",
+            Assert.Single(DumpProcess.Run(_log, "-m", "11259375", "--json").Output), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -119,7 +129,8 @@ public sealed class DumpTests : IDisposable
         var status = new Statustext { Severity = MavSeverity.Error, Text = new Text50("say \"a,b\"\u001b[2J") };
         Save(new LogBuilder().Record(LogBuilder.Start, Wire.Of(status)));
         Assert.Contains("text=\"say \"a,b\".[2J\"", DumpProcess.Run(_log, "--print").Output[0]);
-        Assert.Contains(",3,\"say \"\"a,b\"\"\u001b[2J\",0,0", DumpProcess.Run(_log, "-m", "STATUSTEXT", "--csv").Output[1]);
+        Assert.Contains(
+            ",3,\"say \"\"a,b\"\"\u001b[2J\",0,0", DumpProcess.Run(_log, "-m", "STATUSTEXT", "--csv").Output[1]);
         Assert.Contains("\\u001B[2J", DumpProcess.Run(_log, "--json").Output[0]);
     }
 

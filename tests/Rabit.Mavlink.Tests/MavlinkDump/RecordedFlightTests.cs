@@ -31,13 +31,17 @@ public class RecordedFlightTests
         List<string[]> rows = dump.Output.Select(Cells).ToList();
         int messages = rows.FindIndex(cells => cells[0] == "message");
         IEnumerable<string> expected = facts.GetProperty("counts").EnumerateArray()
-            .GroupBy(row => $"{row[1]} {row[2]}/{row[3]}", StringComparer.Ordinal).Select(same => $"{same.Key}: {same.Sum(row => row[6].GetInt64())}");
-        Assert.Equal(Sorted(expected), Sorted(rows.Skip(messages + 1).Select(cells => $"{cells[1]} {cells[2]}: {cells[3]}")));
+            .GroupBy(row => $"{row[1]} {row[2]}/{row[3]}", StringComparer.Ordinal)
+            .Select(same => $"{same.Key}: {same.Sum(row => row[6].GetInt64())}");
+        Assert.Equal(
+            Sorted(expected), Sorted(rows.Skip(messages + 1).Select(cells => $"{cells[1]} {cells[2]}: {cells[3]}")));
         IEnumerable<string> senders = facts.GetProperty("sequence").EnumerateArray()
-            .Select(row => $"{row.GetProperty("sysid")}/{row.GetProperty("compid")} {row.GetProperty("frames")} {row.GetProperty("missing")} {row.GetProperty("out_of_order")}");
+            .Select(row => $"{row.GetProperty("sysid")}/{row.GetProperty("compid")} {row.GetProperty("frames")} "
+                + $"{row.GetProperty("missing")} {row.GetProperty("out_of_order")}");
         Assert.Equal(
             Sorted(senders),
-            Sorted(rows.Skip(2).Take(messages - 2).Select(cells => $"{cells[0]} {cells[cells.Length - 5]} {cells[cells.Length - 3]} {cells[cells.Length - 1]}")));
+            Sorted(rows.Skip(2).Take(messages - 2).Select(
+                cells => $"{cells[0]} {cells[cells.Length - 5]} {cells[cells.Length - 3]} {cells[cells.Length - 1]}")));
     }
 
     [Fact]
@@ -45,7 +49,8 @@ public class RecordedFlightTests
     {
         DumpProcess dump = DumpProcess.Run(Flight, "--message", "attitude", "--csv");
         Assert.Equal(0, dump.ExitCode);
-        Assert.Equal("time,system,component,sequence,time_boot_ms,roll,pitch,yaw,rollspeed,pitchspeed,yawspeed", dump.Output[0]);
+        Assert.Equal(
+            "time,system,component,sequence,time_boot_ms,roll,pitch,yaw,rollspeed,pitchspeed,yawspeed", dump.Output[0]);
 
         int row = 0;
         using FileStream file = File.OpenRead(Flight);
@@ -55,8 +60,11 @@ public class RecordedFlightTests
             if (!frame.TryDecode(out Attitude attitude))
                 continue;
             string[] cells = dump.Output[++row].Split(',');
-            Assert.Equal(record.TimeUtc, DateTime.Parse(cells[0], CultureInfo.InvariantCulture, DateTimeStyles.RoundtripKind));
-            Assert.Equal($"{frame.SystemId},{frame.ComponentId},{frame.Sequence},{attitude.TimeBootMs}", string.Join(",", cells.Skip(1).Take(4)));
+            Assert.Equal(
+                record.TimeUtc, DateTime.Parse(cells[0], CultureInfo.InvariantCulture, DateTimeStyles.RoundtripKind));
+            Assert.Equal(
+                $"{frame.SystemId},{frame.ComponentId},{frame.Sequence},{attitude.TimeBootMs}",
+                string.Join(",", cells.Skip(1).Take(4)));
             Assert.Equal(attitude.Roll, float.Parse(cells[5], CultureInfo.InvariantCulture));
             Assert.Equal(attitude.Yawspeed, float.Parse(cells[10], CultureInfo.InvariantCulture));
         }
@@ -77,7 +85,8 @@ public class RecordedFlightTests
             Assert.Equal(JsonValueKind.Object, document.RootElement.GetProperty("fields").ValueKind);
         }
 
-        Assert.Contains(dump.Output, line => line.Contains("\"message\":\"COMMAND_LONG\",\"fields\":{\"target_system\":1,"));
+        Assert.Contains(
+            dump.Output, line => line.Contains("\"message\":\"COMMAND_LONG\",\"fields\":{\"target_system\":1,"));
     }
 
     [Fact]
@@ -85,12 +94,15 @@ public class RecordedFlightTests
     {
         DumpProcess dump = DumpProcess.Run(Flight, "-m", "HEARTBEAT", "-m", "30", "--system", "1", "--component", "1");
         Assert.Equal(0, dump.ExitCode);
-        Assert.Contains(dump.Output, line => line.Contains("  1/1  HEARTBEAT type=MAV_TYPE_QUADROTOR, autopilot=MAV_AUTOPILOT_ARDUPILOTMEGA, "));
+        Assert.Contains(
+            dump.Output,
+            line => line.Contains("  1/1  HEARTBEAT type=MAV_TYPE_QUADROTOR, autopilot=MAV_AUTOPILOT_ARDUPILOTMEGA, "));
         Assert.Contains(dump.Output, line => line.Contains("  1/1  ATTITUDE time_boot_ms="));
         Assert.All(dump.Output, line => Assert.True(line.Contains(" HEARTBEAT ") || line.Contains(" ATTITUDE ")));
     }
 
     private static string[] Cells(string line) => line.Split([' '], StringSplitOptions.RemoveEmptyEntries);
 
-    private static List<string> Sorted(IEnumerable<string> lines) => lines.OrderBy(line => line, StringComparer.Ordinal).ToList();
+    private static List<string> Sorted(IEnumerable<string> lines)
+        => lines.OrderBy(line => line, StringComparer.Ordinal).ToList();
 }

@@ -10,7 +10,8 @@ public class AllocationTests
     [Fact]
     public void DecodeEncode_EveryMessage_AllocatesNothing()
     {
-        MethodInfo measure = typeof(AllocationTests).GetMethod(nameof(Measure), BindingFlags.NonPublic | BindingFlags.Static)!;
+        MethodInfo measure = typeof(AllocationTests).GetMethod(
+            nameof(Measure), BindingFlags.NonPublic | BindingFlags.Static)!;
         foreach (Type type in MessageTypes.ById.Values)
             Assert.Equal(0L, measure.MakeGenericMethod(type).Invoke(null, null));
     }

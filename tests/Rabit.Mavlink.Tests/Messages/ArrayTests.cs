@@ -50,7 +50,8 @@ public class ArrayTests
 
     [Fact]
     public void CopyTo_ShortDestination_IsRefused() =>
-        Assert.Contains("room for 3", Assert.Throws<ArgumentException>(() => default(FloatArray4).CopyTo(new float[3])).Message);
+        Assert.Contains(
+            "room for 3", Assert.Throws<ArgumentException>(() => default(FloatArray4).CopyTo(new float[3])).Message);
 
     [Fact]
     public void Copy_OfAMessage_IsIndependent()
@@ -81,7 +82,8 @@ public class ArrayTests
     }
 
     [Fact]
-    public void ToString_Elements_StandBetweenBrackets() => Assert.Equal("[1.5, -2, 0, 0]", new FloatArray4([1.5f, -2]).ToString());
+    public void ToString_Elements_StandBetweenBrackets()
+        => Assert.Equal("[1.5, -2, 0, 0]", new FloatArray4([1.5f, -2]).ToString());
 
     [Fact]
     public void CopySwapped_BigEndianMemory_TurnsEveryElementRound()

@@ -13,10 +13,13 @@ public class CrcExtraTests
     {
         using JsonDocument document = TestData.Json(TestData.PathOf("crc-extra.json"));
         string[] expected = document.RootElement.EnumerateObject().Select(property =>
-            $"{property.Name} {property.Value.GetProperty("name")} {property.Value.GetProperty("crc_extra")} {property.Value.GetProperty("min_len")} {property.Value.GetProperty("max_len")}")
+            $"{property.Name} {property.Value.GetProperty("name")} {property.Value.GetProperty("crc_extra")} "
+                + $"{property.Value.GetProperty("min_len")} {property.Value.GetProperty("max_len")}")
             .OrderBy(line => line, StringComparer.Ordinal).ToArray();
         string[] actual = MavlinkDialect.All.Messages.Select(info =>
-            string.Format(CultureInfo.InvariantCulture, "{0} {1} {2} {3} {4}", info.Id, info.Name, info.CrcExtra, info.MinLength, info.MaxLength))
+            string.Format(
+                CultureInfo.InvariantCulture, "{0} {1} {2} {3} {4}", info.Id, info.Name, info.CrcExtra, info.MinLength,
+                info.MaxLength))
             .OrderBy(line => line, StringComparer.Ordinal).ToArray();
         Assert.Equal(382, expected.Length);
         Assert.Equal(expected, actual);
@@ -40,7 +43,8 @@ public class CrcExtraTests
     {
         foreach (MavlinkMessageInfo info in MavlinkDialect.All.Messages)
         {
-            Rabit.Mavlink.Generator.Model.MessageDefinition definition = Generator.Definitions.All.Messages.Single(message => message.Id == info.Id);
+            Rabit.Mavlink.Generator.Model.MessageDefinition definition = Generator.Definitions.All.Messages.Single(
+                message => message.Id == info.Id);
             Assert.Equal(definition.AddressOffset("target_system"), info.TargetSystemOffset);
             Assert.Equal(definition.AddressOffset("target_component"), info.TargetComponentOffset);
         }

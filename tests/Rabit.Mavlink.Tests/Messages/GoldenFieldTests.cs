@@ -25,7 +25,9 @@ public class GoldenFieldTests
             foreach (KeyValuePair<string, JsonElement> field in vector.Fields)
             {
                 object actual = properties[field.Key].GetValue(message)!;
-                Assert.True(IsListed(field.Value, actual), $"{vector}: {field.Key} is {actual}, listed is {field.Value.GetRawText()}");
+                Assert.True(
+                    IsListed(field.Value, actual),
+                    $"{vector}: {field.Key} is {actual}, listed is {field.Value.GetRawText()}");
                 values++;
             }
         }
@@ -56,7 +58,8 @@ public class GoldenFieldTests
     private static Dictionary<string, PropertyInfo> PropertiesOf(int id, Type type)
     {
         MessageDefinition definition = Generator.Definitions.All.Messages.Single(message => message.Id == id);
-        return PropertyNames.Of(definition, type.Name).ToDictionary(pair => pair.Key.Name, pair => type.GetProperty(pair.Value)!);
+        return PropertyNames.Of(definition, type.Name)
+            .ToDictionary(pair => pair.Key.Name, pair => type.GetProperty(pair.Value)!);
     }
 
     private static bool IsListed(JsonElement listed, object actual) => actual switch
@@ -74,11 +77,14 @@ public class GoldenFieldTests
         int length = (int)array.GetType().GetProperty("Length")!.GetValue(array)!;
         PropertyInfo item = array.GetType().GetProperty("Item")!;
         return listed.GetArrayLength() == length
-            && listed.EnumerateArray().Select((element, index) => IsListed(element, item.GetValue(array, [index])!)).All(isEqual => isEqual);
+            && listed.EnumerateArray().Select((element, index) => IsListed(element, item.GetValue(array, [index])!))
+                .All(isEqual => isEqual);
     }
 
     private static decimal Whole(JsonElement listed) =>
-        listed.ValueKind == JsonValueKind.String ? decimal.Parse(listed.GetString()!, CultureInfo.InvariantCulture) : listed.GetDecimal();
+        listed.ValueKind == JsonValueKind.String
+            ? decimal.Parse(listed.GetString()!, CultureInfo.InvariantCulture)
+            : listed.GetDecimal();
 
     private static double Number(JsonElement listed)
     {

@@ -62,7 +62,8 @@ public class PlainValueTests
         if (type.IsPrimitive || type.IsEnum)
             return;
         Assert.True(type.IsValueType, path);
-        foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
+        foreach (FieldInfo field
+            in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
             AssertPlain(field.FieldType, path + "." + field.Name);
     }
 }

@@ -69,8 +69,12 @@ public class RoundTripTests(ITestOutputHelper output)
             IMavlinkMessage message = MessageTypes.New(type);
             var tooShort = new byte[message.MaxLength - 1];
             Assert.True(MavlinkDialect.All.TryGetMessage(message.MessageId, out MavlinkMessageInfo info));
-            Assert.StartsWith(info.Name, Assert.Throws<ArgumentException>(() => message.Decode(tooShort)).Message, StringComparison.Ordinal);
-            Assert.StartsWith(info.Name, Assert.Throws<ArgumentException>(() => message.Encode(tooShort)).Message, StringComparison.Ordinal);
+            Assert.StartsWith(
+                info.Name, Assert.Throws<ArgumentException>(() => message.Decode(tooShort)).Message,
+                StringComparison.Ordinal);
+            Assert.StartsWith(
+                info.Name, Assert.Throws<ArgumentException>(() => message.Encode(tooShort)).Message,
+                StringComparison.Ordinal);
         }
     }
 }

@@ -24,7 +24,9 @@ public class TextTests
 
     [Fact]
     public void Constructor_TextTooLong_IsRefusedWithBothNumbers() =>
-        Assert.Contains("has 17 characters, Text16 holds 16", Assert.Throws<ArgumentException>(() => new Text16("seventeen letters")).Message);
+        Assert.Contains(
+            "has 17 characters, Text16 holds 16",
+            Assert.Throws<ArgumentException>(() => new Text16("seventeen letters")).Message);
 
     [Theory]
     [InlineData("a\0b", "character 1 is U+0000")]

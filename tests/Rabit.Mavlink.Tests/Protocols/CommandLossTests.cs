@@ -11,7 +11,8 @@ namespace Rabit.Mavlink.Tests.Protocols;
 public class CommandLossTests(ITestOutputHelper output)
 {
     private const int Commands = 50;
-    private static readonly MavCmd[] Kinds = [MavCmd.ComponentArmDisarm, MavCmd.NavTakeoff, MavCmd.DoSetMode, MavCmd.DoReposition, MavCmd.RequestMessage];
+    private static readonly MavCmd[] Kinds =
+        [MavCmd.ComponentArmDisarm, MavCmd.NavTakeoff, MavCmd.DoSetMode, MavCmd.DoReposition, MavCmd.RequestMessage];
 
     [Theory]
     [InlineData(0)]
@@ -43,14 +44,17 @@ public class CommandLossTests(ITestOutputHelper output)
             TimeSpan start = world.Now;
             for (int token = 1; token <= Commands; token++)
             {
-                var command = MavlinkCommand.Create(ScriptedVehicle.Address, Kinds[random.Below(Kinds.Length)], token, random.Below(6));
+                var command = MavlinkCommand.Create(
+                    ScriptedVehicle.Address, Kinds[random.Below(Kinds.Length)], token, random.Below(6));
                 Assert.True(client.TryStart(command, world.Now, out int handle));
                 tokens.Add(handle, token);
                 if (random.Below(15) == 0)
                     client.Cancel(handle, world.Now);
             }
 
-            bool ended = world.RunUntil(() => Collect(client, outcomes), client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(600));
+            bool ended = world.RunUntil(
+                () => Collect(client, outcomes), client.Handle, client.TryTakeFrame, () => client.NextDue,
+                TimeSpan.FromSeconds(600));
             string context = world.Context;
             Assert.True(ended, $"{context}: {outcomes.Count} of {Commands} ended");
             foreach (MavlinkCommandOutcome outcome in outcomes.Values)
@@ -59,13 +63,15 @@ public class CommandLossTests(ITestOutputHelper output)
                 statuses[outcome.Status] = statuses.TryGetValue(outcome.Status, out int count) ? count + 1 : 1;
 
             // What is still on its way changes nothing any more.
-            world.RunUntil(() => false, client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(10));
+            world.RunUntil(
+                () => false, client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(10));
             Assert.False(client.TryTakeOutcome(out _), context);
             duplicates += vehicle.Duplicates;
             longest = Math.Max(longest, (world.Now - start).TotalSeconds);
         }
 
-        output.WriteLine($"loss {lossPercent} %, seeds 1 to {seeds}: {string.Join(", ", statuses.OrderBy(pair => pair.Key).Select(pair => $"{pair.Key} {pair.Value}"))}; "
+        output.WriteLine($"loss {lossPercent} %, seeds 1 to {seeds}: "
+            + $"{string.Join(", ", statuses.OrderBy(pair => pair.Key).Select(pair => $"{pair.Key} {pair.Value}"))}; "
             + $"{duplicates} copies reached the vehicle, longest {longest:F0} s");
     }
 
@@ -76,7 +82,8 @@ public class CommandLossTests(ITestOutputHelper output)
         return outcomes.Count == Commands;
     }
 
-    private static void Check(in MavlinkCommandOutcome outcome, int token, CommandVehicle vehicle, int lossPercent, string context)
+    private static void Check(
+        in MavlinkCommandOutcome outcome, int token, CommandVehicle vehicle, int lossPercent, string context)
     {
         int kind = (int)outcome.Command.Param2;
         context += $", token {token}, kind {kind}: {outcome}";
@@ -90,7 +97,8 @@ public class CommandLossTests(ITestOutputHelper output)
             : kind == 5 ? MavlinkCommandStatus.Unknown
             : MavlinkCommandStatus.Accepted;
         bool mayBeUnknown = lossPercent > 0 && outcome.Sent > 0;
-        Assert.True(outcome.Status == expected || (mayBeUnknown && outcome.Status == MavlinkCommandStatus.Unknown), context);
+        Assert.True(
+            outcome.Status == expected || (mayBeUnknown && outcome.Status == MavlinkCommandStatus.Unknown), context);
         if (outcome.Status == MavlinkCommandStatus.Accepted)
             Assert.True(vehicle.Executions.TryGetValue(token, out int times) && times == 1, context);
         if (outcome.Status == MavlinkCommandStatus.Cancelled)

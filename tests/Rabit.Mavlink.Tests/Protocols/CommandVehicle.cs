@@ -105,13 +105,14 @@ internal sealed class CommandVehicle : ScriptedVehicle
         Answer(command, MavResult.Cancelled, token);
     }
 
-    private void Answer(MavCmd command, MavResult result, int token, byte progress = byte.MaxValue) => Send(new CommandAck
-    {
-        Command = command,
-        Result = result,
-        Progress = progress,
-        ResultParam2 = token,
-        TargetSystem = 1,
-        TargetComponent = 191,
-    });
+    private void Answer(MavCmd command, MavResult result, int token, byte progress = byte.MaxValue)
+        => Send(new CommandAck
+        {
+            Command = command,
+            Result = result,
+            Progress = progress,
+            ResultParam2 = token,
+            TargetSystem = 1,
+            TargetComponent = 191,
+        });
 }

@@ -34,7 +34,9 @@ internal sealed class LossyChannel(double loss, ulong seed)
         {
             if (_random.NextDouble() < loss)
                 continue;
-            double seconds = loss == 0 ? 0.02 : _random.NextDouble() < 0.8 ? 0.005 + (0.045 * _random.NextDouble()) : 0.3 * _random.NextDouble();
+            double seconds = loss == 0 ? 0.02
+                : _random.NextDouble() < 0.8 ? 0.005 + (0.045 * _random.NextDouble())
+                : 0.3 * _random.NextDouble();
             _inFlight.Add((now + TimeSpan.FromSeconds(seconds), _order++, frame));
         }
     }
@@ -44,7 +46,8 @@ internal sealed class LossyChannel(double loss, ulong seed)
         int first = -1;
         for (int i = 0; i < _inFlight.Count; i++)
         {
-            if (_inFlight[i].At <= now && (first < 0 || (_inFlight[i].At, _inFlight[i].Order).CompareTo((_inFlight[first].At, _inFlight[first].Order)) < 0))
+            if (_inFlight[i].At <= now && (first < 0
+                || (_inFlight[i].At, _inFlight[i].Order).CompareTo((_inFlight[first].At, _inFlight[first].Order)) < 0))
                 first = i;
         }
 

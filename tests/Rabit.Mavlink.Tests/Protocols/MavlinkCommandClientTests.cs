@@ -18,7 +18,9 @@ public class MavlinkCommandClientTests
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.ComponentArmDisarm, 1));
         for (byte confirmation = 0; confirmation < 4; confirmation++)
         {
-            Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Confirmation == confirmation);
+            Assert.True(
+                _client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command)
+                    && command.Confirmation == confirmation);
             Assert.False(_client.TryTakeFrame(_now, out _));
             _now = _client.NextDue;
         }
@@ -34,11 +36,17 @@ public class MavlinkCommandClientTests
     [InlineData(1, 2, MavCmd.ComponentArmDisarm, 1, 191)]
     [InlineData(1, 1, MavCmd.ComponentArmDisarm, 255, 190)]
     [InlineData(1, 1, MavCmd.ComponentArmDisarm, 1, 192)]
-    public void AnswerOfAnother_IsNotTaken(byte system, byte component, MavCmd command, byte targetSystem, byte targetComponent)
+    public void AnswerOfAnother_IsNotTaken(
+        byte system, byte component, MavCmd command, byte targetSystem, byte targetComponent)
     {
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.ComponentArmDisarm, 1));
         Assert.True(_client.TryTakeFrame(_now, out _));
-        var answer = new CommandAck { Command = command, TargetSystem = targetSystem, TargetComponent = targetComponent };
+        var answer = new CommandAck
+        {
+            Command = command,
+            TargetSystem = targetSystem,
+            TargetComponent = targetComponent
+        };
         _client.Handle(MavlinkFrame.Create(answer, system, component, 0), _now);
         Assert.False(_client.TryTakeOutcome(out _));
         Answer(MavCmd.ComponentArmDisarm, MavResult.Accepted);
@@ -51,12 +59,19 @@ public class MavlinkCommandClientTests
     [InlineData(MavResult.Unsupported)]
     public void Location_RefusedAsInt_IsSentAsLong(MavResult result)
     {
-        Begin(MavlinkCommand.AtLocation(ScriptedVehicle.Address, MavCmd.DoReposition, MavFrame.GlobalRelativeAlt, 473_000_000, 85_000_000, 30, -1, 1, 0, float.NaN));
-        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandInt place) && place.X == 473_000_000 && place.Frame == MavFrame.GlobalRelativeAlt);
+        Begin(
+            MavlinkCommand.AtLocation(
+                ScriptedVehicle.Address, MavCmd.DoReposition, MavFrame.GlobalRelativeAlt, 473_000_000, 85_000_000, 30,
+                -1, 1, 0, float.NaN));
+        Assert.True(
+            _client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandInt place)
+                && place.X == 473_000_000 && place.Frame == MavFrame.GlobalRelativeAlt);
         Answer(MavCmd.DoReposition, result);
         Answer(MavCmd.DoReposition, result);   // a copy
         _now = _client.NextDue;
-        Assert.True(_client.TryTakeFrame(_now, out frame) && frame.TryDecode(out CommandLong command) && command.Param5 == 47.3f && command.Param6 == 8.5f && command.Param7 == 30);
+        Assert.True(
+            _client.TryTakeFrame(_now, out frame) && frame.TryDecode(out CommandLong command) && command.Param5 == 47.3f
+                && command.Param6 == 8.5f && command.Param7 == 30);
         Answer(MavCmd.DoReposition, MavResult.Accepted);
         AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
     }
@@ -64,7 +79,11 @@ public class MavlinkCommandClientTests
     [Fact]
     public void Location_IntOnlyAndUnsupported_IsRefused()
     {
-        Begin(MavlinkCommand.AtLocation(ScriptedVehicle.Address, MavCmd.DoOrbit, MavFrame.Global, 1, 2, 3) with { Forms = MavlinkCommandForms.IntOnly });
+        Begin(
+            MavlinkCommand.AtLocation(ScriptedVehicle.Address, MavCmd.DoOrbit, MavFrame.Global, 1, 2, 3) with
+            {
+                Forms = MavlinkCommandForms.IntOnly
+            });
         Assert.True(_client.TryTakeFrame(_now, out _));
         Answer(MavCmd.DoOrbit, MavResult.Unsupported);
         AssertOutcome(MavlinkCommandStatus.Refused, MavResult.Unsupported);
@@ -95,7 +114,9 @@ public class MavlinkCommandClientTests
         Assert.True(_client.TryTakeFrame(_now, out _));
         Answer(MavCmd.PreflightCalibration, MavResult.InProgress);
         Assert.True(_client.Cancel(handle, _now));
-        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandCancel cancel) && cancel.Command == MavCmd.PreflightCalibration);
+        Assert.True(
+            _client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandCancel cancel)
+                && cancel.Command == MavCmd.PreflightCalibration);
         Answer(MavCmd.PreflightCalibration, MavResult.Cancelled);
         AssertOutcome(MavlinkCommandStatus.Cancelled, MavResult.Cancelled);
         Assert.False(_client.Cancel(handle, _now));
@@ -110,7 +131,9 @@ public class MavlinkCommandClientTests
         AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 2));
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.NavTakeoff));
-        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong other) && other.Command == MavCmd.NavTakeoff);
+        Assert.True(
+            _client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong other)
+                && other.Command == MavCmd.NavTakeoff);
         Answer(MavCmd.DoSetMode, MavResult.Denied);   // a late copy
         Assert.Equal(1, _client.StrayAnswers);
         Assert.False(_client.TryTakeFrame(_now + TimeSpan.FromSeconds(0.5), out _));
@@ -122,7 +145,8 @@ public class MavlinkCommandClientTests
     [Fact]
     public void InProgressThenSilent_RetriesInProgress_IsSentAgainByTheTriesThatAreLeft()
     {
-        _client = new MavlinkCommandClient(ScriptedVehicle.Companion(), new MavlinkCommandOptions { RetriesInProgress = true });
+        _client = new MavlinkCommandClient(
+            ScriptedVehicle.Companion(), new MavlinkCommandOptions { RetriesInProgress = true });
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode));
         Assert.True(_client.TryTakeFrame(_now, out _));
         Answer(MavCmd.DoSetMode, MavResult.InProgress);
@@ -141,7 +165,8 @@ public class MavlinkCommandClientTests
     [Fact]
     public void SameCommandAgain_LinkThatDoesNotDuplicate_WaitsForOutstandingAnswers()
     {
-        _client = new MavlinkCommandClient(ScriptedVehicle.Companion(), new MavlinkCommandOptions { AnswersMayBeDuplicated = false });
+        _client = new MavlinkCommandClient(
+            ScriptedVehicle.Companion(), new MavlinkCommandOptions { AnswersMayBeDuplicated = false });
         Begin(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.DoSetMode, 1));
         Assert.True(_client.TryTakeFrame(_now, out _));
         _now = _client.NextDue;
@@ -153,7 +178,9 @@ public class MavlinkCommandClientTests
         Answer(MavCmd.DoSetMode, MavResult.Denied);     // to the other
         Assert.False(_client.TryTakeOutcome(out _));
 
-        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Param1 == 2);
+        Assert.True(
+            _client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command)
+                && command.Param1 == 2);
         Answer(MavCmd.DoSetMode, MavResult.Accepted);
         AssertOutcome(MavlinkCommandStatus.Accepted, MavResult.Accepted);
     }
@@ -175,7 +202,9 @@ public class MavlinkCommandClientTests
         Answer(MavCmd.DoSetMode, MavResult.Accepted);
         Assert.False(_client.TryTakeOutcome(out _));
         _now += TimeSpan.FromSeconds(5);
-        Assert.True(_client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Param1 == 3);
+        Assert.True(
+            _client.TryTakeFrame(_now, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command)
+                && command.Param1 == 3);
     }
 
     [Fact]
@@ -248,7 +277,16 @@ public class MavlinkCommandClientTests
     }
 
     private void Answer(MavCmd command, MavResult result, byte progress = byte.MaxValue) => _client.Handle(
-        Vehicle.Create(new CommandAck { Command = command, Result = result, Progress = progress, TargetSystem = 1, TargetComponent = 191 }), _now);
+        Vehicle.Create(
+            new CommandAck
+            {
+                Command = command,
+                Result = result,
+                Progress = progress,
+                TargetSystem = 1,
+                TargetComponent = 191
+            }),
+        _now);
 
     private void AssertOutcome(MavlinkCommandStatus status, MavResult? result)
     {

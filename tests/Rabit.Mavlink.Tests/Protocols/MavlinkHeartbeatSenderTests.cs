@@ -6,7 +6,8 @@ namespace Rabit.Mavlink.Tests.Protocols;
 
 public class MavlinkHeartbeatSenderTests
 {
-    private readonly MavlinkHeartbeatSender _heartbeats = new(ScriptedVehicle.Companion(), new Heartbeat { CustomMode = 1 });
+    private readonly MavlinkHeartbeatSender _heartbeats = new(
+        ScriptedVehicle.Companion(), new Heartbeat { CustomMode = 1 });
 
     [Fact]
     public void TryTakeFrame_LateCalls_KeepsTheGridAndMakesNothingUp()
@@ -21,10 +22,14 @@ public class MavlinkHeartbeatSenderTests
     [Fact]
     public void TryTakeFrame_HeartbeatSetBetween_SendsTheNewOne()
     {
-        Assert.True(_heartbeats.TryTakeFrame(TimeSpan.Zero, out MavlinkFrame frame) && frame.TryDecode(out Heartbeat first) && first.CustomMode == 1);
+        Assert.True(
+            _heartbeats.TryTakeFrame(TimeSpan.Zero, out MavlinkFrame frame) && frame.TryDecode(out Heartbeat first)
+                && first.CustomMode == 1);
         _heartbeats.Heartbeat = new Heartbeat { CustomMode = 2 };
         Assert.False(_heartbeats.TryTakeFrame(TimeSpan.Zero, out _));
-        Assert.True(_heartbeats.TryTakeFrame(TimeSpan.FromSeconds(1), out frame) && frame.TryDecode(out Heartbeat second) && second.CustomMode == 2);
+        Assert.True(
+            _heartbeats.TryTakeFrame(TimeSpan.FromSeconds(1), out frame) && frame.TryDecode(out Heartbeat second)
+                && second.CustomMode == 2);
     }
 
     [Fact]
@@ -41,7 +46,8 @@ public class MavlinkHeartbeatSenderTests
     public void Constructor_BadArguments_Throws()
     {
         Assert.Throws<ArgumentNullException>("sender", () => new MavlinkHeartbeatSender(null!, default));
-        Assert.Throws<ArgumentOutOfRangeException>("period", () => new MavlinkHeartbeatSender(ScriptedVehicle.Companion(), default, TimeSpan.Zero));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            "period", () => new MavlinkHeartbeatSender(ScriptedVehicle.Companion(), default, TimeSpan.Zero));
     }
 
     private int Sent(double seconds)

@@ -23,7 +23,8 @@ public class MavlinkHeartbeatTrackerTests
         Poll(6);
         Poll(100);
         Receive(101, new Heartbeat { CustomMode = 4 });
-        Assert.Equal([MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Lost, MavlinkComponentEvent.Returned], _events);
+        Assert.Equal(
+            [MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Lost, MavlinkComponentEvent.Returned], _events);
         Assert.Equal((4u, 3L, false), (_tracker[0].Heartbeat.CustomMode, _tracker[0].Heartbeats, _tracker[0].IsLost));
     }
 
@@ -32,7 +33,8 @@ public class MavlinkHeartbeatTrackerTests
     {
         Receive(0, new Heartbeat());
         Receive(20, new Heartbeat());
-        Assert.Equal([MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Lost, MavlinkComponentEvent.Returned], _events);
+        Assert.Equal(
+            [MavlinkComponentEvent.Appeared, MavlinkComponentEvent.Lost, MavlinkComponentEvent.Returned], _events);
     }
 
     [Fact]

@@ -25,7 +25,8 @@ public class MavlinkMissionClientTests
 
         MavlinkMissionOutcome outcome = RunToTheEnd();
 
-        Assert.Equal((MavlinkMissionStatus.Unknown, MavMissionResult.InvalidSequence), (outcome.Status, outcome.Result));
+        Assert.Equal(
+            (MavlinkMissionStatus.Unknown, MavMissionResult.InvalidSequence), (outcome.Status, outcome.Result));
     }
 
     [Fact]

@@ -17,7 +17,9 @@ public class MavlinkParameterTests
     [InlineData(MavParamType.Uint8, 255.0)]
     [InlineData(MavParamType.Real32, 0.5)]
     public void Bytewise_RoundTrips(MavParamType type, double value) =>
-        Assert.Equal(value, MavlinkParameter.Decode(MavlinkParameter.Encode(value, type, MavlinkParameterEncoding.Bytewise), type, MavlinkParameterEncoding.Bytewise));
+        Assert.Equal(value, MavlinkParameter.Decode(
+            MavlinkParameter.Encode(value, type, MavlinkParameterEncoding.Bytewise), type,
+            MavlinkParameterEncoding.Bytewise));
 
     [Theory]
     [InlineData("CAL_ACC0_XOFF", true)]
@@ -30,14 +32,20 @@ public class MavlinkParameterTests
     [InlineData("CAL_MAG_COMP", false)]
     [InlineData("CAL_ACC", false)]
     [InlineData("SENS_BOARD_X_OFF", false)]
-    public void Hash_LeavesOutWhatPx4ChangesByItself(string name, bool isVolatile) => Assert.Equal(isVolatile, MavlinkParameterHash.IsVolatile(name));
+    public void Hash_LeavesOutWhatPx4ChangesByItself(string name, bool isVolatile)
+        => Assert.Equal(isVolatile, MavlinkParameterHash.IsVolatile(name));
 
     [Fact]
     public void CCast_HoldsTwentyFourBitsAndSaysWhenItDoesNot()
     {
-        Assert.Equal(16_777_216, MavlinkParameter.Decode(MavlinkParameter.Encode(16_777_216, MavParamType.Int32, MavlinkParameterEncoding.CCast), MavParamType.Int32, MavlinkParameterEncoding.CCast));
-        Assert.Throws<ArgumentOutOfRangeException>(() => MavlinkParameter.Encode(16_777_217, MavParamType.Int32, MavlinkParameterEncoding.CCast));
-        Assert.Throws<ArgumentOutOfRangeException>(() => MavlinkParameter.Encode(300, MavParamType.Uint8, MavlinkParameterEncoding.Bytewise));
-        Assert.Throws<ArgumentOutOfRangeException>(() => MavlinkParameter.Encode(double.NaN, MavParamType.Int8, MavlinkParameterEncoding.Bytewise));
+        Assert.Equal(16_777_216, MavlinkParameter.Decode(
+            MavlinkParameter.Encode(16_777_216, MavParamType.Int32, MavlinkParameterEncoding.CCast), MavParamType.Int32,
+            MavlinkParameterEncoding.CCast));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => MavlinkParameter.Encode(16_777_217, MavParamType.Int32, MavlinkParameterEncoding.CCast));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => MavlinkParameter.Encode(300, MavParamType.Uint8, MavlinkParameterEncoding.Bytewise));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => MavlinkParameter.Encode(double.NaN, MavParamType.Int8, MavlinkParameterEncoding.Bytewise));
     }
 }

@@ -19,7 +19,9 @@ public class MavlinkRateClientTests
         for (ulong seed = 1; seed <= 20; seed++)
         {
             _intervals.Clear();
-            var client = new MavlinkRateClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, [(Attitude.MavlinkId, 20), (GlobalPositionInt.MavlinkId, 5), (SysStatus.MavlinkId, 1)]);
+            var client = new MavlinkRateClient(
+                ScriptedVehicle.Companion(), ScriptedVehicle.Address,
+                [(Attitude.MavlinkId, 20), (GlobalPositionInt.MavlinkId, 5), (SysStatus.MavlinkId, 1)]);
             Run(client, 0, 60, lossPercent, new ProtocolRandom(seed), maxHertz: 10);
             for (int i = 0; i < client.Count; i++)
             {
@@ -40,7 +42,8 @@ public class MavlinkRateClientTests
     [Fact]
     public void Rate_ChangedByAnother_IsAskedForAgain()
     {
-        var client = new MavlinkRateClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, [(Attitude.MavlinkId, 10)]);
+        var client = new MavlinkRateClient(
+            ScriptedVehicle.Companion(), ScriptedVehicle.Address, [(Attitude.MavlinkId, 10)]);
         Run(client, 0, 20, 0, new ProtocolRandom(1), 50);
         Assert.Equal(1, client[0].Requests);
         _intervals[Attitude.MavlinkId] = 1;   // a ground station
@@ -67,9 +70,11 @@ public class MavlinkRateClientTests
     [InlineData(".p.a", "30/0 33/0", 1, 0, 0)]
     [InlineData("asa", "30/0 33/0 30/0 33/0", 2, 0, 0)]
     [InlineData("raasraa", "30/0 33/0 f30 1/0 30/0 33/0 f30 1/0", 4, 2, 0)]
-    public void TryTakeFrame_Script_AsksOneByOne(string script, string expected, int accepted, int refused, int unanswered)
+    public void TryTakeFrame_Script_AsksOneByOne(
+        string script, string expected, int accepted, int refused, int unanswered)
     {
-        var client = new MavlinkRateClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, [(30, 25), (33, 10), (1, 0.5)]);
+        var client = new MavlinkRateClient(
+            ScriptedVehicle.Companion(), ScriptedVehicle.Address, [(30, 25), (33, 10), (1, 0.5)]);
         var answers = new int[4];
         var seen = new List<string>();
         TimeSpan now = TimeSpan.Zero;
@@ -80,7 +85,16 @@ public class MavlinkRateClientTests
             else if (step is 'w' or '.')
                 now += new TimeSpan(MavlinkRateClient.AnswerTimeout.Ticks / (step == 'w' ? 1 : 2));
             else
-                client.Handle(_vehicle.Create(new CommandAck { Command = MavCmd.SetMessageInterval, Result = ResultOf(step), TargetSystem = 1, TargetComponent = 191 }), now);
+                client.Handle(
+                    _vehicle.Create(
+                        new CommandAck
+                        {
+                            Command = MavCmd.SetMessageInterval,
+                            Result = ResultOf(step),
+                            TargetSystem = 1,
+                            TargetComponent = 191
+                        }),
+                    now);
 
             // Until there is no more to send: one that was sent is waited for.
             while (client.TryTakeFrame(now, out MavlinkFrame frame))
@@ -93,7 +107,9 @@ public class MavlinkRateClientTests
             {
                 answers[(int)rate.Answer]++;
                 if (rate.Answer != MavlinkRateAnswer.Accepted)
-                    seen.Add((rate.Answer == MavlinkRateAnswer.Refused ? "f" : "g") + FormattableString.Invariant($"{rate.MessageId}"));
+                    seen.Add(
+                        (rate.Answer == MavlinkRateAnswer.Refused ? "f" : "g")
+                            + FormattableString.Invariant($"{rate.MessageId}"));
             }
         }
 
@@ -106,9 +122,12 @@ public class MavlinkRateClientTests
     public void TryTakeFrame_Rate_IsSentAsAnIntervalInMicroseconds()
     {
         var client = new MavlinkRateClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, [(30, 25)]);
-        Assert.True(client.TryTakeFrame(TimeSpan.Zero, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command) && command.Command == MavCmd.SetMessageInterval);
+        Assert.True(
+            client.TryTakeFrame(TimeSpan.Zero, out MavlinkFrame frame) && frame.TryDecode(out CommandLong command)
+                && command.Command == MavCmd.SetMessageInterval);
         frame.TryDecode(out command);
-        Assert.Equal((30f, 40_000f, 0f, 0f, 0f, 0f, 0f), (command.Param1, command.Param2, command.Param3, command.Param4, command.Param5, command.Param6, command.Param7));
+        Assert.Equal((30f, 40_000f, 0f, 0f, 0f, 0f, 0f), (command.Param1, command.Param2, command.Param3,
+            command.Param4, command.Param5, command.Param6, command.Param7));
     }
 
     [Fact]
@@ -116,7 +135,9 @@ public class MavlinkRateClientTests
     {
         var client = new MavlinkRateClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, []);
         Assert.False(client.TryTakeFrame(TimeSpan.Zero, out _));
-        client.Handle(_vehicle.Create(new CommandAck { Command = MavCmd.SetMessageInterval, Result = MavResult.Failed }), TimeSpan.Zero);
+        client.Handle(
+            _vehicle.Create(new CommandAck { Command = MavCmd.SetMessageInterval, Result = MavResult.Failed }),
+            TimeSpan.Zero);
         Assert.False(client.TryTakeAnswer(out _));
     }
 
@@ -129,7 +150,8 @@ public class MavlinkRateClientTests
         _ => throw new ArgumentOutOfRangeException(nameof(step), step, "no such step"),
     };
 
-    private void Run(MavlinkRateClient client, int from, int to, int lossPercent, ProtocolRandom random, double maxHertz)
+    private void Run(
+        MavlinkRateClient client, int from, int to, int lossPercent, ProtocolRandom random, double maxHertz)
     {
         var next = new Dictionary<int, double>();
         for (int millisecond = from * 1000; millisecond < to * 1000; millisecond += 10)
@@ -141,7 +163,15 @@ public class MavlinkRateClientTests
                     continue;
                 _intervals[(int)command.Param1] = Math.Max(command.Param2 / 1e6, 1 / maxHertz);
                 if (random.NextDouble() * 100 >= lossPercent)
-                    client.Handle(_vehicle.Create(new CommandAck { Command = MavCmd.SetMessageInterval, TargetSystem = 1, TargetComponent = 191 }), now);
+                    client.Handle(
+                        _vehicle.Create(
+                            new CommandAck
+                            {
+                                Command = MavCmd.SetMessageInterval,
+                                TargetSystem = 1,
+                                TargetComponent = 191
+                            }),
+                        now);
             }
 
             foreach (KeyValuePair<int, double> interval in _intervals)

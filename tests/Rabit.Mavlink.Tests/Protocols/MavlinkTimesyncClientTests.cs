@@ -24,7 +24,8 @@ public class MavlinkTimesyncClientTests(ITestOutputHelper output)
             var client = new MavlinkTimesyncClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address);
             for (double now = 100; now < 220; now += 0.1)
             {
-                if (client.TryTakeFrame(TimeSpan.FromSeconds(now), out MavlinkFrame frame) && random.NextDouble() >= lossPercent / 100.0)
+                if (client.TryTakeFrame(TimeSpan.FromSeconds(now), out MavlinkFrame frame)
+                    && random.NextDouble() >= lossPercent / 100.0)
                 {
                     Assert.True(frame.TryDecode(out Timesync request) && request.Tc1 == 0 && request.TargetSystem == 1);
                     double there = now + 0.015 + (0.01 * random.NextDouble());
@@ -54,7 +55,9 @@ public class MavlinkTimesyncClientTests(ITestOutputHelper output)
         client.Handle(MavlinkFrame.Create(new Timesync { Ts1 = 77 }, 1, 1, 0), TimeSpan.FromSeconds(2));
         Assert.True(client.TryTakeFrame(TimeSpan.FromSeconds(2), out MavlinkFrame frame));
         Assert.True(frame.TryDecode(out Timesync answer));
-        Assert.Equal((77L, 2_000_000_001L, (byte)1, (byte)1), (answer.Ts1, answer.Tc1, answer.TargetSystem, answer.TargetComponent));
+        Assert.Equal(
+            (77L, 2_000_000_001L, (byte)1, (byte)1),
+            (answer.Ts1, answer.Tc1, answer.TargetSystem, answer.TargetComponent));
     }
 
     private static double TheirTime(double ours) => Offset + (ours * (1 + Drift));

@@ -103,7 +103,8 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
             }
         }
 
-        output.WriteLine(FormattableString.Invariant($"seeds 1 to 20, by {milliseconds} ms: {worst * 1e3:0.000} ms at worst"));
+        output.WriteLine(
+            FormattableString.Invariant($"seeds 1 to 20, by {milliseconds} ms: {worst * 1e3:0.000} ms at worst"));
         Assert.True(worst < 2e-3, $"{worst}");
     }
 

@@ -18,11 +18,13 @@ public class MissionLossTests(ITestOutputHelper output)
 
     [Theory]
     [MemberData(nameof(Cases))]
-    public void UpDownClear_FewSeeds_CompletesOrFailsCleanly(int lossPercent, bool isArduPilot, bool hasManyRetries) => Run(lossPercent, isArduPilot, hasManyRetries, 5);
+    public void UpDownClear_FewSeeds_CompletesOrFailsCleanly(int lossPercent, bool isArduPilot, bool hasManyRetries)
+        => Run(lossPercent, isArduPilot, hasManyRetries, 5);
 
     [Theory, Trait("Category", "Long")]
     [MemberData(nameof(Cases))]
-    public void UpDownClear_AllSeeds_CompletesOrFailsCleanly(int lossPercent, bool isArduPilot, bool hasManyRetries) => Run(lossPercent, isArduPilot, hasManyRetries, 200);
+    public void UpDownClear_AllSeeds_CompletesOrFailsCleanly(int lossPercent, bool isArduPilot, bool hasManyRetries)
+        => Run(lossPercent, isArduPilot, hasManyRetries, 200);
 
     public static TheoryData<int, bool, bool> Cases()
     {
@@ -57,11 +59,15 @@ public class MissionLossTests(ITestOutputHelper output)
         var world = new ProtocolWorld(vehicle, 0, 1);
         var client = new MavlinkMissionClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address);
         Assert.True(client.TryStartUpload(MavMissionType.Mission, Items(50, 1), world.Now));
-        Assert.True(world.RunUntil(() => client.ItemsDone == 20, client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(10)));
+        Assert.True(
+            world.RunUntil(
+                () => client.ItemsDone == 20, client.Handle, client.TryTakeFrame, () => client.NextDue,
+                TimeSpan.FromSeconds(10)));
         Assert.False(client.TryStartDownload(MavMissionType.Mission, world.Now));
         client.Cancel(world.Now);
         Assert.Equal(MavlinkMissionStatus.Cancelled, End(client, world, "").Status);
-        world.RunUntil(() => false, client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(0.2));
+        world.RunUntil(
+            () => false, client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(0.2));
         Assert.Equal(TimeSpan.MaxValue, vehicle.NextDue);   // it asks no more
         Assert.Empty(vehicle[MavMissionType.Mission]);
     }
@@ -71,7 +77,14 @@ public class MissionLossTests(ITestOutputHelper output)
         var random = new ProtocolRandom(seed);
         var items = new MissionItemInt[count];
         for (int i = 0; i < count; i++)
-            items[i] = new MissionItemInt { Command = MavCmd.NavWaypoint, X = (int)random.Next(), Y = (int)random.Next(), Z = random.Below(1000), Autocontinue = 1 };
+            items[i] = new MissionItemInt
+            {
+                Command = MavCmd.NavWaypoint,
+                X = (int)random.Next(),
+                Y = (int)random.Next(),
+                Z = random.Below(1000),
+                Autocontinue = 1
+            };
         return items;
     }
 
@@ -83,7 +96,8 @@ public class MissionLossTests(ITestOutputHelper output)
         {
             var vehicle = new MissionVehicle(isArduPilot);
             var world = new ProtocolWorld(vehicle, lossPercent, seed);
-            var client = new MavlinkMissionClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address, hasManyRetries ? ManyRetries : null);
+            var client = new MavlinkMissionClient(
+                ScriptedVehicle.Companion(), ScriptedVehicle.Address, hasManyRetries ? ManyRetries : null);
             string context = world.Context;
             TimeSpan start = world.Now;
             var type = (MavMissionType)(seed % 3);
@@ -98,7 +112,8 @@ public class MissionLossTests(ITestOutputHelper output)
 
             // Another mission than was uploaded: what is left of the upload must not pass for it.
             MissionItemInt[] others = Items(Count, seed + 1000);
-            vehicle[type] = others.Select((item, index) => item with { Seq = (ushort)index, MissionType = type }).ToList();
+            vehicle[type] = others.Select((item, index) => item with { Seq = (ushort)index, MissionType = type })
+                .ToList();
             Assert.True(client.TryStartDownload(type, world.Now));
             MavlinkMissionOutcome down = End(client, world, context);
             if (down.Status == MavlinkMissionStatus.Done)
@@ -116,9 +131,13 @@ public class MissionLossTests(ITestOutputHelper output)
             longest = Math.Max(longest, (world.Now - start).TotalSeconds);
         }
 
-        output.WriteLine($"loss {lossPercent} %, {(isArduPilot ? "ArduPilot" : "PX4")}, {(hasManyRetries ? "25" : "5")} retries, seeds 1 to {seeds}: "
+        output.WriteLine($"loss {lossPercent} %, {(isArduPilot ? "ArduPilot" : "PX4")}, "
+            + $"{(hasManyRetries ? "25" : "5")} retries, seeds 1 to {seeds}: "
             + $"{string.Join(", ", statuses.OrderBy(pair => pair.Key, StringComparer.Ordinal).Select(pair => $"{pair.Key} {pair.Value}"))}; longest {longest:F0} s");
-        Assert.False(hasManyRetries && statuses.Keys.Any(key => key.StartsWith("down", StringComparison.Ordinal) && key != "down Done"), "a download with 25 retries never fails");
+        Assert.False(
+            hasManyRetries
+                && statuses.Keys.Any(key => key.StartsWith("down", StringComparison.Ordinal) && key != "down Done"),
+            "a download with 25 retries never fails");
     }
 
     // A vehicle that has given the transfer up answers the next item with an error; INVALID_SEQUENCE to a copy is no
@@ -133,15 +152,20 @@ public class MissionLossTests(ITestOutputHelper output)
     {
         Assert.True(expected.Length == actual.Count, $"{context}: {actual.Count} items");
         for (int i = 0; i < expected.Length; i++)
-            Assert.True(actual[i].Seq == i && (expected[i].X, expected[i].Y, expected[i].Z) == (actual[i].X, actual[i].Y, actual[i].Z), $"{context}: item {i}");
+            Assert.True(
+                actual[i].Seq == i
+                    && (expected[i].X, expected[i].Y, expected[i].Z) == (actual[i].X, actual[i].Y, actual[i].Z),
+                $"{context}: item {i}");
     }
 
-    private static void Add(Dictionary<string, int> statuses, string status) => statuses[status] = statuses.TryGetValue(status, out int count) ? count + 1 : 1;
+    private static void Add(Dictionary<string, int> statuses, string status)
+        => statuses[status] = statuses.TryGetValue(status, out int count) ? count + 1 : 1;
 
     private static MavlinkMissionOutcome End(MavlinkMissionClient client, ProtocolWorld world, string context)
     {
         MavlinkMissionOutcome outcome = default;
-        Assert.True(world.RunUntil(() => client.TryTakeOutcome(out outcome), client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(2000)), context + ": no outcome");
+        Assert.True(world.RunUntil(() => client.TryTakeOutcome(out outcome), client.Handle, client.TryTakeFrame, () =>
+            client.NextDue, TimeSpan.FromSeconds(2000)), context + ": no outcome");
         Assert.False(client.TryTakeOutcome(out _), context);
         return outcome;
     }

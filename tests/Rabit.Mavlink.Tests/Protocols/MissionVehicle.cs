@@ -41,7 +41,14 @@ internal sealed class MissionVehicle(bool isArduPilot) : ScriptedVehicle
         }
         else if (frame.TryDecode(out MissionRequestList list))
         {
-            Send(new MissionCount { TargetSystem = 1, TargetComponent = 191, Count = (ushort)this[list.MissionType].Count, MissionType = list.MissionType });
+            Send(
+                new MissionCount
+                {
+                    TargetSystem = 1,
+                    TargetComponent = 191,
+                    Count = (ushort)this[list.MissionType].Count,
+                    MissionType = list.MissionType
+                });
         }
         else if (frame.TryDecode(out MissionRequestInt request))
         {
@@ -98,7 +105,8 @@ internal sealed class MissionVehicle(bool isArduPilot) : ScriptedVehicle
         if (_incoming is null)
         {
             // PX4 takes a copy of the last item for a sign that its answer was lost.
-            bool isLastAgain = !isArduPilot && item.MissionType == _type && item.Seq == _count - 1 && this[_type].Count == _count;
+            bool isLastAgain = !isArduPilot && item.MissionType == _type && item.Seq == _count - 1
+                && this[_type].Count == _count;
             Answer(isLastAgain ? MavMissionResult.Accepted : MavMissionResult.Error, item.MissionType);
             return;
         }
@@ -122,9 +130,23 @@ internal sealed class MissionVehicle(bool isArduPilot) : ScriptedVehicle
     {
         _askAgainAt = now + _again;
         if (isArduPilot)
-            Send(new MissionRequest { TargetSystem = 1, TargetComponent = 191, Seq = (ushort)_incoming!.Count, MissionType = _type });
+            Send(
+                new MissionRequest
+                {
+                    TargetSystem = 1,
+                    TargetComponent = 191,
+                    Seq = (ushort)_incoming!.Count,
+                    MissionType = _type
+                });
         else
-            Send(new MissionRequestInt { TargetSystem = 1, TargetComponent = 191, Seq = (ushort)_incoming!.Count, MissionType = _type });
+            Send(
+                new MissionRequestInt
+                {
+                    TargetSystem = 1,
+                    TargetComponent = 191,
+                    Seq = (ushort)_incoming!.Count,
+                    MissionType = _type
+                });
     }
 
     private void Complete()

@@ -46,7 +46,9 @@ public class ParameterLossTests(ITestOutputHelper output)
 
                 // Back and forth on one name: reports of the value before must not pass for the one that was set.
                 float value = i < 2 ? 7 : 8 + i;
-                Assert.True(client.TryStartSet(i < 2 ? name : vehicle.Parameters[0].Name, MavParamType.Real32, value, world.Now));
+                Assert.True(
+                    client.TryStartSet(
+                        i < 2 ? name : vehicle.Parameters[0].Name, MavParamType.Real32, value, world.Now));
                 MavlinkParameterOutcome set = End(client, world, context);
                 Assert.True(set.Sent <= 6, context);
                 Count1(statuses, set.Status);
@@ -56,17 +58,24 @@ public class ParameterLossTests(ITestOutputHelper output)
                 MavlinkParameterOutcome read = End(client, world, context);
                 Count1(statuses, read.Status);
                 if (read.Status == MavlinkParameterStatus.Done)
-                    Assert.True(read.Parameter.Name.TextEquals(name) && read.Parameter.ToDouble(client.Encoding).Equals(vehicle.Parameters[i].Value), context);
+                    Assert.True(
+                        read.Parameter.Name.TextEquals(name)
+                            && read.Parameter.ToDouble(client.Encoding).Equals(vehicle.Parameters[i].Value),
+                        context);
             }
 
             Assert.True(client.TryStartSet(vehicle.Parameters[5].Name, MavParamType.Real32, 5000, world.Now));
             MavlinkParameterOutcome limited = End(client, world, context);
-            Assert.True(limited.Status is MavlinkParameterStatus.Refused || (lossPercent > 0 && limited.Status is MavlinkParameterStatus.Unknown), $"{context}: {limited}");
+            Assert.True(
+                limited.Status is MavlinkParameterStatus.Refused
+                    || (lossPercent > 0 && limited.Status is MavlinkParameterStatus.Unknown),
+                $"{context}: {limited}");
             Assert.True(client.TryStartRead("NO_SUCH_PARAM", world.Now));
             Assert.Equal(MavlinkParameterStatus.Unknown, End(client, world, context).Status);
         }
 
-        output.WriteLine($"loss {lossPercent} %, seeds 1 to 200: {string.Join(", ", statuses.OrderBy(pair => pair.Key).Select(pair => $"{pair.Key} {pair.Value}"))}");
+        output.WriteLine($"loss {lossPercent} %, seeds 1 to 200: "
+            + $"{string.Join(", ", statuses.OrderBy(pair => pair.Key).Select(pair => $"{pair.Key} {pair.Value}"))}");
         if (lossPercent == 0)
             Assert.Single(statuses);
     }
@@ -108,7 +117,8 @@ public class ParameterLossTests(ITestOutputHelper output)
         Assert.Equal(MavlinkParameterStatus.Done, End(client, world, "").Status);
     }
 
-    private static MavlinkParameterClient Client() => new(ScriptedVehicle.Companion(), ScriptedVehicle.Address, MavlinkParameterEncoding.Bytewise);
+    private static MavlinkParameterClient Client()
+        => new(ScriptedVehicle.Companion(), ScriptedVehicle.Address, MavlinkParameterEncoding.Bytewise);
 
     private void RunList(int lossPercent, int seeds)
     {
@@ -133,11 +143,14 @@ public class ParameterLossTests(ITestOutputHelper output)
             }
             else
             {
-                Assert.True(outcome.Status == MavlinkParameterStatus.Incomplete && outcome.Missing != 0, $"{context}: {outcome}");
+                Assert.True(
+                    outcome.Status == MavlinkParameterStatus.Incomplete && outcome.Missing != 0,
+                    $"{context}: {outcome}");
             }
         }
 
-        output.WriteLine($"loss {lossPercent} %, seeds 1 to {seeds}: {done} complete, longest {longest:F1} s, {frames / seeds} frames sent for one list");
+        output.WriteLine($"loss {lossPercent} %, seeds 1 to {seeds}: {done} complete, longest {longest:F1} s, "
+            + $"{frames / seeds} frames sent for one list");
         Assert.True(done >= seeds * (lossPercent <= 20 ? 1.0 : 0.9), $"{done} of {seeds}");
     }
 
@@ -147,7 +160,10 @@ public class ParameterLossTests(ITestOutputHelper output)
         for (int i = 0; i < vehicle.Parameters.Count; i++)
         {
             MavlinkParameter parameter = client.Parameters[i];
-            Assert.True(parameter.Name.TextEquals(vehicle.Parameters[i].Name) && parameter.ToDouble(client.Encoding).Equals(vehicle.Parameters[i].Value), $"{context}, {i}: {parameter}");
+            Assert.True(
+                parameter.Name.TextEquals(vehicle.Parameters[i].Name)
+                    && parameter.ToDouble(client.Encoding).Equals(vehicle.Parameters[i].Value),
+                $"{context}, {i}: {parameter}");
         }
     }
 
@@ -157,7 +173,8 @@ public class ParameterLossTests(ITestOutputHelper output)
     private static MavlinkParameterOutcome End(MavlinkParameterClient client, ProtocolWorld world, string context)
     {
         MavlinkParameterOutcome outcome = default;
-        Assert.True(world.RunUntil(() => client.TryTakeOutcome(out outcome), client.Handle, client.TryTakeFrame, () => client.NextDue, TimeSpan.FromSeconds(300)), context + ": no outcome");
+        Assert.True(world.RunUntil(() => client.TryTakeOutcome(out outcome), client.Handle, client.TryTakeFrame, () =>
+            client.NextDue, TimeSpan.FromSeconds(300)), context + ": no outcome");
         Assert.False(client.TryTakeOutcome(out _), context);
         return outcome;
     }

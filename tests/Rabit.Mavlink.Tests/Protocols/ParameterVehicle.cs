@@ -85,7 +85,8 @@ internal sealed class ParameterVehicle : ScriptedVehicle
 
     private int IndexOf(Text16 name) => _parameters.FindIndex(parameter => name.TextEquals(parameter.Name));
 
-    private void Report(int index) => Report(_parameters[index].Name, _parameters[index].Value, MavParamType.Real32, (ushort)index);
+    private void Report(int index)
+        => Report(_parameters[index].Name, _parameters[index].Value, MavParamType.Real32, (ushort)index);
 
     private void Report(string name, float value, MavParamType type, ushort index) => Send(new ParamValue
     {

@@ -14,7 +14,8 @@ public class ProtocolAllocationTests
         MavlinkSender companion = ScriptedVehicle.Companion();
         var vehicle = new MavlinkSender(1, 1);
         var commands = new MavlinkCommandClient(companion);
-        var parameters = new MavlinkParameterClient(companion, ScriptedVehicle.Address, MavlinkParameterEncoding.Bytewise);
+        var parameters = new MavlinkParameterClient(
+            companion, ScriptedVehicle.Address, MavlinkParameterEncoding.Bytewise);
         var missions = new MavlinkMissionClient(companion, ScriptedVehicle.Address);
         var rates = new MavlinkRateClient(companion, ScriptedVehicle.Address, [(Attitude.MavlinkId, 10)]);
         var time = new MavlinkTimesyncClient(companion, ScriptedVehicle.Address);
@@ -36,7 +37,8 @@ public class ProtocolAllocationTests
             for (int i = 0; i < 50; i++)
             {
                 name[11] = (byte)('A' + i);
-                parameters.Handle(vehicle.Create(new ParamValue { ParamId = name, ParamCount = 50, ParamIndex = (ushort)i }), now);
+                parameters.Handle(
+                    vehicle.Create(new ParamValue { ParamId = name, ParamCount = 50, ParamIndex = (ushort)i }), now);
             }
 
             done += parameters.TryTakeOutcome(out _) ? 1 : 0;
@@ -63,28 +65,41 @@ public class ProtocolAllocationTests
             parameters.TryStartRead("A_PARAMETERA", now);
             parameters.TryTakeFrame(now, out _);
             parameters.Handle(vehicle.Create(Report(name, 'A', 0)), now);
-            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome read) && read.Status == MavlinkParameterStatus.Done ? 1 : 0;
+            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome read)
+                && read.Status == MavlinkParameterStatus.Done
+                ? 1
+                : 0;
             now += TimeSpan.FromSeconds(10);
             parameters.TryStartSet("A_PARAMETERB", MavParamType.Real32, 7, now);
             parameters.TryTakeFrame(now, out _);
             parameters.Handle(vehicle.Create(Report(name, 'B', 7)), now);
-            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome set) && set.Status == MavlinkParameterStatus.Done ? 1 : 0;
+            done += parameters.TryTakeOutcome(out MavlinkParameterOutcome set)
+                && set.Status == MavlinkParameterStatus.Done
+                ? 1
+                : 0;
 
             missions.TryStartUpload(MavMissionType.Fence, items, now);
             missions.TryTakeFrame(now, out _);
             for (int i = 0; i < items.Length; i++)
             {
-                missions.Handle(vehicle.Create(new MissionRequestInt { Seq = (ushort)i, MissionType = MavMissionType.Fence }), now);
+                missions.Handle(
+                    vehicle.Create(new MissionRequestInt { Seq = (ushort)i, MissionType = MavMissionType.Fence }), now);
                 missions.TryTakeFrame(now, out _);
             }
 
             missions.Handle(vehicle.Create(new MissionAck { MissionType = MavMissionType.Fence }), now);
-            done += missions.TryTakeOutcome(out MavlinkMissionOutcome upload) && upload.Status == MavlinkMissionStatus.Done ? 1 : 0;
+            done += missions.TryTakeOutcome(out MavlinkMissionOutcome upload)
+                && upload.Status == MavlinkMissionStatus.Done
+                ? 1
+                : 0;
             now += TimeSpan.FromSeconds(10);
             missions.TryStartClear(MavMissionType.Rally, now);
             missions.TryTakeFrame(now, out _);
             missions.Handle(vehicle.Create(new MissionAck { MissionType = MavMissionType.Rally }), now);
-            done += missions.TryTakeOutcome(out MavlinkMissionOutcome clear) && clear.Status == MavlinkMissionStatus.Done ? 1 : 0;
+            done += missions.TryTakeOutcome(out MavlinkMissionOutcome clear)
+                && clear.Status == MavlinkMissionStatus.Done
+                ? 1
+                : 0;
         };
         work();
         Assert.Equal(7, done);
@@ -94,6 +109,13 @@ public class ProtocolAllocationTests
     private static ParamValue Report(Text16 name, char last, float value)
     {
         name[11] = (byte)last;
-        return new ParamValue { ParamId = name, Value = value, ParamType = MavParamType.Real32, ParamCount = 50, ParamIndex = (ushort)(last - 'A') };
+        return new ParamValue
+        {
+            ParamId = name,
+            Value = value,
+            ParamType = MavParamType.Real32,
+            ParamCount = 50,
+            ParamIndex = (ushort)(last - 'A')
+        };
     }
 }

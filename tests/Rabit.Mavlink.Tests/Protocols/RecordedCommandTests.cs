@@ -29,17 +29,24 @@ public class RecordedCommandTests
                 continue;
             int first = command.GetProperty("record").GetInt32();
             int id = command.GetProperty("command").GetInt32();
-            JsonElement answer = answers.FirstOrDefault(entry => entry.GetProperty("record").GetInt32() > first && entry.GetProperty("command").GetInt32() == id);
+            JsonElement answer = answers.FirstOrDefault(
+                entry => entry.GetProperty("record").GetInt32() > first
+                    && entry.GetProperty("command").GetInt32() == id);
             if (answer.ValueKind == JsonValueKind.Undefined)
                 continue;
             var client = new MavlinkCommandClient(ScriptedVehicle.Companion(), once);
-            Assert.True(client.TryStart(CommandOf(recording.Frames[first].Frame), recording.Frames[first].At, out int handle));
-            List<MavlinkFrame> sent = recording.Replay(first, answer.GetProperty("record").GetInt32(), client.Handle, client.TryTakeFrame);
+            Assert.True(
+                client.TryStart(CommandOf(recording.Frames[first].Frame), recording.Frames[first].At, out int handle));
+            List<MavlinkFrame> sent = recording.Replay(
+                first, answer.GetProperty("record").GetInt32(), client.Handle, client.TryTakeFrame);
 
             Assert.Equal(PayloadOf(recording.Frames[first].Frame), PayloadOf(sent[0]));
             Assert.True(client.TryTakeOutcome(out MavlinkCommandOutcome outcome), $"{name} record {first}: no outcome");
-            Assert.Equal((handle, (MavResult)answer.GetProperty("result").GetInt32()), (outcome.Handle, outcome.Result!.Value));
-            Assert.Equal(outcome.Result == MavResult.Accepted ? MavlinkCommandStatus.Accepted : MavlinkCommandStatus.Refused, outcome.Status);
+            Assert.Equal(
+                (handle, (MavResult)answer.GetProperty("result").GetInt32()), (outcome.Handle, outcome.Result!.Value));
+            Assert.Equal(
+                outcome.Result == MavResult.Accepted ? MavlinkCommandStatus.Accepted : MavlinkCommandStatus.Refused,
+                outcome.Status);
             checkedCommands++;
         }
 
@@ -62,16 +69,19 @@ public class RecordedCommandTests
         }
 
         Assert.Equal(["Appeared 1/1", "Appeared 1/191"], events.OrderBy(line => line, StringComparer.Ordinal));
-        Assert.Equal(recording.Frames.Count(entry => entry.Frame.MessageId == 0), tracker[0].Heartbeats + tracker[1].Heartbeats);
+        Assert.Equal(
+            recording.Frames.Count(entry => entry.Frame.MessageId == 0), tracker[0].Heartbeats + tracker[1].Heartbeats);
     }
 
     private static MavlinkCommand CommandOf(MavlinkFrame frame) => frame.TryDecode(out CommandLong command)
         ? MavlinkCommand.Create(
-            ScriptedVehicle.Address, command.Command, command.Param1, command.Param2, command.Param3, command.Param4, command.Param5, command.Param6, command.Param7) with
+            ScriptedVehicle.Address, command.Command, command.Param1, command.Param2, command.Param3, command.Param4,
+            command.Param5, command.Param6, command.Param7) with
         { Forms = MavlinkCommandForms.LongOnly }
         : frame.TryDecode(out CommandInt place)
             ? MavlinkCommand.AtLocation(
-                ScriptedVehicle.Address, place.Command, place.Frame, place.X, place.Y, place.Z, place.Param1, place.Param2, place.Param3, place.Param4) with
+                ScriptedVehicle.Address, place.Command, place.Frame, place.X, place.Y, place.Z, place.Param1,
+                place.Param2, place.Param3, place.Param4) with
             { Forms = MavlinkCommandForms.IntOnly }
             : default;
 

@@ -20,7 +20,8 @@ internal sealed class RecordedExchange
     /// <summary>
     /// Gives what the vehicle sent, in a range of records, to a client, and collects what the client sends.
     /// </summary>
-    public List<MavlinkFrame> Replay(int first, int last, ProtocolWorld.HandleFrame handle, ProtocolWorld.TakeFrame take)
+    public List<MavlinkFrame> Replay(
+        int first, int last, ProtocolWorld.HandleFrame handle, ProtocolWorld.TakeFrame take)
     {
         var sent = new List<MavlinkFrame>();
         for (int i = first; i <= last && i < Frames.Count; i++)

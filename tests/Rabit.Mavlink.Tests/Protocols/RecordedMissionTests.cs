@@ -28,18 +28,26 @@ public class RecordedMissionTests
             int last = transfer.GetProperty("last_record").GetInt32();
             var type = (MavMissionType)transfer.GetProperty("mission_type").GetInt32();
             var client = new MavlinkMissionClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address);
-            MissionItemInt[] listed = transfer.TryGetProperty("items", out JsonElement items) ? items.EnumerateArray().Select(ItemOf).ToArray() : [];
+            MissionItemInt[] listed = transfer.TryGetProperty("items", out JsonElement items)
+                ? items.EnumerateArray().Select(ItemOf).ToArray()
+                : [];
             TimeSpan now = recording.Frames[first].At;
             string kind = transfer.GetProperty("kind").GetString()!;
-            Assert.True(kind == "upload" ? client.TryStartUpload(type, listed, now) : kind == "download" ? client.TryStartDownload(type, now) : client.TryStartClear(type, now));
+            Assert.True(
+                kind == "upload" ? client.TryStartUpload(type, listed, now)
+                    : kind == "download" ? client.TryStartDownload(type, now)
+                    : client.TryStartClear(type, now));
             List<MavlinkFrame> sent = recording.Replay(first, last, client.Handle, client.TryTakeFrame);
 
             Assert.True(client.TryTakeOutcome(out MavlinkMissionOutcome outcome), $"{name} {kind} {type}: no outcome");
             Assert.Equal(MavlinkMissionStatus.Done, outcome.Status);
             if (kind == "upload")
-                Assert.Equal(SentItems(recording, first, last), sent.Where(IsItem).Select(PayloadOf), StringComparer.Ordinal);
+                Assert.Equal(
+                    SentItems(recording, first, last), sent.Where(IsItem).Select(PayloadOf), StringComparer.Ordinal);
             if (kind == "download")
-                Assert.Equal(listed.Select(item => item with { TargetSystem = 0, TargetComponent = 0 }), client.Items.ToArray().Select(item => item with { TargetSystem = 0, TargetComponent = 0 }));
+                Assert.Equal(
+                    listed.Select(item => item with { TargetSystem = 0, TargetComponent = 0 }),
+                    client.Items.ToArray().Select(item => item with { TargetSystem = 0, TargetComponent = 0 }));
             transfers++;
         }
 
@@ -48,8 +56,9 @@ public class RecordedMissionTests
 
     private static bool IsItem(MavlinkFrame frame) => frame.MessageId == MissionItemInt.MavlinkId;
 
-    private static IEnumerable<string> SentItems(RecordedExchange recording, int first, int last) => recording.Frames.Skip(first).Take(last - first + 1)
-        .Select(entry => entry.Frame).Where(frame => frame.ComponentId == 191 && IsItem(frame)).Select(PayloadOf);
+    private static IEnumerable<string> SentItems(RecordedExchange recording, int first, int last)
+        => recording.Frames.Skip(first).Take(last - first + 1)
+            .Select(entry => entry.Frame).Where(frame => frame.ComponentId == 191 && IsItem(frame)).Select(PayloadOf);
 
     private static string PayloadOf(MavlinkFrame frame)
     {
@@ -80,5 +89,6 @@ public class RecordedMissionTests
 
     private static float NumberOf(JsonElement value) => value.ValueKind == JsonValueKind.Number
         ? (float)value.GetDouble()
-        : string.Equals(value.GetString(), "nan", StringComparison.Ordinal) ? MavlinkParameter.ToFloat(0x7FC00000) : float.Parse(value.GetString()!, CultureInfo.InvariantCulture);
+        : string.Equals(value.GetString(), "nan", StringComparison.Ordinal) ? MavlinkParameter.ToFloat(0x7FC00000)
+        : float.Parse(value.GetString()!, CultureInfo.InvariantCulture);
 }

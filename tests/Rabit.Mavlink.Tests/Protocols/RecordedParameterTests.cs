@@ -19,12 +19,14 @@ public class RecordedParameterTests
         JsonElement facts = sidecar.RootElement;
         var recording = new RecordedExchange(name);
         var client = new MavlinkParameterClient(
-            ScriptedVehicle.Companion(), ScriptedVehicle.Address, encoding, new MavlinkParameterOptions { LateAnswerTime = TimeSpan.Zero, EmptyRounds = 100 });
+            ScriptedVehicle.Companion(), ScriptedVehicle.Address, encoding,
+            new MavlinkParameterOptions { LateAnswerTime = TimeSpan.Zero, EmptyRounds = 100 });
         JsonElement[] requests = facts.GetProperty("param_requests").EnumerateArray().ToArray();
         int list = requests[0].GetProperty("record").GetInt32();
 
         // The list with whatever was asked for again by index, up to the first read by name.
-        int afterList = Array.FindIndex(requests, request => request.TryGetProperty("name", out JsonElement text) && text.GetString()!.Length > 0);
+        int afterList = Array.FindIndex(
+            requests, request => request.TryGetProperty("name", out JsonElement text) && text.GetString()!.Length > 0);
         int end = requests[afterList].GetProperty("record").GetInt32();
         Assert.True(client.TryStartList(recording.Frames[list].At));
         recording.Replay(list, end - 1, client.Handle, client.TryTakeFrame);
@@ -42,7 +44,9 @@ public class RecordedParameterTests
         for (int i = afterList; i < requests.Length; i++)
         {
             int first = requests[i].GetProperty("record").GetInt32();
-            int last = i + 1 < requests.Length ? requests[i + 1].GetProperty("record").GetInt32() - 1 : recording.Frames.Count - 1;
+            int last = i + 1 < requests.Length
+                ? requests[i + 1].GetProperty("record").GetInt32() - 1
+                : recording.Frames.Count - 1;
             string parameter = requests[i].GetProperty("name").GetString()!;
             bool isSet = requests[i].TryGetProperty("raw", out JsonElement raw);
             Start(client, requests[i], parameter, isSet ? raw.GetString() : null, recording.Frames[first].At);
@@ -61,7 +65,8 @@ public class RecordedParameterTests
         Assert.Equal(encoding == MavlinkParameterEncoding.Bytewise, client.Hash is not null);
     }
 
-    private static void Start(MavlinkParameterClient client, JsonElement request, string name, string? raw, TimeSpan now)
+    private static void Start(
+        MavlinkParameterClient client, JsonElement request, string name, string? raw, TimeSpan now)
     {
         if (raw is not null)
         {
@@ -76,9 +81,13 @@ public class RecordedParameterTests
         }
     }
 
-    private static bool IsAnswered(JsonElement facts, JsonElement request, string name, int first, int last) => facts.GetProperty("param_values").EnumerateArray()
-        .Any(value => value.GetProperty("record").GetInt32() > first && value.GetProperty("record").GetInt32() <= last
-            && (name.Length > 0 ? value.GetProperty("name").GetString() == name : value.GetProperty("index").GetInt32() == request.GetProperty("index").GetInt32()));
+    private static bool IsAnswered(JsonElement facts, JsonElement request, string name, int first, int last)
+        => facts.GetProperty("param_values").EnumerateArray()
+            .Any(value => value.GetProperty("record").GetInt32() > first
+                && value.GetProperty("record").GetInt32() <= last
+                && (name.Length > 0
+                    ? value.GetProperty("name").GetString() == name
+                    : value.GetProperty("index").GetInt32() == request.GetProperty("index").GetInt32()));
 
     private static string PayloadOf(MavlinkFrame frame)
     {
@@ -93,12 +102,16 @@ public class RecordedParameterTests
         foreach (JsonElement value in facts.GetProperty("param_values").EnumerateArray())
         {
             if (value.GetProperty("record").GetInt32() < end && value.GetProperty("name").GetString() != "_HASH_CHECK")
-                values[value.GetProperty("name").GetString()!] = $"{value.GetProperty("type")} {value.GetProperty("value").GetDouble():R}";
+                values[value.GetProperty("name").GetString()!] =
+                    $"{value.GetProperty("type")} {value.GetProperty("value").GetDouble():R}";
         }
 
         return values.Select(pair => $"{pair.Key} {pair.Value}").OrderBy(line => line, StringComparer.Ordinal).ToList();
     }
 
-    private static List<string> Known(MavlinkParameterClient client) => Enumerable.Range(0, client.Parameters.Count).Select(index => client.Parameters[index])
-        .Select(parameter => $"{parameter.Name} {(int)parameter.Type} {parameter.ToDouble(client.Encoding):R}").OrderBy(line => line, StringComparer.Ordinal).ToList();
+    private static List<string> Known(MavlinkParameterClient client)
+        => Enumerable.Range(0, client.Parameters.Count).Select(index => client.Parameters[index])
+            .Select(parameter => $"{parameter.Name} {(int)parameter.Type} {parameter.ToDouble(client.Encoding):R}")
+            .OrderBy(line => line, StringComparer.Ordinal)
+            .ToList();
 }

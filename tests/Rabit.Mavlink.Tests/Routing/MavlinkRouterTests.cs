@@ -36,21 +36,27 @@ public class MavlinkRouterTests
     [Theory]
     // A broadcast is processed and goes to all other links, never back.
     [InlineData("broadcast to all other links", Autopilot, 1, 1, 0, 0, true, "1 2 4", MavlinkRouteReason.Broadcast)]
-    [InlineData("target system 0 with a component is a broadcast", Ground, 255, 190, 0, 1, true, "0 2 4", MavlinkRouteReason.Broadcast)]
+    [InlineData("target system 0 with a component is a broadcast", Ground, 255, 190, 0, 1, true, "0 2 4",
+        MavlinkRouteReason.Broadcast)]
     // Our address.
     [InlineData("for us alone", Ground, 255, 190, 1, 191, true, "", MavlinkRouteReason.ForUs)]
-    [InlineData("for every component of our system", Ground, 255, 190, 1, 0, true, "0 2", MavlinkRouteReason.ForOurSystem)]
-    [InlineData("for our system, from within it: not back", Autopilot, 1, 1, 1, 0, true, "2", MavlinkRouteReason.ForOurSystem)]
+    [InlineData("for every component of our system", Ground, 255, 190, 1, 0, true, "0 2",
+        MavlinkRouteReason.ForOurSystem)]
+    [InlineData("for our system, from within it: not back", Autopilot, 1, 1, 1, 0, true, "2",
+        MavlinkRouteReason.ForOurSystem)]
     // Another component of our system: only where it was seen.
     [InlineData("for the autopilot", Ground, 255, 190, 1, 1, false, "0", MavlinkRouteReason.ForOthers)]
     [InlineData("for the camera", Autopilot, 1, 1, 1, 100, false, "2", MavlinkRouteReason.ForOthers)]
-    [InlineData("for a component of ours that was not seen", Ground, 255, 190, 1, 154, false, "", MavlinkRouteReason.UnknownTarget)]
+    [InlineData("for a component of ours that was not seen", Ground, 255, 190, 1, 154, false, "",
+        MavlinkRouteReason.UnknownTarget)]
     // Another system: where the system was seen, whichever component.
     [InlineData("for the ground station", Autopilot, 1, 1, 255, 190, false, "1", MavlinkRouteReason.ForOthers)]
     [InlineData("for another system, all components", Ground, 255, 190, 2, 0, false, "2", MavlinkRouteReason.ForOthers)]
-    [InlineData("for another system, a component not seen", Ground, 255, 190, 2, 77, false, "2", MavlinkRouteReason.ForOthers)]
+    [InlineData("for another system, a component not seen", Ground, 255, 190, 2, 77, false, "2",
+        MavlinkRouteReason.ForOthers)]
     [InlineData("for a system that was not seen", Ground, 255, 190, 3, 1, false, "", MavlinkRouteReason.UnknownTarget)]
-    [InlineData("for one who is only on the link it came from", Other, 1, 100, 2, 1, false, "", MavlinkRouteReason.ForOthers)]
+    [InlineData("for one who is only on the link it came from", Other, 1, 100, 2, 1, false, "",
+        MavlinkRouteReason.ForOthers)]
     // A log is neither a source nor a target of forwarding.
     [InlineData("broadcast from a log stays here", Log, 9, 1, 0, 0, true, "", MavlinkRouteReason.Broadcast)]
     [InlineData("addressed from a log stays here", Log, 9, 1, 1, 1, false, "", MavlinkRouteReason.ForOthers)]
@@ -61,12 +67,15 @@ public class MavlinkRouterTests
     // A frame of a sender without an address is delivered.
     [InlineData("from system 0", Quiet, 0, 0, 0, 0, true, "0 1 2", MavlinkRouteReason.Broadcast)]
     public void Route_Clause(
-        string clause, int link, byte system, byte component, byte targetSystem, byte targetComponent, bool isLocal, string links, MavlinkRouteReason reason)
+        string clause, int link, byte system, byte component, byte targetSystem, byte targetComponent, bool isLocal,
+        string links, MavlinkRouteReason reason)
     {
         var command = new CommandLong { TargetSystem = targetSystem, TargetComponent = targetComponent };
-        MavlinkRoute route = _router.Route(link, MavlinkFrame.Create(command, system, component, 0), Wire.Info<CommandLong>(), isChecked: true);
+        MavlinkRoute route = _router.Route(
+            link, MavlinkFrame.Create(command, system, component, 0), Wire.Info<CommandLong>(), isChecked: true);
 
-        Assert.Equal((clause, isLocal, links, reason), (clause, route.DeliverLocally, Links(route.ForwardTo), route.Reason));
+        Assert.Equal(
+            (clause, isLocal, links, reason), (clause, route.DeliverLocally, Links(route.ForwardTo), route.Reason));
     }
 
     [Theory]
@@ -92,7 +101,9 @@ public class MavlinkRouterTests
     {
         MavlinkRoute route = Receive(Autopilot, 1, 1);
 
-        Assert.Equal((MavlinkRouteReason.Broadcast, true, "1 2 4"), (route.Reason, route.DeliverLocally, Links(route.ForwardTo)));
+        Assert.Equal(
+            (MavlinkRouteReason.Broadcast, true, "1 2 4"),
+            (route.Reason, route.DeliverLocally, Links(route.ForwardTo)));
     }
 
     [Fact]
@@ -104,14 +115,17 @@ public class MavlinkRouterTests
 
         MavlinkRoute route = _router.Route(Autopilot, frame, info);
 
-        Assert.Equal((MavlinkRouteReason.UnknownMessage, false, "1 2 4"), (route.Reason, route.DeliverLocally, Links(route.ForwardTo)));
+        Assert.Equal(
+            (MavlinkRouteReason.UnknownMessage, false, "1 2 4"),
+            (route.Reason, route.DeliverLocally, Links(route.ForwardTo)));
         Assert.Equal(0UL, _router.LinksOf(1, 1));
     }
 
     [Fact]
     public void Route_SignedFrame_IsRoutedLikeAnyOther()
     {
-        MavlinkFrame frame = Wire.Single(Wire.V2(0, [1], Wire.Info<Heartbeat>().CrcExtra, incompatibilityFlags: 1), out MavlinkFrameInfo info);
+        MavlinkFrame frame = Wire.Single(
+            Wire.V2(0, [1], Wire.Info<Heartbeat>().CrcExtra, incompatibilityFlags: 1), out MavlinkFrameInfo info);
 
         Assert.Equal("1 2 4", Links(_router.Route(Autopilot, frame, info).ForwardTo));
     }
@@ -146,7 +160,9 @@ public class MavlinkRouterTests
     {
         MavlinkMessageInfo info = Wire.Info<SetupSigning>();
 
-        Assert.Equal("0", Links(_router.RouteOwn(MavlinkFrame.Create(new SetupSigning { TargetSystem = 1, TargetComponent = 1 }, 1, 191, 0), info)));
+        Assert.Equal("0", Links(
+            _router.RouteOwn(
+                MavlinkFrame.Create(new SetupSigning { TargetSystem = 1, TargetComponent = 1 }, 1, 191, 0), info)));
         Assert.Equal("", Links(_router.RouteOwn(MavlinkFrame.Create(new SetupSigning(), 1, 191, 0), info)));
     }
 
@@ -185,9 +201,11 @@ public class MavlinkRouterTests
     public void SetOwnAddress_AnotherSystem_IsOursFromThenOn()
     {
         _router.SetOwnAddress(2, 191);
-        MavlinkFrame command = MavlinkFrame.Create(new CommandLong { TargetSystem = 2, TargetComponent = 191 }, 255, 190, 0);
+        MavlinkFrame command = MavlinkFrame.Create(
+            new CommandLong { TargetSystem = 2, TargetComponent = 191 }, 255, 190, 0);
 
-        Assert.Equal(MavlinkRouteReason.ForUs, _router.Route(Ground, command, Wire.Info<CommandLong>(), isChecked: true).Reason);
+        Assert.Equal(
+            MavlinkRouteReason.ForUs, _router.Route(Ground, command, Wire.Info<CommandLong>(), isChecked: true).Reason);
         Assert.Equal(MavlinkRouteReason.OurOwn, Receive(Ground, 2, 191).Reason);
         Assert.Equal("2", Links(_router.LinksOf(2, 1)));
         Assert.Throws<ArgumentOutOfRangeException>("systemId", () => _router.SetOwnAddress(0, 1));
@@ -197,7 +215,8 @@ public class MavlinkRouterTests
     public void AddOwnComponent_WhatIsAddressedToItIsForUsAlone_WhatComesFromItIsAnEcho()
     {
         _router.AddOwnComponent(154);
-        MavlinkFrame toIt = MavlinkFrame.Create(new CommandLong { TargetSystem = 1, TargetComponent = 154 }, 255, 190, 0);
+        MavlinkFrame toIt = MavlinkFrame.Create(
+            new CommandLong { TargetSystem = 1, TargetComponent = 154 }, 255, 190, 0);
         MavlinkFrame fromIt = MavlinkFrame.Create(new Heartbeat(), 1, 154, 0);
 
         MavlinkRoute route = _router.Route(Ground, toIt, targetSystem: 1, targetComponent: 154, isChecked: true);
@@ -223,7 +242,8 @@ public class MavlinkRouterTests
         var router = new MavlinkRouter(1, 191, maxSources: 1);
         router.SetLink(63, MavlinkLinkRules.Live);
         foreach (byte component in new byte[] { 1, 2, 1, 2 })
-            router.Route(63, MavlinkFrame.Create(default(Heartbeat), 1, component, 0), Wire.Info<Heartbeat>(), isChecked: true);
+            router.Route(
+                63, MavlinkFrame.Create(default(Heartbeat), 1, component, 0), Wire.Info<Heartbeat>(), isChecked: true);
 
         Assert.Equal((1, 2), (router.Sources, router.Counters.SourcesRefused));
         Assert.Equal((1UL << 63, 0UL), (router.LinksOf(1, 1), router.LinksOf(1, 2)));
@@ -235,12 +255,15 @@ public class MavlinkRouterTests
         MavlinkRouterCounters before = _router.Counters;
         Receive(Autopilot, 1, 1);
         Receive(Ground, 1, 191);
-        _router.Route(Ground, MavlinkFrame.Create(new CommandLong { TargetSystem = 3 }, 255, 190, 0), Wire.Info<CommandLong>(), isChecked: true);
+        _router.Route(
+            Ground, MavlinkFrame.Create(new CommandLong { TargetSystem = 3 }, 255, 190, 0), Wire.Info<CommandLong>(),
+            isChecked: true);
         AssertLinkLocal(new RadioStatus(), isLocal: true);
         MavlinkRouterCounters after = _router.Counters;
 
         Assert.Equal((2, 1), (after.Delivered - before.Delivered, after.Forwarded - before.Forwarded));
-        Assert.Equal((1, 1, 1), (after.OurOwn - before.OurOwn, after.UnknownTargets - before.UnknownTargets, after.LinkLocal - before.LinkLocal));
+        Assert.Equal((1, 1, 1), (after.OurOwn - before.OurOwn, after.UnknownTargets - before.UnknownTargets,
+            after.LinkLocal - before.LinkLocal));
     }
 
     [Fact]
@@ -253,13 +276,17 @@ public class MavlinkRouterTests
     }
 
     private MavlinkRoute Receive(int link, byte system, byte component) =>
-        _router.Route(link, MavlinkFrame.Create(default(Heartbeat), system, component, 0), Wire.Info<Heartbeat>(), isChecked: true);
+        _router.Route(
+            link, MavlinkFrame.Create(default(Heartbeat), system, component, 0), Wire.Info<Heartbeat>(),
+            isChecked: true);
 
     private void AssertLinkLocal<T>(T message, bool isLocal)
         where T : struct, IMavlinkMessage
     {
-        MavlinkRoute route = _router.Route(Ground, MavlinkFrame.Create(message, 255, 190, 0), Wire.Info<T>(), isChecked: true);
-        Assert.Equal((MavlinkRouteReason.LinkLocal, isLocal, 0UL), (route.Reason, route.DeliverLocally, route.ForwardTo));
+        MavlinkRoute route = _router.Route(
+            Ground, MavlinkFrame.Create(message, 255, 190, 0), Wire.Info<T>(), isChecked: true);
+        Assert.Equal(
+            (MavlinkRouteReason.LinkLocal, isLocal, 0UL), (route.Reason, route.DeliverLocally, route.ForwardTo));
     }
 
     private static string Links(ulong mask)

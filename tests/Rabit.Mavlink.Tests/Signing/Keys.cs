@@ -15,7 +15,8 @@ internal static class Keys
 
     public static MavlinkSigningKey Of(byte seed) => new(Bytes(seed));
 
-    public static byte[] Bytes(byte seed) => Enumerable.Range(0, MavlinkSigningKey.Length).Select(i => (byte)((i * 7) + seed)).ToArray();
+    public static byte[] Bytes(byte seed)
+        => Enumerable.Range(0, MavlinkSigningKey.Length).Select(i => (byte)((i * 7) + seed)).ToArray();
 
     public static MavlinkSigningKey Of(JsonElement hex) => new(TestData.FromHex(hex.GetString()!));
 
@@ -27,10 +28,12 @@ internal static class Keys
         return clock;
     }
 
-    public static void Set(MavlinkSigningClock clock, long timestamp) => clock.Advance(MavlinkSigningClock.ToUtc(timestamp), TimeSpan.Zero);
+    public static void Set(MavlinkSigningClock clock, long timestamp)
+        => clock.Advance(MavlinkSigningClock.ToUtc(timestamp), TimeSpan.Zero);
 
     /// <summary>A heartbeat, signed at a time.</summary>
-    public static MavlinkFrame Signed(long timestamp, MavlinkSigningKey? key = null, byte systemId = 1, byte componentId = 1, byte linkId = 0)
+    public static MavlinkFrame Signed(
+        long timestamp, MavlinkSigningKey? key = null, byte systemId = 1, byte componentId = 1, byte linkId = 0)
     {
         var signer = new MavlinkSigner(key ?? One, linkId, ClockAt(timestamp));
         return signer.Sign(Unsigned(systemId, componentId), Heartbeat.MavlinkCrcExtra);

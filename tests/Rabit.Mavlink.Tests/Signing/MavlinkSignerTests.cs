@@ -21,8 +21,11 @@ public class MavlinkSignerTests
             MavlinkFrame signed = SignerOf(vector).Sign(unsigned, info.Message.CrcExtra);
 
             Assert.True(vector.V2Signed.AsSpan().SequenceEqual(Wire.Bytes(signed)), vector.ToString());
-            Assert.True(vector.V2Signed.AsSpan().SequenceEqual(Wire.Bytes(SignerOf(vector).Sign(unsigned))), vector.ToString());
-            Assert.True(vector.V2.AsSpan().SequenceEqual(Wire.Bytes(signed.WithoutSignature(info.Message.CrcExtra))), vector.ToString());
+            Assert.True(
+                vector.V2Signed.AsSpan().SequenceEqual(Wire.Bytes(SignerOf(vector).Sign(unsigned))), vector.ToString());
+            Assert.True(
+                vector.V2.AsSpan().SequenceEqual(Wire.Bytes(signed.WithoutSignature(info.Message.CrcExtra))),
+                vector.ToString());
         }
     }
 
@@ -65,7 +68,8 @@ public class MavlinkSignerTests
         MavlinkFrame first = Keys.Signed(Keys.Noon, Keys.Of(50), linkId: 4);
         var signer = new MavlinkSigner(Keys.One, 1, Keys.ClockAt(Keys.Noon));
 
-        Assert.Equal(Wire.Bytes(Keys.Signed(Keys.Noon, linkId: 1)), Wire.Bytes(signer.Sign(first, Heartbeat.MavlinkCrcExtra)));
+        Assert.Equal(
+            Wire.Bytes(Keys.Signed(Keys.Noon, linkId: 1)), Wire.Bytes(signer.Sign(first, Heartbeat.MavlinkCrcExtra)));
     }
 
     [Fact]
@@ -98,12 +102,14 @@ public class MavlinkSignerTests
     {
         var clock = new MavlinkSigningClock(vector.Signing.GetProperty("timestamp").GetInt64());
         Keys.Set(clock, 0);
-        return new MavlinkSigner(Keys.Of(vector.Signing.GetProperty("key")), vector.Signing.GetProperty("link_id").GetByte(), clock);
+        return new MavlinkSigner(
+            Keys.Of(vector.Signing.GetProperty("key")), vector.Signing.GetProperty("link_id").GetByte(), clock);
     }
 
     private static Remake RemakeOf(Type message) => (Remake)Delegate.CreateDelegate(
         typeof(Remake),
-        typeof(MavlinkSignerTests).GetMethod(nameof(DecodeAndSend), BindingFlags.NonPublic | BindingFlags.Static)!.MakeGenericMethod(message));
+        typeof(MavlinkSignerTests).GetMethod(nameof(DecodeAndSend), BindingFlags.NonPublic | BindingFlags.Static)!
+            .MakeGenericMethod(message));
 
     private static byte[] DecodeAndSend<T>(in MavlinkFrame frame, MavlinkSigner signer)
         where T : struct, IMavlinkMessage

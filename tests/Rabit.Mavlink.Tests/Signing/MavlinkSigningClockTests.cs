@@ -15,7 +15,8 @@ public class MavlinkSigningClockTests
     public void ToTimestamp_KnownTimes_CountsFrom2015InTensOfMicroseconds()
     {
         Assert.Equal(0, MavlinkSigningClock.ToTimestamp(new DateTime(2015, 1, 1, 0, 0, 0, DateTimeKind.Utc)));
-        Assert.Equal(86_400L * Second, MavlinkSigningClock.ToTimestamp(new DateTime(2015, 1, 2, 0, 0, 0, DateTimeKind.Utc)));
+        Assert.Equal(
+            86_400L * Second, MavlinkSigningClock.ToTimestamp(new DateTime(2015, 1, 2, 0, 0, 0, DateTimeKind.Utc)));
         Assert.Equal(0, MavlinkSigningClock.ToTimestamp(new DateTime(1970, 1, 1, 0, 0, 0, DateTimeKind.Utc)));
         Assert.Equal(Keys.Noon, MavlinkSigningClock.ToTimestamp(MavlinkSigningClock.ToUtc(Keys.Noon)));
     }
@@ -71,7 +72,9 @@ public class MavlinkSigningClockTests
 
     [Fact]
     public void Advance_LocalTime_IsRefused() =>
-        Assert.Throws<ArgumentException>(() => new MavlinkSigningClock().Advance(new DateTime(2026, 1, 1, 0, 0, 0, DateTimeKind.Local), TimeSpan.Zero));
+        Assert.Throws<ArgumentException>(
+            () => new MavlinkSigningClock()
+                .Advance(new DateTime(2026, 1, 1, 0, 0, 0, DateTimeKind.Local), TimeSpan.Zero));
 
     [Fact]
     public void Next_MoreFramesThanTicks_NeverGivesATimeTwice()
@@ -97,7 +100,8 @@ public class MavlinkSigningClockTests
     [Theory]
     [InlineData(-1)]
     [InlineData(1L << 48)]
-    public void New_NotATimestamp_IsRefused(long earliest) => Assert.Throws<ArgumentOutOfRangeException>(() => new MavlinkSigningClock(earliest));
+    public void New_NotATimestamp_IsRefused(long earliest)
+        => Assert.Throws<ArgumentOutOfRangeException>(() => new MavlinkSigningClock(earliest));
 
     [Fact]
     public void Advance_WithAStore_WritesBothPlacesInTurnAtLeastOnceAMinute()

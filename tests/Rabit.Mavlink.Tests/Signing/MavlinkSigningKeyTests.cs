@@ -46,7 +46,8 @@ public class MavlinkSigningKeyTests
     }
 
     [Fact]
-    public void FromPassphrase_Nothing_IsRefused() => Assert.Throws<ArgumentException>(() => MavlinkSigningKey.FromPassphrase(""));
+    public void FromPassphrase_Nothing_IsRefused()
+        => Assert.Throws<ArgumentException>(() => MavlinkSigningKey.FromPassphrase(""));
 
     [Fact]
     public void Matches_EveryGoldenLine_IsTrueForItsKeyAndNoOther()
@@ -92,7 +93,8 @@ public class MavlinkSigningKeyTests
         setup.SecretKey.CopyTo(carried);
 
         Assert.Equal(Keys.Bytes(1), carried);
-        Assert.Equal(((byte)1, (byte)0, (ulong)Keys.Noon), (setup.TargetSystem, setup.TargetComponent, setup.InitialTimestamp));
+        Assert.Equal(
+            ((byte)1, (byte)0, (ulong)Keys.Noon), (setup.TargetSystem, setup.TargetComponent, setup.InitialTimestamp));
     }
 
     [Fact]
@@ -111,7 +113,9 @@ public class MavlinkSigningKeyTests
         Assert.Throws<ObjectDisposedException>(() => key.CopyTo(new byte[32]));
         Assert.Throws<ObjectDisposedException>(() => key.CreateSetup(1, 1, 0));
         Assert.Throws<ObjectDisposedException>(() => signer.Sign(Keys.Unsigned(), Heartbeat.MavlinkCrcExtra));
-        var secret = (byte[])typeof(MavlinkSigningKey).GetField("_secret", BindingFlags.NonPublic | BindingFlags.Instance)!.GetValue(key)!;
+        var secret = (byte[])typeof(MavlinkSigningKey).GetField(
+            "_secret", BindingFlags.NonPublic | BindingFlags.Instance)!.GetValue(
+            key)!;
         Assert.All(secret, value => Assert.Equal(0, value));
     }
 
@@ -136,7 +140,8 @@ public class MavlinkSigningKeyTests
         byte[] tooLong = [.. Keys.Bytes(1), 99];
         AssertDisclosesNothing(Assert.Throws<ArgumentException>(() => new MavlinkSigningKey(tooLong)).ToString());
         AssertDisclosesNothing(Assert.Throws<ArgumentException>(() => Keys.One.CopyTo(new byte[31])).ToString());
-        AssertDisclosesNothing(Assert.Throws<ArgumentOutOfRangeException>(() => Keys.One.CreateSetup(0, 0, 0)).ToString());
+        AssertDisclosesNothing(
+            Assert.Throws<ArgumentOutOfRangeException>(() => Keys.One.CreateSetup(0, 0, 0)).ToString());
     }
 
     private static IEnumerable<string> TextsOf(object holder) => holder.GetType()

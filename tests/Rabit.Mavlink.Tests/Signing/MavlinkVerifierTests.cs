@@ -26,7 +26,8 @@ public class MavlinkVerifierTests
         long start = receiver.GetProperty("clock_ticks_at_start").GetInt64();
         MavlinkSigningClock clock = Keys.ClockAt(start);
         var verifier = new MavlinkVerifier(key, clock);
-        Dictionary<long, MavlinkFrame> found = FrameCollector.Read(bytes, bytes.Length, new MavlinkFrameReader(MavlinkDialect.All))
+        Dictionary<long, MavlinkFrame> found = FrameCollector.Read(
+            bytes, bytes.Length, new MavlinkFrameReader(MavlinkDialect.All))
             .ToDictionary(frame => frame.Info.StreamOffset, frame => frame.Frame);
 
         int listed = 0;
@@ -40,14 +41,18 @@ public class MavlinkVerifierTests
             string result = found.TryGetValue(row.GetProperty("offset").GetInt64(), out MavlinkFrame frame)
                 ? TextOf(verifier.Verify(frame))
                 : "reject bad_checksum";
-            string[] reasons = [.. row.GetProperty("reasons_all").EnumerateArray().Select(reason => $"{row.GetProperty("action")} {reason}")];
-            Assert.True(reasons.Contains(result, StringComparer.Ordinal), $"frame {row.GetProperty("i")}: {result}, listed {string.Join(" or ", reasons)}");
+            string[] reasons = [.. row.GetProperty("reasons_all").EnumerateArray()
+                .Select(reason => $"{row.GetProperty("action")} {reason}")];
+            Assert.True(
+                reasons.Contains(result, StringComparer.Ordinal),
+                $"frame {row.GetProperty("i")}: {result}, listed {string.Join(" or ", reasons)}");
             listed++;
         }
 
         Assert.Equal(500, listed);
         MavlinkSignatureCounters counters = verifier.Counters;
-        Assert.Equal((369, 12, 12, 48), (counters.Valid, counters.UnsignedAllowed, counters.NotSigned, counters.BadSignatures));
+        Assert.Equal(
+            (369, 12, 12, 48), (counters.Valid, counters.UnsignedAllowed, counters.NotSigned, counters.BadSignatures));
         Assert.Equal((40, 13, 0), (counters.OldTimestamps, counters.NewStreamsTooOld, counters.TooManyStreams));
         Assert.Equal(29, verifier.Streams);
     }
@@ -70,7 +75,9 @@ public class MavlinkVerifierTests
     {
         _verifier.Verify(Keys.Signed(Keys.Noon));
 
-        Assert.Equal(MavlinkSignatureResult.ValidNewStream, _verifier.Verify(Keys.Signed(Keys.Noon - 10, null, systemId, componentId, linkId)));
+        Assert.Equal(
+            MavlinkSignatureResult.ValidNewStream,
+            _verifier.Verify(Keys.Signed(Keys.Noon - 10, null, systemId, componentId, linkId)));
         Assert.Equal(2, _verifier.Streams);
     }
 
@@ -78,7 +85,8 @@ public class MavlinkVerifierTests
     public void Verify_NewStreamOneMinuteBehind_IsAcceptedAndOneTickMoreIsNot()
     {
         Assert.Equal(MavlinkSignatureResult.ValidNewStream, _verifier.Verify(Keys.Signed(Keys.Noon - 6_000_000)));
-        Assert.Equal(MavlinkSignatureResult.NewStreamTooOld, _verifier.Verify(Keys.Signed(Keys.Noon - 6_000_001, systemId: 2)));
+        Assert.Equal(
+            MavlinkSignatureResult.NewStreamTooOld, _verifier.Verify(Keys.Signed(Keys.Noon - 6_000_001, systemId: 2)));
         Assert.Equal(1, _verifier.Streams);
     }
 
@@ -121,8 +129,11 @@ public class MavlinkVerifierTests
         {
             for (int stream = 0; stream < 2000; stream++)
             {
-                MavlinkFrame frame = Keys.Signed(Keys.Noon + round, null, (byte)(1 + (stream % 200)), 1, (byte)(stream / 200));
-                Assert.Equal(round == 0 ? MavlinkSignatureResult.ValidNewStream : MavlinkSignatureResult.Valid, verifier.Verify(frame));
+                MavlinkFrame frame = Keys.Signed(
+                    Keys.Noon + round, null, (byte)(1 + (stream % 200)), 1, (byte)(stream / 200));
+                Assert.Equal(
+                    round == 0 ? MavlinkSignatureResult.ValidNewStream : MavlinkSignatureResult.Valid,
+                    verifier.Verify(frame));
                 Assert.Equal(MavlinkSignatureResult.OldTimestamp, verifier.Verify(frame));
             }
         }
@@ -132,7 +143,9 @@ public class MavlinkVerifierTests
     public void Verify_Unsigned_OnlyRadioStatusPasses()
     {
         Assert.Equal(MavlinkSignatureResult.NotSigned, _verifier.Verify(Keys.Unsigned()));
-        Assert.Equal(MavlinkSignatureResult.UnsignedAllowed, _verifier.Verify(MavlinkFrame.Create(default(RadioStatus), 51, 68, 0)));
+        Assert.Equal(
+            MavlinkSignatureResult.UnsignedAllowed,
+            _verifier.Verify(MavlinkFrame.Create(default(RadioStatus), 51, 68, 0)));
         Assert.Equal(MavlinkSignatureResult.NotSigned, _verifier.Verify(default));
         Assert.Equal((2, 1), (_verifier.Counters.NotSigned, _verifier.Counters.UnsignedAllowed));
     }
@@ -140,7 +153,8 @@ public class MavlinkVerifierTests
     [Fact]
     public void Verify_UnsignedWithARuleOfOnesOwn_AsksItWithTheLink()
     {
-        var verifier = new MavlinkVerifier(Keys.One, _clock, (in MavlinkFrame frame, int link) => link == 3 && frame.SystemId == 1);
+        var verifier = new MavlinkVerifier(
+            Keys.One, _clock, (in MavlinkFrame frame, int link) => link == 3 && frame.SystemId == 1);
 
         Assert.Equal(MavlinkSignatureResult.UnsignedAllowed, verifier.Verify(Keys.Unsigned(), link: 3));
         Assert.Equal(MavlinkSignatureResult.NotSigned, verifier.Verify(Keys.Unsigned(), link: 2));
@@ -185,7 +199,8 @@ public class MavlinkVerifierTests
     [InlineData(MavlinkSignatureResult.OldTimestamp, false)]
     [InlineData(MavlinkSignatureResult.NewStreamTooOld, false)]
     [InlineData(MavlinkSignatureResult.TooManyStreams, false)]
-    public void IsAccepted_EachResult_IsAsDocumented(MavlinkSignatureResult result, bool expected) => Assert.Equal(expected, result.IsAccepted());
+    public void IsAccepted_EachResult_IsAsDocumented(MavlinkSignatureResult result, bool expected)
+        => Assert.Equal(expected, result.IsAccepted());
 
     private static string TextOf(MavlinkSignatureResult result) => result switch
     {

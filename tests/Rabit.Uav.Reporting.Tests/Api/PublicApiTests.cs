@@ -11,5 +11,6 @@ public sealed class PublicApiTests
 {
     [Fact]
     public void PublicSurface_OfTheAssembly_IsThatOfTheFile()
-        => PublicApiText.AssertUnchanged(typeof(FlightRecorderManager).Assembly, "tests/Rabit.Uav.Reporting.Tests/Api/PublicApi.txt");
+        => PublicApiText.AssertUnchanged(
+            typeof(FlightRecorderManager).Assembly, "tests/Rabit.Uav.Reporting.Tests/Api/PublicApi.txt");
 }

@@ -51,7 +51,9 @@ public sealed class FlightRecorderManagerTests : IDisposable
         Assert.Equal(50, record.FlownMetres, 3);
         Assert.Equal(10, record.ArmedTime.TotalSeconds, 3);
         Assert.Equal(40, record.MaxHeightAboveHomeMetres);
-        Assert.Equal([MissionPhase.WaitingForVehicle, MissionPhase.Searching, MissionPhase.Done], record.Phases.Select(p => p.Phase));
+        Assert.Equal(
+            [MissionPhase.WaitingForVehicle, MissionPhase.Searching, MissionPhase.Done],
+            record.Phases.Select(p => p.Phase));
         Assert.Equal([HealthLevel.Good], record.HealthChanges.Select(h => h.Report.Level));
         Assert.InRange(record.Managers.Single().Samples.Count, 6, 8);
     }

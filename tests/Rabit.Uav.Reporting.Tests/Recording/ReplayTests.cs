@@ -9,7 +9,9 @@ using Xunit;
 
 namespace Rabit.Uav.Reporting.Tests;
 
-/// <summary>The recorder beside all managers on the recorded flights, compared with the facts listed beside them.</summary>
+/// <summary>
+/// The recorder beside all managers on the recorded flights, compared with the facts listed beside them.
+/// </summary>
 public sealed class ReplayTests
 {
     [Theory]
@@ -27,12 +29,14 @@ public sealed class ReplayTests
         Assert.Equal(facts.GetProperty("sequence")[0].GetProperty("frames").GetInt64(), telemetry.Frames);
         Assert.Equal(
             (0L, 0L, 0L, 0L),
-            (telemetry.FramesDropped, telemetry.ModeChangesLeftOut, telemetry.StatusTextsLeftOut, telemetry.AcknowledgementsLeftOut));
+            (telemetry.FramesDropped, telemetry.ModeChangesLeftOut, telemetry.StatusTextsLeftOut,
+                telemetry.AcknowledgementsLeftOut));
     }
 
     [Theory]
     [InlineData("ardupilot-flight", "STABILIZE GUIDED BRAKE RTL")]
-    [InlineData("px4-flight", "AUTO.LOITER AUTO.TAKEOFF AUTO.LOITER POSCTL.ORBIT OFFBOARD AUTO.LOITER AUTO.RTL AUTO.LOITER")]
+    [InlineData("px4-flight",
+        "AUTO.LOITER AUTO.TAKEOFF AUTO.LOITER POSCTL.ORBIT OFFBOARD AUTO.LOITER AUTO.RTL AUTO.LOITER")]
     public void ModeChanges_RecordedFlight_NamesTheModesInOrder(string name, string modes)
     {
         var names = new List<string>();

@@ -23,7 +23,8 @@ internal static class TelemetryFacts
 
     public static IEnumerable<string> Describe(TelemetryRecord telemetry) =>
     [
-        SidecarFacts.Line(telemetry.Autopilot!, telemetry.VehicleType!, telemetry.SystemId, telemetry.ComponentId, telemetry.Frames),
+        SidecarFacts.Line(
+            telemetry.Autopilot!, telemetry.VehicleType!, telemetry.SystemId, telemetry.ComponentId, telemetry.Frames),
         SidecarFacts.Line(telemetry.FirstUtcMicroseconds!, telemetry.LastUtcMicroseconds!),
         .. telemetry.ModeChanges.Select(c => c.Mode + " " + Text(c)),
         .. telemetry.Acknowledgements.Select(Text),
@@ -33,14 +34,20 @@ internal static class TelemetryFacts
 
     private static IEnumerable<string> Ranges(TelemetryRecord telemetry)
         => RangeNames.Zip(
-            new[] { telemetry.LatitudeDegE7, telemetry.LongitudeDegE7, telemetry.AltitudeAmslMillimetres, telemetry.HeightAboveHomeMillimetres },
+            new[]
+            {
+                telemetry.LatitudeDegE7, telemetry.LongitudeDegE7, telemetry.AltitudeAmslMillimetres,
+                telemetry.HeightAboveHomeMillimetres
+            },
             (name, range) => SidecarFacts.Line(name, range!.Value.Minimum, range.Value.Maximum));
 
     private static string Text(FlightModeChange c)
-        => SidecarFacts.Line(c.Record, c.UtcMicroseconds, c.CustomMode, (long)c.BaseMode, c.IsArmed, (long)c.SystemStatus);
+        => SidecarFacts.Line(
+            c.Record, c.UtcMicroseconds, c.CustomMode, (long)c.BaseMode, c.IsArmed, (long)c.SystemStatus);
 
     private static string Text(FlightAcknowledgement a) => SidecarFacts.Line(
-        a.Record, a.UtcMicroseconds, (long)a.Command, (long)a.Result, a.Progress, a.ResultParam2, a.TargetSystem, a.TargetComponent);
+        a.Record, a.UtcMicroseconds, (long)a.Command, (long)a.Result, a.Progress, a.ResultParam2, a.TargetSystem,
+        a.TargetComponent);
 
     private static string Text(FlightStatusText t)
         => SidecarFacts.Line(t.Record, t.UtcMicroseconds, t.SystemId, t.ComponentId, (long)t.Severity, t.Text);

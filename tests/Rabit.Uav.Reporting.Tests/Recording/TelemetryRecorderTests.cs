@@ -54,7 +54,8 @@ public class TelemetryRecorderTests
 
         Assert.Equal(
             ["0 STABILIZE False Standby", "2 GUIDED False Standby", "3 GUIDED True Standby", "4 GUIDED True Active"],
-            System.Linq.Enumerable.Select(ToRecord().ModeChanges, c => $"{c.Record} {c.Mode} {c.IsArmed} {c.SystemStatus}"));
+            System.Linq.Enumerable.Select(
+                ToRecord().ModeChanges, c => $"{c.Record} {c.Mode} {c.IsArmed} {c.SystemStatus}"));
     }
 
     [Fact]
@@ -84,7 +85,9 @@ public class TelemetryRecorderTests
         Assert.Equal(TelemetryRecord.ListCapacity, flight.ModeChanges.Count);
         Assert.Equal(TelemetryRecord.ListCapacity, flight.StatusTexts.Count);
         Assert.Equal(TelemetryRecord.ListCapacity, flight.Acknowledgements.Count);
-        Assert.Equal((Extra, Extra, Extra), (flight.ModeChangesLeftOut, flight.StatusTextsLeftOut, flight.AcknowledgementsLeftOut));
+        Assert.Equal(
+            (Extra, Extra, Extra),
+            (flight.ModeChangesLeftOut, flight.StatusTextsLeftOut, flight.AcknowledgementsLeftOut));
         Assert.Equal(3 * (TelemetryRecord.ListCapacity + Extra), flight.Frames);
     }
 
@@ -96,7 +99,9 @@ public class TelemetryRecorderTests
         Record(new Statustext { Text = new Text50("of the vehicle") });
         Record(new CommandAck { Command = MavCmd.NavLand }, system: 7);
 
-        Assert.Equal([(7, "early"), (1, "of the vehicle")], System.Linq.Enumerable.Select(ToRecord().StatusTexts, t => ((int)t.SystemId, t.Text)));
+        Assert.Equal(
+            [(7, "early"), (1, "of the vehicle")],
+            System.Linq.Enumerable.Select(ToRecord().StatusTexts, t => ((int)t.SystemId, t.Text)));
         Assert.Equal(7, Assert.Single(ToRecord().Acknowledgements).SystemId);
     }
 
@@ -150,15 +155,17 @@ public class TelemetryRecorderTests
     }
 
     private static Heartbeat Copter(
-        CopterMode mode = CopterMode.Stabilize, MavModeFlag flags = MavModeFlag.CustomModeEnabled, MavState status = MavState.Standby) => new()
-        {
-            Type = MavType.Quadrotor,
-            Autopilot = MavAutopilot.Ardupilotmega,
-            BaseMode = flags,
-            CustomMode = (uint)mode,
-            SystemStatus = status,
-            MavlinkVersion = 3,
-        };
+        CopterMode mode = CopterMode.Stabilize, MavModeFlag flags = MavModeFlag.CustomModeEnabled,
+        MavState status = MavState.Standby)
+            => new()
+            {
+                Type = MavType.Quadrotor,
+                Autopilot = MavAutopilot.Ardupilotmega,
+                BaseMode = flags,
+                CustomMode = (uint)mode,
+                SystemStatus = status,
+                MavlinkVersion = 3,
+            };
 
     private static (int Minimum, int Maximum) Pair(FlightRange? range) => (range!.Value.Minimum, range.Value.Maximum);
 }

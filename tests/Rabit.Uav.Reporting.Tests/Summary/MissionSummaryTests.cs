@@ -9,7 +9,9 @@ public sealed class MissionSummaryTests
 {
     [Fact]
     public void Failures_GivenUpAndTruthNotKnown_NamesTheReason()
-        => Assert.Equal("the search was given up before its end: no pictures", Assert.Single(Of(Landed(MissionFailures.GivenUp, "no pictures")).Failures));
+        => Assert.Equal(
+            "the search was given up before its end: no pictures",
+            Assert.Single(Of(Landed(MissionFailures.GivenUp, "no pictures")).Failures));
 
     [Fact]
     public void Failures_GivenUpAfterAllTargetsWereFound_AreNone()
@@ -25,27 +27,36 @@ public sealed class MissionSummaryTests
     [Fact]
     public void Failures_StillInTheAir_SaysWhereAndThatItIsNotCommanded()
     {
-        FlightRecord record = Flown(new MissionResult { HasFlown = true, Failures = MissionFailures.NotLanded }, isArmed: true);
+        FlightRecord record = Flown(
+            new MissionResult { HasFlown = true, Failures = MissionFailures.NotLanded }, isArmed: true);
 
         Assert.Equal(
-            "it has not landed: it is armed, 29.8 m high, in mode GUIDED; it is not commanded any more", Assert.Single(Of(record).Failures));
+            "it has not landed: it is armed, 29.8 m high, in mode GUIDED; it is not commanded any more",
+            Assert.Single(Of(record).Failures));
     }
 
     [Fact]
     public void Failures_NotFlown_SaysWhy()
         => Assert.Equal(
             "it did not fly (the autopilot refuses to arm)",
-            Assert.Single(Of(Flown(new MissionResult { Failures = MissionFailures.NotFlown }, text: "the autopilot refuses to arm")).Failures));
+            Assert.Single(
+                Of(
+                    Flown(
+                        new MissionResult { Failures = MissionFailures.NotFlown },
+                        text: "the autopilot refuses to arm")).Failures));
 
     [Fact]
     public void Failures_LandedWhereIsNotKnown_SaysSo()
-        => Assert.Equal("where it landed is not known", Assert.Single(Of(Landed(MissionFailures.AwayFromHome, distance: double.NaN)).Failures));
+        => Assert.Equal(
+            "where it landed is not known",
+            Assert.Single(Of(Landed(MissionFailures.AwayFromHome, distance: double.NaN)).Failures));
 
     [Fact]
     public void Failures_OutsideTheFence_SaysHowFar()
         => Assert.Equal(
             "it was 4.0 m outside the fence",
-            Assert.Single(Of(Flown(new MissionResult { HasFlown = true, HasLanded = true, OutsideFenceMetres = 4 })).Failures));
+            Assert.Single(
+                Of(Flown(new MissionResult { HasFlown = true, HasLanded = true, OutsideFenceMetres = 4 })).Failures));
 
     [Fact]
     public void Failures_FarFromHomeInTruth_CountsTheTruth()
@@ -53,7 +64,11 @@ public sealed class MissionSummaryTests
         var summary = new MissionSummary(Landed(), new MissionScore { DistanceFromHomeMetres = 3.1 });
 
         Assert.Equal(["it landed 3.1 m from home"], summary.Failures);
-        Assert.True(new MissionSummary(Landed(MissionFailures.AwayFromHome, distance: 3.2), new MissionScore { DistanceFromHomeMetres = 2.9 }).HasPassed);
+        Assert.True(
+            new MissionSummary(Landed(MissionFailures.AwayFromHome, distance: 3.2), new MissionScore
+            {
+                DistanceFromHomeMetres = 2.9
+            }).HasPassed);
     }
 
     [Fact]
@@ -83,19 +98,37 @@ public sealed class MissionSummaryTests
 
     private static MissionSummary Of(FlightRecord record) => new(record, score: null);
 
-    private static FlightRecord Landed(MissionFailures failures = MissionFailures.None, string? aborted = null, double distance = 0.5)
-        => Flown(new MissionResult { HasFlown = true, HasLanded = true, DistanceFromHomeMetres = distance, Failures = failures }, aborted: aborted);
+    private static FlightRecord Landed(
+        MissionFailures failures = MissionFailures.None, string? aborted = null, double distance = 0.5)
+        => Flown(
+            new MissionResult
+            {
+                HasFlown = true,
+                HasLanded = true,
+                DistanceFromHomeMetres = distance,
+                Failures = failures
+            },
+            aborted: aborted);
 
-    private static FlightRecord Flown(in MissionResult result, string? aborted = null, bool isArmed = false, string? text = null) => new()
-    {
-        Mission = new MissionStatus { Plan = MadeUpFlight.Plan, Phase = MissionPhase.Done, Aborted = aborted, Text = text, Result = result },
-        Vehicle = new VehicleState
+    private static FlightRecord Flown(
+        in MissionResult result, string? aborted = null, bool isArmed = false, string? text = null)
+        => new()
         {
-            IsArmed = isArmed,
-            Mode = "GUIDED",
-            HeightAboveHomeMetres = 29.8,
-            PositionTime = TimeSpan.FromSeconds(90),
-            Position = MadeUpFlight.Home,
-        },
-    };
+            Mission = new MissionStatus
+            {
+                Plan = MadeUpFlight.Plan,
+                Phase = MissionPhase.Done,
+                Aborted = aborted,
+                Text = text,
+                Result = result
+            },
+            Vehicle = new VehicleState
+            {
+                IsArmed = isArmed,
+                Mode = "GUIDED",
+                HeightAboveHomeMetres = 29.8,
+                PositionTime = TimeSpan.FromSeconds(90),
+                Position = MadeUpFlight.Home,
+            },
+        };
 }

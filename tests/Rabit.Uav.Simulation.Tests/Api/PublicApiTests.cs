@@ -11,5 +11,6 @@ public sealed class PublicApiTests
 {
     [Fact]
     public void PublicSurface_OfTheAssembly_IsThatOfTheFile()
-        => PublicApiText.AssertUnchanged(typeof(SimulatedWorld).Assembly, "tests/Rabit.Uav.Simulation.Tests/Api/PublicApi.txt");
+        => PublicApiText.AssertUnchanged(
+            typeof(SimulatedWorld).Assembly, "tests/Rabit.Uav.Simulation.Tests/Api/PublicApi.txt");
 }

@@ -23,7 +23,8 @@ public class FlightTests(ITestOutputHelper output)
         Assert.Equal(MavState.Active, ground.Heartbeat.SystemStatus);
         ground.GoTo(100, 40, 30);
         Assert.Equal(MavResult.Accepted, ground.Command(MavCmd.DoChangeSpeed, 1, 6, -1));
-        ground.RunUntil(() => Distance(ground, 100, 40) < 4 && -ground.Truth.Pose.Position.Down > 26, 60, "at the target");
+        ground.RunUntil(
+            () => Distance(ground, 100, 40) < 4 && -ground.Truth.Pose.Position.Down > 26, 60, "at the target");
         ground.Run(15);
         Assert.True(Distance(ground, 100, 40) < 4, $"{Distance(ground, 100, 40)} m");
         Assert.InRange(ground.Truth.MaxSpeedMetresPerSecond, 5, 7.5);
@@ -31,7 +32,8 @@ public class FlightTests(ITestOutputHelper output)
         Assert.Equal(MavResult.Accepted, ground.Command(MavCmd.NavReturnToLaunch));
         ground.RunUntil(() => !ground.IsArmed, 200, "landed and disarmed");
         SimulatedTruth truth = ground.Truth;
-        output.WriteLine($"landed {Distance(ground, 0, 0):0.00} m from home at {truth.TouchdownMetresPerSecond:0.00} m/s, {truth.BatteryRemaining:P1} left, {truth.Airtime}");
+        output.WriteLine($"landed {Distance(ground, 0, 0):0.00} m from home at {truth.TouchdownMetresPerSecond:0.00} "
+            + $"m/s, {truth.BatteryRemaining:P1} left, {truth.Airtime}");
         Assert.NotNull(truth.Landing);
         Assert.True(Distance(ground, 0, 0) < 3);
         Assert.InRange(truth.TouchdownMetresPerSecond, 0.2, 1);
@@ -39,7 +41,8 @@ public class FlightTests(ITestOutputHelper output)
         Assert.Equal(CopterMode.Rtl, (CopterMode)ground.Heartbeat.CustomMode);
         Assert.Equal(MavState.Standby, ground.Heartbeat.SystemStatus);
         Assert.Equal(
-            [MavLandedState.OnGround, MavLandedState.Takeoff, MavLandedState.InAir, MavLandedState.Landing, MavLandedState.OnGround],
+            [MavLandedState.OnGround, MavLandedState.Takeoff, MavLandedState.InAir, MavLandedState.Landing,
+                MavLandedState.OnGround],
             Changes(ground.All<ExtendedSysState>().Select(s => s.Message.LandedState).ToArray()));
     }
 
@@ -99,7 +102,8 @@ public class FlightTests(ITestOutputHelper output)
     [Fact]
     public void Hover_InWind_HoldsItsPlace()
     {
-        using var ground = new Ground(new SimulationOptions { Seed = 3, WindMetresPerSecond = 10, WindFrom = Angle.FromRadians(1) });
+        using var ground = new Ground(
+            new SimulationOptions { Seed = 3, WindMetresPerSecond = 10, WindFrom = Angle.FromRadians(1) });
         ground.TakeOff(20);
         ground.Run(5);
         TruePose start = ground.Truth.Pose;
@@ -165,8 +169,11 @@ public class FlightTests(ITestOutputHelper output)
     internal static double Distance(Ground ground, double north, double east)
     {
         TruePose pose = ground.Truth.Pose;
-        return Math.Sqrt(((pose.Position.North - north) * (pose.Position.North - north)) + ((pose.Position.East - east) * (pose.Position.East - east)));
+        return Math.Sqrt(
+            ((pose.Position.North - north) * (pose.Position.North - north))
+                + ((pose.Position.East - east) * (pose.Position.East - east)));
     }
 
-    private static MavLandedState[] Changes(MavLandedState[] states) => states.Where((s, i) => i == 0 || states[i - 1] != s).ToArray();
+    private static MavLandedState[] Changes(MavLandedState[] states)
+        => states.Where((s, i) => i == 0 || states[i - 1] != s).ToArray();
 }

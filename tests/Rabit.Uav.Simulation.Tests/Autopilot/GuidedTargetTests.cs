@@ -78,7 +78,15 @@ public class GuidedTargetTests
         ground.GoTo(200, 0, 20);
         ground.Run(8);
         Assert.True(ground.Truth.Pose.VelocityNed.North > 5);
-        ground.Send(new SetPositionTargetLocalNed { TargetSystem = 1, TargetComponent = 1, CoordinateFrame = axes, TypeMask = (PositionTargetTypemask)mask, Vx = 5 });
+        ground.Send(
+            new SetPositionTargetLocalNed
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                CoordinateFrame = axes,
+                TypeMask = (PositionTargetTypemask)mask,
+                Vx = 5
+            });
         ground.Run(8);
         Assert.InRange(ground.Truth.Pose.VelocityNed.North, -0.5, 0.5);
     }
@@ -98,7 +106,8 @@ public class GuidedTargetTests
     [Fact]
     public void BodyVelocity_GoesWhereTheNoseIs()
     {
-        using var ground = new Ground(new SimulationOptions { WindMetresPerSecond = 0, Heading = Angle.FromDegrees(90) });
+        using var ground = new Ground(
+            new SimulationOptions { WindMetresPerSecond = 0, Heading = Angle.FromDegrees(90) });
         ground.TakeOff(20);
         for (int second = 0; second < 5; second++)
         {

@@ -17,7 +17,8 @@ public class ProtocolTests(ITestOutputHelper output)
         int[] kinds = ground.Frames.Select(f => f.Frame.MessageId).Distinct().OrderBy(i => i).ToArray();
         Assert.Equal([Heartbeat.MavlinkId, Timesync.MavlinkId, Statustext.MavlinkId], kinds);
         Assert.InRange(ground.Count<Heartbeat>(), 29, 31);
-        Assert.Equal((MavType.Quadrotor, MavAutopilot.Ardupilotmega), (ground.Heartbeat.Type, ground.Heartbeat.Autopilot));
+        Assert.Equal(
+            (MavType.Quadrotor, MavAutopilot.Ardupilotmega), (ground.Heartbeat.Type, ground.Heartbeat.Autopilot));
         Assert.Equal(81, (int)ground.Heartbeat.BaseMode);
     }
 
@@ -54,7 +55,15 @@ public class ProtocolTests(ITestOutputHelper output)
     public void DataStream_TheOldRequest_IsServedToo()
     {
         using var ground = new Ground();
-        ground.Send(new RequestDataStream { TargetSystem = 1, TargetComponent = 1, ReqStreamId = MavDataStream.Extra1, ReqMessageRate = 10, StartStop = 1 });
+        ground.Send(
+            new RequestDataStream
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                ReqStreamId = MavDataStream.Extra1,
+                ReqMessageRate = 10,
+                StartStop = 1
+            });
         ground.Run(10);
         Assert.InRange(ground.Count<Attitude>(), 98, 102);
     }
@@ -66,8 +75,10 @@ public class ProtocolTests(ITestOutputHelper output)
         output.WriteLine("seed 5");
         int[] streams =
         [
-            Attitude.MavlinkId, GlobalPositionInt.MavlinkId, SysStatus.MavlinkId, BatteryStatus.MavlinkId, GpsRawInt.MavlinkId, SystemTime.MavlinkId,
-            ExtendedSysState.MavlinkId, LocalPositionNed.MavlinkId, VfrHud.MavlinkId, Wind.MavlinkId, GimbalDeviceAttitudeStatus.MavlinkId,
+            Attitude.MavlinkId, GlobalPositionInt.MavlinkId, SysStatus.MavlinkId, BatteryStatus.MavlinkId,
+            GpsRawInt.MavlinkId, SystemTime.MavlinkId,
+            ExtendedSysState.MavlinkId, LocalPositionNed.MavlinkId, VfrHud.MavlinkId, Wind.MavlinkId,
+            GimbalDeviceAttitudeStatus.MavlinkId,
         ];
         foreach (int stream in streams)
             Assert.Equal(MavResult.Accepted, ground.Stream(stream, 2));
@@ -126,24 +137,49 @@ public class ProtocolTests(ITestOutputHelper output)
         ParamValue[] list = ground.All<ParamValue>().Select(p => p.Message).ToArray();
         Assert.All(list, p => Assert.Equal(list.Length, p.ParamCount));
         Assert.Equal(Enumerable.Range(0, list.Length), list.Select(p => (int)p.ParamIndex));
-        Assert.Contains(list, p => p.ParamId.ToString() == "RTL_ALT" && p.Value.Equals(1500f) && p.ParamType == MavParamType.Int32);
+        Assert.Contains(
+            list, p => p.ParamId.ToString() == "RTL_ALT" && p.Value.Equals(1500f) && p.ParamType == MavParamType.Int32);
 
         ground.Forget();
-        ground.Send(new ParamRequestRead { TargetSystem = 1, TargetComponent = 1, ParamIndex = -1, ParamId = new Text16("GUID_TIMEOUT") });
+        ground.Send(
+            new ParamRequestRead
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                ParamIndex = -1,
+                ParamId = new Text16("GUID_TIMEOUT")
+            });
         ground.Send(new ParamRequestRead { TargetSystem = 1, TargetComponent = 1, ParamIndex = 0 });
-        ground.Send(new ParamSet { TargetSystem = 1, TargetComponent = 1, ParamId = new Text16("RTL_ALT"), ParamValue = 2500.7f, ParamType = MavParamType.Int32 });
-        ground.Send(new ParamSet { TargetSystem = 1, TargetComponent = 1, ParamId = new Text16("NO_SUCH"), ParamValue = 1 });
+        ground.Send(
+            new ParamSet
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                ParamId = new Text16("RTL_ALT"),
+                ParamValue = 2500.7f,
+                ParamType = MavParamType.Int32
+            });
+        ground.Send(
+            new ParamSet { TargetSystem = 1, TargetComponent = 1, ParamId = new Text16("NO_SUCH"), ParamValue = 1 });
         ground.Run(1);
         Assert.Equal(
             ["GUID_TIMEOUT 3 65535", "SYSID_THISMAV 1 0", "RTL_ALT 2500 65535"],
-            ground.All<ParamValue>().Select(p => FormattableString.Invariant($"{p.Message.ParamId} {p.Message.Value} {p.Message.ParamIndex}")));
+            ground.All<ParamValue>().Select(
+                p => FormattableString.Invariant($"{p.Message.ParamId} {p.Message.Value} {p.Message.ParamIndex}")));
     }
 
     [Fact]
     public void SystemId_ChangedByParameter_IsUsedAtOnce()
     {
         using var ground = new Ground();
-        ground.Send(new ParamSet { TargetSystem = 1, TargetComponent = 1, ParamId = new Text16("SYSID_THISMAV"), ParamValue = 7 });
+        ground.Send(
+            new ParamSet
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                ParamId = new Text16("SYSID_THISMAV"),
+                ParamValue = 7
+            });
         ground.Run(2);
         Assert.Equal(7, ground.Frames[ground.Frames.Count - 1].Frame.SystemId);
     }
@@ -151,7 +187,13 @@ public class ProtocolTests(ITestOutputHelper output)
     [Fact]
     public void Timesync_AgainstADriftingClock_AnswersWithItsTime()
     {
-        using var ground = new Ground(new SimulationOptions { BootedBefore = TimeSpan.FromSeconds(42), ClockDriftPpm = 200, TelemetryLatency = TimeSpan.Zero });
+        using var ground = new Ground(
+            new SimulationOptions
+            {
+                BootedBefore = TimeSpan.FromSeconds(42),
+                ClockDriftPpm = 200,
+                TelemetryLatency = TimeSpan.Zero
+            });
         ground.Stream(Attitude.MavlinkId, 10);
         double at100 = Offset(ground, 100);
         double at500 = Offset(ground, 500);
@@ -180,7 +222,8 @@ public class ProtocolTests(ITestOutputHelper output)
         ground.Send(new Timesync { Ts1 = asked, TargetSystem = 1, TargetComponent = 1 });
         ground.Run(0.1);
         Timesync answer = ground.All<Timesync>().Last(t => t.Message.Tc1 != 0).Message;
-        Assert.Equal((asked, Ground.SystemId, Ground.ComponentId), (answer.Ts1, answer.TargetSystem, answer.TargetComponent));
+        Assert.Equal(
+            (asked, Ground.SystemId, Ground.ComponentId), (answer.Ts1, answer.TargetSystem, answer.TargetComponent));
         return (answer.Tc1 - asked) / 1e9;
     }
 }

@@ -10,8 +10,8 @@ using Xunit.Abstractions;
 namespace Rabit.Uav.Simulation.Tests.Autopilot;
 
 /// <summary>
-/// The yardstick: what a companion sent to the real ArduCopter in a recorded flight is sent to the simulated one at the same times. It must
-/// answer alike, go through the same modes, and fly about the same.
+/// The yardstick: what a companion sent to the real ArduCopter in a recorded flight is sent to the simulated one at the
+/// same times. It must answer alike, go through the same modes, and fly about the same.
 /// </summary>
 public class RecordedFlightTests(ITestOutputHelper output)
 {
@@ -48,7 +48,8 @@ public class RecordedFlightTests(ITestOutputHelper output)
         double inGuided = Apart(real, simulated, 15, 110);
         double inReturn = Apart(real, simulated, 110, 160);
         double disarmed = DisarmTime(ground.Frames) - DisarmTime(record);
-        output.WriteLine($"{inGuided:0.0} m apart at most in GUIDED, {inReturn:0.0} m then; disarmed {disarmed:0.0} s later");
+        output.WriteLine(
+            $"{inGuided:0.0} m apart at most in GUIDED, {inReturn:0.0} m then; disarmed {disarmed:0.0} s later");
         output.WriteLine($"tilt: real {Tilt(record):0.0}, simulated {Tilt(ground.Frames):0.0} degrees");
         Assert.True(inGuided < 4, $"{inGuided:0.0} m apart in GUIDED");
 
@@ -59,15 +60,18 @@ public class RecordedFlightTests(ITestOutputHelper output)
     }
 
     private static double Apart(
-        List<(TimeSpan Time, GlobalPositionInt Message)> real, List<(TimeSpan Time, GlobalPositionInt Message)> simulated, double from, double to)
+        List<(TimeSpan Time, GlobalPositionInt Message)> real,
+        List<(TimeSpan Time, GlobalPositionInt Message)> simulated, double from, double to)
     {
         double worst = 0;
-        foreach ((TimeSpan time, GlobalPositionInt there) in real.Where(r => r.Time.TotalSeconds > from && r.Time.TotalSeconds < to))
+        foreach ((TimeSpan time, GlobalPositionInt there)
+            in real.Where(r => r.Time.TotalSeconds > from && r.Time.TotalSeconds < to))
         {
             GlobalPositionInt here = simulated.Last(s => s.Time <= time).Message;
             double north = Math.Abs(there.Lat - here.Lat) * MetresPerDegE7;
             double east = Math.Abs(there.Lon - here.Lon) * MetresPerDegE7 * CosineOfLatitude;
-            worst = Math.Max(worst, Math.Max(Math.Max(north, east), Math.Abs(there.RelativeAlt - here.RelativeAlt) / 1000.0));
+            worst = Math.Max(
+                worst, Math.Max(Math.Max(north, east), Math.Abs(there.RelativeAlt - here.RelativeAlt) / 1000.0));
         }
 
         return worst;
@@ -89,7 +93,8 @@ public class RecordedFlightTests(ITestOutputHelper output)
 
     private static List<(TimeSpan Time, MavlinkFrame Frame)> ReadRecord()
     {
-        using FileStream file = File.OpenRead(Path.Combine(AppContext.BaseDirectory, "data", "mavlink", "ardupilot-flight.tlog"));
+        using FileStream file = File.OpenRead(
+            Path.Combine(AppContext.BaseDirectory, "data", "mavlink", "ardupilot-flight.tlog"));
         var reader = new TlogReader(file, MavlinkDialect.All);
         var frames = new List<(TimeSpan, MavlinkFrame)>();
         DateTime? start = null;
@@ -104,7 +109,8 @@ public class RecordedFlightTests(ITestOutputHelper output)
 
     private static string[] Acknowledgements(IEnumerable<(TimeSpan Time, MavlinkFrame Frame)> frames)
         => All<CommandAck>(frames).Where(a => a.Message.TargetComponent == Companion)
-            .Select(a => $"{a.Message.Command} {a.Message.Result} {a.Message.TargetSystem}/{a.Message.TargetComponent}").ToArray();
+            .Select(a => $"{a.Message.Command} {a.Message.Result} {a.Message.TargetSystem}/{a.Message.TargetComponent}")
+            .ToArray();
 
     private static string[] Modes(IEnumerable<(TimeSpan Time, MavlinkFrame Frame)> frames)
     {
@@ -117,13 +123,15 @@ public class RecordedFlightTests(ITestOutputHelper output)
         => All<Statustext>(frames).Select(t => t.Message.Severity + " " + t.Message.Text);
 
     // What depends on the real one's sensors is not simulated.
-    private static bool IsCommon(string text) => text.IndexOf("MAG0", StringComparison.Ordinal) < 0 && text.IndexOf("SIM Hit", StringComparison.Ordinal) < 0;
+    private static bool IsCommon(string text)
+        => text.IndexOf("MAG0", StringComparison.Ordinal) < 0 && text.IndexOf("SIM Hit", StringComparison.Ordinal) < 0;
 
     private static double DisarmTime(IEnumerable<(TimeSpan Time, MavlinkFrame Frame)> frames)
         => All<Statustext>(frames).First(t => t.Message.Text.ToString() == "Disarming motors").Time.TotalSeconds;
 
     private static double Tilt(IEnumerable<(TimeSpan Time, MavlinkFrame Frame)> frames)
-        => All<Attitude>(frames).Max(a => Math.Max(Math.Abs(a.Message.Roll), Math.Abs(a.Message.Pitch))) / Ground.RadiansPerDegree;
+        => All<Attitude>(frames).Max(a => Math.Max(Math.Abs(a.Message.Roll), Math.Abs(a.Message.Pitch)))
+            / Ground.RadiansPerDegree;
 
     private static List<(TimeSpan Time, T Message)> All<T>(IEnumerable<(TimeSpan Time, MavlinkFrame Frame)> frames)
         where T : struct, IMavlinkMessage

@@ -4,7 +4,10 @@ using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Autopilot;
 
-/// <summary>What it refuses, as ArduCopter refuses it: the result codes of the recorded flight and of its sources, and its texts.</summary>
+/// <summary>
+/// What it refuses, as ArduCopter refuses it: the result codes of the recorded flight and of its sources, and its
+/// texts.
+/// </summary>
 public class RefusalTests
 {
     [Fact]
@@ -140,8 +143,24 @@ public class RefusalTests
     {
         using var ground = new Ground();
         ground.Run(6);
-        ground.Send(new CommandLong { TargetSystem = 2, TargetComponent = 1, Command = MavCmd.DoSetMode, Param1 = 1, Param2 = 4 });
-        ground.Send(new CommandLong { TargetSystem = 1, TargetComponent = 154, Command = MavCmd.DoSetMode, Param1 = 1, Param2 = 4 });
+        ground.Send(
+            new CommandLong
+            {
+                TargetSystem = 2,
+                TargetComponent = 1,
+                Command = MavCmd.DoSetMode,
+                Param1 = 1,
+                Param2 = 4
+            });
+        ground.Send(
+            new CommandLong
+            {
+                TargetSystem = 1,
+                TargetComponent = 154,
+                Command = MavCmd.DoSetMode,
+                Param1 = 1,
+                Param2 = 4
+            });
         ground.Run(2);
         Assert.Equal(0, ground.Count<CommandAck>());
         Assert.Equal(0u, ground.Heartbeat.CustomMode);

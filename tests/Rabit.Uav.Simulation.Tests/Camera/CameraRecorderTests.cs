@@ -30,7 +30,8 @@ public sealed class CameraRecorderTests : IDisposable
         CameraFolder folder = CameraFolder.Create(_folder, options.Camera, new CameraMount());
         var direct = new Taker(new SimulatedCamera(options, Hover(), [], seed: 5));
         Run(direct);
-        var recorder = new CameraRecorderManager(new SimulatedCamera(options, Hover(), [], seed: 5), new PictureFolderWriter(folder));
+        var recorder = new CameraRecorderManager(
+            new SimulatedCamera(options, Hover(), [], seed: 5), new PictureFolderWriter(folder));
         Run(recorder);
 
         var read = new Taker(new FolderCamera(CameraFolder.Open(_folder)));
@@ -38,7 +39,9 @@ public sealed class CameraRecorderTests : IDisposable
 
         Assert.Equal((6, 0), (recorder.PicturesWritten, recorder.PicturesDropped));
         Assert.Equal([0, 1, 2, 3, 4, 5], read.Frames.Select(f => f.Number));
-        Assert.Equal(direct.Frames.Select(f => (f.Number, f.FrameStart, f.Exposure)), read.Frames.Select(f => (f.Number, f.FrameStart, f.Exposure)));
+        Assert.Equal(
+            direct.Frames.Select(f => (f.Number, f.FrameStart, f.Exposure)),
+            read.Frames.Select(f => (f.Number, f.FrameStart, f.Exposure)));
         for (int i = 0; i < 6; i++)
             Assert.Equal(direct.Pictures[i], read.Pictures[i]);
     }
@@ -55,7 +58,9 @@ public sealed class CameraRecorderTests : IDisposable
         List<RabitLogEntry> log = Run(recorder);
 
         Assert.Equal((0, 5), (recorder.PicturesWritten, recorder.PicturesDropped));
-        Assert.Contains("cannot be written", string.Join("\n", log.Where(e => e.Kind == RabitLogKind.Fault)), StringComparison.Ordinal);
+        Assert.Contains(
+            "cannot be written", string.Join("\n", log.Where(e => e.Kind == RabitLogKind.Fault)),
+            StringComparison.Ordinal);
         Assert.Equal(0, camera.FramesWithoutBuffer);
         Assert.Empty(camera.BufferHolders());
     }
@@ -63,7 +68,13 @@ public sealed class CameraRecorderTests : IDisposable
     private static List<RabitLogEntry> Run(RabitManager manager)
     {
         var log = new List<RabitLogEntry>();
-        var reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(3, StartUtc), Log = log.Add, StopsOnSignals = false }) { manager };
+        var reactor = new RabitReactor(
+            new ReactorOptions
+            {
+                Time = new VirtualTime(3, StartUtc),
+                Log = log.Add,
+                StopsOnSignals = false
+            }) { manager };
         reactor.Start();
         reactor.RunFor(TimeSpan.FromSeconds(3.5));
         reactor.Stop();

@@ -6,7 +6,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Simulation.Tests.Camera;
 
-/// <summary>A simulated camera in virtual time over a vehicle that flies north at an even speed, 40 m up, and a manager that takes its pictures.</summary>
+/// <summary>
+/// A simulated camera in virtual time over a vehicle that flies north at an even speed, 40 m up, and a manager that
+/// takes its pictures.
+/// </summary>
 internal sealed class CameraRun : IDisposable
 {
     private static readonly TimeSpan Step = TimeSpan.FromMilliseconds(10);
@@ -17,13 +20,19 @@ internal sealed class CameraRun : IDisposable
     /// <param name="options">The camera.</param>
     /// <param name="speed">North, metres per second.</param>
     /// <param name="panel">What lies on the ground.</param>
-    /// <param name="isMetered">Whether reads are measured; one may then be made several times, and pictures be lost.</param>
-    public CameraRun(SimulatedCameraOptions options, double speed = 0, SimulatedTarget? panel = null, bool isMetered = false)
+    /// <param name="isMetered">
+    /// Whether reads are measured; one may then be made several times, and pictures be lost.
+    /// </param>
+    public CameraRun(
+        SimulatedCameraOptions options, double speed = 0, SimulatedTarget? panel = null, bool isMetered = false)
     {
         Camera = new SimulatedCamera(options, Truth, panel is null ? [] : [panel], seed: 1);
         Speed = speed;
         Meter = new MeteredSource(Camera);
-        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(3), StopsOnSignals = false }) { new Taker(this, isMetered) };
+        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(3), StopsOnSignals = false })
+        {
+            new Taker(this, isMetered)
+        };
         _reactor.Start();
     }
 

@@ -28,7 +28,8 @@ public class PictureTests(ITestOutputHelper output)
     [Fact]
     public void Render_SeedOne_IsThePictureItAlwaysWas()
     {
-        // The same on every runtime: no function but + - * / and square root has a part in it that could differ by a bit.
+        // The same on every runtime: no function but + - * / and square root has a part in it that could differ by a
+        // bit.
         ulong hash = 14_695_981_039_346_656_037;
         foreach (byte level in Render(SimulatedCameraOptions.CreateLowResolution(), seed: 1, number: 0))
             hash = (hash ^ level) * 1_099_511_628_211;
@@ -71,7 +72,9 @@ public class PictureTests(ITestOutputHelper output)
             {
                 int most = Math.Max(picture[at], Math.Max(picture[at + 1], picture[at + 2]));
                 int least = Math.Min(picture[at], Math.Min(picture[at + 1], picture[at + 2]));
-                Assert.True(most < 200 && (most - least) < 0.62 * most + 12, $"seed {seed}: {picture[at]}, {picture[at + 1]}, {picture[at + 2]}");
+                Assert.True(
+                    most < 200 && (most - least) < 0.62 * most + 12,
+                    $"seed {seed}: {picture[at]}, {picture[at + 1]}, {picture[at + 2]}");
             }
         }
     }
@@ -138,7 +141,9 @@ public class PictureTests(ITestOutputHelper output)
 
         byte[] picture = Shoot(renderer, options, Scene.Pose(0.3, roll: 30), 0, 0);
 
-        Assert.InRange(Enumerable.Range(0, 320 * 240).Count(i => picture[3 * i] > 165 && picture[(3 * i) + 1] < 50), 60_000, 320 * 240);
+        Assert.InRange(
+            Enumerable.Range(0, 320 * 240).Count(i => picture[3 * i] > 165 && picture[(3 * i) + 1] < 50), 60_000,
+            320 * 240);
     }
 
     [Fact]
@@ -147,13 +152,22 @@ public class PictureTests(ITestOutputHelper output)
         const int Seed = 3;
         output.WriteLine($"seed {Seed}");
         SimulatedCameraOptions options = Scene.Pinhole();
-        options.Camera = new CameraModel { Width = 32, Height = 24, FocalX = 20, FocalY = 20, CentreX = 16, CentreY = 12 };
+        options.Camera = new CameraModel
+        {
+            Width = 32,
+            Height = 24,
+            FocalX = 20,
+            FocalY = 20,
+            CentreX = 16,
+            CentreY = 12
+        };
         var renderer = new PictureRenderer(options, Things, seed: 2);
         var random = new Random(Seed);
         for (int run = 0; run < 2000; run++)
         {
             TruePose pose = Scene.Pose(
-                Math.Pow(10, (6 * random.NextDouble()) - 2), 360 * random.NextDouble(), 180 * random.NextDouble(), 360 * random.NextDouble(), 360 * random.NextDouble());
+                Math.Pow(10, (6 * random.NextDouble()) - 2), 360 * random.NextDouble(), 180 * random.NextDouble(),
+                360 * random.NextDouble(), 360 * random.NextDouble());
             Shoot(renderer, options, pose, (random.NextDouble() - 0.5) * 1e6, (random.NextDouble() - 0.5) * 1e6);
             Shoot(renderer, options, pose, (random.NextDouble() - 0.5) * 100, (random.NextDouble() - 0.5) * 100);
         }
@@ -189,9 +203,12 @@ public class PictureTests(ITestOutputHelper output)
             Buffers = 0,
         };
 
-        string text = Assert.Throws<ArgumentException>(() => new SimulatedCamera(options, new TruthHistory(2), [], seed: 1)).Message;
+        string text = Assert.Throws<ArgumentException>(
+            () => new SimulatedCamera(options, new TruthHistory(2), [], seed: 1)).Message;
 
-        Assert.All(["Width is 2", "focal lengths", "FramesPerSecond", "Delay", "NoiseSigma", "Buffers"], part => Assert.Contains(part, text, StringComparison.Ordinal));
+        Assert.All(
+            ["Width is 2", "focal lengths", "FramesPerSecond", "Delay", "NoiseSigma", "Buffers"],
+            part => Assert.Contains(part, text, StringComparison.Ordinal));
     }
 
     private static void AssertHorizon(byte[] picture, int u, double row)
@@ -200,14 +217,17 @@ public class PictureTests(ITestOutputHelper output)
         int above = (int)row - 45;
         int below = (int)row + 45;
         if (above is >= 0 and < 240)
-            Assert.True(Channel(picture, u, above, 2) > Channel(picture, u, above, 0) + 12, $"no sky at ({u}, {above})");
+            Assert.True(
+                Channel(picture, u, above, 2) > Channel(picture, u, above, 0) + 12, $"no sky at ({u}, {above})");
         if (below is >= 0 and < 240)
-            Assert.True(Channel(picture, u, below, 2) < Channel(picture, u, below, 0) + 4, $"no ground at ({u}, {below})");
+            Assert.True(
+                Channel(picture, u, below, 2) < Channel(picture, u, below, 0) + 4, $"no ground at ({u}, {below})");
     }
 
     private static int Channel(byte[] picture, int u, int v, int channel) => picture[(((v * 320) + u) * 3) + channel];
 
-    private static byte[] Shoot(PictureRenderer renderer, SimulatedCameraOptions options, TruePose pose, double north, double east)
+    private static byte[] Shoot(
+        PictureRenderer renderer, SimulatedCameraOptions options, TruePose pose, double north, double east)
     {
         pose.Position = pose.Position with { North = north, East = east };
         var cameraPose = new CameraPose(pose, options);
@@ -216,7 +236,9 @@ public class PictureTests(ITestOutputHelper output)
         return pixels;
     }
 
-    private static byte[] Render(SimulatedCameraOptions options, ulong seed, long number, IReadOnlyList<SimulatedTarget>? things = null, double height = 60)
+    private static byte[] Render(
+        SimulatedCameraOptions options, ulong seed, long number, IReadOnlyList<SimulatedTarget>? things = null,
+        double height = 60)
     {
         var cameraPose = new CameraPose(Scene.Pose(height), options);
         byte[] pixels = new byte[options.Camera.Width * options.Camera.Height * 3];

@@ -7,7 +7,10 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Camera;
 
-/// <summary>Where panels are seen in pictures, against the projection of OpenCV's documentation with rotation matrices, written out here.</summary>
+/// <summary>
+/// Where panels are seen in pictures, against the projection of OpenCV's documentation with rotation matrices, written
+/// out here.
+/// </summary>
 public class ProjectionTests(ITestOutputHelper output)
 {
     private static readonly CameraModel Bent = new()
@@ -44,9 +47,20 @@ public class ProjectionTests(ITestOutputHelper output)
     [Fact]
     public void Rays_FoldedLens_IsRefused()
     {
-        var folded = new CameraModel { Width = 320, Height = 240, FocalX = 150, FocalY = 150, CentreX = 160, CentreY = 120, K1 = -0.9 };
+        var folded = new CameraModel
+        {
+            Width = 320,
+            Height = 240,
+            FocalX = 150,
+            FocalY = 150,
+            CentreX = 160,
+            CentreY = 120,
+            K1 = -0.9
+        };
 
-        Assert.Contains("no ray of light falls on pixel", Assert.Throws<ArgumentException>(() => new LensRays(folded)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "no ray of light falls on pixel", Assert.Throws<ArgumentException>(() => new LensRays(folded)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -70,7 +84,8 @@ public class ProjectionTests(ITestOutputHelper output)
         for (int run = 0; run < 600; run++)
         {
             TruePose pose = Scene.Pose(
-                20 + (60 * random.NextDouble()), Spread(random, 35), Spread(random, 35), Spread(random, 400), -90 + (50 * random.NextDouble()), Spread(random, 180));
+                20 + (60 * random.NextDouble()), Spread(random, 35), Spread(random, 35), Spread(random, 400),
+                -90 + (50 * random.NextDouble()), Spread(random, 180));
             pose.Position = pose.Position with { North = Spread(random, 500), East = Spread(random, 500) };
             (double north, double east) = GroundBelow(pose, random);
             var panel = Scene.Panel(north, east, heading: Spread(random, 3), side: 0.6);
@@ -83,7 +98,9 @@ public class ProjectionTests(ITestOutputHelper output)
             seen++;
             double miss = Math.Sqrt(Math.Pow(u - wantedU, 2) + Math.Pow(v - wantedV, 2));
             worst = Math.Max(worst, miss);
-            Assert.True(pixels > 0 && miss < 0.35, $"run {run}: wanted ({wantedU:F2}, {wantedV:F2}), found ({u:F2}, {v:F2}) on {pixels:F1} pixels");
+            Assert.True(
+                pixels > 0 && miss < 0.35,
+                $"run {run}: wanted ({wantedU:F2}, {wantedV:F2}), found ({u:F2}, {v:F2}) on {pixels:F1} pixels");
         }
 
         output.WriteLine($"{seen} seen, worst {worst:F3} px");
@@ -112,17 +129,21 @@ public class ProjectionTests(ITestOutputHelper output)
     private static double Red(Scene scene, int u, int v) => scene.LastPicture[((v * 320) + u) * 3];
 
     private static (double North, double East) GroundBelow(in TruePose pose, Random random)
-        => (pose.Position.North + Spread(random, -pose.Position.Down), pose.Position.East + Spread(random, -pose.Position.Down));
+        => (pose.Position.North + Spread(random, -pose.Position.Down),
+            pose.Position.East + Spread(random, -pose.Position.Down));
 
     private static double Spread(Random random, double most) => ((2 * random.NextDouble()) - 1) * most;
 
     private static (double U, double V, double Depth) Expected(in TruePose pose, double north, double east)
     {
         double[,] body = Euler(pose.Attitude.Yaw.Radians, pose.Attitude.Pitch.Radians, pose.Attitude.Roll.Radians);
-        double[,] gimbal = Times(body, Times(Euler(0.08, -0.05, 0.03), Euler(pose.CameraYaw.Radians, pose.CameraPitch.Radians, 0)));
+        double[,] gimbal = Times(
+            body, Times(Euler(0.08, -0.05, 0.03), Euler(pose.CameraYaw.Radians, pose.CameraPitch.Radians, 0)));
         double[] arm = Apply(body, [0.3, -0.2, 0.4]);
-        double[] way = [north - pose.Position.North - arm[0], east - pose.Position.East - arm[1], -pose.Position.Down - arm[2]];
-        (double x, double y, double z) = (Column(gimbal, 1, way), Column(gimbal, 2, way), Column(gimbal, 0, way));   // right, down, along the axis
+        double[] way =
+            [north - pose.Position.North - arm[0], east - pose.Position.East - arm[1], -pose.Position.Down - arm[2]];
+        // right, down, along the axis
+        (double x, double y, double z) = (Column(gimbal, 1, way), Column(gimbal, 2, way), Column(gimbal, 0, way));
 
         // Far beyond the edge of the picture the formula of the lens folds back into it; no lens does.
         bool isBeforeTheLens = z > 0 && (x * x) + (y * y) < z * z;
@@ -143,7 +164,12 @@ public class ProjectionTests(ITestOutputHelper output)
     private static double[,] Euler(double yaw, double pitch, double roll)
     {
         double[,] z = { { Math.Cos(yaw), -Math.Sin(yaw), 0 }, { Math.Sin(yaw), Math.Cos(yaw), 0 }, { 0, 0, 1 } };
-        double[,] y = { { Math.Cos(pitch), 0, Math.Sin(pitch) }, { 0, 1, 0 }, { -Math.Sin(pitch), 0, Math.Cos(pitch) } };
+        double[,] y =
+        {
+            { Math.Cos(pitch), 0, Math.Sin(pitch) },
+            { 0, 1, 0 },
+            { -Math.Sin(pitch), 0, Math.Cos(pitch) }
+        };
         double[,] x = { { 1, 0, 0 }, { 0, Math.Cos(roll), -Math.Sin(roll) }, { 0, Math.Sin(roll), Math.Cos(roll) } };
         return Times(z, Times(y, x));
     }
@@ -154,14 +180,18 @@ public class ProjectionTests(ITestOutputHelper output)
         for (int row = 0; row < 3; row++)
         {
             for (int column = 0; column < 3; column++)
-                product[row, column] = (a[row, 0] * b[0, column]) + (a[row, 1] * b[1, column]) + (a[row, 2] * b[2, column]);
+                product[row, column] = (a[row, 0] * b[0, column]) + (a[row, 1] * b[1, column])
+                    + (a[row, 2] * b[2, column]);
         }
 
         return product;
     }
 
     private static double[] Apply(double[,] m, double[] v)
-        => [(m[0, 0] * v[0]) + (m[0, 1] * v[1]) + (m[0, 2] * v[2]), (m[1, 0] * v[0]) + (m[1, 1] * v[1]) + (m[1, 2] * v[2]), (m[2, 0] * v[0]) + (m[2, 1] * v[1]) + (m[2, 2] * v[2])];
+        => [(m[0, 0] * v[0]) + (m[0, 1] * v[1]) + (m[0, 2] * v[2]),
+            (m[1, 0] * v[0]) + (m[1, 1] * v[1]) + (m[1, 2] * v[2]),
+            (m[2, 0] * v[0]) + (m[2, 1] * v[1]) + (m[2, 2] * v[2])];
 
-    private static double Column(double[,] m, int column, double[] v) => (m[0, column] * v[0]) + (m[1, column] * v[1]) + (m[2, column] * v[2]);
+    private static double Column(double[,] m, int column, double[] v)
+        => (m[0, column] * v[0]) + (m[1, column] * v[1]) + (m[2, column] * v[2]);
 }

@@ -5,7 +5,9 @@ using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Camera;
 
-/// <summary>Which way is which. Each expectation is a line of trigonometry that can be checked with two hands, without any code.</summary>
+/// <summary>
+/// Which way is which. Each expectation is a line of trigonometry that can be checked with two hands, without any code.
+/// </summary>
 public class SignTests
 {
     private const double Height = 40;
@@ -71,10 +73,12 @@ public class SignTests
     [InlineData(0, 0, 2, 0, -1, 0)]     // 2 m to the right: it is at the left
     [InlineData(90, 2, 0, 0, 0, 1)]     // the arm turns with the vehicle
     [InlineData(180, 0, 2, 0, -1, 0)]
-    public void LeverArm_Level_MovesTheCamera(double yaw, double forward, double toTheRight, double below, int right, int down)
+    public void LeverArm_Level_MovesTheCamera(
+        double yaw, double forward, double toTheRight, double below, int right, int down)
     {
         SimulatedCameraOptions options = Scene.Pinhole();
-        (options.LeverArmForwardMetres, options.LeverArmRightMetres, options.LeverArmDownMetres) = (forward, toTheRight, below);
+        (options.LeverArmForwardMetres, options.LeverArmRightMetres, options.LeverArmDownMetres) =
+            (forward, toTheRight, below);
         var scene = new Scene(options);
 
         (double u, double v, _) = scene.Find(Scene.Pose(Height, yaw: yaw), Scene.Panel(0, 0));
@@ -104,7 +108,8 @@ public class SignTests
         options.MisalignmentPitch = Angle.FromDegrees(pitch);
         options.MisalignmentYaw = Angle.FromDegrees(yaw);
 
-        (double u, double v, _) = new Scene(options).Find(Scene.Pose(Height), Scene.Panel(north * Tan10 * Height, east * Tan10 * Height));
+        (double u, double v, _) = new Scene(options)
+            .Find(Scene.Pose(Height), Scene.Panel(north * Tan10 * Height, east * Tan10 * Height));
 
         Assert.Equal(160, u, 0.12);
         Assert.Equal(120, v, 0.12);
@@ -134,7 +139,13 @@ public class SignTests
     public void Heading_OfAStrip_IsClockwiseFromNorth()
     {
         // 3 m by 0.3 m, pointing north-east: in a picture with north at the top from the lower left to the upper right.
-        var strip = new SimulatedTarget { Heading = Angle.FromDegrees(45), SideMetres = 3, WidthMetres = 0.3, Surface = new SurfaceColour(212, 36, 150) };
+        var strip = new SimulatedTarget
+        {
+            Heading = Angle.FromDegrees(45),
+            SideMetres = 3,
+            WidthMetres = 0.3,
+            Surface = new SurfaceColour(212, 36, 150)
+        };
         var scene = new Scene();
         scene.Find(Scene.Pose(10), strip);
 

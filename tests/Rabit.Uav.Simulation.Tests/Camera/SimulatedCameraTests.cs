@@ -39,7 +39,8 @@ public class SimulatedCameraTests
     [Fact]
     public void Read_FastFlight_ShowsTheMiddleOfTheExposure()
     {
-        // 50 m/s and an exposure of 20 ms: at the start of it the vehicle is half a metre (3.3 px) south of where it is in the middle, at the delivery 5 m north.
+        // 50 m/s and an exposure of 20 ms: at the start of it the vehicle is half a metre (3.3 px) south of where it is
+        // in the middle, at the delivery 5 m north.
         SimulatedCameraOptions options = Scene.Pinhole();
         (options.Exposure, options.NoiseSigma) = (TimeSpan.FromMilliseconds(20), 0);
         using var run = new CameraRun(options, speed: 50, Scene.Panel(50 * 0.51, 0));
@@ -56,14 +57,19 @@ public class SimulatedCameraTests
     public void Read_Frozen_GivesNothingAndLosesTheNumbers()
     {
         SimulatedCameraOptions options = Small();
-        options.Freezes = [new CameraFreeze(TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1)), new CameraFreeze(TimeSpan.FromSeconds(2.9), TimeSpan.FromSeconds(0.2))];
+        options.Freezes =
+        [
+            new CameraFreeze(TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1)),
+            new CameraFreeze(TimeSpan.FromSeconds(2.9), TimeSpan.FromSeconds(0.2))
+        ];
         using var run = new CameraRun(options);
 
         run.Fly(4.2);
 
         Assert.Equal([0, 3, 4, 6, 7], run.Taken.Select(t => t.Frame.Number));
         Assert.Equal([0.5, 2, 2.5, 3.5, 4], run.Taken.Select(t => t.Frame.FrameStart.TotalSeconds));
-        Assert.Equal((5, 3, 0, 0), (run.Camera.FramesDelivered, run.Camera.FramesFrozen, run.Camera.FramesOvertaken, run.Camera.FramesWithoutBuffer));
+        Assert.Equal((5, 3, 0, 0), (run.Camera.FramesDelivered, run.Camera.FramesFrozen, run.Camera.FramesOvertaken,
+            run.Camera.FramesWithoutBuffer));
     }
 
     [Fact]

@@ -8,7 +8,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Missions;
 
-/// <summary>What goes wrong in flight, and how the flight ends: as the table of Health Monitoring says, and never hanging.</summary>
+/// <summary>
+/// What goes wrong in flight, and how the flight ends: as the table of Health Monitoring says, and never hanging.
+/// </summary>
 public sealed class FaultTests(ITestOutputHelper output)
 {
     private static readonly TimeSpan InTheLanes = TimeSpan.FromSeconds(50);
@@ -105,8 +107,12 @@ public sealed class FaultTests(ITestOutputHelper output)
         // Its work takes 30 s and it says that it sleeps 40 s in between, so 45 s after its first run it is stuck.
         var time = new VirtualTime(seed: 5);
         time.SetUnitOfWorkDuration(PayloadManager.ManagerName, TimeSpan.FromSeconds(30));
-        var payload = new PayloadManager(throwsAt: TimeSpan.MaxValue, sleepsFor: TimeSpan.FromSeconds(40)) { HangPolicy = HangPolicy.Off };
-        using SearchFlight flight = Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), time, [payload]));
+        var payload = new PayloadManager(throwsAt: TimeSpan.MaxValue, sleepsFor: TimeSpan.FromSeconds(40))
+        {
+            HangPolicy = HangPolicy.Off
+        };
+        using SearchFlight flight = Fly(
+            new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), time, [payload]));
 
         Assert.Contains("payload", flight.Mission.Aborted, StringComparison.Ordinal);
         AssertLandedAtHome(flight);
@@ -155,7 +161,8 @@ public sealed class FaultTests(ITestOutputHelper output)
         flight.End();
     }
 
-    private SearchFlight Fly(params ScriptedFault[] faults) => Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(faults)));
+    private SearchFlight Fly(params ScriptedFault[] faults)
+        => Fly(new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(faults)));
 
     private SearchFlight Fly(SearchFlight flight)
     {
@@ -181,7 +188,13 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     private static ScriptedFault Hang(string manager, double seconds)
-        => new() { Kind = ScriptedFaultKind.ManagerHangs, At = InTheLanes, Manager = manager, Duration = TimeSpan.FromSeconds(seconds) };
+        => new()
+        {
+            Kind = ScriptedFaultKind.ManagerHangs,
+            At = InTheLanes,
+            Manager = manager,
+            Duration = TimeSpan.FromSeconds(seconds)
+        };
 
     private static ScriptedFault Fault(ScriptedFaultKind kind, double value, double seconds = 0)
         => new() { Kind = kind, At = InTheLanes, Value = value, Duration = TimeSpan.FromSeconds(seconds) };

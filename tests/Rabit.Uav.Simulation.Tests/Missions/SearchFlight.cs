@@ -46,7 +46,9 @@ internal sealed class SearchFlight : IDisposable
     {
     }
 
-    public SearchFlight(MissionPlan plan, SimulationOptions options, VirtualTime time, RabitManager[] others, MavlinkSigningKey? key = null, MavlinkSigningKey? vehicleKey = null)
+    public SearchFlight(
+        MissionPlan plan, SimulationOptions options, VirtualTime time, RabitManager[] others,
+        MavlinkSigningKey? key = null, MavlinkSigningKey? vehicleKey = null)
     {
         options.TakePlacesFrom(plan);
         World = new SimulatedWorld(options);
@@ -116,7 +118,9 @@ internal sealed class SearchFlight : IDisposable
         Faults = faults,
     };
 
-    private static MissionPlan Plan(string name) => MissionPlan.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "data", "missions", name + ".json")), name);
+    private static MissionPlan Plan(string name)
+        => MissionPlan.Parse(
+            File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "data", "missions", name + ".json")), name);
 
     /// <summary>Flies until the mission is over, and then until motors are off or the time limit is reached.</summary>
     public void Fly(TimeSpan atMost)

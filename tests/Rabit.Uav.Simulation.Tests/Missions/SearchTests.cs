@@ -36,7 +36,8 @@ public sealed class SearchTests(ITestOutputHelper output)
 
         double rmse = Rmse(scores);
         double inEllipse = scores.Count(s => s.EllipseContainsTruth) / (double)scores.Count;
-        output.WriteLine(FormattableString.Invariant($"all: RMSE {rmse:0.00} m, {inEllipse:P0} in their ellipses, largest half axis {scores.Max(s => s.Track!.Covariance.HalfMajorAxis95Metres):0.00} m"));
+        output.WriteLine(FormattableString.Invariant(
+            $"all: RMSE {rmse:0.00} m, {inEllipse:P0} in their ellipses, largest half axis {scores.Max(s => s.Track!.Covariance.HalfMajorAxis95Metres):0.00} m"));
         Assert.True(rmse <= MaxRmse, $"RMSE {rmse} m");
         Assert.InRange(inEllipse, 0.85, 1);
     }
@@ -48,14 +49,17 @@ public sealed class SearchTests(ITestOutputHelper output)
         MissionScore score = flight.Score();
         List<TargetScore> scores = score.Targets.ToList();
         TruePose landing = flight.World.Truth.Landing ?? default;
-        double fromHome = Math.Sqrt((landing.Position.North * landing.Position.North) + (landing.Position.East * landing.Position.East));
+        double fromHome = Math.Sqrt(
+            (landing.Position.North * landing.Position.North) + (landing.Position.East * landing.Position.East));
         output.WriteLine(FormattableString.Invariant(
             $"seed {seed}: {flight.Mission.Phase} at {flight.Reactor.Now}, {flight.Mission.Coverage:P1} seen, landed {fromHome:0.00} m from home, RMSE {Rmse(scores):0.00} m"));
         foreach (TargetScore target in scores)
             output.WriteLine("  " + target);
 
         string where = $"seed {seed}: ";
-        Assert.True(flight.Mission.Phase == MissionPhase.Done && flight.Mission.Aborted is null, where + flight.Mission.Text + "\n" + flight.Log);
+        Assert.True(
+            flight.Mission.Phase == MissionPhase.Done && flight.Mission.Aborted is null,
+            where + flight.Mission.Text + "\n" + flight.Log);
         Assert.All(scores, s => Assert.True(s.Track is not null, where + s));
         Assert.All(scores, s => Assert.True(s.Track!.Covariance.HalfMajorAxis95Metres <= MaxHalfAxis, where + s));
         Assert.True(score.FalseTracks.Count == 0, $"{where}{score.FalseTracks.Count} false tracks");
@@ -68,10 +72,15 @@ public sealed class SearchTests(ITestOutputHelper output)
 
     private static string LogOf(long seed)
     {
-        using var flight = new SearchFlight(SearchFlight.SmallPlan(), new SimulationOptions { Seed = seed, TargetCount = 3, DistractorCount = 2 });
+        using var flight = new SearchFlight(
+            SearchFlight.SmallPlan(), new SimulationOptions { Seed = seed, TargetCount = 3, DistractorCount = 2 });
         flight.Fly(TimeSpan.FromMinutes(10));
-        return flight.Log + string.Join("\n", flight.Tracks.Tracks.Select(t => FormattableString.Invariant($"{t.Id} {t.Position.Latitude.Radians:R} {t.Position.Longitude.Radians:R} {t.Reports}")));
+        return flight.Log
+            + string.Join("\n", flight.Tracks.Tracks.Select(
+                t => FormattableString.Invariant(
+                    $"{t.Id} {t.Position.Latitude.Radians:R} {t.Position.Longitude.Radians:R} {t.Reports}")));
     }
 
-    private static double Rmse(IReadOnlyCollection<TargetScore> scores) => Math.Sqrt(scores.Average(s => s.ErrorMetres * s.ErrorMetres));
+    private static double Rmse(IReadOnlyCollection<TargetScore> scores)
+        => Math.Sqrt(scores.Average(s => s.ErrorMetres * s.ErrorMetres));
 }

@@ -14,7 +14,8 @@ public sealed class SignedFlightTests
     public void Mission_SignedLink_IsFlownAndNothingRejected()
     {
         using MavlinkSigningKey key = MavlinkSigningKey.FromPassphrase("the same on both sides");
-        using var flight = new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), new VirtualTime(5), [], key);
+        using var flight = new SearchFlight(
+            SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), new VirtualTime(5), [], key);
         flight.Fly(TimeSpan.FromMinutes(10));
 
         Assert.True(flight.Mission.Phase == MissionPhase.Done, flight.Mission.Text + "\n" + flight.Log);
@@ -30,7 +31,8 @@ public sealed class SignedFlightTests
     {
         using MavlinkSigningKey key = MavlinkSigningKey.FromPassphrase("ours");
         using MavlinkSigningKey vehicleKey = MavlinkSigningKey.FromPassphrase("the vehicle's");
-        using var flight = new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), new VirtualTime(5), [], key, vehicleKey);
+        using var flight = new SearchFlight(
+            SearchFlight.SmallPlan(), SearchFlight.SmallWorld(), new VirtualTime(5), [], key, vehicleKey);
         flight.Fly(TimeSpan.FromMinutes(1));
 
         Assert.Equal(MissionPhase.WaitingForVehicle, flight.Mission.Phase);

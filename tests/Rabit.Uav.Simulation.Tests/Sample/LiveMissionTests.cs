@@ -9,32 +9,40 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Sample;
 
-/// <summary>UavConsole flies SimulatedVehicle, two processes in real time, with UDP and a folder of pictures between them.</summary>
+/// <summary>
+/// UavConsole flies SimulatedVehicle, two processes in real time, with UDP and a folder of pictures between them.
+/// </summary>
 [Trait("Category", "Long")]
 public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
 {
     private static readonly TimeSpan MissionTimeout = TimeSpan.FromMinutes(5);
 
-    private readonly string _folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), $"rabit-live-{Guid.NewGuid():N}")).FullName;
+    private readonly string _folder =
+        Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), $"rabit-live-{Guid.NewGuid():N}")).FullName;
 
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
     public void Mission_OverUdp_IsFlownAndScored(bool isSigned)
     {
-        string[] signing = isSigned ? ["--sign-key", Write("key", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")] : [];
+        string[] signing = isSigned
+            ? ["--sign-key", Write("key", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")]
+            : [];
         string mission = Write("mission.json", SearchFlight.SmallMission);
         string truth = In("truth.json");
         string summary = In("summary.json");
         int port = FreePort();
         using var vehicle = new SampleProcess(
-            "SimulatedVehicle", [.. signing, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
+            "SimulatedVehicle",
+            [.. signing, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
             "--camera-out", In("pictures"), "--truth-out", truth]);
-        vehicle.WaitUntil(() => File.Exists(In("pictures/camera.json")) && File.Exists(truth) && new FileInfo(truth).Length > 0);
+        vehicle.WaitUntil(
+            () => File.Exists(In("pictures/camera.json")) && File.Exists(truth) && new FileInfo(truth).Length > 0);
 
         using var console = new SampleProcess(
-            "UavConsole", [.. signing, "--link", $"udpin:127.0.0.1:{port}", "--mission", mission, "--fly", "--camera", In("pictures"), "--truth", truth,
-            "--headless", "--summary", summary, "--report", In("report.html")]);
+            "UavConsole",
+            [.. signing, "--link", $"udpin:127.0.0.1:{port}", "--mission", mission, "--fly", "--camera", In("pictures"),
+            "--truth", truth, "--headless", "--summary", summary, "--report", In("report.html")]);
         int exitCode = console.WaitForEnd(MissionTimeout);
         output.WriteLine(console.Output);
         vehicle.Interrupt();

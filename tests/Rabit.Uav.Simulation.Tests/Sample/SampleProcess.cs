@@ -27,10 +27,12 @@ internal sealed class SampleProcess : IDisposable
 
     public SampleProcess(string program, params string[] arguments)
     {
-        IEnumerable<string> all = new[] { Path.Combine(Folder, program + (IsMono ? ".exe" : ".dll")) }.Concat(arguments);
+        IEnumerable<string> all = new[] { Path.Combine(Folder, program + (IsMono ? ".exe" : ".dll")) }
+            .Concat(arguments);
         _process = new Process
         {
-            StartInfo = new ProcessStartInfo(IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(a => "\"" + a + "\"")))
+            StartInfo = new ProcessStartInfo(
+                IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(a => "\"" + a + "\"")))
             {
                 UseShellExecute = false,
                 RedirectStandardOutput = true,
@@ -77,7 +79,8 @@ internal sealed class SampleProcess : IDisposable
 
     public int WaitForEnd(TimeSpan? timeout = null)
     {
-        Assert.True(_process.WaitForExit((int)(timeout ?? DefaultTestTimeout).TotalMilliseconds), "it does not end: " + Output);
+        Assert.True(
+            _process.WaitForExit((int)(timeout ?? DefaultTestTimeout).TotalMilliseconds), "it does not end: " + Output);
         _process.WaitForExit();
         return _process.ExitCode;
     }

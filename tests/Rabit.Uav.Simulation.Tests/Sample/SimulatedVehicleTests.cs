@@ -21,13 +21,16 @@ public class SimulatedVehicleTests
     {
         int port = FreePort();
         string truth = Path.Combine(Path.GetTempPath(), $"rabit-truth-{Guid.NewGuid():N}.json");
-        using var vehicle = new SampleProcess("SimulatedVehicle", "--link", $"udpout:127.0.0.1:{port}", "--seed", "3", "--truth-out", truth);
+        using var vehicle = new SampleProcess(
+            "SimulatedVehicle", "--link", $"udpout:127.0.0.1:{port}", "--seed", "3", "--truth-out", truth);
         Assert.False(vehicle.EndsWithin(TimeSpan.FromSeconds(2.5)), vehicle.Output);
 
         using (UdpListenLink ground = UdpListenLink.Open("127.0.0.1", port))
         {
             Await<Heartbeat>(ground);
-            Send(ground, new CommandLong { TargetSystem = 1, TargetComponent = 1, Command = MavCmd.NavTakeoff, Param7 = 10 });
+            Send(
+                ground,
+                new CommandLong { TargetSystem = 1, TargetComponent = 1, Command = MavCmd.NavTakeoff, Param7 = 10 });
             CommandAck ack = Await<CommandAck>(ground);
             Assert.Equal((MavCmd.NavTakeoff, MavResult.Failed), (ack.Command, ack.Result));
         }

@@ -18,11 +18,15 @@ public sealed class TargetScoringTests
     [Fact]
     public void Score_TracksNearTheirTargets_AreFoundWithTheirErrors()
     {
-        MissionScore score = Score([Target(DefaultTargetClasses.Red, 10, 20), Target(DefaultTargetClasses.Blue, 50, 60)], [Track(1, DefaultTargetClasses.Red, 11, 20), Track(2, DefaultTargetClasses.Blue, 50, 57)]);
+        MissionScore score = Score(
+            [Target(DefaultTargetClasses.Red, 10, 20), Target(DefaultTargetClasses.Blue, 50, 60)],
+            [Track(1, DefaultTargetClasses.Red, 11, 20), Track(2, DefaultTargetClasses.Blue, 50, 57)]);
 
         Assert.Equal((2, 0), (score.Found, score.FalseTracks.Count));
         Assert.Equal(1, score.Targets[0].ErrorMetres, 3);
-        Assert.Equal((0, -3), (Math.Round(score.Targets[1].ErrorNorthMetres, 2), Math.Round(score.Targets[1].ErrorEastMetres, 2)));
+        Assert.Equal(
+            (0, -3),
+            (Math.Round(score.Targets[1].ErrorNorthMetres, 2), Math.Round(score.Targets[1].ErrorEastMetres, 2)));
         Assert.Equal(Math.Sqrt(5), score.RmseMetres, 3);
     }
 
@@ -41,7 +45,9 @@ public sealed class TargetScoringTests
     [Fact]
     public void Score_TwoTracksAtOneTarget_TheNearerOneIsItsAndTheOtherFalse()
     {
-        MissionScore score = Score([Target(DefaultTargetClasses.Red, 0, 0)], [Track(1, DefaultTargetClasses.Red, 3, 0), Track(2, DefaultTargetClasses.Red, 0, 1)]);
+        MissionScore score = Score(
+            [Target(DefaultTargetClasses.Red, 0, 0)],
+            [Track(1, DefaultTargetClasses.Red, 3, 0), Track(2, DefaultTargetClasses.Red, 0, 1)]);
 
         Assert.Equal(2, score.Targets[0].Track!.Id);
         Assert.Equal([1], score.FalseTracks.Select(t => t.Id));
@@ -62,7 +68,8 @@ public sealed class TargetScoringTests
     [InlineData(TrackState.Lost)]
     public void Score_TrackThatIsNotConfirmed_CountsForNothing(TrackState state)
     {
-        MissionScore score = Score([Target(DefaultTargetClasses.Red, 0, 0)], [Track(1, DefaultTargetClasses.Red, 0, 0, state)]);
+        MissionScore score = Score(
+            [Target(DefaultTargetClasses.Red, 0, 0)], [Track(1, DefaultTargetClasses.Red, 0, 0, state)]);
 
         Assert.Equal((0, 0), (score.Found, score.FalseTracks.Count));
     }
@@ -73,7 +80,8 @@ public sealed class TargetScoringTests
     public void Score_EllipseOfOneMetre_ContainsTruthTo95Percent(double north, bool contains)
     {
         // Half axis: the root of chi-square with two degrees of freedom, 2.4477 (Abramowitz and Stegun, table 26.8).
-        MissionScore score = Score([Target(DefaultTargetClasses.Red, 0, 0)], [Track(1, DefaultTargetClasses.Red, north, 0)]);
+        MissionScore score = Score(
+            [Target(DefaultTargetClasses.Red, 0, 0)], [Track(1, DefaultTargetClasses.Red, north, 0)]);
 
         Assert.Equal(contains, score.Targets[0].EllipseContainsTruth);
         Assert.Equal(contains ? 1 : 0, score.InEllipse);
@@ -85,7 +93,8 @@ public sealed class TargetScoringTests
         var record = new FlightRecord { Mission = new MissionStatus { Plan = new SearchPlan { Home = Home } } };
         var truth = new TargetTruth(Home, []);
 
-        Assert.Equal(3.1, TargetScoring.Score(truth, record, Frame.ToGeodetic(new NedPosition(3.1, 0, 0))).DistanceFromHomeMetres!.Value, 6);
+        Assert.Equal(3.1, TargetScoring.Score(
+            truth, record, Frame.ToGeodetic(new NedPosition(3.1, 0, 0))).DistanceFromHomeMetres!.Value, 6);
         Assert.Null(TargetScoring.Score(truth, record, null).DistanceFromHomeMetres);
         Assert.Null(TargetScoring.Score(truth, FlightRecord.Empty, Home).DistanceFromHomeMetres);
     }
@@ -94,14 +103,17 @@ public sealed class TargetScoringTests
         => TargetScoring.Score(new TargetTruth(Home, targets), tracks);
 
     // At another height than the tracks: a difference in height is no error.
-    private static TruthTarget Target(TargetClassName colour, double north, double east) => new("target", colour, Frame.ToGeodetic(new NedPosition(north, east, 7)));
+    private static TruthTarget Target(TargetClassName colour, double north, double east)
+        => new("target", colour, Frame.ToGeodetic(new NedPosition(north, east, 7)));
 
-    private static TargetTrack Track(int id, TargetClassName colour, double north, double east, TrackState state = TrackState.Confirmed) => new()
-    {
-        Id = id,
-        Class = colour,
-        State = state,
-        Covariance = OneMetre,
-        Position = Frame.ToGeodetic(new NedPosition(north, east, 0)),
-    };
+    private static TargetTrack Track(
+        int id, TargetClassName colour, double north, double east, TrackState state = TrackState.Confirmed)
+        => new()
+        {
+            Id = id,
+            Class = colour,
+            State = state,
+            Covariance = OneMetre,
+            Position = Frame.ToGeodetic(new NedPosition(north, east, 0)),
+        };
 }

@@ -50,17 +50,22 @@ public sealed class TruthFileTests
         TargetTruth truth = TargetTruth.Of(world, [DefaultTargetClasses.Red, DefaultTargetClasses.Blue]);
 
         Assert.NotEmpty(truth.Targets);
-        Assert.All(truth.Targets, t => Assert.True(t.Class == DefaultTargetClasses.Red || t.Class == DefaultTargetClasses.Blue));
+        Assert.All(
+            truth.Targets,
+            t => Assert.True(t.Class == DefaultTargetClasses.Red || t.Class == DefaultTargetClasses.Blue));
     }
 
     [Theory]
     [InlineData("{", "it is not JSON (line 1)")]
     [InlineData("[]", "it does not say \"format\": \"rabit-truth\"")]
     [InlineData("""{"format":"rabit-mission"}""", "it does not say \"format\": \"rabit-truth\"")]
-    [InlineData("""{"format":"rabit-truth","version":2}""", "its version is not 1; home is missing; targets is not a list")]
+    [InlineData("""{"format":"rabit-truth","version":2}""",
+        "its version is not 1; home is missing; targets is not a list")]
     [InlineData(
         """{"format":"rabit-truth","version":1,"home":{"latitudeDegrees":91,"longitudeDegrees":"8"},"targets":[{"class":"pink and green stripes","latitudeDegrees":1,"longitudeDegrees":2},{"latitudeDegrees":1,"longitudeDegrees":2}]}""",
-        "home: latitudeDegrees is not a number from -90 to 90; home: longitudeDegrees is not a number from -180 to 180; targets[0]: 'pink and green stripes' is not a class: 1 to 16 ASCII characters; targets[1] has no class")]
+        "home: latitudeDegrees is not a number from -90 to 90; home: longitudeDegrees is not a number from -180 to "
+            + "180; targets[0]: 'pink and green stripes' is not a class: 1 to 16 ASCII characters; targets[1] has no "
+            + "class")]
     [InlineData(
         """{"format":"rabit-truth","version":1,"home":{"lat_deg":47,"lon_deg":8},"targets":[{"color":"red","lat_deg":1,"lon_deg":2},{"color":"red","lat_deg":1,"lon_deg":2}]}""",
         "lat_deg is now latitudeDegrees; lon_deg is now longitudeDegrees; color is now class")]
@@ -75,6 +80,8 @@ public sealed class TruthFileTests
     {
         Assert.Equal(expected.Home.Latitude.Radians, actual.Home.Latitude.Radians, 10);
         Assert.Equal(expected.Targets.Select(t => (t.Name, t.Class)), actual.Targets.Select(t => (t.Name, t.Class)));
-        Assert.All(expected.Targets.Zip(actual.Targets, (a, b) => (a, b)), p => Assert.Equal(p.a.Position.Longitude.Radians, p.b.Position.Longitude.Radians, 10));
+        Assert.All(
+            expected.Targets.Zip(actual.Targets, (a, b) => (a, b)),
+            p => Assert.Equal(p.a.Position.Longitude.Radians, p.b.Position.Longitude.Radians, 10));
     }
 }

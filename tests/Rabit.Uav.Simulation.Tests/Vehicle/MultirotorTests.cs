@@ -54,7 +54,8 @@ public class MultirotorTests
     {
         Multirotor body = Hovering(yaw: 0.3);
         double worst = 0;
-        foreach (NedVector velocity in (NedVector[])[new(8, 0, 0), new(-8, 0, 0), new(0, 8, -2), new(8, -8, 1.5), default])
+        foreach (NedVector velocity
+            in (NedVector[])[new(8, 0, 0), new(-8, 0, 0), new(0, 8, -2), new(8, -8, 1.5), default])
         {
             for (int step = 0; step < 600; step++)
             {

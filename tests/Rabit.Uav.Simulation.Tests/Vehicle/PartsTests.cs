@@ -110,7 +110,8 @@ public class PartsTests
     [Fact]
     public void Random_PurposesAndSeeds_AreDifferentStreams()
     {
-        ulong[] first = [new SimulationRandom(1, "a").Next(), new SimulationRandom(1, "b").Next(), new SimulationRandom(2, "a").Next()];
+        ulong[] first = [new SimulationRandom(1, "a").Next(), new SimulationRandom(1, "b").Next(),
+            new SimulationRandom(2, "a").Next()];
         Assert.Equal(3, first.Distinct().Count());
         Assert.Equal(first[0], new SimulationRandom(1, "a").Next());
     }
@@ -126,7 +127,8 @@ public class PartsTests
             var product = LocalNedFrame.IgnoringGeoid(home);
             for (int point = 0; point < 200; point++)
             {
-                var ned = new NedVector(random.Uniform(-2000, 2000), random.Uniform(-2000, 2000), random.Uniform(-500, 100));
+                var ned = new NedVector(
+                    random.Uniform(-2000, 2000), random.Uniform(-2000, 2000), random.Uniform(-500, 100));
                 GeodeticPosition place = mine.ToPlace(ned);
                 AssertNear(ned, product.ToNed(place) - NedPosition.Origin);
                 AssertNear(ned, mine.ToWorld(product.ToGeodetic(NedPosition.Origin + ned)));

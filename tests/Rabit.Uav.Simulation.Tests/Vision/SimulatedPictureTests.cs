@@ -13,8 +13,8 @@ using Xunit.Abstractions;
 namespace Rabit.Uav.Simulation.Tests.Vision;
 
 /// <summary>
-/// The pictures of the simulated camera through Image Processing, with true poses: what is left is the error of pictures, detector and
-/// geometry, which were written apart from each other.
+/// The pictures of the simulated camera through Image Processing, with true poses: what is left is the error of
+/// pictures, detector and geometry, which were written apart from each other.
 /// </summary>
 public sealed class SimulatedPictureTests(ITestOutputHelper output)
 {
@@ -35,7 +35,8 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         var missed = new List<string>();
         foreach (CameraObservation observation in survey.Sink.Observations)
         {
-            foreach (SimulatedTarget target in survey.Things.Where(t => !t.IsDistractor && survey.IsInside(observation, t, EdgeMetres)))
+            foreach (SimulatedTarget target
+                in survey.Things.Where(t => !t.IsDistractor && survey.IsInside(observation, t, EdgeMetres)))
             {
                 expected++;
                 double[] errors = survey.Sink.Reports
@@ -57,13 +58,15 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
             .Where(r => !survey.Things.Any(t => !t.IsDistractor && t.Class == r.Class && survey.ErrorOf(r, t) < 1))
             .Select(r => survey.Describe(r)).ToArray();
         double rms = Math.Sqrt(squares / Math.Max(1, found));
-        output.WriteLine($"seed {seed}, {height} m: {survey.Sink.Observations.Count} observations, {found} of {expected} found, {wrong.Length} wrong, rms {rms:F3} m, worst {worst:F3} m");
+        output.WriteLine($"seed {seed}, {height} m: {survey.Sink.Observations.Count} observations, {found} of "
+            + $"{expected} found, {wrong.Length} wrong, rms {rms:F3} m, worst {worst:F3} m");
         foreach (string line in missed.Concat(wrong).Take(30))
             output.WriteLine(line);
 
         Assert.True(expected > 50, $"{expected} targets in view are too few to decide");
         Assert.True(found >= 0.98 * expected, $"seed {seed}: {expected - found} of {expected} sights were missed");
-        Assert.True(wrong.Length == 0, $"seed {seed}: {wrong.Length} reports of nothing, first {wrong.FirstOrDefault()}");
+        Assert.True(
+            wrong.Length == 0, $"seed {seed}: {wrong.Length} reports of nothing, first {wrong.FirstOrDefault()}");
         Assert.True(rms < (0.25 * groundSample) + 0.1, $"seed {seed}: off by {rms} m");
     }
 
@@ -85,7 +88,8 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         var camera = new SimulatedCameraOptions();
         var truth = new TruthHistory(400);
         var frame = new WorldFrame(GeodeticPosition.FromRadians(0.8395, 0.1486, 445));
-        IReadOnlyList<SimulatedTarget> things = TargetField.Place(seed, Scene.Corners((-5, -10), (-5, 65), (75, 65), (75, -10)), 10, 10);
+        IReadOnlyList<SimulatedTarget> things = TargetField.Place(
+            seed, Scene.Corners((-5, -10), (-5, 65), (75, 65), (75, -10)), 10, 10);
         var source = new SimulatedCamera(camera, truth, things, seed);
         var manager = new ImageProcessingManager(
             new ImageProcessingOptions
@@ -93,7 +97,8 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
                 Camera = camera.Camera,
                 Mount = new CameraMount
                 {
-                    GimbalLeverArmMetres = new BodyVector(camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres),
+                    GimbalLeverArmMetres = new BodyVector(
+                        camera.LeverArmForwardMetres, camera.LeverArmRightMetres, camera.LeverArmDownMetres),
                 },
             },
             source);
@@ -104,7 +109,12 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
             CameraPitch = Angle.FromDegrees(-90),
             GroundAltitudeAmslMetres = frame.Origin.AltitudeAmslMetres,
         };
-        var reactor = new RabitReactor(new VirtualTime((long)seed)) { new SurveyFlight(truth, frame, height, order), manager, sink };
+        var reactor = new RabitReactor(new VirtualTime((long)seed))
+        {
+            new SurveyFlight(truth, frame, height, order),
+            manager,
+            sink
+        };
         reactor.Start();
         reactor.RunFor(TimeSpan.FromSeconds(45));
         reactor.Stop();
@@ -123,18 +133,21 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
         public double ErrorOf(TargetReport report, SimulatedTarget target)
         {
             NedVector at = frame.ToWorld(report.Position);
-            return Math.Sqrt(Math.Pow(at.North - target.Position.North, 2) + Math.Pow(at.East - target.Position.East, 2));
+            return Math.Sqrt(
+                Math.Pow(at.North - target.Position.North, 2) + Math.Pow(at.East - target.Position.East, 2));
         }
 
         public string Describe(TargetReport report)
         {
             SimulatedTarget nearest = Things.OrderBy(t => ErrorOf(report, t)).First();
-            return $"{report.Class} in observation {report.PictureNumber}, {report.SizeMetres:F2} m, score {report.Score:F2}, nearest is {nearest.Name} at {ErrorOf(report, nearest):F1} m";
+            return $"{report.Class} in observation {report.PictureNumber}, {report.SizeMetres:F2} m, score "
+                + $"{report.Score:F2}, nearest is {nearest.Name} at {ErrorOf(report, nearest):F1} m";
         }
 
         public bool IsInside(CameraObservation observation, SimulatedTarget target, double margin)
         {
-            NedVector[] corners = [frame.ToWorld(observation.TopLeft), frame.ToWorld(observation.TopRight), frame.ToWorld(observation.BottomRight), frame.ToWorld(observation.BottomLeft)];
+            NedVector[] corners = [frame.ToWorld(observation.TopLeft), frame.ToWorld(observation.TopRight),
+                frame.ToWorld(observation.BottomRight), frame.ToWorld(observation.BottomLeft)];
             for (int i = 0; i < 4; i++)
             {
                 (NedVector a, NedVector b) = (corners[i], corners[(i + 1) % 4]);
@@ -142,7 +155,8 @@ public sealed class SimulatedPictureTests(ITestOutputHelper output)
                 double length = Math.Sqrt((north * north) + (east * east));
 
                 // Clockwise seen from above: the inside is to the right.
-                double inside = ((north * (target.Position.East - a.East)) - (east * (target.Position.North - a.North))) / length;
+                double inside =
+                    ((north * (target.Position.East - a.East)) - (east * (target.Position.North - a.North))) / length;
                 if (inside < margin)
                     return false;
             }

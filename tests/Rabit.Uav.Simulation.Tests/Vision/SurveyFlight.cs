@@ -6,8 +6,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation.Tests.Vision;
 
 /// <summary>
-/// Stands for vehicle and autopilot: flies lanes over a square, leaning this way and that, writes the truth for the camera, and reports
-/// Image Processing the same truth as poses, 10 positions and 50 attitudes a second, 30 ms late.
+/// Stands for vehicle and autopilot: flies lanes over a square, leaning this way and that, writes the truth for the
+/// camera, and reports Image Processing the same truth as poses, 10 positions and 50 attitudes a second, 30 ms late.
 /// </summary>
 internal sealed class SurveyFlight : RabitManager
 {
@@ -61,7 +61,9 @@ internal sealed class SurveyFlight : RabitManager
         {
             Kind = PoseSampleKind.Attitude,
             Time = pose.Time,
-            Attitude = EulerAngles.FromRadians(pose.Attitude.Roll.Radians, pose.Attitude.Pitch.Radians, Math.IEEERemainder(pose.Attitude.Yaw.Radians, 2 * Math.PI)),
+            Attitude = EulerAngles.FromRadians(
+                pose.Attitude.Roll.Radians, pose.Attitude.Pitch.Radians,
+                Math.IEEERemainder(pose.Attitude.Yaw.Radians, 2 * Math.PI)),
         });
         if (hasPosition)
         {

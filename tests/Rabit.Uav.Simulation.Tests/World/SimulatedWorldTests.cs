@@ -25,7 +25,8 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         var options = new SimulationOptions();
         options.TakePlacesFrom(MissionPlan.Parse(Mission, "test"));
 
-        Assert.Equal((10, 20), (Math.Round(options.Home.Latitude.Degrees, 9), Math.Round(options.Home.Longitude.Degrees, 9)));
+        Assert.Equal(
+            (10, 20), (Math.Round(options.Home.Latitude.Degrees, 9), Math.Round(options.Home.Longitude.Degrees, 9)));
         Assert.Equal((0, 0), (Math.Round(options.Area[0].North, 3), Math.Round(options.Area[0].East, 3)));
     }
 
@@ -57,7 +58,8 @@ public class SimulatedWorldTests(ITestOutputHelper output)
         double simulated = (ground.Now - start).TotalSeconds;
         process.Refresh();
         double busy = (process.TotalProcessorTime - busyBefore).TotalSeconds;   // of this alone only if it runs alone
-        output.WriteLine($"{simulated:0} s simulated in {clock.Elapsed.TotalSeconds:0.00} s, {busy:0.00} s of CPU: {simulated / busy:0} s in a second of CPU");
+        output.WriteLine($"{simulated:0} s simulated in {clock.Elapsed.TotalSeconds:0.00} s, {busy:0.00} s of CPU: "
+            + $"{simulated / busy:0} s in a second of CPU");
         Assert.True(clock.Elapsed.TotalSeconds < 20, $"{clock.Elapsed.TotalSeconds:0.0} s");
     }
 
@@ -94,7 +96,8 @@ public class SimulatedWorldTests(ITestOutputHelper output)
 
         byte[] torn = [0xFD, 200, 0, 0, 0, 1, 1, 0xEF, 0xCD, 0xAB];
         ground.Link.Write(torn, 0, torn.Length);
-        ground.Send(new CommandLong { TargetSystem = 1, TargetComponent = 1, Command = MavCmd.RequestMessage, Param1 = 148 });
+        ground.Send(
+            new CommandLong { TargetSystem = 1, TargetComponent = 1, Command = MavCmd.RequestMessage, Param1 = 148 });
         ground.Link.Dispose();
         ground.Run(1);
 
@@ -104,7 +107,9 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     [Fact]
     public void BatteryTo_IsReportedWithWarningAndCriticalStatus()
     {
-        using var ground = new Ground(With(new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromSeconds(35), Value = 0.08 }));
+        using var ground = new Ground(
+            With(
+                new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromSeconds(35), Value = 0.08 }));
         ground.Stream(SysStatus.MavlinkId, 2);
         ground.TakeOff(10);
         ground.Run(36 - ground.Now.TotalSeconds);
@@ -118,8 +123,17 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     [Fact]
     public void BatteryTo_FailsafeSwitchedOn_Returns()
     {
-        using var ground = new Ground(With(new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromSeconds(35), Value = 0.08 }));
-        ground.Send(new ParamSet { TargetSystem = 1, TargetComponent = 1, ParamId = new Text16("BATT_FS_LOW_ACT"), ParamValue = 2 });
+        using var ground = new Ground(
+            With(
+                new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromSeconds(35), Value = 0.08 }));
+        ground.Send(
+            new ParamSet
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                ParamId = new Text16("BATT_FS_LOW_ACT"),
+                ParamValue = 2
+            });
         ground.TakeOff(10);
         ground.Run(50 - ground.Now.TotalSeconds);
         Assert.Equal(CopterMode.Rtl, (CopterMode)ground.Truth.CustomMode);
@@ -128,7 +142,8 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     [Fact]
     public void BatteryEmpty_InFlight_Falls()
     {
-        using var ground = new Ground(With(new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromSeconds(35), Value = 0 }));
+        using var ground = new Ground(
+            With(new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromSeconds(35), Value = 0 }));
         ground.TakeOff(20);
         ground.Run(45 - ground.Now.TotalSeconds);
         Assert.True(ground.Truth.HasCrashed);
@@ -138,7 +153,14 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     public void GroundFailsafe_SwitchedOn_ReturnsWhenTheGroundStationIsLost()
     {
         using var ground = new Ground();
-        ground.Send(new ParamSet { TargetSystem = 1, TargetComponent = 1, ParamId = new Text16("FS_GCS_ENABLE"), ParamValue = 1 });
+        ground.Send(
+            new ParamSet
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                ParamId = new Text16("FS_GCS_ENABLE"),
+                ParamValue = 1
+            });
         ground.TakeOff(10);
         for (int second = 0; second < 8; second++)
         {
@@ -154,7 +176,14 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     [Fact]
     public void WindTo_ForAWhile_BlowsForThatWhile()
     {
-        var options = With(new ScriptedFault { Kind = ScriptedFaultKind.WindTo, At = TimeSpan.FromSeconds(20), Duration = TimeSpan.FromSeconds(30), Value = 12 });
+        var options = With(
+            new ScriptedFault
+            {
+                Kind = ScriptedFaultKind.WindTo,
+                At = TimeSpan.FromSeconds(20),
+                Duration = TimeSpan.FromSeconds(30),
+                Value = 12
+            });
         options.WindMetresPerSecond = 1;
         using var ground = new Ground(options);
         ground.Stream(Wind.MavlinkId, 5);
@@ -169,7 +198,8 @@ public class SimulatedWorldTests(ITestOutputHelper output)
     [Fact]
     public void PilotMode_TakesOver_AtItsTime()
     {
-        using var ground = new Ground(With(new ScriptedFault { Kind = ScriptedFaultKind.PilotMode, At = TimeSpan.FromSeconds(40), Value = 5 }));
+        using var ground = new Ground(
+            With(new ScriptedFault { Kind = ScriptedFaultKind.PilotMode, At = TimeSpan.FromSeconds(40), Value = 5 }));
         ground.TakeOff(10);
         ground.GoTo(200, 0, 10);
         ground.Run(39.5 - ground.Now.TotalSeconds);
@@ -228,16 +258,22 @@ public class SimulatedWorldTests(ITestOutputHelper output)
             WindMetresPerSecond = -1,
             BatteryRemaining = 2,
             Area = [],
-            Faults = [new ScriptedFault { Kind = ScriptedFaultKind.PilotMode, Value = 99 }, new ScriptedFault { Kind = ScriptedFaultKind.LinkSilent }],
+            Faults =
+            [
+                new ScriptedFault { Kind = ScriptedFaultKind.PilotMode, Value = 99 },
+                new ScriptedFault { Kind = ScriptedFaultKind.LinkSilent }
+            ],
         };
         var e = Assert.Throws<ArgumentException>(() => new SimulatedWorld(options));
-        foreach (string name in (string[])["WindMetresPerSecond", "BatteryRemaining", "Area", "PilotMode", "LinkSilent"])
+        foreach (string name
+            in (string[])["WindMetresPerSecond", "BatteryRemaining", "Area", "PilotMode", "LinkSilent"])
             Assert.Contains(name, e.Message, StringComparison.Ordinal);
     }
 
     private static SimulationOptions With(ScriptedFault fault) => new() { Faults = [fault] };
 
-    private static double MeanWind(Ground ground) => ground.All<Wind>().Reverse().Take(15).Average(w => w.Message.Speed);
+    private static double MeanWind(Ground ground)
+        => ground.All<Wind>().Reverse().Take(15).Average(w => w.Message.Speed);
 
     private static void AskForStreams(Ground ground)
     {

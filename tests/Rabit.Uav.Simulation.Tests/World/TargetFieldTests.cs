@@ -64,7 +64,9 @@ public class TargetFieldTests(ITestOutputHelper output)
         // A flight that is known by its seed is to find the same world in years to come, on every runtime.
         SimulatedTarget first = TargetField.Place(1, Rectangle, 5, 6)[0];
 
-        Assert.Equal("red panel 1 94.380571 -33.440573 5.039165", $"{first.Name} {first.Position.North:F6} {first.Position.East:F6} {first.Heading.Radians:F6}");
+        Assert.Equal(
+            "red panel 1 94.380571 -33.440573 5.039165",
+            $"{first.Name} {first.Position.North:F6} {first.Position.East:F6} {first.Heading.Radians:F6}");
     }
 
     [Fact]
@@ -80,7 +82,10 @@ public class TargetFieldTests(ITestOutputHelper output)
             {
                 Assert.Equal((1.0, 1.0), (target.SideMetres, target.WidthMetres));
                 (int red, int green, int blue) = Nominal(target.Class);
-                Assert.True(IsWithinTenth(target.Surface.Red, red) && IsWithinTenth(target.Surface.Green, green) && IsWithinTenth(target.Surface.Blue, blue), $"seed {seed}, {target.Name}");
+                Assert.True(
+                    IsWithinTenth(target.Surface.Red, red) && IsWithinTenth(target.Surface.Green, green)
+                        && IsWithinTenth(target.Surface.Blue, blue),
+                    $"seed {seed}, {target.Name}");
             }
         }
     }
@@ -109,18 +114,28 @@ public class TargetFieldTests(ITestOutputHelper output)
     {
         NedPosition[] small = Scene.Corners((0, 0), (0, 30), (30, 30), (30, 0));
 
-        ArgumentException fault = Assert.Throws<ArgumentException>(() => TargetField.Place(1, small, targets: 20, distractors: 3));
+        ArgumentException fault = Assert.Throws<ArgumentException>(
+            () => TargetField.Place(1, small, targets: 20, distractors: 3));
 
         Assert.Contains("20 targets do not fit into the area", fault.Message, StringComparison.Ordinal);
-        Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (0, 7), (7, 7), (7, 0)), targets: 1, distractors: 0));
-        Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (50, 50), (100, 100)), targets: 1, distractors: 0));
+        Assert.Throws<ArgumentException>(
+            () => TargetField.Place(1, Scene.Corners((0, 0), (0, 7), (7, 7), (7, 0)), targets: 1, distractors: 0));
+        Assert.Throws<ArgumentException>(
+            () => TargetField.Place(1, Scene.Corners((0, 0), (50, 50), (100, 100)), targets: 1, distractors: 0));
     }
 
     [Fact]
     public void Place_NoArea_SaysWhy()
     {
-        Assert.Contains("3 corners", Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (1, 1)), 1, 0)).Message, StringComparison.Ordinal);
-        Assert.Contains("Corner 2", Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (1, double.NaN), (5, 5)), 1, 0)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "3 corners",
+            Assert.Throws<ArgumentException>(() => TargetField.Place(1, Scene.Corners((0, 0), (1, 1)), 1, 0)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "Corner 2",
+            Assert.Throws<ArgumentException>(
+                () => TargetField.Place(1, Scene.Corners((0, 0), (1, double.NaN), (5, 5)), 1, 0)).Message,
+            StringComparison.Ordinal);
         Assert.Throws<ArgumentNullException>(() => TargetField.Place(1, null!, 1, 0));
         Assert.Throws<ArgumentOutOfRangeException>(() => TargetField.Place(1, Rectangle, -1, 0));
         Assert.Throws<ArgumentOutOfRangeException>(() => TargetField.Place(1, Rectangle, 0, -1));
@@ -137,7 +152,8 @@ public class TargetFieldTests(ITestOutputHelper output)
         for (int i = 0; i < area.Length; i++)
         {
             (double n1, double e1) = (area[i].North - thing.Position.North, area[i].East - thing.Position.East);
-            (double n2, double e2) = (area[(i + 1) % area.Length].North - thing.Position.North, area[(i + 1) % area.Length].East - thing.Position.East);
+            (double n2, double e2) = (area[(i + 1) % area.Length].North - thing.Position.North,
+                area[(i + 1) % area.Length].East - thing.Position.East);
             turn += Math.Atan2((n1 * e2) - (n2 * e1), (n1 * n2) + (e1 * e2));
             for (int step = 0; step <= 1000; step++)
             {
@@ -165,5 +181,7 @@ public class TargetFieldTests(ITestOutputHelper output)
     };
 
     private static string Text(IEnumerable<SimulatedTarget> things) => string.Join(
-        "; ", things.Select(t => $"{t.Name} {t.Position.North:R} {t.Position.East:R} {t.Heading.Radians:R} {t.Surface.Red} {t.Surface.Green} {t.Surface.Blue}"));
+        "; ",
+        things.Select(t => $"{t.Name} {t.Position.North:R} {t.Position.East:R} {t.Heading.Radians:R} {t.Surface.Red} "
+            + $"{t.Surface.Green} {t.Surface.Blue}"));
 }

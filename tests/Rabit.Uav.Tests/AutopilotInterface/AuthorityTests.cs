@@ -11,7 +11,8 @@ namespace Rabit.Uav.Tests.AutopilotInterface;
 public class AuthorityTests
 {
     public static TheoryData<VehicleCommandKind> EveryKind => new(
-        typeof(VehicleCommandKind).GetEnumValues().Cast<VehicleCommandKind>().Where(k => k != VehicleCommandKind.None).ToArray());
+        typeof(VehicleCommandKind).GetEnumValues().Cast<VehicleCommandKind>()
+            .Where(k => k != VehicleCommandKind.None).ToArray());
 
     [Theory]
     [MemberData(nameof(EveryKind))]
@@ -20,7 +21,8 @@ public class AuthorityTests
         using var copter = new ScriptedAutopilot(mayCommand: false);
         copter.Run(1.5);
         VehicleCommandResult answer = copter.GiveAndRun(kind);
-        Assert.Equal((VehicleCommandOutcome.NotInCommand, "observing only", kind), (answer.Outcome, answer.Text, answer.Kind));
+        Assert.Equal(
+            (VehicleCommandOutcome.NotInCommand, "observing only", kind), (answer.Outcome, answer.Text, answer.Kind));
         Assert.Empty(copter.Received);
         Assert.Equal(CommandAuthorityState.Observing, copter.Authority);
     }
@@ -61,7 +63,9 @@ public class AuthorityTests
         Assert.Equal(received, copter.Received.Count);
         VehicleCommandResult answer = copter.Answers.Single(a => a.Id == id);
         if (kind != VehicleCommandKind.Velocity)   // that was accepted when it began
-            Assert.Equal((VehicleCommandOutcome.NotInCommand, "mode LOITER took the command away"), (answer.Outcome, answer.Text));
+            Assert.Equal(
+                (VehicleCommandOutcome.NotInCommand, "mode LOITER took the command away"),
+                (answer.Outcome, answer.Text));
 
         // And it stays so, also when the pilot gives GUIDED back.
         copter.Mode = (uint)CopterMode.Guided;
@@ -93,7 +97,8 @@ public class AuthorityTests
             copter.Later(1.2, () => copter.Beat((uint)CopterMode.Guided));
             return MavResult.Accepted;
         };
-        Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Return, seconds: 1.4).Outcome);
+        Assert.Equal(
+            VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Return, seconds: 1.4).Outcome);
         Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
         copter.Beat((uint)CopterMode.Rtl);
         copter.Run(0.5);
@@ -101,7 +106,8 @@ public class AuthorityTests
 
         copter.Beat((uint)CopterMode.Guided);   // now it was done by other means
         copter.Run(0.1);
-        Assert.Equal((CommandAuthorityState.TakenAway, "mode GUIDED"), (copter.Authority, copter.Rig.Authority.TakenBy));
+        Assert.Equal(
+            (CommandAuthorityState.TakenAway, "mode GUIDED"), (copter.Authority, copter.Rig.Authority.TakenBy));
     }
 
     [Fact]

@@ -35,7 +35,9 @@ public class AutopilotManagerTests
         VehicleState vehicle = rig.Vehicle;
         Assert.Equal((true, (byte)7, (byte)1), (vehicle.IsConnected, vehicle.SystemId, vehicle.ComponentId));
         Assert.Equal((MavAutopilot.Ardupilotmega, MavType.Quadrotor), (vehicle.Autopilot, vehicle.VehicleType));
-        Assert.Equal(("GUIDED", 4u, true, MavState.Active), (vehicle.Mode, vehicle.CustomMode, vehicle.IsArmed, vehicle.SystemStatus));
+        Assert.Equal(
+            ("GUIDED", 4u, true, MavState.Active),
+            (vehicle.Mode, vehicle.CustomMode, vehicle.IsArmed, vehicle.SystemStatus));
         Assert.Equal((7, 191), (rig.OwnAddress.SystemId, rig.OwnAddress.ComponentId));
     }
 
@@ -121,7 +123,8 @@ public class AutopilotManagerTests
         var manager = new AutopilotManager(new AutopilotOptions { RequestsRates = false });
         var reactor = new RabitReactor(time) { manager, new OutgoingSink(), new AutopilotPeers() };
         QueueSender<LinkFrame> frames = reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
-        MessageSubscriber<AutopilotStatistics> statistics = reactor.Workspace.Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
+        MessageSubscriber<AutopilotStatistics> statistics = reactor.Workspace.Subscribe<AutopilotStatistics>(
+            MessageNames.AutopilotStatistics);
         reactor.Start();
         for (int second = 0; second < 60; second++)
         {
@@ -139,13 +142,15 @@ public class AutopilotManagerTests
     [Fact]
     public void IsConnected_FramesHandedOverOnlyAfterAStall_AreNotMissed()
     {
-        // The manager is away until 8 s, wakes at 8.2 s to an empty queue, and what came meanwhile is handed over at 8.3 s.
+        // The manager is away until 8 s, wakes at 8.2 s to an empty queue, and what came meanwhile is handed over at
+        // 8.3 s.
         var time = new VirtualTime(1);
         time.SetUnitOfWorkDuration(AutopilotManager.ManagerName, TimeSpan.FromSeconds(8));
         var manager = new AutopilotManager(new AutopilotOptions { RequestsRates = false });
         var reactor = new RabitReactor(time) { manager, new OutgoingSink(), new AutopilotPeers() };
         QueueSender<LinkFrame> frames = reactor.Workspace.Send<LinkFrame>(MessageNames.AutopilotFrames);
-        MessageSubscriber<AutopilotStatistics> statistics = reactor.Workspace.Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
+        MessageSubscriber<AutopilotStatistics> statistics = reactor.Workspace.Subscribe<AutopilotStatistics>(
+            MessageNames.AutopilotStatistics);
         reactor.Start();
         frames.Push(AutopilotRig.FrameOf(AutopilotRig.Copter(), TimeSpan.Zero));
         reactor.RunFor(TimeSpan.FromSeconds(8.3));
@@ -208,7 +213,8 @@ public class AutopilotManagerTests
     [Fact]
     public void Autopilots_ConfiguredSystem_OnlyThatOneIsOurs()
     {
-        using var rig = new AutopilotRig(new AutopilotOptions { SystemId = 9, ComponentId = 192, RequestsRates = false });
+        using var rig = new AutopilotRig(
+            new AutopilotOptions { SystemId = 9, ComponentId = 192, RequestsRates = false });
         Assert.Equal((9, 192), (rig.OwnAddress.SystemId, rig.OwnAddress.ComponentId));
         rig.Beat(2);
         Assert.Equal(0, rig.VehiclePosts);
@@ -231,7 +237,8 @@ public class AutopilotManagerTests
 
         Assert.Equal(AutopilotManager.RecentItemsKept, rig.Texts.Count);
         Assert.Equal(Enumerable.Range(5, 20).Select(i => $"text {24 + 5 - i}"), rig.Texts.Select(t => t.Text));
-        Assert.Equal((MavSeverity.Warning, TimeSpan.FromSeconds(1)), (rig.Texts.Newest!.Severity, rig.Texts.Newest.Time));
+        Assert.Equal(
+            (MavSeverity.Warning, TimeSpan.FromSeconds(1)), (rig.Texts.Newest!.Severity, rig.Texts.Newest.Time));
     }
 
     [Fact]
@@ -239,7 +246,14 @@ public class AutopilotManagerTests
     {
         using var rig = new AutopilotRig();
         rig.Beat(1);
-        rig.Send(new CommandAck { Command = MavCmd.ComponentArmDisarm, Result = MavResult.Failed, TargetSystem = 1, TargetComponent = 191 });
+        rig.Send(
+            new CommandAck
+            {
+                Command = MavCmd.ComponentArmDisarm,
+                Result = MavResult.Failed,
+                TargetSystem = 1,
+                TargetComponent = 191
+            });
         rig.Send(new CommandAck { Command = MavCmd.NavTakeoff, Result = MavResult.Accepted });
         rig.Send(new CommandAck { Command = MavCmd.NavLand }, component: 100);
         rig.Run();

@@ -32,7 +32,8 @@ internal sealed class AutopilotRig : IDisposable
         _vehicle = Reactor.Workspace.Subscribe<VehicleState>(MessageNames.VehicleState);
         _ownAddress = Reactor.Workspace.Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _texts = Reactor.Workspace.Subscribe<RecentItems<StatusText>>(MessageNames.StatusTexts);
-        _acknowledgements = Reactor.Workspace.Subscribe<RecentItems<CommandAcknowledgement>>(MessageNames.CommandAcknowledgements);
+        _acknowledgements = Reactor.Workspace.Subscribe<RecentItems<CommandAcknowledgement>>(
+            MessageNames.CommandAcknowledgements);
         _authority = Reactor.Workspace.Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
         _statistics = Reactor.Workspace.Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         _commands = Reactor.Workspace.Send<VehicleCommand>(MessageNames.VehicleCommands);
@@ -79,17 +80,20 @@ internal sealed class AutopilotRig : IDisposable
     public RecentItems<CommandAcknowledgement> Acknowledgements => Fetched(_acknowledgements);
 
     public static Heartbeat Copter(
-        CopterMode mode = CopterMode.Stabilize, MavModeFlag flags = MavModeFlag.CustomModeEnabled, MavState status = MavState.Standby) => new()
-        {
-            Type = MavType.Quadrotor,
-            Autopilot = MavAutopilot.Ardupilotmega,
-            BaseMode = flags,
-            CustomMode = (uint)mode,
-            SystemStatus = status,
-            MavlinkVersion = 3,
-        };
+        CopterMode mode = CopterMode.Stabilize, MavModeFlag flags = MavModeFlag.CustomModeEnabled,
+        MavState status = MavState.Standby)
+            => new()
+            {
+                Type = MavType.Quadrotor,
+                Autopilot = MavAutopilot.Ardupilotmega,
+                BaseMode = flags,
+                CustomMode = (uint)mode,
+                SystemStatus = status,
+                MavlinkVersion = 3,
+            };
 
-    public static LinkFrame FrameOf<T>(in T message, TimeSpan time, byte system = System, byte component = Autopilot, long index = 0)
+    public static LinkFrame FrameOf<T>(
+        in T message, TimeSpan time, byte system = System, byte component = Autopilot, long index = 0)
         where T : struct, IMavlinkMessage
         => new()
         {

@@ -42,14 +42,18 @@ public class ClockTests(ITestOutputHelper output)
         }
 
         double rms = Math.Sqrt(squares / count);
-        output.WriteLine($"seeds 1 to 20, drift {drift}, jitter {jitterMs} ms: rms {rms:0.000} ms, worst {worst:0.000} ms");
+        output.WriteLine(
+            $"seeds 1 to 20, drift {drift}, jitter {jitterMs} ms: rms {rms:0.000} ms, worst {worst:0.000} ms");
         Assert.True(rms <= rmsMs && worst <= worstMs, $"rms {rms} ms, worst {worst} ms");
     }
 
     [Fact]
     public void Timesync_QueuesOneWay_BendTheLineLittle()
     {
-        var link = new JitteryLink(seed: 3, drift: 20e-6, jitterMs: 2) { SlowWayBack = n => n % 5 == 0 ? 0.04 : n % 7 == 0 ? 0.4 : 0 };
+        var link = new JitteryLink(seed: 3, drift: 20e-6, jitterMs: 2)
+        {
+            SlowWayBack = n => n % 5 == 0 ? 0.04 : n % 7 == 0 ? 0.4 : 0
+        };
         for (int second = 0; second < 300; second++)
             link.RunOneSecond();
         output.WriteLine($"error {link.ErrorSeconds() * 1000:0.000} ms, rejected {link.Clock.Timesync.Rejected}");
@@ -88,7 +92,8 @@ public class ClockTests(ITestOutputHelper output)
 
         Assert.True(double.IsNaN(clock.Timesync.ShortestRoundTripSeconds));
         clock.Take(new Timesync { Ts1 = request.Ts1, Tc1 = 5_000_000_000 }, TimeSpan.FromMilliseconds(20));
-        clock.Take(new Timesync { Ts1 = request.Ts1, Tc1 = 9_000_000_000 }, TimeSpan.FromMilliseconds(30));   // the same once more
+        // the same once more
+        clock.Take(new Timesync { Ts1 = request.Ts1, Tc1 = 9_000_000_000 }, TimeSpan.FromMilliseconds(30));
         Assert.Equal(0.02, clock.Timesync.ShortestRoundTripSeconds, 6);
         Assert.Equal(0, clock.Timesync.Jumps);
     }
@@ -180,7 +185,9 @@ public class ClockTests(ITestOutputHelper output)
         Assert.Equal(20, rig.Peers.Poses.Count(p => p.Kind == PoseSampleKind.Position));
         Assert.Equal(20, rig.Peers.Poses.Count(p => p.Kind == PoseSampleKind.Attitude));
         PoseSample attitude = rig.Peers.Poses[0];
-        Assert.Equal((0.1, 0.2), (Math.Round(attitude.Attitude.Roll.Radians, 6), Math.Round(attitude.Rates.YawRadiansPerSecond, 6)));
+        Assert.Equal(
+            (0.1, 0.2),
+            (Math.Round(attitude.Attitude.Roll.Radians, 6), Math.Round(attitude.Rates.YawRadiansPerSecond, 6)));
     }
 
     [Fact]
@@ -234,7 +241,9 @@ public class ClockTests(ITestOutputHelper output)
                     continue;
                 double received = _now + Delay();
                 double back = received + Delay() + SlowWayBack(_answers++);
-                Clock.Take(new Timesync { Ts1 = request.Ts1, Tc1 = (long)(Theirs(received) * 1e9) }, TimeSpan.FromSeconds(back));
+                Clock.Take(
+                    new Timesync { Ts1 = request.Ts1, Tc1 = (long)(Theirs(received) * 1e9) },
+                    TimeSpan.FromSeconds(back));
             }
         }
 

@@ -20,7 +20,9 @@ public class CommandAnswerTests
         int tries = 0;
         copter.Script = (frame, command) => tries++ < lost ? null : copter.Accept(frame, command);
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.TakeOff).Outcome);
-        Assert.Equal(Enumerable.Range(0, lost + 1), copter.Received.Skip(2).Select(f => (int)OutgoingSink.Decode<CommandLong>(f.Frame).Confirmation));
+        Assert.Equal(
+            Enumerable.Range(0, lost + 1),
+            copter.Received.Skip(2).Select(f => (int)OutgoingSink.Decode<CommandLong>(f.Frame).Confirmation));
         double[] times = copter.Received.Skip(2).Select(f => f.Time.TotalSeconds).ToArray();
         for (int i = 1; i < times.Length; i++)
             Assert.InRange(times[i] - times[i - 1], 0.69, 0.8);
@@ -32,7 +34,8 @@ public class CommandAnswerTests
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (_, _) => null;
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
-        Assert.Equal((VehicleCommandOutcome.TimedOut, "no answer to NavTakeoff, sent 4 times"), (answer.Outcome, answer.Text));
+        Assert.Equal(
+            (VehicleCommandOutcome.TimedOut, "no answer to NavTakeoff, sent 4 times"), (answer.Outcome, answer.Text));
         Assert.Equal(4, copter.Received.Count - 2);
     }
 
@@ -88,7 +91,8 @@ public class CommandAnswerTests
             };
             VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Arm);
             Assert.Equal(
-                (VehicleCommandOutcome.Refused, $"ComponentArmDisarm: {result} (Arm: Compass not calibrated)"), (answer.Outcome, answer.Text));
+                (VehicleCommandOutcome.Refused, $"ComponentArmDisarm: {result} (Arm: Compass not calibrated)"),
+                (answer.Outcome, answer.Text));
             Assert.Equal(2, copter.Received.Count);
         }
     }
@@ -117,7 +121,8 @@ public class CommandAnswerTests
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         int tries = 0;
         copter.Script = (_, _) => tries++ == 0 ? MavResult.InProgress : null;
-        Assert.Equal(VehicleCommandOutcome.TimedOut, copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20).Outcome);
+        Assert.Equal(
+            VehicleCommandOutcome.TimedOut, copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20).Outcome);
         Assert.Equal(4, tries);
     }
 
@@ -128,7 +133,9 @@ public class CommandAnswerTests
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         int tries = 0;
-        copter.Script = (frame, command) => tries++ < rejections ? MavResult.TemporarilyRejected : copter.Accept(frame, command);
+        copter.Script = (frame, command) => tries++ < rejections
+            ? MavResult.TemporarilyRejected
+            : copter.Accept(frame, command);
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.TakeOff, seconds: 20);
         Assert.Equal(expected, answer.Outcome);
         Assert.Equal(6, tries);
@@ -173,7 +180,8 @@ public class CommandAnswerTests
             copter.Acknowledge(command, MavResult.Accepted, later: 0.4);
             return null;
         };
-        Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Return, seconds: 0.7).Outcome);
+        Assert.Equal(
+            VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Return, seconds: 0.7).Outcome);
     }
 
     [Fact]

@@ -24,7 +24,8 @@ public class CommandTests
         Assert.Equal((VehicleCommandOutcome.Accepted, null), (answer.Outcome, answer.Text));
         Assert.Equal([MavCmd.DoSetMode, MavCmd.ComponentArmDisarm], copter.Commands);
         CommandLong mode = OutgoingSink.Decode<CommandLong>(copter.Received[0].Frame);
-        Assert.Equal((1f, 4f, 1, 1, 0), (mode.Param1, mode.Param2, mode.TargetSystem, mode.TargetComponent, mode.Confirmation));
+        Assert.Equal(
+            (1f, 4f, 1, 1, 0), (mode.Param1, mode.Param2, mode.TargetSystem, mode.TargetComponent, mode.Confirmation));
         Assert.Equal(1f, copter.Last<CommandLong>().Param1);
         Assert.Equal((1, 191), (copter.Received[0].Frame.SystemId, copter.Received[0].Frame.ComponentId));
         Assert.Equal((CommandAuthorityState.Ours, null), (copter.Authority, copter.Rig.Authority.TakenBy));
@@ -45,7 +46,9 @@ public class CommandTests
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.GoTo).Outcome);
         CommandInt place = copter.Last<CommandInt>();
-        Assert.Equal((MavCmd.DoReposition, MavFrame.GlobalRelativeAltInt, -1f, 0f), (place.Command, place.Frame, place.Param1, place.Param2));
+        Assert.Equal(
+            (MavCmd.DoReposition, MavFrame.GlobalRelativeAltInt, -1f, 0f),
+            (place.Command, place.Frame, place.Param1, place.Param2));
         Assert.Equal((401_070_457, 57_295_780, 40f), (place.X, place.Y, place.Z));
         Assert.Single(copter.Commands, c => c == MavCmd.DoReposition);
         Assert.DoesNotContain(MavCmd.DoChangeSpeed, copter.Commands);
@@ -57,7 +60,8 @@ public class CommandTests
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         VehicleCommand At(VehicleCommand c, double speed)
             => c with { SpeedMetresPerSecond = speed, Yaw = Angle.FromDegrees(-90) };
-        Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.GoTo, with: c => At(c, 6)).Outcome);
+        Assert.Equal(
+            VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.GoTo, with: c => At(c, 6)).Outcome);
         Assert.Equal([MavCmd.DoReposition, MavCmd.DoChangeSpeed, MavCmd.ConditionYaw], copter.Commands.Skip(2));
         CommandLong speed = OutgoingSink.Decode<CommandLong>(copter.Received[3].Frame);
         Assert.Equal((1f, 6f, -1f), (speed.Param1, speed.Param2, speed.Param3));
@@ -108,10 +112,13 @@ public class CommandTests
     public void SetMode_ByName_IsFoundInAnyCaseOrRefused()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
-        Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "brake" }).Outcome);
+        Assert.Equal(
+            VehicleCommandOutcome.Accepted,
+            copter.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "brake" }).Outcome);
         Assert.Equal((uint)CopterMode.Brake, copter.Mode);
         int received = copter.Received.Count;
-        VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "FBWA" });
+        VehicleCommandResult answer = copter.GiveAndRun(
+            VehicleCommandKind.SetMode, with: c => c with { Mode = "FBWA" });
         Assert.Equal(VehicleCommandOutcome.Refused, answer.Outcome);
         Assert.Contains("'FBWA'", answer.Text, StringComparison.Ordinal);
         Assert.Equal(received, copter.Received.Count);
@@ -122,7 +129,12 @@ public class CommandTests
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         VehicleCommandResult answer = copter.GiveAndRun(
-            VehicleCommandKind.PointCamera, with: c => c with { CameraPitch = Angle.FromDegrees(-90), CameraYaw = Angle.FromRadians(30 / DegreesPerRadian) });
+            VehicleCommandKind.PointCamera,
+            with: c => c with
+            {
+                CameraPitch = Angle.FromDegrees(-90),
+                CameraYaw = Angle.FromRadians(30 / DegreesPerRadian)
+            });
         Assert.Equal(VehicleCommandOutcome.Accepted, answer.Outcome);
         CommandLong gimbal = copter.Last<CommandLong>();
         Assert.Equal((MavCmd.DoGimbalManagerPitchyaw, -90f, 30f), (gimbal.Command, gimbal.Param1, gimbal.Param2));
@@ -150,7 +162,8 @@ public class CommandTests
         long third = copter.Give(VehicleCommandKind.Return);
         copter.Run(4);
         Assert.Equal(
-            [(first, VehicleCommandOutcome.Replaced), (second, VehicleCommandOutcome.Replaced), (third, VehicleCommandOutcome.Accepted)],
+            [(first, VehicleCommandOutcome.Replaced), (second, VehicleCommandOutcome.Replaced),
+                (third, VehicleCommandOutcome.Accepted)],
             copter.Answers.Skip(1).Select(a => (a.Id, a.Outcome)));
         Assert.DoesNotContain(MavCmd.DoReposition, copter.Commands);
     }
@@ -200,7 +213,8 @@ public class CommandTests
     [Theory]
     [InlineData(MavAutopilot.Generic, MavType.Quadrotor, "Generic")]
     [InlineData(MavAutopilot.Ardupilotmega, MavType.FixedWing, "FixedWing")]
-    public void Command_VehicleThatIsNotCommanded_IsRefusedAndNothingSent(MavAutopilot make, MavType type, string expected)
+    public void Command_VehicleThatIsNotCommanded_IsRefusedAndNothingSent(
+        MavAutopilot make, MavType type, string expected)
     {
         using var copter = new ScriptedAutopilot(make) { Type = type };
         copter.Run(1.5);
@@ -230,7 +244,8 @@ public class CommandTests
             Refuses(VehicleCommandKind.GoTo, "HeightAboveHomeMetres", c => c with { HeightAboveHomeMetres = bad });
             Refuses(VehicleCommandKind.TakeOff, "HeightAboveHomeMetres", c => c with { HeightAboveHomeMetres = bad });
             Refuses(VehicleCommandKind.Velocity, "VelocityNed", c => c with { VelocityNed = new NedVector(0, bad, 0) });
-            Refuses(VehicleCommandKind.PointCamera, "CameraPitch", c => c with { CameraPitch = Angle.FromRadians(bad) });
+            Refuses(
+                VehicleCommandKind.PointCamera, "CameraPitch", c => c with { CameraPitch = Angle.FromRadians(bad) });
             Refuses(VehicleCommandKind.PointCamera, "CameraYaw", c => c with { CameraYaw = Angle.FromRadians(bad) });
         }
 

@@ -47,7 +47,8 @@ public class FlightModeNamesTests
         => Assert.Equal(expected, NameOf(MavAutopilot.Px4, MavType.FixedWing, customMode));
 
     [Theory]
-    [InlineData(MavAutopilot.Generic, MavModeFlag.CustomModeEnabled | MavModeFlag.AutoEnabled | MavModeFlag.GuidedEnabled, "AUTO")]
+    [InlineData(MavAutopilot.Generic,
+        MavModeFlag.CustomModeEnabled | MavModeFlag.AutoEnabled | MavModeFlag.GuidedEnabled, "AUTO")]
     [InlineData(MavAutopilot.Ppz, MavModeFlag.GuidedEnabled | MavModeFlag.StabilizeEnabled, "GUIDED")]
     [InlineData(MavAutopilot.Reflex, MavModeFlag.StabilizeEnabled | MavModeFlag.ManualInputEnabled, "STABILIZE")]
     [InlineData(MavAutopilot.Ardupilotmega, MavModeFlag.ManualInputEnabled, "MANUAL")]
@@ -75,7 +76,8 @@ public class FlightModeNamesTests
     public void NameOf_SameUnknownMode_AllocatesNothing()
     {
         var names = new FlightModeNames();
-        Heartbeat heartbeat = HeartbeatOf(MavAutopilot.Ardupilotmega, MavType.Quadrotor, 42, MavModeFlag.CustomModeEnabled);
+        Heartbeat heartbeat = HeartbeatOf(
+            MavAutopilot.Ardupilotmega, MavType.Quadrotor, 42, MavModeFlag.CustomModeEnabled);
         string first = names.NameOf(heartbeat);
 
         Assert.Equal(0, Allocated.By(() => Assert.Same(first, names.NameOf(heartbeat))));
@@ -86,10 +88,12 @@ public class FlightModeNamesTests
     {
         var names = new FlightModeNames();
         for (uint mode = 1000; mode < 2000; mode++)
-            Assert.Equal($"mode {mode}", names.NameOf(HeartbeatOf(MavAutopilot.Ardupilotmega, MavType.Quadrotor, mode, MavModeFlag.CustomModeEnabled)));
+            Assert.Equal($"mode {mode}", names.NameOf(
+                HeartbeatOf(MavAutopilot.Ardupilotmega, MavType.Quadrotor, mode, MavModeFlag.CustomModeEnabled)));
     }
 
-    private static string NameOf(MavAutopilot autopilot, MavType vehicle, uint customMode, MavModeFlag flags = MavModeFlag.CustomModeEnabled)
+    private static string NameOf(
+        MavAutopilot autopilot, MavType vehicle, uint customMode, MavModeFlag flags = MavModeFlag.CustomModeEnabled)
         => new FlightModeNames().NameOf(HeartbeatOf(autopilot, vehicle, customMode, flags));
 
     private static Heartbeat HeartbeatOf(MavAutopilot autopilot, MavType vehicle, uint customMode, MavModeFlag flags)

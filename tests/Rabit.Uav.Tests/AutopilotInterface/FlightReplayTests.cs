@@ -19,9 +19,12 @@ public class FlightReplayTests
         AutopilotStatistics statistics = Replay(name, out VehicleState end, out int sent);
         using JsonDocument sidecar = TestData.Json(name + ".json");
 
-        Assert.Equal(sidecar.RootElement.GetProperty("sequence")[0].GetProperty("frames").GetInt64(), statistics.Frames);
         Assert.Equal(
-            (0L, 0L, 0L, 0L), (statistics.RefusedMessages, statistics.Losses, statistics.Reboots, statistics.HeartbeatsOfOtherAutopilots));
+            sidecar.RootElement.GetProperty("sequence")[0].GetProperty("frames").GetInt64(), statistics.Frames);
+        Assert.Equal(
+            (0L, 0L, 0L, 0L),
+            (statistics.RefusedMessages, statistics.Losses, statistics.Reboots,
+                statistics.HeartbeatsOfOtherAutopilots));
         Assert.Equal((autopilot, MavType.Quadrotor), (end.Autopilot, end.VehicleType));
         Assert.Equal(((byte)1, (byte)1), (end.SystemId, end.ComponentId));
         Assert.True(end.IsConnected);
@@ -64,7 +67,14 @@ public class FlightReplayTests
 
             // What the recorder itself sent is counted by Communications and never routed.
             if (frame.ComponentId != 191)
-                rig.Push(new LinkFrame { Frame = frame, Index = record.Index, Time = time, UtcMicroseconds = record.TimeMicroseconds });
+                rig.Push(
+                    new LinkFrame
+                    {
+                        Frame = frame,
+                        Index = record.Index,
+                        Time = time,
+                        UtcMicroseconds = record.TimeMicroseconds
+                    });
         }
 
         rig.Run();

@@ -44,9 +44,13 @@ public class Px4CommandTests
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
         Assert.Equal(
             VehicleCommandOutcome.Accepted,
-            px4.GiveAndRun(VehicleCommandKind.GoTo, with: c => c with { SpeedMetresPerSecond = 5, Yaw = Angle.FromRadians(1) }).Outcome);
+            px4.GiveAndRun(
+                VehicleCommandKind.GoTo,
+                with: c => c with { SpeedMetresPerSecond = 5, Yaw = Angle.FromRadians(1) }).Outcome);
         CommandInt place = px4.Last<CommandInt>();
-        Assert.Equal((MavCmd.DoReposition, MavFrame.Global, 5f, 1f, 1f), (place.Command, place.Frame, place.Param1, place.Param2, place.Param4));
+        Assert.Equal(
+            (MavCmd.DoReposition, MavFrame.Global, 5f, 1f, 1f),
+            (place.Command, place.Frame, place.Param1, place.Param2, place.Param4));
         Assert.Equal((401_070_457, 57_295_780, 140f), (place.X, place.Y, place.Z));
     }
 
@@ -78,7 +82,8 @@ public class Px4CommandTests
     public void SetMode_ByName_IsItsNumbers()
     {
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
-        VehicleCommandResult answer = px4.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "AUTO.MISSION" });
+        VehicleCommandResult answer = px4.GiveAndRun(
+            VehicleCommandKind.SetMode, with: c => c with { Mode = "AUTO.MISSION" });
         Assert.Equal((VehicleCommandOutcome.Accepted, 0x0404_0000u), (answer.Outcome, px4.Mode));
         answer = px4.GiveAndRun(VehicleCommandKind.SetMode, with: c => c with { Mode = "GUIDED" });
         Assert.Equal(VehicleCommandOutcome.Refused, answer.Outcome);
@@ -90,7 +95,8 @@ public class Px4CommandTests
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
         int received = px4.Received.Count;
         VehicleCommandResult answer = px4.GiveAndRun(VehicleCommandKind.Velocity);
-        Assert.Equal((VehicleCommandOutcome.Refused, "velocities are not supported on PX4 yet"), (answer.Outcome, answer.Text));
+        Assert.Equal(
+            (VehicleCommandOutcome.Refused, "velocities are not supported on PX4 yet"), (answer.Outcome, answer.Text));
         Assert.Equal(received, px4.Received.Count);
     }
 

@@ -47,13 +47,20 @@ public class RateRequestTests
     [InlineData(1, 154, 0, 0)]    // another component
     [InlineData(1, 1, 1, 190)]    // an answer for the ground station
     [InlineData(1, 1, 255, 191)]
-    public void Rates_AnswerThatIsNotForUs_IsNotTaken(byte system, byte component, byte targetSystem, byte targetComponent)
+    public void Rates_AnswerThatIsNotForUs_IsNotTaken(
+        byte system, byte component, byte targetSystem, byte targetComponent)
     {
         using AutopilotRig rig = MakeRig();
         rig.Beat(1);
         int asked = Asked(rig).Length;
         rig.Send(
-            new CommandAck { Command = MavCmd.SetMessageInterval, TargetSystem = targetSystem, TargetComponent = targetComponent }, system, component);
+            new CommandAck
+            {
+                Command = MavCmd.SetMessageInterval,
+                TargetSystem = targetSystem,
+                TargetComponent = targetComponent
+            },
+            system, component);
         rig.Run();
 
         Assert.Equal(asked, Asked(rig).Length);
@@ -127,11 +134,20 @@ public class RateRequestTests
 
     private static void Answer(AutopilotRig rig, MavResult result, byte system = 1)
     {
-        rig.Send(new CommandAck { Command = MavCmd.SetMessageInterval, Result = result, TargetSystem = system, TargetComponent = 191 }, system);
+        rig.Send(
+            new CommandAck
+            {
+                Command = MavCmd.SetMessageInterval,
+                Result = result,
+                TargetSystem = system,
+                TargetComponent = 191
+            },
+            system);
         rig.Run();
     }
 
-    private static int[] Asked(AutopilotRig rig) => rig.Sink.MessagesOf<CommandLong>().Select(c => (int)c.Param1).ToArray();
+    private static int[] Asked(AutopilotRig rig)
+        => rig.Sink.MessagesOf<CommandLong>().Select(c => (int)c.Param1).ToArray();
 
     private static (long Accepted, long Refused, long Unanswered, long Sent) Counts(AutopilotRig rig)
     {

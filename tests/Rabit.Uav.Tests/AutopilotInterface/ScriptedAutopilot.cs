@@ -11,8 +11,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Tests.AutopilotInterface;
 
 /// <summary>
-/// An autopilot that answers commands as a test says, with a delay each way, beside an Autopilot Interface in virtual time. It beats once a
-/// second and sends its position ten times.
+/// An autopilot that answers commands as a test says, with a delay each way, beside an Autopilot Interface in virtual
+/// time. It beats once a second and sends its position ten times.
 /// </summary>
 internal sealed class ScriptedAutopilot : IDisposable
 {
@@ -25,7 +25,8 @@ internal sealed class ScriptedAutopilot : IDisposable
     private int _taken;
     private long _id;
 
-    public ScriptedAutopilot(MavAutopilot make = MavAutopilot.Ardupilotmega, bool mayCommand = true, AutopilotOptions? options = null)
+    public ScriptedAutopilot(
+        MavAutopilot make = MavAutopilot.Ardupilotmega, bool mayCommand = true, AutopilotOptions? options = null)
     {
         Make = make;
         Mode = make == MavAutopilot.Px4 ? 0x0003_0000u : (uint)CopterMode.Stabilize;
@@ -58,7 +59,8 @@ internal sealed class ScriptedAutopilot : IDisposable
     /// <summary>Commands and set-points that came, and when they were sent.</summary>
     public IReadOnlyList<(TimeSpan Time, MavlinkFrame Frame)> Received => _received;
 
-    public IEnumerable<MavCmd> Commands => _received.Where(f => CommandOf(f.Frame) is not null).Select(f => CommandOf(f.Frame)!.Value);
+    public IEnumerable<MavCmd> Commands
+        => _received.Where(f => CommandOf(f.Frame) is not null).Select(f => CommandOf(f.Frame)!.Value);
 
     public IReadOnlyList<VehicleCommandResult> Answers => Rig.Peers.Answers;
 
@@ -82,7 +84,9 @@ internal sealed class ScriptedAutopilot : IDisposable
         {
             case MavCmd.DoSetMode:
                 CommandLong mode = OutgoingSink.Decode<CommandLong>(frame);
-                Mode = Make == MavAutopilot.Px4 ? ((uint)mode.Param2 << 16) | ((uint)mode.Param3 << 24) : (uint)mode.Param2;
+                Mode = Make == MavAutopilot.Px4
+                    ? ((uint)mode.Param2 << 16) | ((uint)mode.Param3 << 24)
+                    : (uint)mode.Param2;
                 break;
             case MavCmd.NavTakeoff when Make == MavAutopilot.Px4:
                 Mode = 0x0204_0000;
@@ -114,7 +118,8 @@ internal sealed class ScriptedAutopilot : IDisposable
         return _id;
     }
 
-    public VehicleCommandResult GiveAndRun(VehicleCommandKind kind, double seconds = 4, Func<VehicleCommand, VehicleCommand>? with = null)
+    public VehicleCommandResult GiveAndRun(
+        VehicleCommandKind kind, double seconds = 4, Func<VehicleCommand, VehicleCommand>? with = null)
     {
         long id = Give(kind, with);
         Run(seconds);
@@ -150,7 +155,9 @@ internal sealed class ScriptedAutopilot : IDisposable
         => Later(Latency + later, () => Rig.Send(message, component: component));
 
     public void Acknowledge(MavCmd command, MavResult result, double later = 0, byte system = 1, byte component = 191)
-        => Say(new CommandAck { Command = command, Result = result, TargetSystem = system, TargetComponent = component }, later);
+        => Say(
+            new CommandAck { Command = command, Result = result, TargetSystem = system, TargetComponent = component },
+            later);
 
     public void SayText(string text, MavSeverity severity = MavSeverity.Critical)
         => Say(new Statustext { Severity = severity, Text = new Text50(text) });

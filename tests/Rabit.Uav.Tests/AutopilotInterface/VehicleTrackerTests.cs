@@ -52,7 +52,9 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Update_PlaceThatIsNone_IsRefused(int latitude, int longitude)
     {
         VehicleTracker tracker = ConnectedTracker();
-        Assert.Equal(VehicleEvents.Refused, Update(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude, Alt = 1 }, 2));
+        Assert.Equal(
+            VehicleEvents.Refused,
+            Update(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude, Alt = 1 }, 2));
         Assert.Null(tracker.State.PositionTime);
     }
 
@@ -63,7 +65,8 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Update_PlaceAtTheLimit_IsTaken(int latitude, int longitude)
     {
         VehicleTracker tracker = ConnectedTracker();
-        Assert.Equal(VehicleEvents.Changed, Update(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude }, 2));
+        Assert.Equal(
+            VehicleEvents.Changed, Update(tracker, new GlobalPositionInt { Lat = latitude, Lon = longitude }, 2));
     }
 
     [Theory]
@@ -86,13 +89,17 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     public void Update_YawFromZeroToTwoPi_IsWrapped()
     {
         VehicleTracker tracker = ConnectedTracker();
-        Update(tracker, new Attitude { Roll = 0.1f, Pitch = -0.2f, Yaw = 6, Rollspeed = 1, Pitchspeed = 2, Yawspeed = 3 }, 2);
+        Update(
+            tracker, new Attitude { Roll = 0.1f, Pitch = -0.2f, Yaw = 6, Rollspeed = 1, Pitchspeed = 2, Yawspeed = 3 },
+            2);
 
         VehicleState state = tracker.State;
         Assert.Equal(6 - (2 * Math.PI), state.Attitude.Yaw.Radians, 6);
         Assert.Equal(0.1f, state.Attitude.Roll.Radians);
         Assert.Equal(-0.2f, state.Attitude.Pitch.Radians);
-        Assert.Equal((1.0, 2.0, 3.0), (state.Rates.RollRadiansPerSecond, state.Rates.PitchRadiansPerSecond, state.Rates.YawRadiansPerSecond));
+        Assert.Equal(
+            (1.0, 2.0, 3.0),
+            (state.Rates.RollRadiansPerSecond, state.Rates.PitchRadiansPerSecond, state.Rates.YawRadiansPerSecond));
     }
 
     [Theory]
@@ -102,15 +109,22 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     [InlineData(12_000, 0, 100, 12, 0, 1)]
     [InlineData(12_000, 0, 101, 12, 0, double.NaN)]
     [InlineData(12_000, 0, -128, 12, 0, double.NaN)]
-    public void Update_SysStatus_UnknownIsNotANumber(int millivolts, short centiamperes, sbyte percent, double volts, double amperes, double remaining)
+    public void Update_SysStatus_UnknownIsNotANumber(
+        int millivolts, short centiamperes, sbyte percent, double volts, double amperes, double remaining)
     {
         VehicleTracker tracker = ConnectedTracker();
-        Update(tracker, new SysStatus { VoltageBattery = (ushort)millivolts, CurrentBattery = centiamperes, BatteryRemaining = percent }, 2);
+        Update(tracker, new SysStatus
+        {
+            VoltageBattery = (ushort)millivolts,
+            CurrentBattery = centiamperes,
+            BatteryRemaining = percent
+        }, 2);
         AssertBattery(tracker, volts, amperes, remaining);
     }
 
     [Fact]
-    public void State_BeforeAnyBattery_IsNotANumber() => AssertBattery(ConnectedTracker(), double.NaN, double.NaN, double.NaN);
+    public void State_BeforeAnyBattery_IsNotANumber()
+        => AssertBattery(ConnectedTracker(), double.NaN, double.NaN, double.NaN);
 
     [Fact]
     public void Update_BatteryStatus_AddsTheCells()
@@ -152,7 +166,8 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         Update(tracker, new ExtendedSysState { LandedState = MavLandedState.InAir }, 3);
 
         VehicleState state = tracker.State;
-        Assert.Equal((GpsFixType.RtkFixed, 17, TimeSpan.FromSeconds(2)), (state.GpsFix, state.Satellites, state.GpsTime));
+        Assert.Equal(
+            (GpsFixType.RtkFixed, 17, TimeSpan.FromSeconds(2)), (state.GpsFix, state.Satellites, state.GpsTime));
         Assert.Equal((1_795_227_296_098_321, TimeSpan.FromSeconds(3)), (state.GpsUtcMicroseconds, state.UtcTime));
         Assert.Equal(MavLandedState.InAir, state.LandedState);
     }
@@ -176,10 +191,12 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     [InlineData(MavType.Quadrotor, MavAutopilot.Invalid, 1, 1)]
     [InlineData(MavType.Quadrotor, MavAutopilot.Px4, 0, 1)]
     [InlineData(MavType.Quadrotor, MavAutopilot.Px4, 1, 0)]
-    public void Update_HeartbeatOfNoAutopilot_IsNotOurs(MavType type, MavAutopilot autopilot, byte system, byte component)
+    public void Update_HeartbeatOfNoAutopilot_IsNotOurs(
+        MavType type, MavAutopilot autopilot, byte system, byte component)
     {
         var tracker = new VehicleTracker(null, Timeout);
-        LinkFrame frame = AutopilotRig.FrameOf(new Heartbeat { Type = type, Autopilot = autopilot }, TimeSpan.Zero, system, component);
+        LinkFrame frame = AutopilotRig.FrameOf(
+            new Heartbeat { Type = type, Autopilot = autopilot }, TimeSpan.Zero, system, component);
         Assert.Equal(VehicleEvents.OfOther, tracker.UpdateBy(frame));
         Assert.Equal(0, tracker.State.SystemId);
     }
@@ -268,7 +285,12 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         ushort[] all = new ushort[10];
         for (int i = 0; i < all.Length; i++)
             all[i] = i < cells.Length ? cells[i] : ushort.MaxValue;
-        return new BatteryStatus { Voltages = new UInt16Array10(all), CurrentBattery = centiamperes, BatteryRemaining = percent };
+        return new BatteryStatus
+        {
+            Voltages = new UInt16Array10(all),
+            CurrentBattery = centiamperes,
+            BatteryRemaining = percent
+        };
     }
 
     private static void AssertBattery(VehicleTracker tracker, double volts, double amperes, double remaining)

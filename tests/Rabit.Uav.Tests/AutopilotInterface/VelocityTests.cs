@@ -17,13 +17,16 @@ public class VelocityTests
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         for (int second = 0; second < 10; second++)
-            Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Velocity, seconds: 1).Outcome);
+            Assert.Equal(
+                VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Velocity, seconds: 1).Outcome);
 
         double[] times = SetPoints(copter);
         Assert.InRange(times.Length, 50, 62);
         Assert.All(times.Zip(times.Skip(1), (a, b) => b - a), pause => Assert.InRange(pause, 0, 0.26));
         SetPositionTargetLocalNed target = copter.Last<SetPositionTargetLocalNed>();
-        Assert.Equal((3f, 1f, 0f, MavFrame.LocalNed, 1, 1), (target.Vx, target.Vy, target.Vz, target.CoordinateFrame, target.TargetSystem, target.TargetComponent));
+        Assert.Equal(
+            (3f, 1f, 0f, MavFrame.LocalNed, 1, 1),
+            (target.Vx, target.Vy, target.Vz, target.CoordinateFrame, target.TargetSystem, target.TargetComponent));
         Assert.Equal(0x0DC7, (int)target.TypeMask);   // velocity alone
         Assert.All(copter.Answers.Skip(1), a => Assert.Equal(VehicleCommandOutcome.Accepted, a.Outcome));
     }
@@ -58,7 +61,9 @@ public class VelocityTests
     public void Velocity_NotRepeatedWhileTheCameraIsTurned_StillEndsWithHold()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
-        copter.Script = (frame, command) => command == MavCmd.DoGimbalManagerPitchyaw ? null : copter.Accept(frame, command);
+        copter.Script = (frame, command) => command == MavCmd.DoGimbalManagerPitchyaw
+            ? null
+            : copter.Accept(frame, command);
         copter.Give(VehicleCommandKind.Velocity);
         copter.Run(0.5);
         copter.Give(VehicleCommandKind.PointCamera);
@@ -100,5 +105,6 @@ public class VelocityTests
     }
 
     private static double[] SetPoints(ScriptedAutopilot copter)
-        => copter.Received.Where(f => f.Frame.MessageId == SetPositionTargetLocalNed.MavlinkId).Select(f => f.Time.TotalSeconds).ToArray();
+        => copter.Received.Where(f => f.Frame.MessageId == SetPositionTargetLocalNed.MavlinkId)
+            .Select(f => f.Time.TotalSeconds).ToArray();
 }

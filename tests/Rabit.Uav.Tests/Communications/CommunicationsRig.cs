@@ -9,7 +9,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.Communications;
 
-/// <summary>Communications in virtual time, with links in memory whose far ends the test holds, and a stand-in for Autopilot Interface.</summary>
+/// <summary>
+/// Communications in virtual time, with links in memory whose far ends the test holds, and a stand-in for Autopilot
+/// Interface.
+/// </summary>
 internal sealed class CommunicationsRig : IDisposable
 {
     private readonly List<MemoryLinkPair> _pairs = [];
@@ -43,7 +46,16 @@ internal sealed class CommunicationsRig : IDisposable
 
         Manager = new CommunicationsManager(options);
         Autopilot = autopilot ?? new FakeAutopilot(1024);
-        Reactor = new RabitReactor(new ReactorOptions { Time = startUtc is { } start ? new VirtualTime(seed, start) : new VirtualTime(seed), Log = Log.Add, StopsOnSignals = false }) { Manager, Autopilot };
+        Reactor = new RabitReactor(
+            new ReactorOptions
+            {
+                Time = startUtc is { } start ? new VirtualTime(seed, start) : new VirtualTime(seed),
+                Log = Log.Add,
+                StopsOnSignals = false
+            })
+        {
+            Manager, Autopilot
+        };
         _ownAddress = Reactor.Workspace.Publish(MessageNames.OwnAddress, new OwnAddress { ComponentId = 191 });
         _vehicle = Reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
         _outgoing = Reactor.Workspace.Send<OutgoingFrame>(MessageNames.OutgoingFrames);

@@ -5,7 +5,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.Communications;
 
-/// <summary>Stands in for Autopilot Interface: takes the frames that Communications hands over, as many at a time as the test allows.</summary>
+/// <summary>
+/// Stands in for Autopilot Interface: takes the frames that Communications hands over, as many at a time as the test
+/// allows.
+/// </summary>
 internal sealed class FakeAutopilot : RabitManager
 {
     private readonly QueueReceiver<LinkFrame> _frames;

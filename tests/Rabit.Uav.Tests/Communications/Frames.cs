@@ -19,22 +19,29 @@ internal static class Frames
         return bytes;
     }
 
-    public static byte[] Of<T>(T message, byte system = 1, byte component = 1, byte sequence = 0, MavlinkVersion version = MavlinkVersion.V2)
+    public static byte[] Of<T>(
+        T message, byte system = 1, byte component = 1, byte sequence = 0, MavlinkVersion version = MavlinkVersion.V2)
         where T : struct, IMavlinkMessage => Bytes(MavlinkFrame.Create(message, system, component, sequence, version));
 
     /// <summary>A heartbeat of a copter's autopilot.</summary>
     public static byte[] Heartbeat(byte system = 1, byte component = 1, byte sequence = 0)
-        => Of(new Heartbeat { Type = MavType.Quadrotor, Autopilot = MavAutopilot.Ardupilotmega, MavlinkVersion = 3 }, system, component, sequence);
+        => Of(
+            new Heartbeat { Type = MavType.Quadrotor, Autopilot = MavAutopilot.Ardupilotmega, MavlinkVersion = 3 },
+            system, component, sequence);
 
     public static CommandLong Command(byte system, byte component)
         => new() { TargetSystem = system, TargetComponent = component, Command = MavCmd.RequestMessage, Param1 = 148 };
 
-    /// <summary>A MAVLink 2 frame of any id, with zeros at the end of its payload where the caller wants them, and a signature of 13 bytes if asked for.</summary>
+    /// <summary>
+    /// A MAVLink 2 frame of any id, with zeros at the end of its payload where the caller wants them, and a signature
+    /// of 13 bytes if asked for.
+    /// </summary>
     public static byte[] Raw(int messageId, byte[] payload, byte crcExtra = 0, bool isSigned = false)
     {
         var bytes = new List<byte>
         {
-            0xFD, (byte)payload.Length, isSigned ? (byte)1 : (byte)0, 0, 7, 1, 1, (byte)messageId, (byte)(messageId >> 8), (byte)(messageId >> 16),
+            0xFD, (byte)payload.Length, isSigned ? (byte)1 : (byte)0, 0, 7, 1, 1, (byte)messageId,
+            (byte)(messageId >> 8), (byte)(messageId >> 16),
         };
         bytes.AddRange(payload);
         ushort crc = MavlinkCrc.Add(MavlinkCrc.Add(MavlinkCrc.Initial, bytes.Skip(1).ToArray()), crcExtra);

@@ -51,11 +51,13 @@ public sealed class FullQueueTests
         using CommunicationsRig rig = new CommunicationsRig(links: 1, linkCapacity: room).As(1);
 
         for (int n = 0; n < 5; n++)
-            rig.SendOwn(new Heartbeat { Type = MavType.Quadrotor, Autopilot = MavAutopilot.Ardupilotmega, MavlinkVersion = 3 });
+            rig.SendOwn(
+                new Heartbeat { Type = MavType.Quadrotor, Autopilot = MavAutopilot.Ardupilotmega, MavlinkVersion = 3 });
 
         Assert.Equal(3, rig.ReceivedFrames(0).Count);
         Assert.Equal((3L, 2L), (rig.Status(0).FramesOut, rig.Status(0).FramesDroppedOut));
     }
 
-    private static byte[][] Burst(int count) => Enumerable.Range(0, count).Select(n => Frames.Heartbeat(sequence: (byte)n)).ToArray();
+    private static byte[][] Burst(int count)
+        => Enumerable.Range(0, count).Select(n => Frames.Heartbeat(sequence: (byte)n)).ToArray();
 }

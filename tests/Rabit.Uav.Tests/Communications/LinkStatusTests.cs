@@ -70,8 +70,10 @@ public sealed class LinkStatusTests
         faulty.FailReading(new LinkException("fake:0", "the cable is out", linkEnded: true));
         LinkStatus status = rig.Status(1);
 
-        Assert.Equal((LinkState.Failed, "link fake:0: the cable is out", 1L), (status.State, status.Fault, status.FramesIn));
-        Assert.Contains(rig.Log, e => e.Kind == RabitLogKind.Fault && e.Source == "communications/link 1 in" && e.Text.Contains("the cable is out"));
+        Assert.Equal(
+            (LinkState.Failed, "link fake:0: the cable is out", 1L), (status.State, status.Fault, status.FramesIn));
+        Assert.Contains(rig.Log, e => e.Kind == RabitLogKind.Fault && e.Source == "communications/link 1 in"
+            && e.Text.Contains("the cable is out"));
         rig.Send(0, Frames.Heartbeat(sequence: 5));
         Assert.Equal(5, rig.Autopilot.Taken.Last().Frame.Sequence);
         ReactorResult result = rig.Finish();

@@ -54,7 +54,8 @@ public sealed class MavlinkLinkTests
     [Fact]
     public void Target_FrameByWhichTheLinkEnds_IsCountedAsLost()
     {
-        var target = new MavlinkLinkTarget(new FaultyLink { WriteFault = new LinkException("fake:0", "the cable was pulled", linkEnded: true) });
+        var target = new MavlinkLinkTarget(
+            new FaultyLink { WriteFault = new LinkException("fake:0", "the cable was pulled", linkEnded: true) });
 
         Assert.Throws<LinkException>(() => target.Write(Frame()));
 
@@ -81,7 +82,8 @@ public sealed class MavlinkLinkTests
     private static List<LinkFrame> Run(MavlinkLinkSource source, Action act)
     {
         var collector = new Collector(source);
-        var reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(0), StopsOnSignals = false }) { collector };
+        var reactor = new RabitReactor(
+            new ReactorOptions { Time = new VirtualTime(0), StopsOnSignals = false }) { collector };
         reactor.Start();
         act();
         reactor.RunFor(TimeSpan.FromSeconds(1));

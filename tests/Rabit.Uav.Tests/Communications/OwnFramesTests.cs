@@ -37,8 +37,12 @@ public sealed class OwnFramesTests
             frames.AddRange(rig.ReceivedFrames(0));
         }
 
-        Assert.Equal(Enumerable.Range(0, 300).Select(n => (byte)n), frames.Where(f => f.ComponentId == 191).Select(f => f.Sequence));
-        Assert.Equal(Enumerable.Range(0, 100).Select(n => (byte)n), frames.Where(f => f.ComponentId == 100).Select(f => f.Sequence));
+        Assert.Equal(
+            Enumerable.Range(0, 300).Select(n => (byte)n),
+            frames.Where(f => f.ComponentId == 191).Select(f => f.Sequence));
+        Assert.Equal(
+            Enumerable.Range(0, 100).Select(n => (byte)n),
+            frames.Where(f => f.ComponentId == 100).Select(f => f.Sequence));
     }
 
     [Fact]
@@ -109,5 +113,6 @@ public sealed class OwnFramesTests
         Assert.Equal((0L, 4L), (rig.Status(1).FramesIn, rig.Status(1).FramesOut));
     }
 
-    private static (int System, int Component, int Message) Source(MavlinkFrame frame) => (frame.SystemId, frame.ComponentId, frame.MessageId);
+    private static (int System, int Component, int Message) Source(MavlinkFrame frame)
+        => (frame.SystemId, frame.ComponentId, frame.MessageId);
 }

@@ -34,7 +34,9 @@ public sealed class OwnPositionTests
         MavlinkFrame frame = rig.ReceivedFrames(0)[0];
         Assert.Equal((1, 191), (frame.SystemId, frame.ComponentId));
         Assert.True(frame.TryDecode(out GlobalPositionInt position));
-        Assert.Equal((-353_632_610, 1_491_652_300, 584_100, 30_000), (position.Lat, position.Lon, position.Alt, position.RelativeAlt));
+        Assert.Equal(
+            (-353_632_610, 1_491_652_300, 584_100, 30_000),
+            (position.Lat, position.Lon, position.Alt, position.RelativeAlt));
         Assert.Equal((150, -250, 5, 35_900), (position.Vx, position.Vy, position.Vz, position.Hdg));
     }
 

@@ -7,7 +7,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.Communications;
 
-/// <summary>A manager of a user: receives one type of message over a subscription, and sends as a component of its own.</summary>
+/// <summary>
+/// A manager of a user: receives one type of message over a subscription, and sends as a component of its own.
+/// </summary>
 internal sealed class PayloadManager<T> : RabitManager
     where T : struct, IMavlinkMessage
 {
@@ -15,12 +17,14 @@ internal sealed class PayloadManager<T> : RabitManager
     private readonly MavlinkMessageSender _sender;
 
     public PayloadManager(
-        string queue, int capacity = 64, QueueFullMode fullMode = QueueFullMode.DropOldest, byte? componentId = null, bool isStuck = false)
+        string queue, int capacity = 64, QueueFullMode fullMode = QueueFullMode.DropOldest, byte? componentId = null,
+        bool isStuck = false)
         : base(queue + " manager")
     {
         _receiver = new MavlinkMessageReceiver<T>(Receive<LinkFrame>(queue, capacity, fullMode, wakeOnPush: !isStuck));
         _sender = new MavlinkMessageSender(
-            Send<OutgoingFrame>(MessageNames.OutgoingFrames), Subscribe<OwnAddress>(MessageNames.OwnAddress), componentId);
+            Send<OutgoingFrame>(MessageNames.OutgoingFrames), Subscribe<OwnAddress>(MessageNames.OwnAddress),
+            componentId);
         WakeUpDelay = isStuck ? TimeSpan.FromHours(1) : TimeSpan.FromMilliseconds(10);
         IsStuck = isStuck;
     }

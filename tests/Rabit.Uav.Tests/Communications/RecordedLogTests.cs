@@ -73,7 +73,8 @@ public sealed class RecordedLogTests
     [Fact]
     public void StatusAfterAStop_OfALogThatWasNotAtItsEnd_IsNotEnded()
     {
-        using TestLog log = new TestLog().Record(0, Frames.Heartbeat()).Record(9_000_000, Frames.Heartbeat(sequence: 1));
+        using TestLog log = new TestLog().Record(0, Frames.Heartbeat())
+            .Record(9_000_000, Frames.Heartbeat(sequence: 1));
         using var rig = new CommunicationsRig(links: 0, o => o.RecordedFiles = [log.Open()]);
         rig.Run(TimeSpan.FromSeconds(1));
         rig.Reactor.Stop();
@@ -85,7 +86,8 @@ public sealed class RecordedLogTests
     [Fact]
     public void FramesOfTheRecorder_AreCountedButNotHandedOver()
     {
-        using TestLog log = new TestLog().Record(500_000, Frames.Heartbeat()).Record(500_001, Frames.Heartbeat(component: 191));
+        using TestLog log = new TestLog().Record(500_000, Frames.Heartbeat())
+            .Record(500_001, Frames.Heartbeat(component: 191));
         using CommunicationsRig rig = new CommunicationsRig(links: 0, o => o.RecordedFiles = [log.Open()]).As(1);
         rig.Run(TimeSpan.FromSeconds(1));
 
@@ -153,12 +155,15 @@ public sealed class RecordedLogTests
         using var even = new TestLog("even.tlog");
         using var odd = new TestLog("odd.tlog");
         for (int n = 0; n < 400; n++)
-            (n % 2 == 0 ? even : odd).Record(n * 2500, Frames.Heartbeat(system: (byte)(1 + (n % 2)), sequence: (byte)(n / 2)));
+            (n % 2 == 0 ? even : odd)
+                .Record(n * 2500, Frames.Heartbeat(system: (byte)(1 + (n % 2)), sequence: (byte)(n / 2)));
         using var rig = new CommunicationsRig(0, o => o.RecordedFiles = [odd.Open(), even.Open()]);
 
         rig.Run(TimeSpan.FromSeconds(2));
 
-        Assert.Equal(Enumerable.Range(0, 400).Select(n => TestLog.Start + (n * 2500L)), rig.Autopilot.Taken.Select(f => f.UtcMicroseconds));
+        Assert.Equal(
+            Enumerable.Range(0, 400).Select(n => TestLog.Start + (n * 2500L)),
+            rig.Autopilot.Taken.Select(f => f.UtcMicroseconds));
         Assert.Equal(Enumerable.Range(0, 400).Select(n => 1 - (n % 2)), rig.Autopilot.Taken.Select(f => f.Link));
         Assert.All(rig.Autopilot.Taken, f => Assert.Equal((f.UtcMicroseconds - TestLog.Start) * 10, f.Time.Ticks));
     }
@@ -202,7 +207,8 @@ public sealed class RecordedLogTests
     public void ClockStepsForward_ByYears_IsPlayedOnAtOnce()
     {
         using TestLog log = new TestLog().Record(0, Frames.Heartbeat());
-        log.Record(10L * 365 * 24 * 3_600_000_000, Frames.Heartbeat(sequence: 1)).Record((10L * 365 * 24 * 3_600_000_000) + 2_000_000, Frames.Heartbeat(sequence: 2));
+        log.Record(10L * 365 * 24 * 3_600_000_000, Frames.Heartbeat(sequence: 1))
+            .Record((10L * 365 * 24 * 3_600_000_000) + 2_000_000, Frames.Heartbeat(sequence: 2));
         var autopilot = new FakeAutopilot(1024);
         using var rig = new CommunicationsRig(0, o => Replay(o, log), autopilot);
 
@@ -224,7 +230,8 @@ public sealed class RecordedLogTests
         options.StopsWhenAllLinksEnd = true;
     }
 
-    private static byte[] SameStamp(int count) => Enumerable.Range(0, count).SelectMany(n => Stamped(0, Frames.Heartbeat(sequence: (byte)n))).ToArray();
+    private static byte[] SameStamp(int count)
+        => Enumerable.Range(0, count).SelectMany(n => Stamped(0, Frames.Heartbeat(sequence: (byte)n))).ToArray();
 
     private static byte[] Stamped(long microseconds, byte[] frame)
     {

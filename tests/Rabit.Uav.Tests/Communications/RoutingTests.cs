@@ -7,7 +7,9 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.Communications;
 
-/// <summary>MAVLink's address rules, from link to link and to Autopilot Interface (docs/managers/communications.md).</summary>
+/// <summary>
+/// MAVLink's address rules, from link to link and to Autopilot Interface (docs/managers/communications.md).
+/// </summary>
 public sealed class RoutingTests
 {
     public static TheoryData<string> Broadcasts => [.. BroadcastFrames.Keys];
@@ -17,7 +19,8 @@ public sealed class RoutingTests
         ["MAVLink 2"] = Frames.Heartbeat(),
         ["MAVLink 1"] = Frames.Of(new Heartbeat { MavlinkVersion = 3 }, version: MavlinkVersion.V1),
         ["MAVLink 2 with its last zeros"] = Frames.Raw(Heartbeat.MavlinkId, [1, 0, 0, 0, 2, 3, 0, 0, 0], crcExtra: 50),
-        ["MAVLink 2, signed"] = Frames.Raw(Heartbeat.MavlinkId, [1, 0, 0, 0, 2, 3, 4, 5, 3], crcExtra: 50, isSigned: true),
+        ["MAVLink 2, signed"] = Frames.Raw(
+            Heartbeat.MavlinkId, [1, 0, 0, 0, 2, 3, 4, 5, 3], crcExtra: 50, isSigned: true),
     };
 
     [Theory]
@@ -148,7 +151,9 @@ public sealed class RoutingTests
 
         rig.Send(0, Frames.Heartbeat(), bytes, Frames.Heartbeat(sequence: 1));
 
-        Assert.Equal(Frames.Hex(Frames.Join([Frames.Heartbeat(), bytes, Frames.Heartbeat(sequence: 1)])), Frames.Hex(rig.Received(1)));
+        Assert.Equal(
+            Frames.Hex(Frames.Join([Frames.Heartbeat(), bytes, Frames.Heartbeat(sequence: 1)])),
+            Frames.Hex(rig.Received(1)));
         Assert.Equal(2, rig.Autopilot.Taken.Count);
     }
 

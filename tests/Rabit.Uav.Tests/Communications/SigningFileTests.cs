@@ -13,7 +13,8 @@ public sealed class SigningFileTests : IDisposable
     // SHA-256 of "abc" (FIPS 180-2, B.1).
     private const string Hex = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
-    private readonly string _folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), $"rabit-signing-{Guid.NewGuid():N}")).FullName;
+    private readonly string _folder =
+        Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), $"rabit-signing-{Guid.NewGuid():N}")).FullName;
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
@@ -57,9 +58,13 @@ public sealed class SigningFileTests : IDisposable
     [Fact]
     public void Key_NoFileOrFarTooLong_IsRefused()
     {
-        Assert.Contains("Signing key", Assert.Throws<ArgumentException>(() => SigningKeyFile.Read(Path.Combine(_folder, "none")).Dispose()).Message, StringComparison.Ordinal);
+        Assert.Contains("Signing key", Assert.Throws<ArgumentException>(
+            () => SigningKeyFile.Read(Path.Combine(_folder, "none")).Dispose()).Message, StringComparison.Ordinal);
         string path = Write("long", new string('a', 5000));
-        Assert.Contains("5000 bytes are no key", Assert.Throws<ArgumentException>(() => SigningKeyFile.Read(path).Dispose()).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "5000 bytes are no key",
+            Assert.Throws<ArgumentException>(() => SigningKeyFile.Read(path).Dispose()).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]

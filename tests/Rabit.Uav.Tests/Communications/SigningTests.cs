@@ -34,7 +34,8 @@ public sealed class SigningTests : IDisposable
         {
             List<MavlinkFrame> frames = rig.ReceivedFrames(link);
             Assert.Equal(3, frames.Count);
-            Assert.All(frames, f => Assert.True(verifier.Verify(f) is MavlinkSignatureResult.Valid or MavlinkSignatureResult.ValidNewStream));
+            Assert.All(frames, f => Assert.True(
+                verifier.Verify(f) is MavlinkSignatureResult.Valid or MavlinkSignatureResult.ValidNewStream));
             Assert.All(frames, f => Assert.Equal(7 + link, f.SignatureLinkId));
         }
 
@@ -47,7 +48,9 @@ public sealed class SigningTests : IDisposable
         using CommunicationsRig rig = Rig(2, o => o.Links = [0]);
         byte[] good = Signed(_key);
         using MavlinkSigningKey other = MavlinkSigningKey.FromPassphrase("another");
-        rig.Send(0, good, Frames.Heartbeat(sequence: 50), Signed(other), good, Frames.Of(new RadioStatus { Rssi = 3 }, 51, 68));
+        rig.Send(
+            0, good, Frames.Heartbeat(sequence: 50), Signed(other), good,
+            Frames.Of(new RadioStatus { Rssi = 3 }, 51, 68));
 
         Assert.Equal([Heartbeat.MavlinkId, RadioStatus.MavlinkId], rig.Autopilot.Taken.Select(f => f.Frame.MessageId));
         Assert.Equal(Frames.Hex(good), Frames.Hex(rig.Received(1)));
@@ -56,7 +59,8 @@ public sealed class SigningTests : IDisposable
         Assert.Equal((5L, 1L, 1L), (status.FramesIn, counts.Valid, counts.UnsignedAllowed));
         Assert.Equal((1L, 1L, 1L, 3L), (counts.NotSigned, counts.BadSignatures, counts.OldTimestamps, counts.Rejected));
         Assert.Equal(0, rig.Status(1).Signatures.Rejected);
-        Assert.Contains(rig.Log, e => e.Text.Contains("link 0: 3 frames were rejected; since the start 1 not signed, 1 with a bad signature, 1 too old"));
+        Assert.Contains(rig.Log, e => e.Text.Contains(
+            "link 0: 3 frames were rejected; since the start 1 not signed, 1 with a bad signature, 1 too old"));
     }
 
     [Fact]
@@ -157,7 +161,8 @@ public sealed class SigningTests : IDisposable
     [Fact]
     public void Options_OutOfTheirRange_AreRefusedByName()
     {
-        ArgumentException e = Assert.Throws<ArgumentException>(() => Rig(2, o => (o.Links, o.FirstLinkId, o.AcceptUnsigned) = ([0, 2], 255, null!)).Dispose());
+        ArgumentException e = Assert.Throws<ArgumentException>(
+            () => Rig(2, o => (o.Links, o.FirstLinkId, o.AcceptUnsigned) = ([0, 2], 255, null!)).Dispose());
         Assert.Contains("link 2 is to be signed, but there are 2 live links", e.Message);
         Assert.Contains("FirstLinkId is 255", e.Message);
         Assert.Contains("AcceptUnsigned is null", e.Message);
@@ -177,7 +182,9 @@ public sealed class SigningTests : IDisposable
     }
 
     private byte[] Signed(MavlinkSigningKey key)
-        => Frames.Bytes(Sign(Frames.Read(Frames.Heartbeat(sequence: _sequence++)).Single(), Heartbeat.MavlinkCrcExtra, key));
+        => Frames.Bytes(
+            Sign(Frames.Read(Frames.Heartbeat(sequence: _sequence++)).Single(), Heartbeat.MavlinkCrcExtra, key));
 
-    private MavlinkFrame Sign(in MavlinkFrame frame, byte crcExtra, MavlinkSigningKey key) => new MavlinkSigner(key, 3, _clock).Sign(frame, crcExtra);
+    private MavlinkFrame Sign(in MavlinkFrame frame, byte crcExtra, MavlinkSigningKey key)
+        => new MavlinkSigner(key, 3, _clock).Sign(frame, crcExtra);
 }

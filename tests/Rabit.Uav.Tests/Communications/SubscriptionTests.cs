@@ -19,7 +19,8 @@ public sealed class SubscriptionTests
     public void Subscription_OfAMessage_ReceivesItAndNothingElse_AutopilotAll()
     {
         var ranges = new PayloadManager<DistanceSensor>("ranges");
-        using CommunicationsRig rig = Rig([ranges], [new MavlinkSubscription("ranges") { MessageIds = [DistanceSensor.MavlinkId] }]);
+        using CommunicationsRig rig = Rig(
+            [ranges], [new MavlinkSubscription("ranges") { MessageIds = [DistanceSensor.MavlinkId] }]);
 
         rig.Send(0, Frames.Heartbeat(), Frames.Of(new DistanceSensor { CurrentDistance = 420 }, component: 7));
 
@@ -44,7 +45,9 @@ public sealed class SubscriptionTests
                 new MavlinkSubscription("all"),
             ]);
 
-        rig.Send(0, Frames.Heartbeat(), Frames.Of(new DistanceSensor()), Frames.Of(new Attitude()), Frames.Raw(Frames.UnknownId, [1, 2]), Frames.Heartbeat());
+        rig.Send(
+            0, Frames.Heartbeat(), Frames.Of(new DistanceSensor()), Frames.Of(new Attitude()),
+            Frames.Raw(Frames.UnknownId, [1, 2]), Frames.Heartbeat());
 
         Assert.Equal((1, 2L), (first.Taken.Count, first.Undecoded));
         Assert.Equal((1, 0L), (second.Taken.Count, second.Undecoded));
@@ -58,7 +61,8 @@ public sealed class SubscriptionTests
     [InlineData(QueueFullMode.DropOldest)]
     [InlineData(QueueFullMode.Reject)]
     [InlineData(QueueFullMode.DropNewest)]
-    public void Subscription_ManagerThatNeverReceives_DropsAreCountedAndLogged_AutopilotDoesNotWait(QueueFullMode fullMode)
+    public void Subscription_ManagerThatNeverReceives_DropsAreCountedAndLogged_AutopilotDoesNotWait(
+        QueueFullMode fullMode)
     {
         var stuck = new PayloadManager<Heartbeat>("stuck", capacity: 4, fullMode, isStuck: true);
         using CommunicationsRig rig = Rig([stuck], [new MavlinkSubscription("stuck")]);
@@ -69,7 +73,8 @@ public sealed class SubscriptionTests
         Assert.Equal(50, rig.Autopilot.Taken.Count);
         MavlinkSubscriptionCounters counters = Assert.Single(rig.Manager.CountSubscriptions());
         Assert.Equal((4L, 46L), (counters.Delivered, counters.Dropped));
-        Assert.Contains("46 frames for queue 'stuck' were dropped", Assert.Single(rig.Log, e => e.Text.Contains("dropped")).Text);
+        Assert.Contains(
+            "46 frames for queue 'stuck' were dropped", Assert.Single(rig.Log, e => e.Text.Contains("dropped")).Text);
     }
 
     [Fact]
@@ -77,7 +82,8 @@ public sealed class SubscriptionTests
     {
         var winch = new PayloadManager<WinchState>("winch");
         using CommunicationsRig rig = Rig(
-            [winch], [new MavlinkSubscription("winch") { MessageIds = [WinchState.MavlinkId] }], o => o.Dialect = WinchState.Dialect);
+            [winch], [new MavlinkSubscription("winch") { MessageIds = [WinchState.MavlinkId] }],
+            o => o.Dialect = WinchState.Dialect);
         byte[] damaged = Frames.Of(new WinchState { LineCentimetres = 7 });
         damaged[10] ^= 1;
 
@@ -92,7 +98,8 @@ public sealed class SubscriptionTests
     public void MessageOfTheUsersDialect_IsSentFromAComponentOfItsOwn()
     {
         var winch = new PayloadManager<WinchState>("winch", componentId: Gimbal);
-        using CommunicationsRig rig = Rig([winch], [new MavlinkSubscription("winch")], o => o.Dialect = WinchState.Dialect);
+        using CommunicationsRig rig = Rig(
+            [winch], [new MavlinkSubscription("winch")], o => o.Dialect = WinchState.Dialect);
         rig.Send(0, Frames.Heartbeat(system: 255, component: 190));
         rig.Received(1);
 
@@ -126,7 +133,8 @@ public sealed class SubscriptionTests
         var gimbal = new PayloadManager<CommandLong>("gimbal", componentId: Gimbal);
         var own = new PayloadManager<CommandLong>("own");
         using CommunicationsRig rig = Rig(
-            [gimbal, own], [new MavlinkSubscription("gimbal") { ComponentId = Gimbal }, new MavlinkSubscription("own")]);
+            [gimbal, own],
+            [new MavlinkSubscription("gimbal") { ComponentId = Gimbal }, new MavlinkSubscription("own")]);
 
         rig.Send(0, Frames.Of(Frames.Command(1, Gimbal), 255, 190));
 
@@ -142,12 +150,15 @@ public sealed class SubscriptionTests
     [InlineData(1, 191, 0, 1, 1)]    // the computer
     [InlineData(1, 77, 0, 0, 0)]     // a component that is not ours
     [InlineData(2, Gimbal, 0, 0, 0)] // the gimbal of another vehicle
-    public void Component_AddressedElsewhere_FollowsTheRulesOfMavlink(byte system, byte component, int atGimbal, int atOwn, int atAutopilot)
+    public void Component_AddressedElsewhere_FollowsTheRulesOfMavlink(
+        byte system, byte component, int atGimbal, int atOwn, int atAutopilot)
     {
         var gimbal = new PayloadManager<CommandLong>("gimbal");
         var own = new PayloadManager<CommandLong>("own");
         using CommunicationsRig rig = Rig(
-            [gimbal, own], [new MavlinkSubscription("gimbal") { ComponentId = Gimbal }, new MavlinkSubscription("own") { ComponentId = 191 }]);
+            [gimbal, own],
+            [new MavlinkSubscription("gimbal") { ComponentId = Gimbal },
+                new MavlinkSubscription("own") { ComponentId = 191 }]);
 
         rig.Send(0, Frames.Of(Frames.Command(system, component), 255, 190));
 
@@ -175,7 +186,8 @@ public sealed class SubscriptionTests
             [all], [new MavlinkSubscription("all")], o => o.Signing = new SigningOptions(key) { Links = [0] });
         var clock = new MavlinkSigningClock();
         clock.Advance(new DateTime(2026, 1, 1, 0, 0, 0, DateTimeKind.Utc), TimeSpan.Zero);
-        MavlinkFrame signed = new MavlinkSigner(key, 3, clock).Sign(MavlinkFrame.Create(new Heartbeat(), 1, 1, 0), Heartbeat.MavlinkCrcExtra);
+        MavlinkFrame signed = new MavlinkSigner(key, 3, clock)
+            .Sign(MavlinkFrame.Create(new Heartbeat(), 1, 1, 0), Heartbeat.MavlinkCrcExtra);
 
         rig.Send(0, Frames.Heartbeat(sequence: 9), Frames.Bytes(signed));
 
@@ -226,9 +238,14 @@ public sealed class SubscriptionTests
     public void Queue_MakesItsSendersWait_TheWiringNamesIt()
     {
         var fault = Assert.Throws<RabitWiringException>(
-            () => Rig([new PayloadManager<Heartbeat>("ranges", fullMode: QueueFullMode.Wait)], [new MavlinkSubscription("ranges")]));
+            () => Rig(
+                [new PayloadManager<Heartbeat>("ranges", fullMode: QueueFullMode.Wait)],
+                [new MavlinkSubscription("ranges")]));
 
-        Assert.Contains("Queue 'ranges' makes its senders wait when it is full; a manager never waits, and 'communications' is one.", fault.Message);
+        Assert.Contains(
+            "Queue 'ranges' makes its senders wait when it is full; a manager never waits, and 'communications' is "
+                + "one.",
+            fault.Message);
     }
 
     public static TheoryData<string, Action<CommunicationsOptions>> Faults => new()
@@ -236,21 +253,29 @@ public sealed class SubscriptionTests
         { "Dialect is null", o => o.Dialect = null! },
         { "Subscriptions, or one of them, is null; the list may be empty", o => o.Subscriptions = null! },
         { "Subscriptions, or one of them, is null; the list may be empty", o => o.Subscriptions = [null!] },
-        { "2 subscriptions have queue 'a'; each needs a queue of its own", o => o.Subscriptions = [new("a"), new("a")] },
-        { "a subscription has queue 'autopilot frames', which is that of Autopilot Interface", o => o.Subscriptions = [new("autopilot frames")] },
-        { "the subscription of queue 'a' is for component 0, which means every component", o => o.Subscriptions = [new("a") { ComponentId = 0 }] },
-        { "the subscription of queue 'a' has null as MessageIds; none means all", o => o.Subscriptions = [new("a") { MessageIds = null! }] },
-        { "the subscription of queue 'a' has message 0 more than once", o => o.Subscriptions = [new("a") { MessageIds = [0, 0] }] },
+        { "2 subscriptions have queue 'a'; each needs a queue of its own",
+            o => o.Subscriptions = [new("a"), new("a")] },
+        { "a subscription has queue 'autopilot frames', which is that of Autopilot Interface",
+            o => o.Subscriptions = [new("autopilot frames")] },
+        { "the subscription of queue 'a' is for component 0, which means every component",
+            o => o.Subscriptions = [new("a") { ComponentId = 0 }] },
+        { "the subscription of queue 'a' has null as MessageIds; none means all",
+            o => o.Subscriptions = [new("a") { MessageIds = null! }] },
+        { "the subscription of queue 'a' has message 0 more than once",
+            o => o.Subscriptions = [new("a") { MessageIds = [0, 0] }] },
         {
-            "the subscription of queue 'a' has message 54321, which dialect 'all' does not have, so that nothing could check it; MavlinkDialect.Combine",
+            "the subscription of queue 'a' has message 54321, which dialect 'all' does not have, so that nothing could "
+                + "check it; MavlinkDialect.Combine",
             o => o.Subscriptions = [new("a") { MessageIds = [WinchState.MavlinkId] }]
         },
         {
             "dialect 'tiny' lacks HEARTBEAT and ",
-            o => o.Dialect = new MavlinkDialect("tiny", [new MavlinkMessageInfo(WinchState.MavlinkId, "WINCH_STATE", 77, 4, 4, -1, -1)])
+            o => o.Dialect = new MavlinkDialect(
+                "tiny", [new MavlinkMessageInfo(WinchState.MavlinkId, "WINCH_STATE", 77, 4, 4, -1, -1)])
         },
         {
-            "dialect 'other' has HEARTBEAT (checksum byte 51) as message 0, which the managers use as HEARTBEAT (checksum byte 50)",
+            "dialect 'other' has HEARTBEAT (checksum byte 51) as message 0, which the managers use as HEARTBEAT "
+                + "(checksum byte 50)",
             o => o.Dialect = new MavlinkDialect("other", WithAnotherHeartbeat())
         },
     };
@@ -266,10 +291,12 @@ public sealed class SubscriptionTests
 
     [Fact]
     public void Subscription_WithoutAName_IsRefused()
-        => Assert.Equal("queue", Assert.Throws<ArgumentException>(() => new MavlinkSubscription(string.Empty)).ParamName);
+        => Assert.Equal(
+            "queue", Assert.Throws<ArgumentException>(() => new MavlinkSubscription(string.Empty)).ParamName);
 
     private static CommunicationsRig Rig(
-        IEnumerable<RabitManager> managers, MavlinkSubscription[] subscriptions, Action<CommunicationsOptions>? configure = null)
+        IEnumerable<RabitManager> managers, MavlinkSubscription[] subscriptions,
+        Action<CommunicationsOptions>? configure = null)
     {
         return new CommunicationsRig(
             links: 2,

@@ -28,8 +28,11 @@ public sealed class TargetReportCodecTests
                 PictureNumber = random.Next(),
                 Index = random.Next(256),
                 Time = Now - TimeSpan.FromSeconds(random.NextDouble() * 600),
-                Position = GeodeticPosition.FromRadians((random.NextDouble() - 0.5) * Math.PI, (random.NextDouble() - 0.5) * 2 * Math.PI, (random.NextDouble() * 9000) - 400),
-                Covariance = new HorizontalCovariance(nn, Math.Sqrt(nn * ee) * ((random.NextDouble() * 1.9) - 0.95), ee),
+                Position = GeodeticPosition.FromRadians(
+                    (random.NextDouble() - 0.5) * Math.PI, (random.NextDouble() - 0.5) * 2 * Math.PI,
+                    (random.NextDouble() * 9000) - 400),
+                Covariance = new HorizontalCovariance(
+                    nn, Math.Sqrt(nn * ee) * ((random.NextDouble() * 1.9) - 0.95), ee),
                 SystematicCovariance = i % 3 == 0 ? default : new HorizontalCovariance(ee, 0, nn),
                 Class = RandomName(random),
                 Score = random.NextDouble(),
@@ -39,7 +42,9 @@ public sealed class TargetReportCodecTests
             };
             Assert.True(Codec.TryEncode(report, Now, buffer, out int length), $"seed {Seed}, report {i}");
             Assert.Equal(58 + report.Class.Length, length);
-            Assert.True(Codec.TryDecode(buffer.AsSpan(0, length), Now + TimeSpan.FromSeconds(5), 7, out TargetReport back), $"seed {Seed}, report {i}");
+            Assert.True(
+                Codec.TryDecode(buffer.AsSpan(0, length), Now + TimeSpan.FromSeconds(5), 7, out TargetReport back),
+                $"seed {Seed}, report {i}");
             AssertEqual(report, back);
             Assert.Equal(Codec.IdentityOf(report), Codec.IdentityOf(back));
         }
@@ -52,7 +57,9 @@ public sealed class TargetReportCodecTests
         var random = new Random(Seed);
         for (int i = 0; i < 200_000; i++)
         {
-            var bytes = new byte[i % 4 == 0 ? random.Next(129) : random.Next(TargetReportCodec.MinLength, TargetReportCodec.MaxLength + 1)];
+            var bytes = new byte[i % 4 == 0
+                ? random.Next(129)
+                : random.Next(TargetReportCodec.MinLength, TargetReportCodec.MaxLength + 1)];
             random.NextBytes(bytes);
             if (bytes.Length > 1 && i % 2 == 0)
                 (bytes[0], bytes[1]) = (2, (byte)(bytes.Length - 58));
@@ -140,7 +147,10 @@ public sealed class TargetReportCodecTests
     public void RoundTrip_ClassThatIsNotDeclaredHere_KeepsItsName()
     {
         var bytes = new byte[VehicleMessageRoute.MaxLength];
-        TargetReport report = VehicleMessageTests.Report(picture: 3) with { Class = new TargetClassName("Canis lupus fam.") };
+        TargetReport report = VehicleMessageTests.Report(picture: 3) with
+        {
+            Class = new TargetClassName("Canis lupus fam.")
+        };
         Assert.True(Codec.TryEncode(report, TimeSpan.Zero, bytes, out int length));
         Assert.Equal(TargetReportCodec.MaxLength, length);
         Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), Now, 7, out TargetReport back));
@@ -171,7 +181,9 @@ public sealed class TargetReportCodecTests
 
     private static void AssertEqual(in TargetReport expected, in TargetReport actual)
     {
-        Assert.Equal((7, expected.PictureNumber, expected.Index, expected.Class), (actual.SourceSystemId, actual.PictureNumber, actual.Index, actual.Class));
+        Assert.Equal(
+            (7, expected.PictureNumber, expected.Index, expected.Class),
+            (actual.SourceSystemId, actual.PictureNumber, actual.Index, actual.Class));
         Assert.Equal(expected.Time.TotalSeconds + 5, actual.Time.TotalSeconds, 0.0006);
         Assert.Equal(expected.Position.Latitude.Radians, actual.Position.Latitude.Radians, 1e-9);
         Assert.Equal(expected.Position.Longitude.Radians, actual.Position.Longitude.Radians, 1e-9);

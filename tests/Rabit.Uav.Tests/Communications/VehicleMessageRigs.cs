@@ -46,7 +46,8 @@ internal sealed class VehicleMessageRig : IDisposable
             Rig.As(1);
     }
 
-    public static VehicleMessageRoute<TargetReport> Route() => new(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports);
+    public static VehicleMessageRoute<TargetReport> Route()
+        => new(new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports);
 
     public CommunicationsRig Rig { get; }
 
@@ -63,7 +64,9 @@ internal sealed class VehicleMessageRig : IDisposable
     public void Dispose() => Rig.Dispose();
 }
 
-/// <summary>Two vehicles with a link in memory between them, each in a reactor of its own; time goes on for both in turns.</summary>
+/// <summary>
+/// Two vehicles with a link in memory between them, each in a reactor of its own; time goes on for both in turns.
+/// </summary>
 internal sealed class TwoVehicles : IDisposable
 {
     private readonly RabitReactor[] _reactors = new RabitReactor[2];
@@ -77,7 +80,12 @@ internal sealed class TwoVehicles : IDisposable
         var pair = new MemoryLinkPair("air", 64 * 1024);
         for (int i = 0; i < 2; i++)
         {
-            _managers[i] = new CommunicationsManager(new CommunicationsOptions { Links = [i == 0 ? pair.A : pair.B], VehicleMessageRoutes = [VehicleMessageRig.Route()] });
+            _managers[i] = new CommunicationsManager(
+                new CommunicationsOptions
+                {
+                    Links = [i == 0 ? pair.A : pair.B],
+                    VehicleMessageRoutes = [VehicleMessageRig.Route()]
+                });
             _reactors[i] = new RabitReactor(new VirtualTime(i)) { _managers[i], _sinks[i], new FakeAutopilot(1024) };
             MessagePublisher<OwnAddress> address = _reactors[i].Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
             _reactors[i].Workspace.Publish<VehicleState>(MessageNames.VehicleState);

@@ -17,7 +17,9 @@ public sealed class VehicleMessageTests
         using var air = new TwoVehicles();
         air.Send(from: 0, Report(picture: 7, index: 2));
         TargetReport report = Assert.Single(air.Received(1));
-        Assert.Equal((1, 7L, 2, DefaultTargetClasses.Orange), (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
+        Assert.Equal(
+            (1, 7L, 2, DefaultTargetClasses.Orange),
+            (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
         Assert.Empty(air.Received(0));
         Assert.Equal((1L, 0L), (air.Counts(0).Sent, air.Counts(0).Delivered));
         Assert.Equal((0L, 1L), (air.Counts(1).Sent, air.Counts(1).Delivered));
@@ -78,7 +80,8 @@ public sealed class VehicleMessageTests
     public void Message_OfTypesWithoutARoute_GoesTheWayOfAllFrames()
     {
         using var rig = new VehicleMessageRig(links: 1);
-        rig.Rig.Send(0, Frames.Of(new Tunnel { PayloadType = (MavTunnelPayloadType)50_000, PayloadLength = 3 }, system: 5));
+        rig.Rig.Send(
+            0, Frames.Of(new Tunnel { PayloadType = (MavTunnelPayloadType)50_000, PayloadLength = 3 }, system: 5));
         Assert.Single(rig.Rig.Autopilot.Taken);
         Assert.Equal(0, rig.Counts.Malformed);
     }
@@ -107,8 +110,10 @@ public sealed class VehicleMessageTests
     public void Message_ThatComesTwice_CountsOnceWithinTheWindow()
     {
         using var rig = new VehicleMessageRig(links: 2);
-        rig.Rig.Send(0, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 1), system: 5));
-        rig.Rig.Send(1, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 0), system: 6));
+        rig.Rig.Send(
+            0, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 1), system: 5));
+        rig.Rig.Send(
+            1, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 0), system: 6));
         Assert.Equal((3, 1L), (rig.Reports.Count, rig.Counts.Duplicates));
         rig.Rig.Run(TimeSpan.FromSeconds(11));
         rig.Rig.Send(0, FrameOf(Report(picture: 1, index: 0), system: 5));   // it has restarted
@@ -126,7 +131,8 @@ public sealed class VehicleMessageTests
             air.Run(1);
         }
 
-        int frame = 12 + 5 + 58 + DefaultTargetClasses.Red.Length;   // header, checksum, what TUNNEL says of its content
+        // header, checksum, what TUNNEL says of its content
+        int frame = 12 + 5 + 58 + DefaultTargetClasses.Red.Length;
         Assert.InRange(air.Received(1).Count * frame, 4 * 1000, 6 * 1000);
         Assert.Equal(250, air.Counts(0).Sent + air.Counts(0).RateLimited);
         Assert.Equal(air.Counts(0).Sent, air.Received(1).Count);
@@ -180,9 +186,11 @@ public sealed class VehicleMessageTests
             VehicleMessageBytesPerSecond = 10,
             PositionRateHz = double.NaN,
         })).Message;
-        foreach (string part in new[] { "42001 more than once", "VehicleMessageBytesPerSecond is 10", "PositionRateHz is NaN" })
+        foreach (string part
+            in new[] { "42001 more than once", "VehicleMessageBytesPerSecond is 10", "PositionRateHz is NaN" })
             Assert.Contains(part, text, StringComparison.Ordinal);
-        Assert.Throws<ArgumentException>(() => new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), string.Empty, "in"));
+        Assert.Throws<ArgumentException>(
+            () => new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), string.Empty, "in"));
         Assert.Throws<ArgumentNullException>(() => new VehicleMessageRoute<TargetReport>(null!, "out", "in"));
     }
 

@@ -21,7 +21,8 @@ internal struct WinchState : IMavlinkMessage
     public static MavlinkDialect Dialect { get; } = MavlinkDialect.Combine(
         "mine",
         MavlinkDialect.All,
-        new MavlinkDialect("winch", [new MavlinkMessageInfo(MavlinkId, "WINCH_STATE", MavlinkCrcExtra, Length, Length, 2, 3)]));
+        new MavlinkDialect(
+            "winch", [new MavlinkMessageInfo(MavlinkId, "WINCH_STATE", MavlinkCrcExtra, Length, Length, 2, 3)]));
 
     public readonly int MessageId => MavlinkId;
 

@@ -34,7 +34,16 @@ public sealed class CameraTests
     public void Undistort_LensThatFolds_SaysSoInsteadOfGivingADirection()
     {
         // x (1 - x^2) is largest, 0.385, at 0.577: beyond that no direction gives the pixel.
-        var camera = new CameraModel { Width = 640, Height = 480, FocalX = 500, FocalY = 500, CentreX = 320, CentreY = 240, K1 = -1 };
+        var camera = new CameraModel
+        {
+            Width = 640,
+            Height = 480,
+            FocalX = 500,
+            FocalY = 500,
+            CentreX = 320,
+            CentreY = 240,
+            K1 = -1
+        };
         Assert.True(camera.TryUndistort(320 + (500 * 0.3), 240, out double x, out _));
         Assert.Equal(0.3, x * (1 - (x * x)), 1e-9);
         Assert.False(camera.TryUndistort(320 + (500 * 0.45), 240, out _, out _));
@@ -52,7 +61,8 @@ public sealed class CameraTests
     public void FindFaults_BadCameraOrMount_NamesThem()
     {
         Assert.Equal(2, new CameraModel { Width = 0, Height = 480, FocalX = 0, FocalY = 500 }.FindFaults().Count());
-        Assert.Single(new CameraModel { Width = 640, Height = 480, FocalX = 500, FocalY = 500, K1 = double.NaN }.FindFaults());
+        Assert.Single(
+            new CameraModel { Width = 640, Height = 480, FocalX = 500, FocalY = 500, K1 = double.NaN }.FindFaults());
         Assert.Empty(CameraVectors.Camera(3).FindFaults());
         Assert.Empty(new CameraMount().FindFaults());
         Assert.Single(new CameraMount { FixedBodyFromCamera = default(Rotation) }.FindFaults());
@@ -78,7 +88,8 @@ public sealed class CameraTests
     {
         AssertAxis(new CameraMount().At(Angle.Zero, Angle.Zero), (0, 0, 1), forward: 1, right: 0, down: 0);
         AssertAxis(new CameraMount().At(Angle.Zero, Angle.FromDegrees(90)), (0, 0, 1), forward: 0, right: 1, down: 0);
-        AssertAxis(new CameraMount().At(Angle.FromDegrees(-45), Angle.Zero), (0, 0, 1), Math.Sqrt(0.5), 0, Math.Sqrt(0.5));
+        AssertAxis(
+            new CameraMount().At(Angle.FromDegrees(-45), Angle.Zero), (0, 0, 1), Math.Sqrt(0.5), 0, Math.Sqrt(0.5));
     }
 
     [Fact]
@@ -119,10 +130,12 @@ public sealed class CameraTests
         Assert.False(Ray(45).TryIntersectLevel(double.NaN, limit, out _));
 
         static GroundRay Ray(double depressionDegrees)
-            => new(default, new NedVector(Math.Cos(depressionDegrees * Vectors.Degree), 0, Math.Sin(depressionDegrees * Vectors.Degree)));
+            => new(default, new NedVector(
+                Math.Cos(depressionDegrees * Vectors.Degree), 0, Math.Sin(depressionDegrees * Vectors.Degree)));
     }
 
-    private static void AssertAxis(CameraExtrinsics placement, (double X, double Y, double Z) axis, double forward, double right, double down)
+    private static void AssertAxis(
+        CameraExtrinsics placement, (double X, double Y, double Z) axis, double forward, double right, double down)
     {
         (double x, double y, double z) = placement.BodyFromCamera.Apply(axis.X, axis.Y, axis.Z);
         Assert.Equal(forward, x, 1e-12);

@@ -74,7 +74,9 @@ public class AdviceTests
         rig.Fly(2);
         rig.PostVehicle(isConnected: false);
         rig.Run(3);
-        Assert.Equal((HealthReasons.AutopilotLost, HealthAdvice.None), (rig.Report.Reasons & HealthReasons.AutopilotLost, rig.Report.Advice));
+        Assert.Equal(
+            (HealthReasons.AutopilotLost, HealthAdvice.None),
+            (rig.Report.Reasons & HealthReasons.AutopilotLost, rig.Report.Advice));
         rig.Fly(1);
         Assert.Equal(HealthAdvice.ReturnToLaunch, rig.Report.Advice);
         Assert.Contains("autopilot lost", rig.Report.AdviceText!, StringComparison.Ordinal);
@@ -98,7 +100,9 @@ public class AdviceTests
     {
         var findings = new List<HealthFinding>();
         HealthRules.Evaluate(
-            new ManagerFacts("autopilot", Rabit.Core.ManagerState.Running, TimeSpan.FromSeconds(0.2), 1, true, TimeSpan.FromSeconds(9)),
+            new ManagerFacts(
+                "autopilot", Rabit.Core.ManagerState.Running, TimeSpan.FromSeconds(0.2), 1, true,
+                TimeSpan.FromSeconds(9)),
             new HealthOptions(),
             findings);
         Assert.Equal([HealthReasons.ManagerFaulted, HealthReasons.ManagerStuck], findings.Select(f => f.Reason));
@@ -119,7 +123,9 @@ public class AdviceTests
         rig.Fly(2);
         Assert.Equal(HealthReasons.None, rig.Report.Reasons);
         rig.Fly(2);
-        Assert.Equal((HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.ReturnToLaunch), (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
+        Assert.Equal(
+            (HealthReasons.CameraSilent, HealthLevel.Warning, HealthAdvice.ReturnToLaunch),
+            (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
         Assert.Equal("the camera delivers no pictures (last at 12.0 s)", rig.Report.AdviceText);
     }
 
@@ -131,7 +137,9 @@ public class AdviceTests
         rig.Fly(10);
         rig.PostImaging(ImagingMode.Off, lastFrame: null, detectorFailures: 2);
         rig.Fly(2);
-        Assert.Equal((HealthReasons.DetectorFault, HealthLevel.Warning, HealthAdvice.None), (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
+        Assert.Equal(
+            (HealthReasons.DetectorFault, HealthLevel.Warning, HealthAdvice.None),
+            (rig.Report.Reasons, rig.Report.Level, rig.Report.Advice));
         Assert.Equal("the target detector is at fault (2 times so far)", rig.Report.Text);
         rig.Fly(5);
         Assert.Equal(HealthReasons.None, rig.Report.Reasons);
@@ -188,7 +196,9 @@ public class AdviceTests
         rig.PostVehicle();
         rig.Run(0.3);
         Statustext text = Assert.Single(Texts(rig));
-        Assert.Equal((MavSeverity.Warning, "Rabit: link udpin:0.0.0.0:14550 is silent", 0), (text.Severity, text.Text.ToString(), text.Id));
+        Assert.Equal(
+            (MavSeverity.Warning, "Rabit: link udpin:0.0.0.0:14550 is silent", 0),
+            (text.Severity, text.Text.ToString(), text.Id));
         for (int i = 0; i < 20; i++)
         {
             rig.PostVehicle(state: i % 2 == 0 ? MavState.Critical : MavState.Active);

@@ -18,7 +18,9 @@ public class HealthManagerTests
         rig.Fly(30);
 
         HealthReport report = rig.Report;
-        Assert.Equal((HealthLevel.Good, HealthReasons.None, null, true), (report.Level, report.Reasons, report.Text, report.SendsHeartbeat));
+        Assert.Equal(
+            (HealthLevel.Good, HealthReasons.None, null, true),
+            (report.Level, report.Reasons, report.Text, report.SendsHeartbeat));
     }
 
     [Fact]
@@ -109,8 +111,10 @@ public class HealthManagerTests
         rig.Run(0.5);
 
         Assert.Equal(HealthLevel.Critical, rig.Report.Level);
-        Assert.Equal(HealthReasons.LinkSilent | HealthReasons.BatteryLow | HealthReasons.AutopilotCritical, rig.Report.Reasons);
-        Assert.Equal("autopilot reports Emergency; battery low (20 %); link udpin:0.0.0.0:14550 is silent", rig.Report.Text);
+        Assert.Equal(
+            HealthReasons.LinkSilent | HealthReasons.BatteryLow | HealthReasons.AutopilotCritical, rig.Report.Reasons);
+        Assert.Equal(
+            "autopilot reports Emergency; battery low (20 %); link udpin:0.0.0.0:14550 is silent", rig.Report.Text);
     }
 
     [Fact]
@@ -165,7 +169,11 @@ public class HealthManagerTests
             StatusTextPeriod = TimeSpan.Zero,
         };
         string text = Assert.Throws<ArgumentException>(() => new HealthManager(options, [], 0)).Message;
-        foreach (string name in new[] { "BatteryLowFraction", "BatteryCriticalFraction", "AutopilotTimeout", "StuckAfter", "RecentWindow", "FirstFrameTimeout", "WindHighMetresPerSecond", "WindHighAfter", "CameraSilentAfter", "StatusTextPeriod" })
+        foreach (string name in new[]
+        {
+            "BatteryLowFraction", "BatteryCriticalFraction", "AutopilotTimeout", "StuckAfter", "RecentWindow",
+            "FirstFrameTimeout", "WindHighMetresPerSecond", "WindHighAfter", "CameraSilentAfter", "StatusTextPeriod"
+        })
             Assert.Contains(name, text, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => new HealthManager(new HealthOptions(), ["a", "a"], 0));
         Assert.Throws<ArgumentOutOfRangeException>(() => new HealthManager(new HealthOptions(), [], -1));
@@ -174,7 +182,11 @@ public class HealthManagerTests
     [Fact]
     public void Constructor_ManagerThatIsNotThere_IsAWiringFault()
     {
-        var reactor = new RabitReactor(new VirtualTime(1)) { new OutgoingSink(), new HealthManager(new HealthOptions(), ["ghost"], 0) };
+        var reactor = new RabitReactor(new VirtualTime(1))
+        {
+            new OutgoingSink(),
+            new HealthManager(new HealthOptions(), ["ghost"], 0)
+        };
         Assert.Contains("ghost", Assert.Throws<RabitWiringException>(reactor.Start).Message, StringComparison.Ordinal);
     }
 }

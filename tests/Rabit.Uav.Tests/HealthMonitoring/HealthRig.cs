@@ -31,7 +31,8 @@ internal sealed class HealthRig : IDisposable
         Reactor = new RabitReactor(time) { Sink };
         foreach (RabitManager other in others)
             Reactor.Add(other);
-        Reactor.Add(new HealthManager(new HealthOptions(), others.Select(m => m.Name).Concat([Sink.Name]), linkCount: 1));
+        Reactor.Add(
+            new HealthManager(new HealthOptions(), others.Select(m => m.Name).Concat([Sink.Name]), linkCount: 1));
         _vehicle = Reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
         _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         _link = Reactor.Workspace.Publish<LinkStatus>(MessageNames.LinkStatus(0));
@@ -73,7 +74,8 @@ internal sealed class HealthRig : IDisposable
         _ownAddress.Post();
     }
 
-    public void PostVehicle(double remaining = 0.8, bool isConnected = true, MavState state = MavState.Active, double wind = double.NaN)
+    public void PostVehicle(
+        double remaining = 0.8, bool isConnected = true, MavState state = MavState.Active, double wind = double.NaN)
     {
         _vehicle.Value = new VehicleState
         {
@@ -107,7 +109,8 @@ internal sealed class HealthRig : IDisposable
         _imaging.Post();
     }
 
-    public void PostLink(LinkState state = LinkState.Receiving, long dropped = 0, double progress = double.NaN, long droppedOut = 0)
+    public void PostLink(
+        LinkState state = LinkState.Receiving, long dropped = 0, double progress = double.NaN, long droppedOut = 0)
     {
         _link.Value = new LinkStatus
         {

@@ -27,9 +27,11 @@ public class HealthRulesTests
     [InlineData(ManagerState.Hanging, false, 10, false, HealthReasons.ManagerHangs)]
     [InlineData(ManagerState.Created, false, 0, false, HealthReasons.None)]
     [InlineData(ManagerState.Stopped, false, 10, false, HealthReasons.None)]
-    public void Manager_IsEvaluatedByStateFaultsAndSilence(ManagerState state, bool faultedLately, double quietSeconds, bool isAlive, HealthReasons expected)
+    public void Manager_IsEvaluatedByStateFaultsAndSilence(
+        ManagerState state, bool faultedLately, double quietSeconds, bool isAlive, HealthReasons expected)
     {
-        var facts = new ManagerFacts("m", state, TimeSpan.FromSeconds(0.1), 3, faultedLately, TimeSpan.FromSeconds(quietSeconds));
+        var facts = new ManagerFacts(
+            "m", state, TimeSpan.FromSeconds(0.1), 3, faultedLately, TimeSpan.FromSeconds(quietSeconds));
         var findings = new List<HealthFinding>();
         HealthRules.Evaluate(facts, Options, findings);
 
@@ -47,7 +49,8 @@ public class HealthRulesTests
     [InlineData(0.00, HealthReasons.BatteryCritical, HealthLevel.Critical)]
     [InlineData(double.NaN, HealthReasons.None, HealthLevel.Unknown)]
     public void Battery_IsEvaluatedByWhatRemains(double remaining, HealthReasons expected, HealthLevel level)
-        => AssertVehicle(Connected() with { BatteryTime = TimeSpan.Zero, BatteryRemaining = remaining }, expected, level);
+        => AssertVehicle(
+            Connected() with { BatteryTime = TimeSpan.Zero, BatteryRemaining = remaining }, expected, level);
 
     [Fact]
     public void Battery_NeverMeasured_IsNotEvaluated()
@@ -66,7 +69,8 @@ public class HealthRulesTests
     [InlineData(0, false, 0, false, HealthReasons.NoAutopilot, HealthLevel.Warning)]
     [InlineData(1, true, 1, false, HealthReasons.None, HealthLevel.Unknown)]
     [InlineData(1, true, 5, false, HealthReasons.None, HealthLevel.Unknown)]
-    [InlineData(1, true, 5.1, false, HealthReasons.AutopilotLost, HealthLevel.Critical)]    // not reported, but we can count
+    // not reported, but we can count
+    [InlineData(1, true, 5.1, false, HealthReasons.AutopilotLost, HealthLevel.Critical)]
     [InlineData(1, false, 1, false, HealthReasons.AutopilotLost, HealthLevel.Critical)]
     [InlineData(1, false, 60, true, HealthReasons.None, HealthLevel.Unknown)]               // the log is at its end
     public void Autopilot_IsEvaluatedByItsHeartbeat(
@@ -85,18 +89,29 @@ public class HealthRulesTests
     [InlineData(LinkState.Failed, true, 1, HealthReasons.LinkDown, HealthLevel.Critical)]
     [InlineData(LinkState.Ended, false, 1, HealthReasons.LinkDown, HealthLevel.Critical)]
     [InlineData(LinkState.Ended, true, 1, HealthReasons.None, HealthLevel.Unknown)]
-    public void Link_IsEvaluatedByItsState(LinkState state, bool isRecorded, double watchedSeconds, HealthReasons expected, HealthLevel level)
+    public void Link_IsEvaluatedByItsState(
+        LinkState state, bool isRecorded, double watchedSeconds, HealthReasons expected, HealthLevel level)
     {
         var status = new LinkStatus { State = state, Url = "udp", Progress = isRecorded ? 1 : double.NaN };
-        AssertLink(new LinkFacts("udp", status, framesDropped: 0, hasDroppedRecently: false, TimeSpan.FromSeconds(watchedSeconds)), expected, level);
+        AssertLink(
+            new LinkFacts(
+                "udp", status, framesDropped: 0, hasDroppedRecently: false, TimeSpan.FromSeconds(watchedSeconds)),
+            expected, level);
     }
 
     [Theory]
     [InlineData(true, HealthReasons.FramesDropped, HealthLevel.Warning)]
     [InlineData(false, HealthReasons.None, HealthLevel.Unknown)]
-    public void Link_IsEvaluatedByFramesThatWereDroppedLately(bool droppedLately, HealthReasons expected, HealthLevel level)
+    public void Link_IsEvaluatedByFramesThatWereDroppedLately(
+        bool droppedLately, HealthReasons expected, HealthLevel level)
     {
-        var status = new LinkStatus { State = LinkState.Receiving, FramesDroppedIn = 3, FramesDroppedOut = 4, Progress = double.NaN };
+        var status = new LinkStatus
+        {
+            State = LinkState.Receiving,
+            FramesDroppedIn = 3,
+            FramesDroppedOut = 4,
+            Progress = double.NaN
+        };
         AssertLink(new LinkFacts("udp", status, framesDropped: 7, droppedLately, TimeSpan.Zero), expected, level);
     }
 
@@ -113,7 +128,8 @@ public class HealthRulesTests
         };
 
         Assert.Equal(
-            "autopilot lost (last heartbeat at 12.3 s); manager autopilot is stuck (it should run every 0.2 s); battery low (22 %); "
+            "autopilot lost (last heartbeat at 12.3 s); manager autopilot is stuck (it should run every 0.2 s); "
+            + "battery low (22 %); "
             + "link udpin:0.0.0.0:14550 is silent; link 1 dropped frames (12 so far)",
             HealthText.Of(findings));
     }
@@ -145,12 +161,15 @@ public class HealthRulesTests
         Assert.True(rise.Update(2, TimeSpan.FromSeconds(7), within));
     }
 
-    private static VehicleState Connected() => new() { SystemId = 1, IsConnected = true, SystemStatus = MavState.Active };
+    private static VehicleState Connected()
+        => new() { SystemId = 1, IsConnected = true, SystemStatus = MavState.Active };
 
-    private static void AssertVehicle(VehicleState state, HealthReasons expected, HealthLevel level, double ageSeconds = 1, bool isReplayOver = false)
+    private static void AssertVehicle(
+        VehicleState state, HealthReasons expected, HealthLevel level, double ageSeconds = 1, bool isReplayOver = false)
     {
         var findings = new List<HealthFinding>();
-        HealthRules.Evaluate(new VehicleFacts(state, TimeSpan.FromSeconds(ageSeconds), isReplayOver), Options, findings);
+        HealthRules.Evaluate(
+            new VehicleFacts(state, TimeSpan.FromSeconds(ageSeconds), isReplayOver), Options, findings);
         AssertFindings(findings, expected, level, null);
     }
 
@@ -161,12 +180,14 @@ public class HealthRulesTests
         AssertFindings(findings, expected, level, "udp");
     }
 
-    private static void AssertFindings(List<HealthFinding> findings, HealthReasons expected, HealthLevel level, string? subject)
+    private static void AssertFindings(
+        List<HealthFinding> findings, HealthReasons expected, HealthLevel level, string? subject)
     {
         Assert.Equal(expected, ReasonsOf(findings));
         Assert.Equal(level, findings.Select(f => f.Level).DefaultIfEmpty(HealthLevel.Unknown).Max());
         Assert.All(findings, f => Assert.Equal(subject, f.Subject));
     }
 
-    private static HealthReasons ReasonsOf(List<HealthFinding> findings) => findings.Aggregate(HealthReasons.None, (all, f) => all | f.Reason);
+    private static HealthReasons ReasonsOf(List<HealthFinding> findings)
+        => findings.Aggregate(HealthReasons.None, (all, f) => all | f.Reason);
 }

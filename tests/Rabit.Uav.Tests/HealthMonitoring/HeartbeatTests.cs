@@ -49,7 +49,8 @@ public class HeartbeatTests
         Assert.Equal((42, 191), (frame.SystemId, frame.ComponentId));
         Assert.Equal((MavType.OnboardController, MavAutopilot.Invalid), (heartbeat.Type, heartbeat.Autopilot));
         Assert.Equal(MavState.Active, heartbeat.SystemStatus);
-        Assert.Equal(((MavModeFlag)0, 0u, (byte)3), (heartbeat.BaseMode, heartbeat.CustomMode, heartbeat.MavlinkVersion));
+        Assert.Equal(
+            ((MavModeFlag)0, 0u, (byte)3), (heartbeat.BaseMode, heartbeat.CustomMode, heartbeat.MavlinkVersion));
     }
 
     [Fact]

@@ -80,10 +80,14 @@ public sealed class ColourTargetDetectorTests
     {
         ((double, double, double) Colour, double Length, double Width)[] things =
         [
-            ((122, 64, 42), 1.1, 0.9), ((84, 100, 134), 1.2, 1), ((204, 184, 118), 1, 1), ((134, 58, 54), 1, 1), ((136, 92, 126), 1.2, 1.1),
-            ((176, 112, 78), 1, 1.2), (Painting.Nominal(DefaultTargetClasses.Red), 0.25, 0.25), (Painting.Nominal(DefaultTargetClasses.Orange), 3, 0.3),
-            (Painting.Nominal(DefaultTargetClasses.Blue), 0.25, 0.25), (Painting.Nominal(DefaultTargetClasses.Yellow), 3, 0.3),
-            (Painting.Nominal(DefaultTargetClasses.Magenta), 3, 3), (Painting.Nominal(DefaultTargetClasses.Red), 2.2, 0.9),
+            ((122, 64, 42), 1.1, 0.9), ((84, 100, 134), 1.2, 1), ((204, 184, 118), 1, 1), ((134, 58, 54), 1, 1),
+            ((136, 92, 126), 1.2, 1.1),
+            ((176, 112, 78), 1, 1.2), (Painting.Nominal(DefaultTargetClasses.Red), 0.25, 0.25),
+            (Painting.Nominal(DefaultTargetClasses.Orange), 3, 0.3),
+            (Painting.Nominal(DefaultTargetClasses.Blue), 0.25, 0.25),
+            (Painting.Nominal(DefaultTargetClasses.Yellow), 3, 0.3),
+            (Painting.Nominal(DefaultTargetClasses.Magenta), 3, 3),
+            (Painting.Nominal(DefaultTargetClasses.Red), 2.2, 0.9),
         ];
         const int Seed = 300;
         foreach (double pixels in new[] { 8.0, 13, 30 })
@@ -106,7 +110,9 @@ public sealed class ColourTargetDetectorTests
                 }
 
                 List<TargetDetection> found = Search(painting.Finish(), pixels);
-                Assert.True(found.Count == 0, $"seed {Seed + n}, {pixels} pixels: {string.Join(", ", found.Select(d => $"{d.Class} at {d.CentreX:F0},{d.CentreY:F0} {d.SideMetres:F2} m"))}");
+                Assert.True(
+                    found.Count == 0,
+                    $"seed {Seed + n}, {pixels} pixels: {string.Join(", ", found.Select(d => $"{d.Class} at {d.CentreX:F0},{d.CentreY:F0} {d.SideMetres:F2} m"))}");
             }
         }
     }
@@ -123,7 +129,8 @@ public sealed class ColourTargetDetectorTests
             painting.Panel(DefaultTargetClasses.Magenta, 300, Painting.Height - 1 - x, 13, 0);
             int found = Search(painting.Finish(), 13).Count;
 
-            // A whole panel, half of 13 pixels and a margin for its edge away from the border, is found; a cut one never.
+            // A whole panel, half of 13 pixels and a margin for its edge away from the border, is found; a cut one
+            // never.
             if (x >= 10)
                 Assert.Equal(4, found);
             if (x < 6)
@@ -140,7 +147,8 @@ public sealed class ColourTargetDetectorTests
         byte[] picture = painting.Finish();
 
         Assert.Equal(5, Search(picture, 13).Count);
-        Assert.Equal([DefaultTargetClasses.Orange], Search(picture, 13, DefaultTargetClasses.Orange).Select(d => d.Class));
+        Assert.Equal(
+            [DefaultTargetClasses.Orange], Search(picture, 13, DefaultTargetClasses.Orange).Select(d => d.Class));
         Assert.Equal(2, Search(picture, 13, DefaultTargetClasses.Blue, DefaultTargetClasses.Red).Count);
         Assert.Empty(Search(picture, 13, new TargetClassName("person")));
         Assert.Equal(5, Search(picture, 13).Count);
@@ -188,11 +196,15 @@ public sealed class ColourTargetDetectorTests
         var picture = new byte[Painting.Width * Painting.Height * 3];
         for (int i = 0; i < picture.Length; i += 3)
         {
-            (double r, double g, double b) = random.Next(3) == 0 ? Painting.Nominal(Names[random.Next(5)]) : (86, 112, 56);
+            (double r, double g, double b) = random.Next(3) == 0
+                ? Painting.Nominal(Names[random.Next(5)])
+                : (86, 112, 56);
             (picture[i], picture[i + 1], picture[i + 2]) = ((byte)r, (byte)g, (byte)b);
         }
 
-        Assert.Equal(DetectorResult.NotSearched(ColourTargetDetector.TooManySpots), _detector.Detect(Input(picture, 13), _found));
+        Assert.Equal(
+            DetectorResult.NotSearched(ColourTargetDetector.TooManySpots),
+            _detector.Detect(Input(picture, 13), _found));
     }
 
     [Fact]
@@ -231,7 +243,8 @@ public sealed class ColourTargetDetectorTests
         var shifted = new byte[picture.Length + 7];
         picture.CopyTo(shifted, 7);
         var input = new DetectorInput(
-            shifted.AsMemory(7), Painting.Width, Painting.Height, TargetClass.Defaults, PictureGroundScale.Uniform(1.0 / 13));
+            shifted.AsMemory(7), Painting.Width, Painting.Height, TargetClass.Defaults,
+            PictureGroundScale.Uniform(1.0 / 13));
 
         Assert.Equal(1, _detector.Detect(input, _found).Count);
         Assert.Equal(100, _found[0].CentreX, 0.2);
@@ -251,11 +264,14 @@ public sealed class ColourTargetDetectorTests
         painting.Panel(DefaultTargetClasses.Orange, 100, 100, 9, 0.2);
         painting.Panel(DefaultTargetClasses.Blue, 300, 100, 60, 0.2);
         painting.Panel(DefaultTargetClasses.Blue, 500, 100, 9, 0.2);
-        var input = new DetectorInput(painting.Finish(), Painting.Width, Painting.Height, classes, PictureGroundScale.Uniform(0.04));
+        var input = new DetectorInput(
+            painting.Finish(), Painting.Width, Painting.Height, classes, PictureGroundScale.Uniform(0.04));
 
         int count = detector.Detect(input, _found).Count;
 
-        Assert.Equal(["buoy", "car"], _found.Take(count).Select(d => d.Class.ToString()).OrderBy(n => n, StringComparer.Ordinal));
+        Assert.Equal(
+            ["buoy", "car"],
+            _found.Take(count).Select(d => d.Class.ToString()).OrderBy(n => n, StringComparer.Ordinal));
     }
 
     [Fact]
@@ -266,11 +282,17 @@ public sealed class ColourTargetDetectorTests
             Assert.Throws<ArgumentException>(() => new ColourTargetDetector([new TargetClass("person")])).Message,
             StringComparison.Ordinal);
         ImmutableArray<TargetClass> many =
-            [.. Enumerable.Range(0, 33).Select(i => new TargetClass($"class {i}") { Colour = new ColourRange(205, 28, 32) })];
-        Assert.Contains("at most 32", Assert.Throws<ArgumentException>(() => new ColourTargetDetector(many)).Message, StringComparison.Ordinal);
+        [
+            .. Enumerable.Range(0, 33)
+                .Select(i => new TargetClass($"class {i}") { Colour = new ColourRange(205, 28, 32) })
+        ];
+        Assert.Contains(
+            "at most 32", Assert.Throws<ArgumentException>(() => new ColourTargetDetector(many)).Message,
+            StringComparison.Ordinal);
     }
 
-    private static List<(TargetClassName Class, double X, double Y)> Scatter(Painting painting, Random random, double side, double light)
+    private static List<(TargetClassName Class, double X, double Y)> Scatter(
+        Painting painting, Random random, double side, double light)
     {
         var panels = new List<(TargetClassName, double, double)>();
         for (int i = 0; i < 10; i++)
@@ -278,7 +300,8 @@ public sealed class ColourTargetDetectorTests
             TargetClassName targetClass = Names[i % 5];
             double x = 70 + (i % 5 * 120) + (30 * random.NextDouble());
             double y = 130 + (i / 5 * 200) + (30 * random.NextDouble());
-            painting.Panel(targetClass, x, y, side, Math.PI * random.NextDouble(), light * (0.95 + (0.1 * random.NextDouble())));
+            painting.Panel(
+                targetClass, x, y, side, Math.PI * random.NextDouble(), light * (0.95 + (0.1 * random.NextDouble())));
             panels.Add((targetClass, x, y));
         }
 
@@ -289,11 +312,14 @@ public sealed class ColourTargetDetectorTests
     private static DetectorInput Input(byte[] picture, double pixelsPerMetre, params TargetClassName[] names)
     {
         var view = new TestView();
-        view.Position = GeodeticPosition.FromRadians(0.8, 0.1, view.GroundAltitude + (view.Camera.FocalX / pixelsPerMetre));
+        view.Position = GeodeticPosition.FromRadians(
+            0.8, 0.1, view.GroundAltitude + (view.Camera.FocalX / pixelsPerMetre));
         ImmutableArray<TargetClass> classes = names.Length == 0
             ? TargetClass.Defaults
-            : [.. names.Select(n => TargetClass.Defaults.FirstOrDefault(c => c.Name == n) ?? new TargetClass(n.ToString()))];
-        return new DetectorInput(picture, Painting.Width, Painting.Height, classes, new PictureGroundScale(new ScaleOfView(view)));
+            : [.. names.Select(
+                n => TargetClass.Defaults.FirstOrDefault(c => c.Name == n) ?? new TargetClass(n.ToString()))];
+        return new DetectorInput(
+            picture, Painting.Width, Painting.Height, classes, new PictureGroundScale(new ScaleOfView(view)));
     }
 
     private static double Distance(double x, double y, TargetDetection d)
@@ -310,6 +336,7 @@ public sealed class ColourTargetDetectorTests
     {
         private readonly GroundProjection _projection = view.Projection(new ErrorBudget());
 
-        public bool TryScale(double column, double row, out GroundScale scale) => _projection.TryScale(column, row, out scale);
+        public bool TryScale(double column, double row, out GroundScale scale)
+            => _projection.TryScale(column, row, out scale);
     }
 }

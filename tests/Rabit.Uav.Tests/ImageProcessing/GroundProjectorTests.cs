@@ -24,7 +24,9 @@ public sealed class GroundProjectorTests
         {
             if (c.Text("status") != "ok")
                 continue;
-            Assert.True(ProjectionOf(c).TryProjectToGround(c.Number("u"), c.Number("v"), out GeodeticPosition place), $"case {c.Number("id")}");
+            Assert.True(
+                ProjectionOf(c).TryProjectToGround(c.Number("u"), c.Number("v"), out GeodeticPosition place),
+                $"case {c.Number("id")}");
             double error = Vectors.Distance(c.GetProperty("target").Position(), place);
             Assert.True(error < 1e-4, $"case {c.Number("id")} is off by {error} m");
             located++;
@@ -40,7 +42,9 @@ public sealed class GroundProjectorTests
         Assert.True(rejects.Length >= 15);
         foreach (JsonElement c in rejects)
         {
-            GeolocationError expected = c.Text("reason") == "camera_below_ground" ? GeolocationError.CameraBelowGround : GeolocationError.NearHorizon;
+            GeolocationError expected = c.Text("reason") == "camera_below_ground"
+                ? GeolocationError.CameraBelowGround
+                : GeolocationError.NearHorizon;
             Assert.Equal(expected, ProjectionOf(c).Locate(c.Number("u"), c.Number("v"), out NedPosition _));
         }
     }
@@ -49,13 +53,18 @@ public sealed class GroundProjectorTests
     public void Covariance_Vectors_IsTheSumOverAllErrors()
     {
         Dictionary<double, JsonElement> flat = Vectors.Geolocation.Each("flat").ToDictionary(c => c.Number("id"));
-        JsonElement holder = Vectors.Geolocation.TryGetProperty("jacobian_columns", out _) ? Vectors.Geolocation : Vectors.Geolocation.Each("covariance").First();
+        JsonElement holder = Vectors.Geolocation.TryGetProperty("jacobian_columns", out _)
+            ? Vectors.Geolocation
+            : Vectors.Geolocation.Each("covariance").First();
         string[] columns = holder.Each("jacobian_columns").Select(n => n.GetString()!).ToArray();
         foreach (JsonElement c in Vectors.Geolocation.Each("covariance"))
         {
             JsonElement view = flat[c.Number("flat_case")];
-            double[] sigmas = columns.Select(n => c.GetProperty("sigma").Number(n) * (n.EndsWith("_deg", StringComparison.Ordinal) ? Vectors.Degree : 1)).ToArray();
-            var jacobian = new GroundJacobian(CameraVectors.Camera(view.GetProperty("cam").GetInt32()), CameraVectors.Mount(view.GetProperty("mount")));
+            double[] sigmas = columns.Select(n => c.GetProperty("sigma").Number(n)
+                * (n.EndsWith("_deg", StringComparison.Ordinal) ? Vectors.Degree : 1)).ToArray();
+            var jacobian = new GroundJacobian(
+                CameraVectors.Camera(view.GetProperty("cam").GetInt32()),
+                CameraVectors.Mount(view.GetProperty("mount")));
             double[] v = c.Numbers("v_ned");
             double[] w = c.Numbers("omega_body_deg_s");
             Pose pose = PoseOf(view);
@@ -88,7 +97,9 @@ public sealed class GroundProjectorTests
             if (!view.TryProject(north, east, out double column, out double row))
                 continue;
             seen++;
-            Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedPosition ground), $"seed {Seed}, case {i}");
+            Assert.True(
+                view.Projection(new ErrorBudget()).TryProjectToGround(column, row, out NedPosition ground),
+                $"seed {Seed}, case {i}");
             Assert.Equal(north, ground.North, 1e-6);
             Assert.Equal(east, ground.East, 1e-6);
         }
@@ -102,10 +113,13 @@ public sealed class GroundProjectorTests
     [InlineData(0, 10, 0, 0, 1, 0)]
     [InlineData(0, 0, 100, 0, 0, 1)]
     [InlineData(0, 0, 0, 100, -1, 0)]
-    public void TryLocate_StraightDownNoseNorth_MovesAsTheQuickSignCheckSays(double roll, double pitch, double columns, double rows, int north, int east)
+    public void TryLocate_StraightDownNoseNorth_MovesAsTheQuickSignCheckSays(
+        double roll, double pitch, double columns, double rows, int north, int east)
     {
         var view = new TestView { Attitude = EulerAngles.FromDegrees(roll, pitch, 0) };
-        Assert.True(view.Projection(new ErrorBudget()).TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedPosition ground));
+        Assert.True(
+            view.Projection(new ErrorBudget())
+                .TryProjectToGround(view.Camera.CentreX + columns, view.Camera.CentreY + rows, out NedPosition ground));
         Assert.Equal((north, east), (Sign(ground.North), Sign(ground.East)));
 
         static int Sign(double metres) => Math.Abs(metres) < 2 ? 0 : Math.Sign(metres);
@@ -115,7 +129,9 @@ public sealed class GroundProjectorTests
     public void Scale_StraightDown_IsHeightOverFocalLength()
     {
         var view = new TestView();
-        Assert.True(view.Projection(new ErrorBudget()).TryScale(view.Camera.CentreX, view.Camera.CentreY, out GroundScale scale));
+        Assert.True(
+            view.Projection(new ErrorBudget())
+                .TryScale(view.Camera.CentreX, view.Camera.CentreY, out GroundScale scale));
         double expected = view.HeightMetres / 530;
         Assert.Equal(expected * expected, scale.PixelArea, 1e-7);
 
@@ -144,18 +160,25 @@ public sealed class GroundProjectorTests
             MountBias = Angle.Zero,
             AltitudeBiasMetres = 0,
         };
-        var view = new TestView { Attitude = EulerAngles.FromRadians(0.1, -0.15, 0.7), Velocity = new NedVector(6, -3, 0.5), Rates = BodyRates.FromRadiansPerSecond(0.2, -0.1, 0.1) };
+        var view = new TestView
+        {
+            Attitude = EulerAngles.FromRadians(0.1, -0.15, 0.7),
+            Velocity = new NedVector(6, -3, 0.5),
+            Rates = BodyRates.FromRadiansPerSecond(0.2, -0.1, 0.1)
+        };
         GroundProjection projection = view.Projection(budget);
         const double Column = 480;
         const double Row = 120;
         Assert.True(projection.TryProjectToGround(Column, Row, out NedPosition truth));
-        Assert.True(projection.TryCovariances(Column, Row, out HorizontalCovariance stated, out HorizontalCovariance common));
+        Assert.True(
+            projection.TryCovariances(Column, Row, out HorizontalCovariance stated, out HorizontalCovariance common));
         Assert.Equal(0, common.NorthNorth + common.EastEast);
 
         (double nn, double ne, double ee) = (0, 0, 0);
         for (int i = 0; i < Draws; i++)
         {
-            NedPosition ground = view.WithErrors(random, budget).Located(Column + (budget.PixelNoise * Gauss(random)), Row + (budget.PixelNoise * Gauss(random)));
+            NedPosition ground = view.WithErrors(random, budget)
+                .Located(Column + (budget.PixelNoise * Gauss(random)), Row + (budget.PixelNoise * Gauss(random)));
             (double north, double east) = (ground.North - truth.North, ground.East - truth.East);
             nn += north * north / Draws;
             ne += north * east / Draws;
@@ -172,7 +195,9 @@ public sealed class GroundProjectorTests
     [Fact]
     public void Covariances_DefaultErrors_AreThoseOfAnUncalibratedVehicle()
     {
-        Assert.True(new TestView().Projection(new ErrorBudget()).TryCovariances(320, 240, out HorizontalCovariance perLook, out HorizontalCovariance common));
+        Assert.True(
+            new TestView().Projection(new ErrorBudget())
+                .TryCovariances(320, 240, out HorizontalCovariance perLook, out HorizontalCovariance common));
         Assert.InRange(perLook.HalfMajorAxis95Metres, 0.5, 2);
         Assert.InRange(common.HalfMajorAxis95Metres, 2.5, 4.5);
     }
@@ -180,12 +205,16 @@ public sealed class GroundProjectorTests
     internal static double Gauss(Random random)
         => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 
-    internal static Pose PoseOf(JsonElement view) => new() { Position = view.Position(), Attitude = Rotation.FromEuler(view.Euler()) };
+    internal static Pose PoseOf(JsonElement view)
+        => new() { Position = view.Position(), Attitude = Rotation.FromEuler(view.Euler()) };
 
-    internal static GroundProjection ProjectionOf(JsonElement view, TerrainGrid? terrain = null, ErrorBudget? errors = null)
+    internal static GroundProjection ProjectionOf(
+        JsonElement view, TerrainGrid? terrain = null, ErrorBudget? errors = null)
     {
         JsonElement mount = view.GetProperty("mount");
-        var projector = new GroundProjector(CameraVectors.Camera(view.GetProperty("cam").GetInt32()), CameraVectors.Mount(mount), errors ?? new ErrorBudget(), Limit, terrain);
+        var projector = new GroundProjector(
+            CameraVectors.Camera(view.GetProperty("cam").GetInt32()), CameraVectors.Mount(mount),
+            errors ?? new ErrorBudget(), Limit, terrain);
         return projector.At(PoseOf(view), new ImagingCommand
         {
             CameraPitch = Angle.FromRadians(mount.Radians("el")),

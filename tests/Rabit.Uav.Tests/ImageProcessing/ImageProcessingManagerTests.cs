@@ -18,7 +18,9 @@ public sealed class ImageProcessingManagerTests
         rig.Run(2);
 
         TargetReport report = Assert.Single(rig.Sink.Reports);
-        Assert.Equal((7, 0L, 0, DefaultTargetClasses.Red), (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
+        Assert.Equal(
+            (7, 0L, 0, DefaultTargetClasses.Red),
+            (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
         Assert.Equal(TimeSpan.FromSeconds(1.03), report.Time);
         NedPosition ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
         Assert.Equal(ImagingRig.North, ned.North, 0.05);
@@ -28,11 +30,14 @@ public sealed class ImageProcessingManagerTests
         Assert.True(report.Covariance.NorthNorth > 0 && report.SystematicCovariance.NorthNorth > 1);
 
         CameraObservation observation = Assert.Single(rig.Sink.Observations);
-        Assert.Equal((7, 0L, 1, report.Time), (observation.SourceSystemId, observation.Number, observation.Reports.Length, observation.Time));
+        Assert.Equal(
+            (7, 0L, 1, report.Time),
+            (observation.SourceSystemId, observation.Number, observation.Reports.Length, observation.Time));
         Assert.Equal(observation, Assert.Single(rig.Sink.SearchedGround));
         AssertCorners(rig.View, observation);
         ImagingStatus status = rig.Status;
-        Assert.Equal((true, ImagingMode.Search, 1L, 1L, 0L, 0L, 1L), (status.HasCamera, status.Mode, status.Frames, status.Observations, status.FramesDropped, status.FramesRefused, status.Reports));
+        Assert.Equal((true, ImagingMode.Search, 1L, 1L, 0L, 0L, 1L), (status.HasCamera, status.Mode, status.Frames,
+            status.Observations, status.FramesDropped, status.FramesRefused, status.Reports));
         rig.AssertAllGivenBack();
     }
 
@@ -76,7 +81,9 @@ public sealed class ImageProcessingManagerTests
         // What comes later does not bring it back.
         rig.AddPoses(0, 3);
         ImagingStatus status = rig.Status;
-        Assert.Equal((1L, 0L, 1L, ImageProcessingManager.NoPose), (status.Frames, status.Observations, status.FramesRefused, status.LastRefusal));
+        Assert.Equal(
+            (1L, 0L, 1L, ImageProcessingManager.NoPose),
+            (status.Frames, status.Observations, status.FramesRefused, status.LastRefusal));
         Assert.Empty(rig.Sink.Observations);
     }
 
@@ -105,7 +112,9 @@ public sealed class ImageProcessingManagerTests
         rig.Run(1.25);
         rig.AddPoses(0, 2);
         ImagingStatus status = rig.Status;
-        Assert.Equal((5L, 2L, 3L, ImageProcessingManager.NoRoom), (status.Frames, status.Observations, status.FramesRefused, status.LastRefusal));
+        Assert.Equal(
+            (5L, 2L, 3L, ImageProcessingManager.NoRoom),
+            (status.Frames, status.Observations, status.FramesRefused, status.LastRefusal));
         Assert.Equal([3L, 4L], rig.Sink.Observations.Select(l => l.Number));
         rig.AssertAllGivenBack();
     }
@@ -169,7 +178,8 @@ public sealed class ImageProcessingManagerTests
         rig.Camera.Add(1, 4, 4.1);
         rig.Run(3);
         status = rig.Status;
-        Assert.Equal((2L, 0L, PictureSearch.NotGround), (status.FramesRefused, status.Observations, status.LastRefusal));
+        Assert.Equal(
+            (2L, 0L, PictureSearch.NotGround), (status.FramesRefused, status.Observations, status.LastRefusal));
         Assert.Empty(rig.Sink.Observations);
         rig.AssertAllGivenBack();
     }
@@ -191,7 +201,8 @@ public sealed class ImageProcessingManagerTests
         (GeodeticPosition Corner, double Column, double Row)[] corners =
         [
             (observation.TopLeft, 0, 0), (observation.TopRight, Painting.Width - 1, 0),
-            (observation.BottomRight, Painting.Width - 1, Painting.Height - 1), (observation.BottomLeft, 0, Painting.Height - 1),
+            (observation.BottomRight, Painting.Width - 1, Painting.Height - 1),
+            (observation.BottomLeft, 0, Painting.Height - 1),
         ];
         foreach ((GeodeticPosition corner, double column, double row) in corners)
         {

@@ -94,16 +94,36 @@ internal sealed class ImagingRig : IDisposable
     {
         for (int i = (int)Math.Round(from * 10); i <= (int)Math.Round(to * 10); i++)
         {
-            _poses.Push(new PoseSample { Kind = PoseSampleKind.Position, Time = TimeSpan.FromSeconds(i / 10.0), Position = View.Position });
-            _poses.Push(new PoseSample { Kind = PoseSampleKind.Attitude, Time = TimeSpan.FromSeconds(i / 10.0), Attitude = View.Attitude });
+            _poses.Push(
+                new PoseSample
+                {
+                    Kind = PoseSampleKind.Position,
+                    Time = TimeSpan.FromSeconds(i / 10.0),
+                    Position = View.Position
+                });
+            _poses.Push(
+                new PoseSample
+                {
+                    Kind = PoseSampleKind.Attitude,
+                    Time = TimeSpan.FromSeconds(i / 10.0),
+                    Attitude = View.Attitude
+                });
         }
     }
 
     /// <summary>One position and one attitude.</summary>
-    public void AddPose(double seconds, GeodeticPosition position, NedVector velocity, EulerAngles attitude, BodyRates rates)
+    public void AddPose(
+        double seconds, GeodeticPosition position, NedVector velocity, EulerAngles attitude, BodyRates rates)
     {
         TimeSpan time = TimeSpan.FromSeconds(seconds);
-        _poses.Push(new PoseSample { Kind = PoseSampleKind.Position, Time = time, Position = position, VelocityNed = velocity });
+        _poses.Push(
+            new PoseSample
+            {
+                Kind = PoseSampleKind.Position,
+                Time = time,
+                Position = position,
+                VelocityNed = velocity
+            });
         _poses.Push(new PoseSample { Kind = PoseSampleKind.Attitude, Time = time, Attitude = attitude, Rates = rates });
     }
 

@@ -13,7 +13,9 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>What Image Processing does beyond a single picture: modes, its camera's end, its status, its buffers.</summary>
+/// <summary>
+/// What Image Processing does beyond a single picture: modes, its camera's end, its status, its buffers.
+/// </summary>
 public sealed class ImagingServiceTests
 {
     [Fact]
@@ -55,7 +57,9 @@ public sealed class ImagingServiceTests
         rig.Camera.Add(0, 1, 1.1);
         rig.Run(2);
         ImagingStatus status = rig.Status;
-        Assert.Equal((true, "InvalidOperationException: the lens fell off", 1L), (status.HasEnded, status.Fault, status.Observations));
+        Assert.Equal(
+            (true, "InvalidOperationException: the lens fell off", 1L),
+            (status.HasEnded, status.Fault, status.Observations));
         int posts = rig.StatusTimes.Count;
         rig.Run(3);
         Assert.True(rig.StatusTimes.Count >= posts + 3);
@@ -80,7 +84,8 @@ public sealed class ImagingServiceTests
         using var rig = new ImagingRig(null);
         rig.Order(ImagingMode.Search);
         ImagingStatus status = rig.Status;
-        Assert.Equal((false, false, ImagingMode.Search, 0L), (status.HasCamera, status.HasEnded, status.Mode, status.Frames));
+        Assert.Equal(
+            (false, false, ImagingMode.Search, 0L), (status.HasCamera, status.HasEnded, status.Mode, status.Frames));
         Assert.Equal(0, rig.Finish().ExitCode);
     }
 
@@ -128,7 +133,8 @@ public sealed class ImagingServiceTests
     [Fact]
     public void ImageChips_OfReports_ShowTheTargetAndAreBounded()
     {
-        using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel, new ImageProcessingOptions { MaxImageChips = 3, ImageChipSide = 24 });
+        using ImagingRig rig = ImagingRig.Search(
+            ImagingRig.Panel, new ImageProcessingOptions { MaxImageChips = 3, ImageChipSide = 24 });
         rig.AddPoses(0, 9);
         for (int i = 0; i < 5; i++)
         {
@@ -171,7 +177,11 @@ public sealed class ImagingServiceTests
     {
         var options = new ImageProcessingOptions
         {
-            TargetClasses = [new TargetClass("red") { MinSideMetres = 2 }, new TargetClass("red") { Colour = new ColourRange(205, 28, 32) }],
+            TargetClasses =
+            [
+                new TargetClass("red") { MinSideMetres = 2 },
+                new TargetClass("red") { Colour = new ColourRange(205, 28, 32) }
+            ],
             ColourDetector = new ColourDetectorOptions { MaxAspect = 1, MinSidePixels = 3 },
             DetectorTimeBudget = TimeSpan.Zero,
             MaxReportsPerPicture = 0,
@@ -183,12 +193,15 @@ public sealed class ImagingServiceTests
             Mount = new CameraMount { MisalignmentYaw = Angle.NaN },
             Errors = new ErrorBudget { PixelNoise = -1, PositionBiasMetres = double.NaN },
         };
-        string text = Assert.Throws<ArgumentException>(() => new ImageProcessingManager(options, new ScriptedCamera([]))).Message;
+        string text =
+            Assert.Throws<ArgumentException>(() => new ImageProcessingManager(options, new ScriptedCamera([]))).Message;
         foreach (string name in new[]
         {
-            "Camera does not say", "MinSideMetres of target class red is 2", "red is declared twice", "red has no colour", "DetectorTimeBudget", "MaxAspect is 1", "MinSidePixels is 3", "MaxReportsPerPicture is 0",
-            "MinDepression is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0", "misalignment",
-            "ErrorBudget.PixelNoise is -1", "ErrorBudget.PositionBiasMetres is NaN",
+            "Camera does not say", "MinSideMetres of target class red is 2", "red is declared twice",
+            "red has no colour", "DetectorTimeBudget", "MaxAspect is 1", "MinSidePixels is 3",
+            "MaxReportsPerPicture is 0",
+            "MinDepression is 0", "PoseTimeout", "MaxPoseGap", "FramesWaiting is 0", "ImageChipSide is 0",
+            "misalignment", "ErrorBudget.PixelNoise is -1", "ErrorBudget.PositionBiasMetres is NaN",
         })
             Assert.Contains(name, text, StringComparison.Ordinal);
         _ = new ImageProcessingManager(new ImageProcessingOptions(), camera: null);

@@ -32,12 +32,15 @@ public sealed class OwnDetectorTests
     public void Detector_Throws_ThePictureIsNotSearchedAndTheManagerGoesOn()
     {
         int calls = 0;
-        using ImagingRig rig = Rig(input => ++calls == 1 ? throw new InvalidOperationException("no model") : Good(input));
+        using ImagingRig rig = Rig(
+            input => ++calls == 1 ? throw new InvalidOperationException("no model") : Good(input));
         Fly(rig, pictures: 2);
 
         ImagingStatus status = rig.Status;
         Assert.Equal((1L, 1L, 1L), (status.DetectorFailures, status.FramesRefused, status.Observations));
-        Assert.Equal(("the detector threw InvalidOperationException: no model", "the detector failed"), (status.LastDetectorFault, status.LastRefusal));
+        Assert.Equal(
+            ("the detector threw InvalidOperationException: no model", "the detector failed"),
+            (status.LastDetectorFault, status.LastRefusal));
         Assert.Equal(1, Assert.Single(rig.Sink.Observations).Number);
         rig.AssertAllGivenBack();
         Assert.Equal(0, rig.Finish().ExitCode);
@@ -59,10 +62,12 @@ public sealed class OwnDetectorTests
     public void Detector_RefusesThePicture_IsNoFault()
     {
         using var rig = new ImagingRig(
-            new ScriptedCamera(ImagingRig.Grass), Options(new ScriptedDetector((_, _) => DetectorResult.NotSearched("too dark"))));
+            new ScriptedCamera(ImagingRig.Grass),
+            Options(new ScriptedDetector((_, _) => DetectorResult.NotSearched("too dark"))));
         rig.Order(ImagingMode.Search);
         Fly(rig, pictures: 1);
-        Assert.Equal((0L, 1L, "too dark"), (rig.Status.DetectorFailures, rig.Status.FramesRefused, rig.Status.LastRefusal));
+        Assert.Equal(
+            (0L, 1L, "too dark"), (rig.Status.DetectorFailures, rig.Status.FramesRefused, rig.Status.LastRefusal));
     }
 
     [Theory]
@@ -150,7 +155,8 @@ public sealed class OwnDetectorTests
             return DetectorResult.Found(1);
         });
         var runner = new DetectorRunner(detector, TimeSpan.FromMilliseconds(299), maxDetections: 4, () => now);
-        var input = new DetectorInput(ImagingRig.Grass, Painting.Width, Painting.Height, [Person], PictureGroundScale.Uniform(0.1));
+        var input = new DetectorInput(
+            ImagingRig.Grass, Painting.Width, Painting.Height, [Person], PictureGroundScale.Uniform(0.1));
 
         Assert.Null(runner.Run(input));
         Assert.Equal((1L, 1), (runner.Overruns, runner.Found.Length));
@@ -161,7 +167,8 @@ public sealed class OwnDetectorTests
 
     private static int Good(DetectorInput input)
     {
-        Assert.Equal((Painting.Width, Painting.Height, Painting.Width * 3), (input.Width, input.Height, input.StrideBytes));
+        Assert.Equal(
+            (Painting.Width, Painting.Height, Painting.Width * 3), (input.Width, input.Height, input.StrideBytes));
         Assert.Equal([Person], input.Classes.ToArray());
         Assert.True(input.GroundScale.TryAt(320, 240, out Rabit.Uav.CameraGeometry.GroundScale scale));
         Assert.Equal(40.0 / 530, Math.Sqrt(scale.PixelArea), 0.005);
@@ -217,6 +224,7 @@ public sealed class OwnDetectorTests
             };
         }
 
-        public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections) => _script(input, detections);
+        public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
+            => _script(input, detections);
     }
 }

@@ -34,15 +34,16 @@ internal sealed class Painting
 
     public double Noise { get; }
 
-    public static (double Red, double Green, double Blue) Nominal(TargetClassName targetClass) => targetClass.ToString() switch
-    {
-        "red" => (205, 28, 32),
-        "orange" => (242, 112, 18),
-        "blue" => (28, 72, 205),
-        "yellow" => (243, 214, 28),
-        "magenta" => (212, 36, 150),
-        _ => throw new ArgumentOutOfRangeException(nameof(targetClass)),
-    };
+    public static (double Red, double Green, double Blue) Nominal(TargetClassName targetClass)
+        => targetClass.ToString() switch
+        {
+            "red" => (205, 28, 32),
+            "orange" => (242, 112, 18),
+            "blue" => (28, 72, 205),
+            "yellow" => (243, 214, 28),
+            "magenta" => (212, 36, 150),
+            _ => throw new ArgumentOutOfRangeException(nameof(targetClass)),
+        };
 
     public void Panel(TargetClassName targetClass, double x, double y, double side, double angle, double light = 1)
     {
@@ -51,7 +52,8 @@ internal sealed class Painting
     }
 
     /// <summary>Paints a rectangle; the centre of the top left pixel is (0, 0).</summary>
-    public void Rectangle((double Red, double Green, double Blue) colour, double x, double y, double length, double width, double angle)
+    public void Rectangle(
+        (double Red, double Green, double Blue) colour, double x, double y, double length, double width, double angle)
     {
         (double cos, double sin) = (Math.Cos(angle), Math.Sin(angle));
         int reach = (int)Math.Ceiling((length + width) / 2) + 1;
@@ -64,7 +66,8 @@ internal sealed class Painting
                 {
                     double dx = column - x + (((s % Samples) + 0.5) / Samples) - 0.5;
                     double dy = row - y + (((s / Samples) + 0.5) / Samples) - 0.5;
-                    if (Math.Abs((dx * cos) + (dy * sin)) <= length / 2 && Math.Abs((dy * cos) - (dx * sin)) <= width / 2)
+                    if (Math.Abs((dx * cos) + (dy * sin)) <= length / 2
+                        && Math.Abs((dy * cos) - (dx * sin)) <= width / 2)
                         hits++;
                 }
 

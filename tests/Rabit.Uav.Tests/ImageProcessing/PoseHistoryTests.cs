@@ -27,12 +27,26 @@ public sealed class PoseHistoryTests
     [Fact]
     public void Extrapolate_BeyondTheNewest_GoesOnAtTheSameRatesAndSaysHowFar()
     {
-        _history.Add(new PoseSample { Kind = PoseSampleKind.Position, Time = Seconds(1), Position = Place(), VelocityNed = new NedVector(10, 0, -2) });
-        _history.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = Seconds(1.02), Rates = BodyRates.FromRadiansPerSecond(0, 0, 0.5) });
+        _history.Add(
+            new PoseSample
+            {
+                Kind = PoseSampleKind.Position,
+                Time = Seconds(1),
+                Position = Place(),
+                VelocityNed = new NedVector(10, 0, -2)
+            });
+        _history.Add(
+            new PoseSample
+            {
+                Kind = PoseSampleKind.Attitude,
+                Time = Seconds(1.02),
+                Rates = BodyRates.FromRadiansPerSecond(0, 0, 0.5)
+            });
         Assert.Equal(PoseLookup.NotYet, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(199), out _));
         Assert.Equal(PoseLookup.TooOld, _history.Extrapolate(Seconds(0.9), TimeSpan.FromSeconds(1), out _));
 
-        Assert.Equal(PoseLookup.Extrapolated, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(200), out Pose pose));
+        Assert.Equal(
+            PoseLookup.Extrapolated, _history.Extrapolate(Seconds(1.2), TimeSpan.FromMilliseconds(200), out Pose pose));
         Assert.Equal(0.2, pose.ExtrapolatedSeconds, 1e-9);
         Assert.Equal(100.4, pose.Position.AltitudeAmslMetres, 1e-3);
         Assert.Equal(2, LocalNedFrame.IgnoringGeoid(Place()).ToNed(pose.Position).North, 1e-6);
@@ -160,7 +174,8 @@ public sealed class PoseHistoryTests
         const int Seed = 3;
         var random = new Random(Seed);
         var expected = new PoseHistory(TimeSpan.FromSeconds(1));
-        int[] order = Enumerable.Range(0, 100).Select(i => (At: i + (random.NextDouble() * 8), i)).OrderBy(p => p.At).Select(p => p.i).ToArray();
+        int[] order = Enumerable.Range(0, 100).Select(i => (At: i + (random.NextDouble() * 8), i)).OrderBy(p => p.At)
+            .Select(p => p.i).ToArray();
         for (int i = 0; i < 100; i++)
         {
             Put(expected, i);
@@ -178,12 +193,25 @@ public sealed class PoseHistoryTests
 
         static void Put(PoseHistory history, int i)
         {
-            history.Add(new PoseSample { Kind = PoseSampleKind.Position, Time = Seconds(i * 0.05), Position = Place(100 + (i * i % 17)) });
-            history.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = Seconds(i * 0.05), Attitude = EulerAngles.FromRadians(0, 0, i * i % 5) });
+            history.Add(
+                new PoseSample
+                {
+                    Kind = PoseSampleKind.Position,
+                    Time = Seconds(i * 0.05),
+                    Position = Place(100 + (i * i % 17))
+                });
+            history.Add(
+                new PoseSample
+                {
+                    Kind = PoseSampleKind.Attitude,
+                    Time = Seconds(i * 0.05),
+                    Attitude = EulerAngles.FromRadians(0, 0, i * i % 5)
+                });
         }
     }
 
-    private static TimeSpan Seconds(double seconds) => TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
+    private static TimeSpan Seconds(double seconds)
+        => TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
 
     private static GeodeticPosition Place(double altitude = 100) => GeodeticPosition.FromRadians(0.8, 0.1, altitude);
 
@@ -194,7 +222,14 @@ public sealed class PoseHistoryTests
     }
 
     private void AddPosition(double time, GeodeticPosition position, NedVector velocity)
-        => _history.Add(new PoseSample { Kind = PoseSampleKind.Position, Time = Seconds(time), Position = position, VelocityNed = velocity });
+        => _history.Add(
+            new PoseSample
+            {
+                Kind = PoseSampleKind.Position,
+                Time = Seconds(time),
+                Position = position,
+                VelocityNed = velocity
+            });
 
     private void AddAttitude(double time, EulerAngles attitude)
         => _history.Add(new PoseSample { Kind = PoseSampleKind.Attitude, Time = Seconds(time), Attitude = attitude });

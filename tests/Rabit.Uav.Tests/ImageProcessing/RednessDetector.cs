@@ -4,7 +4,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>A detector that is as simple as one can be: columns with red pixels in them, side by side, are one target.</summary>
+/// <summary>
+/// A detector that is as simple as one can be: columns with red pixels in them, side by side, are one target.
+/// </summary>
 internal sealed class RednessDetector : ITargetDetector
 {
     private const int Redness = 80;

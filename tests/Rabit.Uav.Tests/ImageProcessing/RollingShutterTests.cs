@@ -9,8 +9,8 @@ using Xunit;
 namespace Rabit.Uav.Tests.ImageProcessing;
 
 /// <summary>
-/// A camera whose rows are exposed one after the other, on a vehicle that flies 20 m/s and turns: 48 ms from the first row to the last
-/// are a metre.
+/// A camera whose rows are exposed one after the other, on a vehicle that flies 20 m/s and turns: 48 ms from the first
+/// row to the last are a metre.
 /// </summary>
 public sealed class RollingShutterTests
 {
@@ -52,7 +52,9 @@ public sealed class RollingShutterTests
         rig.Camera!.Add(0, Exposed, deliveredAt: 1.15);
         rig.Run(2);
         TargetReport report = Assert.Single(rig.Sink.Reports);
-        Assert.True(Math.Abs(World.ToNed(report.Position).North - North) > 0.5, "the picture does not need the rows' own poses: the other test tests nothing");
+        Assert.True(
+            Math.Abs(World.ToNed(report.Position).North - North) > 0.5,
+            "the picture does not need the rows' own poses: the other test tests nothing");
         Assert.Equal(Exposed, report.Time.TotalSeconds, 1e-6);
     }
 
@@ -121,7 +123,9 @@ public sealed class RollingShutterTests
         for (int i = (int)Math.Round(from * 50); i <= (int)Math.Round(until * 50); i++)
         {
             TestView view = At(i / 50.0);
-            rig.AddPose(i / 50.0, view.Position, new NedVector(SpeedMetresPerSecond, 0, 0), view.Attitude, BodyRates.FromRadiansPerSecond(0, 0, TurnRadiansPerSecond));
+            rig.AddPose(
+                i / 50.0, view.Position, new NedVector(SpeedMetresPerSecond, 0, 0), view.Attitude,
+                BodyRates.FromRadiansPerSecond(0, 0, TurnRadiansPerSecond));
         }
     }
 

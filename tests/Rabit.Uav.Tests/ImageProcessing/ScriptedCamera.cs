@@ -5,7 +5,10 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>A camera that never blocks: it shows one picture again and again, each some time after its exposure, and does what else the test says.</summary>
+/// <summary>
+/// A camera that never blocks: it shows one picture again and again, each some time after its exposure, and does what
+/// else the test says.
+/// </summary>
 internal sealed class ScriptedCamera(byte[] picture, int buffers = 6) : IReaderSource<CameraFrame>
 {
     private readonly Queue<(TimeSpan At, CameraFrame Frame)> _frames = new();

@@ -11,13 +11,16 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>Pictures with the poses around them, as an autopilot sends them: other clock, gaps, rolling shutters.</summary>
+/// <summary>
+/// Pictures with the poses around them, as an autopilot sends them: other clock, gaps, rolling shutters.
+/// </summary>
 public sealed class SeriesTests
 {
     [Fact]
     public void Find_RecordedSeries_LocatesItsPicturesAsTheReferenceDoes()
     {
-        Dictionary<int, JsonElement> series = Vectors.Geolocation.Each("series").ToDictionary(s => s.GetProperty("id").GetInt32());
+        Dictionary<int, JsonElement> series = Vectors.Geolocation.Each("series")
+            .ToDictionary(s => s.GetProperty("id").GetInt32());
         Dictionary<int, PoseHistory> histories = series.ToDictionary(s => s.Key, s => Filled(s.Value));
         (int located, int refused) = (0, 0);
         foreach (JsonElement image in Vectors.Geolocation.Each("series_images"))
@@ -25,7 +28,8 @@ public sealed class SeriesTests
             int id = image.GetProperty("series").GetInt32();
             JsonElement own = series[id];
             double start = own.Each("samples").First()[0].GetDouble();
-            double exposed = image.Number("frame_start_camera_clock") - own.Number("clock_offset_s") + (image.Number("exposure_s") / 2);
+            double exposed = image.Number("frame_start_camera_clock") - own.Number("clock_offset_s")
+                + (image.Number("exposure_s") / 2);
             var camera = CameraVectors.Camera(image.GetProperty("cam").GetInt32());
             TimeSpan time = Seconds(exposed + (image.Number("v") * own.Number("line_time_s")) - start);
             PoseLookup answer = histories[id].Find(time, out Pose pose);
@@ -38,17 +42,21 @@ public sealed class SeriesTests
 
             Assert.Equal(PoseLookup.Known, answer);
             JsonElement mount = image.GetProperty("mount");
-            var projector = new GroundProjector(camera, CameraVectors.Mount(mount), new ErrorBudget(), Angle.FromDegrees(5));
+            var projector = new GroundProjector(
+                camera, CameraVectors.Mount(mount), new ErrorBudget(), Angle.FromDegrees(5));
             GroundProjection projection = projector.At(pose, new ImagingCommand
             {
                 CameraPitch = Angle.FromRadians(mount.Radians("el")),
                 CameraYaw = Angle.FromRadians(mount.Radians("az")),
                 GroundAltitudeAmslMetres = image.Number("ground_h"),
             });
-            Assert.True(projection.TryProjectToGround(image.Number("u"), image.Number("v"), out GeodeticPosition place));
+            Assert.True(
+                projection.TryProjectToGround(image.Number("u"), image.Number("v"), out GeodeticPosition place));
             double error = Vectors.Distance(image.GetProperty("target_interpolated").Position(), place);
             Assert.True(error < 1e-4, $"picture {image.Number("id")} is off by {error} m");
-            Assert.True(Vectors.Distance(image.GetProperty("target_true").Position(), place) < image.Number("interp_error_m") + 0.005);
+            Assert.True(
+                Vectors.Distance(image.GetProperty("target_true").Position(), place)
+                    < image.Number("interp_error_m") + 0.005);
             located++;
         }
 
@@ -60,7 +68,8 @@ public sealed class SeriesTests
     private static PoseHistory Filled(JsonElement series)
     {
         var history = new PoseHistory(TimeSpan.FromSeconds(1));
-        double[][] samples = series.Each("samples").Select(s => s.EnumerateArray().Select(n => n.GetDouble()).ToArray()).ToArray();
+        double[][] samples = series.Each("samples")
+            .Select(s => s.EnumerateArray().Select(n => n.GetDouble()).ToArray()).ToArray();
         foreach (double[] s in samples)
         {
             TimeSpan time = Seconds(s[0] - samples[0][0]);
@@ -82,5 +91,6 @@ public sealed class SeriesTests
         return history;
     }
 
-    private static TimeSpan Seconds(double seconds) => TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
+    private static TimeSpan Seconds(double seconds)
+        => TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
 }

@@ -9,7 +9,9 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 
-/// <summary>What Image Processing expects of any detector; run against the default one and one of the tests' own.</summary>
+/// <summary>
+/// What Image Processing expects of any detector; run against the default one and one of the tests' own.
+/// </summary>
 public abstract class TargetDetectorContract
 {
     private const double PixelsPerMetre = 13;
@@ -22,7 +24,8 @@ public abstract class TargetDetectorContract
 
     [Fact]
     public void Detect_NoTarget_FindsNone()
-        => Assert.Equal(DetectorResult.Found(0), _detector.Detect(Input(new Painting(1).Finish()), new TargetDetection[16]));
+        => Assert.Equal(
+            DetectorResult.Found(0), _detector.Detect(Input(new Painting(1).Finish()), new TargetDetection[16]));
 
     [Fact]
     public void Detect_OneTarget_IsValidAndWhereItIs()
@@ -86,5 +89,7 @@ public abstract class TargetDetectorContract
     }
 
     private static DetectorInput Input(byte[] picture, IEnumerable<TargetClass>? classes = null)
-        => new(picture, Painting.Width, Painting.Height, classes?.ToImmutableArray() ?? All, PictureGroundScale.Uniform(1 / PixelsPerMetre));
+        => new(
+            picture, Painting.Width, Painting.Height, classes?.ToImmutableArray() ?? All,
+            PictureGroundScale.Uniform(1 / PixelsPerMetre));
 }

@@ -25,7 +25,11 @@ public sealed class TerrainTests(ITestOutputHelper output)
             GeolocationError refusal = projection.Locate(c.Number("u"), c.Number("v"), out NedPosition ground);
             if (c.Text("status") != "ok")
             {
-                Assert.Equal(c.Text("reason") == "ray_leaves_dem" ? GeolocationError.LeavesTerrain : GeolocationError.NearHorizon, refusal);
+                Assert.Equal(
+                    c.Text("reason") == "ray_leaves_dem"
+                        ? GeolocationError.LeavesTerrain
+                        : GeolocationError.NearHorizon,
+                    refusal);
                 refused++;
                 continue;
             }
@@ -51,11 +55,17 @@ public sealed class TerrainTests(ITestOutputHelper output)
         foreach (JsonElement c in Vectors.Geolocation.Each("dem").Where(d => d.Text("status") == "ok").Take(10))
         {
             (double u, double v) = (c.Number("u"), c.Number("v"));
-            GroundProjection projection = GroundProjectorTests.ProjectionOf(c, grids[c.GetProperty("dem").GetInt32()], OnlyPixels);
+            GroundProjection projection = GroundProjectorTests.ProjectionOf(
+                c, grids[c.GetProperty("dem").GetInt32()], OnlyPixels);
             Assert.True(projection.TryCovariances(u, v, out HorizontalCovariance stated, out _));
-            Assert.True(projection.TryProjectToGround(u + Step, v, out NedPosition right) & projection.TryProjectToGround(u - Step, v, out NedPosition left));
-            Assert.True(projection.TryProjectToGround(u, v + Step, out NedPosition below) & projection.TryProjectToGround(u, v - Step, out NedPosition above));
-            double expected = (Squared(right.North - left.North) + Squared(below.North - above.North)) / Squared(2 * Step);
+            Assert.True(
+                projection.TryProjectToGround(u + Step, v, out NedPosition right)
+                    & projection.TryProjectToGround(u - Step, v, out NedPosition left));
+            Assert.True(
+                projection.TryProjectToGround(u, v + Step, out NedPosition below)
+                    & projection.TryProjectToGround(u, v - Step, out NedPosition above));
+            double expected =
+                (Squared(right.North - left.North) + Squared(below.North - above.North)) / Squared(2 * Step);
 
             // Where a post's cell ends between the steps there is a kink.
             compared += Math.Abs(stated.NorthNorth - expected) < 0.05 * expected ? 1 : 0;
@@ -73,11 +83,15 @@ public sealed class TerrainTests(ITestOutputHelper output)
         TerrainGrid holed = AsciiGrid.Read(new StringReader(Flat(hole: true)));
         LocalNedFrame frame = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.005, 8.005, 200));
         var ray = new GroundRay(default, new NedVector(0, 0, 1));
-        Assert.Equal(GeolocationError.None, TerrainRay.Intersect(ray, frame, whole, Angle.FromRadians(0.1), out NedPosition point));
+        Assert.Equal(
+            GeolocationError.None,
+            TerrainRay.Intersect(ray, frame, whole, Angle.FromRadians(0.1), out NedPosition point));
         Assert.Equal(100, point.Down, 1e-4);
-        Assert.Equal(GeolocationError.NoTerrainData, TerrainRay.Intersect(ray, frame, holed, Angle.FromRadians(0.1), out _));
+        Assert.Equal(
+            GeolocationError.NoTerrainData, TerrainRay.Intersect(ray, frame, holed, Angle.FromRadians(0.1), out _));
         LocalNedFrame below = LocalNedFrame.IgnoringGeoid(GeodeticPosition.FromDegrees(47.005, 8.005, 90));
-        Assert.Equal(GeolocationError.CameraBelowGround, TerrainRay.Intersect(ray, below, whole, Angle.FromRadians(0.1), out _));
+        Assert.Equal(
+            GeolocationError.CameraBelowGround, TerrainRay.Intersect(ray, below, whole, Angle.FromRadians(0.1), out _));
     }
 
     private static ErrorBudget OnlyPixels => new()
@@ -95,7 +109,8 @@ public sealed class TerrainTests(ITestOutputHelper output)
         int rows = dem.GetProperty("nlat").GetInt32();
         int columns = dem.GetProperty("nlon").GetInt32();
         var text = new StringBuilder();
-        text.AppendLine(FormattableString.Invariant($"ncols {columns}\nnrows {rows}\nxllcenter {dem.Number("lon0")}\nyllcenter {dem.Number("lat0")}\ndx {dem.Number("dlon")}\ndy {dem.Number("dlat")}"));
+        text.AppendLine(FormattableString.Invariant(
+            $"ncols {columns}\nnrows {rows}\nxllcenter {dem.Number("lon0")}\nyllcenter {dem.Number("lat0")}\ndx {dem.Number("dlon")}\ndy {dem.Number("dlat")}"));
         foreach (JsonElement row in dem.Each("height").Reverse())
             text.AppendLine(string.Join(" ", row.EnumerateArray().Select(n => n.GetRawText())));
         return AsciiGrid.Read(new StringReader(text.ToString()));

@@ -7,8 +7,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Tests.ImageProcessing;
 
 /// <summary>
-/// A camera over flat ground, and the way from the ground to its picture, written down once more by matrices, so that a wrong sign in the
-/// product cannot cancel. The origin is the vehicle.
+/// A camera over flat ground, and the way from the ground to its picture, written down once more by matrices, so that a
+/// wrong sign in the product cannot cancel. The origin is the vehicle.
 /// </summary>
 internal sealed class TestView
 {
@@ -57,7 +57,8 @@ internal sealed class TestView
         Attitude = EulerAngles.FromRadians(Spread(0.5), Spread(0.5), Spread(Math.PI));
         CameraPitch = (-Math.PI / 2) + Spread(0.5);
         CameraYaw = Spread(1);
-        Position = GeodeticPosition.FromRadians(Spread(1.5), Spread(Math.PI), GroundAltitude + 20 + (random.NextDouble() * 60));
+        Position = GeodeticPosition.FromRadians(
+            Spread(1.5), Spread(Math.PI), GroundAltitude + 20 + (random.NextDouble() * 60));
 
         double Spread(double most) => ((2 * random.NextDouble()) - 1) * most;
     }
@@ -66,14 +67,21 @@ internal sealed class TestView
     {
         var projector = new GroundProjector(Camera, Mount, budget, Angle.FromDegrees(5));
         return projector.At(
-            new Pose { Position = Position, Attitude = Rotation.FromEuler(Attitude), VelocityNed = Velocity, Rates = Rates },
+            new Pose
+            {
+                Position = Position,
+                Attitude = Rotation.FromEuler(Attitude),
+                VelocityNed = Velocity,
+                Rates = Rates
+            },
             Order);
     }
 
     /// <summary>Where a point of the ground is seen; false if it is not in the picture.</summary>
     public bool TryProject(double north, double east, out double column, out double row)
     {
-        double[,] nedFromBody = Times(Times(AboutZ(Attitude.Yaw.Radians), AboutY(Attitude.Pitch.Radians)), AboutX(Attitude.Roll.Radians));
+        double[,] nedFromBody = Times(
+            Times(AboutZ(Attitude.Yaw.Radians), AboutY(Attitude.Pitch.Radians)), AboutX(Attitude.Roll.Radians));
         double[,] bodyFromGimbal = Times(AboutZ(CameraYaw), AboutY(CameraPitch));
         BodyVector arm = Mount.GimbalLeverArmMetres;
         double[] armNed = Times(nedFromBody, [arm.Forward, arm.Right, arm.Down]);
@@ -89,8 +97,10 @@ internal sealed class TestView
         if (r2 > 0.7)
             return false;
         double gain = 1 + (Camera.K1 * r2) + (Camera.K2 * r2 * r2);
-        column = (Camera.FocalX * ((x * gain) + (2 * Camera.P1 * x * y) + (Camera.P2 * (r2 + (2 * x * x))))) + Camera.CentreX;
-        row = (Camera.FocalY * ((y * gain) + (Camera.P1 * (r2 + (2 * y * y))) + (2 * Camera.P2 * x * y))) + Camera.CentreY;
+        column = (Camera.FocalX * ((x * gain) + (2 * Camera.P1 * x * y) + (Camera.P2 * (r2 + (2 * x * x)))))
+            + Camera.CentreX;
+        row = (Camera.FocalY * ((y * gain) + (Camera.P1 * (r2 + (2 * y * y))) + (2 * Camera.P2 * x * y)))
+            + Camera.CentreY;
         return column >= 0 && column <= Camera.Width - 1 && row >= 0 && row <= Camera.Height - 1;
     }
 
@@ -103,12 +113,14 @@ internal sealed class TestView
             Attitude.Pitch.Radians + (budget.AttitudeNoise.Radians * Draw()),
             Attitude.Yaw.Radians + (budget.HeadingNoise.Radians * Draw()))).After(Rates, late);
         _offset = new NedVector(
-            (budget.PositionNoiseMetres * Draw()) + (Velocity.North * late), (budget.PositionNoiseMetres * Draw()) + (Velocity.East * late), 0);
+            (budget.PositionNoiseMetres * Draw()) + (Velocity.North * late),
+            (budget.PositionNoiseMetres * Draw()) + (Velocity.East * late), 0);
         double up = (budget.AltitudeNoiseMetres * Draw()) - (Velocity.Down * late);
         return new TestView
         {
             Attitude = turned.ToEuler(),
-            Position = GeodeticPosition.FromRadians(Position.Latitude.Radians, Position.Longitude.Radians, Position.AltitudeAmslMetres + up),
+            Position = GeodeticPosition.FromRadians(
+                Position.Latitude.Radians, Position.Longitude.Radians, Position.AltitudeAmslMetres + up),
             _offset = _offset,
         };
 
@@ -125,11 +137,14 @@ internal sealed class TestView
 
     private NedVector _offset;
 
-    private static double[,] AboutX(double a) => new[,] { { 1, 0, 0 }, { 0, Math.Cos(a), -Math.Sin(a) }, { 0, Math.Sin(a), Math.Cos(a) } };
+    private static double[,] AboutX(double a)
+        => new[,] { { 1, 0, 0 }, { 0, Math.Cos(a), -Math.Sin(a) }, { 0, Math.Sin(a), Math.Cos(a) } };
 
-    private static double[,] AboutY(double a) => new[,] { { Math.Cos(a), 0, Math.Sin(a) }, { 0, 1, 0 }, { -Math.Sin(a), 0, Math.Cos(a) } };
+    private static double[,] AboutY(double a)
+        => new[,] { { Math.Cos(a), 0, Math.Sin(a) }, { 0, 1, 0 }, { -Math.Sin(a), 0, Math.Cos(a) } };
 
-    private static double[,] AboutZ(double a) => new[,] { { Math.Cos(a), -Math.Sin(a), 0 }, { Math.Sin(a), Math.Cos(a), 0 }, { 0, 0, 1 } };
+    private static double[,] AboutZ(double a)
+        => new[,] { { Math.Cos(a), -Math.Sin(a), 0 }, { Math.Sin(a), Math.Cos(a), 0 }, { 0, 0, 1 } };
 
     private static double[,] Times(double[,] a, double[,] b)
     {
@@ -144,8 +159,12 @@ internal sealed class TestView
     }
 
     private static double[] Times(double[,] a, double[] v)
-        => [(a[0, 0] * v[0]) + (a[0, 1] * v[1]) + (a[0, 2] * v[2]), (a[1, 0] * v[0]) + (a[1, 1] * v[1]) + (a[1, 2] * v[2]), (a[2, 0] * v[0]) + (a[2, 1] * v[1]) + (a[2, 2] * v[2])];
+        => [(a[0, 0] * v[0]) + (a[0, 1] * v[1]) + (a[0, 2] * v[2]),
+            (a[1, 0] * v[0]) + (a[1, 1] * v[1]) + (a[1, 2] * v[2]),
+            (a[2, 0] * v[0]) + (a[2, 1] * v[1]) + (a[2, 2] * v[2])];
 
     private static double[] TimesTransposed(double[,] a, double[] v)
-        => [(a[0, 0] * v[0]) + (a[1, 0] * v[1]) + (a[2, 0] * v[2]), (a[0, 1] * v[0]) + (a[1, 1] * v[1]) + (a[2, 1] * v[2]), (a[0, 2] * v[0]) + (a[1, 2] * v[1]) + (a[2, 2] * v[2])];
+        => [(a[0, 0] * v[0]) + (a[1, 0] * v[1]) + (a[2, 0] * v[2]),
+            (a[0, 1] * v[0]) + (a[1, 1] * v[1]) + (a[2, 1] * v[2]),
+            (a[0, 2] * v[0]) + (a[1, 2] * v[1]) + (a[2, 2] * v[2])];
 }

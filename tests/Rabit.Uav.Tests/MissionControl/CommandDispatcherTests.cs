@@ -97,7 +97,13 @@ public class CommandDispatcherTests
         => new() { Kind = VehicleCommandKind.GoTo, Latitude = Angle.FromRadians(latitude), Yaw = Angle.NaN };
 
     private static VehicleCommandResult Result(long id, VehicleCommandOutcome outcome)
-        => new() { Id = id, Kind = VehicleCommandKind.GoTo, Outcome = outcome, Text = outcome == VehicleCommandOutcome.Accepted ? null : "no" };
+        => new()
+        {
+            Id = id,
+            Kind = VehicleCommandKind.GoTo,
+            Outcome = outcome,
+            Text = outcome == VehicleCommandOutcome.Accepted ? null : "no"
+        };
 
     private static TimeSpan At(double seconds) => TimeSpan.FromSeconds(seconds);
 

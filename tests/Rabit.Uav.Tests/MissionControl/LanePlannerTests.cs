@@ -34,7 +34,9 @@ public class LanePlannerTests(ITestOutputHelper output)
     public void Lanes_ConcaveArea_AreCutIntoPieces()
     {
         // A U that opens to the north, its notch wider than a spacing, with lanes across it.
-        var area = new PlanePolygon([new(0, 0), new(0, 200), new(150, 200), new(150, 150), new(30, 150), new(30, 50), new(150, 50), new(150, 0)]);
+        var area = new PlanePolygon(
+            [new(0, 0), new(0, 200), new(150, 200), new(150, 150), new(30, 150), new(30, 50), new(150, 50),
+                new(150, 0)]);
         IReadOnlyList<LaneSegment> lanes = LanePlanner.Plan(area, 30, Math.PI / 2, default);
         Assert.Equal(1 + (4 * 2), lanes.Count);
         Assert.Equal(200 + (8 * 50), lanes.Sum(l => l.Length), 6);
@@ -58,7 +60,9 @@ public class LanePlannerTests(ITestOutputHelper output)
             PlanePolygon fence = PlanePolygon.HullOf(area.Corners.Concat([default])).Grown((spacing / 2) + 10);
             Assert.True(lanes.All(l => fence.SignedDistance(l.Start) > 0 && fence.SignedDistance(l.End) > 0), where);
             Assert.True(Covered(area, lanes, spacing, random) >= 0.99, where);
-            Assert.True(lanes.Sum(l => l.Length) < (4 * area.Area / spacing) + (6 * Math.Sqrt(area.Area)) + (8 * spacing), where);
+            Assert.True(
+                lanes.Sum(l => l.Length) < (4 * area.Area / spacing) + (6 * Math.Sqrt(area.Area)) + (8 * spacing),
+                where);
         }
     }
 
@@ -92,12 +96,15 @@ public class LanePlannerTests(ITestOutputHelper output)
 
     [Fact]
     public void CoverageGrid_MaxArea_HasNotTooManyCells()
-        => Assert.InRange(new CoverageGrid(new PlanePolygon([new(0, 0), new(0, 2000), new(2000, 2000), new(2000, 0)])).Cells, 200_000, 251_000);
+        => Assert.InRange(
+            new CoverageGrid(new PlanePolygon([new(0, 0), new(0, 2000), new(2000, 2000), new(2000, 0)])).Cells, 200_000,
+            251_000);
 
     [Fact]
     public void GapPlanner_StripBetweenTwoLanes_IsFlownAlongItsMiddle()
     {
-        IEnumerable<PlanePoint> unseen = Enumerable.Range(0, 4).SelectMany(e => Enumerable.Range(0, 80).Select(n => new PlanePoint(n + 0.5, e + 20.5)));
+        IEnumerable<PlanePoint> unseen = Enumerable.Range(0, 4)
+            .SelectMany(e => Enumerable.Range(0, 80).Select(n => new PlanePoint(n + 0.5, e + 20.5)));
         LaneSegment leg = Assert.Single(GapPlanner.Plan(unseen, 1, 30, 0, new PlanePoint(100, 0)));
         Assert.Equal((80, 22), (leg.Start.North, leg.Start.East));
         Assert.Equal((0, 22), (leg.End.North, leg.End.East));
@@ -115,10 +122,14 @@ public class LanePlannerTests(ITestOutputHelper output)
         var centre = new PlanePoint(random.Uniform(-300, 300), random.Uniform(-300, 300));
         double turn = random.Uniform(0, 6);
         return new PlanePolygon(Enumerable.Range(0, corners)
-            .Select(i => centre + (random.Uniform(0.3, 1) * size * PlanePoint.Towards(turn + (2 * Math.PI * (i + random.Uniform(-0.3, 0.3)) / corners)))));
+            .Select(
+                i => centre
+                    + (random.Uniform(0.3, 1) * size
+                        * PlanePoint.Towards(turn + (2 * Math.PI * (i + random.Uniform(-0.3, 0.3)) / corners)))));
     }
 
-    private static double Covered(PlanePolygon area, IReadOnlyList<LaneSegment> lanes, double spacing, SeededNumbers random)
+    private static double Covered(
+        PlanePolygon area, IReadOnlyList<LaneSegment> lanes, double spacing, SeededNumbers random)
     {
         int inside = 0;
         int covered = 0;

@@ -15,8 +15,8 @@ public class MissionFaultTests(ITestOutputHelper output)
         = [MissionPhase.TakingOff, MissionPhase.InTransit, MissionPhase.Searching, MissionPhase.Revisiting];
 
     public static readonly TheoryData<MissionPhase> AllPhases
-        = [MissionPhase.WaitingForVehicle, MissionPhase.Arming, MissionPhase.TakingOff, MissionPhase.InTransit, MissionPhase.Searching,
-            MissionPhase.Revisiting, MissionPhase.Returning, MissionPhase.Landing];
+        = [MissionPhase.WaitingForVehicle, MissionPhase.Arming, MissionPhase.TakingOff, MissionPhase.InTransit,
+            MissionPhase.Searching, MissionPhase.Revisiting, MissionPhase.Returning, MissionPhase.Landing];
 
     [Theory]
     [MemberData(nameof(AllPhases))]
@@ -65,7 +65,12 @@ public class MissionFaultTests(ITestOutputHelper output)
     public void Health_AdvisesReturnToLaunch_ReturnsToLaunch(MissionPhase phase)
     {
         using MissionRig rig = RigIn(phase);
-        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Warning, Text = "battery low (20 %)", Advice = HealthAdvice.ReturnToLaunch };
+        rig.Vehicle.Health = new HealthReport
+        {
+            Level = HealthLevel.Warning,
+            Text = "battery low (20 %)",
+            Advice = HealthAdvice.ReturnToLaunch
+        };
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal("health: battery low (20 %)", rig.Status.Aborted);
         Assert.Equal(1, rig.Vehicle.Count(VehicleCommandKind.Return));
@@ -79,7 +84,12 @@ public class MissionFaultTests(ITestOutputHelper output)
     {
         using MissionRig rig = RigIn(phase);
         double north = rig.Vehicle.North;
-        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Critical, Text = "battery nearly empty", Advice = HealthAdvice.Land };
+        rig.Vehicle.Health = new HealthReport
+        {
+            Level = HealthLevel.Critical,
+            Text = "battery nearly empty",
+            Advice = HealthAdvice.Land
+        };
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(1, rig.Vehicle.Count(VehicleCommandKind.Land));
         Assert.InRange(rig.Vehicle.North, north - 15, north + 15);
@@ -120,7 +130,12 @@ public class MissionFaultTests(ITestOutputHelper output)
         using MissionRig rig = RigIn(MissionPhase.Searching);
         rig.Vehicle.IsConnected = false;
         rig.Run(4);
-        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Critical, Text = "autopilot lost", Advice = HealthAdvice.ReturnToLaunch };
+        rig.Vehicle.Health = new HealthReport
+        {
+            Level = HealthLevel.Critical,
+            Text = "autopilot lost",
+            Advice = HealthAdvice.ReturnToLaunch
+        };
         rig.Run(20);
         Assert.Equal(0, rig.Vehicle.Count(VehicleCommandKind.Return));
         rig.Vehicle.IsConnected = true;
@@ -188,7 +203,9 @@ public class MissionFaultTests(ITestOutputHelper output)
     public void Arming_RefusedAtFirst_IsTriedEveryThreeSeconds()
     {
         using var rig = new MissionRig(MissionRig.Mission());
-        rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.Arm && rig.Now < TimeSpan.FromSeconds(20) ? VehicleCommandOutcome.Refused : null;
+        rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.Arm && rig.Now < TimeSpan.FromSeconds(20)
+            ? VehicleCommandOutcome.Refused
+            : null;
         rig.Run(10);
         Assert.Equal("arming; refused: because the test says so", rig.Status.Text);
         Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff, 30));
@@ -232,7 +249,10 @@ public class MissionFaultTests(ITestOutputHelper output)
     public void TakeOff_AutopilotDisarmsBeforeIt_IsArmedAgain()
     {
         using var rig = new MissionRig(MissionRig.Mission());
-        rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.TakeOff && rig.Vehicle.Count(VehicleCommandKind.Arm) == 1 ? VehicleCommandOutcome.TimedOut : null;
+        rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.TakeOff
+            && rig.Vehicle.Count(VehicleCommandKind.Arm) == 1
+            ? VehicleCommandOutcome.TimedOut
+            : null;
         rig.RunUntil(MissionPhase.TakingOff);
         rig.Vehicle.IsArmed = false;
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
@@ -245,7 +265,9 @@ public class MissionFaultTests(ITestOutputHelper output)
     public void GoTo_NeverTaken_ReturnsToLaunch(VehicleCommandOutcome outcome)
     {
         using var rig = new MissionRig(MissionRig.Mission());
-        rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.GoTo && rig.Vehicle.Count(VehicleCommandKind.GoTo) > 5 ? outcome : null;
+        rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.GoTo && rig.Vehicle.Count(VehicleCommandKind.GoTo) > 5
+            ? outcome
+            : null;
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.NotNull(rig.Status.Aborted);
         Assert.Equal(5 + 3, rig.Vehicle.Count(VehicleCommandKind.GoTo));
@@ -368,7 +390,8 @@ public class MissionFaultTests(ITestOutputHelper output)
     [Fact]
     public void Start_FarFromTheMissionsHome_IsFailed()
     {
-        using var rig = new MissionRig(MissionRig.Mission(", \"home\": {\"latitudeDegrees\": 47.3987, \"longitudeDegrees\": 8.5456}"));
+        using var rig = new MissionRig(
+            MissionRig.Mission(", \"home\": {\"latitudeDegrees\": 47.3987, \"longitudeDegrees\": 8.5456}"));
         rig.Run(10);
         Assert.Equal(MissionPhase.Failed, rig.Status.Phase);
         Assert.StartsWith("the vehicle is 111.2 m from the mission's home", rig.Status.Text!, StringComparison.Ordinal);

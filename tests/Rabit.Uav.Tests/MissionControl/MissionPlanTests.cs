@@ -16,7 +16,9 @@ public class MissionPlanTests
         Assert.Equal(4, plan.Area.Length);
         Assert.Equal(47.3982397, plan.Area[0].Latitude.Degrees, 9);
         Assert.Equal(8.5445383, plan.Area[0].Longitude.Degrees, 9);
-        Assert.Equal((40, 6, 30, 40), (plan.HeightMetres, plan.SpeedMetresPerSecond, plan.LaneSpacingMetres, plan.FenceMarginMetres));
+        Assert.Equal(
+            (40, 6, 30, 40),
+            (plan.HeightMetres, plan.SpeedMetresPerSecond, plan.LaneSpacingMetres, plan.FenceMarginMetres));
         Assert.Null(plan.LaneHeading);
         Assert.Equal(DefaultTargetClasses.All.ToArray(), plan.Targets.ToArray());
         Assert.Equal(8.5456, plan.Home!.Longitude.Degrees, 9);
@@ -45,8 +47,10 @@ public class MissionPlanTests
     [InlineData("\"heightMetres\": 40", "heightMetres is there twice")]
     [InlineData("\"name\": 7", "name is 7; it must be a text")]
     [InlineData("\"name\": \"\"", "name must be a line of 1 to 80 characters")]
-    [InlineData("\"targets\": [\"red\", \"\"]", "targets[1] is \"\"; it must be the name of a target class: 1 to 16 printable ASCII characters")]
-    [InlineData("\"targets\": [\"seventeen letters\"]", "targets[0] is \"seventeen letters\"; it must be the name of a target class")]
+    [InlineData("\"targets\": [\"red\", \"\"]",
+        "targets[1] is \"\"; it must be the name of a target class: 1 to 16 printable ASCII characters")]
+    [InlineData("\"targets\": [\"seventeen letters\"]",
+        "targets[0] is \"seventeen letters\"; it must be the name of a target class")]
     [InlineData("\"targets\": [5]", "targets[0] is 5; it must be the name of a target class")]
     [InlineData("\"targets\": []", "targets is []; it must name at least one target class")]
     [InlineData("\"targets\": \"red\"", "targets is \"red\"; it must be a list")]
@@ -54,15 +58,18 @@ public class MissionPlanTests
     [InlineData("\"home\": {\"latitudeDegrees\": 97, \"longitudeDegrees\": 8}", "home is not a position")]
     [InlineData("\"home\": {\"latitudeDegrees\": 47, \"longitudeDegrees\": 8, \"groundAltitudeAmslMetres\": 99999}",
         "home.groundAltitudeAmslMetres is 99999; it must be -500 to 9000")]
-    [InlineData("\"fenceMarginMetres\": 20", "fenceMarginMetres is 20; it must be at least 25: lanes end up to half a spacing outside the area")]
+    [InlineData("\"fenceMarginMetres\": 20",
+        "fenceMarginMetres is 20; it must be at least 25: lanes end up to half a spacing outside the area")]
     [InlineData("\"fenceMarginMetres\": 501", "fenceMarginMetres is 501; it must be 0 to 500")]
     [InlineData("\"revisit\": {\"enabled\": 1}", "revisit.enabled is 1; it must be true or false")]
     [InlineData("\"revisit\": {\"heightMetres\": 2}", "revisit.heightMetres is 2; it must be 5 to 120")]
     [InlineData("\"camera\": {\"pitchDegrees\": -91}", "camera.pitchDegrees is -91; it must be -90 to -20")]
-    [InlineData("\"limits\": {\"minBatteryFractionAtStart\": 50}", "limits.minBatteryFractionAtStart is 50; it must be 0 to 1")]
+    [InlineData("\"limits\": {\"minBatteryFractionAtStart\": 50}",
+        "limits.minBatteryFractionAtStart is 50; it must be 0 to 1")]
     public void Parse_OneFault_IsReportedWithPathAndValue(string property, string text)
     {
-        MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(MissionRig.Text(", " + property), "test"));
+        MissionPlanException e = Assert.Throws<MissionPlanException>(
+            () => MissionPlan.Parse(MissionRig.Text(", " + property), "test"));
         Assert.Contains(text, e.Message, StringComparison.Ordinal);
         Assert.Single(e.Faults);
     }
@@ -70,9 +77,11 @@ public class MissionPlanTests
     [Fact]
     public void Parse_FileOfTheOldForm_IsRefusedWithEveryNewName()
     {
-        const string Old = ", \"home\": {\"lat\": 47.3977, \"lon\": 8.5456}, \"secondLook\": {\"enabled\": true, \"radiusMetres\": 10}, "
+        const string Old = ", \"home\": {\"lat\": 47.3977, \"lon\": 8.5456}, \"secondLook\": {\"enabled\": true, "
+            + "\"radiusMetres\": 10}, "
             + "\"limits\": {\"minBatteryToStart\": 0.5}";
-        MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(MissionRig.Text(Old), "test"));
+        MissionPlanException e = Assert.Throws<MissionPlanException>(
+            () => MissionPlan.Parse(MissionRig.Text(Old), "test"));
         Assert.Equal(
             [
                 "home.lat is of an older form of the file; it is home.latitudeDegrees now",
@@ -90,7 +99,8 @@ public class MissionPlanTests
     [InlineData("[[0,0],[5,0],[5,5],[0,5]]", "area has 25 m2; it must have 100 to 4000000")]
     [InlineData("[[0,0],[3000,0],[3000,3000],[0,3000]]", "area has 8998")]
     [InlineData("[[0,0],[9000,0],[9000,100]]", "area[1] is 8999 m from area[0]; corners must be within 5000 m of it")]
-    [InlineData("[[0,0],[100,0],[100,100],[0,0]]", "area[3] and area[0] are the same position; the first corner is not repeated")]
+    [InlineData("[[0,0],[100,0],[100,100],[0,0]]",
+        "area[3] and area[0] are the same position; the first corner is not repeated")]
     public void Parse_AreaThatCannotBeSearched_IsRefused(string area, string text)
     {
         MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionRig.Mission(area: area));
@@ -102,10 +112,14 @@ public class MissionPlanTests
     [InlineData("{\"area\": [", "it is not JSON: line 1")]
     [InlineData("[]", "it must be an object")]
     [InlineData("null", "it must be an object")]
-    [InlineData("{}", "area is missing; heightMetres is missing; speedMetresPerSecond is missing; laneSpacingMetres is missing")]
-    [InlineData("{\"area\": [[1,2],[3],[\"a\",4],[91,0]], \"heightMetres\": 40, \"speedMetresPerSecond\": 6, \"laneSpacingMetres\": 30}",
-        "area[1] is [3]; it must be [latitude, longitude] in degrees; area[2] is [\"a\",4]; it must be [latitude, longitude] in degrees; area[3] is [91,0]")]
-    [InlineData("{\"area\": null, \"heightMetres\": 1e999}", "area is missing; heightMetres is 1e999; it must be a number")]
+    [InlineData("{}",
+        "area is missing; heightMetres is missing; speedMetresPerSecond is missing; laneSpacingMetres is missing")]
+    [InlineData("{\"area\": [[1,2],[3],[\"a\",4],[91,0]], \"heightMetres\": 40, \"speedMetresPerSecond\": 6, "
+        + "\"laneSpacingMetres\": 30}",
+        "area[1] is [3]; it must be [latitude, longitude] in degrees; area[2] is [\"a\",4]; it must be [latitude, "
+            + "longitude] in degrees; area[3] is [91,0]")]
+    [InlineData("{\"area\": null, \"heightMetres\": 1e999}",
+        "area is missing; heightMetres is 1e999; it must be a number")]
     public void Parse_NoMission_IsRefusedWithAllFaults(string json, string text)
     {
         MissionPlanException e = Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(json, "bad.json"));
@@ -116,7 +130,8 @@ public class MissionPlanTests
     [Fact]
     public void Parse_DeepOrHugeText_IsRefused()
     {
-        Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(string.Concat(Enumerable.Repeat("[", 5000)), "deep"));
+        Assert.Throws<MissionPlanException>(
+            () => MissionPlan.Parse(string.Concat(Enumerable.Repeat("[", 5000)), "deep"));
         Assert.Throws<MissionPlanException>(() => MissionPlan.Parse(new string(' ', 1_000_001), "huge"));
     }
 

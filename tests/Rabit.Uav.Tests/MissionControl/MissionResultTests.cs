@@ -34,7 +34,9 @@ public class MissionResultTests
         rig.RunUntil(MissionPhase.Searching);
         rig.Run(1);
 
-        Assert.Equal((MissionOutcome.InProgress, MissionFailures.NotLanded), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
+        Assert.Equal(
+            (MissionOutcome.InProgress, MissionFailures.NotLanded),
+            (rig.Status.Result.Outcome, rig.Status.Result.Failures));
         Assert.InRange(rig.Status.Result.DistanceFromHomeMetres, 30, 200);
     }
 
@@ -46,7 +48,8 @@ public class MissionResultTests
         rig.Manager.Abort("asked to");
         rig.RunToEnd();
 
-        Assert.Equal((MissionOutcome.Failed, MissionFailures.GivenUp), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
+        Assert.Equal(
+            (MissionOutcome.Failed, MissionFailures.GivenUp), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
     }
 
     [Fact]
@@ -56,7 +59,8 @@ public class MissionResultTests
         rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.Arm ? VehicleCommandOutcome.Refused : null;
         rig.RunToEnd(100);
 
-        Assert.Equal((MissionOutcome.Failed, MissionFailures.NotFlown), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
+        Assert.Equal(
+            (MissionOutcome.Failed, MissionFailures.NotFlown), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
     }
 
     [Fact]
@@ -66,7 +70,9 @@ public class MissionResultTests
         rig.RunUntil(MissionPhase.Searching);
         rig.Vehicle.TakeOver("mode LOITER");
         rig.Run(2);
-        Assert.Equal((MissionOutcome.Failed, MissionFailures.NotLanded), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
+        Assert.Equal(
+            (MissionOutcome.Failed, MissionFailures.NotLanded),
+            (rig.Status.Result.Outcome, rig.Status.Result.Failures));
 
         rig.Vehicle.IsArmed = false;
         rig.Run(2);
@@ -82,7 +88,9 @@ public class MissionResultTests
         rig.RunToEnd();
 
         MissionResult result = rig.Status.Result;
-        Assert.Equal((MissionOutcome.Failed, MissionFailures.GivenUp | MissionFailures.OutsideFence), (result.Outcome, result.Failures));
+        Assert.Equal(
+            (MissionOutcome.Failed, MissionFailures.GivenUp | MissionFailures.OutsideFence),
+            (result.Outcome, result.Failures));
         Assert.InRange(result.OutsideFenceMetres, 50, 250);
     }
 }

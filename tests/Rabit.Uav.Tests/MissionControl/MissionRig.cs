@@ -22,7 +22,11 @@ internal sealed class MissionRig : IDisposable
         var options = new MissionControlOptions { Mission = mission };
         change?.Invoke(options);
         Manager = new MissionControlManager(options);
-        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(seed), Log = Entries.Add, StopsOnSignals = false }) { Manager, Vehicle };
+        _reactor = new RabitReactor(
+            new ReactorOptions { Time = new VirtualTime(seed), Log = Entries.Add, StopsOnSignals = false })
+        {
+            Manager, Vehicle
+        };
         _status = _reactor.Workspace.Subscribe<MissionStatus>(MessageNames.Mission);
         _reactor.Start();
     }
@@ -35,7 +39,8 @@ internal sealed class MissionRig : IDisposable
 
     /// <summary>What Mission Control logged.</summary>
     public IEnumerable<string> Decisions => Entries
-        .Where(e => e.Source == MissionControlManager.ManagerName && e.Kind == RabitLogKind.Manager).Select(e => e.ToString());
+        .Where(e => e.Source == MissionControlManager.ManagerName && e.Kind == RabitLogKind.Manager)
+            .Select(e => e.ToString());
 
     public string Story => string.Join(Environment.NewLine, Decisions);
 
@@ -71,9 +76,11 @@ internal sealed class MissionRig : IDisposable
         IEnumerable<string> places = corners.RootElement.EnumerateArray().Select(c =>
         {
             GeodeticPosition p = frame.ToGeodetic(new NedPosition(c[0].GetDouble(), c[1].GetDouble(), 0));
-            return string.Format(CultureInfo.InvariantCulture, "[{0:R},{1:R}]", p.Latitude.Degrees, p.Longitude.Degrees);
+            return string.Format(
+                CultureInfo.InvariantCulture, "[{0:R},{1:R}]", p.Latitude.Degrees, p.Longitude.Degrees);
         });
-        return "{\"area\":[" + string.Join(",", places) + "],\"heightMetres\":40,\"speedMetresPerSecond\":8,\"laneSpacingMetres\":30" + more + "}";
+        return "{\"area\":[" + string.Join(",", places)
+            + "],\"heightMetres\":40,\"speedMetresPerSecond\":8,\"laneSpacingMetres\":30" + more + "}";
     }
 
     public void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));
@@ -89,7 +96,9 @@ internal sealed class MissionRig : IDisposable
     /// <summary>Runs until the mission is over, or for a maximum time.</summary>
     public MissionPhase RunToEnd(double maxSeconds = 1500)
     {
-        for (double t = 0; t < maxSeconds && Status.Phase is not (MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed); t++)
+        for (double t = 0;
+            t < maxSeconds && Status.Phase is not (MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed);
+            t++)
             Run(1);
         return Status.Phase;
     }

@@ -9,7 +9,8 @@ namespace Rabit.Uav.Tests.MissionControl;
 
 public class MissionTransitionsTests
 {
-    private static readonly MissionPhase[] Ends = [MissionPhase.NoMission, MissionPhase.Done, MissionPhase.HandedOver, MissionPhase.Failed];
+    private static readonly MissionPhase[] Ends =
+        [MissionPhase.NoMission, MissionPhase.Done, MissionPhase.HandedOver, MissionPhase.Failed];
 
     private static readonly MissionPhase[] All = ValuesOf<MissionPhase>();
 
@@ -40,7 +41,8 @@ public class MissionTransitionsTests
         }
 
         Assert.Equal(
-            [MissionPhase.Returning, MissionPhase.Landing, MissionPhase.Done, MissionPhase.HandedOver, MissionPhase.Failed],
+            [MissionPhase.Returning, MissionPhase.Landing, MissionPhase.Done, MissionPhase.HandedOver,
+                MissionPhase.Failed],
             reached.OrderBy(p => p));
     }
 

@@ -21,7 +21,8 @@ public class PlanePolygonTests
             double area = element.GetProperty("area_plane_m2").GetDouble();
             Assert.InRange(polygon.Area, area * (1 - 1e-8), area * (1 + 1e-8));
             Assert.Null(polygon.FindCrossing());
-            foreach (JsonElement point in element.GetProperty("points").EnumerateArray().Where(p => p[2].GetString() != "boundary"))
+            foreach (JsonElement point
+                in element.GetProperty("points").EnumerateArray().Where(p => p[2].GetString() != "boundary"))
             {
                 var p = new PlanePoint(point[0].GetDouble(), point[1].GetDouble());
                 Assert.Equal(point[2].GetString() == "inside", polygon.Contains(p));
@@ -37,7 +38,8 @@ public class PlanePolygonTests
     public void Lanes_ConvexPolygons_AreAsFewAsTheHullAllows()
     {
         using JsonDocument data = TestData.Autonomy("search.json");
-        foreach (JsonElement element in data.RootElement.EnumerateArray().Where(e => e.GetProperty("kind").GetString() == "convex"))
+        foreach (JsonElement element
+            in data.RootElement.EnumerateArray().Where(e => e.GetProperty("kind").GetString() == "convex"))
         {
             PlanePolygon polygon = Read(element);
             double sweep = element.GetProperty("sweep_width_m").GetDouble();
@@ -70,7 +72,10 @@ public class PlanePolygonTests
     }
 
     private static PlanePolygon Read(JsonElement element)
-        => new(element.GetProperty("outer_ne").EnumerateArray().Select(c => new PlanePoint(c[0].GetDouble(), c[1].GetDouble())));
+        => new(
+            element.GetProperty("outer_ne").EnumerateArray()
+                .Select(c => new PlanePoint(c[0].GetDouble(), c[1].GetDouble())));
 
-    private static PlanePolygon Polygon(params (double North, double East)[] corners) => new(corners.Select(c => new PlanePoint(c.North, c.East)));
+    private static PlanePolygon Polygon(params (double North, double East)[] corners)
+        => new(corners.Select(c => new PlanePoint(c.North, c.East)));
 }

@@ -167,7 +167,9 @@ internal sealed class StandInVehicle : RabitManager
         _vd = -sinkOrClimb;
         double distance = Math.Sqrt(((n - North) * (n - North)) + ((e - East) * (e - East)));
         double wanted = CanMove ? Math.Min(speed, Math.Sqrt(2 * Acceleration * distance) * 0.8) : 0;
-        (double wn, double we) = distance < 0.05 ? (0, 0) : (wanted * (n - North) / distance, wanted * (e - East) / distance);
+        (double wn, double we) = distance < 0.05
+            ? (0, 0)
+            : (wanted * (n - North) / distance, wanted * (e - East) / distance);
         _vn += Math.Max(-Acceleration * Step, Math.Min(Acceleration * Step, wn - _vn));
         _ve += Math.Max(-Acceleration * Step, Math.Min(Acceleration * Step, we - _ve));
         North += _vn * Step;
@@ -190,7 +192,9 @@ internal sealed class StandInVehicle : RabitManager
             case VehicleCommandKind.TakeOff:
                 return (North, East, _task.HeightAboveHomeMetres, 0);
             case VehicleCommandKind.GoTo:
-                NedPosition to = _frame.ToNed(GeodeticPosition.FromRadians(_task.Latitude.Radians, _task.Longitude.Radians, _frame.Origin.AltitudeAmslMetres));
+                NedPosition to = _frame.ToNed(
+                    GeodeticPosition.FromRadians(
+                        _task.Latitude.Radians, _task.Longitude.Radians, _frame.Origin.AltitudeAmslMetres));
                 Yaw = _task.Yaw.Radians;
                 return (to.North, to.East, _task.HeightAboveHomeMetres, _task.SpeedMetresPerSecond);
             case VehicleCommandKind.Return:
@@ -257,16 +261,18 @@ internal sealed class StandInVehicle : RabitManager
             PostTracks();
     }
 
-    public TargetTrack MakeTrack(int id, double n, double e, TargetClassName colour, int reports, TrackState? state = null) => new()
-    {
-        Id = id,
-        State = state ?? (reports >= 3 ? TrackState.Confirmed : TrackState.Tentative),
-        Class = colour,
-        Position = _frame.ToGeodetic(new NedPosition(n, e, 0)),
-        Covariance = new HorizontalCovariance(1, 0, 1),
-        Time = Now,
-        Reports = reports,
-    };
+    public TargetTrack MakeTrack(
+        int id, double n, double e, TargetClassName colour, int reports, TrackState? state = null)
+        => new()
+        {
+            Id = id,
+            State = state ?? (reports >= 3 ? TrackState.Confirmed : TrackState.Tentative),
+            Class = colour,
+            Position = _frame.ToGeodetic(new NedPosition(n, e, 0)),
+            Covariance = new HorizontalCovariance(1, 0, 1),
+            Time = Now,
+            Reports = reports,
+        };
 
     private void PostTracks()
     {

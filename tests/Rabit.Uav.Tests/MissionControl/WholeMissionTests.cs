@@ -14,7 +14,9 @@ public class WholeMissionTests(ITestOutputHelper output)
     public void Mission_NothingGoesWrong_IsFlownToItsEnd()
     {
         using var rig = new MissionRig(MissionRig.Mission());
-        rig.Vehicle.Targets.AddRange([(80, -30, DefaultTargetClasses.Red), (120, 20, DefaultTargetClasses.Blue), (140, -50, DefaultTargetClasses.Yellow)]);
+        rig.Vehicle.Targets.AddRange(
+            [(80, -30, DefaultTargetClasses.Red), (120, 20, DefaultTargetClasses.Blue),
+                (140, -50, DefaultTargetClasses.Yellow)]);
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         output.WriteLine(rig.Story);
 
@@ -24,14 +26,16 @@ public class WholeMissionTests(ITestOutputHelper output)
         Assert.InRange(status.Coverage, 0.985, 1);
         Assert.Equal(status.Plan!.Lanes.Length / 2, status.LanesFlown);
         Assert.False(rig.Vehicle.IsArmed);
-        Assert.InRange(Math.Sqrt((rig.Vehicle.North * rig.Vehicle.North) + (rig.Vehicle.East * rig.Vehicle.East)), 0, 2);
+        Assert.InRange(
+            Math.Sqrt((rig.Vehicle.North * rig.Vehicle.North) + (rig.Vehicle.East * rig.Vehicle.East)), 0, 2);
         Assert.InRange(rig.Now.TotalSeconds, 100, 420);
         Assert.Equal(
             ["WaitingForVehicle -> Arming", "Arming -> TakingOff", "TakingOff -> InTransit", "InTransit -> Searching"],
             rig.Decisions.Where(d => d.Contains(" -> ", StringComparison.Ordinal)).Take(4).Select(Transition));
         Assert.Equal(
             ["Searching -> Returning", "Returning -> Landing", "Landing -> Done"],
-            rig.Decisions.Where(d => d.Contains(" -> ", StringComparison.Ordinal)).Reverse().Take(3).Reverse().Select(Transition));
+            rig.Decisions.Where(d => d.Contains(" -> ", StringComparison.Ordinal)).Reverse().Take(3).Reverse()
+                .Select(Transition));
     }
 
     [Fact]
@@ -53,11 +57,13 @@ public class WholeMissionTests(ITestOutputHelper output)
     [Fact]
     public void Mission_WholeFlight_StaysInsideTheFence()
     {
-        using var rig = new MissionRig(MissionRig.Mission(area: "[[60,-80],[60,80],[160,80],[160,40],[90,40],[90,-40],[160,-40],[160,-80]]"));
+        using var rig = new MissionRig(
+            MissionRig.Mission(area: "[[60,-80],[60,80],[160,80],[160,40],[90,40],[90,-40],[160,-40],[160,-80]]"));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         SearchPlan plan = rig.Status.Plan!;
         var frame = LocalNedFrame.IgnoringGeoid(plan.Home);
-        var fence = new PlanePolygon(plan.Fence.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
+        var fence = new PlanePolygon(
+            plan.Fence.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
         double worst = rig.Vehicle.Path.Min(p => fence.SignedDistance(new PlanePoint(p.North, p.East)));
         output.WriteLine($"nearest to the fence: {worst:0.0} m");
         Assert.InRange(worst, 0, double.PositiveInfinity);
@@ -89,7 +95,9 @@ public class WholeMissionTests(ITestOutputHelper output)
         {
             VehicleCommand a = sent[i - 1].Command;
             VehicleCommand b = sent[i].Command;
-            Assert.False(a.Latitude.Radians.Equals(b.Latitude.Radians) && a.Longitude.Radians.Equals(b.Longitude.Radians) && a.Yaw.Radians.Equals(b.Yaw.Radians));
+            Assert.False(
+                a.Latitude.Radians.Equals(b.Latitude.Radians) && a.Longitude.Radians.Equals(b.Longitude.Radians)
+                    && a.Yaw.Radians.Equals(b.Yaw.Radians));
         }
     }
 
@@ -117,7 +125,8 @@ public class WholeMissionTests(ITestOutputHelper output)
         using var rig = new MissionRig(MissionRig.Mission(", \"camera\": {\"gimbal\": true, \"pitchDegrees\": -60}"));
         rig.RunUntil(MissionPhase.Searching);
         Assert.Equal(1, rig.Vehicle.Count(VehicleCommandKind.PointCamera));
-        Assert.Equal(-Math.PI / 3, rig.Vehicle.Commands.Single(c => c.Command.Kind == VehicleCommandKind.PointCamera).Command.CameraPitch.Radians, 9);
+        Assert.Equal(-Math.PI / 3, rig.Vehicle.Commands.Single(c =>
+            c.Command.Kind == VehicleCommandKind.PointCamera).Command.CameraPitch.Radians, 9);
     }
 
     [Fact]
@@ -159,7 +168,8 @@ public class WholeMissionTests(ITestOutputHelper output)
     [Fact]
     public void Revisit_OtherHeight_IsFlownThereAndTheLanesAtTheirs()
     {
-        using var rig = new MissionRig(MissionRig.Mission(", \"revisit\": {\"heightMetres\": 25, \"radiusMetres\": 0}"));
+        using var rig = new MissionRig(
+            MissionRig.Mission(", \"revisit\": {\"heightMetres\": 25, \"radiusMetres\": 0}"));
         rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
         rig.RunUntil(MissionPhase.Revisiting);
         rig.RunUntil(MissionPhase.Searching);

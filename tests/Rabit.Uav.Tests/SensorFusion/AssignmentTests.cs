@@ -17,9 +17,14 @@ public class AssignmentTests(ITestOutputHelper output)
         foreach (JsonElement sample in data.RootElement.GetProperty("assignment").EnumerateArray())
         {
             double?[][] costs = sample.GetProperty("cost").EnumerateArray()
-                .Select(row => row.EnumerateArray().Select(c => c.ValueKind == JsonValueKind.Null ? (double?)null : c.GetDouble()).ToArray()).ToArray();
+                .Select(row => row
+                    .EnumerateArray()
+                    .Select(c => c.ValueKind == JsonValueKind.Null ? (double?)null : c.GetDouble())
+                    .ToArray()).ToArray();
             double miss = sample.GetProperty("miss_cost").GetDouble();
-            Assert.Equal(sample.GetProperty("min_total_with_miss").GetDouble(), Total(costs, sample.GetProperty("cols").GetInt32(), miss), 1e-9);
+            Assert.Equal(
+                sample.GetProperty("min_total_with_miss").GetDouble(),
+                Total(costs, sample.GetProperty("cols").GetInt32(), miss), 1e-9);
         }
     }
 
@@ -37,7 +42,8 @@ public class AssignmentTests(ITestOutputHelper output)
             double?[][] costs = Enumerable.Range(0, rows).Select(_ => Enumerable.Range(0, columns)
                 .Select(_ => random.Below(4) == 0 ? (double?)null : random.Uniform(-10, 20)).ToArray()).ToArray();
             double miss = random.Uniform(0, 25);
-            Assert.True(Math.Abs(Total(costs, columns, miss) - TryAll(costs, 0, 0, miss)) < 1e-9, $"seed {seed}, case {i}");
+            Assert.True(
+                Math.Abs(Total(costs, columns, miss) - TryAll(costs, 0, 0, miss)) < 1e-9, $"seed {seed}, case {i}");
         }
     }
 

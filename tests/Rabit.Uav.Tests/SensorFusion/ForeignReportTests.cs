@@ -72,7 +72,8 @@ public class ForeignReportTests
         void PushOlder(int number, double seconds)
         {
             TargetReport report = Report(0, 0);
-            (report.SourceSystemId, report.PictureNumber, report.Time) = (2, number, rig.Only.Time - TimeSpan.FromSeconds(seconds));
+            (report.SourceSystemId, report.PictureNumber, report.Time) =
+                (2, number, rig.Only.Time - TimeSpan.FromSeconds(seconds));
             rig.Push(report);
             rig.Run(1);
         }
@@ -109,7 +110,16 @@ public class ForeignReportTests
         var nan = GeodeticPosition.FromRadians(double.NaN, 0, 0);
         rig.Push(new CameraObservation { SourceSystemId = 1, Number = 1000, TopLeft = nan });
         rig.Push(new CameraObservation { SourceSystemId = 1, Number = 1001, Time = TimeSpan.FromHours(99) });
-        rig.Push(new CameraObservation { SourceSystemId = 1, Number = 1002, TopLeft = Origin, TopRight = Origin, BottomLeft = Origin, BottomRight = Origin });
+        rig.Push(
+            new CameraObservation
+            {
+                SourceSystemId = 1,
+                Number = 1002,
+                TopLeft = Origin,
+                TopRight = Origin,
+                BottomLeft = Origin,
+                BottomRight = Origin
+            });
         rig.Run(2);
         Assert.Equal((2L, 0), (rig.Counters.ObservationsRefused, rig.Only.Misses));
     }
@@ -140,7 +150,8 @@ public class ForeignReportTests
     }
 
     private static string Describe(TargetTrack t)
-        => FormattableString.Invariant($"{t.Id} {t.State} {t.Position.Latitude.Radians:R} {t.Position.Longitude.Radians:R} {t.Covariance.NorthNorth:R} {t.Reports} {t.Misses}");
+        => FormattableString.Invariant(
+            $"{t.Id} {t.State} {t.Position.Latitude.Radians:R} {t.Position.Longitude.Radians:R} {t.Covariance.NorthNorth:R} {t.Reports} {t.Misses}");
 
     private static IEnumerable<TargetReport> HostileReports(TimeSpan now)
     {
@@ -153,7 +164,8 @@ public class ForeignReportTests
 
         TargetReport With(Func<TargetReport, TargetReport> change) => change(Valid());
         yield return With(r => { r.Position = GeodeticPosition.FromRadians(double.NaN, 0, 0); return r; });
-        yield return With(r => { r.Position = GeodeticPosition.FromRadians(0.8, double.PositiveInfinity, 0); return r; });
+        yield return With(
+            r => { r.Position = GeodeticPosition.FromRadians(0.8, double.PositiveInfinity, 0); return r; });
         yield return With(r => { r.Position = GeodeticPosition.FromRadians(9, 0, 0); return r; });
         yield return With(r => { r.Position = GeodeticPosition.FromRadians(0.8, 0.15, 1e9); return r; });
         yield return With(r => { r.Covariance = new HorizontalCovariance(double.NaN, 0, 1); return r; });

@@ -25,7 +25,10 @@ internal sealed class FusionRig : IDisposable
         var options = new SensorFusionOptions();
         change?.Invoke(options);
         Manager = new SensorFusionManager(options);
-        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), StopsOnSignals = false }) { Manager, _sentReports };
+        _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), StopsOnSignals = false })
+        {
+            Manager, _sentReports
+        };
         _reports = _reactor.Workspace.Send<TargetReport>(MessageNames.TargetReports);
         _observations = _reactor.Workspace.Send<CameraObservation>(MessageNames.CameraObservations);
         _tracks = _reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks);
@@ -63,16 +66,17 @@ internal sealed class FusionRig : IDisposable
     }
 
     public static TargetReport Report(
-        double north, double east, TargetClassName? targetClass = null, double sigma = 0.5, double common = 0.5) => new()
-        {
-            SourceSystemId = 1,
-            Position = LocalNedFrame.IgnoringGeoid(Origin).ToGeodetic(new NedPosition(north, east, 0)),
-            Covariance = new HorizontalCovariance(sigma * sigma, 0, sigma * sigma),
-            SystematicCovariance = new HorizontalCovariance(common * common, 0, common * common),
-            Class = targetClass ?? DefaultTargetClasses.Red,
-            Score = 0.9,
-            SizeMetres = 1,
-        };
+        double north, double east, TargetClassName? targetClass = null, double sigma = 0.5, double common = 0.5)
+            => new()
+            {
+                SourceSystemId = 1,
+                Position = LocalNedFrame.IgnoringGeoid(Origin).ToGeodetic(new NedPosition(north, east, 0)),
+                Covariance = new HorizontalCovariance(sigma * sigma, 0, sigma * sigma),
+                SystematicCovariance = new HorizontalCovariance(common * common, 0, common * common),
+                Class = targetClass ?? DefaultTargetClasses.Red,
+                Score = 0.9,
+                SizeMetres = 1,
+            };
 
     /// <summary>Where a track is, metres from the origin.</summary>
     public static NedPosition PlaceOf(TargetTrack track) => LocalNedFrame.IgnoringGeoid(Origin).ToNed(track.Position);
@@ -122,7 +126,8 @@ internal sealed class FusionRig : IDisposable
         private readonly QueueReceiver<Envelope<TargetReport>> _sentReports;
 
         public OutgoingReports()
-            : base("outgoing reports") => _sentReports = Receive<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
+            : base("outgoing reports")
+                => _sentReports = Receive<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
 
         public List<Envelope<TargetReport>> Items { get; } = [];
 

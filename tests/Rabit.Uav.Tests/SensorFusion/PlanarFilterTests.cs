@@ -9,7 +9,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Tests.SensorFusion;
 
-/// <summary>Against Stone Soup (tests/data/autonomy/tracking.json), and against itself where that has nothing to say.</summary>
+/// <summary>
+/// Against Stone Soup (tests/data/autonomy/tracking.json), and against itself where that has nothing to say.
+/// </summary>
 public class PlanarFilterTests(ITestOutputHelper output)
 {
     [Fact]
@@ -33,7 +35,9 @@ public class PlanarFilterTests(ITestOutputHelper output)
                 var covariance = new HorizontalCovariance(r[0], r[1], r[2]);
                 Innovation innovation = filter.Expect(z[0], z[1], covariance, 0);
                 AssertNear(Numbers(step, "nu"), [innovation.North, innovation.East]);
-                AssertNear(Numbers(step, "S"), [innovation.Covariance.NorthNorth, innovation.Covariance.NorthEast, innovation.Covariance.EastEast]);
+                AssertNear(Numbers(step, "S"), [
+                    innovation.Covariance.NorthNorth, innovation.Covariance.NorthEast, innovation.Covariance.EastEast
+                ]);
                 AssertNear([step.GetProperty("d2").GetDouble()], [innovation.DistanceSquared]);
                 AssertNear([step.GetProperty("cost_d2_plus_lndetS").GetDouble()], [innovation.Cost]);
                 filter.Update(z[0], z[1], covariance, 0);
@@ -85,7 +89,8 @@ public class PlanarFilterTests(ITestOutputHelper output)
         double sum = 0;
         for (int run = 0; run < Runs; run++)
         {
-            (double n, double e, double vn, double ve) = (random.Gauss(), random.Gauss(), random.Gauss(), random.Gauss());
+            (double n, double e, double vn, double ve) =
+                (random.Gauss(), random.Gauss(), random.Gauss(), random.Gauss());
             double sn = random.Uniform(0.5, 3);
             double se = random.Uniform(0.5, 3);
             var r = new HorizontalCovariance(sn * sn, 0, se * se);
@@ -130,7 +135,8 @@ public class PlanarFilterTests(ITestOutputHelper output)
         AssertNear(Numbers(step, p), Covariance(filter));
     }
 
-    private static double[] State(PlanarFilter filter) => [filter.North, filter.NorthRate, filter.East, filter.EastRate];
+    private static double[] State(PlanarFilter filter)
+        => [filter.North, filter.NorthRate, filter.East, filter.EastRate];
 
     private static double[] Covariance(PlanarFilter filter)
     {
@@ -144,7 +150,8 @@ public class PlanarFilterTests(ITestOutputHelper output)
         Assert.Equal(expected.Length, actual.Length);
         double size = expected.Max(Math.Abs);
         for (int i = 0; i < expected.Length; i++)
-            Assert.InRange(actual[i], expected[i] - (1e-9 * Math.Max(1, size)), expected[i] + (1e-9 * Math.Max(1, size)));
+            Assert.InRange(
+                actual[i], expected[i] - (1e-9 * Math.Max(1, size)), expected[i] + (1e-9 * Math.Max(1, size)));
     }
 
     private static double[] Numbers(JsonElement element, string name)

@@ -176,7 +176,9 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         for (int i = 0; i < 22; i++)
             rig.Observe(0, 0, Report(0, 0));
         Assert.InRange(rig.SentReports.Count, 9, 11);
-        Assert.All(rig.SentReports, m => Assert.Equal((0, 0, 1), (m.TargetSystemId, m.SourceSystemId, m.Content.SourceSystemId)));
+        Assert.All(
+            rig.SentReports,
+            m => Assert.Equal((0, 0, 1), (m.TargetSystemId, m.SourceSystemId, m.Content.SourceSystemId)));
     }
 
     [Fact]
@@ -219,7 +221,8 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
 
         List<TargetTrack> sure = rig.List.Confirmed.ToList();
         Assert.Equal(3, sure.Count);
-        Assert.All(targets, t => Assert.Single(sure, s => Math.Abs(PlaceOf(s).North - t.North) < 0.7 && Math.Abs(PlaceOf(s).East - t.East) < 0.7));
+        Assert.All(targets, t => Assert.Single(
+            sure, s => Math.Abs(PlaceOf(s).North - t.North) < 0.7 && Math.Abs(PlaceOf(s).East - t.East) < 0.7));
     }
 
     [Fact]
@@ -239,7 +242,9 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
             {
                 double sign = pass == 0 ? 1 : -1;
                 for (int i = 0; i < 8; i++)
-                    rig.Observe(0, 0, Report(gpsNorth + (sign * mount) + (0.5 * random.Gauss()), gpsEast + (0.5 * random.Gauss()), sigma: 0.5, common: 1.12));
+                    rig.Observe(0, 0, Report(
+                        gpsNorth + (sign * mount) + (0.5 * random.Gauss()), gpsEast + (0.5 * random.Gauss()),
+                        sigma: 0.5, common: 1.12));
                 rig.Run(30);
             }
 

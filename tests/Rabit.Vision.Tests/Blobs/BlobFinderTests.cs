@@ -20,10 +20,14 @@ public sealed class BlobFinderTests
         for (int n = 0; n < 200; n++)
         {
             (int width, int height) = (1 + random.Next(24), 1 + random.Next(24));
-            int[] classes = Enumerable.Range(0, width * height).Select(_ => Math.Max(0, random.Next(n % 5 + 2) - 1)).ToArray();
+            int[] classes = Enumerable.Range(0, width * height)
+                .Select(_ => Math.Max(0, random.Next(n % 5 + 2) - 1)).ToArray();
             Assert.True(finder.TryFind(Paint(classes), width, height, table));
-            IEnumerable<string> found = finder.Blobs.ToArray().Select(b => $"{b.Class}: {b.Left}-{b.Right} {b.Top}-{b.Bottom} {b.Pixels}");
-            Assert.Equal(Flooded(classes, width, height).OrderBy(s => s, StringComparer.Ordinal), found.OrderBy(s => s, StringComparer.Ordinal));
+            IEnumerable<string> found = finder.Blobs.ToArray()
+                .Select(b => $"{b.Class}: {b.Left}-{b.Right} {b.Top}-{b.Bottom} {b.Pixels}");
+            Assert.Equal(
+                Flooded(classes, width, height).OrderBy(s => s, StringComparer.Ordinal),
+                found.OrderBy(s => s, StringComparer.Ordinal));
         }
     }
 
@@ -98,7 +102,8 @@ public sealed class BlobFinderTests
                 }
             }
 
-            blobs.Add($"{colour}: {members.Min(m => m % width)}-{members.Max(m => m % width)} {members.Min(m => m / width)}-{members.Max(m => m / width)} {members.Count}");
+            blobs.Add($"{colour}: {members.Min(m => m % width)}-{members.Max(m => m % width)} "
+                + $"{members.Min(m => m / width)}-{members.Max(m => m / width)} {members.Count}");
         }
 
         return blobs;

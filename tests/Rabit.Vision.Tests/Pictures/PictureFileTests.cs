@@ -80,8 +80,12 @@ public sealed class PictureFileTests : IDisposable
     [Fact]
     public void Load_NothingThere_SaysSo()
     {
-        Assert.Contains("no such file", Assert.Throws<PictureException>(() => PictureFile.Load(_folder.File("none.png"))).Message, StringComparison.Ordinal);
-        Assert.Contains("folder", Assert.Throws<PictureException>(() => PictureFile.Load(_folder.Path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "no such file", Assert.Throws<PictureException>(() => PictureFile.Load(_folder.File("none.png"))).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "folder", Assert.Throws<PictureException>(() => PictureFile.Load(_folder.Path)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -89,7 +93,8 @@ public sealed class PictureFileTests : IDisposable
     {
         string path = _folder.File(Path.Combine("missing", "a.png"));
 
-        PictureException fault = Assert.Throws<PictureException>(() => PictureFile.Save(path, SamplePictures.Random(2, 2, seed: 1)));
+        PictureException fault = Assert.Throws<PictureException>(
+            () => PictureFile.Save(path, SamplePictures.Random(2, 2, seed: 1)));
 
         Assert.Contains("cannot be written", fault.Message, StringComparison.Ordinal);
     }
@@ -100,7 +105,8 @@ public sealed class PictureFileTests : IDisposable
         string path = Write("x.png", Convert.FromBase64String(SamplePictures.Rgb));
         byte[]? buffer = null;
 
-        PictureException fault = Assert.Throws<PictureException>(() => PictureFile.LoadInto(path, 4, 4, new byte[48], ref buffer));
+        PictureException fault = Assert.Throws<PictureException>(
+            () => PictureFile.LoadInto(path, 4, 4, new byte[48], ref buffer));
 
         Assert.Contains("4 x 5 pixels", fault.Message, StringComparison.Ordinal);
         Assert.Contains("4 x 4", fault.Message, StringComparison.Ordinal);

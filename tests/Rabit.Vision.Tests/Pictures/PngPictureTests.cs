@@ -49,7 +49,8 @@ public class PngPictureTests(ITestOutputHelper output)
     [InlineData(SamplePictures.Interlaced, "interlaced")]
     public void Decode_OtherKind_SaysWhy(string file, string reason)
     {
-        PictureException fault = Assert.Throws<PictureException>(() => PngPicture.Decode(Convert.FromBase64String(file), "f1.png"));
+        PictureException fault = Assert.Throws<PictureException>(
+            () => PngPicture.Decode(Convert.FromBase64String(file), "f1.png"));
 
         Assert.StartsWith("f1.png: ", fault.Message, StringComparison.Ordinal);
         Assert.Contains(reason, fault.Message, StringComparison.Ordinal);
@@ -88,7 +89,8 @@ public class PngPictureTests(ITestOutputHelper output)
         int refused = 0;
         for (int run = 0; run < 300; run++)
         {
-            // The checksum of the chunk is made to fit again: what is left is the packing, the filters and the sum of the pixels.
+            // The checksum of the chunk is made to fit again: what is left is the packing, the filters and the sum of
+            // the pixels.
             byte[] damaged = (byte[])file.Clone();
             int length = (int)PngPicture.GetNumber(damaged, 33);
             damaged[41 + random.Next(length)] ^= (byte)(1 + random.Next(255));

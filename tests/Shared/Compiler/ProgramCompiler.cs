@@ -26,16 +26,22 @@ internal sealed class ProgramCompiler(IReadOnlyList<string> usings, params Type[
         string globalUsings = string.Concat(usings.Select(name => $"global using {name};\n"));
         SyntaxTree[] trees = [Parse(globalUsings), Parse(program), .. others.Select(Parse)];
         var compilation = CSharpCompilation.Create(
-            "Documented", trees, _references, new CSharpCompilationOptions(OutputKind.ConsoleApplication, nullableContextOptions: NullableContextOptions.Enable));
+            "Documented", trees, _references,
+            new CSharpCompilationOptions(
+                OutputKind.ConsoleApplication, nullableContextOptions: NullableContextOptions.Enable));
         using var assembly = new MemoryStream();
-        return [.. compilation.Emit(assembly).Diagnostics.Where(diagnostic => diagnostic.Severity == DiagnosticSeverity.Error).Select(error => error.ToString())];
+        return [.. compilation.Emit(assembly).Diagnostics
+            .Where(diagnostic => diagnostic.Severity == DiagnosticSeverity.Error).Select(error => error.ToString())];
     }
 
-    private static SyntaxTree Parse(string text) => CSharpSyntaxTree.ParseText(text, new CSharpParseOptions(LanguageVersion.CSharp12));
+    private static SyntaxTree Parse(string text)
+        => CSharpSyntaxTree.ParseText(text, new CSharpParseOptions(LanguageVersion.CSharp12));
 
     private static IEnumerable<MetadataReference> ReferencesOf(Type[] assemblies) =>
         ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
-            .Where(path => Path.GetFileName(path).StartsWith("System.", StringComparison.Ordinal) || Path.GetFileName(path) is "netstandard.dll")
+            .Where(
+                path => Path.GetFileName(path).StartsWith("System.", StringComparison.Ordinal)
+                    || Path.GetFileName(path) is "netstandard.dll")
             .Concat(assemblies.Select(type => type.Assembly.Location))
             .Select(path => MetadataReference.CreateFromFile(path));
 }

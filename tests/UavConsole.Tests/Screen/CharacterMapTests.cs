@@ -48,8 +48,11 @@ public sealed class CharacterMapTests
         (int vehicleColumn, int vehicleRow) = Find(map, '→');
 
         Assert.True(redRow < vehicleRow && vehicleRow < blueRow && blueRow <= homeRow, string.Join("\n", map.Lines));
-        Assert.True(homeColumn < redColumn && redColumn < vehicleColumn && vehicleColumn < blueColumn, string.Join("\n", map.Lines));
-        Assert.Equal((MapInk.Red, MapInk.Vehicle), (map.InkAt(redColumn, redRow), map.InkAt(vehicleColumn, vehicleRow)));
+        Assert.True(
+            homeColumn < redColumn && redColumn < vehicleColumn && vehicleColumn < blueColumn,
+            string.Join("\n", map.Lines));
+        Assert.Equal(
+            (MapInk.Red, MapInk.Vehicle), (map.InkAt(redColumn, redRow), map.InkAt(vehicleColumn, vehicleRow)));
     }
 
     [Theory]
@@ -61,7 +64,9 @@ public sealed class CharacterMapTests
     [InlineData(double.NaN, '+')]
     public void Draw_Vehicle_PointsWhereItHeads(double degrees, char arrow)
     {
-        MapPicture map = CharacterMap.Draw(new MapModel { Vehicle = default(NedPosition), VehicleYawRadians = degrees * Angle.RadiansPerDegree }, 9, 5);
+        MapPicture map = CharacterMap.Draw(
+            new MapModel { Vehicle = default(NedPosition), VehicleYawRadians = degrees * Angle.RadiansPerDegree }, 9,
+            5);
 
         Assert.Contains(map.Lines, l => l.Contains(arrow));
     }
@@ -73,7 +78,12 @@ public sealed class CharacterMapTests
             new MapModel
             {
                 Area = Square.Area,
-                Tracks = [Track(DefaultTargetClasses.Yellow, 20, 20, TrackState.Tentative), Track(DefaultTargetClasses.Magenta, 50, 50), Track(DefaultTargetClasses.Red, 80, 80, TrackState.Lost)],
+                Tracks =
+                [
+                    Track(DefaultTargetClasses.Yellow, 20, 20, TrackState.Tentative),
+                    Track(DefaultTargetClasses.Magenta, 50, 50),
+                    Track(DefaultTargetClasses.Red, 80, 80, TrackState.Lost)
+                ],
             },
             40,
             20);
@@ -87,7 +97,13 @@ public sealed class CharacterMapTests
     public void Draw_Ellipse_IsShownOnceItIsLargerThanACharacter()
     {
         int Inked(double variance) => Ink(CharacterMap.Draw(
-            new MapModel { Area = Square.Area, Tracks = [Track(DefaultTargetClasses.Red, 50, 50, TrackState.Confirmed, variance)] }, 40, 20), MapInk.Ellipse);
+            new MapModel
+            {
+                Area = Square.Area,
+                Tracks = [Track(DefaultTargetClasses.Red, 50, 50, TrackState.Confirmed, variance)]
+            },
+            40, 20),
+                MapInk.Ellipse);
 
         Assert.Equal(0, Inked(0.5));
         Assert.InRange(Inked(50), 6, 60);
@@ -125,8 +141,16 @@ public sealed class CharacterMapTests
         Assert.Equal(CharacterMap.Draw(model, 60, 20).Lines, CharacterMap.Draw(model, 60, 20).Lines);
     }
 
-    private static MapTrack Track(TargetClassName colour, double north, double east, TrackState state = TrackState.Confirmed, double variance = 0.5)
-        => new(new NedPosition(north, east, 0), new TargetTrack { Id = 1, Class = colour, State = state, Covariance = new HorizontalCovariance(variance, 0, variance) });
+    private static MapTrack Track(
+        TargetClassName colour, double north, double east, TrackState state = TrackState.Confirmed,
+        double variance = 0.5)
+        => new(new NedPosition(north, east, 0), new TargetTrack
+        {
+            Id = 1,
+            Class = colour,
+            State = state,
+            Covariance = new HorizontalCovariance(variance, 0, variance)
+        });
 
     private static (int Column, int Row) Find(MapPicture map, char mark)
     {
@@ -136,5 +160,6 @@ public sealed class CharacterMapTests
     }
 
     private static int Ink(MapPicture map, MapInk ink)
-        => Enumerable.Range(0, map.Lines.Count).Sum(row => Enumerable.Range(0, map.Lines[row].Length).Count(column => map.InkAt(column, row) == ink));
+        => Enumerable.Range(0, map.Lines.Count)
+            .Sum(row => Enumerable.Range(0, map.Lines[row].Length).Count(column => map.InkAt(column, row) == ink));
 }

@@ -16,26 +16,36 @@ namespace UavConsole.Tests;
 /// <summary>The screen of a mission on a terminal of 80 by 24, without a terminal.</summary>
 public sealed class MissionViewTests(ITestOutputHelper output)
 {
-    private static readonly string[] ManagerNames = ["communications", "autopilot", "image processing", "sensor fusion", "mission control", "health", "simulated vehicle"];
+    private static readonly string[] ManagerNames =
+    [
+        "communications", "autopilot", "image processing", "sensor fusion", "mission control", "health",
+        "simulated vehicle"
+    ];
 
     private readonly List<Action> _posts = [];
 
     [Fact]
     public void Draw_InTheMiddleOfASearch_FitsAndShowsAll()
     {
-        string[] lines = Draw("lane 2 of 4", DefaultTargetClasses.Red).Split('\n').Select(l => l.TrimEnd('\r', ' ')).ToArray();
+        string[] lines = Draw("lane 2 of 4", DefaultTargetClasses.Red).Split('\n')
+            .Select(l => l.TrimEnd('\r', ' ')).ToArray();
 
         Assert.InRange(lines.Count(l => l.Length > 0), 20, 24);
         Assert.All(lines, l => Assert.InRange(l.Length, 0, 80));
         string all = string.Join("\n", lines);
-        foreach (string expected in new[] { "search of a meadow", "searching", "lane 2 of 4", "62.0%", "1 of 4 flown", "1 confirmed", "1 red ±2.4 m", "GUIDED, armed", "87%", "Good", "H", "R", "sensor fusion", "Ended, 3 runs" })
+        foreach (string expected in new[]
+        {
+            "search of a meadow", "searching", "lane 2 of 4", "62.0%", "1 of 4 flown", "1 confirmed", "1 red ±2.4 m",
+            "GUIDED, armed", "87%", "Good", "H", "R", "sensor fusion", "Ended, 3 runs"
+        })
             Assert.Contains(expected, all);
     }
 
     [Fact]
     public void Draw_HostileTexts_ShowsThemAsTheyAre()
     {
-        string drawn = Draw("[red]a[/] [[b\u001b[2J\nc \u0007 and so on, far longer than there is room", DefaultTargetClasses.Red);
+        string drawn = Draw(
+            "[red]a[/] [[b\u001b[2J\nc \u0007 and so on, far longer than there is room", DefaultTargetClasses.Red);
 
         Assert.Contains("[red]a[/] [[b.[2J.c", drawn);
         Assert.DoesNotContain(drawn, c => char.IsControl(c) && c != '\n' && c != '\r');
@@ -45,7 +55,8 @@ public sealed class MissionViewTests(ITestOutputHelper output)
     private string Draw(string missionText, TargetClassName colour)
     {
         var notes = new RunLog();
-        var reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), Log = notes.Add, StopsOnSignals = false });
+        var reactor = new RabitReactor(
+            new ReactorOptions { Time = new VirtualTime(1), Log = notes.Add, StopsOnSignals = false });
         foreach (string name in ManagerNames)
             reactor.Add(new IdleManager(name));
         var recorder = new FlightRecorderManager(new FlightRecorderOptions { ManagerNames = ManagerNames });
@@ -78,7 +89,9 @@ public sealed class MissionViewTests(ITestOutputHelper output)
 
     private void Post<T>(RabitWorkspace workspace, string name, T value)
     {
-        MessagePublisher<T> publisher = value is TrackList ? workspace.Publish(name, value) : workspace.Publish<T>(name);
+        MessagePublisher<T> publisher = value is TrackList
+            ? workspace.Publish(name, value)
+            : workspace.Publish<T>(name);
         _posts.Add(() =>
         {
             publisher.Value = value;

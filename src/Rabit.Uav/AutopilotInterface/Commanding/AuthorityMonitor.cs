@@ -4,12 +4,13 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Knows who commands. Once we do, the mode of every heartbeat must be one that we asked for; any other one is the pilot's or the
-/// autopilot's, and takes the command away for the rest of the run. No I/O, one thread.
+/// Knows who commands. Once we do, the mode of every heartbeat must be one that we asked for; any other one is the
+/// pilot's or the autopilot's, and takes the command away for the rest of the run. No I/O, one thread.
 /// </summary>
 /// <remarks>
-/// A heartbeat may have been on its way while we asked: the mode before is no takeover until the grace is over. A mode that we asked for
-/// stays ours also when its acknowledgement was lost, until a heartbeat after the grace shows that the autopilot did not take it.
+/// A heartbeat may have been on its way while we asked: the mode before is no takeover until the grace is over. A mode
+/// that we asked for stays ours also when its acknowledgement was lost, until a heartbeat after the grace shows that
+/// the autopilot did not take it.
 /// </remarks>
 internal sealed class AuthorityMonitor(bool mayCommand)
 {
@@ -22,7 +23,10 @@ internal sealed class AuthorityMonitor(bool mayCommand)
     private readonly (uint Mode, TimeSpan Until)[] _before = new (uint, TimeSpan)[Remembered];
     private int _askedCount;
     private int _nextBefore;
-    private CommandAuthority _authority = new() { State = mayCommand ? CommandAuthorityState.Free : CommandAuthorityState.Observing };
+    private CommandAuthority _authority = new()
+    {
+        State = mayCommand ? CommandAuthorityState.Free : CommandAuthorityState.Observing
+    };
     private uint _mode;
 
     public ref readonly CommandAuthority Authority => ref _authority;
@@ -98,7 +102,10 @@ internal sealed class AuthorityMonitor(bool mayCommand)
         return true;
     }
 
-    /// <summary>The autopilot has rebooted: on the ground nothing is lost but what we asked for, in flight it is no longer our flight.</summary>
+    /// <summary>
+    /// The autopilot has rebooted: on the ground nothing is lost but what we asked for, in flight it is no longer our
+    /// flight.
+    /// </summary>
     /// <returns>True where it takes the command away, now.</returns>
     public bool TakeReboot(bool inFlight, TimeSpan time)
     {

@@ -14,13 +14,15 @@ internal static class CommandCheck
     /// <summary>What is wrong, by the name of the property; null where nothing is.</summary>
     public static string? FindFault(in VehicleCommand command) => command.Kind switch
     {
-        VehicleCommandKind.GoTo => FaultOfPlace(command) ?? FaultOfHeight(command) ?? FaultOfSpeed(command) ?? FaultOfYaw(command),
+        VehicleCommandKind.GoTo =>
+            FaultOfPlace(command) ?? FaultOfHeight(command) ?? FaultOfSpeed(command) ?? FaultOfYaw(command),
         VehicleCommandKind.TakeOff => FaultOfHeight(command),
         VehicleCommandKind.Velocity => FaultOfVelocity(command) ?? FaultOfYaw(command),
         VehicleCommandKind.SetMode => string.IsNullOrEmpty(command.Mode) ? "Mode is empty" : null,
         VehicleCommandKind.PointCamera => FaultOfAngle(nameof(command.CameraPitch), command.CameraPitch, 180)
             ?? FaultOfAngle(nameof(command.CameraYaw), command.CameraYaw, 360),
-        VehicleCommandKind.Arm or VehicleCommandKind.Disarm or VehicleCommandKind.Hold or VehicleCommandKind.Return or VehicleCommandKind.Land
+        VehicleCommandKind.Arm or VehicleCommandKind.Disarm or VehicleCommandKind.Hold or VehicleCommandKind.Return
+            or VehicleCommandKind.Land
             => null,
         _ => FormattableString.Invariant($"Kind is {(int)command.Kind}, which is no command"),
     };
@@ -36,9 +38,11 @@ internal static class CommandCheck
             : null;
     }
 
-    private static string? FaultOfHeight(in VehicleCommand command) => command.HeightAboveHomeMetres is > 0 and <= HighestMetres
-        ? null
-        : FormattableString.Invariant($"HeightAboveHomeMetres is {command.HeightAboveHomeMetres}; it must be above 0 and at most {HighestMetres}");
+    private static string? FaultOfHeight(in VehicleCommand command)
+        => command.HeightAboveHomeMetres is > 0 and <= HighestMetres
+            ? null
+            : FormattableString.Invariant(
+                $"HeightAboveHomeMetres is {command.HeightAboveHomeMetres}; it must be above 0 and at most {HighestMetres}");
 
     private static string? FaultOfSpeed(in VehicleCommand command)
         => double.IsNaN(command.SpeedMetresPerSecond) || command.SpeedMetresPerSecond is > 0 and <= MaxMetresPerSecond
@@ -57,7 +61,8 @@ internal static class CommandCheck
         double speed = Math.Sqrt((north * north) + (east * east) + (down * down));
         return speed <= MaxMetresPerSecond
             ? null
-            : FormattableString.Invariant($"VelocityNed is ({north}, {east}, {down}); it must be at most {MaxMetresPerSecond} m/s");
+            : FormattableString.Invariant(
+                $"VelocityNed is ({north}, {east}, {down}); it must be at most {MaxMetresPerSecond} m/s");
     }
 
     private static string? FaultOfAngle(string name, Angle angle, double maxDegrees)

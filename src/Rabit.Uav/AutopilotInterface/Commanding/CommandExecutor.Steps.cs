@@ -87,7 +87,8 @@ internal sealed partial class CommandExecutor
     {
         if (outcome.Result is not { } result)
         {
-            Finish(VehicleCommandOutcome.TimedOut, $"no answer to {step.Request.Command}, sent {outcome.Sent} times", now);
+            Finish(
+                VehicleCommandOutcome.TimedOut, $"no answer to {step.Request.Command}, sent {outcome.Sent} times", now);
             return false;
         }
 
@@ -159,5 +160,6 @@ internal sealed partial class CommandExecutor
         Finish(VehicleCommandOutcome.Accepted, text: null, now);
     }
 
-    private static bool IsInTheAir(in VehicleState vehicle) => vehicle.LandedState is MavLandedState.Takeoff or MavLandedState.InAir;
+    private static bool IsInTheAir(in VehicleState vehicle)
+        => vehicle.LandedState is MavLandedState.Takeoff or MavLandedState.InAir;
 }

@@ -7,20 +7,23 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Carries out vehicle commands, one at a time: step by step, each acknowledged, a mode also shown by a heartbeat. Exactly one answer for
-/// each. It sends nothing unless we command, and nothing more once the command is taken away. A state machine: time, commands and frames
-/// come in; frames and answers go out by its <see cref="Outbox"/>.
+/// Carries out vehicle commands, one at a time: step by step, each acknowledged, a mode also shown by a heartbeat.
+/// Exactly one answer for each. It sends nothing unless we command, and nothing more once the command is taken away. A
+/// state machine: time, commands and frames come in; frames and answers go out by its <see cref="Outbox"/>.
 /// </summary>
 internal sealed partial class CommandExecutor(bool mayCommand)
 {
-    /// <summary>How long a heartbeat may take to show a mode whose command was accepted: three at 1 Hz, two of them lost.</summary>
+    /// <summary>
+    /// How long a heartbeat may take to show a mode whose command was accepted: three at 1 Hz, two of them lost.
+    /// </summary>
     public static readonly TimeSpan ModeTimeout = TimeSpan.FromSeconds(3.5);
 
     /// <summary>How long a text that says why may come after a refusal.</summary>
     public static readonly TimeSpan ReasonWait = TimeSpan.FromSeconds(0.3);
 
-    // Modes, places and the like may be done twice, so that what is not answered is sent again. On the wire between autopilot and companion nothing is
-    // doubled, so that what was answered need not be waited for: a command to hold goes out at once.
+    // Modes, places and the like may be done twice, so that what is not answered is sent again. On the wire between
+    // autopilot and companion nothing is doubled, so that what was answered need not be waited for: a command to hold
+    // goes out at once.
     private static readonly MavlinkCommandOptions ExchangeOptions = new()
     {
         Rejections = 5,
@@ -31,7 +34,8 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     };
 
     /// <summary>How long to wait for any message of an autopilot: as long as for its answers.</summary>
-    public static readonly TimeSpan AutopilotWait = new(ExchangeOptions.AnswerTimeout.Ticks * (1 + ExchangeOptions.Retries));
+    public static readonly TimeSpan AutopilotWait = new(
+        ExchangeOptions.AnswerTimeout.Ticks * (1 + ExchangeOptions.Retries));
 
     private readonly AuthorityMonitor _guard = new(mayCommand);
     private readonly VelocityStream _velocity = new();
@@ -118,7 +122,9 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     public void TakeAcknowledgement(in MavlinkFrame frame, in CommandAck acknowledgement, TimeSpan now)
         => _client?.Handle(frame, acknowledgement, now);
 
-    /// <summary>Takes a text of the vehicle: the newest one that came with a refusal, and is no mere information, is its reason.</summary>
+    /// <summary>
+    /// Takes a text of the vehicle: the newest one that came with a refusal, and is no mere information, is its reason.
+    /// </summary>
     public void TakeText(MavSeverity severity, string text)
     {
         if (_phase != ExecutorPhase.Idle && severity <= MavSeverity.Warning)
@@ -200,7 +206,8 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     }
 
     private void Answer(in VehicleCommand command, VehicleCommandOutcome outcome, string? text)
-        => Outbox.Answers.Enqueue(new VehicleCommandResult { Id = command.Id, Kind = command.Kind, Outcome = outcome, Text = text });
+        => Outbox.Answers.Enqueue(
+            new VehicleCommandResult { Id = command.Id, Kind = command.Kind, Outcome = outcome, Text = text });
 
     private string NotInCommandText() => _guard.Authority.State == CommandAuthorityState.Observing
         ? "observing only"

@@ -9,10 +9,11 @@ namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>ArduPilot's Copter: targets in GUIDED, take-off height above home, a place by DO_REPOSITION.</summary>
 /// <remarks>
-/// A place goes out as DO_REPOSITION in a COMMAND_INT and not as SET_POSITION_TARGET_GLOBAL_INT: that one has no acknowledgement and is silently
-/// ignored outside GUIDED, so that "accepted" would be a guess. It never carries the flag that changes the mode: were the pilot to take
-/// over while it is on its way, it must be refused and not win. A position target stays in force until the next one, so that nothing is repeated.
-/// Speed and heading follow the place, since Copter starts with its own when it begins to fly to places; each has an acknowledgement of its own.
+/// A place goes out as DO_REPOSITION in a COMMAND_INT and not as SET_POSITION_TARGET_GLOBAL_INT: that one has no
+/// acknowledgement and is silently ignored outside GUIDED, so that "accepted" would be a guess. It never carries the
+/// flag that changes the mode: were the pilot to take over while it is on its way, it must be refused and not win. A
+/// position target stays in force until the next one, so that nothing is repeated. Speed and heading follow the place,
+/// since Copter starts with its own when it begins to fly to places; each has an acknowledgement of its own.
 /// </remarks>
 internal sealed class CopterProfile : VehicleProfile
 {
@@ -35,7 +36,8 @@ internal sealed class CopterProfile : VehicleProfile
 
     private protected override (float Mode, float SubMode) ModeParameters(uint mode) => (mode, 0);
 
-    private protected override string? PlanFlight(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    private protected override string? PlanFlight(
+        in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
     {
         VehicleState vehicle = context.Vehicle;
         EnsureCommandedMode(vehicle, steps);
@@ -44,7 +46,11 @@ internal sealed class CopterProfile : VehicleProfile
             case VehicleCommandKind.TakeOff:
                 steps.Add(new CommandStep
                 {
-                    Request = new MavlinkCommand { Command = MavCmd.NavTakeoff, Z = (float)command.HeightAboveHomeMetres },
+                    Request = new MavlinkCommand
+                    {
+                        Command = MavCmd.NavTakeoff,
+                        Z = (float)command.HeightAboveHomeMetres
+                    },
                     IsDoneInTheAir = true,
                 });
                 return null;
@@ -58,7 +64,10 @@ internal sealed class CopterProfile : VehicleProfile
                 return "where the vehicle is is not known";
             case VehicleCommandKind.Hold:
                 GeodeticPosition here = StoppingPoint(vehicle);
-                steps.Add(Reposition(MavFrame.GlobalRelativeAltInt, here.Latitude.Radians, here.Longitude.Radians, vehicle.HeightAboveHomeMetres, Plain));
+                steps.Add(
+                    Reposition(
+                        MavFrame.GlobalRelativeAltInt, here.Latitude.Radians, here.Longitude.Radians,
+                        vehicle.HeightAboveHomeMetres, Plain));
                 return null;
             default:
                 return $"{command.Kind} is not known";
@@ -69,7 +78,10 @@ internal sealed class CopterProfile : VehicleProfile
     {
         double speed = command.SpeedMetresPerSecond;
         Angle yaw = command.Yaw;
-        steps.Add(Reposition(MavFrame.GlobalRelativeAltInt, command.Latitude.Radians, command.Longitude.Radians, command.HeightAboveHomeMetres, command));
+        steps.Add(
+            Reposition(
+                MavFrame.GlobalRelativeAltInt, command.Latitude.Radians, command.Longitude.Radians,
+                command.HeightAboveHomeMetres, command));
         if (!double.IsNaN(speed) && !speed.Equals(context.LastSpeedMetresPerSecond))
             steps.Add(Long(MavCmd.DoChangeSpeed, GroundSpeed, speed, NoThrottle));
         if (yaw.IsFinite)

@@ -6,10 +6,12 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
 
-/// <summary>PX4: places in AUTO.LOITER by DO_REPOSITION, altitudes above mean sea level, modes by main and sub number.</summary>
+/// <summary>
+/// PX4: places in AUTO.LOITER by DO_REPOSITION, altitudes above mean sea level, modes by main and sub number.
+/// </summary>
 /// <remarks>
-/// PX4 takes DO_REPOSITION only with the flag that changes the mode. A pilot who takes over while one is on its way may have to do it again.
-/// Velocities need OFFBOARD, whose stream must run before the mode is taken: not done yet.
+/// PX4 takes DO_REPOSITION only with the flag that changes the mode. A pilot who takes over while one is on its way may
+/// have to do it again. Velocities need OFFBOARD, whose stream must run before the mode is taken: not done yet.
 /// </remarks>
 internal sealed class Px4Profile : VehicleProfile
 {
@@ -32,9 +34,11 @@ internal sealed class Px4Profile : VehicleProfile
 
     public override uint? ModeOf(MavType vehicle, string name) => Px4Modes.NumberOf(name);
 
-    private protected override (float Mode, float SubMode) ModeParameters(uint mode) => ((byte)(mode >> 16), (byte)(mode >> 24));
+    private protected override (float Mode, float SubMode) ModeParameters(uint mode)
+        => ((byte)(mode >> 16), (byte)(mode >> 24));
 
-    private protected override string? PlanFlight(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    private protected override string? PlanFlight(
+        in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
     {
         if (command.Kind == VehicleCommandKind.Velocity)
             return "velocities are not supported on PX4 yet";
@@ -49,7 +53,10 @@ internal sealed class Px4Profile : VehicleProfile
                 return null;
             case VehicleCommandKind.GoTo:
                 EnsureCommandedMode(vehicle, steps);
-                steps.Add(Reposition(command.Latitude.Radians, command.Longitude.Radians, homeAmsl + command.HeightAboveHomeMetres, command));
+                steps.Add(
+                    Reposition(
+                        command.Latitude.Radians, command.Longitude.Radians, homeAmsl + command.HeightAboveHomeMetres,
+                        command));
                 return null;
             case VehicleCommandKind.Hold:
                 // The mode alone would let it fly on to the last place.
@@ -77,9 +84,11 @@ internal sealed class Px4Profile : VehicleProfile
         IsDoneInTheAir = true,
     };
 
-    private CommandStep Reposition(double latitudeRadians, double longitudeRadians, double altitudeAmslMetres, in VehicleCommand command)
+    private CommandStep Reposition(
+        double latitudeRadians, double longitudeRadians, double altitudeAmslMetres, in VehicleCommand command)
     {
-        CommandStep step = Reposition(MavFrame.Global, latitudeRadians, longitudeRadians, altitudeAmslMetres, command, ChangesMode);
+        CommandStep step = Reposition(
+            MavFrame.Global, latitudeRadians, longitudeRadians, altitudeAmslMetres, command, ChangesMode);
         step.Mode = CommandedMode;
         return step;
     }

@@ -15,7 +15,8 @@ internal abstract class VehicleProfile
 
     private const double DegE7PerRadian = 1e7 / Angle.RadiansPerDegree;
 
-    // What both makes brake with by default: ArduCopter WPNAV_ACCEL 2.5 m/s2, PX4 MPC_ACC_HOR 3 m/s2; the weaker overshoots less.
+    // What both makes brake with by default: ArduCopter WPNAV_ACCEL 2.5 m/s2, PX4 MPC_ACC_HOR 3 m/s2; the weaker
+    // overshoots less.
     private const double BrakingMetresPerSecond2 = 2.5;
 
     /// <summary>The mode in which it takes targets from us.</summary>
@@ -87,37 +88,54 @@ internal abstract class VehicleProfile
 
     /// <summary>The steps of what moves the vehicle: taking off, going to a place, holding, velocities.</summary>
     /// <returns>Why it is not possible; null where it is.</returns>
-    private protected abstract string? PlanFlight(in VehicleCommand command, in CommandContext context, List<CommandStep> steps);
+    private protected abstract string? PlanFlight(
+        in VehicleCommand command, in CommandContext context, List<CommandStep> steps);
 
     /// <summary>The custom mode as the parameters 2 and 3 of MAV_CMD_DO_SET_MODE.</summary>
     private protected abstract (float Mode, float SubMode) ModeParameters(uint mode);
 
-    private protected static CommandStep Long(MavCmd command, double param1 = 0, double param2 = 0, double param3 = 0) => new()
-    {
-        Request = new MavlinkCommand { Command = command, Param1 = (float)param1, Param2 = (float)param2, Param3 = (float)param3 },
-    };
-
-    /// <summary>A place, as COMMAND_INT and nothing else: without its frame an autopilot would guess what the height counts from.</summary>
-    private protected static CommandStep Reposition(
-        MavFrame frame, double latitudeRadians, double longitudeRadians, double heightMetres, in VehicleCommand command, float flags = 0) => new()
+    private protected static CommandStep Long(MavCmd command, double param1 = 0, double param2 = 0, double param3 = 0)
+        => new()
         {
             Request = new MavlinkCommand
             {
-                Command = MavCmd.DoReposition,
-                Forms = MavlinkCommandForms.IntOnly,
-                HasLocation = true,
-                Frame = frame,
-                Param1 = double.IsNaN(command.SpeedMetresPerSecond) ? -1 : (float)command.SpeedMetresPerSecond,
-                Param2 = flags,
-                Param4 = (float)command.Yaw.Radians,
-                X = DegE7(latitudeRadians),
-                Y = DegE7(longitudeRadians),
-                Z = (float)heightMetres,
+                Command = command,
+                Param1 = (float)param1,
+                Param2 = (float)param2,
+                Param3 = (float)param3
             },
         };
 
+    /// <summary>
+    /// A place, as COMMAND_INT and nothing else: without its frame an autopilot would guess what the height counts
+    /// from.
+    /// </summary>
+    private protected static CommandStep Reposition(
+        MavFrame frame, double latitudeRadians, double longitudeRadians, double heightMetres, in VehicleCommand command,
+        float flags = 0)
+            => new()
+            {
+                Request = new MavlinkCommand
+                {
+                    Command = MavCmd.DoReposition,
+                    Forms = MavlinkCommandForms.IntOnly,
+                    HasLocation = true,
+                    Frame = frame,
+                    Param1 = double.IsNaN(command.SpeedMetresPerSecond) ? -1 : (float)command.SpeedMetresPerSecond,
+                    Param2 = flags,
+                    Param4 = (float)command.Yaw.Radians,
+                    X = DegE7(latitudeRadians),
+                    Y = DegE7(longitudeRadians),
+                    Z = (float)heightMetres,
+                },
+            };
+
     // Where the speed and the heading are left to the vehicle.
-    private protected static VehicleCommand Plain { get; } = new() { SpeedMetresPerSecond = double.NaN, Yaw = Angle.NaN };
+    private protected static VehicleCommand Plain { get; } = new()
+    {
+        SpeedMetresPerSecond = double.NaN,
+        Yaw = Angle.NaN
+    };
 
     private static CommandStep Arm(bool arms) => Long(MavCmd.ComponentArmDisarm, arms ? 1 : 0);
 
@@ -130,7 +148,10 @@ internal abstract class VehicleProfile
         return step;
     }
 
-    /// <summary>Without flags the angles are against the body; rates are left to the gimbal (MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW).</summary>
+    /// <summary>
+    /// Without flags the angles are against the body; rates are left to the gimbal
+    /// (MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW).
+    /// </summary>
     private static CommandStep PointCamera(in VehicleCommand command) => new()
     {
         Request = new MavlinkCommand
@@ -151,7 +172,8 @@ internal abstract class VehicleProfile
         NedVector v = vehicle.VelocityNed;
         double speed = Math.Sqrt((v.North * v.North) + (v.East * v.East));
         double seconds = speed / (2 * BrakingMetresPerSecond2);
-        return LocalNedFrame.IgnoringGeoid(vehicle.Position).ToGeodetic(new NedPosition(v.North * seconds, v.East * seconds, 0));
+        return LocalNedFrame.IgnoringGeoid(vehicle.Position)
+            .ToGeodetic(new NedPosition(v.North * seconds, v.East * seconds, 0));
     }
 
     /// <summary>The steps of a command for a mode by name.</summary>

@@ -6,8 +6,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Repeats the velocity that Mission Control commands, five times a second: ArduPilot forgets it after 3 s (GUID_TIMEOUT). Mission Control must
-/// repeat it too: after 1.5 s without one the stream stops. A state machine: time comes in, set-points go out.
+/// Repeats the velocity that Mission Control commands, five times a second: ArduPilot forgets it after 3 s
+/// (GUID_TIMEOUT). Mission Control must repeat it too: after 1.5 s without one the stream stops. A state machine: time
+/// comes in, set-points go out.
 /// </summary>
 internal sealed class VelocityStream
 {
@@ -17,7 +18,8 @@ internal sealed class VelocityStream
     public static readonly TimeSpan DeadManTimeout = TimeSpan.FromSeconds(1.5);
 
     private const PositionTargetTypemask VelocityOnly = PositionTargetTypemask.XIgnore | PositionTargetTypemask.YIgnore
-        | PositionTargetTypemask.ZIgnore | PositionTargetTypemask.AxIgnore | PositionTargetTypemask.AyIgnore | PositionTargetTypemask.AzIgnore
+        | PositionTargetTypemask.ZIgnore | PositionTargetTypemask.AxIgnore | PositionTargetTypemask.AyIgnore
+        | PositionTargetTypemask.AzIgnore
         | PositionTargetTypemask.YawRateIgnore;
 
     private VehicleCommand _command;

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Estimates how far our clock is ahead of the autopilot's by when its messages come in: the quickest of the last 10 to 20 seconds.
-/// Late by the shortest delay of the link, which it cannot see. No I/O, one thread.
+/// Estimates how far our clock is ahead of the autopilot's by when its messages come in: the quickest of the last 10 to
+/// 20 seconds. Late by the shortest delay of the link, which it cannot see. No I/O, one thread.
 /// </summary>
 internal sealed class ArrivalFilter
 {

@@ -5,8 +5,8 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Time synchronization: maps the autopilot's time since boot to our clock, by its answers to TIMESYNC, and where there are none, by
-/// when its messages come in. No I/O, one thread, allocates nothing.
+/// Time synchronization: maps the autopilot's time since boot to our clock, by its answers to TIMESYNC, and where there
+/// are none, by when its messages come in. No I/O, one thread, allocates nothing.
 /// </summary>
 internal sealed class AutopilotClock
 {
@@ -60,7 +60,10 @@ internal sealed class AutopilotClock
     }
 
     private TimeSpan ByTimesync(TimeSpan theirs, TimeSpan arrival)
-        => new((long)Math.Round((UnwrappedSeconds(theirs, arrival) - _timesync.OffsetSecondsAt(arrival.TotalSeconds)) * TimeSpan.TicksPerSecond));
+        => new(
+            (long)Math.Round(
+                (UnwrappedSeconds(theirs, arrival) - _timesync.OffsetSecondsAt(arrival.TotalSeconds))
+                    * TimeSpan.TicksPerSecond));
 
     // The answers' clock has 64 bits.
     private double UnwrappedSeconds(TimeSpan theirs, TimeSpan arrival)

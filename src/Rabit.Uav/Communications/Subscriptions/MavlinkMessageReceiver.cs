@@ -7,11 +7,13 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Receives the messages of one type from the queue of a <see cref="MavlinkSubscription"/>. Belongs to the manager whose queue it is; allocates
-/// nothing per message.
+/// Receives the messages of one type from the queue of a <see cref="MavlinkSubscription"/>. Belongs to the manager
+/// whose queue it is; allocates nothing per message.
 /// </summary>
 /// <typeparam name="T">A generated message, of our dialects or of yours.</typeparam>
-/// <param name="queue">The queue; the subscription should name this message alone, since other frames in it are passed over.</param>
+/// <param name="queue">
+/// The queue; the subscription should name this message alone, since other frames in it are passed over.
+/// </param>
 /// <exception cref="ArgumentNullException">No queue.</exception>
 public sealed class MavlinkMessageReceiver<T>(QueueReceiver<LinkFrame> queue)
     where T : struct, IMavlinkMessage
@@ -26,7 +28,9 @@ public sealed class MavlinkMessageReceiver<T>(QueueReceiver<LinkFrame> queue)
     /// <param name="message">The message; <c>default</c> where there is none.</param>
     /// <param name="frame">Its frame: source, link and time.</param>
     /// <returns>False when the queue is empty.</returns>
-    /// <exception cref="InvalidOperationException">The manager is not the one that runs on this thread, or nothing is wired yet.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The manager is not the one that runs on this thread, or nothing is wired yet.
+    /// </exception>
     public bool TryPop(out T message, out LinkFrame frame)
     {
         while (_queue.TryPop(out frame))

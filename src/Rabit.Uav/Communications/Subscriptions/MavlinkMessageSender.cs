@@ -7,13 +7,16 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Sends messages of a manager, from our own system and a component of it: Communications numbers, signs and routes them. Belongs to the manager
-/// whose queue and message it is given; allocates nothing per message.
+/// Sends messages of a manager, from our own system and a component of it: Communications numbers, signs and routes
+/// them. Belongs to the manager whose queue and message it is given; allocates nothing per message.
 /// </summary>
 /// <example>
 /// In a manager that is a gimbal, component 154:
 /// <code>
-/// _sender = new MavlinkMessageSender(Send&lt;OutgoingFrame&gt;(MessageNames.OutgoingFrames), Subscribe&lt;OwnAddress&gt;(MessageNames.OwnAddress), 154);
+/// _sender = new MavlinkMessageSender(
+///     Send&lt;OutgoingFrame&gt;(MessageNames.OutgoingFrames),
+///     Subscribe&lt;OwnAddress&gt;(MessageNames.OwnAddress),
+///     componentId: 154);
 /// ...
 /// _sender.TrySend(new Heartbeat { Type = MavType.Gimbal, Autopilot = MavAutopilot.Invalid, MavlinkVersion = 3 });
 /// </code>
@@ -27,29 +30,41 @@ public sealed class MavlinkMessageSender
 
     /// <summary>Makes the sender.</summary>
     /// <param name="outgoing">The manager's end of <see cref="MessageNames.OutgoingFrames"/>.</param>
-    /// <param name="ownAddress">The manager's end of <see cref="MessageNames.OwnAddress"/>, from which our system id comes.</param>
+    /// <param name="ownAddress">
+    /// The manager's end of <see cref="MessageNames.OwnAddress"/>, from which our system id comes.
+    /// </param>
     /// <param name="componentId">The component that sends, 1 to 255; null for the one that this computer is.</param>
     /// <exception cref="ArgumentNullException">An end is missing.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The component is 0.</exception>
-    public MavlinkMessageSender(QueueSender<OutgoingFrame> outgoing, MessageSubscriber<OwnAddress> ownAddress, byte? componentId = null)
+    public MavlinkMessageSender(
+        QueueSender<OutgoingFrame> outgoing, MessageSubscriber<OwnAddress> ownAddress, byte? componentId = null)
     {
         _outgoing = outgoing ?? throw new ArgumentNullException(nameof(outgoing));
         _ownAddress = ownAddress ?? throw new ArgumentNullException(nameof(ownAddress));
         if (componentId == 0)
-            throw new ArgumentOutOfRangeException(nameof(componentId), componentId, "0 means every component; a sender is 1 to 255.");
+            throw new ArgumentOutOfRangeException(
+                nameof(componentId), componentId, "0 means every component; a sender is 1 to 255.");
         _componentId = componentId;
     }
 
-    /// <summary>Messages that were not sent, because our system id was not known yet or the queue was full. Any thread.</summary>
+    /// <summary>
+    /// Messages that were not sent, because our system id was not known yet or the queue was full. Any thread.
+    /// </summary>
     public long NotSent => Interlocked.Read(ref _notSent);
 
-    /// <summary>Sends a message to the system and component that its target fields name, or to all links where it has none. Never waits. The manager's thread only.</summary>
+    /// <summary>
+    /// Sends a message to the system and component that its target fields name, or to all links where it has none.
+    /// Never waits. The manager's thread only.
+    /// </summary>
     /// <typeparam name="T">A generated message; <see cref="CommunicationsOptions.Dialect"/> must have it.</typeparam>
     /// <param name="message">The fields.</param>
     /// <returns>
-    /// False where it was not sent: our system id, which is that of the vehicle, is not known yet, or the queue rejected it.
+    /// False where it was not sent: our system id, which is that of the vehicle, is not known yet, or the queue
+    /// rejected it.
     /// </returns>
-    /// <exception cref="InvalidOperationException">The manager is not the one that runs on this thread, or nothing is wired yet.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The manager is not the one that runs on this thread, or nothing is wired yet.
+    /// </exception>
     public bool TrySend<T>(in T message)
         where T : struct, IMavlinkMessage
     {

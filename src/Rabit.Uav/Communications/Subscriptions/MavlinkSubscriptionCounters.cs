@@ -16,6 +16,8 @@ public readonly struct MavlinkSubscriptionCounters
     /// <summary>Frames that were put into the queue and not dropped for newer ones since.</summary>
     public long Delivered { get; }
 
-    /// <summary>Frames that were dropped, since the queue was full: the newest or the oldest, by the rule of the queue.</summary>
+    /// <summary>
+    /// Frames that were dropped, since the queue was full: the newest or the oldest, by the rule of the queue.
+    /// </summary>
     public long Dropped { get; }
 }

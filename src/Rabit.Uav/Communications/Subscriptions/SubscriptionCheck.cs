@@ -12,13 +12,15 @@ internal static class SubscriptionCheck
 {
     private const string HowToCombine = "MavlinkDialect.Combine puts dialects together";
 
-    public static IEnumerable<string> FindFaults(MavlinkDialect? dialect, IReadOnlyList<MavlinkSubscription?>? subscriptions)
+    public static IEnumerable<string> FindFaults(
+        MavlinkDialect? dialect, IReadOnlyList<MavlinkSubscription?>? subscriptions)
     {
         if (dialect is null)
             return [$"{nameof(CommunicationsOptions.Dialect)} is null"];
         if (subscriptions is null || subscriptions.Contains(null))
             return [$"{nameof(CommunicationsOptions.Subscriptions)}, or one of them, is null; the list may be empty"];
-        return FindFaults(dialect).Concat(FindFaultsOfQueues(subscriptions!)).Concat(subscriptions.SelectMany(s => FindFaults(s!, dialect)));
+        return FindFaults(dialect).Concat(FindFaultsOfQueues(subscriptions!))
+            .Concat(subscriptions.SelectMany(s => FindFaults(s!, dialect)));
     }
 
     // What the managers decode by its id must mean the same on the links.
@@ -40,7 +42,8 @@ internal static class SubscriptionCheck
         {
             if (dialect.TryGetMessage(ours.Id, out MavlinkMessageInfo other) && other.CrcExtra != ours.CrcExtra)
             {
-                yield return $"dialect '{dialect.Name}' has {other.Name} (checksum byte {other.CrcExtra}) as message {ours.Id}, "
+                yield return $"dialect '{dialect.Name}' has {other.Name} (checksum byte {other.CrcExtra}) as message "
+                    + $"{ours.Id}, "
                     + $"which the managers use as {ours.Name} (checksum byte {ours.CrcExtra})";
             }
         }
@@ -48,7 +51,8 @@ internal static class SubscriptionCheck
 
     private static IEnumerable<string> FindFaultsOfQueues(IReadOnlyList<MavlinkSubscription> subscriptions)
     {
-        foreach (IGrouping<string, MavlinkSubscription> same in subscriptions.GroupBy(s => s.Queue, StringComparer.Ordinal))
+        foreach (IGrouping<string, MavlinkSubscription> same
+            in subscriptions.GroupBy(s => s.Queue, StringComparer.Ordinal))
         {
             if (same.Count() > 1)
                 yield return $"{same.Count()} subscriptions have queue '{same.Key}'; each needs a queue of its own";
@@ -61,7 +65,8 @@ internal static class SubscriptionCheck
     {
         string name = $"the subscription of queue '{subscription.Queue}'";
         if (subscription.ComponentId == 0)
-            yield return $"{name} is for component 0, which means every component; it must be 1 to 255, or null for our own";
+            yield return $"{name} is for component 0, which means every component; it must be 1 to 255, or null for "
+                + "our own";
         if (subscription.MessageIds is null)
         {
             yield return $"{name} has null as {nameof(MavlinkSubscription.MessageIds)}; none means all";
@@ -71,7 +76,8 @@ internal static class SubscriptionCheck
         foreach (IGrouping<int, int> id in subscription.MessageIds.GroupBy(i => i))
         {
             if (!dialect.TryGetMessage(id.Key, out _))
-                yield return $"{name} has message {id.Key}, which dialect '{dialect.Name}' does not have, so that nothing could check it; {HowToCombine}";
+                yield return $"{name} has message {id.Key}, which dialect '{dialect.Name}' does not have, so that "
+                    + $"nothing could check it; {HowToCombine}";
             if (id.Count() > 1)
                 yield return $"{name} has message {id.Key} more than once";
         }

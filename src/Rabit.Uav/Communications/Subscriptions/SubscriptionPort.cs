@@ -5,7 +5,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>One subscription as Communications serves it. The manager's thread delivers, any thread reads the counters.</summary>
+/// <summary>
+/// One subscription as Communications serves it. The manager's thread delivers, any thread reads the counters.
+/// </summary>
 internal sealed class SubscriptionPort(MavlinkSubscription subscription, QueueSender<LinkFrame> queue)
 {
     private readonly int[] _messageIds = subscription.MessageIds.ToArray();
@@ -16,7 +18,8 @@ internal sealed class SubscriptionPort(MavlinkSubscription subscription, QueueSe
 
     public string Queue => subscription.Queue;
 
-    public MavlinkSubscriptionCounters Counters => new(Queue, Interlocked.Read(ref _delivered), Interlocked.Read(ref _dropped));
+    public MavlinkSubscriptionCounters Counters
+        => new(Queue, Interlocked.Read(ref _delivered), Interlocked.Read(ref _dropped));
 
     public bool Includes(int messageId) => _messageIds.Length == 0 || _messageIds.Contains(messageId);
 

@@ -3,8 +3,8 @@ using System;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Recognises messages that came a moment ago, over another link or by a detour. Only for a while: a vehicle that was restarted may use its
-/// numbers again. Bounded; allocates nothing.
+/// Recognises messages that came a moment ago, over another link or by a detour. Only for a while: a vehicle that was
+/// restarted may use its numbers again. Bounded; allocates nothing.
 /// </summary>
 internal sealed class RecentVehicleMessages
 {
@@ -22,7 +22,8 @@ internal sealed class RecentVehicleMessages
     {
         for (int back = 1; back <= _count; back++)
         {
-            ref readonly (byte Source, long Identity, TimeSpan Time) entry = ref _entries[(_next + Capacity - back) % Capacity];
+            ref readonly (byte Source, long Identity, TimeSpan Time) entry =
+                ref _entries[(_next + Capacity - back) % Capacity];
             if (now - entry.Time > Window)
                 break;
             if (entry.Source == source && entry.Identity == identity)

@@ -6,15 +6,18 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Target reports between vehicles: 58 bytes and the name of the class (1 to 16 bytes), little-endian, no padding. Stateless; any thread.
+/// Target reports between vehicles: 58 bytes and the name of the class (1 to 16 bytes), little-endian, no padding.
+/// Stateless; any thread.
 /// </summary>
 /// <remarks>
-/// Version (1 byte, 2), length of the class name (1), index (1), score (1, of 255), picture (4, modulo 2^32), age (4, ms), latitude and
-/// longitude (4 + 4, 1e-7 degrees), altitude (4, mm above mean sea level), random covariance (3 floats, m2: north-north, north-east,
-/// east-east), systematic covariance (the same), size (2, mm), centre (2 floats, pixels), class name (ASCII). A class that is not declared
-/// here keeps its name. Version 1, which had one of five colours instead of a class name, is refused.
-/// The clocks of two vehicles have nothing in common, so that the time travels as the age at the moment of sending. The time on the other
-/// side is late by the transmission: some ten milliseconds on a net, up to half a second on a slow radio.
+/// Version (1 byte, 2), length of the class name (1), index (1), score (1, of 255), picture (4, modulo 2^32), age (4,
+/// ms), latitude and longitude (4 + 4, 1e-7 degrees), altitude (4, mm above mean sea level), random covariance (3
+/// floats, m2: north-north, north-east, east-east), systematic covariance (the same), size (2, mm), centre (2 floats,
+/// pixels), class name (ASCII). A class that is not declared here keeps its name. Version 1, which had one of five
+/// colours instead of a class name, is refused.
+/// The clocks of two vehicles have nothing in common, so that the time travels as the age at the moment of sending. The
+/// time on the other side is late by the transmission: some ten milliseconds on a net, up to half a second on a slow
+/// radio.
 /// </remarks>
 public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
 {
@@ -38,7 +41,8 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
     public int PayloadType => 42001;
 
     /// <inheritdoc/>
-    public long IdentityOf(in TargetReport content) => unchecked(((long)(uint)content.PictureNumber << 8) | (byte)content.Index);
+    public long IdentityOf(in TargetReport content)
+        => unchecked(((long)(uint)content.PictureNumber << 8) | (byte)content.Index);
 
     /// <inheritdoc/>
     public bool TryEncode(in TargetReport content, TimeSpan now, Span<byte> destination, out int length)
@@ -62,9 +66,12 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
         destination[3] = (byte)Math.Round(content.Score * byte.MaxValue);
         BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(4), unchecked((uint)content.PictureNumber));
         BinaryPrimitives.WriteUInt32LittleEndian(destination.Slice(8), (uint)Math.Max(0, ageMs));
-        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(12), (int)Math.Round(content.Position.Latitude.Radians * DegE7PerRadian));
-        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(16), (int)Math.Round(content.Position.Longitude.Radians * DegE7PerRadian));
-        BinaryPrimitives.WriteInt32LittleEndian(destination.Slice(20), (int)Math.Round(content.Position.AltitudeAmslMetres * 1000));
+        BinaryPrimitives.WriteInt32LittleEndian(
+            destination.Slice(12), (int)Math.Round(content.Position.Latitude.Radians * DegE7PerRadian));
+        BinaryPrimitives.WriteInt32LittleEndian(
+            destination.Slice(16), (int)Math.Round(content.Position.Longitude.Radians * DegE7PerRadian));
+        BinaryPrimitives.WriteInt32LittleEndian(
+            destination.Slice(20), (int)Math.Round(content.Position.AltitudeAmslMetres * 1000));
         Write(destination.Slice(24), content.Covariance);
         Write(destination.Slice(36), content.SystematicCovariance);
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(48), (ushort)Math.Round(content.SizeMetres * 1000));
@@ -95,7 +102,8 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             PictureNumber = BinaryPrimitives.ReadUInt32LittleEndian(payload.Slice(4)),
             Index = payload[2],
             Time = now - TimeSpan.FromMilliseconds(ageMs),
-            Position = GeodeticPosition.FromRadians(latitude / DegE7PerRadian, longitude / DegE7PerRadian, altitude / 1000.0),
+            Position = GeodeticPosition.FromRadians(
+                latitude / DegE7PerRadian, longitude / DegE7PerRadian, altitude / 1000.0),
             Covariance = ReadCovariance(payload.Slice(24)),
             SystematicCovariance = ReadCovariance(payload.Slice(36)),
             Class = targetClass,

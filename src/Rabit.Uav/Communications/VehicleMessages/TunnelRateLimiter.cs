@@ -2,7 +2,10 @@ using System;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>How many bytes of vehicle messages one link may still carry: so many a second, never more than one second's worth at once.</summary>
+/// <summary>
+/// How many bytes of vehicle messages one link may still carry: so many a second, never more than one second's worth at
+/// once.
+/// </summary>
 internal sealed class TunnelRateLimiter(int bytesPerSecond)
 {
     private double _bytes = bytesPerSecond;

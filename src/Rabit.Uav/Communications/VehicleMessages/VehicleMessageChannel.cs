@@ -5,7 +5,9 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Communications;
 
-/// <summary>One route of vehicle messages at work. Communications' thread uses it; any thread may ask for the counts.</summary>
+/// <summary>
+/// One route of vehicle messages at work. Communications' thread uses it; any thread may ask for the counts.
+/// </summary>
 internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
 {
     private long _sent;

@@ -6,7 +6,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>One route of vehicle messages at work.</summary>
-internal sealed class VehicleMessageChannel<T>(VehicleMessageRoute route, IVehicleMessageCodec<T> codec, QueueReceiver<Envelope<T>> outgoing, QueueSender<T> incoming)
+internal sealed class VehicleMessageChannel<T>(
+    VehicleMessageRoute route, IVehicleMessageCodec<T> codec, QueueReceiver<Envelope<T>> outgoing,
+    QueueSender<T> incoming)
     : VehicleMessageChannel(route)
     where T : struct
 {
@@ -38,7 +40,8 @@ internal sealed class VehicleMessageChannel<T>(VehicleMessageRoute route, IVehic
     {
         ByteArray128 payload = tunnel.Payload;
         payload.CopyTo(_buffer);
-        if (!codec.TryDecode(new ReadOnlySpan<byte>(_buffer, 0, tunnel.PayloadLength), time, sourceSystemId, out T content))
+        if (!codec.TryDecode(
+            new ReadOnlySpan<byte>(_buffer, 0, tunnel.PayloadLength), time, sourceSystemId, out T content))
             return DeliveryResult.Malformed;
         if (!_recent.IsNew(sourceSystemId, codec.IdentityOf(content), time))
             return DeliveryResult.Duplicate;

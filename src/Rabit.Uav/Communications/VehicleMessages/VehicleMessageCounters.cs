@@ -4,7 +4,8 @@ namespace Rabit.Uav.Communications;
 public readonly struct VehicleMessageCounters
 {
     internal VehicleMessageCounters(
-        int payloadType, long sent, long rateLimited, long unsendable, long delivered, long echoes, long duplicates, long malformed, long noRoom)
+        int payloadType, long sent, long rateLimited, long unsendable, long delivered, long echoes, long duplicates,
+        long malformed, long noRoom)
     {
         PayloadType = payloadType;
         Sent = sent;
@@ -26,7 +27,10 @@ public readonly struct VehicleMessageCounters
     /// <summary>Copies that were dropped, since their link had reached its rate limit.</summary>
     public long RateLimited { get; }
 
-    /// <summary>Messages that were dropped: our address is not known yet, their target was not seen on any link, or they do not fit into their form.</summary>
+    /// <summary>
+    /// Messages that were dropped: our address is not known yet, their target was not seen on any link, or they do not
+    /// fit into their form.
+    /// </summary>
     public long Unsendable { get; }
 
     /// <summary>Messages that came in and were handed on.</summary>

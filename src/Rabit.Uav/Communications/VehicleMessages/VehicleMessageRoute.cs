@@ -3,7 +3,8 @@ using System;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// How one type of message travels between vehicles; see <see cref="VehicleMessageRoute{T}"/>. Communications carries it without knowing what it means.
+/// How one type of message travels between vehicles; see <see cref="VehicleMessageRoute{T}"/>. Communications carries
+/// it without knowing what it means.
 /// </summary>
 public abstract class VehicleMessageRoute
 {
@@ -18,7 +19,8 @@ public abstract class VehicleMessageRoute
         if (payloadType is < MinPayloadType or > MaxPayloadType)
         {
             throw new ArgumentException(
-                $"Payload type {payloadType} of a vehicle message is not one of {MinPayloadType} to {MaxPayloadType}, which are free for private use.",
+                $"Payload type {payloadType} of a vehicle message is not one of {MinPayloadType} to {MaxPayloadType}, "
+                    + "which are free for private use.",
                 nameof(payloadType));
         }
 
@@ -34,7 +36,9 @@ public abstract class VehicleMessageRoute
     /// <summary>Says on the wire what it is.</summary>
     public int PayloadType { get; }
 
-    /// <summary>The queue of <see cref="Messages.Envelope{T}"/> that Communications receives: what is to be sent.</summary>
+    /// <summary>
+    /// The queue of <see cref="Messages.Envelope{T}"/> that Communications receives: what is to be sent.
+    /// </summary>
     public string OutgoingQueue { get; }
 
     /// <summary>The queue that Communications sends to: what came in, without its envelope.</summary>

@@ -8,8 +8,12 @@ namespace Rabit.Uav.Communications;
 /// <example>
 /// <code>
 /// options.Communications.VehicleMessageRoutes =
-///     [new VehicleMessageRoute&lt;WindSample&gt;(new WindSampleCodec(), outgoingQueue: "wind out", incomingQueue: "wind in")];
-/// // in a manager: Send&lt;Envelope&lt;WindSample&gt;&gt;("wind out"), and over there Receive&lt;WindSample&gt;("wind in")
+/// [
+///     new VehicleMessageRoute&lt;WindSample&gt;(
+///         new WindSampleCodec(), outgoingQueue: "wind out", incomingQueue: "wind in"),
+/// ];
+/// // in a manager: Send&lt;Envelope&lt;WindSample&gt;&gt;("wind out"),
+/// // and on the other vehicle: Receive&lt;WindSample&gt;("wind in")
 /// </code>
 /// </example>
 /// <typeparam name="T">A plain value.</typeparam>
@@ -20,13 +24,21 @@ public sealed class VehicleMessageRoute<T> : VehicleMessageRoute
 
     /// <summary>Makes the route.</summary>
     /// <param name="codec">How it is written and read.</param>
-    /// <param name="outgoingQueue">Queue of <see cref="Messages.Envelope{T}"/> that Communications receives: what is to be sent.</param>
-    /// <param name="incomingQueue">Queue of the type itself, of the manager that receives it: what other vehicles sent.</param>
-    /// <exception cref="ArgumentException">A queue has no name, or the payload type is not one for private use.</exception>
+    /// <param name="outgoingQueue">
+    /// Queue of <see cref="Messages.Envelope{T}"/> that Communications receives: what is to be sent.
+    /// </param>
+    /// <param name="incomingQueue">
+    /// Queue of the type itself, of the manager that receives it: what other vehicles sent.
+    /// </param>
+    /// <exception cref="ArgumentException">
+    /// A queue has no name, or the payload type is not one for private use.
+    /// </exception>
     public VehicleMessageRoute(IVehicleMessageCodec<T> codec, string outgoingQueue, string incomingQueue)
         : base((codec ?? throw new ArgumentNullException(nameof(codec))).PayloadType, outgoingQueue, incomingQueue)
         => _codec = codec;
 
     internal override VehicleMessageChannel Open(CommunicationsManager manager)
-        => new VehicleMessageChannel<T>(this, _codec, manager.ReceiveVehicleMessages<T>(OutgoingQueue), manager.SendVehicleMessages<T>(IncomingQueue));
+        => new VehicleMessageChannel<T>(
+            this, _codec, manager.ReceiveVehicleMessages<T>(OutgoingQueue),
+            manager.SendVehicleMessages<T>(IncomingQueue));
 }

@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>A combination of biases that the observations do not determine: along it nothing is known but the prior. Immutable.</summary>
+/// <summary>
+/// A combination of biases that the observations do not determine: along it nothing is known but the prior. Immutable.
+/// </summary>
 public sealed class BiasCombination
 {
     private const double MinShownWeight = 0.2;
@@ -26,7 +28,9 @@ public sealed class BiasCombination
     {
         IEnumerable<string> parts = Weights.Where(w => Math.Abs(w.Value) >= MinShownWeight)
             .OrderByDescending(w => Math.Abs(w.Value))
-            .Select((w, i) => FormattableString.Invariant($"{(w.Value < 0 ? "- " : i > 0 ? "+ " : "")}{Math.Abs(w.Value):0.00} {w.Key}"));
+            .Select(
+                (w, i) => FormattableString.Invariant(
+                    $"{(w.Value < 0 ? "- " : i > 0 ? "+ " : "")}{Math.Abs(w.Value):0.00} {w.Key}"));
         return string.Join(" ", parts) + FormattableString.Invariant($" ({100 * RemainingUncertainty:0} % left)");
     }
 }

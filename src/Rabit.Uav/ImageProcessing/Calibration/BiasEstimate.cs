@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>What a <see cref="BiasEstimator"/> found: biases that the flown geometry shows, those that it does not, and the points. Immutable.</summary>
+/// <summary>
+/// What a <see cref="BiasEstimator"/> found: biases that the flown geometry shows, those that it does not, and the
+/// points. Immutable.
+/// </summary>
 public sealed class BiasEstimate
 {
     private readonly double[] _values;
@@ -11,7 +14,8 @@ public sealed class BiasEstimate
     private readonly double[] _priors;
     private readonly IReadOnlyDictionary<int, BiasPoint> _points;
 
-    internal BiasEstimate(double[] values, double[,] covariance, double[] priors, IReadOnlyDictionary<int, BiasPoint> points, BiasFit fit)
+    internal BiasEstimate(
+        double[] values, double[,] covariance, double[] priors, IReadOnlyDictionary<int, BiasPoint> points, BiasFit fit)
     {
         (_values, _covariance, _priors, _points, Fit) = (values, covariance, priors, points, fit);
         Unobserved = FindUnobserved();
@@ -20,7 +24,10 @@ public sealed class BiasEstimate
     /// <summary>How well the observations agree with it.</summary>
     public BiasFit Fit { get; }
 
-    /// <summary>The combinations that the observations do not determine (unobservable), those of which least is known first. North and east of the vehicle are always among them.</summary>
+    /// <summary>
+    /// The combinations that the observations do not determine (unobservable), those of which least is known first.
+    /// North and east of the vehicle are always among them.
+    /// </summary>
     public IReadOnlyList<BiasCombination> Unobserved { get; }
 
     /// <summary>The points that were observed, by their numbers.</summary>
@@ -44,7 +51,8 @@ public sealed class BiasEstimate
     public double Covariance(BiasParameter a, BiasParameter b) => _covariance[(int)a, (int)b];
 
     /// <summary>
-    /// The best value with the prior, also where the observations say nothing: a correction that does no harm, and no measurement.
+    /// The best value with the prior, also where the observations say nothing: a correction that does no harm, and no
+    /// measurement.
     /// </summary>
     /// <param name="parameter">Which.</param>
     public double BestValue(BiasParameter parameter) => _values[(int)parameter];

@@ -9,9 +9,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
 /// <summary>
-/// Calibration: finds what is wrong in the same way in all observations (mount, attitude, time, height) from many observations of static
-/// points whose places are not known, by weighted least squares over biases and points together, with a prior for each bias. For one
-/// thread, after a flight or now and then; not in a unit of work.
+/// Calibration: finds what is wrong in the same way in all observations (mount, attitude, time, height) from many
+/// observations of static points whose places are not known, by weighted least squares over biases and points together,
+/// with a prior for each bias. For one thread, after a flight or now and then; not in a unit of work.
 /// </summary>
 public sealed class BiasEstimator
 {
@@ -81,13 +81,15 @@ public sealed class BiasEstimator
         for (int i = 0; i < numbers.Length; i++)
         {
             int at = Biases + (2 * i);
-            GeodeticPosition place = frame.ToGeodetic(new NedPosition(system.Values[at], system.Values[at + 1], groundDown));
+            GeodeticPosition place = frame.ToGeodetic(
+                new NedPosition(system.Values[at], system.Values[at + 1], groundDown));
             points[numbers[i]] = new BiasPoint(
                 place, new HorizontalCovariance(covariance[at, at], covariance[at, at + 1], covariance[at + 1, at + 1]),
                 _observations.Count(o => o.Point == numbers[i]));
         }
 
-        return new BiasEstimate(system.Values.Take(Biases).ToArray(), covariance, _priors, points, fit with { Refused = _refused });
+        return new BiasEstimate(
+            system.Values.Take(Biases).ToArray(), covariance, _priors, points, fit with { Refused = _refused });
     }
 
     // Each point where its observations see it on average, as if nothing were wrong.

@@ -4,7 +4,9 @@ using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>Where a point on the ground is seen in a picture, for given biases, and how that changes with each. For one thread.</summary>
+/// <summary>
+/// Where a point on the ground is seen in a picture, for given biases, and how that changes with each. For one thread.
+/// </summary>
 internal sealed class BiasModel(CameraModel camera, CameraMount mount)
 {
     public const int Biases = (int)BiasParameter.Down + 1;
@@ -21,34 +23,45 @@ internal sealed class BiasModel(CameraModel camera, CameraMount mount)
     /// <param name="values">Biases, then the point.</param>
     /// <param name="column">The pixel.</param>
     /// <param name="row">The pixel, too.</param>
-    public bool TryProject(in BiasObservation observation, NedPosition vehicle, double groundDown, double[] values, out double column, out double row)
+    public bool TryProject(
+        in BiasObservation observation, NedPosition vehicle, double groundDown, double[] values, out double column,
+        out double row)
     {
         // What was reported is the truth and the bias; the truth is what is needed.
         double earlier = -values[(int)BiasParameter.Time];
         NedPosition position = vehicle + (earlier * observation.VelocityNed)
-            - new NedVector(values[(int)BiasParameter.North], values[(int)BiasParameter.East], values[(int)BiasParameter.Down]);
+            - new NedVector(
+                values[(int)BiasParameter.North], values[(int)BiasParameter.East], values[(int)BiasParameter.Down]);
         Rotation attitude = Rotation.FromEuler(EulerAngles.FromRadians(
             observation.Attitude.Roll.Radians - values[(int)BiasParameter.AttitudeRoll],
             observation.Attitude.Pitch.Radians - values[(int)BiasParameter.AttitudePitch],
-            observation.Attitude.Yaw.Radians - values[(int)BiasParameter.AttitudeYaw])).After(observation.Rates, earlier);
+            observation.Attitude.Yaw.Radians - values[(int)BiasParameter.AttitudeYaw]))
+                .After(observation.Rates, earlier);
         CameraExtrinsics placement = mount.At(observation.GimbalPitch, observation.GimbalYaw, EulerAngles.FromRadians(
-            values[(int)BiasParameter.MountRoll], values[(int)BiasParameter.MountPitch], values[(int)BiasParameter.MountYaw]));
-        NedVector fromCamera = new NedPosition(values[Biases], values[Biases + 1], groundDown) - position - attitude.ToNed(placement.PositionMetres);
-        (double x, double y, double z) = (attitude * placement.BodyFromCamera).Inverse.Apply(fromCamera.North, fromCamera.East, fromCamera.Down);
+            values[(int)BiasParameter.MountRoll], values[(int)BiasParameter.MountPitch],
+            values[(int)BiasParameter.MountYaw]));
+        NedVector fromCamera = new NedPosition(values[Biases], values[Biases + 1], groundDown) - position
+            - attitude.ToNed(placement.PositionMetres);
+        (double x, double y, double z) = (attitude * placement.BodyFromCamera).Inverse.Apply(
+            fromCamera.North, fromCamera.East, fromCamera.Down);
         return camera.TryProject(x, y, z, out column, out row);
     }
 
     /// <summary>Derivatives of the pixel by everything, by central differences.</summary>
-    public bool TryDerive(in BiasObservation observation, NedPosition vehicle, double groundDown, double[] values, double[] byColumn, double[] byRow)
+    public bool TryDerive(
+        in BiasObservation observation, NedPosition vehicle, double groundDown, double[] values, double[] byColumn,
+        double[] byRow)
     {
         Array.Copy(values, _values, Inputs);
         for (int i = 0; i < Inputs; i++)
         {
             double step = i >= (int)BiasParameter.North ? 1e-3 : 1e-5;
             _values[i] = values[i] + step;
-            bool isSeen = TryProject(observation, vehicle, groundDown, _values, out double columnPlus, out double rowPlus);
+            bool isSeen = TryProject(
+                observation, vehicle, groundDown, _values, out double columnPlus, out double rowPlus);
             _values[i] = values[i] - step;
-            isSeen &= TryProject(observation, vehicle, groundDown, _values, out double columnMinus, out double rowMinus);
+            isSeen &= TryProject(
+                observation, vehicle, groundDown, _values, out double columnMinus, out double rowMinus);
             _values[i] = values[i];
             if (!isSeen)
                 return false;

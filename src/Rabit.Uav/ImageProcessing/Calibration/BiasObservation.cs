@@ -3,7 +3,10 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>One observation of a static point: where it was in the picture, and the pose that the autopilot reported for that time. A plain value.</summary>
+/// <summary>
+/// One observation of a static point: where it was in the picture, and the pose that the autopilot reported for that
+/// time. A plain value.
+/// </summary>
 public struct BiasObservation
 {
     /// <summary>Which point; any number, the same for all observations of it.</summary>

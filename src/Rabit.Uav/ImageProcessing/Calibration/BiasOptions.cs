@@ -4,7 +4,10 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>The priors of a <see cref="BiasEstimator"/>, and the noise of its observations: one standard deviation each. Zero: it is right, and not estimated.</summary>
+/// <summary>
+/// The priors of a <see cref="BiasEstimator"/>, and the noise of its observations: one standard deviation each. Zero:
+/// it is right, and not estimated.
+/// </summary>
 public sealed class BiasOptions
 {
     /// <summary>Each angle of the mount.</summary>
@@ -43,14 +46,17 @@ public sealed class BiasOptions
     /// <value>The default is 0.5 pixels.</value>
     public double PixelNoise { get; set; } = 0.5;
 
-    /// <summary>For how long the noise of attitude and position stays alike; observations that are close together count for less than their number.</summary>
+    /// <summary>
+    /// For how long the noise of attitude and position stays alike; observations that are close together count for less
+    /// than their number.
+    /// </summary>
     /// <value>The default is 0.5 s.</value>
     public TimeSpan NoiseTime { get; set; } = TimeSpan.FromSeconds(0.5);
 
     internal double[] Sigmas() =>
     [
-        Mount.Radians, Mount.Radians, Mount.Radians, Attitude.Radians, Attitude.Radians, Heading.Radians, Time.TotalSeconds,
-        PositionMetres, PositionMetres, HeightMetres,
+        Mount.Radians, Mount.Radians, Mount.Radians, Attitude.Radians, Attitude.Radians, Heading.Radians,
+        Time.TotalSeconds, PositionMetres, PositionMetres, HeightMetres,
     ];
 
     internal IEnumerable<string> FindFaults()
@@ -58,7 +64,8 @@ public sealed class BiasOptions
         (string Name, double Value)[] figures =
         [
             (nameof(Mount), Mount.Degrees), (nameof(Attitude), Attitude.Degrees), (nameof(Heading), Heading.Degrees),
-            (nameof(Time), Time.TotalSeconds), (nameof(PositionMetres), PositionMetres), (nameof(HeightMetres), HeightMetres),
+            (nameof(Time), Time.TotalSeconds), (nameof(PositionMetres), PositionMetres),
+            (nameof(HeightMetres), HeightMetres),
             (nameof(AttitudeNoise), AttitudeNoise.Degrees), (nameof(PositionNoiseMetres), PositionNoiseMetres),
             (nameof(NoiseTime), NoiseTime.TotalSeconds),
         ];

@@ -24,10 +24,14 @@ public enum BiasParameter
     /// <summary>Time stamps of the pictures, by the poses' clock, less the true ones, seconds.</summary>
     Time,
 
-    /// <summary>North of the autopilot less the true one, metres: no observation of unknown points can ever determine it.</summary>
+    /// <summary>
+    /// North of the autopilot less the true one, metres: no observation of unknown points can ever determine it.
+    /// </summary>
     North,
 
-    /// <summary>East of the autopilot less the true one, metres: no observation of unknown points can ever determine it.</summary>
+    /// <summary>
+    /// East of the autopilot less the true one, metres: no observation of unknown points can ever determine it.
+    /// </summary>
     East,
 
     /// <summary>Down of the autopilot less the true one, against the ground's, metres.</summary>

@@ -4,7 +4,9 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.ImageProcessing.Calibration;
 
-/// <summary>The normal equations of a <see cref="BiasEstimator"/>: biases first, then two for each point. For one thread.</summary>
+/// <summary>
+/// The normal equations of a <see cref="BiasEstimator"/>: biases first, then two for each point. For one thread.
+/// </summary>
 internal sealed class BiasSystem
 {
     private const int Biases = BiasModel.Biases;
@@ -26,9 +28,12 @@ internal sealed class BiasSystem
     private double _normalised;
     private int _used;
 
-    public BiasSystem(BiasModel model, BiasOptions options, double[] priors, List<BiasObservation> observations, int[] points, in LocalNedFrame frame, double groundDown)
+    public BiasSystem(
+        BiasModel model, BiasOptions options, double[] priors, List<BiasObservation> observations, int[] points,
+        in LocalNedFrame frame, double groundDown)
     {
-        (_model, _options, _priors, _observations, _points, _groundDown) = (model, options, priors, observations, points, groundDown);
+        (_model, _options, _priors, _observations, _points, _groundDown) =
+            (model, options, priors, observations, points, groundDown);
         _vehicles = new NedPosition[observations.Count];
         int last = 0;
         for (int i = 0; i < observations.Count; i++)
@@ -83,7 +88,8 @@ internal sealed class BiasSystem
         return covariance;
     }
 
-    // How much an observation counts among those whose noise is alike: n observations in a row with correlations r count as n / (1 + sum of r).
+    // How much an observation counts among those whose noise is alike: n observations in a row with correlations r
+    // count as n / (1 + sum of r).
     private static double[] Weights(List<BiasObservation> observations, double noiseSeconds)
     {
         var weights = new double[observations.Count];
@@ -137,7 +143,8 @@ internal sealed class BiasSystem
         (double wcc, double wcr, double wrr) = (rr / determinant, -cr / determinant, cc / determinant);
         _used++;
         _squares += (residualColumn * residualColumn) + (residualRow * residualRow);
-        _normalised += (wcc * residualColumn * residualColumn) + (2 * wcr * residualColumn * residualRow) + (wrr * residualRow * residualRow);
+        _normalised += (wcc * residualColumn * residualColumn) + (2 * wcr * residualColumn * residualRow)
+            + (wrr * residualRow * residualRow);
         double weight = _weights[index];
         for (int i = 0; i < Inputs; i++)
         {

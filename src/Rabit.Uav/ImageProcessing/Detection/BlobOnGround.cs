@@ -18,9 +18,12 @@ internal static class BlobOnGround
     {
         double xx = Math.Max(0, blob.MomentXX - PixelVariance);
         double yy = Math.Max(0, blob.MomentYY - PixelVariance);
-        double nn = Project(scale.NorthByColumn, scale.NorthByRow, scale.NorthByColumn, scale.NorthByRow, xx, blob.MomentXY, yy);
-        double ne = Project(scale.NorthByColumn, scale.NorthByRow, scale.EastByColumn, scale.EastByRow, xx, blob.MomentXY, yy);
-        double ee = Project(scale.EastByColumn, scale.EastByRow, scale.EastByColumn, scale.EastByRow, xx, blob.MomentXY, yy);
+        double nn = Project(
+            scale.NorthByColumn, scale.NorthByRow, scale.NorthByColumn, scale.NorthByRow, xx, blob.MomentXY, yy);
+        double ne = Project(
+            scale.NorthByColumn, scale.NorthByRow, scale.EastByColumn, scale.EastByRow, xx, blob.MomentXY, yy);
+        double ee = Project(
+            scale.EastByColumn, scale.EastByRow, scale.EastByColumn, scale.EastByRow, xx, blob.MomentXY, yy);
         double mean = (nn + ee) / 2;
         double half = Math.Sqrt((((nn - ee) / 2) * ((nn - ee) / 2)) + (ne * ne));
         return (Math.Sqrt(mean + half), Math.Sqrt(Math.Max(0, mean - half)));

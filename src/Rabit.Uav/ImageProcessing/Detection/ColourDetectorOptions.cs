@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>What <see cref="ColourTargetDetector"/> takes for a target, beside colour and size. Read once, when the detector is made.</summary>
+/// <summary>
+/// What <see cref="ColourTargetDetector"/> takes for a target, beside colour and size. Read once, when the detector is
+/// made.
+/// </summary>
 public sealed class ColourDetectorOptions
 {
     /// <summary>How much longer than wide a target may be.</summary>
@@ -21,6 +24,7 @@ public sealed class ColourDetectorOptions
         if (!(MaxAspect > 1))
             yield return FormattableString.Invariant($"{nameof(MaxAspect)} is {MaxAspect}; it must be above 1");
         if (!(MinSidePixels >= 4))
-            yield return FormattableString.Invariant($"{nameof(MinSidePixels)} is {MinSidePixels}; it must be at least 4");
+            yield return FormattableString.Invariant(
+                $"{nameof(MinSidePixels)} is {MinSidePixels}; it must be at least 4");
     }
 }

@@ -8,8 +8,8 @@ using Rabit.Vision;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// The default detector: finds squares of the colours and sizes of the declared classes, by their form on the ground. Fixed memory, no
-/// allocation; one thread at a time.
+/// The default detector: finds squares of the colours and sizes of the declared classes, by their form on the ground.
+/// Fixed memory, no allocation; one thread at a time.
 /// </summary>
 /// <example>
 /// A picture of 640 x 480 from 40 m above, searched without the rest of Image Processing:
@@ -43,11 +43,15 @@ public sealed class ColourTargetDetector : ITargetDetector
     private double _maxPixelArea;   // of the picture, square metres on the ground
 
     /// <summary>Makes the detector.</summary>
-    /// <param name="classes">All classes that it shall distinguish, each with a colour: also those that are not searched for, so that a
-    /// colour between two is taken for the nearer one.</param>
+    /// <param name="classes">
+    /// All classes that it shall distinguish, each with a colour: also those that are not searched for, so that a
+    /// colour between two is taken for the nearer one.
+    /// </param>
     /// <param name="options">What else a target is like; null for the defaults.</param>
     /// <param name="centreSigmaPixels">How uncertain a centre is, one standard deviation per axis, pixels.</param>
-    /// <exception cref="ArgumentException">A class has no colour, there are too many, or options are out of their range.</exception>
+    /// <exception cref="ArgumentException">
+    /// A class has no colour, there are too many, or options are out of their range.
+    /// </exception>
     public ColourTargetDetector(
         ImmutableArray<TargetClass> classes, ColourDetectorOptions? options = null, double centreSigmaPixels = 0.5)
     {
@@ -96,7 +100,8 @@ public sealed class ColourTargetDetector : ITargetDetector
         double max = 0;
         for (int corner = 0; corner < 4; corner++)
         {
-            if (!input.GroundScale.TryAt(corner % 2 * (input.Width - 1), corner / 2 * (input.Height - 1), out GroundScale scale))
+            if (!input.GroundScale.TryAt(
+                corner % 2 * (input.Width - 1), corner / 2 * (input.Height - 1), out GroundScale scale))
                 return double.PositiveInfinity;
             max = Math.Max(max, scale.PixelArea);
         }
@@ -105,7 +110,8 @@ public sealed class ColourTargetDetector : ITargetDetector
     }
 
     // The most confident first; of equal ones, the one that was found first.
-    private static void Insert(in TargetDetection detection, Span<TargetDetection> detections, ref int count, ref int dropped)
+    private static void Insert(
+        in TargetDetection detection, Span<TargetDetection> detections, ref int count, ref int dropped)
     {
         int place = count;
         while (place > 0 && detections[place - 1].Score < detection.Score)
@@ -130,10 +136,12 @@ public sealed class ColourTargetDetector : ITargetDetector
     {
         detection = default;
         TargetClass target = _classes[blob.Class - 1];
-        if (blob.Pixels < MinPixels || IsTooSmall(blob, SlackForCorners * _maxPixelArea, target) || _measure.TouchesBorder(blob))
+        if (blob.Pixels < MinPixels || IsTooSmall(blob, SlackForCorners * _maxPixelArea, target)
+            || _measure.TouchesBorder(blob))
             return false;
         if (!ground.TryAt((blob.Left + blob.Right) / 2.0, (blob.Top + blob.Bottom) / 2.0, out GroundScale scale)
-            || IsTooSmall(blob, scale.PixelArea, target) || Math.Sqrt(blob.Pixels * scale.PixelArea) > target.MaxSideMetres
+            || IsTooSmall(blob, scale.PixelArea, target)
+            || Math.Sqrt(blob.Pixels * scale.PixelArea) > target.MaxSideMetres
             || !_measure.TryMeasure(blob, out BlobShape shape))
             return false;
         double score = _gates.Score(shape, scale, target);

@@ -2,7 +2,9 @@ using System.Collections.Immutable;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>What a detection must be to be used: detectors are the user's, and a wrong number would go as far as a filter.</summary>
+/// <summary>
+/// What a detection must be to be used: detectors are the user's, and a wrong number would go as far as a filter.
+/// </summary>
 internal static class DetectionCheck
 {
     public const string OutsidePicture = "a detection is outside the picture";
@@ -15,7 +17,10 @@ internal static class DetectionCheck
     // Larger than anything that is searched for from the air; Sensor Fusion refuses more.
     private const double MaxSideMetres = 50;
 
-    /// <summary>What is wrong with a detection; null if nothing is. Comparisons with NaN are false, so each is true for what is valid.</summary>
+    /// <summary>
+    /// What is wrong with a detection; null if nothing is. Comparisons with NaN are false, so each is true for what is
+    /// valid.
+    /// </summary>
     public static string? FindFault(in TargetDetection detection, in DetectorInput input)
     {
         if (!(detection.CentreX >= -0.5 && detection.CentreX <= input.Width - 0.5

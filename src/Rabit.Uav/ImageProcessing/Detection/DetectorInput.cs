@@ -5,7 +5,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// A picture for a detector, and what is known about it. A plain value; the pixels and the ground scale are valid only during the call.
+/// A picture for a detector, and what is known about it. A plain value; the pixels and the ground scale are valid only
+/// during the call.
 /// </summary>
 public readonly struct DetectorInput
 {
@@ -17,12 +18,14 @@ public readonly struct DetectorInput
     /// <param name="groundScale">How large pixels are on the ground.</param>
     /// <exception cref="ArgumentException">The size is not positive, or the bytes are too few for it.</exception>
     public DetectorInput(
-        ReadOnlyMemory<byte> pixels, int width, int height, ImmutableArray<TargetClass> classes, PictureGroundScale groundScale)
+        ReadOnlyMemory<byte> pixels, int width, int height, ImmutableArray<TargetClass> classes,
+        PictureGroundScale groundScale)
     {
         if (width < 1 || height < 1 || pixels.Length / 3 / width < height)
         {
             throw new ArgumentException(
-                $"A buffer of {pixels.Length} bytes does not hold a picture of {width} x {height} pixels.", nameof(pixels));
+                $"A buffer of {pixels.Length} bytes does not hold a picture of {width} x {height} pixels.",
+                nameof(pixels));
         }
 
         Pixels = pixels;
@@ -32,8 +35,8 @@ public readonly struct DetectorInput
     }
 
     /// <summary>
-    /// The pixels: row r begins at byte r x <see cref="StrideBytes"/>. To be read only, and not to be kept: the buffer goes back to the
-    /// camera after the call. To hand it to native code, pin it (<see cref="ReadOnlyMemory{T}.Pin"/>).
+    /// The pixels: row r begins at byte r x <see cref="StrideBytes"/>. To be read only, and not to be kept: the buffer
+    /// goes back to the camera after the call. To hand it to native code, pin it (<see cref="ReadOnlyMemory{T}.Pin"/>).
     /// </summary>
     public ReadOnlyMemory<byte> Pixels { get; }
 
@@ -49,7 +52,9 @@ public readonly struct DetectorInput
     /// <summary>Bytes from one row to the next: 3 x <see cref="Width"/>, since rows are not padded.</summary>
     public int StrideBytes => Width * 3;
 
-    /// <summary>The classes to search for: those of the mission that are declared. The array stays the same until they change.</summary>
+    /// <summary>
+    /// The classes to search for: those of the mission that are declared. The array stays the same until they change.
+    /// </summary>
     public ImmutableArray<TargetClass> Classes { get; }
 
     /// <summary>How large pixels are on the ground, by the pose of the camera.</summary>

@@ -5,7 +5,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>What a detector returns for one picture. A plain value.</summary>
 public readonly struct DetectorResult : IEquatable<DetectorResult>
 {
-    private DetectorResult(int count, int dropped, string? refusal) => (Count, Dropped, Refusal) = (count, dropped, refusal);
+    private DetectorResult(int count, int dropped, string? refusal)
+        => (Count, Dropped, Refusal) = (count, dropped, refusal);
 
     /// <summary>How many detections were written to the span, from its start.</summary>
     public int Count { get; }
@@ -32,13 +33,16 @@ public readonly struct DetectorResult : IEquatable<DetectorResult>
     public static DetectorResult Found(int count, int dropped = 0) => new(count, dropped, refusal: null);
 
     /// <summary>The picture could not be searched, and is no observation of the ground that it shows.</summary>
-    /// <param name="reason">Why, for people: it goes into <c>ImagingStatus.LastRefusal</c>. A constant costs no allocation.</param>
+    /// <param name="reason">
+    /// Why, for people: it goes into <c>ImagingStatus.LastRefusal</c>. A constant costs no allocation.
+    /// </param>
     public static DetectorResult NotSearched(string reason)
         => new(0, 0, reason ?? throw new ArgumentNullException(nameof(reason)));
 
     /// <inheritdoc/>
     public bool Equals(DetectorResult other)
-        => Count == other.Count && Dropped == other.Dropped && string.Equals(Refusal, other.Refusal, StringComparison.Ordinal);
+        => Count == other.Count && Dropped == other.Dropped
+            && string.Equals(Refusal, other.Refusal, StringComparison.Ordinal);
 
     /// <inheritdoc/>
     public override bool Equals(object? obj) => obj is DetectorResult other && Equals(other);

@@ -4,8 +4,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Calls the detector, which may be the user's: measures its time, survives what it throws, and leaves out what is not valid. Fixed
-/// memory; for the manager's thread.
+/// Calls the detector, which may be the user's: measures its time, survives what it throws, and leaves out what is not
+/// valid. Fixed memory; for the manager's thread.
 /// </summary>
 internal sealed class DetectorRunner(ITargetDetector detector, TimeSpan budget, int maxDetections, Func<TimeSpan> clock)
 {
@@ -55,7 +55,8 @@ internal sealed class DetectorRunner(ITargetDetector detector, TimeSpan budget, 
         if (result.Refusal is not null)
             return result.Refusal;
         if (result.Count < 0 || result.Count > _found.Length || result.Dropped < 0)
-            return Fail(FormattableString.Invariant($"the detector returned {result.Count} detections, {result.Dropped} dropped; there was room for {_found.Length}"));
+            return Fail(FormattableString.Invariant(
+                $"the detector returned {result.Count} detections, {result.Dropped} dropped; there was room for {_found.Length}"));
         Dropped = result.Dropped;
         KeepValid(input, result.Count);
         return null;

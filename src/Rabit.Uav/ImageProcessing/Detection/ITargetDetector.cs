@@ -3,18 +3,27 @@ using System;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Finds targets in pictures: the part of Image Processing that a user may replace (<see cref="ImageProcessingOptions.Detector"/>).
-/// Waiting for poses, geolocation, covariances on the ground and reports are not its matter.
+/// Finds targets in pictures: the part of Image Processing that a user may replace
+/// (<see cref="ImageProcessingOptions.Detector"/>). Waiting for poses, geolocation, covariances on the ground and
+/// reports are not its matter.
 /// </summary>
 /// <remarks>
-/// <para>Thread: that of the Image Processing manager, one picture at a time. The manager does nothing else meanwhile.</para>
-/// <para>Time: <see cref="ImageProcessingOptions.DetectorTimeBudget"/>; a longer call is counted, and its detections are still used.</para>
-/// <para>Memory: a detector should allocate nothing for each picture; the span is the manager's, and is used after the call.</para>
 /// <para>
-/// An exception, or a number of detections that the span cannot hold, makes the picture count as not searched, so that nothing becomes a
-/// missed observation for it. A detection that is not valid (not a number, outside the picture, of a class that was not asked for, a
-/// score outside 0 to 1, no extent, a covariance that is not positive definite) is left out, and the others are used. Both are counted
-/// in <see cref="Messages.ImagingStatus"/> and reported by Health Monitoring; neither ends the run.
+/// Thread: that of the Image Processing manager, one picture at a time. The manager does nothing else meanwhile.
+/// </para>
+/// <para>
+/// Time: <see cref="ImageProcessingOptions.DetectorTimeBudget"/>; a longer call is counted, and its detections are
+/// still used.
+/// </para>
+/// <para>
+/// Memory: a detector should allocate nothing for each picture; the span is the manager's, and is used after the call.
+/// </para>
+/// <para>
+/// An exception, or a number of detections that the span cannot hold, makes the picture count as not searched, so that
+/// nothing becomes a missed observation for it. A detection that is not valid (not a number, outside the picture, of a
+/// class that was not asked for, a score outside 0 to 1, no extent, a covariance that is not positive definite) is left
+/// out, and the others are used. Both are counted in <see cref="Messages.ImagingStatus"/> and reported by Health
+/// Monitoring; neither ends the run.
 /// </para>
 /// <para>For the same pictures it should give the same detections: replays and simulated flights depend on it.</para>
 /// </remarks>

@@ -4,8 +4,8 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// How large a pixel is on the ground at any place of one picture, by the pose of the camera at its exposure. A small value; valid only
-/// during the call of the detector that it was given to, on its thread.
+/// How large a pixel is on the ground at any place of one picture, by the pose of the camera at its exposure. A small
+/// value; valid only during the call of the detector that it was given to, on its thread.
 /// </summary>
 public readonly struct PictureGroundScale
 {
@@ -22,7 +22,8 @@ public readonly struct PictureGroundScale
     public static PictureGroundScale Uniform(double metresPerPixel)
     {
         if (!(metresPerPixel > 0 && metresPerPixel < double.PositiveInfinity))
-            throw new ArgumentOutOfRangeException(nameof(metresPerPixel), metresPerPixel, "The side of a pixel on the ground must be above 0.");
+            throw new ArgumentOutOfRangeException(
+                nameof(metresPerPixel), metresPerPixel, "The side of a pixel on the ground must be above 0.");
         return new PictureGroundScale(metresPerPixel);
     }
 

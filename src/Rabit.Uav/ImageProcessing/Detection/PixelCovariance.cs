@@ -6,7 +6,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// <param name="columnColumn">Variance of the column.</param>
 /// <param name="columnRow">Covariance of column and row.</param>
 /// <param name="rowRow">Variance of the row.</param>
-public readonly struct PixelCovariance(double columnColumn, double columnRow, double rowRow) : IEquatable<PixelCovariance>
+public readonly struct PixelCovariance(double columnColumn, double columnRow, double rowRow)
+    : IEquatable<PixelCovariance>
 {
     /// <summary>Variance of the column, square pixels.</summary>
     public double ColumnColumn { get; } = columnColumn;

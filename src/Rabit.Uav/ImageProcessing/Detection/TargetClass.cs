@@ -6,11 +6,15 @@ using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>A class of targets that the user declares: its name, the size it may have, and its colour. Immutable.</summary>
+/// <summary>
+/// A class of targets that the user declares: its name, the size it may have, and its colour. Immutable.
+/// </summary>
 public sealed class TargetClass
 {
     /// <summary>Declares a class.</summary>
-    /// <param name="name">1 to 16 printable ASCII characters: in reports, tracks, the mission file, and between vehicles.</param>
+    /// <param name="name">
+    /// 1 to 16 printable ASCII characters: in reports, tracks, the mission file, and between vehicles.
+    /// </param>
     /// <exception cref="ArgumentException">The name is none of that kind.</exception>
     public TargetClass(string name) => Name = new TargetClassName(name);
 
@@ -37,7 +41,10 @@ public sealed class TargetClass
     /// <value>The default is 1.5 m, for panels of 1 m.</value>
     public double MaxSideMetres { get; init; } = 1.5;
 
-    /// <summary>Its colour, which <see cref="ColourTargetDetector"/> needs, and which must differ from those of the other classes; other detectors may leave it null.</summary>
+    /// <summary>
+    /// Its colour, which <see cref="ColourTargetDetector"/> needs, and which must differ from those of the other
+    /// classes; other detectors may leave it null.
+    /// </summary>
     public ColourRange? Colour { get; init; }
 
     internal static IEnumerable<string> FindFaults(ImmutableArray<TargetClass> classes)

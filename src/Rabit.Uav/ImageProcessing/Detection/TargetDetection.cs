@@ -21,8 +21,8 @@ public struct TargetDetection
     public double HeightPixels { get; set; }
 
     /// <summary>
-    /// Side of a square of its area on the ground, metres, where the detector measured it; 0, the default, to have it computed from
-    /// the box and the ground scale at its centre.
+    /// Side of a square of its area on the ground, metres, where the detector measured it; 0, the default, to have it
+    /// computed from the box and the ground scale at its centre.
     /// </summary>
     public double SideMetres { get; set; }
 

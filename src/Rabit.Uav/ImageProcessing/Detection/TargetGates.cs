@@ -4,10 +4,13 @@ using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;
 
-/// <summary>What a blob must be like on the ground, in metres, to be a target, and how like it is. Targets are squares.</summary>
+/// <summary>
+/// What a blob must be like on the ground, in metres, to be a target, and how like it is. Targets are squares.
+/// </summary>
 internal sealed class TargetGates(ColourDetectorOptions options)
 {
-    // A solid rectangle of area A has sigma_long * sigma_short = A / 12, however it lies; what has holes or arms has more.
+    // A solid rectangle of area A has sigma_long * sigma_short = A / 12, however it lies; what has holes or arms has
+    // more.
     private const double RectangleFactor = 12;
     private const double MinFill = 0.7;
     private const double MaxFill = 1.3;
@@ -31,7 +34,8 @@ internal sealed class TargetGates(ColourDetectorOptions options)
 
         // The middle of the range, as a ratio.
         double size = Math.Log(side / Math.Sqrt(min * max)) / Math.Log(Math.Sqrt(max / min));
-        double shapeLikeness = Likeness((fill - 1) / FillSpread) * Likeness((aspect - 1) / AspectSpread) * Likeness(size);
+        double shapeLikeness =
+            Likeness((fill - 1) / FillSpread) * Likeness((aspect - 1) / AspectSpread) * Likeness(size);
         return Math.Sqrt(shapeLikeness * target.Colour!.Closeness(shape.Red, shape.Green, shape.Blue));
     }
 

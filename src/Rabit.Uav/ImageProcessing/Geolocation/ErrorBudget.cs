@@ -5,9 +5,9 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// The error budget of geolocation: how wrong the things are from which a position on the ground is computed, one standard deviation
-/// each. Random errors (noise) are new in every observation and make the covariance of a report; systematic ones (biases) stay for a
-/// flight and make its systematic covariance.
+/// The error budget of geolocation: how wrong the things are from which a position on the ground is computed, one
+/// standard deviation each. Random errors (noise) are new in every observation and make the covariance of a report;
+/// systematic ones (biases) stay for a flight and make its systematic covariance.
 /// </summary>
 public sealed class ErrorBudget
 {
@@ -51,15 +51,23 @@ public sealed class ErrorBudget
     /// <value>The default is 1.1 m: satellite navigation without correction data over some minutes.</value>
     public double PositionBiasMetres { get; set; } = 1.1;
 
-    /// <summary>Altitude of the vehicle above the ground, the same in all observations, metres: of the position and of the ground together.</summary>
+    /// <summary>
+    /// Altitude of the vehicle above the ground, the same in all observations, metres: of the position and of the
+    /// ground together.
+    /// </summary>
     /// <value>The default is 1.3 m.</value>
     public double AltitudeBiasMetres { get; set; } = 1.3;
 
-    /// <summary>How fast the vehicle may change its velocity, metres per second squared: a pose that is extrapolated by t is wrong by half of it times t squared.</summary>
+    /// <summary>
+    /// How fast the vehicle may change its velocity, metres per second squared: a pose that is extrapolated by t is
+    /// wrong by half of it times t squared.
+    /// </summary>
     /// <value>The default is 3 m/s2.</value>
     public double AccelerationMetresPerSecondSquared { get; set; } = 3;
 
-    /// <summary>How fast the vehicle may change its rates of turn, radians per second squared, with the same effect.</summary>
+    /// <summary>
+    /// How fast the vehicle may change its rates of turn, radians per second squared, with the same effect.
+    /// </summary>
     /// <value>The default is 90 degrees/s2.</value>
     public double AngularAccelerationRadiansPerSecondSquared { get; set; } = 90 * Angle.RadiansPerDegree;
 
@@ -79,7 +87,8 @@ public sealed class ErrorBudget
         foreach ((string name, double value) in figures)
         {
             if (!(value >= 0) || double.IsInfinity(value))
-                yield return FormattableString.Invariant($"{nameof(ErrorBudget)}.{name} is {value}; it must not be negative");
+                yield return FormattableString.Invariant(
+                    $"{nameof(ErrorBudget)}.{name} is {value}; it must not be negative");
         }
     }
 

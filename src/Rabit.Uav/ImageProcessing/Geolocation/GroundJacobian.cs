@@ -5,8 +5,8 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// The Jacobian of geolocation: how far a position on the ground moves for a small error of each thing that it is computed from, by
-/// central differences; the covariance follows from it. Fixed memory; for one thread.
+/// The Jacobian of geolocation: how far a position on the ground moves for a small error of each thing that it is
+/// computed from, by central differences; the covariance follows from it. Fixed memory; for one thread.
 /// </summary>
 internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
 {
@@ -17,7 +17,9 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
     private readonly double[] _east = new double[Inputs];
     private readonly double[] _errors = new double[Inputs];
 
-    /// <summary>Computes all derivatives for one pixel; false where one cannot be computed because a ray misses the ground.</summary>
+    /// <summary>
+    /// Computes all derivatives for one pixel; false where one cannot be computed because a ray misses the ground.
+    /// </summary>
     public bool TryCompute(in ViewingGeometry geometry, double column, double row)
     {
         if (!camera.TryUndistort(column, row, out double x, out double y))
@@ -47,7 +49,10 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
         return true;
     }
 
-    /// <summary>The covariance of the position for independent errors of the given standard deviations, in the order of <see cref="ViewingParameter"/>.</summary>
+    /// <summary>
+    /// The covariance of the position for independent errors of the given standard deviations, in the order of
+    /// <see cref="ViewingParameter"/>.
+    /// </summary>
     public HorizontalCovariance Covariance(double[] sigmas)
     {
         (double nn, double ne, double ee) = (0, 0, 0);
@@ -66,21 +71,25 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
     public HorizontalCovariance CovarianceOfPair(ViewingParameter a, ViewingParameter b, double covariance)
     {
         (double an, double ae, double bn, double be) = (_north[(int)a], _east[(int)a], _north[(int)b], _east[(int)b]);
-        return new HorizontalCovariance(2 * covariance * an * bn, covariance * ((an * be) + (bn * ae)), 2 * covariance * ae * be);
+        return new HorizontalCovariance(
+            2 * covariance * an * bn, covariance * ((an * be) + (bn * ae)), 2 * covariance * ae * be);
     }
 
     private static double StepOf(ViewingParameter input) => input switch
     {
         ViewingParameter.Column or ViewingParameter.Row => 1e-2,
-        ViewingParameter.North or ViewingParameter.East or ViewingParameter.Down or ViewingParameter.GroundHeight => 1e-2,
+        ViewingParameter.North or ViewingParameter.East or ViewingParameter.Down or ViewingParameter.GroundHeight =>
+            1e-2,
         ViewingParameter.Time => 1e-3,
         _ => 1e-5,
     };
 
-    private bool TryIntersectWithErrors(in ViewingGeometry geometry, EulerAngles attitude, double x, double y, out NedPosition point)
+    private bool TryIntersectWithErrors(
+        in ViewingGeometry geometry, EulerAngles attitude, double x, double y, out NedPosition point)
     {
         double later = Error(ViewingParameter.Time);
-        NedPosition vehicle = new NedPosition(Error(ViewingParameter.North), Error(ViewingParameter.East), Error(ViewingParameter.Down))
+        NedPosition vehicle = new NedPosition(
+            Error(ViewingParameter.North), Error(ViewingParameter.East), Error(ViewingParameter.Down))
             + (later * geometry.Pose.VelocityNed);
         Rotation rotation = Rotation.FromEuler(EulerAngles.FromRadians(
             attitude.Roll.Radians + Error(ViewingParameter.Roll),
@@ -89,10 +98,13 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
         CameraExtrinsics placement = mount.At(
             geometry.GimbalPitch + Angle.FromRadians(Error(ViewingParameter.GimbalPitch)),
             geometry.GimbalYaw + Angle.FromRadians(Error(ViewingParameter.GimbalYaw)),
-            EulerAngles.FromRadians(Error(ViewingParameter.MountRoll), Error(ViewingParameter.MountPitch), Error(ViewingParameter.MountYaw)));
+            EulerAngles.FromRadians(
+                Error(ViewingParameter.MountRoll), Error(ViewingParameter.MountPitch),
+                Error(ViewingParameter.MountYaw)));
         double down = geometry.GroundDownMetres - Error(ViewingParameter.GroundHeight);
         return ViewingGeometry.Ray(rotation, placement, vehicle, x, y).TryIntersectPlane(
-            geometry.GroundPoint with { Down = down }, geometry.GroundDownByNorth, geometry.GroundDownByEast, out point);
+            geometry.GroundPoint with { Down = down }, geometry.GroundDownByNorth, geometry.GroundDownByEast,
+            out point);
     }
 
     private double Error(ViewingParameter input) => _errors[(int)input];

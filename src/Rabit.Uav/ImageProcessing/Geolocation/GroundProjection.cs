@@ -5,8 +5,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// From the pixels of one picture to the ground, at one pose: made by <see cref="GroundProjector.At"/>, for the thread of that
-/// projector. A value; pass it by reference, it is large.
+/// From the pixels of one picture to the ground, at one pose: made by <see cref="GroundProjector.At"/>, for the thread
+/// of that projector. A value; pass it by reference, it is large.
 /// </summary>
 internal readonly struct GroundProjection
 {
@@ -38,11 +38,17 @@ internal readonly struct GroundProjection
             return TerrainRay.Intersect(ray, _frame, terrain, _projector.MinDepression, out ground);
         if (ray.TryIntersectLevel(_geometry.GroundDownMetres, _projector.MinDepression, out ground))
             return GeolocationError.None;
-        return ray.Origin.Down < _geometry.GroundDownMetres ? GeolocationError.NearHorizon : GeolocationError.CameraBelowGround;
+        return ray.Origin.Down < _geometry.GroundDownMetres
+            ? GeolocationError.NearHorizon
+            : GeolocationError.CameraBelowGround;
     }
 
-    /// <summary>Where a pixel's ray intersects the ground, metres from the vehicle; false near the horizon, above it, or below ground.</summary>
-    public bool TryProjectToGround(double column, double row, out NedPosition ground) => Locate(column, row, out ground) == GeolocationError.None;
+    /// <summary>
+    /// Where a pixel's ray intersects the ground, metres from the vehicle; false near the horizon, above it, or below
+    /// ground.
+    /// </summary>
+    public bool TryProjectToGround(double column, double row, out NedPosition ground)
+        => Locate(column, row, out ground) == GeolocationError.None;
 
     /// <summary>As the other, as a position on the earth.</summary>
     public bool TryProjectToGround(double column, double row, out GeodeticPosition place)
@@ -59,8 +65,10 @@ internal readonly struct GroundProjection
     public bool TryScale(double column, double row, out GroundScale scale)
     {
         scale = default;
-        if (!TryProjectToGround(column - 0.5, row, out NedPosition left) || !TryProjectToGround(column + 0.5, row, out NedPosition right)
-            || !TryProjectToGround(column, row - 0.5, out NedPosition above) || !TryProjectToGround(column, row + 0.5, out NedPosition below))
+        if (!TryProjectToGround(column - 0.5, row, out NedPosition left)
+            || !TryProjectToGround(column + 0.5, row, out NedPosition right)
+            || !TryProjectToGround(column, row - 0.5, out NedPosition above)
+            || !TryProjectToGround(column, row + 0.5, out NedPosition below))
             return false;
         scale.NorthByColumn = right.North - left.North;
         scale.EastByColumn = right.East - left.East;
@@ -69,8 +77,12 @@ internal readonly struct GroundProjection
         return true;
     }
 
-    /// <summary>The covariance of a pixel's place: of random errors, new in each observation, and of systematic ones, the same in all.</summary>
-    public bool TryCovariances(double column, double row, out HorizontalCovariance random, out HorizontalCovariance systematic)
+    /// <summary>
+    /// The covariance of a pixel's place: of random errors, new in each observation, and of systematic ones, the same
+    /// in all.
+    /// </summary>
+    public bool TryCovariances(
+        double column, double row, out HorizontalCovariance random, out HorizontalCovariance systematic)
     {
         NedPosition ground = default;
         if (_projector.Terrain is null || TryProjectToGround(column, row, out ground))
@@ -79,9 +91,12 @@ internal readonly struct GroundProjection
         return false;
     }
 
-    /// <summary>As the other, for a pixel that is known to show a place: over terrain that saves the search for it.</summary>
+    /// <summary>
+    /// As the other, for a pixel that is known to show a place: over terrain that saves the search for it.
+    /// </summary>
     public bool TryCovariances(
-        double column, double row, NedPosition ground, out HorizontalCovariance random, out HorizontalCovariance systematic)
+        double column, double row, NedPosition ground, out HorizontalCovariance random,
+        out HorizontalCovariance systematic)
     {
         (random, systematic) = (default, default);
         if (!TryComputeJacobian(column, row, ground))
@@ -93,7 +108,8 @@ internal readonly struct GroundProjection
 
     /// <summary>The same for a place that a detector found, with its own statement of how uncertain that is.</summary>
     public bool TryCovariances(
-        double column, double row, in PixelCovariance pixel, out HorizontalCovariance random, out HorizontalCovariance systematic)
+        double column, double row, in PixelCovariance pixel, out HorizontalCovariance random,
+        out HorizontalCovariance systematic)
     {
         (random, systematic) = (default, default);
         NedPosition ground = default;

@@ -6,9 +6,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// Computes where on the ground the pixels of a camera are (geolocation), with their covariance: lens distortion, mount, lever arms,
-/// and ground that is flat and level, or a terrain grid. It holds what stays the same; <see cref="At"/> adds one picture's pose and
-/// gimbal. Fixed memory; for one thread.
+/// Computes where on the ground the pixels of a camera are (geolocation), with their covariance: lens distortion,
+/// mount, lever arms, and ground that is flat and level, or a terrain grid. It holds what stays the same;
+/// <see cref="At"/> adds one picture's pose and gimbal. Fixed memory; for one thread.
 /// </summary>
 internal sealed class GroundProjector
 {
@@ -49,8 +49,13 @@ internal sealed class GroundProjector
     /// <param name="command">Where the gimbal points, and how high flat ground is.</param>
     public GroundProjection At(in Pose pose, in ImagingCommand command) => new(this, pose, command);
 
-    /// <summary>Standard deviations of the random errors, in the order of <see cref="ViewingParameter"/>; valid until the next call.</summary>
-    /// <param name="extrapolatedSeconds">How far the pose was extrapolated: it is wrong by what the vehicle may have done since.</param>
+    /// <summary>
+    /// Standard deviations of the random errors, in the order of <see cref="ViewingParameter"/>; valid until the next
+    /// call.
+    /// </summary>
+    /// <param name="extrapolatedSeconds">
+    /// How far the pose was extrapolated: it is wrong by what the vehicle may have done since.
+    /// </param>
     public double[] RandomErrors(double extrapolatedSeconds)
     {
         if (extrapolatedSeconds <= 0)
@@ -69,7 +74,9 @@ internal sealed class GroundProjector
         return _extrapolated;
     }
 
-    /// <summary>The same, with the errors of a pixel's place that its detector states; their covariance is not in it.</summary>
+    /// <summary>
+    /// The same, with the errors of a pixel's place that its detector states; their covariance is not in it.
+    /// </summary>
     /// <param name="extrapolatedSeconds">How far the pose was extrapolated.</param>
     /// <param name="pixel">Positive definite.</param>
     public double[] RandomErrors(double extrapolatedSeconds, in PixelCovariance pixel)

@@ -6,8 +6,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// Geolocation of single pixels (direct georeferencing): where on the ground they are, with their covariance, from poses as the
-/// autopilot reports them and a camera. The chain of Image Processing without its manager. For one thread; fixed memory.
+/// Geolocation of single pixels (direct georeferencing): where on the ground they are, with their covariance, from
+/// poses as the autopilot reports them and a camera. The chain of Image Processing without its manager. For one thread;
+/// fixed memory.
 /// </summary>
 /// <example>
 /// <code>
@@ -32,9 +33,11 @@ public sealed class PixelGeolocator
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     public PixelGeolocator(ImageProcessingOptions options)
     {
-        _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(hasCamera: true, nameof(options));
+        _options = (options ?? throw new ArgumentNullException(nameof(options)))
+            .ValidatedCopy(hasCamera: true, nameof(options));
         _camera = _options.Camera!;
-        _projector = new GroundProjector(_camera, _options.Mount, _options.Errors, _options.MinDepression, _options.Terrain);
+        _projector = new GroundProjector(
+            _camera, _options.Mount, _options.Errors, _options.MinDepression, _options.Terrain);
         _poses = new PoseHistory(_options.MaxPoseGap);
     }
 
@@ -47,7 +50,9 @@ public sealed class PixelGeolocator
 
     /// <summary>Where a pixel is on the ground.</summary>
     /// <param name="middleOfExposure">Of the first row, by the clock of the poses.</param>
-    /// <param name="command">Where the gimbal points and how high the ground is; its height is not used where there is terrain.</param>
+    /// <param name="command">
+    /// Where the gimbal points and how high the ground is; its height is not used where there is terrain.
+    /// </param>
     /// <param name="column">The centre of the top left pixel is 0.</param>
     /// <param name="row">The centre of the top left pixel is 0.</param>
     public GeolocationResult Locate(TimeSpan middleOfExposure, in ImagingCommand command, double column, double row)
@@ -64,9 +69,11 @@ public sealed class PixelGeolocator
         GeolocationError error = projection.Locate(column, row, out NedPosition ground);
         if (error != GeolocationError.None)
             return Refuse(result, error);
-        if (!projection.TryCovariances(column, row, ground, out HorizontalCovariance random, out HorizontalCovariance systematic))
+        if (!projection.TryCovariances(
+            column, row, ground, out HorizontalCovariance random, out HorizontalCovariance systematic))
             return Refuse(result, GeolocationError.NearHorizon);
-        (result.Position, result.Covariance, result.SystematicCovariance) = (projection.ToGeodetic(ground), random, systematic);
+        (result.Position, result.Covariance, result.SystematicCovariance) =
+            (projection.ToGeodetic(ground), random, systematic);
         return result;
     }
 

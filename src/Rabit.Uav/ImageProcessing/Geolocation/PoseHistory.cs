@@ -5,8 +5,9 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// Positions and attitudes of the last seconds, from which the pose at a moment is interpolated: attitude by SLERP, position by a cubic
-/// through positions and velocities (Hermite). It is extrapolated beyond the newest only where that is asked for. Fixed memory; for one thread.
+/// Positions and attitudes of the last seconds, from which the pose at a moment is interpolated: attitude by SLERP,
+/// position by a cubic through positions and velocities (Hermite). It is extrapolated beyond the newest only where that
+/// is asked for. Fixed memory; for one thread.
 /// </summary>
 internal sealed class PoseHistory(TimeSpan maxGap)
 {
@@ -21,7 +22,9 @@ internal sealed class PoseHistory(TimeSpan maxGap)
     private readonly TimedRing<AttitudeSample> _attitudes = new(AttitudesKept, MaxStepBack);
     private long _invalid;
 
-    /// <summary>Samples that were not used: not a number, out of range, of a moment that was there already, or too old.</summary>
+    /// <summary>
+    /// Samples that were not used: not a number, out of range, of a moment that was there already, or too old.
+    /// </summary>
     public long Refused => _invalid + _positions.Refused + _attitudes.Refused;
 
     /// <summary>How often time jumped back, so that all before was forgotten.</summary>
@@ -30,9 +33,12 @@ internal sealed class PoseHistory(TimeSpan maxGap)
     public void Add(in PoseSample sample)
     {
         if (sample.Kind == PoseSampleKind.Position && IsValid(sample.Position))
-            _positions.Add(sample.Time, new PositionSample { Position = sample.Position, VelocityNed = sample.VelocityNed });
+            _positions.Add(
+                sample.Time, new PositionSample { Position = sample.Position, VelocityNed = sample.VelocityNed });
         else if (sample.Kind == PoseSampleKind.Attitude && sample.Attitude.IsFinite)
-            _attitudes.Add(sample.Time, new AttitudeSample { Attitude = Rotation.FromEuler(sample.Attitude), Rates = sample.Rates });
+            _attitudes.Add(
+                sample.Time,
+                new AttitudeSample { Attitude = Rotation.FromEuler(sample.Attitude), Rates = sample.Rates });
         else
             _invalid++;
     }
@@ -52,7 +58,9 @@ internal sealed class PoseHistory(TimeSpan maxGap)
         return PoseLookup.Known;
     }
 
-    /// <summary>The pose at a moment that the samples do not reach, at the velocity and the rates of the newest ones.</summary>
+    /// <summary>
+    /// The pose at a moment that the samples do not reach, at the velocity and the rates of the newest ones.
+    /// </summary>
     /// <param name="time">The moment.</param>
     /// <param name="max">How far it may be extrapolated.</param>
     /// <param name="pose">Says how far it was extrapolated, from which its errors grow.</param>
@@ -107,19 +115,23 @@ internal sealed class PoseHistory(TimeSpan maxGap)
             endVelocity = startVelocity;
         }
 
-        (double north, double northSpeed) = Cubic(end.North, startVelocity.North, endVelocity.North, seconds, pair.Part);
+        (double north, double northSpeed) = Cubic(
+            end.North, startVelocity.North, endVelocity.North, seconds, pair.Part);
         (double east, double eastSpeed) = Cubic(end.East, startVelocity.East, endVelocity.East, seconds, pair.Part);
         (double down, double downSpeed) = Cubic(end.Down, startVelocity.Down, endVelocity.Down, seconds, pair.Part);
         return (frame.ToGeodetic(new NedPosition(north, east, down)), new NedVector(northSpeed, eastSpeed, downSpeed));
     }
 
     // From 0 to the end, with the speeds at both, and its derivative.
-    private static (double Value, double Speed) Cubic(double end, double startSpeed, double endSpeed, double seconds, double part)
+    private static (double Value, double Speed) Cubic(
+        double end, double startSpeed, double endSpeed, double seconds, double part)
     {
         double p2 = part * part;
         double p3 = p2 * part;
-        double value = (seconds * (p3 - (2 * p2) + part) * startSpeed) + (((3 * p2) - (2 * p3)) * end) + (seconds * (p3 - p2) * endSpeed);
-        double speed = (((3 * p2) - (4 * part) + 1) * startSpeed) + (6 * (part - p2) * end / seconds) + (((3 * p2) - (2 * part)) * endSpeed);
+        double value = (seconds * (p3 - (2 * p2) + part) * startSpeed) + (((3 * p2) - (2 * p3)) * end)
+            + (seconds * (p3 - p2) * endSpeed);
+        double speed = (((3 * p2) - (4 * part) + 1) * startSpeed) + (6 * (part - p2) * end / seconds)
+            + (((3 * p2) - (2 * part)) * endSpeed);
         return (value, speed);
     }
 

@@ -4,8 +4,8 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
-/// The viewing geometry of a picture, from which its rays are computed: where the vehicle was, how its camera was turned, where the ground
-/// is. The frame is north-east-down with its origin at the vehicle. A plain value.
+/// The viewing geometry of a picture, from which its rays are computed: where the vehicle was, how its camera was
+/// turned, where the ground is. The frame is north-east-down with its origin at the vehicle. A plain value.
 /// </summary>
 internal struct ViewingGeometry
 {

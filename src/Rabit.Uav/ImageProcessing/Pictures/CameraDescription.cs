@@ -20,7 +20,9 @@ internal static class CameraDescription
     private const string Exposure = "exposureMicroseconds";
     private const double TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000.0;
 
-    /// <exception cref="PictureException">It is no JSON, or describes no camera; the text names all that is wrong.</exception>
+    /// <exception cref="PictureException">
+    /// It is no JSON, or describes no camera; the text names all that is wrong.
+    /// </exception>
     public static CameraFolder Parse(byte[] json, string file, string folder)
     {
         JsonDocument document;
@@ -80,10 +82,13 @@ internal static class CameraDescription
             WriteNumbers(json, name: null, [x3, y3, z3]);
             json.WriteEndArray();
             WriteNumbers(
-                json, CameraMountDescription.LeverArm, [placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down]);
+                json, CameraMountDescription.LeverArm,
+                [placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down]);
             json.WriteEndObject();
             json.WriteEndObject();
-            json.WriteString("timeSource", "names of the pictures: number, start of the exposure in us since 1970 UTC, exposure in us");
+            json.WriteString(
+                "timeSource",
+                "names of the pictures: number, start of the exposure in us since 1970 UTC, exposure in us");
             json.WriteEndObject();
         }
 
@@ -109,7 +114,8 @@ internal static class CameraDescription
             P1 = distortion[2],
             P2 = distortion[3],
             K3 = distortion[4],
-            RowReadout = TimeSpan.FromTicks(double.IsNaN(readout) ? 0 : (long)Math.Round(readout * TicksPerMicrosecond)),
+            RowReadout = TimeSpan.FromTicks(
+                double.IsNaN(readout) ? 0 : (long)Math.Round(readout * TicksPerMicrosecond)),
         };
     }
 
@@ -158,12 +164,14 @@ internal static class CameraDescription
     private static bool TryReadFrame(JsonFields frame, int number, out ListedPicture? picture)
     {
         picture = null;
-        if (frame.Text("file") is not { } name || frame.Long(FrameStart) is not { } start || frame.Long(Exposure) is not { } exposure
+        if (frame.Text("file") is not { } name || frame.Long(FrameStart) is not { } start
+            || frame.Long(Exposure) is not { } exposure
             || !PictureFileName.IsPossible(start, exposure))
             return false;
 
         string[] steps = name.Split('/', '\\');
-        if (name.IndexOfAny(Path.GetInvalidPathChars()) >= 0 || name.Contains(':') || steps.Any(s => s.Length == 0 || s == ".."))
+        if (name.IndexOfAny(Path.GetInvalidPathChars()) >= 0 || name.Contains(':')
+            || steps.Any(s => s.Length == 0 || s == ".."))
             return false;
         picture = new ListedPicture(name, new PictureFileName(number, start, exposure));
         return true;

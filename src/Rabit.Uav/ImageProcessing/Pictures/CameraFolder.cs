@@ -9,12 +9,13 @@ using Rabit.Vision;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// A folder of a camera: "camera.json" says what the camera is like and how it is mounted, and the pictures lie beside it. Immutable.
+/// A folder of a camera: "camera.json" says what the camera is like and how it is mounted, and the pictures lie beside
+/// it. Immutable.
 /// </summary>
 /// <remarks>
-/// A picture is called "f000123_1732190000123456_e2000.png": number, start of the exposure in microseconds since 1970 UTC, exposure in
-/// microseconds. Pictures of other names may be listed in camera.json, as "frames" of "file", "frameStartMicroseconds" and
-/// "exposureMicroseconds". The form of camera.json is in docs/camera-folder.md.
+/// A picture is called "f000123_1732190000123456_e2000.png": number, start of the exposure in microseconds since 1970
+/// UTC, exposure in microseconds. Pictures of other names may be listed in camera.json, as "frames" of "file",
+/// "frameStartMicroseconds" and "exposureMicroseconds". The form of camera.json is in docs/camera-folder.md.
 /// </remarks>
 public sealed class CameraFolder
 {
@@ -40,22 +41,28 @@ public sealed class CameraFolder
 
     /// <summary>Reads the description of a folder's camera.</summary>
     /// <param name="path">The folder.</param>
-    /// <exception cref="PictureException">There is no such folder, no description in it, or a wrong one; the text names all that is wrong.</exception>
+    /// <exception cref="PictureException">
+    /// There is no such folder, no description in it, or a wrong one; the text names all that is wrong.
+    /// </exception>
     public static CameraFolder Open(string path)
     {
         if (path is null)
             throw new ArgumentNullException(nameof(path));
         if (!Directory.Exists(path))
-            throw new PictureException(path, File.Exists(path) ? "that is a file; a folder of a camera is wanted" : "no such folder");
+            throw new PictureException(
+                path, File.Exists(path) ? "that is a file; a folder of a camera is wanted" : "no such folder");
         string file = System.IO.Path.Combine(path, DescriptionFile);
         if (!File.Exists(file))
-            throw new PictureException(path, $"there is no {DescriptionFile} in it, which says what the camera is like");
+            throw new PictureException(
+                path, $"there is no {DescriptionFile} in it, which says what the camera is like");
         return OpenFile(file, path);
     }
 
     /// <summary>Reads the description of a camera from a file of any name; its folder is that of the camera.</summary>
     /// <param name="file">The file, in the form of camera.json.</param>
-    /// <exception cref="PictureException">There is no such file, or a wrong one; the text names all that is wrong.</exception>
+    /// <exception cref="PictureException">
+    /// There is no such file, or a wrong one; the text names all that is wrong.
+    /// </exception>
     public static CameraFolder OpenFile(string file)
     {
         if (file is null)
@@ -65,11 +72,15 @@ public sealed class CameraFolder
         return OpenFile(file, System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(file))!);
     }
 
-    /// <summary>Makes a folder, if there is none, and writes the description of its camera, replacing one that is there.</summary>
+    /// <summary>
+    /// Makes a folder, if there is none, and writes the description of its camera, replacing one that is there.
+    /// </summary>
     /// <param name="path">The folder.</param>
     /// <param name="camera">Pinhole and lens.</param>
     /// <param name="mount">How it sits on the vehicle.</param>
-    /// <param name="gimbalPitch">Where its gimbal points, if it has one, and stays: up positive; null is straight down.</param>
+    /// <param name="gimbalPitch">
+    /// Where its gimbal points, if it has one, and stays: up positive; null is straight down.
+    /// </param>
     /// <param name="gimbalYaw">The same, right positive.</param>
     /// <exception cref="PictureException">The numbers describe no camera, or the folder cannot be written.</exception>
     public static CameraFolder Create(
@@ -99,7 +110,11 @@ public sealed class CameraFolder
             throw new PictureException(file, "it cannot be written: " + e.Message, e);
         }
 
-        var fixedMount = new CameraMount { FixedBodyFromCamera = placement.BodyFromCamera, GimbalLeverArmMetres = placement.PositionMetres };
+        var fixedMount = new CameraMount
+        {
+            FixedBodyFromCamera = placement.BodyFromCamera,
+            GimbalLeverArmMetres = placement.PositionMetres
+        };
         return new CameraFolder(path, camera, fixedMount, []);
     }
 

@@ -15,7 +15,9 @@ internal static class CameraMountDescription
     private const string CameraLeverArm = "leverArmGimbalMetres";
 
     /// <param name="mount">The object of the mount.</param>
-    /// <param name="faults">Those that <paramref name="mount"/> adds to; where there are any, what is returned is of no use.</param>
+    /// <param name="faults">
+    /// Those that <paramref name="mount"/> adds to; where there are any, what is returned is of no use.
+    /// </param>
     public static CameraMount Read(JsonFields mount, List<string> faults)
     {
         mount.Renamed(("R_body_from_cam", BodyFromCamera), ("lever_arm_body_m", LeverArm));
@@ -29,7 +31,8 @@ internal static class CameraMountDescription
     private static CameraMount OnGimbal(JsonFields mount, BodyVector position, List<string> faults)
     {
         if (mount.Has(BodyFromCamera))
-            faults.Add($"camera.mount has both {BodyFromCamera}, of a fixed camera, and {Gimbal}; it must have one of them");
+            faults.Add(
+                $"camera.mount has both {BodyFromCamera}, of a fixed camera, and {Gimbal}; it must have one of them");
         JsonFields gimbal = mount.Object(Gimbal);
         double[] arm = gimbal.Has(CameraLeverArm) ? gimbal.RequiredNumbers(CameraLeverArm, 3) : new double[3];
         var read = new CameraMount
@@ -48,7 +51,8 @@ internal static class CameraMountDescription
     {
         int before = faults.Count;
         double[] matrix = mount.RequiredMatrix(BodyFromCamera);
-        if (!TryRotation(matrix, out Rotation rotation, out string reason) && faults.Count == before && mount.Has(BodyFromCamera))
+        if (!TryRotation(matrix, out Rotation rotation, out string reason) && faults.Count == before
+            && mount.Has(BodyFromCamera))
             faults.Add("camera.mount." + BodyFromCamera + ": " + reason);
         return new CameraMount { FixedBodyFromCamera = rotation, GimbalLeverArmMetres = position };
     }

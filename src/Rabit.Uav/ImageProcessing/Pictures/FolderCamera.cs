@@ -9,13 +9,14 @@ using Rabit.Vision;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// A camera that is a folder of pictures with their times, also one that grows while it is watched: what another program takes, this reads.
-/// It never blocks: real time waits for a picture, virtual time jumps to the end of its exposure.
+/// A camera that is a folder of pictures with their times, also one that grows while it is watched: what another
+/// program takes, this reads. It never blocks: real time waits for a picture, virtual time jumps to the end of its
+/// exposure.
 /// </summary>
 /// <remarks>
-/// The times are those of the wall clock and are taken over into the clock of the run by what that says of both; so pictures of a recorded
-/// flight go with a recorded log whose start the clock of the run was set to. Pictures come in the order of their times. The figures may
-/// be read from any thread.
+/// The times are those of the wall clock and are taken over into the clock of the run by what that says of both; so
+/// pictures of a recorded flight go with a recorded log whose start the clock of the run was set to. Pictures come in
+/// the order of their times. The figures may be read from any thread.
 /// </remarks>
 public sealed class FolderCamera : IReaderSource<CameraFrame>
 {
@@ -42,7 +43,9 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
 
     /// <summary>Makes the camera.</summary>
     /// <param name="folder">The folder, see <see cref="CameraFolder.Open"/>.</param>
-    /// <param name="buffers">How many pictures may be on their way at once, at least 1; while all buffers are out, pictures are lost.</param>
+    /// <param name="buffers">
+    /// How many pictures may be on their way at once, at least 1; while all buffers are out, pictures are lost.
+    /// </param>
     public FolderCamera(CameraFolder folder, int buffers = 6)
     {
         _folder = folder ?? throw new ArgumentNullException(nameof(folder));
@@ -56,7 +59,9 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     /// <summary>Pictures delivered.</summary>
     public long PicturesDelivered => Interlocked.Read(ref _delivered);
 
-    /// <summary>Pictures that could not be read, have another size than the camera's, or a name without their time.</summary>
+    /// <summary>
+    /// Pictures that could not be read, have another size than the camera's, or a name without their time.
+    /// </summary>
     public long PicturesRefused => Interlocked.Read(ref _refused);
 
     /// <summary>Pictures that were begun before the reader was opened, and were therefore not read.</summary>
@@ -68,7 +73,9 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     /// <summary>Pictures lost because no buffer was free.</summary>
     public long PicturesWithoutBuffer => Interlocked.Read(ref _withoutBuffer);
 
-    /// <summary>Why the last picture that was refused was, or why the folder cannot be read, one line; null if nothing happened.</summary>
+    /// <summary>
+    /// Why the last picture that was refused was, or why the folder cannot be read, one line; null if nothing happened.
+    /// </summary>
     public string? LastRefusal => Volatile.Read(ref _lastRefusal);
 
     /// <inheritdoc/>
@@ -94,7 +101,8 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
 
             ListedPicture next = _pending[_pending.Count - 1];
             TimeSpan start = RunTime(next.Facts.StartUtcMicroseconds);
-            TimeSpan exposure = TimeSpan.FromTicks(next.Facts.ExposureMicroseconds * PictureFolderWriter.TicksPerMicrosecond);
+            TimeSpan exposure = TimeSpan.FromTicks(
+                next.Facts.ExposureMicroseconds * PictureFolderWriter.TicksPerMicrosecond);
             TimeSpan wait = start + exposure - _context!.Now;
             if (wait > TimeSpan.Zero)
                 return ReaderStep.WaitUntil(_context.Now + (wait < MaxWait ? wait : MaxWait));
@@ -128,7 +136,8 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
         try
         {
             PictureFile.LoadInto(
-                Path.Combine(_folder.Path, picture.File), _folder.Camera.Width, _folder.Camera.Height, lease.Array, ref _fileBuffer);
+                Path.Combine(_folder.Path, picture.File), _folder.Camera.Width, _folder.Camera.Height, lease.Array,
+                ref _fileBuffer);
         }
         catch (PictureException e)
         {
@@ -163,7 +172,8 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
         }
 
         foreach (string name in _nameless)
-            Refuse($"{Path.Combine(_folder.Path, name)}: its name has no number and time, as f000123_1732190000123456_e2000.png has");
+            Refuse($"{Path.Combine(_folder.Path, name)}: its name has no number and time, as "
+                + "f000123_1732190000123456_e2000.png has");
         _nameless.Clear();
         foreach (ListedPicture picture in found)
             Add(picture);

@@ -6,8 +6,8 @@ using System.Linq;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// What the name of a camera's picture says: "f000123_1732190000123456_e2000.png" is picture 123, its exposure began that many
-/// microseconds after 1970, UTC, and took 2000 microseconds. A plain value.
+/// What the name of a camera's picture says: "f000123_1732190000123456_e2000.png" is picture 123, its exposure began
+/// that many microseconds after 1970, UTC, and took 2000 microseconds. A plain value.
 /// </summary>
 internal readonly struct PictureFileName(long number, long startUtcMicroseconds, long exposureMicroseconds)
 {
@@ -31,7 +31,8 @@ internal readonly struct PictureFileName(long number, long startUtcMicroseconds,
         => startUtcMicroseconds is >= 0 and <= LastMicrosecond && exposureMicroseconds is >= 0 and <= MaxExposure;
 
     /// <summary>Whether a file says that it is a picture, of whatever kind.</summary>
-    public static bool IsPicture(string fileName) => PictureEndings.Contains(Path.GetExtension(fileName), StringComparer.OrdinalIgnoreCase);
+    public static bool IsPicture(string fileName)
+        => PictureEndings.Contains(Path.GetExtension(fileName), StringComparer.OrdinalIgnoreCase);
 
     /// <summary>Reads a name; false for any other file.</summary>
     public static bool TryParse(string fileName, out PictureFileName name)
@@ -40,7 +41,8 @@ internal readonly struct PictureFileName(long number, long startUtcMicroseconds,
         if (!IsPicture(fileName))
             return false;
         string[] parts = fileName.Substring(0, fileName.Length - Path.GetExtension(fileName).Length).Split('_');
-        if (parts.Length != 3 || !TryNumber(parts[0], "f", out long number) || !TryNumber(parts[1], string.Empty, out long start)
+        if (parts.Length != 3 || !TryNumber(parts[0], "f", out long number)
+            || !TryNumber(parts[1], string.Empty, out long start)
             || !TryNumber(parts[2], "e", out long exposure) || !IsPossible(start, exposure))
         {
             return false;

@@ -7,8 +7,8 @@ using Rabit.Vision;
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Writes a camera's pictures into its folder, under the names that <see cref="FolderCamera"/> reads. Each is written under another name
-/// and then renamed, so that a reader of the folder never sees half a picture. One thread writes.
+/// Writes a camera's pictures into its folder, under the names that <see cref="FolderCamera"/> reads. Each is written
+/// under another name and then renamed, so that a reader of the folder never sees half a picture. One thread writes.
 /// </summary>
 public sealed class PictureFolderWriter
 {
@@ -34,7 +34,8 @@ public sealed class PictureFolderWriter
     /// <exception cref="PictureException">It cannot be written.</exception>
     public string Write(in CameraFrame frame, DateTimeOffset frameStartUtc)
     {
-        var facts = new PictureFileName(frame.Number, ToMicroseconds(frameStartUtc), frame.Exposure.Ticks / TicksPerMicrosecond);
+        var facts = new PictureFileName(
+            frame.Number, ToMicroseconds(frameStartUtc), frame.Exposure.Ticks / TicksPerMicrosecond);
         string name = facts.ToFileName();
         string path = Path.Combine(_folder, name);
         PictureFile.Save(path + TemporaryEnding, new RgbPicture(frame.Width, frame.Height, frame.Pixels.Array));

@@ -8,7 +8,8 @@ namespace Rabit.Uav.ImageProcessing;
 /// <summary>Finds the pictures of a folder that were not there before. One thread.</summary>
 internal sealed class PictureListing
 {
-    // A file may appear within the same tick of the file system's clock as the last listing; so the folder is listed now and then in any case.
+    // A file may appear within the same tick of the file system's clock as the last listing; so the folder is listed
+    // now and then in any case.
     private const int ChecksPerListing = 10;
 
     private readonly string _folder;
@@ -50,7 +51,8 @@ internal sealed class PictureListing
         catch (Exception e) when (FileFaults.IsFileFault(e))
         {
             _changed = default;
-            throw new PictureException(_folder, e is DirectoryNotFoundException ? "the folder is gone" : "it cannot be read: " + e.Message, e);
+            throw new PictureException(
+                _folder, e is DirectoryNotFoundException ? "the folder is gone" : "it cannot be read: " + e.Message, e);
         }
     }
 }

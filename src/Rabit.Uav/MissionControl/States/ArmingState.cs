@@ -16,15 +16,19 @@ internal sealed class ArmingState() : MissionState(MissionPhase.Arming)
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
         flight.SetGoal(VehicleCommandKind.Arm, "arm", RetryAfter);
-        flight.Text = "arming" + (flight.Commands.LastFailure.Length > 0 ? "; " + flight.Commands.LastFailure : string.Empty);
+        flight.Text = "arming"
+            + (flight.Commands.LastFailure.Length > 0 ? "; " + flight.Commands.LastFailure : string.Empty);
         if (flight.Commands.IsAccepted && flight.Vehicle.IsArmed)
         {
             flight.MeasureGround();
-            return new MissionStep(MissionEvent.Armed, $"ground at {MissionNumbers.Of(flight.GroundAltitudeAmslMetres)} m above mean sea level");
+            return new MissionStep(
+                MissionEvent.Armed,
+                $"ground at {MissionNumbers.Of(flight.GroundAltitudeAmslMetres)} m above mean sea level");
         }
 
         if (inPhase > flight.Options.ArmTimeout)
-            return Impossible($"not armed within {MissionNumbers.Seconds(flight.Options.ArmTimeout)}: {flight.Commands.LastFailure}");
+            return Impossible(
+                $"not armed within {MissionNumbers.Seconds(flight.Options.ArmTimeout)}: {flight.Commands.LastFailure}");
         if (flight.Commands.IsAccepted && flight.Now - flight.Commands.SentTime > AcceptedToArmedTimeout)
             flight.Commands.Resend();
         return MissionStep.Stay;

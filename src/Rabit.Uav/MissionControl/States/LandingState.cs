@@ -32,7 +32,8 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
         flight.Text = $"landing: height {MissionNumbers.Of(flight.HeightMetres)} m"
             + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (!flight.Vehicle.IsArmed)
-            return new MissionStep(MissionEvent.Landed, $"landed {MissionNumbers.Of(flight.Position.Length)} m from home");
+            return new MissionStep(
+                MissionEvent.Landed, $"landed {MissionNumbers.Of(flight.Position.Length)} m from home");
         if (inPhase > _limit)
             return Impossible($"not landed within {MissionNumbers.Seconds(_limit)}");
         if (flight.Vehicle.LandedState != MavLandedState.OnGround)

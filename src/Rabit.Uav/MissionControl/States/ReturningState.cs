@@ -25,7 +25,8 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
     public override void Enter(MissionFlight flight, MissionEvent by)
     {
         double distance = flight.Position.Length;
-        _limit = PathFollower.TimeLimit(flight, distance) + Seconds(TimeReserveSeconds + (flight.HeightMetres / MinDescentRate));
+        _limit = PathFollower.TimeLimit(flight, distance)
+            + Seconds(TimeReserveSeconds + (flight.HeightMetres / MinDescentRate));
         (_progressTime, _lastDistance, _lastHeight) = (flight.ActiveTime, distance, flight.HeightMetres);
         _wasSentAgain = false;
     }

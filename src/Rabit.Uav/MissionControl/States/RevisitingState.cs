@@ -81,7 +81,8 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     }
 
     private static string Accuracy(TargetTrack track, int reports)
-        => $"{MissionNumbers.Of(reports)} more reports, 95 % within {MissionNumbers.Of(track.Covariance.HalfMajorAxis95Metres)} m";
+        => $"{MissionNumbers.Of(reports)} more reports, 95 % within "
+            + $"{MissionNumbers.Of(track.Covariance.HalfMajorAxis95Metres)} m";
 
     private MissionStep Finish(MissionFlight flight, bool wasObserved, string text)
     {

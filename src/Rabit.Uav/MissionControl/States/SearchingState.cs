@@ -37,7 +37,8 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
         if (!_isOnLane)
             _follower.Begin(flight, lane, flight.Mission.HeightMetres);
         _isOnLane = true;
-        flight.Text = $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(route)}";
+        flight.Text =
+            $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(route)}";
         bool isFlown = _follower.Tick(flight, out bool isLate);
         if (isLate)
             return ReturnToLaunch($"lane {MissionNumbers.Of(route.Flown + 1)} takes too long");

@@ -51,7 +51,8 @@ internal sealed class TakingOffState() : MissionState(MissionPhase.TakingOff)
         {
             return GiveUp(
                 flight,
-                $"only {MissionNumbers.Of(flight.HeightMetres)} of {MissionNumbers.Of(height)} m reached in {MissionNumbers.Seconds(inPhase)}");
+                $"only {MissionNumbers.Of(flight.HeightMetres)} of {MissionNumbers.Of(height)} m reached in "
+                    + $"{MissionNumbers.Seconds(inPhase)}");
         }
 
         if (!_hasFlown && flight.Commands.IsAccepted && flight.Now - flight.Commands.SentTime > LiftOffTimeout)

@@ -36,7 +36,8 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         if (fault.Length > 0)
             return Impossible(fault);
         return new MissionStep(
-            MissionEvent.Ready, $"{MissionNumbers.Of(flight.Route!.Count)} lanes over {MissionNumbers.Of(flight.Plan!.Area.Area)} m2");
+            MissionEvent.Ready,
+            $"{MissionNumbers.Of(flight.Route!.Count)} lanes over {MissionNumbers.Of(flight.Plan!.Area.Area)} m2");
     }
 
     private static string? FindMissing(MissionFlight flight)

@@ -17,21 +17,30 @@ public class MavlinkGeneratorTests
     {
         GeneratorDriverRunResult result = Run(
             new TestFile("/d/base.xml", Base, "own", "Acme.Messages"),
-            new TestFile("/d/root.xml", "<mavlink><include>base.xml</include><messages><message id='1' name='M'><field type='uint8_t' name='a'/></message></messages></mavlink>", "own", "Acme.Messages"));
+            new TestFile(
+                "/d/root.xml",
+                "<mavlink><include>base.xml</include><messages><message id='1' name='M'><field type='uint8_t' "
+                    + "name='a'/></message></messages></mavlink>",
+                "own", "Acme.Messages"));
         Assert.Empty(result.Diagnostics);
-        Assert.Equal(["Acme.Messages.E.g.cs", "Acme.Messages.M.g.cs", "Acme.Messages.RootDialect.Instance.g.cs"], Names(result));
+        Assert.Equal(
+            ["Acme.Messages.E.g.cs", "Acme.Messages.M.g.cs", "Acme.Messages.RootDialect.Instance.g.cs"], Names(result));
     }
 
     [Fact]
     public void Run_NoNamespaceChosen_IsMessagesBelowThatOfTheProject() =>
-        Assert.Equal(["Acme.App.Messages.BaseDialect.Instance.g.cs", "Acme.App.Messages.E.g.cs"], Names(Run(new TestFile("/d/base.xml", Base, "own"))));
+        Assert.Equal(
+            ["Acme.App.Messages.BaseDialect.Instance.g.cs", "Acme.App.Messages.E.g.cs"],
+            Names(Run(new TestFile("/d/base.xml", Base, "own"))));
 
     [Fact]
     public void Run_TwoRootsOfOneNamespace_GetOneEach() =>
         Assert.Equal(
-            ["N.OneFile.E.g.cs", "N.OneFile.OneFileDialect.Instance.g.cs", "N.Two.E.g.cs", "N.Two.TwoDialect.Instance.g.cs", "N.Two2.TwoDialect.Instance.g.cs"],
+            ["N.OneFile.E.g.cs", "N.OneFile.OneFileDialect.Instance.g.cs", "N.Two.E.g.cs",
+                "N.Two.TwoDialect.Instance.g.cs", "N.Two2.TwoDialect.Instance.g.cs"],
             Names(Run(
-                new TestFile("/d/one-file.xml", Base, "own", "N"), new TestFile("/d/two.xml", Base, "own", "N"), new TestFile("/e/two.xml", "<mavlink/>", "own", "N"))));
+                new TestFile("/d/one-file.xml", Base, "own", "N"), new TestFile("/d/two.xml", Base, "own", "N"),
+                new TestFile("/e/two.xml", "<mavlink/>", "own", "N"))));
 
     [Fact]
     public void Run_IncludeOfThePackage_EmitsOnlyWhatIsNew()
@@ -48,13 +57,17 @@ public class MavlinkGeneratorTests
                 """, "package"));
         Assert.Empty(result.Diagnostics);
         Assert.Equal(
-            ["Acme.App.Messages.FloatArray4.g.cs", "Acme.App.Messages.MineDialect.Instance.g.cs", "Acme.App.Messages.MineE.g.cs", "Acme.App.Messages.Own.g.cs"], Names(result));
+            ["Acme.App.Messages.FloatArray4.g.cs", "Acme.App.Messages.MineDialect.Instance.g.cs",
+                "Acme.App.Messages.MineE.g.cs", "Acme.App.Messages.Own.g.cs"],
+            Names(result));
         string own = Text(result, "Own.g.cs");
         Assert.Contains("public global::Rabit.Mavlink.Messages.E A", own);
         Assert.Contains("public global::Rabit.Mavlink.Messages.F B", own);
         Assert.Contains("public global::Rabit.Mavlink.Messages.FloatArray3 C", own);
         Assert.Contains("public FloatArray4 D", own);
-        Assert.Contains("public const global::Rabit.Mavlink.Messages.E B = (global::Rabit.Mavlink.Messages.E)(2);", Text(result, "MineE.g.cs"));
+        Assert.Contains(
+            "public const global::Rabit.Mavlink.Messages.E B = (global::Rabit.Mavlink.Messages.E)(2);",
+            Text(result, "MineE.g.cs"));
         Assert.DoesNotContain(" A = ", Text(result, "MineE.g.cs"));
     }
 
@@ -66,7 +79,8 @@ public class MavlinkGeneratorTests
     public void Run_IncludeCycle_IsOneErrorAndNoCrash()
     {
         GeneratorDriverRunResult result = Run(
-            new TestFile("/d/a.xml", "<mavlink>\n<include>b.xml</include></mavlink>", "own"), new TestFile("/d/b.xml", "<mavlink>\n\n<include>a.xml</include></mavlink>", "own"));
+            new TestFile("/d/a.xml", "<mavlink>\n<include>b.xml</include></mavlink>", "own"),
+            new TestFile("/d/b.xml", "<mavlink>\n\n<include>a.xml</include></mavlink>", "own"));
         Diagnostic diagnostic = Assert.Single(result.Diagnostics);
         Assert.Equal(("RABMAV004", 2), (diagnostic.Id, diagnostic.Location.GetLineSpan().StartLinePosition.Line));
     }
@@ -74,7 +88,8 @@ public class MavlinkGeneratorTests
     [Fact]
     public void Run_FilesWithoutARole_GeneratesNothing()
     {
-        GeneratorDriverRunResult result = Run(new TestFile("/d/base.xml", Base), new TestFile("/d/BannedSymbols.txt", "no XML at all"));
+        GeneratorDriverRunResult result = Run(
+            new TestFile("/d/base.xml", Base), new TestFile("/d/BannedSymbols.txt", "no XML at all"));
         Assert.Empty(result.Diagnostics);
         Assert.Empty(result.GeneratedTrees);
     }
@@ -82,7 +97,8 @@ public class MavlinkGeneratorTests
     [Fact]
     public void Run_BadDefinition_IsACompilerErrorAtItsLine()
     {
-        Diagnostic diagnostic = Run(new TestFile("/d/root.xml", "<mavlink>\n<messages>\n  <message id='x' name='M'><field type='uint8_t' name='a'/></message></messages></mavlink>", "own")).Diagnostics.Single();
+        Diagnostic diagnostic = Run(new TestFile("/d/root.xml", "<mavlink>\n<messages>\n  <message id='x' "
+            + "name='M'><field type='uint8_t' name='a'/></message></messages></mavlink>", "own")).Diagnostics.Single();
         Assert.Equal("RABMAV002", diagnostic.Id);
         Assert.Equal(DiagnosticSeverity.Error, diagnostic.Severity);
         Assert.Equal("/d/root.xml", diagnostic.Location.GetLineSpan().Path);
@@ -93,26 +109,35 @@ public class MavlinkGeneratorTests
     [Fact]
     public void Run_SeveralFilesWithSeveralNamespaces_EachGoesToItsOwn() =>
         Assert.Equal(
-            ["Acme.App.Messages.ThreeDialect.Instance.g.cs", "N.One.OneDialect.Instance.g.cs", "N.Two.TwoDialect.Instance.g.cs"],
+            ["Acme.App.Messages.ThreeDialect.Instance.g.cs", "N.One.OneDialect.Instance.g.cs",
+                "N.Two.TwoDialect.Instance.g.cs"],
             Names(Run(
-                new TestFile("/d/one.xml", "<mavlink/>", "own", "N.One"), new TestFile("/d/two.xml", "<mavlink/>", "own", "N.Two"),
+                new TestFile("/d/one.xml", "<mavlink/>", "own", "N.One"),
+                new TestFile("/d/two.xml", "<mavlink/>", "own", "N.Two"),
                 new TestFile("/d/three.xml", "<mavlink/>", "own"))));
 
     [Fact]
     public void Run_UnknownElement_IsACompilerWarning()
     {
-        Diagnostic diagnostic = Run(new TestFile("/d/root.xml", "<mavlink><owner/></mavlink>", "own")).Diagnostics.Single();
+        Diagnostic diagnostic =
+            Run(new TestFile("/d/root.xml", "<mavlink><owner/></mavlink>", "own")).Diagnostics.Single();
         Assert.Equal(("RABMAV013", DiagnosticSeverity.Warning), (diagnostic.Id, diagnostic.Severity));
     }
 
     [Fact]
     public void Run_CommandNumberOfThePackageThatIsNotIncluded_IsAWarningAtItsLine()
     {
-        const string Command = "<mavlink><enums>\n<enum name='MAV_CMD'><entry name='{0}' value='16'/></enum></enums></mavlink>";
+        const string Command =
+            "<mavlink><enums>\n<enum name='MAV_CMD'><entry name='{0}' value='16'/></enum></enums></mavlink>";
         Diagnostic diagnostic = Run(
-            new TestFile("/d/root.xml", Command.Replace("{0}", "MAV_CMD_ACME_TAKEN", System.StringComparison.Ordinal), "own"),
-            new TestFile("/p/all.xml", Command.Replace("{0}", "MAV_CMD_NAV_WAYPOINT", System.StringComparison.Ordinal), "package")).Diagnostics.Single();
-        Assert.Equal(("RABMAV015", DiagnosticSeverity.Warning, 1), (diagnostic.Id, diagnostic.Severity, diagnostic.Location.GetLineSpan().StartLinePosition.Line));
+            new TestFile(
+                "/d/root.xml", Command.Replace("{0}", "MAV_CMD_ACME_TAKEN", System.StringComparison.Ordinal), "own"),
+            new TestFile(
+                "/p/all.xml", Command.Replace("{0}", "MAV_CMD_NAV_WAYPOINT", System.StringComparison.Ordinal),
+                "package")).Diagnostics.Single();
+        Assert.Equal(
+            ("RABMAV015", DiagnosticSeverity.Warning, 1),
+            (diagnostic.Id, diagnostic.Severity, diagnostic.Location.GetLineSpan().StartLinePosition.Line));
         Assert.Contains("MAV_CMD_NAV_WAYPOINT in all.xml", diagnostic.GetMessage(null));
     }
 
@@ -121,7 +146,8 @@ public class MavlinkGeneratorTests
     {
         const string Root = "<mavlink><include>bad.xml</include></mavlink>";
         GeneratorDriverRunResult result = Run(
-            new TestFile("/d/a.xml", Root, "own"), new TestFile("/d/b.xml", Root, "own"), new TestFile("/d/bad.xml", "<mavlink>", "own"));
+            new TestFile("/d/a.xml", Root, "own"), new TestFile("/d/b.xml", Root, "own"),
+            new TestFile("/d/bad.xml", "<mavlink>", "own"));
         Assert.Equal("RABMAV001", Assert.Single(result.Diagnostics).Id);
     }
 
@@ -137,10 +163,12 @@ public class MavlinkGeneratorTests
     }
 
     private static IEnumerable<string> Names(GeneratorDriverRunResult result) =>
-        result.Results.Single().GeneratedSources.Select(source => source.HintName).OrderBy(name => name, System.StringComparer.Ordinal);
+        result.Results.Single().GeneratedSources.Select(source => source.HintName)
+            .OrderBy(name => name, System.StringComparer.Ordinal);
 
     private static string Text(GeneratorDriverRunResult result, string end) =>
-        result.Results.Single().GeneratedSources.Single(source => source.HintName.EndsWith(end, System.StringComparison.Ordinal)).SourceText.ToString();
+        result.Results.Single().GeneratedSources
+            .Single(source => source.HintName.EndsWith(end, System.StringComparison.Ordinal)).SourceText.ToString();
 
     private static GeneratorDriverRunResult Run(params TestFile[] files) =>
         Driver(files).RunGenerators(CSharpCompilation.Create("Check")).GetRunResult();
@@ -149,5 +177,6 @@ public class MavlinkGeneratorTests
         [new MavlinkGenerator().AsSourceGenerator()],
         files.ToImmutableArray<AdditionalText>(),
         optionsProvider: new TestOptionsProvider(),
-        driverOptions: new GeneratorDriverOptions(IncrementalGeneratorOutputKind.None, trackIncrementalGeneratorSteps: true));
+        driverOptions: new GeneratorDriverOptions(
+            IncrementalGeneratorOutputKind.None, trackIncrementalGeneratorSteps: true));
 }

@@ -17,5 +17,6 @@ internal sealed class TestFile(string path, string text, string? role = null, st
         ["build_metadata.AdditionalFiles.MavlinkNamespace"] = space ?? "",
     };
 
-    public override SourceText GetText(CancellationToken cancellationToken = default) => SourceText.From(text, Encoding.UTF8);
+    public override SourceText GetText(CancellationToken cancellationToken = default)
+        => SourceText.From(text, Encoding.UTF8);
 }

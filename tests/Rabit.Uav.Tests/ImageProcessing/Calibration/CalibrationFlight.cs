@@ -8,7 +8,9 @@ using Rabit.Uav.ImageProcessing.Calibration;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Calibration;
 
-/// <summary>A flight over standing points with all its errors, by geometry of its own: matrices, no product code but the lens.</summary>
+/// <summary>
+/// A flight over standing points with all its errors, by geometry of its own: matrices, no product code but the lens.
+/// </summary>
 internal sealed class CalibrationFlight
 {
     public const double SpeedMetresPerSecond = 12;
@@ -35,7 +37,17 @@ internal sealed class CalibrationFlight
 
     public static AmslAltitude Ground => new(400);
 
-    public static CameraModel Camera => new() { Width = 640, Height = 480, FocalX = 530, FocalY = 530, CentreX = 319.5, CentreY = 239.5, K1 = -0.05 };
+    public static CameraModel Camera
+        => new()
+        {
+            Width = 640,
+            Height = 480,
+            FocalX = 530,
+            FocalY = 530,
+            CentreX = 319.5,
+            CentreY = 239.5,
+            K1 = -0.05
+        };
 
     public static BiasOptions Options => new()
     {
@@ -69,7 +81,9 @@ internal sealed class CalibrationFlight
         {
             _time += 0.5;
             Observe(
-                new NedPosition((Math.Cos(heading) * along) - (Math.Sin(heading) * offset), (Math.Sin(heading) * along) + (Math.Cos(heading) * offset), -height),
+                new NedPosition(
+                    (Math.Cos(heading) * along) - (Math.Sin(heading) * offset),
+                    (Math.Sin(heading) * along) + (Math.Cos(heading) * offset), -height),
                 new NedVector(SpeedMetresPerSecond * Math.Cos(heading), SpeedMetresPerSecond * Math.Sin(heading), 0),
                 EulerAngles.FromRadians(0.02 * _numbers.Gauss(), 0.03 + (0.02 * _numbers.Gauss()), heading),
                 default,
@@ -102,9 +116,12 @@ internal sealed class CalibrationFlight
         return estimator;
     }
 
-    private void Observe(NedPosition position, NedVector velocity, EulerAngles attitude, BodyRates rates, bool onlyMiddle)
+    private void Observe(
+        NedPosition position, NedVector velocity, EulerAngles attitude, BodyRates rates, bool onlyMiddle)
     {
-        double[,] cameraToNed = Product(Euler(attitude.Roll.Radians, attitude.Pitch.Radians, attitude.Yaw.Radians), Product(Euler(Mount[0], Mount[1], Mount[2]), Down()));
+        double[,] cameraToNed = Product(
+            Euler(attitude.Roll.Radians, attitude.Pitch.Radians, attitude.Yaw.Radians),
+            Product(Euler(Mount[0], Mount[1], Mount[2]), Down()));
         double noise = 0.3 * Vectors.Degree;
         for (int point = 0; point < (onlyMiddle ? 1 : _points.Length); point++)
         {
@@ -129,7 +146,8 @@ internal sealed class CalibrationFlight
                 Position = World.ToGeodetic(reported),
                 VelocityNed = velocity,
                 Attitude = EulerAngles.FromRadians(
-                    turned.Roll.Radians + (noise * _numbers.Gauss()), turned.Pitch.Radians + (noise * _numbers.Gauss()), turned.Yaw.Radians + (noise * _numbers.Gauss())),
+                    turned.Roll.Radians + (noise * _numbers.Gauss()), turned.Pitch.Radians + (noise * _numbers.Gauss()),
+                    turned.Yaw.Radians + (noise * _numbers.Gauss())),
                 Rates = rates,
                 GimbalPitch = Angle.FromDegrees(-90),
             });
@@ -155,9 +173,11 @@ internal sealed class CalibrationFlight
     {
         var product = new double[3, 3];
         for (int i = 0; i < 9; i++)
-            product[i / 3, i % 3] = (a[i / 3, 0] * b[0, i % 3]) + (a[i / 3, 1] * b[1, i % 3]) + (a[i / 3, 2] * b[2, i % 3]);
+            product[i / 3, i % 3] = (a[i / 3, 0] * b[0, i % 3]) + (a[i / 3, 1] * b[1, i % 3])
+                + (a[i / 3, 2] * b[2, i % 3]);
         return product;
     }
 
-    private static double Dot(double[,] m, double[] v, int column) => (m[0, column] * v[0]) + (m[1, column] * v[1]) + (m[2, column] * v[2]);
+    private static double Dot(double[,] m, double[] v, int column)
+        => (m[0, column] * v[0]) + (m[1, column] * v[1]) + (m[2, column] * v[2]);
 }

@@ -45,12 +45,16 @@ internal static class RecordedSequence
         };
     }
 
-    /// <summary>The poses at each observation of one of the standing targets, as clocks and telemetry have them.</summary>
-    public static IEnumerable<(int Id, double Column, double Row, Pose Pose)> Observations(JsonDocument file, JsonDocument truth, ICollection<int> standing)
+    /// <summary>
+    /// The poses at each observation of one of the standing targets, as clocks and telemetry have them.
+    /// </summary>
+    public static IEnumerable<(int Id, double Column, double Row, Pose Pose)> Observations(
+        JsonDocument file, JsonDocument truth, ICollection<int> standing)
     {
         var history = new PoseHistory(TimeSpan.FromSeconds(1));
         var clock = new SequenceClock();
-        foreach ((JsonElement frame, JsonElement seen) in file.RootElement.Each("frames").Zip(truth.RootElement.Each("frames"), (f, t) => (f, t)))
+        foreach ((JsonElement frame, JsonElement seen)
+            in file.RootElement.Each("frames").Zip(truth.RootElement.Each("frames"), (f, t) => (f, t)))
         {
             TimeSpan middle = Microseconds(frame.Number("frame_start_us") + (frame.Number("exposure_us") / 2));
             foreach (double[] row in clock.RunTo((middle.TotalSeconds * 1e6) + 300_000))
@@ -70,7 +74,8 @@ internal static class RecordedSequence
 
     private static void AddPose(PoseHistory history, MavlinkTimesyncFilter filter, double[] row)
     {
-        TimeSpan time = TimeSpan.FromTicks((long)Math.Round(((row[0] * 1e-6) - filter.OffsetSecondsAt(row[1] * 1e-6)) * TimeSpan.TicksPerSecond));
+        TimeSpan time = TimeSpan.FromTicks(
+            (long)Math.Round(((row[0] * 1e-6) - filter.OffsetSecondsAt(row[1] * 1e-6)) * TimeSpan.TicksPerSecond));
         history.Add(new PoseSample
         {
             Kind = PoseSampleKind.Position,

@@ -13,7 +13,9 @@ internal sealed class SequenceClock
 
     public MavlinkTimesyncFilter Filter { get; } = new();
 
-    /// <summary>Everything that came before a time; but at least as many answers as a clock needs to be known.</summary>
+    /// <summary>
+    /// Everything that came before a time; but at least as many answers as a clock needs to be known.
+    /// </summary>
     /// <returns>The rows of telemetry.</returns>
     public IEnumerable<double[]> RunTo(double untilMicroseconds)
     {
@@ -40,6 +42,7 @@ internal sealed class SequenceClock
     private void TakeAnswer()
     {
         double[] row = _answers[_answer++];
-        Filter.AddRoundTrip(RecordedSequence.Microseconds(row[1]), RecordedSequence.Microseconds(row[3]), row[2] * 1e-6);
+        Filter.AddRoundTrip(
+            RecordedSequence.Microseconds(row[1]), RecordedSequence.Microseconds(row[3]), row[2] * 1e-6);
     }
 }

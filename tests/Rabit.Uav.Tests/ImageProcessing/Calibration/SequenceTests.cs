@@ -16,7 +16,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Calibration;
 
-/// <summary>A generated sequence of pictures with telemetry and clocks of its own, beside the repository; skipped without it.</summary>
+/// <summary>
+/// A generated sequence of pictures with telemetry and clocks of its own, beside the repository; skipped without it.
+/// </summary>
 public sealed class SequenceTests(ITestOutputHelper output)
 {
     // After that many seconds the bounds hold; what they are worth before the filter says itself.
@@ -55,7 +57,8 @@ public sealed class SequenceTests(ITestOutputHelper output)
         Assert.True(worstInSigmas < 3.5, $"{worstInSigmas}");
 
         double Error(double at) => Math.Abs(
-            filter.OffsetSecondsAt(at * 1e-6) - ((((at - rule.Number("companion_ref_us")) * drift) + rule.Number("autopilot_offset_us")) * 1e-6));
+            filter.OffsetSecondsAt(at * 1e-6)
+                - ((((at - rule.Number("companion_ref_us")) * drift) + rule.Number("autopilot_offset_us")) * 1e-6));
     }
 
     [SequenceFact]
@@ -64,9 +67,14 @@ public sealed class SequenceTests(ITestOutputHelper output)
         using JsonDocument file = RecordedSequence.Open("camera.json");
         using JsonDocument truth = RecordedSequence.Open("truth.json");
         JsonElement camera = file.RootElement.GetProperty("camera");
-        double[] matrix = camera.GetProperty("mount").Each("R_body_from_cam").SelectMany(r => r.EnumerateArray()).Select(n => n.GetDouble()).ToArray();
+        double[] matrix = camera.GetProperty("mount").Each("R_body_from_cam").SelectMany(r => r.EnumerateArray())
+            .Select(n => n.GetDouble()).ToArray();
         double[] arm = camera.GetProperty("mount").Numbers("lever_arm_body_m");
-        var mount = new CameraMount { FixedBodyFromCamera = Rotation.FromMatrix(matrix), GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]) };
+        var mount = new CameraMount
+        {
+            FixedBodyFromCamera = Rotation.FromMatrix(matrix),
+            GimbalLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2])
+        };
         CameraModel model = RecordedSequence.ModelOf(camera);
         double ground = file.RootElement.Number("ground_alt_hae_m");
         var estimator = new BiasEstimator(model, mount, new AmslAltitude(ground), new BiasOptions
@@ -79,12 +87,14 @@ public sealed class SequenceTests(ITestOutputHelper output)
             Time = TimeSpan.FromMilliseconds(1),
         });
         var single = new GroundProjector(model, mount, new ErrorBudget(), Angle.FromDegrees(5));
-        Dictionary<int, JsonElement> targets = truth.RootElement.Each("targets").Where(t => !t.GetProperty("moving").GetBoolean()).ToDictionary(t => t.GetProperty("id").GetInt32());
+        Dictionary<int, JsonElement> targets = truth.RootElement.Each("targets")
+            .Where(t => !t.GetProperty("moving").GetBoolean()).ToDictionary(t => t.GetProperty("id").GetInt32());
         double squares = 0;
         var mean = new Dictionary<int, (double North, double East, int Count)>();
         var world = LocalNedFrame.IgnoringGeoid(WorldOrigin(file));
         int observations = 0;
-        foreach ((int id, double column, double row, Pose pose) in RecordedSequence.Observations(file, truth, targets.Keys))
+        foreach ((int id, double column, double row, Pose pose)
+            in RecordedSequence.Observations(file, truth, targets.Keys))
         {
             EulerAngles attitude = pose.Attitude.ToEuler();
             Assert.True(estimator.Add(new BiasObservation
@@ -114,20 +124,23 @@ public sealed class SequenceTests(ITestOutputHelper output)
             (double north, double east) = Error(world, targets[p.Key], p.Value.Position);
             return p.Value.Covariance.MahalanobisSquared(north, east);
         }).ToArray();
-        double meanOfObservations = Math.Sqrt(mean.Values.Average(m => Math.Pow(m.North / m.Count, 2) + Math.Pow(m.East / m.Count, 2)));
+        double meanOfObservations = Math.Sqrt(
+            mean.Values.Average(m => Math.Pow(m.North / m.Count, 2) + Math.Pow(m.East / m.Count, 2)));
         output.WriteLine(FormattableString.Invariant(
             $"{observations} observations: single RMSE {Math.Sqrt(squares / observations):0.00} m, mean of observations {meanOfObservations:0.00} m, estimated: mean {errors.Average():0.00} m, worst {errors.Max():0.00} m, Mahalanobis squared {square.Average():0.00}, chi2 {estimate.Fit.NormalisedSquare:0.00}"));
         for (BiasParameter parameter = BiasParameter.MountRoll; parameter <= BiasParameter.Down; parameter++)
         {
             bool isSeen = estimate.TryGet(parameter, out _, out double sigma);
-            output.WriteLine(FormattableString.Invariant($"{parameter} {estimate.BestValue(parameter):0.0000} +- {sigma:0.0000} {(isSeen ? "" : "not observed")}"));
+            output.WriteLine(FormattableString.Invariant(
+                $"{parameter} {estimate.BestValue(parameter):0.0000} +- {sigma:0.0000} {(isSeen ? "" : "not observed")}"));
         }
 
         foreach (BiasCombination combination in estimate.Unobserved)
             output.WriteLine(combination.ToString());
         Assert.True(errors.Average() < 2.0, $"mean error {errors.Average()} m");
         Assert.True(square.All(s => s < 9.21), "an ellipse does not hold its target with 99 %");
-        Assert.All(estimate.Points.Values, p => Assert.True(p.Covariance.NorthNorth + p.Covariance.EastEast >= 1.5 * 1.5));
+        Assert.All(
+            estimate.Points.Values, p => Assert.True(p.Covariance.NorthNorth + p.Covariance.EastEast >= 1.5 * 1.5));
     }
 
     private static (double North, double East) Error(in LocalNedFrame world, JsonElement target, GeodeticPosition place)
@@ -142,6 +155,7 @@ public sealed class SequenceTests(ITestOutputHelper output)
     private static GeodeticPosition WorldOrigin(JsonDocument file)
     {
         JsonElement origin = file.RootElement.GetProperty("origin");
-        return GeodeticPosition.FromRadians(origin.Radians("lat_deg"), origin.Radians("lon_deg"), origin.Number("alt_hae_m"));
+        return GeodeticPosition.FromRadians(
+            origin.Radians("lat_deg"), origin.Radians("lon_deg"), origin.Number("alt_hae_m"));
     }
 }

@@ -32,13 +32,17 @@ public sealed class CameraFolderTests : IDisposable
     {
         CameraFolder folder = Open(Known);
 
-        Assert.Equal((640, 480, 531.4, 530.7), (folder.Camera.Width, folder.Camera.Height, folder.Camera.FocalX, folder.Camera.FocalY));
+        Assert.Equal(
+            (640, 480, 531.4, 530.7),
+            (folder.Camera.Width, folder.Camera.Height, folder.Camera.FocalX, folder.Camera.FocalY));
         Assert.Equal((321.9, 237.6), (folder.Camera.CentreX, folder.Camera.CentreY));
         Assert.Equal(
             (-0.214, 0.069, 0.0006, -0.0004, -0.008),
             (folder.Camera.K1, folder.Camera.K2, folder.Camera.P1, folder.Camera.P2, folder.Camera.K3));
         CameraExtrinsics placement = folder.Mount.At(Angle.Zero, Angle.Zero);
-        Assert.Equal((0.12, -0.02, 0.06), (placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down));
+        Assert.Equal(
+            (0.12, -0.02, 0.06),
+            (placement.PositionMetres.Forward, placement.PositionMetres.Right, placement.PositionMetres.Down));
         (double forward, double right, double down) = placement.BodyFromCamera.Apply(1, 2, 3);
         Assert.Equal(-2, forward, 9);
         Assert.Equal(1, right, 9);
@@ -51,7 +55,9 @@ public sealed class CameraFolderTests : IDisposable
         CameraFolder folder = Open(Known);
 
         Assert.Equal(["frames/a.png", "frames/b.png"], [folder.Listed[0].File, folder.Listed[1].File]);
-        Assert.Equal((468985841, 1095), (folder.Listed[0].Facts.StartUtcMicroseconds, folder.Listed[0].Facts.ExposureMicroseconds));
+        Assert.Equal(
+            (468985841, 1095),
+            (folder.Listed[0].Facts.StartUtcMicroseconds, folder.Listed[0].Facts.ExposureMicroseconds));
     }
 
     [Theory]
@@ -59,18 +65,41 @@ public sealed class CameraFolderTests : IDisposable
     [InlineData(0.7)]
     public void Open_OfCreate_GivesTheSame(double gimbalYaw)
     {
-        var camera = new CameraModel { Width = 64, Height = 48, FocalX = 53.1, FocalY = 52.9, CentreX = 31.25, CentreY = 23.5, K1 = -0.06, K2 = 0.01, P1 = 1e-4, P2 = -2e-4, K3 = 1e-3, RowReadout = TimeSpan.FromTicks(305) };
-        var mount = new CameraMount { GimbalLeverArmMetres = new BodyVector(0.1, -0.2, 0.05), MisalignmentRoll = Angle.FromRadians(0.02), CameraLeverArmMetres = new BodyVector(0.01, 0, 0) };
+        var camera = new CameraModel
+        {
+            Width = 64,
+            Height = 48,
+            FocalX = 53.1,
+            FocalY = 52.9,
+            CentreX = 31.25,
+            CentreY = 23.5,
+            K1 = -0.06,
+            K2 = 0.01,
+            P1 = 1e-4,
+            P2 = -2e-4,
+            K3 = 1e-3,
+            RowReadout = TimeSpan.FromTicks(305)
+        };
+        var mount = new CameraMount
+        {
+            GimbalLeverArmMetres = new BodyVector(0.1, -0.2, 0.05),
+            MisalignmentRoll = Angle.FromRadians(0.02),
+            CameraLeverArmMetres = new BodyVector(0.01, 0, 0)
+        };
         string path = Path.Combine(_folder.Path, "new", "camera");
 
-        CameraFolder written = CameraFolder.Create(path, camera, mount, gimbalPitch: Angle.FromRadians(-1.2), gimbalYaw: Angle.FromRadians(gimbalYaw));
+        CameraFolder written = CameraFolder.Create(
+            path, camera, mount, gimbalPitch: Angle.FromRadians(-1.2), gimbalYaw: Angle.FromRadians(gimbalYaw));
         CameraFolder read = CameraFolder.Open(path);
 
         CameraExtrinsics wanted = mount.At(Angle.FromRadians(-1.2), Angle.FromRadians(gimbalYaw));
         foreach (CameraFolder folder in new[] { written, read })
         {
-            Assert.Equal((64, 48, 53.1, 52.9, 31.25, 23.5), (folder.Camera.Width, folder.Camera.Height, folder.Camera.FocalX, folder.Camera.FocalY, folder.Camera.CentreX, folder.Camera.CentreY));
-            Assert.Equal((-0.06, 0.01, 1e-4, -2e-4, 1e-3), (folder.Camera.K1, folder.Camera.K2, folder.Camera.P1, folder.Camera.P2, folder.Camera.K3));
+            Assert.Equal((64, 48, 53.1, 52.9, 31.25, 23.5), (folder.Camera.Width, folder.Camera.Height,
+                folder.Camera.FocalX, folder.Camera.FocalY, folder.Camera.CentreX, folder.Camera.CentreY));
+            Assert.Equal(
+                (-0.06, 0.01, 1e-4, -2e-4, 1e-3),
+                (folder.Camera.K1, folder.Camera.K2, folder.Camera.P1, folder.Camera.P2, folder.Camera.K3));
             Assert.Equal(30.5, folder.Camera.RowReadout.TotalMilliseconds * 1000, 9);
             CameraExtrinsics placement = folder.Mount.At(Angle.Zero, Angle.Zero);
             Assert.Equal(0, (wanted.BodyFromCamera.Inverse * placement.BodyFromCamera).Angle.Radians, 9);
@@ -83,7 +112,8 @@ public sealed class CameraFolderTests : IDisposable
     [Fact]
     public void Create_DefaultMount_PointsDownWithTheTopForward()
     {
-        CameraFolder folder = CameraFolder.Create(_folder.Path, new CameraModel { Width = 8, Height = 8, FocalX = 9, FocalY = 9 }, new CameraMount());
+        CameraFolder folder = CameraFolder.Create(
+            _folder.Path, new CameraModel { Width = 8, Height = 8, FocalX = 9, FocalY = 9 }, new CameraMount());
 
         Rotation rotation = folder.Mount.At(Angle.Zero, Angle.Zero).BodyFromCamera;
         Assert.Equal(0, (rotation.Inverse * Rotation.FromMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)).Angle.Radians, 9);
@@ -93,7 +123,8 @@ public sealed class CameraFolderTests : IDisposable
     public void Create_NoCamera_SaysAllThatIsWrong()
     {
         PictureException fault = Assert.Throws<PictureException>(() => CameraFolder.Create(
-            _folder.Path, new CameraModel { Width = 0, Height = 8, FocalX = -1, FocalY = 9 }, new CameraMount { MisalignmentRoll = Angle.NaN }));
+            _folder.Path, new CameraModel { Width = 0, Height = 8, FocalX = -1, FocalY = 9 },
+            new CameraMount { MisalignmentRoll = Angle.NaN }));
 
         Assert.Contains("0 x 8", fault.Message, StringComparison.Ordinal);
         Assert.Contains("focal length", fault.Message, StringComparison.Ordinal);
@@ -139,8 +170,10 @@ public sealed class CameraFolderTests : IDisposable
     }
 
     [Theory]
-    [InlineData("distortion", "dist_k1_k2_p1_p2_k3", "camera.dist_k1_k2_p1_p2_k3 is of an older form of the file; it is camera.distortion now")]
-    [InlineData("bodyFromCamera", "R_body_from_cam", "camera.mount.R_body_from_cam is of an older form of the file; it is camera.mount.bodyFromCamera now")]
+    [InlineData("distortion", "dist_k1_k2_p1_p2_k3",
+        "camera.dist_k1_k2_p1_p2_k3 is of an older form of the file; it is camera.distortion now")]
+    [InlineData("bodyFromCamera", "R_body_from_cam",
+        "camera.mount.R_body_from_cam is of an older form of the file; it is camera.mount.bodyFromCamera now")]
     [InlineData("leverArmBodyMetres", "lever_arm_body_m", "it is camera.mount.leverArmBodyMetres now")]
     [InlineData("frameStartMicroseconds", "frame_start_us", "it is frames[0].frameStartMicroseconds now")]
     [InlineData("\"height\"", "\"row_readout_us\":3,\"height\"", "it is camera.rowReadoutMicroseconds now")]
@@ -156,7 +189,8 @@ public sealed class CameraFolderTests : IDisposable
     public void Open_NameThatIsWronglySpelt_IsRefusedWithTheRightOne()
         => Assert.Contains(
             "camera.rowReadoutMicrosecond is unknown; did you mean rowReadoutMicroseconds?",
-            Assert.Throws<PictureException>(() => Open(Known.Replace("\"height\"", "\"rowReadoutMicrosecond\":3,\"height\""))).Message,
+            Assert.Throws<PictureException>(
+                () => Open(Known.Replace("\"height\"", "\"rowReadoutMicrosecond\":3,\"height\""))).Message,
             StringComparison.Ordinal);
 
     [Fact]
@@ -169,8 +203,12 @@ public sealed class CameraFolderTests : IDisposable
             """)).Mount;
 
         Assert.Null(mount.FixedBodyFromCamera);
-        Assert.Equal((1, -2, 3), (mount.MisalignmentRoll.Degrees, mount.MisalignmentPitch.Degrees, mount.MisalignmentYaw.Degrees));
-        Assert.Equal((new BodyVector(0.12, -0.02, 0.06), new BodyVector(0.01, 0.02, 0.03)), (mount.GimbalLeverArmMetres, mount.CameraLeverArmMetres));
+        Assert.Equal(
+            (1, -2, 3),
+            (mount.MisalignmentRoll.Degrees, mount.MisalignmentPitch.Degrees, mount.MisalignmentYaw.Degrees));
+        Assert.Equal(
+            (new BodyVector(0.12, -0.02, 0.06), new BodyVector(0.01, 0.02, 0.03)),
+            (mount.GimbalLeverArmMetres, mount.CameraLeverArmMetres));
     }
 
     [Fact]
@@ -178,19 +216,23 @@ public sealed class CameraFolderTests : IDisposable
     {
         CameraMount mount = Open(Known.Replace(Fixed, "\"gimbal\":{}")).Mount;
 
-        Assert.Equal((null, Angle.Zero, Angle.Zero, Angle.Zero), (mount.FixedBodyFromCamera, mount.MisalignmentRoll, mount.MisalignmentPitch, mount.MisalignmentYaw));
+        Assert.Equal(
+            (null, Angle.Zero, Angle.Zero, Angle.Zero),
+            (mount.FixedBodyFromCamera, mount.MisalignmentRoll, mount.MisalignmentPitch, mount.MisalignmentYaw));
         Assert.Equal(default, mount.CameraLeverArmMetres);
     }
 
     [Theory]
     [InlineData("\"gimbal\":{\"roll\":1}", "camera.mount.gimbal.roll is unknown")]
     [InlineData("\"gimbal\":3", "camera.mount.gimbal is 3; it must be an object")]
-    [InlineData("\"gimbal\":{\"misalignmentYawDegrees\":\"1\"}", "camera.mount.gimbal.misalignmentYawDegrees is \"1\"; it must be a number")]
+    [InlineData("\"gimbal\":{\"misalignmentYawDegrees\":\"1\"}",
+        "camera.mount.gimbal.misalignmentYawDegrees is \"1\"; it must be a number")]
     [InlineData("\"gimbal\":{},\"bodyFromCamera\":[[1,0,0],[0,1,0],[0,0,1]]", "it must have one of them")]
     [InlineData("\"note\":0", "camera.mount.bodyFromCamera is missing")]
     public void Open_WrongGimbal_IsNamed(string gimbal, string reason)
         => Assert.Contains(
-            reason, Assert.Throws<PictureException>(() => Open(Known.Replace(Fixed, gimbal))).Message, StringComparison.Ordinal);
+            reason, Assert.Throws<PictureException>(() => Open(Known.Replace(Fixed, gimbal))).Message,
+            StringComparison.Ordinal);
 
     [Fact]
     public void OpenFile_OfAnotherName_ReadsItAndHasItsFolder()
@@ -200,14 +242,18 @@ public sealed class CameraFolderTests : IDisposable
         CameraFolder read = CameraFolder.OpenFile(_folder.File("nadir.json"));
 
         Assert.Equal((_folder.Path, 640), (read.Path, read.Camera.Width));
-        Assert.Contains("none.json: no such file", Assert.Throws<PictureException>(() => CameraFolder.OpenFile(_folder.File("none.json"))).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "none.json: no such file",
+            Assert.Throws<PictureException>(() => CameraFolder.OpenFile(_folder.File("none.json"))).Message,
+            StringComparison.Ordinal);
         Assert.Throws<ArgumentNullException>(() => CameraFolder.OpenFile(null!));
     }
 
     [Fact]
     public void Open_MarkOfUtf8AtTheBeginning_IsRead()
     {
-        File.WriteAllText(_folder.File(CameraFolder.DescriptionFile), Known, new UTF8Encoding(encoderShouldEmitUTF8Identifier: true));
+        File.WriteAllText(
+            _folder.File(CameraFolder.DescriptionFile), Known, new UTF8Encoding(encoderShouldEmitUTF8Identifier: true));
 
         Assert.Equal(640, CameraFolder.Open(_folder.Path).Camera.Width);
     }
@@ -215,10 +261,16 @@ public sealed class CameraFolderTests : IDisposable
     [Fact]
     public void Open_NothingThere_SaysSo()
     {
-        Assert.Contains("no such folder", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.File("none"))).Message, StringComparison.Ordinal);
-        Assert.Contains("camera.json", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.Path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "no such folder", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.File("none"))).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "camera.json", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.Path)).Message,
+            StringComparison.Ordinal);
         File.WriteAllText(_folder.File("file"), "x");
-        Assert.Contains("that is a file", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.File("file"))).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "that is a file", Assert.Throws<PictureException>(() => CameraFolder.Open(_folder.File("file"))).Message,
+            StringComparison.Ordinal);
     }
 
     private CameraFolder Open(string json)

@@ -8,7 +8,10 @@ using Rabit.Vision.Tests.Pictures;
 
 namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
 
-/// <summary>A folder that is watched as a camera, in virtual time that begins at <see cref="StartUtc"/>, and a manager that takes its pictures.</summary>
+/// <summary>
+/// A folder that is watched as a camera, in virtual time that begins at <see cref="StartUtc"/>, and a manager that
+/// takes its pictures.
+/// </summary>
 internal sealed class FolderCameraRig : IDisposable
 {
     public static readonly DateTimeOffset StartUtc = new(2026, 5, 4, 12, 0, 0, TimeSpan.Zero);
@@ -20,7 +23,15 @@ internal sealed class FolderCameraRig : IDisposable
 
     public FolderCameraRig(int buffers = 6)
     {
-        var model = new CameraModel { Width = SamplePictures.Width, Height = SamplePictures.Height, FocalX = 5, FocalY = 5, CentreX = 1.5, CentreY = 2 };
+        var model = new CameraModel
+        {
+            Width = SamplePictures.Width,
+            Height = SamplePictures.Height,
+            FocalX = 5,
+            FocalY = 5,
+            CentreX = 1.5,
+            CentreY = 2
+        };
         Folder = CameraFolder.Create(_folder.Path, model, new CameraMount());
         _writer = new PictureFolderWriter(Folder);
         Camera = new FolderCamera(Folder, buffers);
@@ -57,7 +68,14 @@ internal sealed class FolderCameraRig : IDisposable
             Array.Copy(SamplePictures.Pixels(), lease.Array, lease.Array.Length);
             lease.Array[0] = (byte)number;
             return _writer.Write(
-                new CameraFrame { Pixels = lease, Width = SamplePictures.Width, Height = SamplePictures.Height, Number = number, Exposure = TimeSpan.FromMilliseconds(2) },
+                new CameraFrame
+                {
+                    Pixels = lease,
+                    Width = SamplePictures.Width,
+                    Height = SamplePictures.Height,
+                    Number = number,
+                    Exposure = TimeSpan.FromMilliseconds(2)
+                },
                 StartUtc + start);
         }
     }
@@ -67,7 +85,11 @@ internal sealed class FolderCameraRig : IDisposable
     {
         if (_reactor is null)
         {
-            _reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1, StartUtc), StopsOnSignals = false }) { new Taker(this) };
+            _reactor = new RabitReactor(
+                new ReactorOptions { Time = new VirtualTime(1, StartUtc), StopsOnSignals = false })
+            {
+                new Taker(this)
+            };
             _reactor.Start();
         }
 

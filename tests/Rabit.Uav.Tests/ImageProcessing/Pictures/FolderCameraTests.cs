@@ -31,7 +31,8 @@ public sealed class FolderCameraTests : IDisposable
         Assert.All(_rig.Taken, t => Assert.Equal(TimeSpan.FromMilliseconds(2), t.Frame.Exposure));
         Assert.All(_rig.Taken, t => Assert.Equal((byte)t.Frame.Number, t.Pixels[0]));
         Assert.Equal(SamplePictures.Pixels().Skip(1), _rig.Taken[0].Pixels.Skip(1));
-        Assert.Equal((2, 1, 0), (_rig.Camera.PicturesDelivered, _rig.Camera.PicturesBeforeRun, _rig.Camera.PicturesRefused));
+        Assert.Equal(
+            (2, 1, 0), (_rig.Camera.PicturesDelivered, _rig.Camera.PicturesBeforeRun, _rig.Camera.PicturesRefused));
         Assert.Null(_rig.Camera.LastRefusal);
     }
 
@@ -125,8 +126,10 @@ public sealed class FolderCameraTests : IDisposable
     {
         PictureFile.Save(_rig.PathOf("first.png"), SamplePictures.Random(4, 5, seed: 2));
         string json = File.ReadAllText(_rig.PathOf(CameraFolder.DescriptionFile)).TrimEnd().TrimEnd('}')
-            + ",\"frames\":[{\"file\":\"first.png\",\"frameStartMicroseconds\":" + Micros(1.5) + ",\"exposureMicroseconds\":1000},"
-            + "{\"file\":\"second.png\",\"frameStartMicroseconds\":" + Micros(2.5) + ",\"exposureMicroseconds\":1000}]}";
+            + ",\"frames\":[{\"file\":\"first.png\",\"frameStartMicroseconds\":" + Micros(1.5)
+            + ",\"exposureMicroseconds\":1000},"
+            + "{\"file\":\"second.png\",\"frameStartMicroseconds\":" + Micros(2.5)
+            + ",\"exposureMicroseconds\":1000}]}";
         File.WriteAllText(_rig.PathOf(CameraFolder.DescriptionFile), json);
         _rig.Reopen();
 
@@ -158,11 +161,13 @@ public sealed class FolderCameraTests : IDisposable
         string name = _rig.Write(123, At(1.5));
 
         Assert.Equal("f000123_" + Micros(1.5) + "_e2000.png", name);
-        Assert.Equal([CameraFolder.DescriptionFile, name], Directory.GetFiles(_rig.Folder.Path).Select(p => Path.GetFileName(p)).OrderBy(n => n, StringComparer.Ordinal));
+        Assert.Equal([CameraFolder.DescriptionFile, name], Directory.GetFiles(_rig.Folder.Path)
+            .Select(p => Path.GetFileName(p)).OrderBy(n => n, StringComparer.Ordinal));
     }
 
     private static TimeSpan At(double seconds) => TimeSpan.FromTicks((long)Math.Round(seconds * Second.Ticks));
 
     private static string Micros(double seconds)
-        => (PictureFolderWriter.ToMicroseconds(FolderCameraRig.StartUtc) + (long)(seconds * 1e6)).ToString(System.Globalization.CultureInfo.InvariantCulture);
+        => (PictureFolderWriter.ToMicroseconds(FolderCameraRig.StartUtc) + (long)(seconds * 1e6))
+            .ToString(System.Globalization.CultureInfo.InvariantCulture);
 }
