@@ -7,8 +7,7 @@ using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.Simulation;
 
-// A detector of your own in the simulated search: pixels in, detections out. Geolocation, tracks and the mission stay
-// as they are.
+// A detector of your own in the simulated search: pixels in, detections out. The rest stays as it is.
 MissionPlan mission = MissionPlan.Parse(
     """
     {
@@ -18,8 +17,7 @@ MissionPlan mission = MissionPlan.Parse(
     }
     """,
     "OwnDetector");
-// one orange panel: our raft
-var worldOptions = new SimulationOptions { Seed = 4, TargetCount = 1, DistractorCount = 0 };
+var worldOptions = new SimulationOptions { Seed = 4, TargetCount = 1, DistractorCount = 0 };   // one orange panel
 worldOptions.TakePlacesFrom(mission);
 var world = new SimulatedWorld(worldOptions);
 var telemetry = new MemoryLinkPair("telemetry");
@@ -51,10 +49,7 @@ foreach (TargetTrack track in tracks.Value.Tracks)
     Console.WriteLine($"{track.Class}: {track.State}, {track.Reports} reports, {track.SizeMetres:0.0} m wide");
 return result.ExitCode;
 
-/// <summary>
-/// Reports the centre of all strongly orange pixels. One picture at a time, on the thread of Image Processing;
-/// allocates nothing.
-/// </summary>
+/// <summary>Reports the centre of all strongly orange pixels.</summary>
 internal sealed class RaftDetector : ITargetDetector
 {
     private static readonly TargetClassName Raft = new("raft");
@@ -74,11 +69,11 @@ internal sealed class RaftDetector : ITargetDetector
 
         if (count < 20)
             return DetectorResult.Found(0);
-        double side = Math.Sqrt(count);
+        (double x, double y, double side) = (columns / count, rows / count, Math.Sqrt(count));
         detections[0] = new TargetDetection
         {
-            Class = Raft, CentreX = columns / count, CentreY = rows / count, WidthPixels = side, HeightPixels = side,
-            Score = 0.9, Covariance = PixelCovariance.FromSigma(1),
+            Class = Raft, CentreX = x, CentreY = y, WidthPixels = side, HeightPixels = side, Score = 0.9,
+            Covariance = PixelCovariance.FromSigma(1),
         };
         return DetectorResult.Found(1);
     }

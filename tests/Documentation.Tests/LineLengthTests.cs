@@ -12,8 +12,8 @@ using Xunit;
 namespace Rabit.Documentation.Tests;
 
 /// <summary>
-/// Lines of code have at most 120 columns, but for those that a string literal makes longer: a text that is split is not
-/// found by who searches for it.
+/// Lines of code have at most 120 columns, but for those that a string literal makes longer: a search does not find a
+/// text that is split.
 /// </summary>
 public sealed class LineLengthTests
 {
@@ -24,7 +24,8 @@ public sealed class LineLengthTests
     [Fact]
     public void Lines_OfTheCode_HaveAtMost120Columns()
     {
-        string[] faults = Folders.SelectMany(folder => SourceFiles.Below(folder, "*.cs")).SelectMany(LongLines).ToArray();
+        string[] faults =
+            Folders.SelectMany(folder => SourceFiles.Below(folder, "*.cs")).SelectMany(LongLines).ToArray();
         Assert.True(faults.Length == 0, string.Join("\n", faults));
     }
 
@@ -43,8 +44,11 @@ public sealed class LineLengthTests
     private static bool IsOfAString(SyntaxNode root, TextLine line)
     {
         SyntaxToken token = root.FindToken(line.Start + MaxColumns - 1);
-        bool isString = token.Parent is LiteralExpressionSyntax literal && literal.Token.Value is string
-            || token.Parent?.FirstAncestorOrSelf<InterpolatedStringExpressionSyntax>() is not null;
-        return isString || token.GetPreviousToken().Parent is LiteralExpressionSyntax { Token.Value: string };
+        SyntaxToken before = token.GetPreviousToken();
+        return IsString(token) || IsString(before);
     }
+
+    private static bool IsString(SyntaxToken token)
+        => token.Parent is LiteralExpressionSyntax literal && literal.Token.Value is string
+            || token.Parent?.FirstAncestorOrSelf<InterpolatedStringExpressionSyntax>() is not null;
 }

@@ -40,8 +40,9 @@ internal static class MissionPlanReader
         }
         catch (JsonException e)
         {
-            throw new MissionPlanException(name, [FormattableString.Invariant(
-                $"it is not JSON: line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}: {e.Message.Split('.')[0]}")]);
+            string reason = e.Message.Split('.')[0];
+            string place = FormattableString.Invariant($"line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}");
+            throw new MissionPlanException(name, [$"it is not JSON: {place}: {reason}"]);
         }
     }
 
