@@ -53,6 +53,6 @@ internal sealed class Watcher : RabitManager
             _print($"{Now.TotalSeconds,6:0} s  no heartbeat of an autopilot received yet");
         else
             _print(FormattableString.Invariant(
-                $"{Now.TotalSeconds,6:0} s  {v.Autopilot} {v.Mode,-8} {(v.IsArmed ? "armed" : "disarmed"),-8} {v.HeightAboveHomeMetres,6:0.0} m  battery {v.BatteryRemaining:P0}  {_health.Value.Level}"));
+                $"{Now.TotalSeconds,6:0} s  {v.Autopilot} {v.Mode,-8} {(v.IsArmed ? "armed" : "disarmed"),-8} {Math.Max(0, v.HeightAboveHomeMetres),6:0.0} m  battery {v.BatteryRemaining:P0}  {_health.Value.Level}"));
     }
 }

@@ -80,9 +80,8 @@ public class DialectReaderTests
     [Fact]
     public void Read_EntryWithoutValue_CountsOnFromOneAsMavgenDoes()
     {
-        EnumDefinition definition = Definitions.ReadEnums(
-            """<enum name="E"><entry name="E_A"/><entry name="E_B" value="7"/><entry name="E_C"/></enum>""").Dialect.Enums
-            .Single();
+        const string Xml = """<enum name="E"><entry name="E_A"/><entry name="E_B" value="7"/><entry name="E_C"/></enum>""";
+        EnumDefinition definition = Definitions.ReadEnums(Xml).Dialect.Enums.Single();
         Assert.Equal(new[] { 1m, 7m, 8m }, definition.Entries.Select(entry => entry.Value));
     }
 
