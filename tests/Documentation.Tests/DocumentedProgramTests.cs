@@ -68,6 +68,21 @@ public sealed class DocumentedProgramTests
         }
     }
 
+    [Theory]
+    [InlineData("Core")]
+    [InlineData("Mavlink")]
+    [InlineData("Geodesy")]
+    [InlineData("Links")]
+    [InlineData("Uav")]
+    [InlineData("Uav.Reporting")]
+    [InlineData("Uav.Simulation")]
+    public void FirstBlock_OfThePackagesReadme_IsAProgramThatCompiles(string package)
+    {
+        DocumentBlock block = DocumentBlock.Read($"src/Rabit.{package}/README.md").First(b => b.Language == "csharp");
+
+        Assert.NotNull(CompiledProgram.Compile(block).EntryPoint);
+    }
+
     private static void AssertRuns(DocumentBlock block, DocumentBlock? output, params string[] args)
     {
         (string printed, int exitCode) = CompiledProgram.Run(CompiledProgram.Compile(block), args);
