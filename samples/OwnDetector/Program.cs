@@ -70,11 +70,9 @@ internal sealed class RaftDetector : ITargetDetector
         if (count < 20)
             return DetectorResult.Found(0);
         (double x, double y, double side) = (columns / count, rows / count, Math.Sqrt(count));
-        detections[0] = new TargetDetection
-        {
-            Class = Raft, CentreX = x, CentreY = y, WidthPixels = side, HeightPixels = side, Score = 0.9,
-            Covariance = PixelCovariance.FromSigma(1),
-        };
+        ref TargetDetection raft = ref detections[0];
+        raft = new TargetDetection { Class = Raft, CentreX = x, CentreY = y, WidthPixels = side, HeightPixels = side };
+        (raft.Score, raft.Covariance) = (0.9, PixelCovariance.FromSigma(1));
         return DetectorResult.Found(1);
     }
 }
