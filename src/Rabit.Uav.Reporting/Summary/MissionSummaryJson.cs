@@ -158,9 +158,9 @@ internal static class MissionSummaryJson
         json.WriteNumber("framesDropped", imaging.FramesDropped);
         json.WriteNumber("framesRefused", imaging.FramesRefused);
         json.WriteNumber("reports", imaging.Reports);
-        json.WriteNumber("detector_failures", imaging.DetectorFailures);
-        json.WriteNumber("detections_refused", imaging.DetectionsRefused);
-        json.WriteNumber("detector_overruns", imaging.DetectorOverruns);
+        json.WriteNumber("detectorFailures", imaging.DetectorFailures);
+        json.WriteNumber("detectionsRefused", imaging.DetectionsRefused);
+        json.WriteNumber("detectorOverruns", imaging.DetectorOverruns);
         json.WriteString("fault", imaging.Fault);
         json.WriteEndObject();
     }

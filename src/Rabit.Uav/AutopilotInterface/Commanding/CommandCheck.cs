@@ -8,7 +8,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal static class CommandCheck
 {
     // More than these is a mistake for what flies on batteries.
-    private const double HighestMetres = 5000;
+    private const double MaxMetres = 5000;
     private const double MaxMetresPerSecond = 60;
 
     /// <summary>What is wrong, by the name of the property; null where nothing is.</summary>
@@ -39,10 +39,10 @@ internal static class CommandCheck
     }
 
     private static string? FaultOfHeight(in VehicleCommand command)
-        => command.HeightAboveHomeMetres is > 0 and <= HighestMetres
+        => command.HeightAboveHomeMetres is > 0 and <= MaxMetres
             ? null
             : FormattableString.Invariant(
-                $"HeightAboveHomeMetres is {command.HeightAboveHomeMetres}; it must be above 0 and at most {HighestMetres}");
+                $"HeightAboveHomeMetres is {command.HeightAboveHomeMetres}; it must be above 0 and at most {MaxMetres}");
 
     private static string? FaultOfSpeed(in VehicleCommand command)
         => double.IsNaN(command.SpeedMetresPerSecond) || command.SpeedMetresPerSecond is > 0 and <= MaxMetresPerSecond

@@ -44,6 +44,7 @@ internal static class CameraDescription
             CameraMount mount = CameraMountDescription.Read(camera.RequiredObject("mount"), faults);
             camera.RefuseOthers();
             List<ListedPicture> listed = ReadFrames(root, faults);
+            root.Renamed(("time_source", "timeSource"), ("mount", "camera.mount"));
 
             // Where a number is missing, what it would have meant is not worth a second fault.
             if (faults.Count == 0)
