@@ -3,6 +3,12 @@ using System;
 namespace Rabit.Links;
 
 /// <summary>How long a link may wait. Immutable.</summary>
+/// <example>
+/// <code>
+/// var options = new LinkOptions(connectTimeout: TimeSpan.FromSeconds(2));
+/// using IByteLink link = LinkFactory.Open(LinkUrl.Parse("tcp:127.0.0.1:5760"), options);
+/// </code>
+/// </example>
 public sealed class LinkOptions
 {
     private static readonly TimeSpan Longest = TimeSpan.FromHours(1);

@@ -8,6 +8,13 @@ namespace Rabit.Links;
 /// bytes; a write that does not fit as a whole is dropped as a whole and counted at the end that wrote, without an
 /// exception, as a radio would.
 /// </summary>
+/// <example>
+/// <code>
+/// var links = new MemoryLinkPair("test");
+/// links.A.Write([1, 2, 3], 0, 3);
+/// LinkRead read = links.B.Read(new byte[16]);   // 3 bytes; NothingYet when there are none
+/// </code>
+/// </example>
 public sealed class MemoryLinkPair
 {
     /// <summary>Makes the two ends.</summary>

@@ -8,6 +8,14 @@ namespace Rabit.Links;
 /// finds no room for the whole write time-out throws, and what was left of it is dropped and counted; the next one may
 /// succeed.
 /// </summary>
+/// <example>
+/// <code>
+/// using SerialLink line = SerialLink.Open("/dev/ttyUSB0", 115200);
+/// var buffer = new byte[256];
+/// for (LinkRead read = line.Read(buffer); read.Kind != LinkReadKind.Ended; read = line.Read(buffer))
+///     Console.WriteLine($"{read.Count} bytes");
+/// </code>
+/// </example>
 public sealed class SerialLink : IByteLink
 {
     private const string UnpluggedReason = "the device hung up (unplugged?)";

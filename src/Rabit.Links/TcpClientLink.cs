@@ -10,6 +10,12 @@ namespace Rabit.Links;
 /// no room for the whole write time-out throws and counts all that was left of it as dropped, though a part may be on
 /// its way; the next one may succeed.
 /// </summary>
+/// <example>
+/// <code>
+/// using TcpClientLink link = TcpClientLink.Open("127.0.0.1", 5760);   // LinkException: one line, link and reason
+/// LinkRead read = link.Read(new byte[4096]);
+/// </code>
+/// </example>
 public sealed class TcpClientLink : IByteLink
 {
     private readonly Socket _socket;

@@ -10,6 +10,14 @@ namespace Rabit.Links;
 /// goes away cannot be seen. Allocates nothing per datagram on .NET; on Mono about 400 bytes for one received and one
 /// sent.
 /// </summary>
+/// <example>
+/// <code>
+/// using UdpListenLink link = UdpListenLink.Open("0.0.0.0", 14550);
+/// var buffer = new byte[4096];
+/// LinkRead read = link.Read(buffer);        // waits for a datagram of anyone
+/// link.Write(buffer, 0, read.Count);        // goes back to its sender
+/// </code>
+/// </example>
 public sealed class UdpListenLink : IByteLink
 {
     private readonly LinkLifetime _state;

@@ -3,6 +3,16 @@ using System;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>Something that goes wrong at a set time. A plain value.</summary>
+/// <example>
+/// <code>
+/// var silence = new ScriptedFault
+/// {
+///     Kind = ScriptedFaultKind.LinkSilent,
+///     At = TimeSpan.FromSeconds(60),
+///     Duration = TimeSpan.FromSeconds(10),
+/// };
+/// </code>
+/// </example>
 public struct ScriptedFault
 {
     /// <summary>What.</summary>

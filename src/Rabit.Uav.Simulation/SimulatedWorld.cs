@@ -13,6 +13,20 @@ namespace Rabit.Uav.Simulation;
 /// A world to fly in, made from one seed: flat ground, wind, and a multirotor that speaks MAVLink as ArduCopter does.
 /// The same seed gives the same bytes, in virtual time, if it is used in the same way at the same times.
 /// </summary>
+/// <example>
+/// <code>
+/// var world = new SimulatedWorld(new SimulationOptions { Seed = 7 });
+/// var telemetry = new MemoryLinkPair("telemetry");
+/// using UavSystem uav = UavSystem.Open(new UavOptions
+/// {
+///     OpenLinks = [telemetry.A],
+///     OtherManagers = [world.CreateVehicle(telemetry.B)],
+///     Camera = world.CreateCamera(),
+///     Imaging = new ImageProcessingOptions { Camera = world.CameraModel, Mount = world.CameraMount },
+///     Time = new VirtualTime(seed: 7),
+/// });
+/// </code>
+/// </example>
 public sealed class SimulatedWorld
 {
     /// <summary>The name of the vehicle's manager.</summary>
@@ -94,8 +108,8 @@ public sealed class SimulatedWorld
         => new(Options.Camera.With(Options.Faults), History, Things, unchecked((ulong)Options.Seed));
 
     /// <summary>
-    /// Adds to the time of a run which of the managers on board hang, when and for how long (<see
-    /// cref="ScriptedFaultKind.ManagerHangs"/>). Before the start.
+    /// Adds to the time of a run which of the managers on board hang, when and for how long (
+    /// <see cref="ScriptedFaultKind.ManagerHangs"/>). Before the start.
     /// </summary>
     /// <param name="time">
     /// That of the reactor in which those managers are: a manager that it does not have is an error at the start.

@@ -7,6 +7,19 @@ using Rabit.Uav.MissionControl;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>What the simulated world is like. Read once, when it is made.</summary>
+/// <example>
+/// <code>
+/// var options = new SimulationOptions
+/// {
+///     Seed = 7,
+///     TargetCount = 8,
+///     WindMetresPerSecond = 6,
+///     WindFrom = Angle.FromDegrees(270),
+///     Faults = [new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromMinutes(2), Value = 0.2 }],
+/// };
+/// options.TakePlacesFrom(mission);   // home and area, so that the mission can be flown here
+/// </code>
+/// </example>
 public sealed class SimulationOptions
 {
     private const double MaxWind = 25;

@@ -6,6 +6,13 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Reporting;
 
 /// <summary>What a <see cref="FlightRecorderManager"/> has recorded of a flight so far. Immutable.</summary>
+/// <example>
+/// <code>
+/// FlightRecord record = recorder.Record;   // a snapshot, any thread
+/// foreach (PhaseChange change in record.Phases)
+///     Console.WriteLine($"{change.Time.TotalSeconds:0.0} s: {change.Phase}");
+/// </code>
+/// </example>
 public sealed class FlightRecord
 {
     /// <summary>Nothing yet.</summary>

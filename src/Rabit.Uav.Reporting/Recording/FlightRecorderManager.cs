@@ -92,8 +92,8 @@ public sealed class FlightRecorderManager : RabitManager
     public FlightRecord Record => _keeper.Snapshot();
 
     /// <summary>
-    /// The subscription that brings the recorder its frames, of all messages: for <see
-    /// cref="UavOptions.Subscriptions"/>.
+    /// The subscription that brings the recorder its frames, of all messages: for
+    /// <see cref="UavOptions.Subscriptions"/>.
     /// </summary>
     public static MavlinkSubscription CreateSubscription() => new(FramesQueue);
 

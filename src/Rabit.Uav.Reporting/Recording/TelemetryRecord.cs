@@ -6,8 +6,8 @@ namespace Rabit.Uav.Reporting;
 
 /// <summary>
 /// What the frames of a flight contain, frame by frame and in the integers of the wire: nothing of it comes from
-/// latest values, so a replay gives the same record at every speed. An immutable snapshot: see <see
-/// cref="FlightRecord.Telemetry"/>.
+/// latest values, so a replay gives the same record at every speed. An immutable snapshot: see
+/// <see cref="FlightRecord.Telemetry"/>.
 /// </summary>
 /// <remarks>
 /// Lists are bounded (<see cref="ListCapacity"/> entries, the first ones); what did not fit is counted.

@@ -8,8 +8,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Reporting;
 
 /// <summary>
-/// Everything that is reported at the end of a run, for <see cref="SummaryText"/>, <see cref="SummaryJson"/> and <see
-/// cref="HtmlReport"/>. Immutable. Only the record and the result are needed; what is not set is left out.
+/// Everything that is reported at the end of a run, for <see cref="SummaryText"/>, <see cref="SummaryJson"/> and
+/// <see cref="HtmlReport"/>. Immutable. Only the record and the result are needed; what is not set is left out.
 /// </summary>
 /// <example>
 /// <code>

@@ -10,6 +10,12 @@ namespace Rabit.Uav.Reporting;
 /// The result of a mission in figures and words: what Mission Control posted (<see cref="MissionResult"/>) and, where
 /// the truth is known, the score of its targets. Immutable.
 /// </summary>
+/// <example>
+/// <code>
+/// var mission = new MissionSummary(recorder.Record, score: null);   // null where the truth is not known
+/// Console.WriteLine(mission.HasPassed ? "ACCOMPLISHED" : string.Join("; ", mission.Failures));
+/// </code>
+/// </example>
 public sealed class MissionSummary
 {
     /// <summary>Summarises a mission.</summary>

@@ -6,13 +6,19 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Takes the pictures of a camera and writes them to a folder, for a reader that watches that folder (see <see
-/// cref="FolderCamera"/>): the camera of a simulated vehicle that runs in a process of its own.
+/// Takes the pictures of a camera and writes them to a folder, for a reader that watches that folder (see
+/// <see cref="FolderCamera"/>): the camera of a simulated vehicle that runs in a process of its own.
 /// </summary>
 /// <remarks>
 /// A picture that cannot be written, because the disk is full for example, ends the writing; the fault is in the log,
 /// and the pictures after it are counted in <see cref="PicturesDropped"/>.
 /// </remarks>
+/// <example>
+/// <code>
+/// CameraFolder folder = CameraFolder.Create("pictures", world.CameraModel, world.CameraMount);
+/// reactor.Add(new CameraRecorderManager(world.CreateCamera(), new PictureFolderWriter(folder)));
+/// </code>
+/// </example>
 public sealed class CameraRecorderManager : RabitManager
 {
     /// <summary>The name of the manager.</summary>

@@ -10,6 +10,16 @@ namespace Rabit.Uav.Simulation;
 /// The true properties of the simulated camera. The aircraft's model of it is separate: give that other numbers, and
 /// the difference is an error that the flight has to live with. Read once, when the camera is made.
 /// </summary>
+/// <example>
+/// <code>
+/// var camera = new SimulatedCameraOptions
+/// {
+///     FramesPerSecond = 4,
+///     MisalignmentPitch = Angle.FromDegrees(1.5),   // the aircraft's model of the camera does not have it
+/// };
+/// var world = new SimulatedWorld(new SimulationOptions { Camera = camera });
+/// </code>
+/// </example>
 public sealed class SimulatedCameraOptions
 {
     private const int MaxPixelsPerSide = 4096;

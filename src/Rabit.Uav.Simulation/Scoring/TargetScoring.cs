@@ -10,6 +10,12 @@ namespace Rabit.Uav.Simulation;
 /// <summary>
 /// Pairs tracks with the real targets of the same class: nearest pairs first, each target and each track once.
 /// </summary>
+/// <example>
+/// <code>
+/// MissionScore score = TargetScoring.Score(TargetTruth.Of(world), tracks.Value.Tracks);
+/// Console.WriteLine($"{score.Found} of {score.Targets.Count} found, {score.FalseTracks.Count} false");
+/// </code>
+/// </example>
 public static class TargetScoring
 {
     /// <summary>A track farther from a target than this is not a track of that target, metres.</summary>

@@ -7,8 +7,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Where the targets really are: of a simulated world, or of a file that was written by a survey (<see
-/// cref="TruthFile"/>). Immutable.
+/// Where the targets really are: of a simulated world, or of a file that was written by a survey (
+/// <see cref="TruthFile"/>). Immutable.
 /// </summary>
 /// <param name="home">Where the vehicle starts; the altitude is not used.</param>
 /// <param name="targets">All targets.</param>
