@@ -11,13 +11,13 @@ using System.IO.Compression;
 using System.Linq;
 using System.Reflection.Metadata;
 using System.Reflection.PortableExecutable;
-using System.Runtime.CompilerServices;
 using System.Xml.Linq;
 
-// eng/packages.txt: the packages, and what each may depend on.
+// eng/packages.txt: the packages, and what each may depend on. The root of the repository is the current folder: a
+// deterministic build does not know where its sources are.
 var allowed = new Dictionary<string, string[]>(StringComparer.Ordinal);
 var packages = new List<string>();
-foreach (string line in File.ReadLines(PackageList()).Where(line => line.Length != 0 && line[0] != '#'))
+foreach (string line in File.ReadLines("eng/packages.txt").Where(line => line.Length != 0 && line[0] != '#'))
 {
     string[] columns = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
     packages.Add(columns[0]);
@@ -179,9 +179,6 @@ void Compare(string file)
             faults.Add($"{name}: {entry} differs when it is built in another folder");
     }
 }
-
-static string PackageList([CallerFilePath] string thisFile = "")
-    => Path.Combine(Path.GetDirectoryName(thisFile)!, "packages.txt");
 
 // Where the compiler wrote the symbols, as the assembly says.
 static string PathOfSymbols(byte[] assembly)
