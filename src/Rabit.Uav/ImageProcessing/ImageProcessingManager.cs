@@ -54,6 +54,8 @@ public sealed class ImageProcessingManager : RabitManager
     private readonly FrameNumbers _numbers = new();
     private ImagingStatus _next;
     private TimeSpan? _lastPost;
+    private string? _loggedFault;
+    private TimeSpan _nextFaultLog;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
@@ -249,5 +251,16 @@ public sealed class ImageProcessingManager : RabitManager
         _next.DetectorOverruns = search.Detector.Overruns;
         _next.LastDetectorFault = search.Detector.LastFault;
         _next.UnknownClasses = search.UnknownClasses;
+        if (search.Detector.LastFault is { } fault)
+            LogDetectorFault(fault);
+    }
+
+    // Each text once in a row, and no more than one a second: a detector may fail at every picture.
+    private void LogDetectorFault(string fault)
+    {
+        if (string.Equals(fault, _loggedFault, StringComparison.Ordinal) || Now < _nextFaultLog)
+            return;
+        (_loggedFault, _nextFaultLog) = (fault, Now + TimeSpan.FromSeconds(1));
+        Log(fault);
     }
 }

@@ -32,7 +32,11 @@ internal sealed class ImagingRig : IDisposable
         options.Mount = View.Mount;
         Sink = new ObservationSink(sinkIsSmall ? 1 : 100);
         Manager = new ImageProcessingManager(options, camera);
-        Reactor = new RabitReactor(new VirtualTime(1)) { Manager, Sink };
+        Reactor = new RabitReactor(new ReactorOptions { Time = new VirtualTime(1), Log = e => Log.Add(e.Text) })
+        {
+            Manager,
+            Sink,
+        };
         _poses = Reactor.Workspace.Send<PoseSample>(MessageNames.Poses);
         _order = Reactor.Workspace.Publish<ImagingCommand>(MessageNames.ImagingCommand);
         _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
@@ -58,6 +62,9 @@ internal sealed class ImagingRig : IDisposable
     public RabitReactor Reactor { get; }
 
     public ObservationSink Sink { get; }
+
+    /// <summary>The texts of the log.</summary>
+    public List<string> Log { get; } = [];
 
     public List<TimeSpan> StatusTimes { get; } = [];
 

@@ -42,6 +42,7 @@ public sealed class OwnDetectorTests
             ("the detector threw InvalidOperationException: no model", "the detector failed"),
             (status.LastDetectorFault, status.LastRefusal));
         Assert.Equal(1, Assert.Single(rig.Sink.Observations).Number);
+        Assert.Single(rig.Log, text => string.Equals(text, status.LastDetectorFault, StringComparison.Ordinal));
         rig.AssertAllGivenBack();
         Assert.Equal(0, rig.Finish().ExitCode);
     }

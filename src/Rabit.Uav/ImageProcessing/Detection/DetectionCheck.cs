@@ -7,12 +7,12 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 internal static class DetectionCheck
 {
-    public const string OutsidePicture = "a detection is outside the picture";
-    public const string WrongClass = "a detection is of a class that was not asked for";
+    public const string OutsidePicture = "the centre of a detection is outside the picture or not a number";
+    public const string WrongClass = "a detection is of a class that is not declared, or that the mission does not ask for";
     public const string WrongScore = "the score of a detection is not 0 to 1";
-    public const string WrongExtent = "the extent of a detection is not above 0, or larger than the picture";
+    public const string WrongExtent = "the extent of a detection is not above 0, larger than the picture or not a number";
     public const string WrongSide = "the side of a detection on the ground is negative or not a number";
-    public const string WrongCovariance = "the covariance of a detection is not positive definite";
+    public const string WrongCovariance = "the covariance of a detection is not positive definite, or not finite";
 
     // Larger than anything that is searched for from the air; Sensor Fusion refuses more.
     private const double MaxSideMetres = 50;
