@@ -102,6 +102,21 @@ internal abstract class DeviceActivity(
             Health.Enter(DeviceState.Stopped, Clock.Now);
     }
 
+    public override bool TryEndAfter(Exception unexpected)
+    {
+        if (Health.State != DeviceState.Faulted)
+        {
+            Health.AddFault(unexpected);
+            Health.Enter(DeviceState.Faulted, Clock.NowOr(Health.Since));
+        }
+
+        Report("ended unexpectedly", unexpected);
+        Close();
+        ReportLost();
+        manager.WakeUp!.Wake(WakeUpCauses.Device, Health.Since);
+        return true;
+    }
+
     public override void Unblock()
     {
         try
@@ -212,5 +227,5 @@ internal abstract class DeviceActivity(
     }
 
     private void Report(string what, Exception e)
-        => Log!.Write(RabitLogKind.Fault, Name, $"{what}: {e.GetType().Name}: {e.Message}", e);
+        => Log!.Write(RabitLogKind.Fault, Name, $"{what}: {ExceptionText.Describe(e)}", e);
 }

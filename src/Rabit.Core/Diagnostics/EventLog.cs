@@ -171,7 +171,7 @@ internal sealed class EventLog(TextWriter writer, RunClock clock, Action<Excepti
     private void Fail(Exception e)
     {
         _hasFailed = true;
-        fail(new IOException("The event log could not be written: " + e.Message, e));
+        fail(new IOException("The event log could not be written: " + ExceptionText.MessageOf(e), e));
     }
 
     private static WakeUpCauses CausesOf(WakeUpEvent wakeUp)

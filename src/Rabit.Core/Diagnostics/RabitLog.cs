@@ -3,9 +3,13 @@ using Rabit.Core.Time;
 
 namespace Rabit.Core.Diagnostics;
 
-/// <summary>Hands entries to the user's log and to the events, on the thread that writes the entry. Exceptions of the
-/// user's log are ignored.</summary>
-internal sealed class RabitLog(Action<RabitLogEntry>? sink, bool logRuns, RunClock clock, EventLog? events = null)
+/// <summary>
+/// Hands entries to the user's log and to the events, on the thread that writes the entry. Faults and hangs that no log
+/// takes, because there is none or because it throws, go to standard error.
+/// </summary>
+internal sealed class RabitLog(
+    Action<RabitLogEntry>? sink, bool logRuns, RunClock clock, EventLog? events = null,
+    StandardErrorLog? standardError = null)
 {
     /// <summary>Whether the begin of every unit of work is logged.</summary>
     public bool LogsRuns { get; } = logRuns && sink is not null;
@@ -16,21 +20,49 @@ internal sealed class RabitLog(Action<RabitLogEntry>? sink, bool logRuns, RunClo
     /// </summary>
     public EventLog? Events { get; } = events;
 
+    /// <summary>Never throws.</summary>
     public void Write(RabitLogKind kind, string source, string text, Exception? exception = null)
     {
         if (RabitEventSource.Instance.IsEnabled())
             RabitEventSource.Instance.Entry(kind, source, text);
         if (kind != RabitLogKind.Run)
             Events?.Write(source, text);
-        if (sink is null)
+        if (sink is null && !StandardErrorLog.Takes(kind))
+            return;
+
+        RabitLogEntry entry = new(clock.NowOr(TimeSpan.Zero), kind, source, text, exception);
+        if (TryHandOver(entry) || standardError is null || !StandardErrorLog.Takes(kind))
             return;
         try
         {
-            sink(new RabitLogEntry(clock.Now, kind, source, text, exception));
+            standardError.Write(entry);
         }
         catch (Exception)
         {
-            // There is nowhere left to report it: the log itself is what failed.
+            // There is nowhere left to report it.
+        }
+    }
+
+    /// <summary>The run is over.</summary>
+    public void Close()
+    {
+        Events?.Close();
+        standardError?.Close();
+    }
+
+    private bool TryHandOver(RabitLogEntry entry)
+    {
+        if (sink is null)
+            return false;
+        try
+        {
+            sink(entry);
+            return true;
+        }
+        catch (Exception)
+        {
+            // The user's log is what failed.
+            return false;
         }
     }
 }

@@ -32,6 +32,13 @@ internal abstract class Activity(string name, WakeUpEvent wakeUp)
     /// <summary>After the last step.</summary>
     public abstract void End();
 
+    /// <summary>
+    /// Instead of all further steps and <see cref="End"/>, on the thread of the steps: something left them that nothing
+    /// expects. May be called again where it throws.
+    /// </summary>
+    /// <returns>Whether the fault is in the result; else the run itself fails with it.</returns>
+    public virtual bool TryEndAfter(Exception unexpected) => false;
+
     /// <summary>From another thread: let a step that blocks return soon.</summary>
     public virtual void Unblock()
     {

@@ -17,7 +17,7 @@ namespace Rabit.Core.Managers;
 /// <see cref="HasStoppedAlone"/> and the lists, which the reactor reads, and <see cref="Hangs"/>, by which the watchdog
 /// looks at it.
 /// </summary>
-internal sealed class ManagerActivity(RabitManager manager, ManagerRun run)
+internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun run)
     : Activity(manager.Name, manager.WakeUpEvent)
 {
     private readonly FaultFollowUp _followUp = new(manager, run);
@@ -25,6 +25,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run)
     private bool _hasBegun;           // written by the manager's thread, read by the reactor's
     private bool _hasStoppedAlone;    // same
     private bool _isUp;               // a start-up that has no shutdown yet
+    private ManagerStage _stage;      // as last entered
     private ManagerState _state;      // as last posted
     private ConsumedWakeUps _kept;            // wakes that came before a restart, for the first run after it
     private bool _isFirstRun;         // after a restart
@@ -169,6 +170,7 @@ internal sealed class ManagerActivity(RabitManager manager, ManagerRun run)
     {
         EndpointOwner? outer = RunningManager.Current;
         RunningManager.Current = manager.Owner;
+        _stage = stage;
         Hangs.Enter(stage, begin);
         Exception? thrown = null;
         try

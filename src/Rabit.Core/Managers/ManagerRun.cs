@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using Rabit.Core.Diagnostics;
+using Rabit.Core.Reactors;
 using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
 
@@ -19,6 +20,9 @@ internal sealed class ManagerRun(
     public HangPolicy HangPolicy { get; } = hangPolicy;
 
     public bool KeepsStatistics { get; } = keepsStatistics;
+
+    /// <summary>Lets a stop wait for the manager; null where no reactor runs it.</summary>
+    public StopDelay? StopDelay { get; init; }
 
     /// <summary>
     /// Wakes the watchdog of a run in virtual time, where it sleeps until a modelled duration begins. Set before the

@@ -210,14 +210,15 @@ public abstract partial class RabitManager
     /// <param name="text">One line.</param>
     protected void Log(string text) => Run.Log.Write(RabitLogKind.Manager, Name, text);
 
-    /// <summary>Asks the reactor to stop all managers in order; returns at once. Any thread.</summary>
-    /// <param name="reason">For the result of the run.</param>
-    protected void StopSystem(string reason) => Run.RequestStop($"{Name}: {reason}");
-
     /// <summary>Whether the manager is in a reactor that has started: it serves no other one.</summary>
     internal bool IsAttached => _run is not null;
 
-    internal void Attach(ManagerRun run) => _run = run;
+    internal void Attach(ManagerRun run)
+    {
+        _run = run;
+        if (_delaysStop)
+            SetDelay(delays: true);
+    }
 
     internal void ForgetDoing() => Volatile.Write(ref _doing, null);
 

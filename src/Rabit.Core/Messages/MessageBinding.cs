@@ -70,7 +70,7 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         catch (Exception e)
         {
             // The user's method; reported with all other faults of the wiring.
-            return $"{method} threw {e.GetType().Name}: {e.Message}";
+            return $"{method} threw {ExceptionText.Describe(e)}";
         }
     }
 

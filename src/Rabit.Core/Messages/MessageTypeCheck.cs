@@ -58,8 +58,8 @@ internal static class MessageTypeCheck
         if (type.IsInterface || type == typeof(object))
             return $"{path} is of type {TypeNames.Of(type)}, which may hold something mutable.";
         if (!type.IsValueType && !type.IsSealed)
-            return $"{path} is of class {TypeNames.Of(type)}, which is not sealed: a derived one may hold something "
-                + "mutable.";
+            return $"{path} is of class {TypeNames.Of(type)}, which is not sealed: "
+                + "a derived one may hold something mutable.";
         return FindFaultInFields(type, path, visited, trusted);
     }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Threading;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
 using Rabit.Core.Wiring;
@@ -127,7 +128,7 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
             // A handler is the subscriber's code on the poster's thread: it may not harm the poster.
             place.Log.Write(
                 RabitLogKind.Fault, target.Owner.Name,
-                $"the post handler of message '{Name}' threw {e.GetType().Name}: {e.Message}", e);
+                $"the post handler of message '{Name}' threw {ExceptionText.Describe(e)}", e);
         }
     }
 

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Wiring;
 
 namespace Rabit.Core.Messages;
@@ -88,7 +89,7 @@ internal sealed class SharedObject<T> : SharedMessage<T>
             // Thrown to the caller that posts or fetches, with the names that the user's exception lacks.
             throw new InvalidOperationException(
                 $"Message '{Name}' could not be {verb}: {Type}.{nameof(ISelfCopying<>.CopyTo)} threw "
-                    + $"{e.GetType().Name}: {e.Message}", e);
+                    + ExceptionText.Describe(e), e);
         }
         finally
         {

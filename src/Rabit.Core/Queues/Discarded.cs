@@ -24,7 +24,7 @@ internal static class Discarded<T>
             // The sender whose push dropped it did nothing wrong and must continue.
             log?.Write(
                 RabitLogKind.Fault, place,
-                $"could not dispose a value that was dropped: {e.GetType().Name}: {e.Message}", e);
+                "could not dispose a value that was dropped: " + ExceptionText.Describe(e), e);
         }
     }
 }

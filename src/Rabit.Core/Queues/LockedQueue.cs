@@ -134,12 +134,12 @@ internal sealed partial class LockedQueue<T>(
         return popped;
     }
 
-    /// <summary>
-    /// Releases all waiters, disposes what is left, if it is disposable, and rejects all later pushes.
-    /// </summary>
-    public override void Close()
+    /// <summary>Releases all waiters, and rejects all later pushes.</summary>
+    public override void Close() => EndWaiting();
+
+    /// <inheritdoc/>
+    public override void DisposeRest()
     {
-        EndWaiting();
         while (Discarded<T>.Matters && TryDropOldest(out T value))
             Discarded<T>.Dispose(value, Name, log);
     }

@@ -50,7 +50,13 @@ internal abstract class MessageQueue<T>(
     /// <returns>How many were taken out.</returns>
     public abstract int PopInto(Span<T> target);
 
+    /// <inheritdoc/>
     public abstract void Close();
+
+    /// <inheritdoc/>
+    public virtual void DisposeRest()
+    {
+    }
 
     /// <summary>
     /// Whether a wake for a push is on its way to the receiver already, so that one more would merge with it. Only

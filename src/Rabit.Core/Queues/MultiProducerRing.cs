@@ -28,6 +28,9 @@ namespace Rabit.Core.Queues;
 /// <item>A sender is held up between reserving and writing. The receiver finds nothing at that place and leaves what
 /// follows it, even if that was pushed long ago. It is seen all the same by a unit of work that starts later: the
 /// sender that was held up wakes the receiver when it has written.</item>
+/// <item>A push while the run ends and the queue is closed: closing moves the tail out of reach, so that the
+/// compare-and-swap of a sender that has checked before fails. A value that was reserved before is among those that
+/// were left, whether it has been written yet or not.</item>
 /// <item>A wake is skipped where one is pending. The sequence is written by an exchange, a full fence, so the check of
 /// the pending wake comes after it; taking wakes is an exchange too. If the check saw the old wake, the receiver takes
 /// it later, and what it reads after that includes the value. (A check without the fence could be ahead of the write:
@@ -57,11 +60,11 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
 
     public override int Count => Counters.Resident;
 
-    public override QueueCounters Counters => _state.Counters(Capacity);
+    public override QueueCounters Counters => _state.Counters<SyncPoints>(Capacity);
 
     public override PushResult Push(in T value)
     {
-        if (_state.Reserve(1, Capacity, out int position) == 0)
+        if (_state.Reserve<SyncPoints>(1, Capacity, out int position) == 0)
             return PushResult.Rejected;
         ref Slot slot = ref SlotAt(position);
         slot.Value = value;
@@ -82,7 +85,7 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
     {
         if (values.IsEmpty)
             return 0;
-        int count = _state.Reserve(values.Length, Capacity, out int position);
+        int count = _state.Reserve<SyncPoints>(values.Length, Capacity, out int position);
         for (int i = 0; i < count; i++)
         {
             ref Slot slot = ref SlotAt(unchecked(position + i));
@@ -143,7 +146,7 @@ internal sealed class MultiProducerRing<T> : MessageQueue<T>
     }
 
     /// <summary>Takes nothing more. What is left stays: it need not be returned.</summary>
-    public override void Close() => _state.Close();
+    public override void Close() => _state.Close<SyncPoints>();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private ref Slot SlotAt(int position)

@@ -82,7 +82,7 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
         EndpointOwner[] senders = endpoints.Where(e => e.Role == EndpointRole.Send).Select(e => e.Owner)
             .Distinct().ToArray();
         if (needsNoLock && senders.Length == 1 && !senders[0].IsOutside)
-            return new SingleProducerRing<T>(Name, receiver.Capacity, wakeUp, isOwnQueue: senders[0] == receiver.Owner);
+            return new SingleProducerRing<T>(Name, receiver.Capacity, wakeUp);
         if (needsNoLock)
             return new MultiProducerRing<T>(Name, receiver.Capacity, wakeUp);
         return new LockedQueue<T>(Name, receiver.Capacity, receiver.FullMode, wakeUp, receiver.MaxWait, clock, log);

@@ -2,6 +2,7 @@ using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Threading;
+using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Queues;
 
@@ -16,8 +17,13 @@ internal struct RingPositions
     private const int Apart = 128;
     private const int Closed = int.MinValue;
 
-    // Where the next value goes. Moved by senders, by compare-and-swap; by a single producer, with an exchange or a
-    // release.
+    // What closing adds to the tail. Two positions of the queue are never half the range apart, so the compare-and-swap
+    // of a sender that has read the tail before fails, and the lower 31 bits of the distance to the head are right.
+    private const int OutOfReach = int.MinValue;
+    private const int Distance = int.MaxValue;
+
+    // Where the next value goes; once the queue is closed, OutOfReach further on. Moved by senders and by the thread
+    // that closes the queue, by compare-and-swap.
     [FieldOffset(Apart)]
     private int _tail;
 
@@ -86,12 +92,16 @@ internal struct RingPositions
     /// <param name="position">The first place.</param>
     /// <returns>How many places.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Reserve(int wanted, int capacity, out int position)
+    public int Reserve<TSync>(int wanted, int capacity, out int position)
+        where TSync : struct, ISyncPoints
     {
-        int tail = Volatile.Read(ref _tail);
-        while (unchecked(tail - Volatile.Read(ref _seenHead) + wanted) <= Volatile.Read(ref _fastPathLimit))
+        int tail = default(TSync).VolatileRead(ref _tail);
+
+        // The limit after the tail: one who finds the tail out of reach finds the limit closed.
+        while (unchecked(tail - default(TSync).VolatileRead(ref _seenHead) + wanted)
+            <= default(TSync).VolatileRead(ref _fastPathLimit))
         {
-            int found = Interlocked.CompareExchange(ref _tail, unchecked(tail + wanted), tail);
+            int found = default(TSync).CompareExchange(ref _tail, unchecked(tail + wanted), tail);
             if (found == tail)
             {
                 position = tail;
@@ -101,31 +111,35 @@ internal struct RingPositions
             tail = found;
         }
 
-        return ReserveSlow(wanted, capacity, out position);
+        return ReserveSlow<TSync>(wanted, capacity, out position);
     }
 
     /// <summary>
     /// As <see cref="Reserve"/>, for a single producer: the places are its own until it moves the tail.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int Find(int wanted, int capacity, out int position)
+    public int Find<TSync>(int wanted, int capacity, out int position)
+        where TSync : struct, ISyncPoints
     {
-        position = _tail;
-        return unchecked(position - _seenHead + wanted) <= Volatile.Read(ref _fastPathLimit)
-            ? wanted
-            : ReserveExclusiveSlow(wanted, capacity);
+        position = default(TSync).VolatileRead(ref _tail);
+        return unchecked(position - default(TSync).VolatileRead(ref _seenHead) + wanted)
+            <= default(TSync).VolatileRead(ref _fastPathLimit)
+                ? wanted
+                : FindSlow<TSync>(wanted, capacity, position);
     }
 
     /// <summary>A single producer has written values.</summary>
-    /// <param name="next">The position after them.</param>
-    /// <param name="fenced">Whether what the sender reads after this must not be read before it.</param>
+    /// <param name="position">Of the first, as found.</param>
+    /// <param name="count">How many.</param>
+    /// <returns>False where the queue was closed meanwhile: they are counted as rejected.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void MoveTail(int next, bool fenced)
+    public bool TryMoveTail<TSync>(int position, int count)
+        where TSync : struct, ISyncPoints
     {
-        if (fenced)
-            Interlocked.Exchange(ref _tail, next);
-        else
-            Volatile.Write(ref _tail, next);
+        if (default(TSync).CompareExchange(ref _tail, unchecked(position + count), position) == position)
+            return true;
+        Interlocked.Add(ref _rejected, count);
+        return false;
     }
 
     /// <summary>
@@ -135,7 +149,7 @@ internal struct RingPositions
     public int Available(int wanted)
     {
         int known = unchecked(_seenTail - _head);
-        return known >= wanted ? known : unchecked((_seenTail = Volatile.Read(ref _tail)) - _head);
+        return known >= wanted ? known : unchecked((_seenTail = Volatile.Read(ref _tail)) - _head) & Distance;
     }
 
     /// <summary>The receiver has taken values out and cleared their slots.</summary>
@@ -149,48 +163,60 @@ internal struct RingPositions
             Volatile.Write(ref _halfWraps, unchecked(_halfWraps + 1));
     }
 
-    /// <summary>No push finds room any more.</summary>
-    public void Close()
+    /// <summary>No push finds room any more, and none that is under way puts a value in. Once only.</summary>
+    public void Close<TSync>()
+        where TSync : struct, ISyncPoints
     {
-        // In this order: a sender that raises the mark finds one of the two.
-        Interlocked.CompareExchange(ref _lastHighWater, Volatile.Read(ref _fastPathLimit), -1);
-        Interlocked.Exchange(ref _fastPathLimit, Closed);
+        // In this order: a sender that raises the mark finds one of the first two, and one that finds the tail out of
+        // reach finds both.
+        default(TSync).CompareExchange(ref _lastHighWater, default(TSync).VolatileRead(ref _fastPathLimit), -1);
+        default(TSync).Exchange(ref _fastPathLimit, Closed);
+        int tail = default(TSync).VolatileRead(ref _tail);
+        while (true)
+        {
+            int found = default(TSync).CompareExchange(ref _tail, unchecked(tail + OutOfReach), tail);
+            if (found == tail)
+                return;
+            tail = found;
+        }
     }
 
     /// <summary>The counters as they were at one instant during the call.</summary>
-    public QueueCounters Counters(int capacity)
+    public QueueCounters Counters<TSync>(int capacity)
+        where TSync : struct, ISyncPoints
     {
         // Half wraps before the head: they may be one behind it, which the head's top bit shows.
-        int half = unchecked((int)((uint)_start >> 31) + Volatile.Read(ref _halfWraps));
-        int head = Volatile.Read(ref _head);
-        int tail = Volatile.Read(ref _tail);
+        int half = unchecked((int)((uint)_start >> 31) + default(TSync).VolatileRead(ref _halfWraps));
+        int head = default(TSync).VolatileRead(ref _head);
+        int tail = default(TSync).VolatileRead(ref _tail);
         if ((half & 1) != (int)((uint)head >> 31))
             half++;
         long popped = ((long)(half >> 1) << 32) + (uint)head - (uint)_start;
 
         // There may have been pops and pushes between the two looks; at the instant of the first there was no more than
         // fits in.
-        int resident = Math.Min(unchecked(tail - head), capacity);
-        int last = Volatile.Read(ref _lastHighWater);
-        int highWater = Math.Max(resident, last >= 0 ? last : Volatile.Read(ref _fastPathLimit));
+        int resident = Math.Min(unchecked(tail - head) & Distance, capacity);
+        int last = default(TSync).VolatileRead(ref _lastHighWater);
+        int highWater = Math.Max(resident, last >= 0 ? last : default(TSync).VolatileRead(ref _fastPathLimit));
         return new QueueCounters(
             popped + resident, popped, dropped: 0, Interlocked.Read(ref _rejected), resident, highWater, capacity);
     }
 
     // Looks at the head itself, raises the high-water mark, and says whether the queue is full or closed.
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private int ReserveSlow(int wanted, int capacity, out int position)
+    private int ReserveSlow<TSync>(int wanted, int capacity, out int position)
+        where TSync : struct, ISyncPoints
     {
         while (true)
         {
-            int fastPathLimit = Volatile.Read(ref _fastPathLimit);
-            int tail = Volatile.Read(ref _tail);
-            int head = Volatile.Read(ref _head);
-            Volatile.Write(ref _seenHead, head);
+            int fastPathLimit = default(TSync).VolatileRead(ref _fastPathLimit);
+            int tail = default(TSync).VolatileRead(ref _tail);
+            int head = default(TSync).VolatileRead(ref _head);
+            default(TSync).VolatileWrite(ref _seenHead, head);
 
             // After the tail, so it may be ahead of it; then the compare-and-swap fails.
             int resident = Math.Max(unchecked(tail - head), 0);
-            int count = Volatile.Read(ref _lastHighWater) >= 0 ? 0 : Math.Min(wanted, capacity - resident);
+            int count = IsClosed<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
             position = tail;
             if (count <= 0)
             {
@@ -198,34 +224,42 @@ internal struct RingPositions
                 return 0;
             }
 
-            if (Interlocked.CompareExchange(ref _tail, unchecked(tail + count), tail) != tail)
+            if (default(TSync).CompareExchange(ref _tail, unchecked(tail + count), tail) != tail)
                 continue;
             if (count < wanted)
                 Interlocked.Add(ref _rejected, wanted - count);
-            RaiseHighWater(resident + count, fastPathLimit);
+            RaiseHighWater<TSync>(resident + count, fastPathLimit);
             return count;
         }
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private int ReserveExclusiveSlow(int wanted, int capacity)
+    private int FindSlow<TSync>(int wanted, int capacity, int tail)
+        where TSync : struct, ISyncPoints
     {
-        int fastPathLimit = Volatile.Read(ref _fastPathLimit);
-        _seenHead = Volatile.Read(ref _head);
-        int resident = unchecked(_tail - _seenHead);
-        int count = Volatile.Read(ref _lastHighWater) >= 0 ? 0 : Math.Min(wanted, capacity - resident);
+        int fastPathLimit = default(TSync).VolatileRead(ref _fastPathLimit);
+        int head = default(TSync).VolatileRead(ref _head);
+        default(TSync).VolatileWrite(ref _seenHead, head);
+        int resident = unchecked(tail - head);
+        int count = IsClosed<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
         if (count < wanted)
             Interlocked.Add(ref _rejected, wanted - count);
-        RaiseHighWater(resident + count, fastPathLimit);
+        if (count > 0)
+            RaiseHighWater<TSync>(resident + count, fastPathLimit);
         return count;
     }
 
-    private void RaiseHighWater(int resident, int fastPathLimit)
+    private bool IsClosed<TSync>()
+        where TSync : struct, ISyncPoints
+        => default(TSync).VolatileRead(ref _lastHighWater) >= 0;
+
+    private void RaiseHighWater<TSync>(int resident, int fastPathLimit)
+        where TSync : struct, ISyncPoints
     {
         // Not once it is closed, when a mark would open it again.
-        while (resident > fastPathLimit && Volatile.Read(ref _lastHighWater) < 0)
+        while (resident > fastPathLimit && !IsClosed<TSync>())
         {
-            int found = Interlocked.CompareExchange(ref _fastPathLimit, resident, fastPathLimit);
+            int found = default(TSync).CompareExchange(ref _fastPathLimit, resident, fastPathLimit);
             if (found == fastPathLimit)
                 return;
             fastPathLimit = found;

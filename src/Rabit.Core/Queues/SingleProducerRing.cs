@@ -13,54 +13,52 @@ namespace Rabit.Core.Queues;
 /// tail, only the receiver moves the head; the check of who uses an endpoint enforces it.
 /// The sender writes a value before it moves the tail, the receiver reads the tail before the value; the receiver
 /// clears a slot before it moves the head, the sender reads the head before it writes into the slot: a release and an
-/// acquire each. The race it closes: a wake is skipped where one is pending. The tail is moved by an exchange, a full
-/// fence, so the look at the pending wake comes after it; taking wakes is an exchange too. If the look saw the old
-/// wake, the receiver takes it later, and what it reads after that includes the value. A manager that sends to itself
-/// needs no fence: its own thread looks, takes and pops, in the order of its program.
+/// acquire each. The races it closes:
+/// <list type="bullet">
+/// <item>A wake is skipped where one is pending. The tail is moved by a compare-and-swap, a full fence, so the look at
+/// the pending wake comes after it; taking wakes is an exchange too. If the look saw the old wake, the receiver takes
+/// it later, and what it reads after that includes the value.</item>
+/// <item>A push of a manager that did not stop in time, while the queue is closed. Closing moves the tail out of reach:
+/// the compare-and-swap fails, and the push is rejected.</item>
+/// </list>
 /// </remarks>
 internal sealed class SingleProducerRing<T> : MessageQueue<T>
 {
     private readonly T[] _slots;   // a power of two of them
-    private readonly bool _isFenced;
     private RingPositions _state;
 
     /// <param name="name">For errors.</param>
     /// <param name="capacity">How many values fit in.</param>
     /// <param name="receiverWakeUp">Whom a push wakes.</param>
-    /// <param name="isOwnQueue">Whether the sender is the receiver itself.</param>
     /// <param name="start">The first position; tests let it wrap round soon.</param>
     public SingleProducerRing(
-        string name, int capacity, WakeUpEvent? receiverWakeUp, bool isOwnQueue = false, int start = 0)
+        string name, int capacity, WakeUpEvent? receiverWakeUp, int start = 0)
         : base(name, capacity, QueueFullMode.Reject, receiverWakeUp)
     {
         _slots = new T[RingPositions.SizeFor(capacity)];
-        _isFenced = receiverWakeUp is not null && !isOwnQueue;
         _state = new RingPositions(start);
     }
 
     public override int Count => Counters.Resident;
 
-    public override QueueCounters Counters => _state.Counters(Capacity);
+    public override QueueCounters Counters => _state.Counters<SyncPoints>(Capacity);
 
     public override PushResult Push(in T value)
     {
-        if (_state.Find(1, Capacity, out int position) == 0)
+        if (_state.Find<SyncPoints>(1, Capacity, out int position) == 0)
             return PushResult.Rejected;
         SlotAt(position) = value;
-        Publish(unchecked(position + 1));
-        return PushResult.Queued;
+        return TryPublish(position, 1) ? PushResult.Queued : PushResult.Rejected;
     }
 
     public override int PushFrom(ReadOnlySpan<T> values)
     {
         if (values.IsEmpty)
             return 0;
-        int count = _state.Find(values.Length, Capacity, out int position);
+        int count = _state.Find<SyncPoints>(values.Length, Capacity, out int position);
         for (int i = 0; i < count; i++)
             SlotAt(unchecked(position + i)) = values[i];
-        if (count > 0)
-            Publish(unchecked(position + count));
-        return count;
+        return count > 0 && TryPublish(position, count) ? count : 0;
     }
 
     public override bool TryPop([MaybeNullWhen(false)] out T value)
@@ -101,14 +99,17 @@ internal sealed class SingleProducerRing<T> : MessageQueue<T>
     }
 
     /// <summary>Takes nothing more. What is left stays: it need not be returned.</summary>
-    public override void Close() => _state.Close();
+    public override void Close() => _state.Close<SyncPoints>();
 
+    /// <returns>False where the queue was closed meanwhile: the values are not in it.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Publish(int next)
+    private bool TryPublish(int position, int count)
     {
-        _state.MoveTail(next, _isFenced);
+        if (!_state.TryMoveTail<SyncPoints>(position, count))
+            return false;
         if (ReceiverWakeUp is { } receiver && !IsPending(receiver, WakeUpCauses.Push))
             receiver.Wake(WakeUpCauses.Push);
+        return true;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

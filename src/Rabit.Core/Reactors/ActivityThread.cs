@@ -15,17 +15,20 @@ internal sealed class ActivityThread : IDisposable
     private readonly IWaitSignal _signal;
     private readonly RealTimeSetup _realTime;
     private readonly object _changed;   // the engine's; guards the two marks below
+    private readonly Action<Exception> _fail;
     private bool _hasBegun;
     private bool _hasEnded;
 
-    public ActivityThread(Activity activity, RunClock clock, IWaitSignal signal, RealTimeSetup realTime, object changed)
+    public ActivityThread(
+        Activity activity, EngineContext context, IWaitSignal signal, RealTimeSetup realTime, object changed)
     {
         _activity = activity;
-        _clock = clock;
+        _clock = context.Clock;
+        _fail = context.Fail;
         _signal = signal;
         _realTime = realTime;
         _changed = changed;
-        _activity.WakeUp.Connect(_signal, clock);
+        _activity.WakeUp.Connect(_signal, _clock);
     }
 
     /// <summary>Read under the engine's lock.</summary>
@@ -46,6 +49,20 @@ internal sealed class ActivityThread : IDisposable
 
     private void Run()
     {
+        try
+        {
+            Live();
+        }
+        catch (Exception e)
+        {
+            LastResort.End(_activity, e, _fail);
+        }
+
+        Announce(ref _hasEnded);
+    }
+
+    private void Live()
+    {
         _realTime.Apply(_activity);
         _activity.Begin();
         Announce(ref _hasBegun);
@@ -53,15 +70,15 @@ internal sealed class ActivityThread : IDisposable
         new StepLoop<SyncPoints>(_activity.WakeUp, _signal, _clock).Run(NextStep.AtStart(), _activity.RunStep);
 
         _activity.End();
-        Announce(ref _hasEnded);
     }
 
     private void Announce(ref bool mark)
     {
-        lock (_changed)
+        Volatile.Write(ref mark, true);
+        LastResort.DespiteInterrupts(() =>
         {
-            Volatile.Write(ref mark, true);
-            Monitor.PulseAll(_changed);
-        }
+            lock (_changed)
+                Monitor.PulseAll(_changed);
+        });
     }
 }

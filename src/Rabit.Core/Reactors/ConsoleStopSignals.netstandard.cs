@@ -3,7 +3,8 @@ using System;
 namespace Rabit.Core.Reactors;
 
 /// <summary>
-/// Ctrl-C through the console, and SIGTERM where Mono has it. The one file that may touch the console.
+/// Ctrl-C through the console, and SIGTERM and SIGHUP where Mono has them. Beside the log on standard error the one
+/// file that may touch the console.
 /// </summary>
 internal sealed class ConsoleStopSignals : IDisposable
 {
@@ -22,7 +23,7 @@ internal sealed class ConsoleStopSignals : IDisposable
         if (_unixSignals is null && Environment.OSVersion.Platform == PlatformID.Unix)
         {
             note("neither PosixSignalRegistration nor Mono.Posix is present: "
-                + "SIGTERM ends the process without stopping the managers in order");
+                + "SIGTERM and SIGHUP end the process without stopping the managers in order");
         }
     }
 
@@ -36,6 +37,9 @@ internal sealed class ConsoleStopSignals : IDisposable
 
     private void OnCancelKey(object? sender, ConsoleCancelEventArgs e)
     {
+        // Ctrl-Break and SIGQUIT (Ctrl-\) keep their meaning: who has nothing else left ends the process with them.
+        if (e.SpecialKey != ConsoleSpecialKey.ControlC)
+            return;
         e.Cancel = true;
         _stop("Ctrl-C");
     }

@@ -9,17 +9,13 @@ internal sealed class PosixStopSignals : IDisposable
     private const string Library = "System.Runtime.InteropServices";
 
     // Members of the enum PosixSignal, the same on every system.
+    private const int SignalHangUp = -1;
     private const int SignalInterrupt = -2;
     private const int SignalTerminate = -4;
 
-    private readonly IDisposable _interrupt;
-    private readonly IDisposable _terminate;
+    private readonly IDisposable[] _registrations;
 
-    private PosixStopSignals(IDisposable interrupt, IDisposable terminate)
-    {
-        _interrupt = interrupt;
-        _terminate = terminate;
-    }
+    private PosixStopSignals(params IDisposable[] registrations) => _registrations = registrations;
 
     /// <returns>Null where the runtime has no PosixSignalRegistration.</returns>
     public static PosixStopSignals? TryCreate(Action<string> stop)
@@ -32,7 +28,9 @@ internal sealed class PosixStopSignals : IDisposable
 
         Type handler = typeof(Action<>).MakeGenericType(cancel.DeclaringType!);
         return registration.GetMethod("Create", [signal, handler]) is { } create
-            ? new PosixStopSignals(Register(SignalInterrupt, "Ctrl-C"), Register(SignalTerminate, "SIGTERM"))
+            ? new PosixStopSignals(
+                Register(SignalInterrupt, "Ctrl-C"), Register(SignalTerminate, "SIGTERM"),
+                Register(SignalHangUp, "SIGHUP"))
             : null;
 
         IDisposable Register(int number, string name)
@@ -46,8 +44,8 @@ internal sealed class PosixStopSignals : IDisposable
 
     public void Dispose()
     {
-        _interrupt.Dispose();
-        _terminate.Dispose();
+        foreach (IDisposable registration in _registrations)
+            registration.Dispose();
     }
 
     private sealed class Handler(PropertyInfo cancel, string name, Action<string> stop)

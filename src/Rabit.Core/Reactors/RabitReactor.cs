@@ -32,6 +32,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
     private readonly RunClock _clock;
     private readonly RabitLog _log;
     private readonly ReactorEngine _engine;
+    private readonly StopDelay _stop;
     private readonly List<RabitManager> _managers = [];
     private readonly List<ManagerActivity> _activities = [];   // filled by Start, then read only
     private ReactorSupervision? _supervision;                  // written by Start before _isWired, then read only
@@ -65,8 +66,11 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
         Require.NotNull(options, nameof(options)).Validate(nameof(options));
         _options = options = options.Copy();
         _clock = new RunClock(options.Time.Clock);
-        _log = new RabitLog(options.Log, options.LogRuns, _clock, options.Time.CreateEventLog(_clock, Fail));
+        _log = new RabitLog(
+            options.Log, options.LogRuns, _clock, options.Time.CreateEventLog(_clock, Fail),
+            new StandardErrorLog(options.Name));
         _engine = options.Time.CreateEngine(new EngineContext(_clock, _log, Fail));
+        _stop = new StopDelay(options.MaxStopDelay, _clock, _log, _engine);
     }
 
     /// <summary>Where the managers meet; also gives endpoints to code outside managers.</summary>
@@ -120,7 +124,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
     public ReactorResult Run()
     {
         using StopSignals? signals = _options.StopsOnSignals
-            ? new StopSignals(Stop, note => _log.Write(RabitLogKind.Note, Source, note))
+            ? new StopSignals(StopOnSignal, note => _log.Write(RabitLogKind.Note, Source, note))
             : null;
         Start();
         return Finish();
@@ -181,18 +185,20 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
         _log.Write(RabitLogKind.Lifecycle, Source, "starts " + string.Join(", ", _managers.Select(m => m.Name)));
         foreach (ManagerActivity activity in _activities)
         {
-            if (IsStopping)
+            if (_stop.IsStopping)
                 return;
             _engine.Begin(activity);
         }
 
-        if (!IsStopping)
+        if (_stop.TryOpen(_activities))
             OpenBarrier();
     }
 
     /// <summary>Lets the managers work for a while and returns, or returns early when the run is stopped.</summary>
     /// <param name="duration">By the clock of the run. Zero runs what is due now (in virtual time).</param>
-    /// <returns>False when the run is stopped: continue with <see cref="Finish"/>.</returns>
+    /// <returns>
+    /// False when the run is stopped: continue with <see cref="Finish"/>. True while managers delay the stop.
+    /// </returns>
     /// <exception cref="ArgumentOutOfRangeException">Negative: time does not go back.</exception>
     /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
     public bool RunFor(TimeSpan duration)
@@ -201,8 +207,8 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
             throw new ArgumentOutOfRangeException(nameof(duration), duration, "A run cannot last less than no time.");
         RequireRunning(finishing: false);
         TimeSpan now = _clock.Now;
-        _engine.RunUntil(duration > TimeSpan.MaxValue - now ? TimeSpan.MaxValue : now + duration);
-        return !IsStopping;
+        RunUntil(duration > TimeSpan.MaxValue - now ? TimeSpan.MaxValue : now + duration);
+        return !_stop.IsStopping;
     }
 
     /// <summary>
@@ -213,9 +219,10 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
     public ReactorResult Finish()
     {
         RequireRunning(finishing: true);
-        _engine.RunUntil(TimeSpan.MaxValue);
+        RunUntil(TimeSpan.MaxValue);
         TimeSpan duration = _clock.Now;
         string reason = _stopReason ?? string.Empty;
+        TimeSpan delay = _stop.Report(duration, out IReadOnlyList<string> stillDelaying);
         _log.Write(RabitLogKind.Lifecycle, Source, "stops: " + reason);
 
         var ending = new ManagerEnding(_engine, _clock, _log, _options);
@@ -226,27 +233,18 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
             Fail(new InvalidOperationException(leak));
         _engine.Dispose();
         Supervision.Dispose();
-        _log.Events?.Close();
-        return new ReactorResult(reason, _failure, duration, results, queues);
+        _log.Close();
+        return new ReactorResult(reason, _failure, duration, results, queues)
+        {
+            StopDelay = delay,
+            StillDelaying = stillDelaying,
+        };
     }
-
-    /// <summary>Asks for a stop and returns at once. Any thread; the first reason counts.</summary>
-    /// <param name="reason">For the result.</param>
-    public void Stop(string reason = "asked to stop") => RequestStop(reason, failure: null);
 
     /// <summary>The managers, in the order of their start.</summary>
     public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
 
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
-
-    private bool IsStopping
-    {
-        get
-        {
-            lock (_gate)
-                return _stopReason is not null;
-        }
-    }
 
     private ReactorSupervision Supervision => _supervision!;
 
@@ -263,7 +261,10 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
         {
             var run = new ManagerRun(
                 _clock, _log, _options.HangPolicy, _options.KeepsStatistics,
-                reason => RequestStop(reason, failure: null));
+                reason => RequestStop(reason, StopUrgency.Waits))
+            {
+                StopDelay = _stop
+            };
             manager.Attach(run);
             foreach (DeviceActivity device in manager.Readers.Concat(manager.Writers))
                 device.Connect(_clock, _log);
@@ -306,19 +307,9 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
 
     private void Fail(Exception failure)
     {
-        _log.Write(RabitLogKind.Fault, Source, failure.Message, failure);
-        RequestStop(failure.Message, failure);
-    }
-
-    private void RequestStop(string reason, Exception? failure)
-    {
-        lock (_gate)
-        {
-            _stopReason ??= reason;
-            _failure ??= failure;
-        }
-
-        _engine.RequestStop();
+        string text = ExceptionText.MessageOf(failure);
+        _log.Write(RabitLogKind.Fault, Source, text, failure);
+        RequestStop(text, StopUrgency.AtOnce, failure);
     }
 
     private void RequireRunning(bool finishing)

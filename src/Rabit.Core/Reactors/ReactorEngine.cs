@@ -30,6 +30,9 @@ internal abstract class ReactorEngine : IDisposable
     /// <summary>From any thread: <see cref="Begin"/> and <see cref="RunUntil"/> return soon.</summary>
     public abstract void RequestStop();
 
+    /// <summary>From any thread: <see cref="RunUntil"/> returns at this time at the latest.</summary>
+    public abstract void LimitRun(TimeSpan until);
+
     /// <summary>How long the steps of an activity took in real time, whatever the clock of the run says.</summary>
     public abstract DurationStatistics RealStepTime(Activity activity);
 

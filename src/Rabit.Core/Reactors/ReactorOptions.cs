@@ -11,10 +11,14 @@ public sealed class ReactorOptions
     public RabitTime Time { get; set; } = new RealTime();
 
     /// <summary>
-    /// Where the log goes; called on the thread that writes the entry, so it must be thread-safe. An exception that it
-    /// throws is ignored.
+    /// Where the log goes; called on the thread that writes the entry, so it must be thread-safe. Where it throws, that
+    /// is ignored, and a fault or hang that it did not take goes to standard error.
     /// </summary>
-    /// <value>The default is none; faults are in the result all the same.</value>
+    /// <value>
+    /// Null, the default: faults and hangs go to standard error, a line each, ten at once and then one a second at
+    /// most. A log that does nothing, <c>_ =&gt; { }</c>, switches that off. All of them are in the result, whatever
+    /// the log.
+    /// </value>
     public Action<RabitLogEntry>? Log { get; set; }
 
     /// <summary>Whether every unit of work is logged too, with its wake-up causes.</summary>
@@ -40,6 +44,14 @@ public sealed class ReactorOptions
     public HangPolicy HangPolicy { get; set; } = HangPolicy.Report;
 
     /// <summary>
+    /// How long a requested stop waits at most while managers delay it (<see cref="RabitManager.DelaysStop"/>), by the
+    /// clock of the run; the stop itself begins after that. When it is over, the stop continues and the result names
+    /// the managers (<see cref="ReactorResult.StillDelaying"/>).
+    /// </summary>
+    /// <value>The default is zero: a stop waits for none and causes no further unit of work.</value>
+    public TimeSpan MaxStopDelay { get; set; }
+
+    /// <summary>
     /// How long each manager, reader and writer may take to stop before it is reported as not stopped, where the
     /// manager says nothing else (<see cref="RabitManager.StopTimeout"/>). A writer that is stuck may take it twice: to
     /// write what is left, and to give up.
@@ -54,7 +66,11 @@ public sealed class ReactorOptions
     /// <value>The default is 10 s.</value>
     public TimeSpan TotalStopTimeout { get; set; } = TimeSpan.FromSeconds(10);
 
-    /// <summary>Whether Ctrl-C and SIGTERM stop the run in order instead of ending the process.</summary>
+    /// <summary>
+    /// Whether Ctrl-C, SIGTERM and SIGHUP (the terminal was closed) stop the run in order instead of ending the
+    /// process. A SIGHUP that the process was started to ignore, as by <c>nohup</c>, stays ignored. Ctrl-\ (SIGQUIT)
+    /// and Ctrl-Break keep their own meaning.
+    /// </summary>
     /// <value>The default is true.</value>
     public bool StopsOnSignals { get; set; } = true;
 
@@ -72,6 +88,8 @@ public sealed class ReactorOptions
             faults.Add($"{nameof(HangPolicy)} is null.");
         if (TotalStopTimeout <= TimeSpan.Zero || TotalStopTimeout > TimeSpan.FromHours(1))
             faults.Add($"{nameof(TotalStopTimeout)} is {TotalStopTimeout}; it must be above zero and at most an hour.");
+        if (MaxStopDelay < TimeSpan.Zero || MaxStopDelay > TimeSpan.FromHours(1))
+            faults.Add($"{nameof(MaxStopDelay)} is {MaxStopDelay}; it must be zero or above and at most an hour.");
         if (StopTimeout <= TimeSpan.Zero || StopTimeout > TimeSpan.FromHours(1))
             faults.Add($"{nameof(StopTimeout)} is {StopTimeout}; it must be above zero and at most an hour.");
         if (faults.Count > 0)

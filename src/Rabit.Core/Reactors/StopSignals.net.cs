@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 namespace Rabit.Core.Reactors;
 
 /// <summary>
-/// Ctrl-C and SIGTERM, for the length of one run. The twin of this file serves frameworks without
+/// Ctrl-C, SIGTERM and SIGHUP, for the length of one run. The twin of this file serves frameworks without
 /// PosixSignalRegistration.
 /// </summary>
 internal sealed class StopSignals : IDisposable
@@ -14,7 +14,11 @@ internal sealed class StopSignals : IDisposable
     public StopSignals(Action<string> stop, Action<string> note)
     {
         _ = note;
-        _registrations = [Register(PosixSignal.SIGINT, "Ctrl-C", stop), Register(PosixSignal.SIGTERM, "SIGTERM", stop)];
+        _registrations =
+        [
+            Register(PosixSignal.SIGINT, "Ctrl-C", stop), Register(PosixSignal.SIGTERM, "SIGTERM", stop),
+            Register(PosixSignal.SIGHUP, "SIGHUP", stop),
+        ];
     }
 
     public void Dispose()

@@ -16,20 +16,22 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
     private readonly Dictionary<Activity, ActivityThread> _threads = [];
     private readonly RealTimeSetup _realTime = RealTimeSetup.ForThreads(context.Log);
 
-    // Guards _stopRequested; pulsed at everything that a waiting reactor waits for.
+    // Guards the two fields below; pulsed at everything that a waiting reactor waits for.
     private readonly object _changed = new();
     private bool _stopRequested;
+    private TimeSpan _runLimit = TimeSpan.MaxValue;
 
     public override void Begin(Activity activity)
     {
         var thread = new ActivityThread(
-            activity, context.Clock, WaitEngines.Create(waitEngine, context.Clock), _realTime, _changed);
+            activity, context, WaitEngines.Create(waitEngine, context.Clock), _realTime, _changed);
         _threads.Add(activity, thread);
         thread.Start();
-        WaitFor(() => thread.HasBegun || _stopRequested, TimeSpan.MaxValue);
+        WaitFor(() => thread.HasBegun || thread.HasEnded || _stopRequested, TimeSpan.MaxValue);
     }
 
-    public override void RunUntil(TimeSpan end) => WaitFor(() => _stopRequested, end);
+    public override void RunUntil(TimeSpan end)
+        => WaitFor(() => _stopRequested, () => Times.Earlier(end, _runLimit));
 
     public override void AskToEnd(Activity activity)
     {
@@ -59,6 +61,15 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
         }
     }
 
+    public override void LimitRun(TimeSpan until)
+    {
+        lock (_changed)
+        {
+            _runLimit = until;
+            Monitor.PulseAll(_changed);
+        }
+    }
+
     public override DurationStatistics RealStepTime(Activity activity) => default;
 
     public override void Dispose()
@@ -76,17 +87,23 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
         return thread.HasEnded;
     }
 
-    private void WaitFor(Func<bool> condition, TimeSpan until)
-    {
-        lock (_changed)
+    private void WaitFor(Func<bool> condition, TimeSpan until) => WaitFor(condition, () => until);
+
+    // Both are asked under the lock, at every change. An interrupt is an early return of a wait, no stop: a run that
+    // its reactor left would never end.
+    private void WaitFor(Func<bool> condition, Func<TimeSpan> limit)
+        => LastResort.DespiteInterrupts(() =>
         {
-            while (!condition())
+            lock (_changed)
             {
-                TimeSpan left = until == TimeSpan.MaxValue ? TimeSpan.FromHours(1) : until - context.Clock.Now;
-                if (left <= TimeSpan.Zero)
-                    return;
-                Monitor.Wait(_changed, (int)Math.Min(Math.Ceiling(left.TotalMilliseconds), 3_600_000));
+                while (!condition())
+                {
+                    TimeSpan until = limit();
+                    TimeSpan left = until == TimeSpan.MaxValue ? TimeSpan.FromHours(1) : until - context.Clock.Now;
+                    if (left <= TimeSpan.Zero)
+                        return;
+                    Monitor.Wait(_changed, (int)Math.Min(Math.Ceiling(left.TotalMilliseconds), 3_600_000));
+                }
             }
-        }
-    }
+        });
 }

@@ -16,7 +16,7 @@ namespace Rabit.Core.Reactors;
 /// engine. Next comes one, chosen by the seed, of those that are due or woken at this instant; when there is none the
 /// clock moves to the next due time.
 /// </summary>
-internal sealed class VirtualEngine : ReactorEngine
+internal sealed partial class VirtualEngine : ReactorEngine
 {
     private readonly EngineContext _context;
     private readonly VirtualTime _time;
@@ -33,6 +33,8 @@ internal sealed class VirtualEngine : ReactorEngine
     private int _runsAtInstant;
     private bool _waiting;         // under _gate
     private bool _stopRequested;   // under _gate
+    private TimeSpan _runLimit = TimeSpan.MaxValue;   // under _gate
+    private bool _runLimitIsNew;   // under _gate: set, and not yet seen by the run
 
     public VirtualEngine(VirtualTime time, EngineContext context)
     {
@@ -55,9 +57,12 @@ internal sealed class VirtualEngine : ReactorEngine
         activity.WakeUp.Connect(slot, _context.Clock);
         lock (_gate)
             _slots.Add(slot);
-        _realTime.Apply(activity);
         _events?.Enter(activity, "begins");
-        activity.Begin();
+        Guard(slot, () =>
+        {
+            _realTime.Apply(activity);
+            activity.Begin();
+        });
         _events?.Leave();
         Sleep(slot, NextStep.AtStart());
     }
@@ -69,6 +74,7 @@ internal sealed class VirtualEngine : ReactorEngine
         while (!IsStopRequested())
         {
             TimeSpan now = _context.Clock.Now;
+            TimeSpan until = EarliestEnd(end, now);
             TimeSpan next = FindCandidates(now);
             if (_candidates.Count > 0)
             {
@@ -76,18 +82,18 @@ internal sealed class VirtualEngine : ReactorEngine
                     return;
                 Dispatch(_candidates[_random.Next(_candidates.Count)], now);
             }
-            else if (next == TimeSpan.MaxValue && end == TimeSpan.MaxValue)
+            else if (next == TimeSpan.MaxValue && until == TimeSpan.MaxValue)
             {
                 WaitForOutside(TimeSpan.MaxValue);
             }
-            else if (next <= end)
+            else if (next <= until)
             {
                 MoveTowards(next, now);
             }
             else
             {
-                MoveTowards(end, now);
-                if (_context.Clock.Now >= end)
+                MoveTowards(until, now);
+                if (_context.Clock.Now >= until)
                     return;
             }
         }
@@ -110,6 +116,16 @@ internal sealed class VirtualEngine : ReactorEngine
         lock (_gate)
         {
             _stopRequested = true;
+            Monitor.PulseAll(_gate);
+        }
+    }
+
+    public override void LimitRun(TimeSpan until)
+    {
+        lock (_gate)
+        {
+            _runLimit = until;
+            _runLimitIsNew = true;
             Monitor.PulseAll(_gate);
         }
     }
@@ -146,6 +162,16 @@ internal sealed class VirtualEngine : ReactorEngine
     {
         lock (_gate)
             return _stopRequested;
+    }
+
+    // A limit that another thread sets may have passed already; time does not go back.
+    private TimeSpan EarliestEnd(TimeSpan end, TimeSpan now)
+    {
+        lock (_gate)
+        {
+            _runLimitIsNew = false;
+            return _runLimit < end ? Max(_runLimit, now) : end;
+        }
     }
 
     /// <summary>Collects the activities that can run a step now, in the order in which they began.</summary>
@@ -207,7 +233,7 @@ internal sealed class VirtualEngine : ReactorEngine
         _events?.EnterStep(slot.Activity, wakes);
         long mark = _pacer.Mark();
         slot.RunsAtInstant++;
-        NextStep next = slot.Activity.RunStep(wakes, wokenAt);
+        NextStep next = RunStep(slot, wakes, wokenAt);
         TimeSpan took = _pacer.Since(mark);
         lock (_gate)
             slot.RealStepTime = slot.RealStepTime.With(took);
@@ -219,7 +245,7 @@ internal sealed class VirtualEngine : ReactorEngine
     {
         slot.Activity.WakeUp.Consume();
         _events?.Enter(slot.Activity, "ends");
-        slot.Activity.End();
+        Guard(slot, slot.Activity.End);
         _events?.Leave();
         slot.HasEnded = true;
     }
@@ -270,39 +296,21 @@ internal sealed class VirtualEngine : ReactorEngine
     {
         lock (_gate)
         {
-            if (_stopRequested || _slots.Exists(s => s.IsWoken && !s.HasEnded && s.NotBefore <= _context.Clock.Now))
+            if (_stopRequested || _runLimitIsNew
+                || _slots.Exists(s => s.IsWoken && !s.HasEnded && s.NotBefore <= _context.Clock.Now))
                 return;
             _waiting = true;
-            Monitor.Wait(_gate, (int)Math.Min(Math.Ceiling(timeout.TotalMilliseconds), 3_600_000));
+            try
+            {
+                Monitor.Wait(_gate, (int)Math.Min(Math.Ceiling(timeout.TotalMilliseconds), 3_600_000));
+            }
+            catch (ThreadInterruptedException)
+            {
+                // An early return; the caller looks again.
+            }
+
             _waiting = false;
         }
-    }
-
-    private bool TryCountRun()
-    {
-        if (++_runsAtInstant <= _time.MaxRunsPerInstant)
-            return true;
-
-        FailStandingStill();
-        return false;
-    }
-
-    // Apart from the count, which is hot: what this captures is made only when it is called.
-    private void FailStandingStill()
-    {
-        // Who ran once is a bystander, unless all did.
-        int fewest = _slots.Exists(s => s.RunsAtInstant > 1) ? 2 : 1;
-        string names = string.Join(", ", _slots
-            .Where(s => s.RunsAtInstant >= fewest)
-            .OrderByDescending(s => s.RunsAtInstant)
-            .Select(s => string.Format(CultureInfo.InvariantCulture, "{0} ({1})", s.Activity.Name, s.RunsAtInstant)));
-        _context.Fail(new InvalidOperationException(string.Format(
-            CultureInfo.InvariantCulture,
-            "Virtual time stands still at {0}: more than {1} runs at one instant, by {2}. Do they wake each other "
-                + "forever?",
-            _context.Clock.Now,
-            _time.MaxRunsPerInstant,
-            names)));
     }
 
     private static TimeSpan Max(TimeSpan a, TimeSpan b) => a > b ? a : b;

@@ -42,7 +42,7 @@ internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, strin
         }
         catch (Exception e) when (e is DllNotFoundException or EntryPointNotFoundException)
         {
-            grants.Add(new RealTimeGrant("the calls of libc", e.Message));
+            grants.Add(new RealTimeGrant("the calls of libc", ExceptionText.MessageOf(e)));
         }
 
         manager.RealTimeReport = new RealTimeReport(grants);
@@ -123,7 +123,7 @@ internal sealed class RealTimeSetup(RabitLog log, IThreadControl? control, strin
         catch (Exception e)
         {
             // The user's code: it goes to the report, since nothing of the manager has begun yet.
-            return new RealTimeGrant(requested, $"{e.GetType().Name}: {e.Message}");
+            return new RealTimeGrant(requested, ExceptionText.Describe(e));
         }
     }
 

@@ -71,6 +71,8 @@ internal sealed class FaultFollowUp(RabitManager manager, ManagerRun run)
         }
 
         IsHalted = Action is FaultAction.StopSystem or FaultAction.StopManager;
+        if (IsHalted)
+            manager.Halt();   // before the request: it delays none
         if (Action == FaultAction.StopSystem)
             run.RequestStop(why);
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Threading;
+using Rabit.Core.Diagnostics;
 using Rabit.Core.Managers;
 using Rabit.Core.Time;
 
@@ -136,7 +137,7 @@ internal sealed class HangWatch(RabitManager manager, ManagerRun run)
             // User code on the watchdog's thread: the watchdog must continue.
             run.Log.Write(
                 RabitLogKind.Fault, manager.Name,
-                $"the callback of its hang policy threw {e.GetType().Name}: {e.Message}", e);
+                "the callback of its hang policy threw " + ExceptionText.Describe(e), e);
         }
     }
 

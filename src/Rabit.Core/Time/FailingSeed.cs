@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core.Diagnostics;
 
 namespace Rabit.Core;
 
@@ -18,5 +19,6 @@ public sealed class FailingSeed
     public Exception Failure { get; }
 
     /// <summary>One line: the seed and what went wrong.</summary>
-    public override string ToString() => FormattableString.Invariant($"seed {Seed} fails: {Failure.Message}");
+    public override string ToString()
+        => FormattableString.Invariant($"seed {Seed} fails: {ExceptionText.MessageOf(Failure)}");
 }

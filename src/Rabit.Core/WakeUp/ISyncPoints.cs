@@ -16,16 +16,19 @@ namespace Rabit.Core.WakeUp;
 /// once, before its object is handed to another thread, needs no point. What each one promises is what the .NET memory
 /// model promises of the call of the same name, and no more:
 /// <list type="bullet">
-/// <item>volatile: a read is not moved past its neighbours;</item>
+/// <item>volatile: a read is not moved past what follows it, nor a write before what it follows; a write may still be
+/// delayed past later reads;</item>
 /// <item>interlocked: in order with everything;</item>
 /// <item>signals: what was done before a set is seen after the wait that it ends, and no more.</item>
 /// </list>
 /// There are no volatile 64-bit words: they are not whole on 32-bit machines. The litmus tests of the explorer add
-/// plain accesses, volatile writes and fences, which the library does not use through this seam.
+/// plain accesses and fences, which the library does not use through this seam.
 /// </remarks>
 internal unsafe interface ISyncPoints
 {
     int VolatileRead(ref int location);
+
+    void VolatileWrite(ref int location, int value);
 
     int Exchange(ref int location, int value);
 
@@ -39,6 +42,7 @@ internal unsafe interface ISyncPoints
 
     void Set(AutoResetEvent signal);
 
+    /// <summary>Waits for a set; may return early.</summary>
     void Wait(AutoResetEvent signal, int milliseconds);
 
     /// <summary>Wakes at most one thread that waits on the word.</summary>

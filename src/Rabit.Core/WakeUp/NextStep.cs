@@ -5,8 +5,6 @@ namespace Rabit.Core.WakeUp;
 /// <summary>What a step returns about the next one: when it is due, and which wake-ups may bring it forward.</summary>
 internal readonly struct NextStep
 {
-    private const int AnyCause = 255;
-
     private NextStep(TimeSpan due, TimeSpan notBefore, int wanted)
     {
         Due = due;
@@ -29,7 +27,7 @@ internal readonly struct NextStep
     public bool IsNever => Wanted == 0;
 
     /// <summary>At the due time or at any wake.</summary>
-    public static NextStep At(TimeSpan due, TimeSpan notBefore = default) => new(due, notBefore, AnyCause);
+    public static NextStep At(TimeSpan due, TimeSpan notBefore = default) => new(due, notBefore, WakeUpEvent.Any);
 
     /// <summary>At the due time and not before, except to stop; wakes are kept.</summary>
     public static NextStep OnlyAt(TimeSpan due) => new(due, default, WakeUpEvent.Stop);

@@ -12,6 +12,9 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     public int VolatileRead(ref int location) => Volatile.Read(ref location);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void VolatileWrite(ref int location, int value) => Volatile.Write(ref location, value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public long InterlockedRead(ref long location) => Interlocked.Read(ref location);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -27,8 +30,17 @@ internal readonly unsafe struct SyncPoints : ISyncPoints
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set(AutoResetEvent signal) => signal.Set();
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Wait(AutoResetEvent signal, int milliseconds) => signal.WaitOne(milliseconds);
+    public void Wait(AutoResetEvent signal, int milliseconds)
+    {
+        try
+        {
+            signal.WaitOne(milliseconds);
+        }
+        catch (ThreadInterruptedException)
+        {
+            // Something that a unit of work called has interrupted the thread: an early return, as by a Unix signal.
+        }
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void FutexWake(int* word) => Futex.Wake(word);

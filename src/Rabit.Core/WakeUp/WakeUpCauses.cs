@@ -29,4 +29,9 @@ public enum WakeUpCauses
 
     /// <summary>A reader or writer of the manager ended, failed, or opened its device again.</summary>
     Device = 64,
+
+    /// <summary>
+    /// A stop of the run was requested, and a manager delays it (<see cref="RabitManager.DelaysStop"/>).
+    /// </summary>
+    StopRequested = 128,
 }

@@ -26,14 +26,16 @@ namespace Rabit.Core.WakeUp;
 internal class WakeUpEvent<TSync>
     where TSync : struct, ISyncPoints
 {
-    public const int Stop = 128;
+    public const int Stop = 256;
+
+    /// <summary>All causes, and the stop.</summary>
+    public const int Any = Stop | (Stop - 1);
 
     // These wake even a sleeper that waits for them alone and already holds other causes.
     private const int Urgent = Stop | (int)WakeUpCauses.Start;
-    private const int AllCauses = 255;
-    private const int Asleep = 256;
-    private const int OneWake = 512;
-    private const uint CountIsFull = 0xFFFF_FE00;
+    private const int Asleep = 512;
+    private const int OneWake = 1024;
+    private const uint CountIsFull = 0xFFFF_FC00;
 
     private const long NotSet = -1;
 
@@ -95,7 +97,7 @@ internal class WakeUpEvent<TSync>
     {
         int consumed = default(TSync).Exchange(ref _state, 0);
         return new ConsumedWakeUps(
-            (WakeUpCauses)(consumed & AllCauses & ~Stop), (int)((uint)consumed / OneWake), (consumed & Stop) != 0);
+            (WakeUpCauses)(consumed & Any & ~Stop), (int)((uint)consumed / OneWake), (consumed & Stop) != 0);
     }
 
     private void Wake(int cause, TimeSpan? now)
@@ -112,7 +114,7 @@ internal class WakeUpEvent<TSync>
             seen = found;
         }
 
-        bool first = (seen & AllCauses) == 0 || (cause & Urgent) != 0;
+        bool first = (seen & Any) == 0 || (cause & Urgent) != 0;
         if ((seen & Asleep) != 0 && first)
         {
             default(TSync).InterlockedWrite(ref _wokenAtTicks, (now ?? _clock!.Now).Ticks);

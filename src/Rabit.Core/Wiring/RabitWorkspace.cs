@@ -29,6 +29,7 @@ public sealed class RabitWorkspace
     private readonly Dictionary<string, IConnector> _messages = new(StringComparer.Ordinal);
     private readonly List<IMessageQueue> _queues = [];
     private readonly HashSet<Type> _trusted = [];
+    private readonly List<AbsentManager> _absent = [];
     private readonly List<BufferPool> _pools = [];
     private WiringGraph? _wiring;
 
@@ -75,6 +76,25 @@ public sealed class RabitWorkspace
                 throw new InvalidOperationException(
                     $"The reactor has started: trust in {TypeNames.Of(type)} comes too late.");
             _trusted.Add(type);
+        }
+    }
+
+    /// <summary>
+    /// States that a manager is absent on purpose. The check of the wiring then names it where the others need its part
+    /// and have it from nowhere else; a queue whose only sender is absent, otherwise a note in the log, is a fault.
+    /// Before the start only; any thread.
+    /// </summary>
+    /// <param name="absent">The manager, and what its part would have been.</param>
+    /// <exception cref="InvalidOperationException">The reactor has started.</exception>
+    public void LeaveOut(AbsentManager absent)
+    {
+        Require.NotNull(absent, nameof(absent));
+        lock (_gate)
+        {
+            if (_wiring is not null)
+                throw new InvalidOperationException(
+                    $"The reactor has started: to leave out manager '{absent.Name}' comes too late.");
+            _absent.Add(absent);
         }
     }
 
@@ -184,7 +204,7 @@ public sealed class RabitWorkspace
         lock (_gate)
         {
             var wiring = new WiringGraph(managers, _outsideDeclarations);
-            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time, _trusted);
+            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time, _trusted, _absent);
             if (faults.Count > 0)
                 throw new RabitWiringException(faults);
 
@@ -212,14 +232,19 @@ public sealed class RabitWorkspace
     /// <summary>
     /// The run has ended: waiters of queues are released, and what is left and must be returned is returned.
     /// </summary>
-    /// <returns>The counters of all queues as they were.</returns>
+    /// <returns>
+    /// The counters of all queues as they were when nothing more came in and nothing was returned yet.
+    /// </returns>
     internal IReadOnlyList<QueueResult> CloseQueues()
     {
         lock (_gate)
         {
-            List<QueueResult> results = _queues.ConvertAll(queue => new QueueResult(queue.Name, queue.Counters));
+            // In this order, or a value that is pushed in between would be neither rejected nor reported.
             foreach (IMessageQueue queue in _queues)
                 queue.Close();
+            List<QueueResult> results = _queues.ConvertAll(queue => new QueueResult(queue.Name, queue.Counters));
+            foreach (IMessageQueue queue in _queues)
+                queue.DisposeRest();
             return results;
         }
     }

@@ -13,7 +13,7 @@ internal static class WiringCheck
     private const int MaxCapacity = 1 << 24;
 
     public static IReadOnlyList<string> FindFaults(
-        WiringGraph wiring, RabitTime time, IReadOnlyCollection<Type> trusted)
+        WiringGraph wiring, RabitTime time, IReadOnlyCollection<Type> trusted, IReadOnlyList<AbsentManager> absent)
     {
         var faults = new List<string>();
         if (wiring.Managers.Count == 0)
@@ -24,16 +24,16 @@ internal static class WiringCheck
             .Select(g => $"{g.Count()} managers are named '{g.Key}'."));
 
         foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Messages.Values)
-            CheckMessage(endpoints, trusted, faults);
+            CheckMessage(endpoints, trusted, absent, faults);
         foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
-            CheckQueue(endpoints, faults);
+            CheckQueue(endpoints, absent, faults);
 
         if (time is VirtualTime modelled)
         {
             faults.AddRange(modelled.ModelledManagers
                 .Where(name => !wiring.Managers.Any(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
-                .Select(name => $"Virtual time models the units of work of manager '{name}', which is not in the "
-                    + "reactor."));
+                .Select(name => $"Virtual time models the units of work of manager '{name}', "
+                    + "which is not in the reactor."));
         }
 
         if (!time.AllowsBlocking)
@@ -48,23 +48,22 @@ internal static class WiringCheck
     }
 
     private static void CheckMessage(
-        IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyCollection<Type> trusted, List<string> faults)
+        IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyCollection<Type> trusted,
+        IReadOnlyList<AbsentManager> absent, List<string> faults)
     {
         string name = endpoints[0].Name;
         if (!HaveOneType(endpoints, $"Message '{name}'", faults))
             return;
 
         List<EndpointDeclaration> publishers = endpoints.Where(e => e.Role == EndpointRole.Publish).ToList();
-        if (publishers.Count == 0)
-        {
-            faults.AddRange(endpoints
-                .Where(e => !e.IsOptional)
-                .Select(e => $"'{e.Owner.Name}' subscribes to message '{name}', but it has no publisher."));
-        }
+        List<EndpointDeclaration> needing = endpoints.Where(e => !e.IsOptional).ToList();
+        if (publishers.Count == 0 && needing.Count > 0)
+            faults.Add($"{Verb(needing, "subscribes", "subscribe")} to message '{name}', but it has no publisher"
+                + AbsenceText.OfPublisher(absent, name));
 
         if (publishers.Count > 1 && !publishers.All(p => p.IsShared))
-            faults.Add($"Message '{name}' has {publishers.Count} publishers ({Owners(publishers)}); all of them must "
-                + "allow others.");
+            faults.Add($"Message '{name}' has {publishers.Count} publishers ({Owners(publishers)}); "
+                + "all of them must allow others.");
         if (publishers.Count(p => p.StatesInitial) > 1 && !publishers.All(p => p.IsShared))
             faults.Add($"Message '{name}': more than one endpoint states the first value.");
 
@@ -78,7 +77,8 @@ internal static class WiringCheck
                 endpoints.Select(e => e.FindFaultOfInitial()).OfType<string>().Select(f => $"Message '{name}': {f}"));
     }
 
-    private static void CheckQueue(IReadOnlyList<EndpointDeclaration> endpoints, List<string> faults)
+    private static void CheckQueue(
+        IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyList<AbsentManager> absent, List<string> faults)
     {
         string name = endpoints[0].Name;
         if (!HaveOneType(endpoints, $"Queue '{name}'", faults))
@@ -87,34 +87,33 @@ internal static class WiringCheck
         List<EndpointDeclaration> receivers = endpoints.Where(e => e.Role == EndpointRole.Receive).ToList();
         List<EndpointDeclaration> senders = endpoints.Where(e => e.Role == EndpointRole.Send).ToList();
         if (receivers.Count == 0)
-            faults.Add($"Queue '{name}' has no receiver, but {Owners(senders)} sends to it.");
+            faults.Add($"Queue '{name}' has no receiver, but {Verb(senders, "sends", "send")} to it"
+                + AbsenceText.OfReceiver(absent, name));
+        if (senders.Count == 0 && AbsenceText.OfSender(absent, name) is { } why)
+            faults.Add($"Queue '{name}' has no sender, but {Verb(receivers, "receives", "receive")} it{why}");
         if (receivers.Count > 1)
             faults.Add($"Queue '{name}' has {receivers.Count} receivers ({Owners(receivers)}); it can have one.");
 
         foreach (EndpointDeclaration receiver in receivers)
         {
             var queue = (IQueueDeclaration)receiver;
+            string what = $"Queue '{name}' of '{receiver.Owner.Name}'";
             if (queue.Capacity < 1)
-                faults.Add(
-                    $"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it needs at least 1.");
+                faults.Add($"{what} has capacity {queue.Capacity}; it needs at least 1.");
             if (queue.Capacity > MaxCapacity)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has capacity {queue.Capacity}; it can have "
-                    + $"{MaxCapacity}.");
+                faults.Add($"{what} has capacity {queue.Capacity}; it can have {MaxCapacity}.");
             if (queue.FullMode is < QueueFullMode.Reject or > QueueFullMode.Wait)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' has an unknown rule for a full queue: "
-                    + $"{(int)queue.FullMode}.");
+                faults.Add($"{what} has an unknown rule for a full queue: {(int)queue.FullMode}.");
             if (queue.MaxWait <= TimeSpan.Zero)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' lets a push wait for {queue.MaxWait}; it needs "
-                    + "a time above zero.");
+                faults.Add($"{what} lets a push wait for {queue.MaxWait}; it needs a time above zero.");
             if (queue.MaxWait is not null && queue.FullMode != QueueFullMode.Wait)
-                faults.Add($"Queue '{name}' of '{receiver.Owner.Name}' says how long a push may wait, but by its rule "
-                    + $"({queue.FullMode}) none does.");
+                faults.Add($"{what} says how long a push may wait, but by its rule ({queue.FullMode}) none does.");
             if (queue.FullMode != QueueFullMode.Wait)
                 continue;
             faults.AddRange(senders
                 .Where(s => s.Owner.IsManager)
-                .Select(s => $"Queue '{name}' makes its senders wait when it is full; a manager never waits, and "
-                    + $"'{s.Owner.Name}' is one."));
+                .Select(s => $"Queue '{name}' makes its senders wait when it is full; "
+                    + $"a manager never waits, and '{s.Owner.Name}' is one."));
         }
     }
 
@@ -127,6 +126,12 @@ internal static class WiringCheck
             $"{what} has {types.Count} types: "
                 + string.Join("; ", types.Select(t => $"{TypeNames.Of(t.Key)} for {Owners(t)}")) + ".");
         return false;
+    }
+
+    private static string Verb(IReadOnlyList<EndpointDeclaration> endpoints, string one, string several)
+    {
+        string owners = Owners(endpoints);
+        return owners == Owners(endpoints.Take(1)) ? $"{owners} {one}" : $"{owners} {several}";
     }
 
     private static string Owners(IEnumerable<EndpointDeclaration> endpoints)

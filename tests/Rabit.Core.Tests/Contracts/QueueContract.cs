@@ -47,7 +47,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [Fact, Trait("Clause", "3.1")]
     public void Push_FullQueueRejects_IsRefusedAndCounted()
     {
-        using Pair pair = Connect(capacity: 2, QueueFullMode.Reject);
+        using QueuePair pair = Connect(capacity: 2, QueueFullMode.Reject);
         pair.Run.On(pair.Source, () => Assert.Equal(
             [PushResult.Queued, PushResult.Queued, PushResult.Rejected], Push(pair.Sender, 1, 2, 3)));
         pair.Run.On(pair.Sink, () =>
@@ -62,7 +62,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [Fact, Trait("Clause", "3.1")]
     public void Push_FullQueueDropsOldest_KeepsTheNewestAndCounts()
     {
-        using Pair pair = Connect(capacity: 2, QueueFullMode.DropOldest);
+        using QueuePair pair = Connect(capacity: 2, QueueFullMode.DropOldest);
         pair.Run.On(pair.Source, () =>
         {
             Assert.Equal(
@@ -80,7 +80,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [Fact, Trait("Clause", "3.1")]
     public void Push_FullQueueDropsNewest_KeepsTheOldestAndTheLast()
     {
-        using Pair pair = Connect(capacity: 3, QueueFullMode.DropNewest);
+        using QueuePair pair = Connect(capacity: 3, QueueFullMode.DropNewest);
         pair.Run.On(pair.Source, () =>
         {
             Assert.Equal(
@@ -102,7 +102,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [InlineData(QueueFullMode.DropNewest, 6, new[] { 0, 1, 2, 5 })]
     public void PushFrom_MoreThanFits_DoesAsSinglePushesDo(QueueFullMode whenFull, int putIn, int[] left)
     {
-        using Pair pair = Connect(capacity: 4, whenFull, wakeOnPush: true);
+        using QueuePair pair = Connect(capacity: 4, whenFull, wakeOnPush: true);
         pair.Run.OnAndSettle(pair.Source, () =>
         {
             Assert.Equal(0, pair.Sender.PushFrom([]));
@@ -129,7 +129,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [InlineData(QueueFullMode.DropOldest)]
     public void Counters_HighWater_IsThePeakOccupancy(QueueFullMode whenFull)
     {
-        using Pair pair = Connect(capacity: 8, whenFull);
+        using QueuePair pair = Connect(capacity: 8, whenFull);
         int[] marks = [0, 0, 0, 0];
         pair.Run.On(pair.Source, () => marks[0] = pair.Sender.Counters.HighWater);
         pair.Run.On(pair.Source, () => Push(pair.Sender, 1, 2, 3));
@@ -148,7 +148,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [InlineData(QueueFullMode.DropNewest)]
     public void Finish_ValuesLeftInAQueue_AreReported(QueueFullMode whenFull)
     {
-        using Pair pair = Connect(capacity: 8, whenFull);
+        using QueuePair pair = Connect(capacity: 8, whenFull);
         QueueSender<int> other = pair.Sender;
         pair.Run.On(pair.Source, () => Push(other, 1, 2, 3));
         pair.Run.On(pair.Sink, () => Assert.True(pair.Receiver.TryPop(out _)));
@@ -165,7 +165,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [Fact, Trait("Clause", "3.5")]
     public void Finish_EmptyQueue_IsNotAWordInTheLog()
     {
-        using Pair pair = Connect(capacity: 8, QueueFullMode.Reject);
+        using QueuePair pair = Connect(capacity: 8, QueueFullMode.Reject);
         ReactorResult result = pair.Run.Finish();
 
         Assert.Equal(0, Assert.Single(result.Queues).Counters.Resident);
@@ -246,7 +246,7 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
     [Fact, Trait("Clause", "3.1")]
     public void TryPop_EmptyQueue_IsFalseAndDefault()
     {
-        using Pair pair = Connect(capacity: 2, QueueFullMode.Reject);
+        using QueuePair pair = Connect(capacity: 2, QueueFullMode.Reject);
         pair.Run.On(pair.Sink, () =>
         {
             Assert.False(pair.Receiver.TryPop(out int value));
@@ -268,54 +268,10 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         Assert.Contains("'source'", fault, StringComparison.Ordinal);
     }
 
-    [Fact, Trait("Clause", "3.2")]
-    public void PushEvent_RejectedPush_DoesNotWake()
-    {
-        using Pair pair = Connect(capacity: 1, QueueFullMode.Reject, wakeOnPush: true);
-        pair.Run.On(pair.Source, () => pair.Sender.Push(1));
-        pair.Run.Until(() => pair.Run.StatusOf(pair.Sink).Runs == 2, "the push wakes the sink");
-        pair.Run.OnAndSettle(pair.Source, () => Assert.Equal(PushResult.Rejected, pair.Sender.Push(2)));
-        pair.Run.OnAndSettle(pair.Sink, () => { });
-
-        Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Push, WakeUpCauses.Request], pair.Sink.Causes);
-    }
-
-    [Fact, Trait("Clause", "3.2")]
-    public void PushEvent_PushThatDropsTheOldest_Wakes()
-    {
-        using Pair pair = Connect(capacity: 1, QueueFullMode.DropOldest, wakeOnPush: true);
-        pair.Run.On(pair.Source, () => pair.Sender.Push(1));
-        pair.Run.Until(() => pair.Run.StatusOf(pair.Sink).Runs == 2, "the push wakes the sink");
-        pair.Run.On(pair.Source, () => Assert.Equal(PushResult.QueuedDroppedOldest, pair.Sender.Push(2)));
-        pair.Run.Until(() => pair.Sink.Units == 3, "the second push wakes it too");
-
-        Assert.Equal(WakeUpCauses.Push, pair.Sink.Causes[2]);
-    }
-
-    [Fact, Trait("Clause", "3.2")]
-    public void PopEvent_EmptyPop_DoesNotWake()
-    {
-        using Pair pair = Connect(capacity: 1, QueueFullMode.Reject, wakeOnPop: true);
-        pair.Run.OnAndSettle(pair.Sink, () => Assert.False(pair.Receiver.TryPop(out _)));
-        pair.Run.OnAndSettle(pair.Source, () => { });
-
-        Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Request], pair.Source.Causes);
-    }
-
-    [Fact, Trait("Clause", "3.2")]
-    public void PopEvent_DroppedOldest_DoesNotWake()
-    {
-        using Pair pair = Connect(capacity: 1, QueueFullMode.DropOldest, wakeOnPop: true);
-        pair.Run.OnAndSettle(pair.Source, () => Push(pair.Sender, 1, 2, 3));
-        pair.Run.OnAndSettle(pair.Source, () => { });
-
-        Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Request, WakeUpCauses.Request], pair.Source.Causes);
-    }
-
     [Fact, Trait("Clause", "2.8")]
     public void End_UsedByAnotherManager_IsAnErrorThatNamesBoth()
     {
-        using Pair pair = Connect(capacity: 1, QueueFullMode.Reject);
+        using QueuePair pair = Connect(capacity: 1, QueueFullMode.Reject);
         pair.Run.On(pair.Sink, () => AssertMisuse(() => pair.Sender.Push(1)));
         pair.Run.On(pair.Sink, () => AssertMisuse(() => _ = pair.Sender.Counters));
         pair.Run.On(pair.Source, () => AssertMisuse(() => pair.Receiver.TryPop(out _)));
@@ -377,34 +333,8 @@ public abstract class QueueContract(TimeKind kind) : ContractTests(kind)
         return result;
     }
 
-    private Pair Connect(int capacity, QueueFullMode whenFull, bool wakeOnPush = false, bool wakeOnPop = false)
+    private QueuePair Connect(int capacity, QueueFullMode whenFull, bool wakeOnPush = false, bool wakeOnPop = false)
         => new(NewRun(), capacity, whenFull, wakeOnPush, wakeOnPop);
-
-    /// <summary>One manager that sends to a queue and one that receives it.</summary>
-    private sealed class Pair : IDisposable
-    {
-        public Pair(TestRun run, int capacity, QueueFullMode whenFull, bool wakeOnPush, bool wakeOnPop)
-        {
-            Run = run;
-            Source = run.Add("source");
-            Sink = run.Add("sink");
-            Sender = Source.Send<int>("queue", wakeOnPop);
-            Receiver = Sink.Receive<int>("queue", capacity, whenFull, wakeOnPush);
-            run.StartAndSettle();
-        }
-
-        public TestRun Run { get; }
-
-        public ScriptedManager Source { get; }
-
-        public ScriptedManager Sink { get; }
-
-        public QueueSender<int> Sender { get; }
-
-        public QueueReceiver<int> Receiver { get; }
-
-        public void Dispose() => Run.Dispose();
-    }
 }
 
 public sealed class QueueInRealTime() : QueueContract(TimeKind.Real);

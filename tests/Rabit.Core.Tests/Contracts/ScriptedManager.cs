@@ -56,6 +56,14 @@ internal sealed class ScriptedManager : RabitManager
         set => base.Doing = value;
     }
 
+    public new bool DelaysStop
+    {
+        get => base.DelaysStop;
+        set => base.DelaysStop = value;
+    }
+
+    public new bool IsStopRequested => base.IsStopRequested;
+
     public TimeSpan Time => Now;
 
     public TimeProvider RunClock => Clock;
@@ -110,6 +118,21 @@ internal sealed class ScriptedManager : RabitManager
     public void Say(string text) => Log(text);
 
     public void StopAll(string reason) => StopSystem(reason);
+
+    /// <summary>Makes each call of start-up or unit of work throw, after something that the test does.</summary>
+    public void ThrowIn(ManagerStage stage, Action? before = null)
+    {
+        void Fail()
+        {
+            before?.Invoke();
+            throw new InvalidOperationException("boom");
+        }
+
+        if (stage == ManagerStage.Startup)
+            OnStartup = Fail;
+        else
+            OnUnit = Fail;
+    }
 
     /// <summary>Adds something to do in the next unit of work.</summary>
     internal Job Enqueue(Action action)

@@ -23,6 +23,28 @@ public sealed class Counter : RabitManager
     }
 }
 
+public sealed class Gripper : RabitManager
+{
+    private readonly QueueReceiver<bool> _commands;   // true: close, false: open
+
+    public Gripper() : base("gripper") => _commands = Receive<bool>("gripper commands");
+
+    protected override void ExecuteUnitOfWork()
+    {
+        while (_commands.TryPop(out bool closes))
+            DelaysStop = closes;          // what is held must be put down first
+        if (IsStopRequested && DelaysStop)
+        {
+            PutDown();                    // may take several units of work
+            DelaysStop = false;           // the stop continues
+        }
+    }
+
+    private void PutDown()
+    {
+    }
+}
+
 public sealed class Gps : RabitManager
 {
     private readonly BlockingReader<string> _lines;

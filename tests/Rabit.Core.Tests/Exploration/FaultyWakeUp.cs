@@ -12,9 +12,9 @@ namespace Rabit.Core.Tests.Exploration;
 internal sealed class FaultyWakeUp(SeededFault fault, RunClock clock) : WakeUpUnderTest
 {
     private const int Stop = WakeUpEvent.Stop;
-    private const int Any = 255;
-    private const int Asleep = 256;
-    private const int OneWake = 512;
+    private const int Any = WakeUpEvent.Any;
+    private const int Asleep = 512;
+    private const int OneWake = 1024;
 
     private readonly AutoResetEvent _event = new(initialState: false);
     private int _state;

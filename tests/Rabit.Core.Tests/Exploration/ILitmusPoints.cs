@@ -6,16 +6,13 @@ namespace Rabit.Core.Tests.Exploration;
 /// The accesses that litmus tests and seeded faults are made of beside those of the library: what a memory may show.
 /// </summary>
 /// <remarks>
-/// A plain access promises nothing but that an aligned 32-bit word is whole; a volatile write is not moved before its
-/// neighbours, and may still be delayed past later reads; a fence is in order with everything.
+/// A plain access promises nothing but that an aligned 32-bit word is whole; a fence is in order with everything.
 /// </remarks>
 internal interface ILitmusPoints : ISyncPoints
 {
     int Read(ref int location);
 
     void Write(ref int location, int value);
-
-    void VolatileWrite(ref int location, int value);
 
     void Fence();
 }

@@ -33,7 +33,7 @@ internal static class QueueKinds
         var clock = new RunClock(TimeProvider.System);
         return kind switch
         {
-            Pair => new SingleProducerRing<T>("q", capacity, receiver, isOwnQueue: false, start),
+            Pair => new SingleProducerRing<T>("q", capacity, receiver, start),
             Ring => new MultiProducerRing<T>("q", capacity, receiver, start),
             _ => new LockedQueue<T>(
                 "q", capacity, RuleOf(kind), receiver, maxWait: null, clock, new RabitLog(null, logRuns: false, clock)),

@@ -1,19 +1,54 @@
 using System;
-using System.Runtime.InteropServices;
 using System.Threading;
 using Rabit.Core.Tests.Contracts;
 using Xunit;
 
 namespace Rabit.Core.Tests.Reactors;
 
-/// <summary>Contract 4.3: Ctrl-C and SIGTERM end a run in order. A real signal, to this very process.</summary>
+/// <summary>
+/// Contract 4.3 and 1.9: Ctrl-C, SIGTERM and SIGHUP end a run in order. A real signal, to this very process.
+/// </summary>
 public sealed class StopSignalTests
 {
-    [UnixFact, Trait("Clause", "4.3")]
-    public void Sigterm_ToTheProcess_StopsTheRunInOrder() => AssertStops(signal: 15, "SIGTERM");
+    [SignalFact(Signals.Terminate), Trait("Clause", "4.3")]
+    public void Sigterm_ToTheProcess_StopsTheRunInOrder() => AssertStops(Signals.Terminate, "SIGTERM");
 
-    [UnixFact, Trait("Clause", "4.3")]
-    public void Sigint_ToTheProcess_StopsTheRunInOrder() => AssertStops(signal: 2, "Ctrl-C");
+    [SignalFact(Signals.Interrupt), Trait("Clause", "4.3")]
+    public void Sigint_ToTheProcess_StopsTheRunInOrder() => AssertStops(Signals.Interrupt, "Ctrl-C");
+
+    [SignalFact(Signals.HangUp), Trait("Clause", "4.3")]
+    public void Sighup_ToTheProcess_StopsTheRunInOrder() => AssertStops(Signals.HangUp, "SIGHUP");
+
+    [SignalFact(Signals.Interrupt), Trait("Clause", "1.9")]
+    public void Sigint_WhileAManagerDelays_IsDelayedOnceAndTheSecondEndsIt()
+        => AssertDelays(Signals.Interrupt, Signals.Interrupt, "Ctrl-C");
+
+    [SignalFact(Signals.HangUp), Trait("Clause", "1.9")]
+    public void Sigterm_WhileAManagerDelaysAfterSighup_EndsTheDelay()
+        => AssertDelays(Signals.HangUp, Signals.Terminate, "SIGHUP");
+
+    private static void AssertDelays(int first, int second, string reason)
+    {
+        using var isRunning = new ManualResetEventSlim();
+        using var isAsked = new ManualResetEventSlim();
+        var manager = new ScriptedManager("m", new TestBoard()) { DelaysStop = true };
+        manager.OnUnit = () => (manager.IsStopRequested ? isAsked : isRunning).Set();
+        var reactor = new RabitReactor(new ReactorOptions { MaxStopDelay = TimeSpan.FromHours(1) }) { manager };
+        ReactorResult? result = null;
+        var thread = new Thread(() => result = reactor.Run());
+        thread.Start();
+        Assert.True(isRunning.Wait(TimeSpan.FromSeconds(20)));
+
+        Assert.Equal(0, Signals.Send(Signals.OwnProcess, first));
+        Assert.True(isAsked.Wait(TimeSpan.FromSeconds(20)));
+        Assert.Equal(0, Signals.Send(Signals.OwnProcess, second));
+        bool ended = thread.Join(TimeSpan.FromSeconds(20));
+        reactor.Stop("no signal came");
+
+        Assert.True(ended);
+        Assert.Equal((reason, 1), (result!.StopReason, result.ExitCode));
+        Assert.Equal(["m"], result.StillDelaying);
+    }
 
     private static void AssertStops(int signal, string reason)
     {
@@ -25,7 +60,7 @@ public sealed class StopSignalTests
         thread.Start();
         Assert.True(isRunning.Wait(TimeSpan.FromSeconds(20)));
 
-        Assert.Equal(0, Kill(OwnId(), signal));
+        Assert.Equal(0, Signals.Send(Signals.OwnProcess, signal));
         bool ended = thread.Join(TimeSpan.FromSeconds(20));
         reactor.Stop("no signal came");
 
@@ -35,20 +70,14 @@ public sealed class StopSignalTests
         Assert.Equal(0, result.ExitCode);
     }
 
-    [DllImport("libc", EntryPoint = "getpid")]
-    [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
-    private static extern int OwnId();
-
-    [DllImport("libc", EntryPoint = "kill")]
-    [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
-    private static extern int Kill(int process, int signal);
-
-    private sealed class UnixFactAttribute : FactAttribute
+    private sealed class SignalFactAttribute : FactAttribute
     {
-        public UnixFactAttribute()
+        public SignalFactAttribute(int signal)
         {
             if (Environment.OSVersion.Platform != PlatformID.Unix)
                 Skip = "Signals are sent by kill(2), which this system lacks.";
+            else if (Signals.IsIgnored(signal))
+                Skip = Signals.WhyIgnored;
         }
     }
 }

@@ -11,7 +11,7 @@ namespace Rabit.Core.Tests.WakeUp;
 /// <summary>Contract 1.2 and 1.4 at the piece that carries them.</summary>
 public sealed class WakeUpEventTests
 {
-    private const int Any = 255;
+    private const int Any = WakeUpEvent.Any;
 
     private enum Step
     {
@@ -41,7 +41,7 @@ public sealed class WakeUpEventTests
     [Fact, Trait("Clause", "1.4")]
     public void Wake_MoreThanTheCounterHolds_KeepsTheCausesAndStaysAtTheLimit()
     {
-        const int Limit = (1 << 23) - 1;
+        const int Limit = (1 << 22) - 1;
         var wakeUp = new WakeUpEvent();
         for (int i = 0; i < Limit + 10; i++)
             wakeUp.Wake(WakeUpCauses.Push);

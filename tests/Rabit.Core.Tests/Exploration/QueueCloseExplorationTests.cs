@@ -1,0 +1,117 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core.Queues;
+using Rabit.Core.WakeUp;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Core.Tests.Exploration;
+
+/// <summary>
+/// Contract 3.5 in every interleaving of the positions that both rings have: a push that races with the end of the run
+/// is rejected, or its value is among those that the counters report as left.
+/// </summary>
+public sealed class QueueCloseExplorationTests(ITestOutputHelper output)
+{
+    private const int Capacity = 2;
+
+    public static IEnumerable<object[]> Cases()
+        => from memory in new[] { MemoryModel.StoreBuffers, MemoryModel.Weak }
+           from isWarm in new[] { false, true }
+           from senders in new[] { 1, 2 }
+           select new object[] { memory.ToString(), isWarm, senders };
+
+    [Theory, Trait("Clause", "3.5"), Trait("Clause", "3.1")]
+    [MemberData(nameof(Cases))]
+    public void Close_OfManySenders_EveryPushIsRejectedOrReported(string memory, bool isWarm, int senders)
+        => AssertNothingIsLost(memory, new Ring(isWarm), [.. Enumerable.Repeat<Func<Ring, int>>(Reserve, senders)]);
+
+    [Theory, Trait("Clause", "3.5"), Trait("Clause", "3.1")]
+    [InlineData("StoreBuffers", false)]
+    [InlineData("StoreBuffers", true)]
+    [InlineData("Weak", false)]
+    [InlineData("Weak", true)]
+    public void Close_OfOneSender_EveryPushIsRejectedOrReported(string memory, bool isWarm)
+        => AssertNothingIsLost(memory, new Ring(isWarm), FindAndMove);
+
+    [Theory, Trait("Clause", "3.5"), Trait("Clause", "3.1")]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Close_OfASenderThatGoesOn_EveryPushIsRejectedOrReported(bool isWarm)
+    {
+        int Twice(Ring ring) => Reserve(ring) + Reserve(ring);
+        AssertNothingIsLost("StoreBuffers", new Ring(isWarm), Twice, Reserve);
+    }
+
+    /// <summary>That the exploration finds what it is for: counters that are read before the queue is closed.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Counters_ReadBeforeTheClose_AreFoundToMissAPush(bool isWarm)
+        => Assert.NotNull(Explore(MemoryModel.StoreBuffers, new Ring(isWarm), _ => { }, Reserve).Fault);
+
+    private static int Reserve(Ring ring)
+        => ring.Positions.Reserve<ExploredSyncPoints>(1, Capacity, out _);
+
+    private static int FindAndMove(Ring ring)
+        => ring.Positions.Find<ExploredSyncPoints>(1, Capacity, out int position) == 1
+            && ring.Positions.TryMoveTail<ExploredSyncPoints>(position, 1) ? 1 : 0;
+
+    private void AssertNothingIsLost(string memory, Ring ring, params Func<Ring, int>[] senders)
+    {
+        MemoryModel model = memory == nameof(MemoryModel.Weak) ? MemoryModel.Weak : MemoryModel.StoreBuffers;
+        ExplorationResult result = Explore(
+            model, ring, r => r.Positions.Close<ExploredSyncPoints>(), senders);
+
+        output.WriteLine(result.ToString());
+        Assert.True(result.Fault is null, result.ToString());
+    }
+
+    private static ExplorationResult Explore(
+        MemoryModel memory, Ring ring, Action<Ring> close, params Func<Ring, int>[] senders)
+    {
+        // The notes: what each push returned, and what was reported.
+        int reported = senders.Length;
+        var threads = senders.Select((push, i) => new Action(() =>
+        {
+            int accepted = push(ring);
+            ExploredSyncPoints.Note((i, accepted), state => state.Note(i) = accepted);
+        })).ToList();
+        threads.Add(() =>
+        {
+            close(ring);
+            int left = ring.Positions.Counters<ExploredSyncPoints>(Capacity).Resident - ring.LeftBefore;
+            ExploredSyncPoints.Note((reported, left), state => state.Note(reported) = left);
+        });
+        void Check(ExploredState state)
+        {
+            int accepted = Enumerable.Range(0, reported).Sum(i => state.Note(i));
+            state.Require(
+                accepted == state.Note(reported), $"{accepted} were accepted, {state.Note(reported)} reported");
+        }
+
+        // Without folding: a sender keeps what it has read for longer than places that look alike are watched.
+        return Explorer.Explore(
+            new SmallModel(reported + 1, Check, [.. threads]), new ExplorerOptions(memory) { WatchedSteps = 0 });
+    }
+
+    /// <summary>The positions alone; warm ones have a place for a push that need not look at the head.</summary>
+    private sealed class Ring
+    {
+        public RingPositions Positions;
+
+        public Ring(bool isWarm)
+        {
+            Positions = new RingPositions(start: -1);
+            if (!isWarm)
+                return;
+            Positions.Reserve<SyncPoints>(2, Capacity, out _);
+            Positions.MoveHead(2);
+            Positions.Reserve<SyncPoints>(1, Capacity, out _);
+            LeftBefore = 1;
+        }
+
+        public int LeftBefore { get; }
+    }
+}
