@@ -61,8 +61,8 @@ public static class GeoidPgm
             throw new FormatException($"The geoid grid's size is '{line}', not two numbers.");
         if (columns is < 2 or > MaxColumns || rows != (columns / 2) + 1 || columns % 2 != 0)
             throw new FormatException(
-                $"A geoid grid of {columns} x {rows} posts does not go round the earth: its rows are half its columns "
-                    + "and 1.");
+                $"A geoid grid of {columns} x {rows} posts does not go round the earth: "
+                    + "its rows are half its columns and 1.");
         return (columns, rows);
     }
 

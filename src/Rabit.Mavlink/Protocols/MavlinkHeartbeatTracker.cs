@@ -35,6 +35,7 @@ public sealed class MavlinkHeartbeatTracker
     public static readonly TimeSpan ReorderTolerance = TimeSpan.FromMilliseconds(ReorderToleranceMs);
 
     private const uint ReorderToleranceMs = 3000;
+    private const long NanosecondsPerMillisecond = 1_000_000;
 
     private readonly Entry[] _entries;
     private readonly TimeSpan _lossTimeout;
@@ -97,6 +98,8 @@ public sealed class MavlinkHeartbeatTracker
             HandleHeartbeat(frame, heartbeat, now);
         else if (TryGetBootTime(frame, out uint milliseconds))
             HandleBootTime(frame, milliseconds);
+        else if (frame.TryDecode(out Timesync time) && time.Tc1 > 0)
+            HandleClock(frame, time.Tc1);
     }
 
     /// <summary>Takes a heartbeat that came in, where its frame was decoded before.</summary>
@@ -206,6 +209,28 @@ public sealed class MavlinkHeartbeatTracker
         ref Entry entry = ref _entries[index];
         if (!entry.BootTime.HasRebooted(milliseconds, ReorderToleranceMs))
             return;
+        CountReboot(ref entry);
+        entry.ClockNanoseconds = 0;
+    }
+
+    // The clock of a TIMESYNC answer starts with the boot, on autopilots; messages with a boot time may be far between.
+    private void HandleClock(in MavlinkFrame frame, long nanoseconds)
+    {
+        int index = IndexOf(frame);
+        if (index < 0)
+            return;
+        ref Entry entry = ref _entries[index];
+        bool hasRestarted = nanoseconds < entry.ClockNanoseconds - (ReorderToleranceMs * NanosecondsPerMillisecond);
+        if (nanoseconds > entry.ClockNanoseconds || hasRestarted)
+            entry.ClockNanoseconds = nanoseconds;
+        if (!hasRestarted)
+            return;
+        CountReboot(ref entry);
+        entry.BootTime = default;
+    }
+
+    private static void CountReboot(ref Entry entry)
+    {
         entry.Value = entry.Value with { Reboots = entry.Value.Reboots + 1 };
         entry.Open |= 1 << (int)MavlinkComponentEvent.Rebooted;
     }
@@ -226,6 +251,7 @@ public sealed class MavlinkHeartbeatTracker
     {
         public MavlinkComponent Value;
         public BootTime BootTime;
+        public long ClockNanoseconds;
         public int Open;
     }
 }

@@ -50,10 +50,13 @@ public sealed class MavlinkTimesyncClient
     /// </param>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
     {
-        if (!frame.TryDecode(out Timesync message) || !_own.IsTargetOf(message.TargetSystem, message.TargetComponent))
+        if (!frame.TryDecode(out Timesync message))
             return;
+
+        // PX4 1.14 leaves the target of its answers uninitialised; the time that we sent is a nonce that only an answer
+        // to us can have.
         if (message.Tc1 == 0)
-            Answer(frame, message, now);
+            AnswerOurs(frame, message, now);
         else if (_target.IsSourceOf(frame) && Requests.IsAnswer(message, out TimeSpan askedAt)
             && Filter.AddRoundTrip(askedAt, now, message.Tc1 * SecondsPerNanosecond))
             Requests.Start(now);
@@ -82,8 +85,10 @@ public sealed class MavlinkTimesyncClient
         return true;
     }
 
-    private void Answer(in MavlinkFrame frame, Timesync request, TimeSpan now)
+    private void AnswerOurs(in MavlinkFrame frame, Timesync request, TimeSpan now)
     {
+        if (!_own.IsTargetOf(request.TargetSystem, request.TargetComponent))
+            return;
         if (_answerCount == MaxOpenAnswers)
         {
             Unanswered++;

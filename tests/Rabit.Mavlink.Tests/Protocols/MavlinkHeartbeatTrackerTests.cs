@@ -75,6 +75,24 @@ public class MavlinkHeartbeatTrackerTests
         Assert.Equal(boots, _events.FindAll(e => e == MavlinkComponentEvent.Rebooted).Count);
     }
 
+    // Messages with a boot time may be seconds apart; the clock of TIMESYNC is asked for once a second.
+    [Fact]
+    public void Timesync_ItsClockStartsAgain_IsOneRebootWithTheBootTimesThatFollow()
+    {
+        Receive(0, new Heartbeat());
+        Receive(1, new SystemTime { TimeBootMs = 60_000 });
+        Receive(1, new Timesync { Ts1 = 1, Tc1 = 60_000_000_000 });
+        Receive(2, new Timesync { Ts1 = 2, Tc1 = 61_000_000_000 });
+        Receive(2.1, new Timesync { Ts1 = 5 });   // a question says nothing
+        Receive(2.2, new Timesync { Ts1 = 1, Tc1 = 60_500_000_000 });   // overtaken
+        Assert.Equal(0, _tracker[0].Reboots);
+        Receive(4, new Timesync { Ts1 = 3, Tc1 = 900_000_000 });
+        Assert.Equal(1, _tracker[0].Reboots);
+        Receive(4.5, new SystemTime { TimeBootMs = 1_400 });
+        Receive(5, new Timesync { Ts1 = 4, Tc1 = 1_900_000_000 });
+        Assert.Equal(1, _tracker[0].Reboots);
+    }
+
     [Fact]
     public void MoreComponentsThanRoom_AreCounted()
     {

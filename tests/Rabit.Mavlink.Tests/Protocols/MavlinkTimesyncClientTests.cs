@@ -47,6 +47,40 @@ public class MavlinkTimesyncClientTests(ITestOutputHelper output)
         Assert.InRange(worst, 0, 2e-3);
     }
 
+    // PX4 1.14 leaves the target of its answers uninitialised.
+    [Theory]
+    [InlineData(200, 14)]
+    [InlineData(0, 0)]
+    public void Answer_WithAnyTarget_IsMatchedByTheTimeInIt(byte system, byte component)
+    {
+        var client = new MavlinkTimesyncClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address);
+        for (double now = 1; now < 6; now += 0.1)
+        {
+            if (!client.TryTakeFrame(TimeSpan.FromSeconds(now), out MavlinkFrame frame))
+                continue;
+            Assert.True(frame.TryDecode(out Timesync request));
+            request.Tc1 = (long)(TheirTime(now + 0.01) * 1e9);
+            (request.TargetSystem, request.TargetComponent) = (system, component);
+            client.Handle(MavlinkFrame.Create(request, 1, 1, 0), TimeSpan.FromSeconds(now + 0.02));
+        }
+
+        Assert.True(client.Filter.IsKnown(TimeSpan.FromSeconds(6)));
+    }
+
+    [Fact]
+    public void Answer_ToARequestOfAnother_IsNotTaken()
+    {
+        var client = new MavlinkTimesyncClient(ScriptedVehicle.Companion(), ScriptedVehicle.Address);
+        Assert.True(client.TryTakeFrame(TimeSpan.FromSeconds(1), out _));
+        for (int i = 0; i < 10; i++)
+        {
+            var answer = new Timesync { Ts1 = 77 + i, Tc1 = 1_000_000 + i, TargetSystem = 1, TargetComponent = 191 };
+            client.Handle(MavlinkFrame.Create(answer, 1, 1, 0), TimeSpan.FromSeconds(1.1 + (i * 0.1)));
+        }
+
+        Assert.False(client.Filter.IsKnown(TimeSpan.FromSeconds(3)));
+    }
+
     [Fact]
     public void Question_OfAnother_IsAnsweredWithOurTime()
     {
