@@ -70,15 +70,24 @@ internal static class CommandLine
             HelpName = "FILE",
         };
 
-        var command = new RootCommand(
-            "A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter does, until Ctrl-C.")
+        var autopilot = new Option<SimulatedAutopilot>("--autopilot")
         {
-            link, seed, targets, wind, mission, camera, truth, signKey,
+            Description = "ardupilot or px4: which autopilot the vehicle flies with.",
+            HelpName = "NAME",
+            CustomParser = ParseAutopilot,
+            DefaultValueFactory = _ => defaults.Autopilot,
+        };
+
+        var command = new RootCommand(
+            "A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter or PX4 does, until Ctrl-C.")
+        {
+            link, autopilot, seed, targets, wind, mission, camera, truth, signKey,
         };
         command.SetAction(result => run(new VehicleOptions(
             result.GetValue(link)!,
             new SimulationOptions
             {
+                Autopilot = result.GetValue(autopilot),
                 Seed = result.GetValue(seed),
                 TargetCount = result.GetValue(targets),
                 WindMetresPerSecond = result.GetValue(wind),
@@ -100,6 +109,16 @@ internal static class CommandLine
         else
             return url;
         return null;
+    }
+
+    private static SimulatedAutopilot ParseAutopilot(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (string.Equals(text, "px4", StringComparison.OrdinalIgnoreCase))
+            return SimulatedAutopilot.Px4;
+        if (!string.Equals(text, "ardupilot", StringComparison.OrdinalIgnoreCase))
+            result.AddError($"--autopilot {text}: it must be ardupilot or px4.");
+        return SimulatedAutopilot.ArduPilot;
     }
 
     private static long ParseNumber(ArgumentResult result, string option, long low, long high)

@@ -20,7 +20,7 @@ internal static class MissionWorld
         }
         catch (MissionPlanException e)
         {
-            throw new ArgumentException($"--mission {path}: {string.Join("; ", e.Faults)}.", nameof(path), e);
+            throw new ArgumentException($"--mission {path}: {e.Sentence}", nameof(path), e);
         }
     }
 }

@@ -7,6 +7,7 @@ using System.Linq;
 using Rabit.Links;
 using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Simulation;
 
 namespace UavConsole;
 
@@ -46,6 +47,12 @@ internal static class CommandLine
         CustomParser = ParseTargets,
     };
 
+    private static readonly Option<string> Autopilot = new("--autopilot")
+    {
+        Description = "What the simulated vehicle flies with: ardupilot or px4. ardupilot without it.",
+        HelpName = "NAME",
+    };
+
     private static readonly Option<string> Mission = new("--mission")
     {
         Description = "What to fly (docs/mission-file.md). Without it the simulation flies a bundled one.",
@@ -82,8 +89,8 @@ internal static class CommandLine
 
     private static readonly Option<string> Report = new("--report")
     {
-        Description = $"Where the report of the flight goes, one page of HTML. {RunFiles.DefaultReport} for a mission "
-            + "without it, none for other runs.",
+        Description = "Where the report of the flight goes, one page of HTML. MISSION-DATE-report.html for a mission "
+            + "without it, none for other runs. A file that is there is kept beside it, under its date.",
         HelpName = "FILE",
     };
 
@@ -116,15 +123,20 @@ internal static class CommandLine
         CustomParser = ParseSystemId,
     };
 
+    static CommandLine() => Autopilot.AcceptOnlyFromAmong("ardupilot", "px4");
+
     public static RootCommand Create(Func<ConsoleOptions, int> run)
     {
         var command = new RootCommand(
             "Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or "
                 + "recorded.")
         {
-            Links, RealTime, Seed, Targets, Mission, Fly, Camera, TruthOption, Headless, Summary, Report, Log, SystemId,
-            SignKey, TrustLink,
+            Links, RealTime, Seed, Targets, Autopilot, Mission, Fly, Camera, TruthOption, Headless, Summary, Report,
+            Log, SystemId, SignKey, TrustLink,
         };
+        foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
+            .Concat(AbandonedArguments.All))
+            command.Add(option);
         command.SetAction(result => FindFaults(result) is { Length: > 0 } faults ? Refuse(faults) : run(Read(result)));
         return command;
     }
@@ -133,7 +145,8 @@ internal static class CommandLine
     /// <returns>The exit code.</returns>
     public static int Refuse(IEnumerable<string> faults)
     {
-        Console.Error.WriteLine("UavConsole: " + string.Join(" ", faults));
+        string line = string.Join(" ", faults).Replace("\r", string.Empty).Replace("\n", " ");
+        Console.Error.WriteLine("UavConsole: " + line);
         return BadInput;
     }
 
@@ -144,6 +157,7 @@ internal static class CommandLine
         IsRealTime = result.GetValue(RealTime),
         Seed = result.GetValue(Seed) ?? 1,
         TargetCount = result.GetValue(Targets) ?? 5,
+        Autopilot = result.GetValue(Autopilot) == "px4" ? SimulatedAutopilot.Px4 : SimulatedAutopilot.ArduPilot,
         MissionFile = result.GetValue(Mission),
         Flies = result.GetValue(Fly),
         CameraFolder = result.GetValue(Camera),
@@ -154,6 +168,9 @@ internal static class CommandLine
         SystemId = result.GetValue(SystemId),
         SignKeyFile = result.GetValue(SignKey),
         TrustedLinks = result.GetValue(TrustLink) ?? [],
+        Preflight = PreflightArguments.Read(result),
+        Operator = OperatorArguments.Read(result, result.GetValue(Fly)),
+        AbandonedStateFile = AbandonedArguments.Read(result),
         CommandLine = string.Join(" ", new[] { "UavConsole" }.Concat(result.Tokens.Select(t => t.Value))),
     };
 
@@ -163,7 +180,12 @@ internal static class CommandLine
         LinkUrl[] links = result.GetValue(Links) ?? [];
         bool isReplay = links.Length > 0 && Array.TrueForAll(links, l => l.Kind == LinkKind.RecordedFile);
         return (links.Length == 0 ? WithoutLink(result) : WithLink(result, isReplay))
-            .Concat(OfSigning(result, isReplay)).ToArray();
+            .Concat(OfSigning(result, isReplay))
+            .Concat(PreflightArguments.FindFaults(
+                result, result.GetValue(Fly), links.Length == 0, result.GetValue(Camera) is not null))
+            .Concat(OperatorArguments.FindFaults(result, result.GetValue(Fly), links.Length == 0))
+            .Concat(AbandonedArguments.FindFaults(result, links.Length > 0 && !isReplay, result.GetValue(Fly)))
+            .ToArray();
     }
 
     private static IEnumerable<string> WithoutLink(ParseResult result)
@@ -183,6 +205,8 @@ internal static class CommandLine
             yield return "--seed is for the simulation; it does not go with --link.";
         if (result.GetValue(Targets) is not null)
             yield return "--targets is for the simulation; it does not go with --link.";
+        if (result.GetValue(Autopilot) is not null)
+            yield return "--autopilot is for the simulation; the one at the other end of --link says what it is.";
         if (result.GetValue(RealTime))
             yield return "--realtime is for the simulation; with --link a flight has its own pace, a recorded one by "
                 + "?speed=.";

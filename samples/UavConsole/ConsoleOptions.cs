@@ -3,6 +3,7 @@ using System.Linq;
 using Rabit.Links;
 using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Simulation;
 
 namespace UavConsole;
 
@@ -23,6 +24,9 @@ internal sealed class ConsoleOptions
 
     /// <summary>How many targets the simulated world has.</summary>
     public int TargetCount { get; init; } = 5;
+
+    /// <summary>What the simulated vehicle flies with.</summary>
+    public SimulatedAutopilot Autopilot { get; init; }
 
     /// <summary>What to fly; null for the bundled mission in the simulation, and for none on a link.</summary>
     public string? MissionFile { get; init; }
@@ -55,6 +59,18 @@ internal sealed class ConsoleOptions
 
     /// <summary>Numbers of live links that are not signed all the same.</summary>
     public IReadOnlyList<int> TrustedLinks { get; init; } = [];
+
+    /// <summary>The checklist, and what is written to the autopilot before a flight.</summary>
+    public PreflightChoices Preflight { get; init; } = new();
+
+    /// <summary>What the operator asked for.</summary>
+    public OperatorChoices Operator { get; init; } = new();
+
+    /// <summary>
+    /// The progress file of a flight that ended: the vehicle is asked to return if that flight abandoned it. Null for
+    /// a run of its own.
+    /// </summary>
+    public string? AbandonedStateFile { get; init; }
 
     /// <summary>The arguments as given, for the report.</summary>
     public string CommandLine { get; init; } = "UavConsole";

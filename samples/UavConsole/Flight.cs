@@ -46,6 +46,9 @@ internal sealed class Flight : IDisposable
     /// <summary>The folder of pictures; null where there is none.</summary>
     public FolderCamera? Camera { get; private init; }
 
+    /// <summary>The name of the mission that is flown; null where none is.</summary>
+    public string? MissionName { get; private init; }
+
     /// <summary>A line that the screen always shows; null for none.</summary>
     public string? Notice { get; private init; }
 
@@ -66,7 +69,12 @@ internal sealed class Flight : IDisposable
     {
         MissionPlan mission = ReadMission(
             options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission));
-        var worldOptions = new SimulationOptions { Seed = options.Seed, TargetCount = options.TargetCount };
+        var worldOptions = new SimulationOptions
+        {
+            Seed = options.Seed,
+            TargetCount = options.TargetCount,
+            Autopilot = options.Autopilot,
+        };
         worldOptions.TakePlacesFrom(mission);
         var world = new SimulatedWorld(worldOptions);
         var links = new MemoryLinkPair("vehicle");
@@ -74,7 +82,7 @@ internal sealed class Flight : IDisposable
         if (options.IsRealTime)
             time.Pace = 1;
         MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
-        UavSystem uav = UavSystem.Open(new UavOptions
+        var uavOptions = new UavOptions
         {
             OpenLinks = [links.A],
             OtherManagers = [world.CreateVehicle(links.B, key)],
@@ -88,12 +96,16 @@ internal sealed class Flight : IDisposable
             Time = time,
             // the vehicle is new each time, and so is its memory of us
             Signing = key is null ? null : new SigningOptions(key),
-        });
+        };
+        options.Preflight.ApplyTo(uavOptions, mission, isSimulated: true);
+        options.Operator.ApplyTo(uavOptions.MissionControl);
+        UavSystem uav = UavSystem.Open(uavOptions);
         return new Flight(uav, $"simulated flight: {mission.Name}, seed {FlightText.Number(options.Seed)}, "
             + $"{FlightText.Number(options.TargetCount)} targets", key)
         {
             // Panels of colours that the mission does not search for are not its targets.
             Truth = TargetTruth.Of(world, mission.Targets),
+            MissionName = mission.Name,
             TruePosition = () => world.PositionOf(world.Truth.Pose.Position with { Down = 0 }),
         };
     }
@@ -106,7 +118,7 @@ internal sealed class Flight : IDisposable
         CameraFolder? folder = options.CameraFolder is { } cameraFolder ? OpenCamera(cameraFolder) : null;
         FolderCamera? camera = folder is null ? null : new FolderCamera(folder);
         MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
-        UavSystem uav = UavSystem.Open(new UavOptions
+        var uavOptions = new UavOptions
         {
             Links = options.Links,
             Subscriptions = [FlightRecorderManager.CreateSubscription()],
@@ -116,20 +128,28 @@ internal sealed class Flight : IDisposable
             Camera = camera,
             Signing = key is null ? null : SigningOf(key, options),
             Imaging = folder is null ? new ImageProcessingOptions() : ImagingOf(folder),
-        });
+        };
+        if (options.Flies)
+        {
+            options.Preflight.ApplyTo(uavOptions, mission!, isSimulated: false);
+            options.Operator.ApplyTo(uavOptions.MissionControl);
+        }
+
+        UavSystem uav = UavSystem.Open(uavOptions);
         string links = string.Join(", ", options.Links.Select(l => l.ToString()));
         return new Flight(
             uav, options.Flies ? $"flying {mission!.Name} over {links}" : "replaying or observing " + links, key)
         {
             Truth = truth,
             Camera = camera,
+            MissionName = options.Flies ? mission!.Name : null,
             Notice = options.IsReplay || options.Flies
                 ? null
                 : "observing only: nothing is commanded; --mission FILE --fly flies",
         };
     }
 
-    private static SigningOptions SigningOf(MavlinkSigningKey key, ConsoleOptions options)
+    internal static SigningOptions SigningOf(MavlinkSigningKey key, ConsoleOptions options)
     {
         int live = options.Links.Count(l => l.Kind != LinkKind.RecordedFile);
         foreach (int link in options.TrustedLinks.Where(l => l < 0 || l >= live))
@@ -144,11 +164,23 @@ internal sealed class Flight : IDisposable
         };
     }
 
+    // No more than a file of its kind has: a device or a video given by mistake has no end.
+    private static string ReadText(string path)
+    {
+        const int MaxLength = 4_000_000;
+        using var reader = new StreamReader(path);
+        var text = new char[MaxLength + 1];
+        int length = reader.ReadBlock(text, 0, text.Length);
+        return length <= MaxLength
+            ? new string(text, 0, length)
+            : throw new IOException($"it is longer than {MaxLength} characters.");
+    }
+
     private static TargetTruth ReadTruth(string path)
     {
         try
         {
-            return TruthFile.Parse(File.ReadAllText(path));
+            return TruthFile.Parse(ReadText(path));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {
@@ -182,7 +214,7 @@ internal sealed class Flight : IDisposable
     {
         try
         {
-            return MissionPlan.Parse(File.ReadAllText(path), Path.GetFileName(path));
+            return MissionPlan.Parse(ReadText(path), Path.GetFileName(path));
         }
         catch (Exception e)
             when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)
@@ -191,7 +223,7 @@ internal sealed class Flight : IDisposable
         }
         catch (MissionPlanException e)
         {
-            throw new ArgumentException($"--mission {path}: {string.Join("; ", e.Faults)}.", nameof(path), e);
+            throw new ArgumentException($"--mission {path}: {e.Sentence}", nameof(path), e);
         }
     }
 }

@@ -18,17 +18,25 @@ internal static class FlightRun
     // Ctrl-C must end all within a second.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromMilliseconds(300);
 
+    // Failsafes and fence of the autopilot are written back in less, on a link that loses a few frames.
+    private static readonly TimeSpan MaxStopDelay = TimeSpan.FromSeconds(10);
+
+    private static readonly TimeSpan RefreshPeriod = TimeSpan.FromMilliseconds(200);
+
     // Longer than any battery of the simulation lasts: no run may hang.
     private static readonly TimeSpan MaxSimulation = TimeSpan.FromMinutes(40);
 
     public static int Run(ConsoleOptions options)
     {
+        if (options.AbandonedStateFile is not null)
+            return AbandonedRun.Run(options);
         Flight? flight = null;
         RunFiles? files = null;
         try
         {
             flight = Flight.Open(options);
-            files = RunFiles.Open(options);
+            files = RunFiles.Open(options, flight.MissionName);
+            options.Operator.KeepEarlierProgress();
         }
         catch (Exception e) when (e is LinkException or ArgumentException or PlatformNotSupportedException)
         {
@@ -45,30 +53,73 @@ internal static class FlightRun
     private static int Fly(Flight flight, RunFiles files, ConsoleOptions options)
     {
         // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the
-        // summary off.
-        Console.CancelKeyPress += (_, e) => e.Cancel = true;
+        // summary off. Ctrl-\ keeps its meaning.
+        Console.CancelKeyPress += (_, e) => e.Cancel = e.SpecialKey == ConsoleSpecialKey.ControlC;
+        var output = new GuardedWriter(Console.Out);
+        Console.SetOut(output);
         var log = new RunLog(files.Log);
         FlightSummary summary = Show(flight, log, options);
         SummaryText.Write(Console.Out, summary);
+        string?[] losses =
+            [WriteSummary(files, summary), WriteReport(files, summary), log.Failure, log.ViewLoss, output.Loss];
+        foreach (string? loss in losses)
+        {
+            if (loss is not null)
+                WriteError(loss);
+        }
+
+        return losses.Any(l => l is not null) ? BadInput : summary.ExitCode;
+    }
+
+    // Whatever else is lost, each file that can be written is complete.
+    private static string? WriteSummary(RunFiles files, FlightSummary summary)
+    {
+        using var json = new MemoryStream();
+        SummaryJson.Write(json, summary);
+        return TryWrite(files.Summary, json.ToArray());
+    }
+
+    private static string? WriteReport(RunFiles files, FlightSummary summary)
+    {
+        if (files.Report is null)
+            return null;
+        using var page = new StringWriter();
+        HtmlReport.Write(page, summary);
+        string? failure = TryWrite(files.Report, Encoding.UTF8.GetBytes(page.ToString()));
+        if (failure is null)
+            Console.WriteLine("report: " + Path.GetFullPath(files.Report.Path));
+        return failure;
+    }
+
+    private static string? TryWrite(OutputFile? file, byte[] content)
+    {
         try
         {
-            WriteFiles(files, summary);
+            file?.Write(content);
+            return null;
         }
         catch (ArgumentException e)
         {
-            Console.Error.WriteLine("UavConsole: " + FirstLine(e.Message));
-            return BadInput;
+            return e.Message;
         }
+    }
 
-        if (log.Failure is not { } failure)
-            return summary.ExitCode;
-        Console.Error.WriteLine("UavConsole: " + FirstLine(failure));
-        return BadInput;
+    private static void WriteError(string text)
+    {
+        try
+        {
+            Console.Error.WriteLine("UavConsole: " + FirstLine(text));
+        }
+        catch (IOException)
+        {
+            // Standard error is closed too; the exit code remains.
+        }
     }
 
     private static FlightSummary Show(Flight flight, RunLog log, ConsoleOptions options)
     {
-        RabitReactor reactor = flight.CreateReactor(new ReactorOptions { StopTimeout = StopTimeout, Log = log.Add });
+        RabitReactor reactor = flight.CreateReactor(
+            new ReactorOptions { StopTimeout = StopTimeout, MaxStopDelay = MaxStopDelay, Log = log.Add });
         var recorder = new FlightRecorderManager(new FlightRecorderOptions
         {
             ManagerNames = reactor.Select(m => m.Name).ToArray(),
@@ -77,19 +128,38 @@ internal static class FlightRun
             ImageChips = () => flight.Uav.ImageProcessing.ImageChips,
         });
         reactor.Add(recorder);
-        var monitor = new FlightMonitor(reactor, recorder, flight.Uav.LinkCount);
+        var monitor = new FlightMonitor(reactor, recorder, flight.Uav.LinkCount)
+        {
+            Refreshed = record => options.Operator.Update(record.Mission.Phase, flight.Uav.MissionControl),
+        };
         Console.WriteLine(flight.Source);
         if (flight.Notice is not null)
             Console.WriteLine(flight.Notice);
 
         Task<ReactorResult> run = reactor.RunAsync();
-        if (options.IsHeadless)
-            new PlainLines(monitor, log, options.FliesMission).ShowUntilEnd(run);
-        else
-            new LiveScreen(monitor, log, options.FliesMission, flight.Notice).ShowUntilEnd(run);
+        ShowUntilEnd(run, flight, monitor, log, options);
         ReactorResult result = run.GetAwaiter().GetResult();
         monitor.Refresh();
         return Summarise(flight, monitor, result, log, options);
+    }
+
+    // A terminal that has closed ends the view, not the flight: a vehicle in the air is to be held first.
+    private static void ShowUntilEnd(
+        Task run, Flight flight, FlightMonitor monitor, RunLog log, ConsoleOptions options)
+    {
+        try
+        {
+            if (options.IsHeadless)
+                new PlainLines(monitor, log, options.FliesMission).ShowUntilEnd(run);
+            else
+                new LiveScreen(monitor, log, options.FliesMission, flight.Notice).ShowUntilEnd(run);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ObjectDisposedException)
+        {
+            log.NoteViewLost(e.Message);
+            while (!run.Wait(RefreshPeriod))
+                monitor.Refresh();
+        }
     }
 
     private static FlightSummary Summarise(
@@ -115,23 +185,6 @@ internal static class FlightRun
             Events = log.Flight.ToArray(),
             EventCount = log.Flight.Count,
         };
-    }
-
-    private static void WriteFiles(RunFiles files, FlightSummary summary)
-    {
-        if (files.Summary is not null)
-        {
-            using var json = new MemoryStream();
-            SummaryJson.Write(json, summary);
-            files.Summary.Write(json.ToArray());
-        }
-
-        if (files.Report is null)
-            return;
-        using var page = new StringWriter();
-        HtmlReport.Write(page, summary);
-        files.Report.Write(Encoding.UTF8.GetBytes(page.ToString()));
-        Console.WriteLine("report: " + Path.GetFullPath(files.Report.Path));
     }
 
     // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.

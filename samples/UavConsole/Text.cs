@@ -84,6 +84,8 @@ internal static class Text
     public static string Mission(FlightMonitor monitor)
     {
         MissionStatus mission = monitor.Record.Mission;
+        if (mission.Phase == MissionPhase.WaitingForVehicle)
+            return mission.Text ?? "waiting for the vehicle";
         return string.Format(
             CultureInfo.InvariantCulture,
             "{0}, lane {1} of {2}, {3:0.0} % covered, {4} targets, {5:0.0} times real time",

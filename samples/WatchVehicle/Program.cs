@@ -7,9 +7,15 @@ using Rabit.Uav.Messages;
 // Watches a vehicle, live or recorded, and prints a line every ten seconds. Nothing is commanded: MayCommand is false.
 //     WatchVehicle udpin:0.0.0.0:14550
 //     WatchVehicle 'tlog:flight.tlog?speed=max'
-if (args.Length != 1 || !LinkUrl.TryParse(args[0], out LinkUrl? link, out string? error))
+if (args.Length != 1)
 {
     Console.Error.WriteLine("WatchVehicle LINK, for example udpin:0.0.0.0:14550");
+    return 2;
+}
+
+if (!LinkUrl.TryParse(args[0], out LinkUrl? link, out string? error))
+{
+    Console.Error.WriteLine($"WatchVehicle: {error}");   // what is wrong with it, and what the right form is
     return 2;
 }
 

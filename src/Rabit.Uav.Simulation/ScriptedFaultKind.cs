@@ -22,7 +22,9 @@ public enum ScriptedFaultKind
     WindTo,
 
     /// <summary>
-    /// The pilot takes the flight mode with the number of the value, by the switch on the remote control.
+    /// The pilot takes the flight mode with the number of the value or, where <see cref="ScriptedFault.Mode"/> is
+    /// set, with that name: by a command of the ground station or by the switch of the remote control (
+    /// <see cref="ScriptedFault.BySwitch"/>).
     /// </summary>
     PilotMode,
 
@@ -31,4 +33,49 @@ public enum ScriptedFaultKind
     /// <see cref="SimulatedWorld.AddHangsTo"/>.
     /// </summary>
     ManagerHangs,
+
+    /// <summary>
+    /// The ground station on the vehicle's second link (<see cref="SimulationOptions.HasGroundStation"/>) sends no
+    /// heartbeats for the duration; to the end of the run where that is zero.
+    /// </summary>
+    GroundStationSilent,
+
+    /// <summary>
+    /// The remote control is not received for the duration; to the end of the run where that is zero.
+    /// </summary>
+    RcLost,
+
+    /// <summary>The GPS has no fix for the duration; to the end of the run where that is zero.</summary>
+    GpsLost,
+
+    /// <summary>
+    /// The GPS reports a position that is wrong by the value, metres to the north, for the duration; to the end of
+    /// the run where that is zero.
+    /// </summary>
+    GpsGlitch,
+
+    /// <summary>
+    /// The autopilot measures the value as the voltage of its battery, V, for the duration; to the end of the run
+    /// where that is zero. What is left in the battery stays as it is.
+    /// </summary>
+    BatteryVolts,
+
+    /// <summary>
+    /// The variances of the autopilot's estimator are above its limit for the duration; to the end of the run where
+    /// that is zero.
+    /// </summary>
+    EkfFailsafe,
+
+    /// <summary>
+    /// The autopilot starts again. In the air the pilot holds the vehicle in the mode in which it starts, as after a
+    /// reset by its watchdog, which keeps it armed; with the value 1 the motors stop, and it falls.
+    /// </summary>
+    Reboot,
+
+    /// <summary>
+    /// Another ground station, 255/190 on the vehicle's second link, commands the vehicle to
+    /// <see cref="ScriptedFault.Place"/>: without a duration by one DO_REPOSITION that changes the mode, with one by
+    /// position targets at 10 Hz. Where there is no place it sends targets of velocity zero, at least one.
+    /// </summary>
+    OtherCommander,
 }

@@ -127,5 +127,5 @@ public sealed class SimulatedWorld
     public GeodeticPosition PositionOf(NedPosition position) => Frame.ToPlace(position - NedPosition.Origin);
 
     /// <summary>The vehicle alone, to be stepped by a test.</summary>
-    internal SimulatedVehicle CreateVehicle() => new(Options, Frame, History, _recorder);
+    internal SimulatedVehicle CreateVehicle(int linkCount = 1) => new(Options, Frame, History, _recorder, linkCount);
 }

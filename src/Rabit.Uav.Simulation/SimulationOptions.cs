@@ -30,6 +30,10 @@ public sealed class SimulationOptions
     /// <value>The default is 1.</value>
     public long Seed { get; set; } = 1;
 
+    /// <summary>Which autopilot the vehicle flies with.</summary>
+    /// <value>The default is <see cref="SimulatedAutopilot.ArduPilot"/>.</value>
+    public SimulatedAutopilot Autopilot { get; set; }
+
     /// <summary>
     /// Where the vehicle stands at the start: the origin of the world's frame. The ground is flat and at its
     /// altitude.
@@ -71,7 +75,8 @@ public sealed class SimulationOptions
     public double BatteryRemaining { get; set; } = 1;
 
     /// <summary>
-    /// How long a frame of the vehicle is on its way at least; a jitter of some milliseconds comes on top.
+    /// How long a frame of the vehicle is on its way at least; a jitter of some milliseconds comes on top. Zero: it
+    /// arrives at once, without jitter, as between two processes of one computer.
     /// </summary>
     /// <value>The default is 20 ms.</value>
     public TimeSpan TelemetryLatency { get; set; } = TimeSpan.FromMilliseconds(20);
@@ -94,6 +99,34 @@ public sealed class SimulationOptions
     public IReadOnlyList<NedPosition> Area { get; set; } =
         [new NedPosition(30, -80, 0), new NedPosition(150, -80, 0), new NedPosition(150, 80, 0),
             new NedPosition(30, 80, 0)];
+
+    /// <summary>
+    /// Whether a ground station, 255/190, is connected to the vehicle by a second link of its own. It sends a
+    /// heartbeat each second; see <see cref="ScriptedFaultKind.GroundStationSilent"/>.
+    /// </summary>
+    /// <value>The default is false.</value>
+    public bool HasGroundStation { get; set; }
+
+    /// <summary>
+    /// Parameters of the autopilot that differ from its defaults at the start, by its own names, in its units.
+    /// </summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyDictionary<string, double> Parameters { get; set; }
+        = new Dictionary<string, double>(StringComparer.Ordinal);
+
+    /// <summary>
+    /// Whether the failsafe parameters are those of a vehicle that was prepared for a flight, which pass the pre-flight
+    /// checklist; otherwise they are the autopilot's defaults. <see cref="Parameters"/> count after it.
+    /// </summary>
+    /// <value>The default is true.</value>
+    public bool IsPrepared { get; set; } = true;
+
+    /// <summary>
+    /// Whether ArduPilot's parameters have the names of its newer versions: MAV_SYSID for SYSID_THISMAV, MAV_GCS_SYSID
+    /// for SYSID_MYGCS, and RTL_ALT_M, in metres, for RTL_ALT, in centimetres.
+    /// </summary>
+    /// <value>The default is false.</value>
+    public bool HasNewerParameterNames { get; set; }
 
     /// <summary>What goes wrong, in any order.</summary>
     public IReadOnlyList<ScriptedFault> Faults { get; set; } = Array.Empty<ScriptedFault>();
@@ -131,7 +164,8 @@ public sealed class SimulationOptions
                 "The simulated world: the camera may be left as it is, but not null.", parameter))
             .ValidatedCopy(parameter);
         copy.Area = Area.ToArray();
-        copy.Faults = Faults.OrderBy(f => f.At).ToArray();
+        copy.Faults = Faults.OrderBy(f => f.At).Select(f => ScriptedFaultChecks.WithModeNumber(f, Autopilot)).ToArray();
+        copy.Parameters = Parameters.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
         return copy;
     }
 
@@ -145,6 +179,9 @@ public sealed class SimulationOptions
                 $"{nameof(Home)} is {Home.Latitude.Radians}, {Home.Longitude.Radians} radians, {Home.AltitudeAmslMetres} m; it must be a place on earth, not at a pole");
         }
 
+        if (Autopilot is not (SimulatedAutopilot.ArduPilot or SimulatedAutopilot.Px4))
+            yield return FormattableString.Invariant(
+                $"{nameof(Autopilot)} is {Autopilot}; there is none of that number");
         if (!(Math.Abs(Heading.Radians) <= 2 * Math.PI))
             yield return FormattableString.Invariant(
                 $"{nameof(Heading)} is {Heading}; it must be an angle of at most one turn");
@@ -173,40 +210,30 @@ public sealed class SimulationOptions
             yield return $"{nameof(DistractorCount)} is {DistractorCount}; it must be 0 to 1000";
         if (Area is null || Area.Count < 3)
             yield return $"{nameof(Area)} must have at least three corners";
-        foreach (string fault in FindFaultsOfFaults())
+        foreach (string fault in FindFaultsOfParameters().Concat(ScriptedFaultChecks.FindFaults(this)))
             yield return fault;
     }
 
-    private IEnumerable<string> FindFaultsOfFaults()
+    private IEnumerable<string> FindFaultsOfParameters()
     {
-        if (Faults is null)
+        if (Parameters is null)
         {
-            yield return $"{nameof(Faults)} is null; it may be empty";
+            yield return $"{nameof(Parameters)} is null; it may be empty";
             yield break;
         }
 
-        foreach (ScriptedFault fault in Faults)
+        Func<string, bool> isKnown = Autopilot == SimulatedAutopilot.Px4
+            ? new Px4Parameters().Contains
+            : new ParameterStore(HasNewerParameterNames).Contains;
+        foreach (KeyValuePair<string, double> parameter in Parameters)
         {
-            string what = FormattableString.Invariant($"{nameof(Faults)}: {fault.Kind} at {fault.At}");
-            if (fault.At < TimeSpan.Zero || fault.Duration < TimeSpan.Zero)
-                yield return what + " has a negative time";
-            if (fault.Kind is ScriptedFaultKind.LinkSilent or ScriptedFaultKind.CameraFreeze
-                or ScriptedFaultKind.ManagerHangs
-                && fault.Duration == TimeSpan.Zero)
-                yield return what + " lasts no time";
-            if (fault.Kind == ScriptedFaultKind.ManagerHangs && string.IsNullOrWhiteSpace(fault.Manager))
-                yield return what + " names no manager";
-            bool isSound = fault.Kind switch
-            {
-                ScriptedFaultKind.BatteryTo => fault.Value is >= 0 and <= 1,
-                ScriptedFaultKind.WindTo => IsWind(fault.Value),
-                ScriptedFaultKind.PilotMode => fault.Value >= 0 && CopterModes.IsKnown((uint)fault.Value),
-                _ => true,
-            };
-            if (!isSound)
-                yield return FormattableString.Invariant($"{what} has the value {fault.Value}, which is not possible");
+            if (!isKnown(parameter.Key))
+                yield return $"{nameof(Parameters)}: the simulated autopilot has no parameter '{parameter.Key}'";
+            if (!(Math.Abs(parameter.Value) <= float.MaxValue))
+                yield return FormattableString.Invariant(
+                    $"{nameof(Parameters)}: {parameter.Key} is {parameter.Value}; it must be a finite number");
         }
     }
 
-    private static bool IsWind(double speed) => speed is >= 0 and <= MaxWind;
+    internal static bool IsWind(double speed) => speed is >= 0 and <= MaxWind;
 }

@@ -5,6 +5,7 @@ using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
+using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 
@@ -35,8 +36,8 @@ internal static class ManagerOptions
                 nameof(UavOptions.SystemId), options.SystemId, OfAutopilot(nameof(autopilot.SystemId)),
                 autopilot.SystemId, null),
             Contradiction(
-                nameof(UavOptions.ComponentId), options.ComponentId, OfAutopilot(nameof(autopilot.ComponentId)),
-                autopilot.ComponentId, new AutopilotOptions().ComponentId),
+                nameof(UavOptions.ComponentId), options.SetComponentId, OfAutopilot(nameof(autopilot.ComponentId)),
+                autopilot.SetComponentId, null),
             Contradiction(
                 nameof(UavOptions.Mission), options.Mission,
                 nameof(UavOptions.MissionControl) + "." + nameof(MissionControlOptions.Mission),
@@ -92,11 +93,13 @@ internal static class ManagerOptions
     {
         AutopilotOptions made = options.Autopilot.Copy();
         made.SystemId ??= options.SystemId;
-        if (options.ComponentId != new AutopilotOptions().ComponentId)
-            made.ComponentId = options.ComponentId;
+        if (options.SetComponentId is { } componentId)
+            made.ComponentId = componentId;
         made.RequestsRates &= options.RequestsMessageRates && !options.IsReplay;
         made.MayCommand = options.MayCommand;
         made.Dialect = DialectOf(options);
+        made.Setup = made.Setup.Copy();
+        made.Setup.ReadsParameters |= ChecksBeforeFlight(options);
         return made;
     }
 
@@ -104,8 +107,26 @@ internal static class ManagerOptions
     {
         MissionControlOptions made = options.MissionControl.Copy();
         made.Mission = MissionOf(options);
+        made.RequiresPreflight |= ChecksBeforeFlight(options);
         return made;
     }
+
+    public static HealthOptions ForHealth(UavOptions options)
+    {
+        HealthOptions made = options.Health.Copy();
+        if (MissionOf(options) is not { } mission || !ChecksBeforeFlight(options))
+            return made;
+        made.Preflight = options.Preflight.Copy();
+        made.Preflight.ObstacleHeightMetres ??= mission.ObstacleHeightMetres;
+        made.Preflight.MinBatteryFraction = mission.MinBatteryFractionAtStart;
+        made.Preflight.RequiresCamera = options.MissionControl.RequiresCamera;
+        return made;
+    }
+
+    // Where Health Monitoring is another's, the checklist is too.
+    private static bool ChecksBeforeFlight(UavOptions options)
+        => options.Preflight.IsRequired && MissionOf(options) is not null && !options.IsReplay
+            && options.Has(UavManagers.HealthMonitoring) && options.Has(UavManagers.AutopilotInterface);
 
     private static string Of(string name) => nameof(UavOptions.Communications) + "." + name;
 

@@ -10,6 +10,7 @@ using Rabit.Uav.ImageProcessing;
 using Rabit.Links;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
+using Rabit.Uav.Preflight;
 using Rabit.Uav.SensorFusion;
 
 namespace Rabit.Uav;
@@ -49,7 +50,14 @@ public sealed class UavOptions
 
     /// <summary>Our MAVLink component id.</summary>
     /// <value>The default is 191, MAV_COMP_ID_ONBOARD_COMPUTER.</value>
-    public byte ComponentId { get; set; } = 191;
+    public byte ComponentId
+    {
+        get => SetComponentId ?? new AutopilotOptions().ComponentId;
+        set => SetComponentId = value;
+    }
+
+    /// <summary>Null where it is the default: that of <see cref="Autopilot"/> holds then.</summary>
+    internal byte? SetComponentId { get; private set; }
 
     /// <summary>Whether the autopilot is asked for the message rates that we need. In a replay it is not.</summary>
     /// <value>The default is true.</value>
@@ -100,8 +108,9 @@ public sealed class UavOptions
 
     /// <summary>
     /// Which of our managers are left out. Their part is then yours: the check of the wiring names each message without
-    /// a publisher and each queue without a receiver, and who needs it, until managers in <see cref="OtherManagers"/>
-    /// do. Without Communications there are no links, nor what goes with them.
+    /// a publisher and each queue without a receiver or a sender, with those who need it and the manager that was left
+    /// out, until managers in <see cref="OtherManagers"/> take that part. Without Communications there are no links,
+    /// nor what goes with them.
     /// </summary>
     /// <value>The default is <see cref="UavManagers.None"/>.</value>
     public UavManagers Without { get; set; }
@@ -116,6 +125,9 @@ public sealed class UavOptions
 
     /// <summary>The limits of Health Monitoring.</summary>
     public HealthOptions Health { get; set; } = new();
+
+    /// <summary>What is checked before a mission is flown; a line that fails refuses it (docs/preflight.md).</summary>
+    public PreflightOptions Preflight { get; set; } = new();
 
     /// <summary>
     /// Managers of the user that fly along: they are added after ours, and Health Monitoring watches them.
@@ -152,107 +164,17 @@ public sealed class UavOptions
     /// <summary>How many times faster than real time; 1 for real time itself.</summary>
     internal double Speed => Links.Count == 0 ? 1 : Links.Max(l => l.Speed);
 
+    internal bool Has(UavManagers manager) => (Without & manager) == 0;
+
     /// <exception cref="ArgumentException">
     /// Options are out of their range or do not go together; the text names all of them.
     /// </exception>
     internal void Validate(string parameter)
     {
-        if (FindNull() is { } name)
-            throw new ArgumentException($"{name} is null.", parameter);
-        if (Links is null || OpenLinks is null
-            || (Links.Count + OpenLinks.Count == 0 && Has(UavManagers.Communications)))
-            throw new ArgumentException("A UAV needs at least one link.", parameter);
-        if (Links.Contains(null!) || OpenLinks.Contains(null!))
-            throw new ArgumentException("A link is null.", parameter);
-        List<string> faults = FindFaults().ToList();
+        IReadOnlyList<string> faults = UavOptionsCheck.FindFaults(this);
         if (faults.Count > 0)
             throw new ArgumentException(string.Join("; ", faults) + ".", parameter);
     }
 
-    internal bool Has(UavManagers manager) => (Without & manager) == 0;
-
-    private string? FindNull() => new (string Name, object? Value)[]
-    {
-        (nameof(Communications), Communications), (nameof(Autopilot), Autopilot),
-        (nameof(MissionControl), MissionControl), (nameof(Imaging), Imaging),
-        (nameof(Fusion), Fusion), (nameof(Health), Health), (nameof(LinkOptions), LinkOptions),
-        (nameof(OtherManagers), OtherManagers),
-    }.FirstOrDefault(o => o.Value is null).Name;
-
-    private IEnumerable<string> FindFaults() => FindFaultsOfLinks()
-        .Concat(FindFaultsOfDialect())
-        .Concat(FindFaultsOfManagers())
-        .Concat(ManagerOptions.FindContradictions(this));
-
-    private IEnumerable<string> FindFaultsOfDialect()
-    {
-        if (Dialect is null || Communications.Dialect is null || Subscriptions is null
-            || Communications.Subscriptions is null)
-            return [$"{nameof(Dialect)} or {nameof(Subscriptions)} is null, or that of {nameof(Communications)}"];
-        return SubscriptionCheck.FindFaults(ManagerOptions.DialectOf(this), ManagerOptions.SubscriptionsOf(this));
-    }
-
-    private IEnumerable<string> FindFaultsOfLinks()
-    {
-        int links = Links.Count + OpenLinks.Count;
-        if (links > MavlinkRouter.MaxLinks)
-            yield return $"there are {links} links; at most {MavlinkRouter.MaxLinks} are possible";
-        if (SystemId == 0)
-            yield return $"{nameof(SystemId)} is 0; it must be 1 to 255";
-        if (ComponentId == 0)
-            yield return $"{nameof(ComponentId)} is 0; it must be 1 to 255";
-        foreach (IGrouping<string, LinkUrl> same
-            in Links.GroupBy(l => l.ToString(), StringComparer.Ordinal).Where(g => g.Count() > 1))
-            yield return $"link {same.Key} is given {same.Count()} times";
-
-        LinkUrl? fast = Links.FirstOrDefault(l => !l.Speed.Equals(1));
-        LinkUrl? other = fast is null
-            ? null
-            : Links.FirstOrDefault(l => l.Kind != LinkKind.RecordedFile || !l.Speed.Equals(fast.Speed));
-        if (other is not null)
-            yield return $"{fast} plays at another pace than {other}; a log at another speed than 1 goes with logs of "
-                + "the same speed only";
-        if (fast is not null && (OpenLinks.Count > 0 || Time is not null))
-            yield return $"{fast} plays at a pace of its own, which does not go with other links or another time";
-
-        SigningOptions? signing = ManagerOptions.SigningOf(this);
-        if (signing is not null && IsReplay)
-            yield return "there is nothing to sign in a replay";
-        int liveLinks = OpenLinks.Count + Links.Count(l => l.Kind != LinkKind.RecordedFile);
-        foreach (string fault in IsReplay ? [] : signing?.FindFaults(liveLinks) ?? [])
-            yield return fault;
-    }
-
-    private IEnumerable<string> FindFaultsOfManagers()
-    {
-        if ((Without & ~UavManagers.All) != 0)
-            yield return $"{nameof(Without)} is {Without:D}, which is none of the managers";
-        if (OtherManagers.Contains(null!))
-            yield return $"one of {nameof(OtherManagers)} is null";
-        MissionPlan? mission = ManagerOptions.MissionOf(this);
-        if (mission is not null && !MayCommand)
-            yield return $"there is a mission, but {nameof(MayCommand)} is false";
-        if (mission is not null && Camera is not null && Has(UavManagers.ImageProcessing)
-            && Imaging is { TargetClasses.IsDefault: false })
-        {
-            string declared = string.Join(", ", Imaging.TargetClasses.Select(c => c?.Name));
-            foreach (TargetClassName name in mission.Targets.Where(n => Imaging.TargetClasses.All(c => c?.Name != n)))
-                yield return $"target {name} of the mission is no target class; there are {declared}";
-        }
-
-        if (MayCommand && IsReplay)
-            yield return "nothing can be commanded in a replay";
-        if (mission is not null && !Has(UavManagers.MissionControl))
-            yield return $"there is a mission, but {nameof(Without)} has {nameof(UavManagers.MissionControl)}";
-        if (Camera is not null && !Has(UavManagers.ImageProcessing))
-            yield return $"there is a camera, but {nameof(Without)} has {nameof(UavManagers.ImageProcessing)}";
-        if (Has(UavManagers.Communications))
-            yield break;
-        if (Links.Count + OpenLinks.Count > 0)
-            yield return $"there are links, but {nameof(Without)} has {nameof(UavManagers.Communications)}: open them "
-                + "where your own manager is made";
-        if (ManagerOptions.SigningOf(this) is not null || ManagerOptions.SubscriptionsOf(this).Count > 0)
-            yield return $"signing and subscriptions are the work of {nameof(UavManagers.Communications)}, which "
-                + $"{nameof(Without)} has";
-    }
+    internal UavOptions Copy() => (UavOptions)MemberwiseClone();
 }

@@ -28,6 +28,9 @@ namespace Rabit.Uav;
 /// </example>
 public sealed class UavSystem : IDisposable
 {
+    // Mission Control waits 3 s for the answer of the autopilot.
+    private static readonly TimeSpan MaxStopDelay = TimeSpan.FromSeconds(4);
+
     private readonly UavOptions _options;
     private readonly List<IByteLink> _links = [];
     private readonly List<RecordedFile> _files = [];
@@ -57,7 +60,8 @@ public sealed class UavSystem : IDisposable
             if (options.MayCommand)
                 CarryOnAfterFaults();
             if (options.Has(UavManagers.HealthMonitoring))
-                _health = new HealthManager(options.Health, Managers().Select(m => m.Name), LinkCount);
+                _health = new HealthManager(
+                    ManagerOptions.ForHealth(options), Managers().Select(m => m.Name), LinkCount);
             Time = CreateTime();
         }
         catch
@@ -117,18 +121,28 @@ public sealed class UavSystem : IDisposable
         return new UavSystem(options);
     }
 
-    /// <summary>Makes the reactor with all managers.</summary>
-    /// <param name="options">Its options; the time is set to <see cref="Time"/>.</param>
+    /// <summary>
+    /// Makes the reactor with all managers. Where some are left out, its start names what the others miss.
+    /// </summary>
+    /// <param name="options">
+    /// Its options; the time is set to <see cref="Time"/>. Where the vehicle may be commanded and
+    /// <see cref="ReactorOptions.MaxStopDelay"/> is zero, it is set to 4 s, so that Mission Control can have the
+    /// vehicle hold before the program ends.
+    /// </param>
     public RabitReactor CreateReactor(ReactorOptions options)
     {
         if (options is null)
             throw new ArgumentNullException(nameof(options));
         options.Time = Time;
+        if (_options.MayCommand && options.MaxStopDelay == TimeSpan.Zero)
+            options.MaxStopDelay = MaxStopDelay;
         var reactor = new RabitReactor(options);
         foreach (RabitManager manager in Managers())
             reactor.Add(manager);
         if (_health is not null)
             reactor.Add(_health);
+        foreach (AbsentManager absent in AbsentManagers.Of(_options.Without))
+            reactor.Workspace.LeaveOut(absent);
         return reactor;
     }
 

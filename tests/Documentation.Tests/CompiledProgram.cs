@@ -14,9 +14,11 @@ namespace Rabit.Documentation.Tests;
 internal static class CompiledProgram
 {
     // Everything beside the tests: the framework, xunit and the packages.
-    private static readonly Lazy<IReadOnlyList<MetadataReference>> References = new(() =>
+    private static readonly Lazy<IReadOnlyList<MetadataReference>> All = new(() =>
         [.. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
             .Select(f => (MetadataReference)MetadataReference.CreateFromFile(f))]);
+
+    public static IReadOnlyList<MetadataReference> References => All.Value;
 
     /// <summary>Compiles blocks together; one of them may have top-level statements.</summary>
     public static Assembly Compile(params DocumentBlock[] blocks)
@@ -30,7 +32,7 @@ internal static class CompiledProgram
             isProgram ? OutputKind.ConsoleApplication : OutputKind.DynamicallyLinkedLibrary)
             .WithNullableContextOptions(NullableContextOptions.Enable)
             .WithOptimizationLevel(OptimizationLevel.Release);
-        var compilation = CSharpCompilation.Create("document-" + blocks[^1].Line, trees, References.Value, options);
+        var compilation = CSharpCompilation.Create("document-" + blocks[^1].Line, trees, References, options);
 
         string[] faults = [.. compilation.GetDiagnostics()
             .Where(d => d.Severity >= DiagnosticSeverity.Warning && d.Id != "CS1701").Select(d => d.ToString())];

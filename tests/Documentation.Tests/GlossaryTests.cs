@@ -48,7 +48,10 @@ public sealed class GlossaryTests(ITestOutputHelper output)
         (string Term, string File)[] searches = Search.Matches(SourceFiles.Read(Page)).Cast<Match>()
             .Select(m => (m.Groups["term"].Value, m.Groups["file"].Value)).ToArray();
         Assert.InRange(searches.Length, MinBehaviours, int.MaxValue);
+
+        // The simulated vehicle has the autopilots' failsafes and batteries, which is not what is looked for.
         Dictionary<string, string> texts = SourceFiles.Below("src", "*.cs").Concat(SourceFiles.Below("samples", "*.cs"))
+            .Where(f => !f.Contains("Rabit.Uav.Simulation/Autopilot", StringComparison.Ordinal))
             .ToDictionary(f => f, SourceFiles.Read, StringComparer.Ordinal);
 
         string[] misses = searches.Select(s => FindMiss(s.Term, s.File, texts)).OfType<string>().ToArray();

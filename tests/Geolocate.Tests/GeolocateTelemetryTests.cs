@@ -100,7 +100,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
     public void Log_RecordedFlight_LocatesPixelsNearTheVehicle()
     {
         string log = TestData.PathOf("ardupilot-flight.tlog");
-        (double seconds, GeodeticPosition vehicle) = HighestPlace(log);
+        (double seconds, GeodeticPosition vehicle) = PlaceOfMaxHeight(log);
         string request = _run.File("level.json", FormattableString.Invariant(
             $$"""{"groundAltitudeAmslMetres":{{vehicle.AltitudeAmslMetres - 30}},"pixel":[319.5,239.5]}"""));
         Assert.Equal(0, _run.Run(
@@ -185,7 +185,7 @@ public sealed class GeolocateTelemetryTests : IDisposable
                 StampMicroseconds + (long)Math.Round(seconds * 1e6), MavlinkFrame.Create(message, system, 1, 0));
     }
 
-    private static (double Seconds, GeodeticPosition Place) HighestPlace(string log)
+    private static (double Seconds, GeodeticPosition Place) PlaceOfMaxHeight(string log)
     {
         using FileStream file = File.OpenRead(log);
         var reader = new TlogReader(file, MavlinkDialect.All);

@@ -181,7 +181,7 @@ public sealed class GeolocateTests : IDisposable
     [InlineData("\"fx\":530", "\"fx\":-1", "focal length")]
     [InlineData("\"fx\":530", "\"fx\":\"530\"", "camera.fx is \"530\"; it must be a number")]
     [InlineData("distortion", "dist_k1_k2_p1_p2_k3", "it is camera.distortion now")]
-    [InlineData("\"gimbal\":{}", "\"gimbal\":{\"roll_deg\":1}", "camera.mount.gimbal.roll_deg is unknown")]
+    [InlineData("\"gimbal\":{}", "\"gimbal\":{\"roll_deg\":1}", "it is camera.mount.gimbal.misalignmentRollDegrees now")]
     [InlineData(",\"gimbal\":{}", "", "camera.mount.bodyFromCamera is missing")]
     [InlineData("{\"camera\"", "\"camera\"", "it is not JSON")]
     public void BadInput_Camera_NamesFileAndFieldInOneLine(string before, string after, string message)

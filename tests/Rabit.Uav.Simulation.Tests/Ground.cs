@@ -29,6 +29,7 @@ internal sealed class Ground : IDisposable
     public Ground(SimulationOptions? options = null, long timeSeed = 0)
     {
         Options = options ?? new SimulationOptions();
+        Options.IsPrepared = false; // the autopilot as it is by itself
         World = new SimulatedWorld(Options);
         _station = new Station(_pair.B);
         Reactor = new RabitReactor(

@@ -22,7 +22,7 @@ public class ArchitectureTests
     private const string Root = "Rabit.Uav";
 
     // What every manager may use.
-    private static readonly string[] Shared = ["Messages", "CameraGeometry", "Json"];
+    private static readonly string[] Shared = ["Messages", "CameraGeometry", "Json", "Preflight"];
 
     private static readonly string[] Managers =
     [
@@ -93,7 +93,7 @@ public class ArchitectureTests
     {
         _ when from == to || from == "root" || from.Length == 0 => true,
         "Json" => false,
-        "Messages" or "CameraGeometry" => Array.IndexOf(Shared, to) >= 0,
+        "Messages" or "CameraGeometry" or "Preflight" => Array.IndexOf(Shared, to) >= 0,
         _ => Managers.Contains(from, StringComparer.Ordinal) && Shared.Contains(to, StringComparer.Ordinal),
     };
 

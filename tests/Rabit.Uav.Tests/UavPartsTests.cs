@@ -7,73 +7,17 @@ using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Tests.Communications;
+using Rabit.Uav.Tests.HealthMonitoring;
+using Rabit.Uav.Tests.ImageProcessing;
 using Xunit;
 
 namespace Rabit.Uav.Tests;
 
 /// <summary>
-/// Options of the managers through the options of the whole, and managers that are left out or replaced.
+/// Options of the managers through the options of the whole.
 /// </summary>
 public sealed class UavPartsTests
 {
-    [Theory]
-    [InlineData(UavManagers.Communications,
-        "Queue 'outgoing frames' has no receiver, but 'autopilot', 'health' sends to it.")]
-    [InlineData(UavManagers.AutopilotInterface,
-        "subscribes to message 'own address', but|Queue 'autopilot frames' has no receiver|message 'vehicle'")]
-    [InlineData(UavManagers.ImageProcessing,
-        "subscribes to message 'imaging', but|Queue 'poses' has no receiver, but 'autopilot' sends to it.")]
-    [InlineData(UavManagers.SensorFusion, "subscribes to message 'tracks', but|Queue 'target reports' has no receiver")]
-    [InlineData(UavManagers.MissionControl,
-        "subscribes to message 'mission', but|Queue 'vehicle command results' has no receiver, but 'autopilot' sends "
-            + "to it.")]
-    [InlineData(UavManagers.HealthMonitoring, "subscribes to message 'health', but")]
-    public void Without_OneManager_TheWiringNamesWhatIsMissing(UavManagers without, string expected)
-    {
-        UavOptions options = Options();
-        options.Without = without;
-        if (without == UavManagers.Communications)
-            options.OpenLinks = [];
-        using UavSystem uav = UavSystem.Open(options);
-        RabitReactor reactor = uav.CreateReactor(new ReactorOptions { StopsOnSignals = false });
-
-        var fault = Assert.Throws<RabitWiringException>(reactor.Start);
-
-        Assert.All(expected.Split('|'), text => Assert.Contains(text, fault.Message));
-    }
-
-    [Fact]
-    public void Without_TheManagerIsNotThere_AndSaysSo()
-    {
-        UavOptions options = Options();
-        options.Without = UavManagers.ImageProcessing;
-        using UavSystem uav = UavSystem.Open(options);
-
-        var fault = Assert.Throws<InvalidOperationException>(() => uav.ImageProcessing);
-
-        Assert.Equal("ImageProcessing was left out: UavOptions.Without has it.", fault.Message);
-        Assert.NotNull(uav.SensorFusion);
-    }
-
-    [Fact]
-    public void ImageProcessing_ReplacedByTheUsers_RunsInItsPlace()
-    {
-        var own = new OwnImageProcessing();
-        UavOptions options = Options();
-        options.Without = UavManagers.ImageProcessing;
-        options.OtherManagers = [own];
-        using UavSystem uav = UavSystem.Open(options);
-        RabitReactor reactor = uav.CreateReactor(new ReactorOptions { StopsOnSignals = false });
-
-        reactor.Start();
-        reactor.RunFor(TimeSpan.FromSeconds(2));
-        reactor.Stop("the test is over");
-        ReactorResult result = reactor.Finish();
-
-        Assert.Equal(0, result.ExitCode);
-        Assert.True(own.UnitsOfWork > 0);
-    }
-
     [Fact]
     public void Subscriptions_OfBothPlaces_AreServed()
     {
@@ -121,7 +65,23 @@ public sealed class UavPartsTests
         { "one of OtherManagers is null", o => o.OtherManagers = [null!] },
         { "Communications is null", o => o.Communications = null! },
         { "MissionControl is null", o => o.MissionControl = null! },
-        { "Dialect or Subscriptions is null, or that of Communications", o => o.Dialect = null! },
+        { "Dialect is null", o => o.Dialect = null! },
+        { "Subscriptions is null", o => o.Subscriptions = null! },
+        { "Communications.Dialect is null", o => o.Communications.Dialect = null! },
+        { "Autopilot.Dialect is null", o => o.Autopilot.Dialect = null! },
+        { "one of Communications.Subscriptions is null", o => o.Communications.Subscriptions = [null!] },
+        { "ComponentId is 191, but Autopilot.ComponentId is 192; set one of them",
+            o => (o.ComponentId, o.Autopilot.ComponentId) = (191, 192) },
+        { "OpenLinks has link memory:vehicle/a more than once, the same object",
+            o => o.OpenLinks = [o.OpenLinks[0], o.OpenLinks[0]] },
+        { "there is a Detector, but no Camera whose pictures it could search",
+            o => o.Imaging.Detector = new RednessDetector() },
+        { "2 managers are named 'autopilot'", o => o.OtherManagers = [new WorkingManager("autopilot")] },
+        { "vehicle messages are the work of Communications, which Without has", o =>
+        {
+            o.Without = UavManagers.Communications;
+            o.Communications.VehicleMessageRoutes = [null!];
+        } },
         { "the subscription of queue 'a' is for component 0",
             o => o.Subscriptions = [new MavlinkSubscription("a") { ComponentId = 0 }] },
         { "2 subscriptions have queue 'a'",
@@ -138,6 +98,35 @@ public sealed class UavPartsTests
         var fault = Assert.Throws<ArgumentException>(() => UavSystem.Open(options));
 
         Assert.Contains(expected, fault.Message);
+    }
+
+    [Fact]
+    public void Open_FaultsInEveryPlace_NamesThemAll()
+    {
+        UavOptions options = Options();
+        options.OpenLinks = [];
+        options.SystemId = 0;
+        options.OtherManagers = null!;
+        options.Communications.FramesWaitingIn = 0;
+        options.Autopilot.HeartbeatTimeout = TimeSpan.Zero;
+        options.Imaging.FramesWaiting = 0;
+        options.Imaging.Errors = null!;
+        options.Imaging.TargetClasses = default;
+        options.Fusion.MaxTracks = 0;
+        options.MissionControl.MaxGapPasses = 11;
+        options.Health.StatusTextPeriod = TimeSpan.Zero;
+
+        var fault = Assert.Throws<ArgumentException>(() => UavSystem.Open(options));
+
+        string[] expected =
+        [
+            "OtherManagers is null", "A UAV needs at least one link", "SystemId is 0", "Communications: FramesWaiting",
+            "Autopilot Interface: HeartbeatTimeout is 00:00:00", "Image Processing: the mount, the errors",
+            "Image Processing: FramesWaiting is 0", "Image Processing: there is no target class",
+            "Sensor Fusion: MaxTracks is 0", "Mission Control: MaxGapPasses is 11",
+            "Health Monitoring: StatusTextPeriod is 00:00:00",
+        ];
+        Assert.All(expected, text => Assert.Contains(text, fault.Message, StringComparison.Ordinal));
     }
 
     [Fact]
@@ -196,29 +185,4 @@ public sealed class UavPartsTests
         => new() { OpenLinks = [link ?? new MemoryLinkPair("vehicle").A], Time = new VirtualTime(0) };
 
     private static MavlinkDialect Other() => MavlinkDialect.Combine("other", MavlinkDialect.All);
-
-    /// <summary>The least that stands in for Image Processing.</summary>
-    private sealed class OwnImageProcessing : RabitManager
-    {
-        private readonly QueueReceiver<PoseSample> _poses;
-
-        public OwnImageProcessing()
-            : base("own imaging")
-        {
-            _poses = Receive<PoseSample>(MessageNames.Poses, whenFull: QueueFullMode.DropOldest);
-            Publish<ImagingStatus>(MessageNames.Imaging);
-            WakeUpDelay = TimeSpan.FromMilliseconds(100);
-        }
-
-        public int UnitsOfWork { get; private set; }
-
-        protected override void ExecuteUnitOfWork()
-        {
-            while (_poses.TryPop(out _))
-            {
-            }
-
-            UnitsOfWork++;
-        }
-    }
 }

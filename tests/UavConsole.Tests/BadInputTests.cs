@@ -50,8 +50,17 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--link tlog:a --mission a.json --fly",
         "--fly needs a live vehicle: a recorded flight is only replayed. --mission needs a live vehicle")]
     [InlineData("--link tlog:a --camera pictures", "--camera needs a live vehicle")]
-    [InlineData("--link udpin:127.0.0.1:14550 --mission /nowhere/a.json --fly",
+    [InlineData("--link udpin:127.0.0.1:14550 --mission /nowhere/a.json --fly --without-detection",
         "--mission /nowhere/a.json cannot be read: ")]
+    [InlineData("--link udpin:127.0.0.1:14550 --mission a.json --fly",
+        "--fly needs --camera DIR: a search without pictures finds nothing; --without-detection flies all the same.")]
+    [InlineData("--link udpin:127.0.0.1:14550 --mission a.json --fly --camera b --without-detection",
+        "--without-detection does not go with --camera.")]
+    [InlineData("--set-failsafes", "--set-failsafes goes with --mission FILE --fly.")]
+    [InlineData("--link udpin:127.0.0.1:14550 --upload-fence", "--upload-fence goes with --mission FILE --fly.")]
+    [InlineData("--link udpin:127.0.0.1:14550 --override disk", "--override goes with --mission FILE --fly.")]
+    [InlineData("--override FS_GCS", "Overrides has 'FS_GCS', which no line of the pre-flight checklist has")]
+    [InlineData("--return-if-abandoned a.json", "--return-if-abandoned needs --link URL of a live vehicle.")]
     [InlineData("--sign-key /nowhere/key", "Signing key /nowhere/key: ")]
     [InlineData("--link udpin:127.0.0.1:14550 --trust-link 0", "--trust-link needs --sign-key FILE")]
     [InlineData("--link tlog:a --sign-key key", "--sign-key needs a live vehicle")]
@@ -147,7 +156,8 @@ public sealed class BadInputTests : IDisposable
 
         AssertRefused(
             "--truth /nowhere/t.json cannot be read: ",
-            "--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--mission", mission, "--fly", "--truth", "/nowhere/t.json");
+            "--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--mission", mission, "--fly",
+            "--without-detection", "--truth", "/nowhere/t.json");
     }
 
     [Fact]

@@ -27,13 +27,15 @@ internal sealed class ConsoleProcess : IDisposable
     private int _openStreams = 2;
 
     private ConsoleProcess(IEnumerable<string> arguments, string? workingFolder = null)
+        : this(IsMono ? "mono" : "dotnet", Line(arguments), workingFolder)
     {
-        IEnumerable<string> all = new[] { Path.Combine(Folder, IsMono ? "UavConsole.exe" : "UavConsole.dll") }
-            .Concat(arguments);
+    }
+
+    private ConsoleProcess(string program, string line, string? workingFolder)
+    {
         _process = new Process
         {
-            StartInfo = new ProcessStartInfo(
-                IsMono ? "mono" : "dotnet", string.Join(" ", all.Select(a => "\"" + a + "\"")))
+            StartInfo = new ProcessStartInfo(program, line)
             {
                 UseShellExecute = false,
                 WorkingDirectory = workingFolder ?? string.Empty,
@@ -86,6 +88,20 @@ internal sealed class ConsoleProcess : IDisposable
         exitCode = process.WaitForEnd();
         return process;
     }
+
+    /// <summary>Starts it in a folder by the shell, with its output redirected, and waits for its end.</summary>
+    public static int RunInShell(string workingFolder, string redirection, out string errors, params string[] arguments)
+    {
+        string line = $"{(IsMono ? "mono" : "dotnet")} {Line(arguments)} {redirection}";
+        using var process = new ConsoleProcess("sh", $"-c \"{line.Replace("\"", "\\\"")}\"", workingFolder);
+        int exitCode = process.WaitForEnd();
+        errors = string.Join("\n", process.Errors);
+        return exitCode;
+    }
+
+    private static string Line(IEnumerable<string> arguments)
+        => string.Join(" ", new[] { Path.Combine(Folder, IsMono ? "UavConsole.exe" : "UavConsole.dll") }
+            .Concat(arguments).Select(a => "\"" + a + "\""));
 
     /// <summary>Waits for a line that holds a text.</summary>
     public string WaitFor(string text)

@@ -22,7 +22,7 @@ public sealed class SimulatedMissionTests : IDisposable
         Assert.True(exitCode == 0, console.ToString());
         Assert.Empty(console.Errors);
         Assert.Contains("mission search of a meadow: ACCOMPLISHED", console.Output);
-        string report = Path.Combine(_folder.Folder, "mission-report.html");
+        string report = Directory.GetFiles(_folder.Folder, "search-of-a-meadow-*-report.html").Single();
         Assert.Contains("report: " + report, console.Output);
         string page = File.ReadAllText(report);
         Assert.InRange(page.Length, 100_000, 2_000_000);
@@ -50,6 +50,37 @@ public sealed class SimulatedMissionTests : IDisposable
         Assert.Contains("Mission failed", File.ReadAllText(InFolder("cut.html")));
     }
 
+    [Fact]
+    public void Files_ThatAreThere_AreKeptUnderTheirDate()
+    {
+        File.WriteAllText(InFolder("s.json"), "the last flight");
+        File.WriteAllText(InFolder("r.html"), "its report");
+        using ConsoleProcess console = ConsoleProcess.RunIn(
+            _folder.Folder, out int _, "--targets", "0", "--summary", "s.json", "--report", "r.html");
+        string kept = Assert.Single(Directory.GetFiles(_folder.Folder, "s.2*.json"));
+        Assert.Equal("the last flight", File.ReadAllText(kept));
+        Assert.Equal("its report", File.ReadAllText(Assert.Single(Directory.GetFiles(_folder.Folder, "r.2*.html"))));
+        Assert.Contains("\"phases\"", File.ReadAllText(InFolder("s.json")));
+    }
+
+    // A full disk: the flight goes on to its end, and what can be written is complete.
+    [Theory]
+    [InlineData("> /dev/full")]
+    [InlineData(">&-")]
+    [InlineData("> /dev/full 2> /dev/full")]
+    public void Output_CannotBeWritten_FlightGoesOnAndItsFilesAreComplete(string redirection)
+    {
+        int exitCode = ConsoleProcess.RunInShell(
+            _folder.Folder, redirection, out string errors, "--headless", "--targets", "0", "--summary", "s.json",
+            "--report", "r.html");
+        using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(InFolder("s.json")));
+        Assert.EndsWith("</html>", File.ReadAllText(InFolder("r.html")).TrimEnd());
+        if (redirection == "> /dev/full")
+            Assert.Contains("standard output: ", errors);
+        Assert.NotEqual(134, exitCode);
+        Assert.DoesNotContain("Unhandled", errors);
+    }
+
     [Theory]
     [InlineData("{", "it is not JSON")]
     [InlineData("""{"name":"x"}""", "area")]
@@ -62,7 +93,7 @@ public sealed class SimulatedMissionTests : IDisposable
         string line = Assert.Single(console.Errors);
         Assert.StartsWith("UavConsole: --mission bad.json: ", line, StringComparison.Ordinal);
         Assert.Contains(expected, line);
-        Assert.False(File.Exists(InFolder("mission-report.html")), "It leaves a report behind.");
+        Assert.Empty(Directory.GetFiles(_folder.Folder, "*-report.html"));
     }
 
     [Fact]

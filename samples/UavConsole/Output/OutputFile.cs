@@ -8,12 +8,13 @@ using Rabit.Uav.Communications;
 namespace UavConsole;
 
 /// <summary>
-/// A file that a run writes. Opened before the run, so that a wrong path shows at once and not after the flight.
+/// A file that a run writes. Opened before the run, so that a wrong path shows at once and not after the flight. What
+/// was there before is kept beside it, under its date.
 /// </summary>
 internal sealed class OutputFile : IDisposable
 {
     private readonly string _option;
-    private readonly FileStream _stream;
+    private FileStream _stream;
     private bool _hasBegun;
 
     private OutputFile(string option, string path, FileStream stream)
@@ -59,25 +60,36 @@ internal sealed class OutputFile : IDisposable
         }
     }
 
-    /// <summary>Writes what comes next; the first time it takes the place of what was there before.</summary>
+    /// <summary>
+    /// Writes what comes next; the first time, what was there before moves aside: NAME.20261122-143000.EXT by the time
+    /// of its last change.
+    /// </summary>
     /// <exception cref="ArgumentException">It cannot be written.</exception>
     public void Write(byte[] content)
     {
         try
         {
             if (!_hasBegun && _stream.CanSeek && _stream.Length > 0)
-                _stream.SetLength(0);
+                KeepTheOldOne();
             _hasBegun = true;
             _stream.Write(content, 0, content.Length);
             _stream.Flush();
         }
-        catch (IOException e)
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ObjectDisposedException)
         {
             throw CannotWrite(_option, Path, e);
         }
     }
 
     public void Dispose() => _stream.Dispose();
+
+    private void KeepTheOldOne()
+    {
+        _stream.Dispose();
+        DatedFile.Keep(Path);
+        _stream = new FileStream(
+            Path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite, bufferSize: 1);
+    }
 
     // By a link of either kind the log may have a second name; no portable call shows it, but its content does.
     private static bool IsSameFile(FileStream output, string log)

@@ -18,6 +18,7 @@ internal sealed class RunLog(OutputFile? file = null)
     private readonly object _gate = new();   // guards all below, and the file
     private readonly Queue<RabitLogEntry> _entries = new();
     private string? _failure;
+    private string? _viewLoss;
 
     /// <summary>What the report shows.</summary>
     public FlightLog Flight { get; } = new();
@@ -30,6 +31,23 @@ internal sealed class RunLog(OutputFile? file = null)
             lock (_gate)
                 return _failure;
         }
+    }
+
+    /// <summary>Why the view ended before the flight; null where it did not.</summary>
+    public string? ViewLoss
+    {
+        get
+        {
+            lock (_gate)
+                return _viewLoss;
+        }
+    }
+
+    /// <summary>The view ended before the flight.</summary>
+    public void NoteViewLost(string why)
+    {
+        lock (_gate)
+            _viewLoss = "the screen was lost in the flight: " + why;
     }
 
     public void Add(RabitLogEntry entry)

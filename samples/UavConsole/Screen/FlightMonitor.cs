@@ -17,8 +17,10 @@ internal sealed class FlightMonitor
     private readonly FlightRecorderManager _recorder;
     private readonly Stopwatch _wall = new();
     private readonly MessageSubscriber<VehicleState> _vehicle;
+    private readonly MessageSubscriber<MissionStatus> _mission;
     private readonly MessageSubscriber<HealthReport> _health;
     private readonly MessageSubscriber<RecentItems<StatusText>> _texts;
+    private readonly MessageSubscriber<PreflightReport> _preflight;
     private readonly List<MessageSubscriber<LinkStatus>> _links;
     private readonly List<MessageSubscriber<ManagerStatus>> _managers;
 
@@ -31,8 +33,10 @@ internal sealed class FlightMonitor
         _recorder = recorder;
         RabitWorkspace workspace = reactor.Workspace;
         _vehicle = workspace.Subscribe<VehicleState>(MessageNames.VehicleState);
+        _mission = workspace.Subscribe<MissionStatus>(MessageNames.Mission);
         _health = workspace.Subscribe<HealthReport>(MessageNames.Health);
         _texts = workspace.Subscribe<RecentItems<StatusText>>(MessageNames.StatusTexts);
+        _preflight = workspace.Subscribe<PreflightReport>(MessageNames.Preflight);
         _links = Enumerable.Range(0, linkCount)
             .Select(n => workspace.Subscribe<LinkStatus>(MessageNames.LinkStatus(n))).ToList();
         ManagerNames = reactor.Select(m => m.Name).ToList();
@@ -45,11 +49,16 @@ internal sealed class FlightMonitor
 
     public HealthReport Health { get; private set; }
 
+    public PreflightReport Preflight { get; private set; } = PreflightReport.None;
+
     public IReadOnlyCollection<StatusText> Texts { get; private set; } = [];
 
     public IReadOnlyList<LinkStatus> Links { get; private set; } = [];
 
     public IReadOnlyList<ManagerStatus> Managers { get; private set; } = [];
+
+    /// <summary>Called with what the recorder has kept, at each refresh.</summary>
+    public Action<FlightRecord> Refreshed { get; init; } = _ => { };
 
     /// <summary>What the recorder has kept.</summary>
     public FlightRecord Record { get; private set; } = FlightRecord.Empty;
@@ -85,12 +94,14 @@ internal sealed class FlightMonitor
             return;
         if (!_wall.IsRunning)
             _wall.Start();
-        Record = _recorder.Record;
         Vehicle = Latest(_vehicle);
+        Record = _recorder.Record.WithLatest(Latest(_mission), Vehicle);
         Health = Latest(_health);
         Texts = Latest(_texts);
+        Preflight = Latest(_preflight) ?? PreflightReport.None;
         Links = _links.ConvertAll(Latest);
         Managers = _managers.ConvertAll(Latest);
+        Refreshed(Record);
     }
 
     private static T Latest<T>(MessageSubscriber<T> subscriber)

@@ -13,6 +13,7 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMi
     private static readonly TimeSpan RefreshPeriod = TimeSpan.FromMilliseconds(100);
     private const int RefreshesPerLine = 50;
 
+    private readonly PreflightPrinter _preflight = new(Console.WriteLine);
     private HealthReport _lastHealth;
     private StatusText? _lastText;
 
@@ -39,6 +40,7 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMi
     {
         foreach (RabitLogEntry entry in log.TakeAll())
             Console.WriteLine(entry);
+        _preflight.Show(monitor.Preflight);
 
         HealthReport health = monitor.Health;
         if (health.Level != _lastHealth.Level || health.Reasons != _lastHealth.Reasons

@@ -122,13 +122,14 @@ public sealed class HtmlReport
                     ? "no false track"
                     : $"{FlightText.Number(score.FalseTracks.Count)} false");
             Tile(
-                "position error", $"{FlightText.Number(score.RmseMetres, "0.00")} m",
+                "position error",
+                double.IsNaN(score.RmseMetres) ? "none" : $"{FlightText.Number(score.RmseMetres, "0.00")} m",
                 $"RMS; {FlightText.Number(score.InEllipse)} of {FlightText.Number(score.Found)} in their ellipse");
         }
 
         Tile(
             "area covered", $"{FlightText.Number(mission.CoveragePercent, "0.0")} %",
-            $"{FlightText.Number(mission.LanesFlown)} lanes flown");
+            mission.LanesFlown == 1 ? "1 lane flown" : $"{FlightText.Number(mission.LanesFlown)} lanes flown");
         Tile("path flown", $"{FlightText.Number(mission.FlownMetres, "0")} m", mission.OutsideFenceMetres > 0
             ? $"{FlightText.Number(mission.OutsideFenceMetres, "0.0")} m outside the fence"
             : "inside the fence");

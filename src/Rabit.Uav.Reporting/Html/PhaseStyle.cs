@@ -16,6 +16,7 @@ internal static class PhaseStyle
         MissionPhase.InTransit => "p-transit",
         MissionPhase.Searching => "p-search",
         MissionPhase.Revisiting => "p-revisit",
+        MissionPhase.Holding => "p-handed",
         MissionPhase.Returning => "p-return",
         MissionPhase.Landing => "p-land",
         MissionPhase.HandedOver => "p-handed",

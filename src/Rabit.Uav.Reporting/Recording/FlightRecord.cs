@@ -15,6 +15,10 @@ namespace Rabit.Uav.Reporting;
 /// </example>
 public sealed class FlightRecord
 {
+    private IReadOnlyList<PhaseChange> _phases = [];
+    private MissionStatus _mission;
+    private VehicleState _vehicle;
+
     /// <summary>Nothing yet.</summary>
     public static FlightRecord Empty { get; } = new();
 
@@ -28,7 +32,11 @@ public sealed class FlightRecord
     public IReadOnlyList<ImageChip> Pictures { get; init; } = [];
 
     /// <summary>Changes of the mission's phase, oldest first.</summary>
-    public IReadOnlyList<PhaseChange> Phases { get; init; } = [];
+    public IReadOnlyList<PhaseChange> Phases
+    {
+        get => _phases;
+        init => _phases = value;
+    }
 
     /// <summary>Changes of the health report, oldest first.</summary>
     public IReadOnlyList<HealthChange> HealthChanges { get; init; } = [];
@@ -43,10 +51,18 @@ public sealed class FlightRecord
     public AutopilotStatistics Autopilot { get; init; }
 
     /// <summary>As last posted.</summary>
-    public VehicleState Vehicle { get; init; }
+    public VehicleState Vehicle
+    {
+        get => _vehicle;
+        init => _vehicle = value;
+    }
 
     /// <summary>As last posted.</summary>
-    public MissionStatus Mission { get; init; }
+    public MissionStatus Mission
+    {
+        get => _mission;
+        init => _mission = value;
+    }
 
     /// <summary>As last posted.</summary>
     public HealthReport Health { get; init; }
@@ -73,4 +89,21 @@ public sealed class FlightRecord
     /// The remaining charge of the battery when it was first reported, 0 to 1; NaN where it never was.
     /// </summary>
     public double FirstBatteryRemaining { get; init; } = double.NaN;
+
+    /// <summary>
+    /// The record with what was posted after the recorder's last unit of work: Mission Control posts its last status at
+    /// its shutdown.
+    /// </summary>
+    /// <param name="mission">The status of the mission, which may also be that of the record.</param>
+    /// <param name="vehicle">The state of the vehicle, which may also be that of the record.</param>
+    public FlightRecord WithLatest(in MissionStatus mission, in VehicleState vehicle)
+    {
+        var record = (FlightRecord)MemberwiseClone();
+        record._mission = mission;
+        record._vehicle = vehicle;
+        bool isNewPhase = mission.Phase != Mission.Phase || mission.Since != Mission.Since;
+        if (isNewPhase)
+            record._phases = [.. Phases, new PhaseChange(mission.Since, mission.Phase, mission.Text)];
+        return record;
+    }
 }

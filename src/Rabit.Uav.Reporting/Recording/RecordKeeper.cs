@@ -20,6 +20,9 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
     private const int MaxManagerSamples = 2_000;
     private const int MaxChanges = 2_000;
 
+    // Positions come several times a second.
+    private static readonly TimeSpan MaxPositionAge = TimeSpan.FromSeconds(2);
+
     private readonly object _gate = new();   // guards all below
     private readonly DecimatedSeries<FlightSample> _samples = new(MaxSamples);
     private readonly DecimatedSeries<CameraObservation> _observations = new(MaxObservations);
@@ -56,7 +59,7 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
         {
             TimeSpan step = now - (_last ?? now);
             _last = now;
-            AddUp(step, vehicle);
+            AddUp(now, step, vehicle);
             NoteChanges(now, mission, health);
             if (imaging.Observations != _imaging.Observations)
                 _observations.Add(imaging.LastObservation);
@@ -116,14 +119,17 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
     }
 
     // Speed over time, not place to place: the noise of a receiver would make a hovering vehicle travel.
-    private void AddUp(TimeSpan step, in VehicleState vehicle)
+    // Not while nothing is received: the last velocity says nothing then.
+    private void AddUp(TimeSpan now, TimeSpan step, in VehicleState vehicle)
     {
         if (double.IsNaN(_firstBattery) && vehicle.BatteryTime is not null)
             _firstBattery = vehicle.BatteryRemaining;
-        if (!vehicle.IsArmed || vehicle.PositionTime is null)
+        if (!vehicle.IsArmed)
+            return;
+        _armedTime += step;
+        if (!vehicle.IsConnected || !(now - vehicle.PositionTime <= MaxPositionAge))
             return;
         NedVector v = vehicle.VelocityNed;
-        _armedTime += step;
         _flownMetres += Math.Sqrt((v.North * v.North) + (v.East * v.East) + (v.Down * v.Down)) * step.TotalSeconds;
         _maxHeight = Math.Max(_maxHeight, vehicle.HeightAboveHomeMetres);
     }

@@ -66,6 +66,7 @@ public static class FlightText
         MissionPhase.InTransit => "transit",
         MissionPhase.Searching => "searching",
         MissionPhase.Revisiting => "revisit",
+        MissionPhase.Holding => "holding",
         MissionPhase.Returning => "returning",
         MissionPhase.Landing => "landing",
         MissionPhase.Done => "done",

@@ -34,6 +34,7 @@ public sealed class MissionSummary
         Phase = mission.Phase;
         Text = mission.Text;
         Aborted = mission.Aborted;
+        StopResult = mission.StopResult;
         CoveragePercent = mission.Coverage * 100;
         LanesFlown = mission.LanesFlown;
         Revisits = mission.Revisits;
@@ -61,6 +62,9 @@ public sealed class MissionSummary
 
     /// <summary>Why the search was given up before its end; null where it was not.</summary>
     public string? Aborted { get; }
+
+    /// <summary>What became of the vehicle when the program was stopped while we commanded it.</summary>
+    public MissionStopResult StopResult { get; }
 
     /// <summary>The part of the area that was searched, 0 to 100.</summary>
     public double CoveragePercent { get; }
@@ -114,6 +118,8 @@ public sealed class MissionSummary
         MissionResult result = record.Mission.Result;
         if (Score is null && (result.Failures & MissionFailures.GivenUp) != 0)
             yield return "the search was given up before its end: " + Aborted;
+        if ((result.Failures & MissionFailures.TakenOver) != 0)
+            yield return record.Mission.TakenOver ?? "the mission was taken over";
         if (!result.HasFlown)
             yield return "it did not fly" + (Text is { } why ? $" ({why})" : string.Empty);
         else if (!HasLanded)

@@ -39,6 +39,7 @@ internal static class MissionSummaryJson
         json.WriteEndArray();
         json.WriteString("phase", mission.Phase.ToString());
         json.WriteString("aborted", mission.Aborted);
+        json.WriteString("stopResult", mission.StopResult.ToString());
         WriteNumber(json, "coveragePercent", mission.CoveragePercent);
         WriteNumber(json, "pathMetres", mission.FlownMetres);
         WriteNumber(json, "flightTimeSeconds", mission.FlightTime.TotalSeconds);

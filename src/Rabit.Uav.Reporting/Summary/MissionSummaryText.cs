@@ -20,17 +20,32 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
         else
             WriteTracks();
         WriteFlight();
-        Line($"mission {mission.Plan?.Name ?? "without a plan"}: {(mission.HasPassed ? "ACCOMPLISHED" : "FAILED")}");
+        string title = mission.Plan is { } plan ? $"mission {plan.Name}" : "mission not started" + WaitedFor();
+        Line($"{title}: {(mission.HasPassed ? "ACCOMPLISHED" : "FAILED")}");
         foreach (string failure in mission.Failures)
             Line("  failed: " + failure);
         if (mission is { Aborted: { } why, Score: not null })
             Line("  given up before its end: " + why);
     }
 
+    // Mission Control plans when the vehicle is ready; before that its text says what it waits for, or has waited for.
+    private string WaitedFor() => mission.Text is { } text ? $" ({text})" : string.Empty;
+
+    private string? StopText() => mission.StopResult switch
+    {
+        MissionStopResult.Held => "it holds its position, accepted by the autopilot",
+        MissionStopResult.Returning => "it returns to launch, accepted by the autopilot",
+        MissionStopResult.NotVerified or MissionStopResult.InProgress =>
+            "IN THE AIR, and whether it holds or returns is NOT KNOWN",
+        _ => null,
+    };
+
     private void WriteFlight()
     {
         Line("phase at the end: "
             + $"{FlightText.Phase(mission.Phase)}{(mission.Text is { } text ? ", " + text : string.Empty)}");
+        if (StopText() is { } stop)
+            Line("vehicle at the stop of the program: " + stop);
         Line(string.Format(
             CultureInfo.InvariantCulture,
             "coverage {0} %, path {1} m, time {2} s, battery used {3} %, landed {4}",
@@ -45,8 +60,10 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
     {
         Line($"targets: {FlightText.Number(score.Found)} of {FlightText.Number(score.Targets.Count)} found, "
             + $"{FlightText.Number(score.FalseTracks.Count)} false; "
-            + $"error {FlightText.Number(score.RmseMetres, "0.00")} m RMS; {FlightText.Number(score.InEllipse)} in "
-            + "their 95 % ellipse");
+            + (double.IsNaN(score.RmseMetres)
+                ? string.Empty
+                : $"error {FlightText.Number(score.RmseMetres, "0.00")} m RMS; ")
+            + $"{FlightText.Number(score.InEllipse)} in their 95 % ellipse");
         foreach (TargetScore target in score.Targets)
         {
             string name = $"  {target.Name,-8} {TargetClassNames.Name(target.Class),-8} ";

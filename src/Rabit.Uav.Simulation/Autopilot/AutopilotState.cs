@@ -19,6 +19,12 @@ internal struct AutopilotState
 
     public bool HasPosition;
 
+    /// <summary>Whether the GPS has a fix.</summary>
+    public bool HasGps;
+
+    /// <summary>How far what the GPS says is off to the north, metres.</summary>
+    public double GpsErrorNorth;
+
     /// <summary>Metres in the world.</summary>
     public NedVector Position;
 

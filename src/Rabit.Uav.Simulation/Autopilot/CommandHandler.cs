@@ -9,12 +9,18 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 internal sealed class CommandHandler(
     FlightController controller, TargetReader targets, StreamSchedule streams, TelemetrySender telemetry, Gimbal gimbal,
-    IFrameSink sink)
+    IFrameSink sink, Action<MavSeverity, string> say)
 {
     // "Force": MAVLink common.xml, MAV_CMD_COMPONENT_ARM_DISARM, param 2; ArduPilot takes 2989 for arming as well.
     private const float ForceMagic = 21196;
     private const float ForceArmMagic = 2989;
+
+    // MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, param 6, to reboot an armed vehicle.
+    private const float ForceRebootMagic = 20190226;
     private const float MaxNumber = 1 << 24;   // message ids have 24 bits
+
+    /// <summary>Whether a reboot was accepted.</summary>
+    public bool WantsReboot { get; private set; }
 
     public void Handle(in CommandLong message, Sender sender)
     {
@@ -32,7 +38,9 @@ internal sealed class CommandHandler(
         // A place in floats is too coarse: what needs one comes as COMMAND_INT.
         MavResult result = message.Command == MavCmd.DoReposition
             ? MavResult.Unsupported
-            : Execute(command);
+            : message.Command == MavCmd.PreflightRebootShutdown
+                ? Reboot(message.Param1, message.Param6)
+                : Execute(command);
         Acknowledge(message.Command, result, sender);
     }
 
@@ -58,6 +66,7 @@ internal sealed class CommandHandler(
             case MavCmd.ComponentArmDisarm: return ArmOrDisarm(command.Param1, command.Param2);
             case MavCmd.DoSetMode:
                 return SetModeTo((MavModeFlag)WholeNumber(command.Param1), WholeNumber(command.Param2));
+            case MavCmd.DoFenceEnable: return EnableFence(command.Param1);
             case MavCmd.NavTakeoff: return Result(controller.TryTakeOff(command.Z));
             case MavCmd.NavReturnToLaunch: return Result(controller.TrySetMode((uint)CopterMode.Rtl));
             case MavCmd.NavLand: return Result(controller.TrySetMode((uint)CopterMode.Land));
@@ -78,7 +87,7 @@ internal sealed class CommandHandler(
         switch (command.Command)
         {
             case MavCmd.SetMessageInterval:
-                return streams.Set(messageId, command.Param2, controller.Situation.Time);
+                return SetInterval(messageId, command.Param2);
             case MavCmd.GetMessageInterval:
                 sink.Send(
                     new MessageInterval { MessageId = (ushort)messageId, IntervalUs = streams.IntervalOf(messageId) });
@@ -92,6 +101,32 @@ internal sealed class CommandHandler(
             default:
                 return MavResult.Unsupported;
         }
+    }
+
+    private MavResult SetInterval(int messageId, float microseconds)
+    {
+        if (!TelemetrySender.IsKnown(messageId))
+            say(MavSeverity.Info, FormattableString.Invariant($"No ap_message for mavlink id ({messageId})"));
+        return streams.Set(messageId, microseconds, controller.Situation.Time);
+    }
+
+    private MavResult EnableFence(float enables)
+    {
+        if (!enables.Equals(0f) && !enables.Equals(1f))
+            return MavResult.Failed;
+        controller.Situation.Parameters.Fence.Enable.Set(enables);
+        return MavResult.Accepted;
+    }
+
+    // 1: the autopilot, 3: and stays in its boot loader, which is not simulated; armed only by force.
+    private MavResult Reboot(float what, float magic)
+    {
+        if (!what.Equals(1f) && !what.Equals(3f))
+            return MavResult.Unsupported;
+        if (controller.IsArmed && !magic.Equals(ForceRebootMagic))
+            return MavResult.Failed;
+        WantsReboot = true;
+        return MavResult.Accepted;
     }
 
     private MavResult RequestMessage(int messageId)
@@ -123,8 +158,12 @@ internal sealed class CommandHandler(
             return MavResult.Denied;
         if (!targets.TryReadPlace(command.Frame, command.X, command.Y, command.Z, out NedVector place))
             return MavResult.Denied;
-        if (!controller.IsGuided && !controller.TrySetMode((uint)CopterMode.Guided))
+        if (!controller.Failsafes.Fence.Accepts(place)
+            || (!controller.IsGuided && !controller.TrySetMode((uint)CopterMode.Guided)))
+        {
             return MavResult.Failed;
+        }
+
         controller.Guided.GoTo(controller.Situation, place, HeadingTarget.None);
         return MavResult.Accepted;
     }

@@ -1,3 +1,4 @@
+using System;
 using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
@@ -5,13 +6,34 @@ namespace Rabit.Uav.Simulation;
 /// <summary>Flight modes of ArduCopter that the simulation knows, and what is true of them.</summary>
 internal static class CopterModes
 {
-    public static bool IsKnown(uint number)
-        => (CopterMode)number is CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Auto
-            or CopterMode.Guided or CopterMode.Loiter or CopterMode.Rtl or CopterMode.Land or CopterMode.Poshold
-            or CopterMode.Brake;
+    private static readonly CopterMode[] Known =
+        [CopterMode.Stabilize, CopterMode.AltHold, CopterMode.Auto, CopterMode.Guided, CopterMode.Loiter,
+            CopterMode.Rtl, CopterMode.Land, CopterMode.Poshold, CopterMode.Brake];
+
+    public static bool IsKnown(uint number) => Array.IndexOf(Known, (CopterMode)number) >= 0;
+
+    /// <summary>By the name that the autopilot's texts have, in any case.</summary>
+    public static bool TryFind(string name, out CopterMode mode)
+    {
+        foreach (CopterMode candidate in Known)
+        {
+            if (!string.Equals(name, NameOf(candidate), StringComparison.OrdinalIgnoreCase))
+                continue;
+            mode = candidate;
+            return true;
+        }
+
+        mode = default;
+        return false;
+    }
 
     public static bool NeedsPosition(CopterMode mode)
         => mode is not (CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Land);
+
+    /// <summary>Whether the pilot's sticks fly it, so that it goes on without a ground station.</summary>
+    public static bool IsFlownByPilot(CopterMode mode)
+        => mode is CopterMode.Stabilize or CopterMode.AltHold or CopterMode.Loiter or CopterMode.Poshold
+            or CopterMode.Brake;
 
     /// <summary>Whether a ground station may arm in it.</summary>
     public static bool IsArmable(CopterMode mode)

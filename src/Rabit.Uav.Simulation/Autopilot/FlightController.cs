@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
@@ -9,26 +10,31 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 internal sealed class FlightController
 {
-    private const double GroundSeconds = 2;   // of contact, until it counts as landed
-    private static readonly TimeSpan PreArmCheckPeriod = TimeSpan.FromSeconds(1);
-    private static readonly TimeSpan PreArmEvery = TimeSpan.FromSeconds(30);
+    // After its first heartbeat: ap-fence-reboot in tests/data/autopilots.
+    private static readonly TimeSpan InitialisationTime = TimeSpan.FromSeconds(1.4);
 
     private readonly Action<MavSeverity, string> _say;
     private readonly HoldFlight _hold = new();
     private readonly LandFlight _land = new();
     private readonly ReturnFlight _return = new();
+    private readonly LandingDetector _landing = new();
+    private readonly ArmingChecks _checks;
+    private readonly TimeSpan _initialisedAt;
     private FlightMode _flight;
-    private double _contactSeconds;
     private TimeSpan _idleSince;
-    private TimeSpan _nextPreArm = PreArmCheckPeriod;
 
     /// <param name="parameters">Read as it flies.</param>
     /// <param name="say">Takes the status texts.</param>
-    public FlightController(ParameterStore parameters, Action<MavSeverity, string> say)
+    /// <param name="startTime">When its first heartbeat is due after a reboot; null: it has been on for long.</param>
+    public FlightController(ParameterStore parameters, Action<MavSeverity, string> say, TimeSpan? startTime = null)
     {
         _say = say;
+        _initialisedAt = startTime is { } start ? start + InitialisationTime : TimeSpan.Zero;
+        StartTime = startTime ?? TimeSpan.Zero;
         Situation = new FlightSituation(parameters);
         Failsafes = new Failsafes(parameters, this, say);
+        Switch = new ModeSwitch(parameters, this);
+        _checks = new ArmingChecks(this, say);
         _flight = _hold;
     }
 
@@ -42,17 +48,37 @@ internal sealed class FlightController
 
     public bool IsArmed { get; private set; }
 
-    public bool HasPosition { get; set; }
+    public ModeSwitch Switch { get; }
+
+    /// <summary>By the clock of the run; zero where it was on before.</summary>
+    public TimeSpan StartTime { get; }
+
+    /// <summary>Whether it has known where it is since its start.</summary>
+    public bool HasOrigin { get; set; }
+
+    /// <summary>Whether it knows where it is now.</summary>
+    public bool HasPosition => HasOrigin && !Failsafes.Estimator.IsOn;
+
+    /// <summary>Whether the checks before arming have passed.</summary>
+    public bool IsReadyToArm => _checks.HasPassed;
 
     public bool IsGuided => Mode == CopterMode.Guided;
 
-    public double BatteryVolts { get; set; }
+    /// <summary>Where RTL flies to now; null in other modes and while it lands.</summary>
+    public NedVector? ReturnTarget => Mode == CopterMode.Rtl ? _return.Target : null;
+
+    public bool IsLanding => _flight.IsLanding;
 
     /// <summary>Called when it has armed: home is where it is, and HOME_POSITION is sent.</summary>
     public Action? Armed { get; set; }
 
+    /// <summary>Called when the mode has changed: the heartbeat is sent at once.</summary>
+    public Action? ModeChanged { get; set; }
+
     public MavState Status
-        => IsArmed && Failsafes.IsAnyOn ? MavState.Critical : Situation.IsLanded ? MavState.Standby : MavState.Active;
+        => Situation.Time < _initialisedAt ? MavState.Boot
+            : Failsafes.IsAnyOn ? MavState.Critical
+            : Situation.IsLanded ? MavState.Standby : MavState.Active;
 
     public MavLandedState LandedState
     {
@@ -93,20 +119,33 @@ internal sealed class FlightController
         return true;
     }
 
+    /// <summary>LAND, with the pause before the descent that a failsafe leaves.</summary>
+    public void LandAfterPause()
+    {
+        if (Mode == CopterMode.Land)
+            return;
+        _land.PausesFirst = true;
+        TrySetMode((uint)CopterMode.Land);
+        _land.PausesFirst = false;
+    }
+
+    /// <summary>After a reset in flight: armed and in the air as before, in the mode of the start.</summary>
+    public void StayArmed(FlightController before)
+    {
+        IsArmed = before.IsArmed;
+        Situation.CopyFrom(before.Situation);
+        _idleSince = Situation.Time;
+        _flight.Enter(Situation);
+    }
+
     public bool TryArm(bool isForced)
     {
         if (IsArmed)
             return true;
-        string? refusal = FindReasonNotToArm(isForced, checksMode: true);
-        if (refusal is not null)
-        {
-            _say(MavSeverity.Critical, "Arm: " + refusal);
+        if (!_checks.Check(isForced))
             return false;
-        }
-
         IsArmed = true;
         _idleSince = Situation.Time;
-        Failsafes.Reset();
         _flight.Enter(Situation);
         Armed?.Invoke();
         _say(MavSeverity.Info, "Arming motors");
@@ -133,13 +172,16 @@ internal sealed class FlightController
     }
 
     /// <summary>The command for the next step.</summary>
-    public MotionCommand Step()
+    public MotionCommand Step(in VehicleSenses senses)
     {
         FlightSituation situation = Situation;
-        Failsafes.Step();
+        Failsafes.Step(
+            senses, senses.IsRadioReceived || Switch.IsOverridden(senses.Time), situation.StepSeconds);
+        Switch.Step(senses);
+        situation.HasPosition = HasPosition;
         if (!IsArmed)
         {
-            SayPreArm();
+            _checks.Step();
             if (situation.TouchesGround)
                 situation.IsLanded = true;
             return new MotionCommand { Motors = MotorState.Off, Yaw = double.NaN };
@@ -153,7 +195,7 @@ internal sealed class FlightController
             Yaw = double.NaN,
         };
         _flight.Fly(situation, ref command);
-        CheckGroundContact(command);
+        _landing.Step(situation, command);
         DisarmWhereDone();
         return command;
     }
@@ -169,21 +211,8 @@ internal sealed class FlightController
             _ => _hold,
         };
         _flight.Enter(Situation);
-    }
-
-    private void CheckGroundContact(in MotionCommand command)
-    {
-        FlightSituation situation = Situation;
-        if (command.Motors == MotorState.Flying && command.Velocity.Down < 0)
-        {
-            situation.IsLanded = false;
-            _contactSeconds = 0;
-        }
-        else if (!situation.IsLanded)
-        {
-            _contactSeconds = situation.TouchesGround ? _contactSeconds + situation.StepSeconds : 0;
-            situation.IsLanded = _contactSeconds >= GroundSeconds;
-        }
+        Failsafes.Fence.ReportModeChange();
+        ModeChanged?.Invoke();
     }
 
     private void DisarmWhereDone()
@@ -197,41 +226,14 @@ internal sealed class FlightController
         // Landed by itself, or forgotten on the ground.
         double delay = Situation.Parameters.DisarmDelay.Value;
         bool isForgotten = delay > 0 && !_flight.IsTakingOff && (Situation.Time - _idleSince).TotalSeconds >= delay;
-        if (_flight.DisarmsWhenLanded || isForgotten)
+        if ((_flight.DisarmsWhenLanded && _landing.IsDone) || isForgotten)
             Disarm();
     }
 
     private void Disarm()
     {
         IsArmed = false;
-        _contactSeconds = 0;
+        _landing.Reset();
         _say(MavSeverity.Info, "Disarming motors");
-    }
-
-    // Looked at each second; said again after half a minute.
-    private void SayPreArm()
-    {
-        if (Situation.Time < _nextPreArm)
-            return;
-        string? reason = FindReasonNotToArm(isForced: false, checksMode: false);
-        _nextPreArm = Situation.Time + (reason is null ? PreArmCheckPeriod : PreArmEvery);
-        if (reason is not null)
-            _say(MavSeverity.Critical, "PreArm: " + reason);
-    }
-
-    private string? FindReasonNotToArm(bool isForced, bool checksMode)
-    {
-        ParameterStore parameters = Situation.Parameters;
-        if (CopterModes.NeedsPosition(Mode) && !HasPosition)
-            return "Need Position Estimate";
-        if (isForced)
-            return null;
-        if (checksMode && !CopterModes.IsArmable(Mode))
-            return CopterModes.NameOf(Mode) + " mode not armable";
-        if (parameters.ArmingCheck.Value.Equals(0))
-            return null;
-        if (BatteryVolts < parameters.BatteryArmVolts.Value)
-            return "Battery 1 below minimum arming voltage";
-        return BatteryVolts < parameters.BatteryLowVolts.Value ? "Battery 1 low voltage failsafe" : null;
     }
 }

@@ -24,6 +24,9 @@ internal sealed class FlightSituation(ParameterStore parameters)
 
     public NedVector Home { get; set; }
 
+    /// <summary>Whether it counts on <see cref="Position"/>; without it, it only keeps level.</summary>
+    public bool HasPosition { get; set; }
+
     /// <summary>What the weight on the legs says.</summary>
     public bool TouchesGround { get; set; }
 
@@ -36,6 +39,13 @@ internal sealed class FlightSituation(ParameterStore parameters)
     public double HorizontalAcceleration => Parameters.Acceleration.Value / 100;
 
     public double VerticalAcceleration => Parameters.VerticalAcceleration.Value / 100;
+
+    /// <summary>Takes over what was known before a reset in flight.</summary>
+    public void CopyFrom(FlightSituation other)
+    {
+        (Time, StepSeconds, Position, Velocity) = (other.Time, other.StepSeconds, other.Position, other.Velocity);
+        (Yaw, Home, TouchesGround, IsLanded) = (other.Yaw, other.Home, other.TouchesGround, other.IsLanded);
+    }
 
     /// <summary>Where it comes to rest if it brakes now.</summary>
     public NedVector StoppingPoint

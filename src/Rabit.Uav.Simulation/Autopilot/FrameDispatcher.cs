@@ -1,3 +1,4 @@
+using System;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 
@@ -12,6 +13,7 @@ internal sealed class FrameDispatcher(
     CommandHandler commands,
     TargetReader targets,
     ParameterService parameters,
+    FenceService fence,
     StreamSchedule streams,
     AutopilotAddress address,
     IFrameSink sink)
@@ -25,7 +27,13 @@ internal sealed class FrameDispatcher(
         var sender = new Sender(frame.SystemId, frame.ComponentId);
         switch (frame.MessageId)
         {
-            case Heartbeat.MavlinkId: controller.Failsafes.ReceiveGroundHeartbeat(frame.SystemId); break;
+            case Heartbeat.MavlinkId:
+                controller.Failsafes.GroundStation.Receive(frame.SystemId, Now);
+                break;
+            case RcChannelsOverride.MavlinkId:
+                frame.TryDecode(out RcChannelsOverride channels);
+                Handle(channels, sender);
+                break;
             case CommandLong.MavlinkId:
                 frame.TryDecode(out CommandLong commandLong);
                 commands.Handle(commandLong, sender);
@@ -48,11 +56,36 @@ internal sealed class FrameDispatcher(
             case ParamSet.MavlinkId: frame.TryDecode(out ParamSet set); parameters.Handle(set); break;
             case RequestDataStream.MavlinkId: frame.TryDecode(out RequestDataStream stream); Handle(stream); break;
             case Timesync.MavlinkId: frame.TryDecode(out Timesync sync); Handle(sync, sender, bootNanoseconds); break;
+            default: HandleFence(frame, sender); break;
+        }
+    }
+
+    private TimeSpan Now => controller.Situation.Time;
+
+    private void HandleFence(in MavlinkFrame frame, Sender sender)
+    {
+        switch (frame.MessageId)
+        {
             case MissionRequestList.MavlinkId:
                 frame.TryDecode(out MissionRequestList list);
-                Handle(list, sender);
+                fence.Handle(list, sender);
                 break;
-            case MissionCount.MavlinkId: frame.TryDecode(out MissionCount count); Handle(count, sender); break;
+            case MissionRequestInt.MavlinkId:
+                frame.TryDecode(out MissionRequestInt request);
+                fence.HandleRequest(request.Seq, request.MissionType, sender);
+                break;
+            case MissionCount.MavlinkId:
+                frame.TryDecode(out MissionCount count);
+                fence.Handle(count, sender, Now);
+                break;
+            case MissionItemInt.MavlinkId:
+                frame.TryDecode(out MissionItemInt item);
+                fence.Handle(item, sender, Now);
+                break;
+            case MissionClearAll.MavlinkId:
+                frame.TryDecode(out MissionClearAll clear);
+                fence.Handle(clear, sender);
+                break;
         }
     }
 
@@ -85,21 +118,11 @@ internal sealed class FrameDispatcher(
             });
     }
 
-    // It has no mission, and takes none.
-    private void Handle(in MissionRequestList request, Sender sender)
-        => sink.Send(
-            new MissionCount
-            {
-                TargetSystem = sender.SystemId,
-                TargetComponent = sender.ComponentId,
-                MissionType = request.MissionType
-            });
-
-    private void Handle(in MissionCount offer, Sender sender) => sink.Send(new MissionAck
+    private void Handle(in RcChannelsOverride channels, Sender sender)
     {
-        TargetSystem = sender.SystemId,
-        TargetComponent = sender.ComponentId,
-        Type = MavMissionResult.Unsupported,
-        MissionType = offer.MissionType,
-    });
+        // Only the ground station of SYSID_MYGCS may; FLTMODE_CH is channel 5.
+        Parameter groundStation = controller.Situation.Parameters.GroundSystemId;
+        if (sender.SystemId == (byte)groundStation.Value)
+            controller.Switch.Override(channels.Chan5Raw, Now);
+    }
 }

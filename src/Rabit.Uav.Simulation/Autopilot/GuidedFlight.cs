@@ -23,6 +23,7 @@ internal sealed class GuidedFlight : FlightMode
     private TimeSpan _targetTime;
     private TimeSpan _liftsAt;
     private bool _isUp;
+    private bool _hasTarget;
     private double _speed;
     private double _speedUp;
     private double _speedDown;
@@ -43,11 +44,24 @@ internal sealed class GuidedFlight : FlightMode
         Stop(situation);
     }
 
+    /// <summary>
+    /// What POSITION_TARGET_LOCAL_NED reports: a place, a velocity, or both; from its entry on, and after an invalid
+    /// target, velocity zero.
+    /// </summary>
+    public (NedVector? Place, NedVector? Velocity) Target => _task switch
+    {
+        Task.Velocity => (null, _velocity),
+        Task.PlaceAndVelocity => (_place, _velocity),
+        _ when _hasTarget => (_place, null),
+        _ => (null, default(NedVector)),
+    };
+
     /// <summary>Brakes and stays; also what an invalid target leads to.</summary>
     public void Stop(FlightSituation situation)
     {
         Take(Task.Place, situation);
         _place = situation.StoppingPoint;
+        _hasTarget = false;
         _heading.Follow(situation.Yaw);
     }
 
@@ -140,6 +154,7 @@ internal sealed class GuidedFlight : FlightMode
         }
 
         _task = task;
+        _hasTarget = true;
         _pausedAt = null;
         _targetTime = situation.Time;
     }

@@ -7,4 +7,7 @@ internal interface IFrameSink
 {
     void Send<T>(in T message)
         where T : struct, IMavlinkMessage;
+
+    /// <summary>Passes on a frame that came over another link, as it is.</summary>
+    void Forward(in MavlinkFrame frame);
 }

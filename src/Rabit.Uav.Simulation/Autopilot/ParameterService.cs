@@ -29,6 +29,9 @@ internal sealed class ParameterService(ParameterStore parameters, IFrameSink sin
         Send(index, NoIndex);
     }
 
+    /// <summary>Reports one that has changed by itself.</summary>
+    public void Send(Parameter parameter) => Send(parameters.IndexOf(new Text16(parameter.Name)), NoIndex);
+
     /// <summary>Goes on with the list: one at a step, so that a slow link is not flooded.</summary>
     public void Step()
     {

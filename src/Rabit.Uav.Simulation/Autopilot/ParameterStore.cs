@@ -10,14 +10,19 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 internal sealed class ParameterStore
 {
-    private const float PackMilliampereHours = 8000;
+    private const double CentimetresPerMetre = 100;
+
+    private const int SwitchPositions = 6;
 
     private readonly List<Parameter> _all = [];
+    private readonly List<Parameter> _flightModes = [];
+    private readonly double _returnHeightPerMetre;
 
-    public ParameterStore()
+    /// <param name="hasNewerNames">See <see cref="SimulationOptions.HasNewerParameterNames"/>.</param>
+    public ParameterStore(bool hasNewerNames = false)
     {
-        SystemId = Add("SYSID_THISMAV", MavParamType.Int16, 1);
-        GroundSystemId = Add("SYSID_MYGCS", MavParamType.Int16, 255);
+        SystemId = Add(hasNewerNames ? "MAV_SYSID" : "SYSID_THISMAV", MavParamType.Int16, 1);
+        GroundSystemId = Add(hasNewerNames ? "MAV_GCS_SYSID" : "SYSID_MYGCS", MavParamType.Int16, 255);
         Add("FRAME_CLASS", MavParamType.Int8, 1);
         ArmingCheck = Add("ARMING_CHECK", MavParamType.Int32, 1);
         DisarmDelay = Add("DISARM_DELAY", MavParamType.Int8, 10);
@@ -28,21 +33,27 @@ internal sealed class ParameterStore
         VerticalAcceleration = Add("WPNAV_ACCEL_Z", MavParamType.Real32, 100);
         YawBehaviour = Add("WP_YAW_BEHAVIOR", MavParamType.Int8, 2);
         GuidedTimeout = Add("GUID_TIMEOUT", MavParamType.Real32, 3);
-        ReturnHeight = Add("RTL_ALT", MavParamType.Int32, 1500);
+        _returnHeightPerMetre = hasNewerNames ? 1 : CentimetresPerMetre;
+        ReturnHeight = hasNewerNames
+            ? Add("RTL_ALT_M", MavParamType.Real32, 15)
+            : Add("RTL_ALT", MavParamType.Int32, 1500);
         ReturnSpeed = Add("RTL_SPEED", MavParamType.Int16, 0);
         ReturnSlope = Add("RTL_CONE_SLOPE", MavParamType.Real32, 3);
         ReturnLoiter = Add("RTL_LOIT_TIME", MavParamType.Int32, 5000);
         LandSpeed = Add("LAND_SPEED", MavParamType.Int16, 50);
         LandSpeedHigh = Add("LAND_SPEED_HIGH", MavParamType.Int16, 0);
         LandLowHeight = Add("LAND_ALT_LOW", MavParamType.Int16, 1000);
-        Add("FENCE_ENABLE", MavParamType.Int8, 0);
         GroundFailsafe = Add("FS_GCS_ENABLE", MavParamType.Int8, 0);
         GroundFailsafeTimeout = Add("FS_GCS_TIMEOUT", MavParamType.Real32, 5);
-        BatteryCapacity = Add("BATT_CAPACITY", MavParamType.Int32, PackMilliampereHours);
-        BatteryLowVolts = Add("BATT_LOW_VOLT", MavParamType.Real32, 10.5f);
-        BatteryLowTimer = Add("BATT_LOW_TIMER", MavParamType.Int8, 10);
-        BatteryLowAction = Add("BATT_FS_LOW_ACT", MavParamType.Int8, 0);
-        BatteryArmVolts = Add("BATT_ARM_VOLT", MavParamType.Real32, 0);
+        RadioFailsafe = Add("FS_THR_ENABLE", MavParamType.Int8, 1);
+        FailsafeOptions = Add("FS_OPTIONS", MavParamType.Int32, 16);
+        EstimatorFailsafe = Add("FS_EKF_ACTION", MavParamType.Int8, 1);
+        EstimatorThreshold = Add("FS_EKF_THRESH", MavParamType.Real32, 0.8f);
+        Add("FLTMODE_CH", MavParamType.Int8, 5);
+        for (int position = 1; position <= SwitchPositions; position++)
+            _flightModes.Add(Add(FormattableString.Invariant($"FLTMODE{position}"), MavParamType.Int8, 0));
+        Battery = new BatteryParameters(Add);
+        Fence = new FenceParameters(Add);
     }
 
     public Parameter SystemId { get; }
@@ -75,8 +86,10 @@ internal sealed class ParameterStore
     /// <summary>Seconds.</summary>
     public Parameter GuidedTimeout { get; }
 
-    /// <summary>cm.</summary>
+    /// <summary>cm, or m by its newer name: see <see cref="ReturnHeightMetres"/>.</summary>
     public Parameter ReturnHeight { get; }
+
+    public double ReturnHeightMetres => ReturnHeight.Value / _returnHeightPerMetre;
 
     /// <summary>cm/s; 0: as WPNAV_SPEED.</summary>
     public Parameter ReturnSpeed { get; }
@@ -100,19 +113,21 @@ internal sealed class ParameterStore
     /// <summary>Seconds.</summary>
     public Parameter GroundFailsafeTimeout { get; }
 
-    /// <summary>mAh.</summary>
-    public Parameter BatteryCapacity { get; }
+    /// <summary>0: off; 1: return; 3: land; more: see <see cref="FailsafeResponse"/>.</summary>
+    public Parameter RadioFailsafe { get; }
 
-    public Parameter BatteryLowVolts { get; }
+    /// <summary>Bits; see <see cref="FailsafeResponse"/>.</summary>
+    public Parameter FailsafeOptions { get; }
 
-    /// <summary>Seconds.</summary>
-    public Parameter BatteryLowTimer { get; }
+    /// <summary>0: report only, 1: land, 2: hold the height, 3: land, in modes without a position too.</summary>
+    public Parameter EstimatorFailsafe { get; }
 
-    /// <summary>0: none, 1: land, 2: return.</summary>
-    public Parameter BatteryLowAction { get; }
+    /// <summary>0: the estimator is not checked.</summary>
+    public Parameter EstimatorThreshold { get; }
 
-    /// <summary>0: not checked.</summary>
-    public Parameter BatteryArmVolts { get; }
+    public BatteryParameters Battery { get; }
+
+    public FenceParameters Fence { get; }
 
     public int Count => _all.Count;
 
@@ -129,6 +144,11 @@ internal sealed class ParameterStore
 
         return -1;
     }
+
+    /// <summary>FLTMODE1 to FLTMODE6, by the position of the mode switch from 0 on.</summary>
+    public int FlightModeAt(int position) => (int)_flightModes[position].Value;
+
+    public bool Contains(string name) => _all.Exists(p => p.Name == name);
 
     /// <exception cref="ArgumentException">There is no such parameter.</exception>
     public void Set(string name, float value)

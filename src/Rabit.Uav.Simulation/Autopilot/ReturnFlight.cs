@@ -29,6 +29,9 @@ internal sealed class ReturnFlight : FlightMode
 
     public override bool DisarmsWhenLanded => true;
 
+    /// <summary>What it flies to now; null while it lands.</summary>
+    public NedVector? Target { get; private set; }
+
     public override void Enter(FlightSituation situation)
     {
         _part = Part.Climb;
@@ -38,7 +41,7 @@ internal sealed class ReturnFlight : FlightMode
         double cone = slope >= 0.5
             ? Math.Max(situation.Home.Minus(situation.Position).HorizontalLength() * slope, lowest)
             : double.MaxValue;
-        _height = Math.Min(Math.Max(situation.Parameters.ReturnHeight.Value / 100, lowest), cone);
+        _height = Math.Min(Math.Max(situation.Parameters.ReturnHeightMetres, lowest), cone);
     }
 
     public override void Fly(FlightSituation situation, ref MotionCommand command)
@@ -52,6 +55,12 @@ internal sealed class ReturnFlight : FlightMode
         NedVector home = situation.Home;
         var above = new NedVector(home.North, home.East, home.Down - _height);
         Advance(situation, above);
+        Target = _part switch
+        {
+            Part.Climb => new NedVector(_start.North, _start.East, above.Down),
+            Part.Land => null,
+            _ => above,
+        };
         if (_part == Part.Land)
             _landing.Fly(situation, ref command);
         else if (_part == Part.Climb)

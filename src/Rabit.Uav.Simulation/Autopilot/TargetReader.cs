@@ -93,6 +93,8 @@ internal sealed class TargetReader(FlightController controller, TelemetrySender 
         GuidedFlight guided = controller.Guided;
         if (!isSound || (!hasPosition && !hasVelocity))
             guided.Stop(controller.Situation);
+        else if (hasPosition && !controller.Failsafes.Fence.Accepts(place))
+            return;   // outside the fence: the target before it stays
         else if (hasPosition && hasVelocity)
             guided.GoToWithVelocity(controller.Situation, place, velocity, heading);
         else if (hasPosition)

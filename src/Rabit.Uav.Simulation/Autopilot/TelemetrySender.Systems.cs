@@ -16,6 +16,7 @@ internal sealed partial class TelemetrySender
         | MavSysStatusSensor.AttitudeStabilization
         | MavSysStatusSensor.YawPosition | MavSysStatusSensor.ZAltitudeControl | MavSysStatusSensor.XyPositionControl
         | MavSysStatusSensor.MotorOutputs
+        | MavSysStatusSensor.RcReceiver
         | MavSysStatusSensor.Ahrs | MavSysStatusSensor.Battery | MavSysStatusSensor.PrearmCheck;
 
     private const MavProtocolCapability Capabilities = MavProtocolCapability.ParamFloat
@@ -27,14 +28,27 @@ internal sealed partial class TelemetrySender
     private void SendSysStatus()
     {
         MavSysStatusSensor health = Sensors;
+        MavSysStatusSensor enabled = Sensors;
+        Failsafes failsafes = controller.Failsafes;
         if (!_state.HasPosition)
             health &= ~(MavSysStatusSensor.Gps | MavSysStatusSensor.XyPositionControl | MavSysStatusSensor.PrearmCheck);
-        if (controller.Failsafes.IsBatteryLow)
+        else if (!controller.HasPosition)
+            (enabled, health) = (enabled & ~MavSysStatusSensor.XyPositionControl,
+                health & ~MavSysStatusSensor.XyPositionControl);
+        if (failsafes.Battery.IsOn)
             health &= ~MavSysStatusSensor.Battery;
+        if (failsafes.Radio.IsOn)
+            health &= ~MavSysStatusSensor.RcReceiver;
+        if (!controller.IsArmed && !controller.IsReadyToArm)
+            health &= ~MavSysStatusSensor.PrearmCheck;
+        if (failsafes.Fence.IsEnabled)
+            enabled |= MavSysStatusSensor.Geofence;
+        if (failsafes.Fence.Breached == FenceKinds.None)
+            health |= MavSysStatusSensor.Geofence;
         sink.Send(new SysStatus
         {
-            OnboardControlSensorsPresent = Sensors,
-            OnboardControlSensorsEnabled = Sensors,
+            OnboardControlSensorsPresent = Sensors | MavSysStatusSensor.Geofence,
+            OnboardControlSensorsEnabled = enabled,
             OnboardControlSensorsHealth = health,
             Load = 200,
             VoltageBattery = (ushort)Math.Round(_state.BatteryVolts * 1000),
@@ -57,14 +71,21 @@ internal sealed partial class TelemetrySender
             CurrentConsumed = Scaled(_state.ConsumedAmpereHours, 1000),
             EnergyConsumed = Scaled(_state.ConsumedJoules, 0.01),
             BatteryRemaining = Percent(),
-            ChargeState = controller.Failsafes.IsBatteryLow ? MavBatteryChargeState.Low : MavBatteryChargeState.Ok,
+            ChargeState = controller.Failsafes.Battery.Level switch
+            {
+                BatteryLevel.Critical => MavBatteryChargeState.Critical,
+                BatteryLevel.Low => MavBatteryChargeState.Low,
+                _ => MavBatteryChargeState.Ok,
+            },
         });
     }
 
     private void SendGps()
     {
-        bool hasFix = _state.HasPosition;
-        GeodeticPosition place = hasFix ? frame.ToPlace(_state.Position) : default;
+        bool hasFix = _state.HasPosition && _state.HasGps;
+        GeodeticPosition place = hasFix
+            ? frame.ToPlace(_state.Position.Plus(new NedVector(_state.GpsErrorNorth, 0, 0)))
+            : default;
         double course = Math.Atan2(_state.Velocity.East, _state.Velocity.North) / NedMath.RadiansPerDegree;
         sink.Send(new GpsRawInt
         {

@@ -24,10 +24,20 @@ internal sealed partial class TelemetrySender(FlightController controller, World
             or GpsRawInt.MavlinkId or Attitude.MavlinkId or LocalPositionNed.MavlinkId or GlobalPositionInt.MavlinkId
             or VfrHud.MavlinkId or BatteryStatus.MavlinkId or AutopilotVersion.MavlinkId or Wind.MavlinkId
             or HomePosition.MavlinkId or ExtendedSysState.MavlinkId or GpsGlobalOrigin.MavlinkId
-            or GimbalDeviceAttitudeStatus.MavlinkId;
+            or GimbalDeviceAttitudeStatus.MavlinkId or EkfStatusReport.MavlinkId or FenceStatus.MavlinkId
+            or PositionTargetLocalNed.MavlinkId or PositionTargetGlobalInt.MavlinkId;
 
     /// <summary>The state that the following messages report.</summary>
-    public void Update(in AutopilotState state) => _state = state;
+    public void Update(in AutopilotState state)
+    {
+        NedVector last = _state.Position;
+        bool hadPosition = _state.HasPosition;
+        _state = state;
+
+        // It goes on reporting the place where it lost its position.
+        if (!controller.HasPosition && hadPosition)
+            (_state.Position, _state.Velocity) = (new NedVector(last.North, last.East, state.Position.Down), default);
+    }
 
     /// <summary>Sends a message by its id; nothing where nothing is known yet.</summary>
     public void Send(int messageId)
@@ -53,6 +63,10 @@ internal sealed partial class TelemetrySender(FlightController controller, World
                 break;
             case GpsGlobalOrigin.MavlinkId: SendOrigin(); break;
             case GimbalDeviceAttitudeStatus.MavlinkId: SendGimbal(); break;
+            case EkfStatusReport.MavlinkId: SendEstimator(); break;
+            case FenceStatus.MavlinkId: SendFence(); break;
+            case PositionTargetLocalNed.MavlinkId: SendLocalTarget(); break;
+            case PositionTargetGlobalInt.MavlinkId: SendGlobalTarget(); break;
         }
     }
 

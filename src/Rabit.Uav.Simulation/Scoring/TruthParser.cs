@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -13,6 +14,11 @@ internal sealed class TruthParser(List<string> faults)
     // Files of the first form had these names.
     private static readonly (string Old, string New)[] RenamedKeys =
         [("lat_deg", "latitudeDegrees"), ("lon_deg", "longitudeDegrees"), ("color", "class")];
+
+    // Of a file with many targets, enough to see which entries are meant.
+    private const int MaxEntriesNamed = 3;
+
+    private readonly List<(string Rename, List<string> Entries)> _renames = [];
 
     public TargetTruth Parse(JsonElement root)
     {
@@ -39,6 +45,9 @@ internal sealed class TruthParser(List<string> faults)
             faults.Add("targets is not a list");
         else
             ParseTargets(list, targets);
+        foreach ((string rename, List<string> entries) in _renames)
+            faults.Add($"{rename} (in {string.Join(", ", entries.Take(MaxEntriesNamed))}"
+                + (entries.Count > MaxEntriesNamed ? $" and {entries.Count - MaxEntriesNamed} more)" : ")"));
         return new TargetTruth(home, targets);
     }
 
@@ -46,19 +55,21 @@ internal sealed class TruthParser(List<string> faults)
     {
         foreach (JsonElement element in list.EnumerateArray())
         {
-            string where = $"targets[{targets.Count}]";
+            string index = $"targets[{targets.Count}]";
+            string? name = StringOf(element, "name");
+            string where = name is null ? index : $"{index} '{name}'";
             TargetClassName targetClass = TargetClassName.None;
             if (element.ValueKind == JsonValueKind.Object && StringOf(element, "class") is { } text)
             {
                 if (!TargetClassName.TryParse(text, out targetClass))
                     faults.Add($"{where}: '{text}' is not a class: 1 to {TargetClassName.MaxLength} ASCII characters");
             }
-            else if (!IsRenamed(element, "class"))
+            else if (!IsRenamed(element, "class", where))
             {
                 faults.Add($"{where} has no class");
             }
 
-            targets.Add(new TruthTarget(StringOf(element, "name") ?? where, targetClass, PositionOf(element, where)));
+            targets.Add(new TruthTarget(name ?? index, targetClass, PositionOf(element, where)));
         }
     }
 
@@ -71,21 +82,22 @@ internal sealed class TruthParser(List<string> faults)
             && value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double degrees)
             && Math.Abs(degrees) <= limit)
             return degrees;
-        if (!IsRenamed(element, name))
+        if (!IsRenamed(element, name, where))
             faults.Add($"{where}: {name} is not a number from {-limit} to {limit}");
         return 0;
     }
 
-    // Says so once for each key.
-    private bool IsRenamed(JsonElement element, string name)
+    // Said once for each key, at the end, with the entries that have it.
+    private bool IsRenamed(JsonElement element, string name, string where)
     {
         foreach ((string old, string renamed) in RenamedKeys)
         {
             if (renamed != name || element.ValueKind != JsonValueKind.Object || !element.TryGetProperty(old, out _))
                 continue;
-            string fault = $"{old} is now {renamed}";
-            if (!faults.Contains(fault))
-                faults.Add(fault);
+            string rename = $"{old} is now {renamed}";
+            if (!_renames.Exists(r => r.Rename == rename))
+                _renames.Add((rename, []));
+            _renames.Find(r => r.Rename == rename).Entries.Add(where);
             return true;
         }
 

@@ -21,6 +21,12 @@ internal sealed class Battery(double capacityAmpereHours, double remaining)
 
     public double Volts { get; private set; } = Cells * OpenCircuit(remaining);
 
+    /// <summary>What its sensor says instead of <see cref="Volts"/>, as a script wants it; null: the same.</summary>
+    public double? SensorVolts { get; set; }
+
+    /// <summary>The voltage that the autopilot measures.</summary>
+    public double MeasuredVolts => SensorVolts ?? Volts;
+
     public double Amperes { get; private set; }
 
     /// <summary>Charge drawn since the start.</summary>

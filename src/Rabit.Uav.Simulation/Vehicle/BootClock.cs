@@ -9,6 +9,10 @@ internal sealed class BootClock(TimeSpan bootedBefore, double driftPpm)
 {
     private const double MicrosecondsPerTick = 0.1;
 
+    /// <summary>One that was switched on at a time of the run.</summary>
+    public static BootClock StartedAt(TimeSpan runTime, double driftPpm)
+        => new(TimeSpan.FromTicks(-(long)(runTime.Ticks * (1 + (driftPpm * 1e-6)))), driftPpm);
+
     /// <summary>Microseconds since it was switched on, by its own count.</summary>
     public long Microseconds(TimeSpan runTime)
         => (long)((bootedBefore.Ticks + (runTime.Ticks * (1 + (driftPpm * 1e-6)))) * MicrosecondsPerTick);

@@ -19,6 +19,8 @@ internal sealed class DelayedFrames(SimulationRandom random, TimeSpan latency)
     public void Add(in MavlinkFrame frame, TimeSpan now)
     {
         double jitter = Math.Min(MaxJitter, -Math.Log(1 - random.Uniform()) * JitterSeconds);
+        if (latency == TimeSpan.Zero)
+            jitter = 0;
         TimeSpan due = now + latency + TimeSpan.FromTicks((long)(jitter * TimeSpan.TicksPerSecond));
         _lastDue = due > _lastDue ? due : _lastDue;
         _frames.Enqueue((_lastDue, frame));

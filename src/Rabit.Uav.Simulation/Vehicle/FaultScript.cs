@@ -20,10 +20,25 @@ internal sealed class FaultScript(IReadOnlyList<ScriptedFault> faults)
         return false;
     }
 
+    /// <summary>The value of the fault of a kind that is on and began last; null where none is on.</summary>
+    public double? ValueOf(ScriptedFaultKind kind, TimeSpan time)
+    {
+        double? value = null;
+        for (int index = 0; index < faults.Count; index++)
+        {
+            if (faults[index].Kind == kind && faults[index].IsOn(time))
+                value = faults[index].Value;
+        }
+
+        return value;
+    }
+
     public void Apply(TimeSpan time, SimulatedVehicle vehicle)
     {
         for (; _next < faults.Count && faults[_next].At <= time; _next++)
             Begin(faults[_next], vehicle);
+        vehicle.Pack.SensorVolts = ValueOf(ScriptedFaultKind.BatteryVolts, time);
+        vehicle.Radio.IsReceived = !IsOn(ScriptedFaultKind.RcLost, time);
         for (int index = _windReturns.Count - 1; index >= 0; index--)
         {
             if (_windReturns[index].At > time)
@@ -46,7 +61,13 @@ internal sealed class FaultScript(IReadOnlyList<ScriptedFault> faults)
                 vehicle.Air.MeanSpeed = fault.Value;
                 break;
             case ScriptedFaultKind.PilotMode:
-                vehicle.Controller.TrySetMode((uint)fault.Value);
+                if (fault.BySwitch)
+                    vehicle.Radio.SwitchTo((uint)fault.Value);
+                else
+                    vehicle.Autopilot.TrySetMode((uint)fault.Value);
+                break;
+            case ScriptedFaultKind.Reboot:
+                vehicle.Reboot(staysArmed: fault.Value.Equals(0d));
                 break;
         }
     }

@@ -10,6 +10,9 @@ internal struct MotionCommand
     /// <summary>Over ground, m/s.</summary>
     public NedVector Velocity;
 
+    /// <summary>It only keeps level, and drifts with the air; the horizontal velocity is not flown.</summary>
+    public bool KeepsLevel;
+
     /// <summary>How fast the velocity may change horizontally, m/s2.</summary>
     public double HorizontalAcceleration;
 

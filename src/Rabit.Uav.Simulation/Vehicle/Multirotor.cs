@@ -72,7 +72,9 @@ internal sealed class Multirotor
     {
         NedVector wanted = Steer(command, seconds);
         Turn(command, seconds);
-        bool leans = !IsOnGround;
+        bool leans = !IsOnGround && !command.KeepsLevel;
+        if (command.KeepsLevel)
+            (_reference, _lean) = (new NedVector(Velocity.North, Velocity.East, _reference.Down), default);
         Lean(leans ? wanted.North : 0, leans ? wanted.East : 0, seconds);
 
         // Forward and right of the vehicle, from how it stands; the motors hold the weight besides.

@@ -10,69 +10,72 @@ namespace Rabit.Uav.Simulation;
 /// The vehicle without its link: body, battery, camera mount, sensors and autopilot, in steps of 10 ms. Not for two
 /// threads at a time.
 /// </summary>
-internal sealed class SimulatedVehicle : IFrameSink
+internal sealed class SimulatedVehicle : ILinkSink
 {
     public const double StepSeconds = 0.01;
 
-    // Drawn by a quadrotor of about 2 kg: hovering, against the air, climbing, and by what is always on.
-    private const double HoverWatts = 180;
-    private const double DragWattsPerCube = 0.05;
-    private const double ClimbWattsPerSpeed = 20;
-    private const double IdleWatts = 25;
-    private const double ElectronicsWatts = 8;
-
     private const long TicksPerMicrosecond = 10;
-    private static readonly TimeSpan HeartbeatEvery = TimeSpan.FromSeconds(1);
-    private static readonly TimeSpan TimesyncEvery = TimeSpan.FromSeconds(10);
+
+    // From the reboot command to the first heartbeat: ap-fence-reboot in tests/data/autopilots.
+    private static readonly TimeSpan BootTime = TimeSpan.FromSeconds(0.9);
 
     private readonly SimulationOptions _options;
     private readonly TruthHistory _history;
     private readonly TruthRecorder _recorder;
     private readonly FaultScript _script;
     private readonly NavigationErrors _errors;
-    private readonly BootClock _clock;
-    private readonly AutopilotAddress _address;
-    private readonly TelemetrySender _telemetry;
-    private readonly StreamSchedule _streams = new();
-    private readonly ParameterService _parameters;
-    private readonly FrameDispatcher _dispatcher;
-    private readonly Queue<MavlinkFrame> _outbox = new();
-    private readonly Action<int> _sendMessage;
+    private readonly SecondLink _secondLink;
+    private readonly double _driftPpm;
+    private BootClock _clock;
+    private TimeSpan _positionAfter;
+    private TimeSpan _bootedAt = TimeSpan.MinValue;
+    private bool _handlesSecondLink;
+    private readonly Queue<MavlinkFrame>[] _outboxes;
+    private readonly byte[] _sequences;
     private TimeSpan _time;
-    private TimeSpan _nextHeartbeat;
-    private TimeSpan _nextTimesync = TimesyncEvery;
     private ulong _utcMicroseconds;
-    private byte _sequence;
 
-    public SimulatedVehicle(SimulationOptions options, WorldFrame frame, TruthHistory history, TruthRecorder recorder)
+    /// <param name="options">Of the world.</param>
+    /// <param name="frame">Of the world.</param>
+    /// <param name="history">Keeps where it was, for the camera.</param>
+    /// <param name="recorder">Keeps the truth.</param>
+    /// <param name="linkCount">How many links are read; what goes out over further ones is not kept.</param>
+    public SimulatedVehicle(
+        SimulationOptions options, WorldFrame frame, TruthHistory history, TruthRecorder recorder, int linkCount = 1)
     {
+        _outboxes = new Queue<MavlinkFrame>[linkCount];
+        for (int link = 0; link < linkCount; link++)
+            _outboxes[link] = new Queue<MavlinkFrame>();
+        LinkCount = Math.Max(linkCount, options.HasGroundStation ? SecondLink.Number + 1 : 1);
+        _sequences = new byte[LinkCount];
         _options = options;
         _history = history;
         _recorder = recorder;
         _script = new FaultScript(options.Faults);
+        _secondLink = new SecondLink(options, frame, _script);
+        _positionAfter = options.PositionAfter;
         _errors = new NavigationErrors(options.Seed, StepSeconds);
         Body = new Multirotor { Yaw = options.Heading.Radians };
-        Parameters = new ParameterStore();
-        Pack = new Battery(Parameters.BatteryCapacity.Value / 1000, options.BatteryRemaining);
 
         var constants = new SimulationRandom(options.Seed, "vehicle constants");
-        _clock = new BootClock(
-            options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80)),
-            options.ClockDriftPpm ?? constants.ModestNormal(20));
+        TimeSpan bootedBefore = options.BootedBefore ?? TimeSpan.FromSeconds(constants.Uniform(20, 80));
+        _driftPpm = options.ClockDriftPpm ?? constants.ModestNormal(20);
+        _clock = new BootClock(bootedBefore, _driftPpm);
         double fromRadians = options.WindFrom?.Radians ?? constants.Uniform(-Math.PI, Math.PI);
         Air = new WindField(
             new SimulationRandom(options.Seed, "wind"), options.WindMetresPerSecond, fromRadians, StepSeconds);
 
-        Controller = new FlightController(Parameters, Say) { BatteryVolts = Pack.Volts };
-        Controller.Situation.StepSeconds = StepSeconds;
-        _address = new AutopilotAddress(Parameters);
-        _telemetry = new TelemetrySender(Controller, frame, constants.Next(), this);
-        _sendMessage = _telemetry.Send;
-        _parameters = new ParameterService(Parameters, this);
-        var targets = new TargetReader(Controller, _telemetry, frame);
-        var commands = new CommandHandler(Controller, targets, _streams, _telemetry, Mount, this);
-        _dispatcher = new FrameDispatcher(Controller, commands, targets, _parameters, _streams, _address, this);
-        Controller.Armed = SetHome;
+        ulong uid = constants.Next();
+        Autopilot = options.Autopilot == SimulatedAutopilot.Px4
+            ? new Px4Autopilot(
+                new Px4Parameters(), frame, uid, Mount, StepSeconds, new SimulationRandom(options.Seed, "stack"), this)
+            : new ArdupilotAutopilot(
+                new ParameterStore(options.HasNewerParameterNames), frame, uid, Mount, StepSeconds, this);
+        if (options.IsPrepared)
+            PreparedParameters.ApplyTo(Autopilot, options.Autopilot);
+        foreach (KeyValuePair<string, double> parameter in options.Parameters)
+            Autopilot.SetParameter(parameter.Key, (float)parameter.Value);
+        Pack = new Battery(Autopilot.BatteryCapacityAmpereHours, options.BatteryRemaining);
     }
 
     public Multirotor Body { get; }
@@ -83,30 +86,51 @@ internal sealed class SimulatedVehicle : IFrameSink
 
     public WindField Air { get; }
 
-    public ParameterStore Parameters { get; }
+    public RemoteControl Radio { get; } = new();
 
-    public FlightController Controller { get; }
+    /// <summary>Another one after a reboot.</summary>
+    public IVehicleAutopilot Autopilot { get; private set; }
 
     /// <summary>Whether a scripted fault makes it deaf and dumb now.</summary>
     public bool IsSilent => _script.IsOn(ScriptedFaultKind.LinkSilent, _time);
 
-    /// <summary>What it has to send.</summary>
-    public bool TryTakeFrame(out MavlinkFrame frame)
+    /// <summary>Whether the autopilot has been switched on and does not take or send anything yet.</summary>
+    public bool IsBooting => _bootedAt != TimeSpan.MinValue && _time - _bootedAt < BootTime;
+
+    /// <summary>How many links it has, with that of the ground station.</summary>
+    public int LinkCount { get; }
+
+    /// <summary>What it has to send over a link.</summary>
+    public bool TryTakeFrame(out MavlinkFrame frame, int link = 0)
     {
         frame = default;
-        if (_outbox.Count == 0)
+        if (_outboxes[link].Count == 0)
             return false;
-        frame = _outbox.Dequeue();
+        frame = _outboxes[link].Dequeue();
         return true;
     }
 
     /// <summary>Takes a frame that has come.</summary>
     /// <param name="frame">One that a reader has checked.</param>
     /// <param name="time">When, by the clock of the run.</param>
-    public void Handle(in MavlinkFrame frame, TimeSpan time)
+    /// <param name="link">Over which link.</param>
+    public void Handle(in MavlinkFrame frame, TimeSpan time, int link = 0)
     {
         Observe(utc: null);
-        _dispatcher.Handle(frame, _clock.Nanoseconds(time));
+        Autopilot.Handle(frame, _clock.Nanoseconds(time), link);
+        if (Autopilot.WantsReboot)
+            Reboot(staysArmed: false);
+    }
+
+    /// <summary>The autopilot starts again: its clock, its estimate and what it was asked for are gone.</summary>
+    /// <param name="staysArmed">Whether it is armed as before, as after a reset by its watchdog.</param>
+    public void Reboot(bool staysArmed)
+    {
+        Autopilot = Autopilot.Restarted(_time, BootTime, staysArmed);
+        _clock = BootClock.StartedAt(_time, _driftPpm);
+        _positionAfter = _time + _options.PositionAfter;
+        _bootedAt = _time;
+        Array.Clear(_sequences, 0, _sequences.Length);
     }
 
     /// <summary>One step.</summary>
@@ -119,67 +143,83 @@ internal sealed class SimulatedVehicle : IFrameSink
         Air.Step();
         _errors.Step();
         Mount.Step(StepSeconds);
-        Feel(time);
-
-        MotionCommand command = Controller.Step();
+        HandleSecondLink();
+        MotionCommand command = Autopilot.Step(Senses());
         if (Pack.IsEmpty)
             command.Motors = MotorState.Off;
         Body.Step(command, Air.Velocity, StepSeconds);
-        Pack.Step(Watts(command.Motors), StepSeconds);
+        Pack.Step(PowerDraw.Watts(command.Motors, Body.Velocity, Air.Velocity), StepSeconds);
         Record();
         Observe(utc);
-        SendWhatIsDue();
+        Autopilot.SendWhatIsDue(time, _clock.Nanoseconds(time));
     }
 
-    /// <summary>Puts a message into the outbox.</summary>
+    /// <summary>
+    /// Puts a message into the outbox. Where what came over the second link is answered, the answer goes there.
+    /// </summary>
     public void Send<T>(in T message)
         where T : struct, IMavlinkMessage
-        => _outbox.Enqueue(MavlinkFrame.Create(message, _address.SystemId, AutopilotAddress.ComponentId, _sequence++));
-
-    // What the autopilot steers by: the errors that are slow are in it, so that it really flies by its estimated
-    // position.
-    private void Feel(TimeSpan time)
     {
-        FlightSituation situation = Controller.Situation;
-        situation.Time = time;
-        situation.Position = Body.Position.Plus(_errors.SteadyPosition);
-        situation.Velocity = Body.Velocity;
-        situation.Yaw = Body.Yaw;
-        situation.TouchesGround = Body.IsOnGround;
-        Controller.BatteryVolts = Pack.Volts;
-        Controller.Failsafes.ConsumedAmpereHours = Pack.ConsumedAmpereHours;
-        if (Controller.HasPosition || time < _options.PositionAfter)
+        if (IsBooting)
             return;
-
-        Controller.HasPosition = true;
-        situation.Home = situation.Position;
-        _telemetry.Origin = _telemetry.Home = situation.Position;
-        Say(MavSeverity.Info, "EKF3 IMU0 is using GPS");
-        Say(MavSeverity.Info, "EKF3 IMU1 is using GPS");
+        var frame = MavlinkFrame.Create(message, Autopilot.SystemId, AutopilotAddress.ComponentId, _sequences[0]++);
+        if (!_handlesSecondLink || !IsForSecondLink(frame))
+            _outboxes[0].Enqueue(frame);
     }
 
-    private void SetHome()
+    /// <summary>Sends a message over one link; what goes to the ground station's own link ends there.</summary>
+    public void Send<T>(int link, in T message)
+        where T : struct, IMavlinkMessage
     {
-        if (!Controller.HasPosition)
+        if (IsBooting || link >= _outboxes.Length)
             return;
-        FlightSituation situation = Controller.Situation;
-        situation.Home = situation.Position;
-        _telemetry.Home = situation.Position;
-        _telemetry.Send(HomePosition.MavlinkId);
-        _telemetry.Send(GpsGlobalOrigin.MavlinkId);
+        _outboxes[link].Enqueue(MavlinkFrame.Create(
+            message, Autopilot.SystemId, AutopilotAddress.ComponentId, _sequences[link]++));
     }
 
-    private double Watts(MotorState motors)
+    /// <summary>Passes on a frame of the second link as it is.</summary>
+    public void Forward(in MavlinkFrame frame)
     {
-        if (motors == MotorState.Off)
-            return ElectronicsWatts;
-        if (motors == MotorState.Idle)
-            return ElectronicsWatts + IdleWatts;
-        NedVector air = Body.Velocity.Minus(Air.Velocity);
-        double speed = air.HorizontalLength();
-        double climb = Math.Max(-0.5 * HoverWatts, -Body.Velocity.Down * ClimbWattsPerSpeed);
-        return ElectronicsWatts + HoverWatts + (DragWattsPerCube * speed * speed * speed) + climb;
+        if (!IsBooting)
+            _outboxes[0].Enqueue(frame);
     }
+
+    private static bool IsForSecondLink(in MavlinkFrame frame)
+        => MavlinkDialect.All.TryGetMessage(frame.MessageId, out MavlinkMessageInfo info)
+            && frame.TargetSystem(info) == SecondLink.SystemId;
+
+    private void HandleSecondLink()
+    {
+        _secondLink.Step(_time, Autopilot.SystemId);
+        while (_secondLink.TryTakeFrame(out MavlinkFrame frame))
+        {
+            if (IsBooting)
+                continue;
+            _handlesSecondLink = true;
+            Autopilot.Handle(frame, _clock.Nanoseconds(_time), SecondLink.Number);
+            _handlesSecondLink = false;
+        }
+    }
+
+    private bool HasGps => _time >= _positionAfter && !_script.IsOn(ScriptedFaultKind.GpsLost, _time);
+
+    private VehicleSenses Senses() => new()
+    {
+        Time = _time,
+        Position = Body.Position.Plus(_errors.SteadyPosition),
+        Velocity = Body.Velocity,
+        Yaw = Body.Yaw,
+        TouchesGround = Body.IsOnGround,
+        HasGps = HasGps,
+        IsGpsGlitching = _script.IsOn(ScriptedFaultKind.GpsGlitch, _time),
+        IsEstimatorBad = _script.IsOn(ScriptedFaultKind.EkfFailsafe, _time),
+        IsRadioReceived = Radio.IsReceived,
+        ModeOfSwitch = Radio.ModeOfSwitch,
+        SwitchCount = Radio.SwitchCount,
+        BatteryVolts = Pack.MeasuredVolts,
+        BatteryRemaining = Pack.Remaining,
+        ConsumedAmpereHours = Pack.ConsumedAmpereHours,
+    };
 
     private void Record()
     {
@@ -193,23 +233,26 @@ internal sealed class SimulatedVehicle : IFrameSink
             CameraYaw = Angle.FromRadians(Mount.Yaw),
         };
         _history.Add(pose);
-        _recorder.Record(pose, Controller.IsArmed, Controller.Mode, Pack.Remaining, Body.TouchdownSpeed);
+        _recorder.Record(
+            pose, Autopilot.IsArmed, Autopilot.CustomMode, Autopilot.ModeName, Pack.Remaining, Body.TouchdownSpeed);
     }
 
     // Answers between two steps report the last one.
     private void Observe(DateTimeOffset? utc)
     {
         if (utc is { } known)
-            _utcMicroseconds = Controller.HasPosition
+            _utcMicroseconds = Autopilot.HasPosition
                 ? (ulong)((known - DateTimeOffset.FromUnixTimeSeconds(0)).Ticks / TicksPerMicrosecond)
                 : 0;
         EulerAngles errors = _errors.EstimatedAttitude;
-        _telemetry.Update(new AutopilotState
+        Autopilot.Observe(new AutopilotState
         {
             Time = _time,
             BootMicroseconds = _clock.Microseconds(_time),
             UtcMicroseconds = _utcMicroseconds,
-            HasPosition = Controller.HasPosition,
+            HasPosition = Autopilot.HasPosition,
+            HasGps = HasGps,
+            GpsErrorNorth = _script.ValueOf(ScriptedFaultKind.GpsGlitch, _time) ?? 0,
             Position = Body.Position.Plus(_errors.EstimatedPosition),
             Velocity = Body.Velocity.Plus(_errors.EstimatedVelocity),
             Attitude = EulerAngles.FromRadians(
@@ -220,33 +263,11 @@ internal sealed class SimulatedVehicle : IFrameSink
             AirVelocity = Body.Velocity.Minus(Air.Velocity),
             CameraPitch = Mount.Pitch,
             CameraYaw = Mount.Yaw,
-            BatteryVolts = Pack.Volts,
+            BatteryVolts = Pack.MeasuredVolts,
             BatteryAmperes = Pack.Amperes,
             BatteryRemaining = Pack.Remaining,
             ConsumedAmpereHours = Pack.ConsumedAmpereHours,
             ConsumedJoules = Pack.ConsumedJoules,
         });
     }
-
-    private void SendWhatIsDue()
-    {
-        if (_time >= _nextHeartbeat)
-        {
-            _nextHeartbeat += HeartbeatEvery;
-            _telemetry.Send(Heartbeat.MavlinkId);
-        }
-
-        if (_time >= _nextTimesync)
-        {
-            // ArduPilot asks too, and marks its questions with its system id.
-            _nextTimesync += TimesyncEvery;
-            Send(new Timesync { Ts1 = _clock.Nanoseconds(_time) + _address.SystemId });
-        }
-
-        _streams.Send(_time, _sendMessage);
-        _parameters.Step();
-    }
-
-    private void Say(MavSeverity severity, string text)
-        => Send(new Statustext { Severity = severity, Text = new Text50(text) });
 }

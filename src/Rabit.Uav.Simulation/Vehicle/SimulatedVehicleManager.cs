@@ -77,7 +77,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
             MavlinkFrame frame = received.Frame;
 
             // What no dialect knows, nothing could check.
-            if (!received.IsChecked || _vehicle.IsSilent || !IsAccepted(frame))
+            if (!received.IsChecked || _vehicle.IsSilent || _vehicle.IsBooting || !IsAccepted(frame))
             {
                 _lost++;
                 continue;

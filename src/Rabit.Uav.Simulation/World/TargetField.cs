@@ -67,18 +67,20 @@ public static class TargetField
 
     private static SimulatedTarget Make(
         int id, TargetKind kind, (double North, double East) place, bool isDistractor, ref SeededSequence random)
-            => new()
-            {
-                Id = id,
-                Name = kind.Name + " " + id.ToString(CultureInfo.InvariantCulture),
-                Class = kind.Class,
-                Position = new NedPosition(place.North, place.East, 0),
-                SideMetres = kind.SideMetres,
-                WidthMetres = kind.WidthMetres,
-                Heading = Angle.FromRadians(2 * Math.PI * random.NextUnit()),
-                IsDistractor = isDistractor,
-                Surface = kind.Surface.Vary(ref random),
-            };
+    {
+        return new SimulatedTarget
+        {
+            Id = id,
+            Name = kind.Name + " " + id.ToString(CultureInfo.InvariantCulture),
+            Class = kind.Class,
+            Position = new NedPosition(place.North, place.East, 0),
+            SideMetres = kind.SideMetres,
+            WidthMetres = kind.WidthMetres,
+            Heading = Angle.FromRadians(2 * Math.PI * random.NextUnit()),
+            IsDistractor = isDistractor,
+            Surface = kind.Surface.Vary(ref random),
+        };
+    }
 
     private static List<(double North, double East)> FindPlaces(
         ulong seed, GroundPolygon area, int targets, int distractors)

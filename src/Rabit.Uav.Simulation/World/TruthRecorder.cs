@@ -1,6 +1,5 @@
 using System;
 using Rabit.Geodesy;
-using Rabit.Mavlink.Messages;
 using Rabit.Uav.ImageProcessing.Geolocation;
 
 namespace Rabit.Uav.Simulation;
@@ -32,18 +31,21 @@ internal sealed class TruthRecorder
     private bool _isAirborne;
     private bool _hasFlown;
     private bool _hasCrashed;
-    private CopterMode _mode;
+    private uint _mode;
+    private string _modeName = string.Empty;
     private long _sent;
     private long _received;
     private long _lost;
 
-    public void Record(in TruePose pose, bool isArmed, CopterMode mode, double battery, double touchdownSpeed)
+    public void Record(
+        in TruePose pose, bool isArmed, uint mode, string modeName, double battery, double touchdownSpeed)
     {
         lock (_gate)
         {
             Move(pose, touchdownSpeed);
             _isArmed = isArmed;
             _mode = mode;
+            _modeName = modeName;
             _battery = battery;
             if (_pathCount == 0 || ((isArmed || _isAirborne) && pose.Time >= _nextPath))
                 AddToPath(pose);
@@ -70,8 +72,8 @@ internal sealed class TruthRecorder
                 Landing = _landing,
                 TouchdownMetresPerSecond = _touchdown,
                 HasCrashed = _hasCrashed,
-                CustomMode = (uint)_mode,
-                Mode = CopterModes.NameOf(_mode),
+                CustomMode = _mode,
+                Mode = _modeName,
                 BatteryRemaining = _battery,
                 Airtime = _airtime,
                 FlownMetres = _flown,

@@ -14,6 +14,13 @@ public sealed partial class AutopilotManager
     // Set-points, time-outs and the first requests for the time are due more often than the rest.
     private static readonly TimeSpan BusyDelay = TimeSpan.FromMilliseconds(50);
 
+    // What moves the vehicle follows from what was reported a moment ago; after a stall of Communications it no longer
+    // does. Of a command the next repetition is sent, of set-points the next one.
+    private static readonly TimeSpan MaxCommandDelay = TimeSpan.FromSeconds(0.3);
+
+    // Something that is due now.
+    private static readonly TimeSpan MinDelay = TimeSpan.FromMilliseconds(1);
+
     // Answers to TIMESYNC are due by then: five at 5 Hz.
     private static readonly TimeSpan TimesyncWait = TimeSpan.FromSeconds(3);
 
@@ -36,7 +43,11 @@ public sealed partial class AutopilotManager
         while (outbox.Notes.Count > 0)
             Log(outbox.Notes.Dequeue());
         while (outbox.Frames.Count > 0)
-            _outgoing.Push(new OutgoingFrame { Frame = outbox.Frames.Dequeue() });
+            _outgoing.Push(new OutgoingFrame
+            {
+                Frame = outbox.Frames.Dequeue(),
+                ValidUntil = Now + MaxCommandDelay,
+            });
         PostAuthority();
         while (outbox.Answers.Count > 0)
             Answer(outbox.Answers.Dequeue());
@@ -53,9 +64,11 @@ public sealed partial class AutopilotManager
     private void PostAuthority()
     {
         ref CommandAuthority posted = ref _authority.Value;
-        if (posted.State == _executor.Authority.State)
+        ref readonly CommandAuthority current = ref _executor.Authority;
+        if (posted.State == current.State && posted.Cause == current.Cause
+            && posted.IsReturningByItself == current.IsReturningByItself)
             return;
-        posted = _executor.Authority;
+        posted = current;
         _authority.PostStamped(posted.Since);
     }
 

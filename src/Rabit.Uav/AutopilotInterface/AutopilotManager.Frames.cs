@@ -40,6 +40,15 @@ public sealed partial class AutopilotManager
             case Wind.MavlinkId:
                 mavlink.TryDecode(out Wind wind);
                 return Complete(frame, _tracker.Update(frame, wind));
+            case Event.MavlinkId:
+                mavlink.TryDecode(out Event happened);
+                return Take(frame, happened);
+            case FenceStatus.MavlinkId:
+                mavlink.TryDecode(out FenceStatus fence);
+                return Take(frame, fence);
+            case PositionTargetLocalNed.MavlinkId:
+                mavlink.TryDecode(out PositionTargetLocalNed target);
+                return Take(frame, target);
             case Timesync.MavlinkId:
                 mavlink.TryDecode(out Timesync time);
                 return Take(frame, time);
@@ -60,6 +69,7 @@ public sealed partial class AutopilotManager
         Handle(frame, events);
         if (_tracker.State.IsConnected)
             _rates?.Handle(frame.Frame, Now);
+        TakeSetupFrame(frame);
         return events;
     }
 
@@ -103,7 +113,31 @@ public sealed partial class AutopilotManager
             return events;
         var item = new StatusText(frame.Time, text.Severity, text.Text.ToString());
         _statusTexts.Value = _statusTexts.Value.With(item, RecentItemsKept);
-        _executor.TakeText(item.Severity, item.Text);
+        _executor.TakeText(item.Severity, item.Text, frame.Time);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in Event happened)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (_tracker.IsFromAutopilot(frame.Frame))
+            _executor.TakeEvent(happened.Id, frame.Time);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in FenceStatus fence)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (_tracker.IsFromAutopilot(frame.Frame))
+            _executor.TakeFence(fence.BreachStatus != 0);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in PositionTargetLocalNed target)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (_tracker.IsFromAutopilot(frame.Frame))
+            _executor.TakeTarget(target, frame.Time);
         return events;
     }
 
@@ -111,11 +145,20 @@ public sealed partial class AutopilotManager
     {
         VehicleEvents events = _tracker.Update(frame);
         Handle(frame, events);
-        if (_tracker.IsFromAutopilot(frame.Frame))
+        bool isFromAutopilot = _tracker.IsFromAutopilot(frame.Frame);
+        OwnAddress own = _ownAddress.Value;
+        bool isOfReport = isFromAutopilot && acknowledgement.Command == MavCmd.RequestMessage
+            && acknowledgement.TargetSystem == own.SystemId && acknowledgement.TargetComponent == own.ComponentId;
+
+        // Reports of the mode are asked for several times a second: their acknowledgements say nothing to people.
+        if (isOfReport)
+            _executor.TakeReportAcknowledgement(acknowledgement.Result, Now);
+        else if (isFromAutopilot)
             Keep(acknowledgement, frame.Time);
         if (_tracker.State.IsConnected)
             _rates?.Handle(frame.Frame, acknowledgement, Now);
-        _executor.TakeAcknowledgement(frame.Frame, acknowledgement, Now);
+        if (!isOfReport)
+            _executor.TakeAcknowledgement(frame.Frame, acknowledgement, Now);
         return events;
     }
 

@@ -59,6 +59,7 @@ public sealed partial class AutopilotManager : RabitManager
         _answers = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
         _poses = Send<PoseSample>(MessageNames.Poses);
+        PublishSetup();
         WakeUpDelay = IdleDelay;
     }
 
@@ -73,7 +74,9 @@ public sealed partial class AutopilotManager : RabitManager
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
     {
+        _executor.BeginRun(Now);
         VehicleEvents events = TakeFrames() | CheckSilence();
+        RunSetup();
         if ((events & VehicleEvents.Changed) != 0)
         {
             _vehicle.Value = _tracker.State;
@@ -84,7 +87,17 @@ public sealed partial class AutopilotManager : RabitManager
         RequestTime();
         ExecuteCommands();
         PostStatistics();
-        WakeUpDelay = _executor.IsBusy || _clock.Requests.IsFast(Now) ? BusyDelay : IdleDelay;
+        WakeUpDelay = NextWakeUpDelay();
+    }
+
+    private TimeSpan NextWakeUpDelay()
+    {
+        TimeSpan now = Now;
+        TimeSpan delay = IsSetupBusy || _executor.IsBusy || _clock.Requests.IsFast(now) ? BusyDelay : IdleDelay;
+        TimeSpan due = _executor.NextDue(now);
+        if (due < now + delay)
+            delay = due - now;
+        return delay < MinDelay ? MinDelay : delay;
     }
 
     private VehicleEvents TakeFrames()
@@ -140,6 +153,7 @@ public sealed partial class AutopilotManager : RabitManager
         {
             Log("the autopilot has rebooted");
             HandleReboot(time);
+            _setup?.HandleReboot(time);
         }
 
         if ((events & (VehicleEvents.Found | VehicleEvents.FoundAgain | VehicleEvents.Rebooted)) != 0)
@@ -159,7 +173,8 @@ public sealed partial class AutopilotManager : RabitManager
         var sender = new MavlinkSender(own.SystemId, own.ComponentId);
         _executor.Connect(sender, target);
         _rates = new MavlinkRateClient(
-            sender, target, _options.RequestedRates.Select(r => (r.MessageId, r.Hertz)).ToArray());
+            sender, target, RatesFor(vehicle.Autopilot).Select(r => (r.MessageId, r.Hertz)).ToArray());
+        MakeSetup(vehicle, sender, target);
     }
 
     private void RequestRates()

@@ -22,7 +22,14 @@ public sealed class AutopilotOptions
 
     /// <summary>Our own component id.</summary>
     /// <value>The default is 191, MAV_COMP_ID_ONBOARD_COMPUTER (MAVLink guide, "MAVLink identifiers").</value>
-    public byte ComponentId { get; set; } = (byte)MavComponent.OnboardComputer;
+    public byte ComponentId
+    {
+        get => SetComponentId ?? (byte)MavComponent.OnboardComputer;
+        set => SetComponentId = value;
+    }
+
+    /// <summary>Null where it is the default: another place may say otherwise then.</summary>
+    internal byte? SetComponentId { get; private set; }
 
     /// <summary>After what time without a heartbeat the autopilot is lost.</summary>
     /// <value>The default is 5 s: four to five missed at 1 Hz (MAVLink guide, "Heartbeat/Connection Protocol").</value>
@@ -63,7 +70,11 @@ public sealed class AutopilotOptions
         new(SystemTime.MavlinkId, 1),
         new(ExtendedSysState.MavlinkId, 2),
         new(Wind.MavlinkId, 1),
+        new(PositionTargetLocalNed.MavlinkId, 4),
     ];
+
+    /// <summary>Which of the autopilot's parameters are read and written before a flight.</summary>
+    public AutopilotSetupOptions Setup { get; set; } = new();
 
     /// <summary>Checks, and takes a copy that later changes do not reach.</summary>
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
@@ -74,12 +85,13 @@ public sealed class AutopilotOptions
             throw new ArgumentException("Autopilot Interface: " + string.Join("; ", faults) + ".", parameter);
         var copy = (AutopilotOptions)MemberwiseClone();
         copy.RequestedRates = RequestedRates.ToArray();
+        copy.Setup = Setup.Copy();
         return copy;
     }
 
     internal AutopilotOptions Copy() => (AutopilotOptions)MemberwiseClone();
 
-    private IEnumerable<string> FindFaults()
+    internal IEnumerable<string> FindFaults()
     {
         if (SystemId == 0)
             yield return $"{nameof(SystemId)} is 0, which means every system; it must be 1 to 255, or null for that of "
@@ -89,6 +101,8 @@ public sealed class AutopilotOptions
         if (HeartbeatTimeout < TimeSpan.FromSeconds(1))
             yield return $"{nameof(HeartbeatTimeout)} is {HeartbeatTimeout}; heartbeats come once a second, so it must "
                 + "be at least that";
+        foreach (string fault in Setup?.FindFaults() ?? [$"{nameof(Setup)} is null"])
+            yield return fault;
         if (Dialect is null)
             yield return $"{nameof(Dialect)} is null";
         if (RequestedRates is null)

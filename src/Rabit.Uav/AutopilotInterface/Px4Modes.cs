@@ -9,6 +9,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal static class Px4Modes
 {
     public const uint Takeoff = 0x0204_0000;
+    public const uint Offboard = 0x0006_0000;
     public const uint Loiter = 0x0304_0000;
     public const uint Return = 0x0504_0000;
     public const uint Land = 0x0604_0000;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
 using Rabit.Links;
 using Rabit.Uav.Messages;
 
@@ -32,8 +33,9 @@ public sealed partial class CommunicationsManager : RabitManager
     private readonly long[] _droppedIn;
     private readonly FrameStatistics _own;
     private readonly Dictionary<int, byte> _sequences = [];
+    private long _expired;
     private TimeSpan _nextStatus;
-    private long _reportedDrops;
+    private readonly DropReport _ownDrops = new();
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Its links; checked and read now.</param>
@@ -97,6 +99,7 @@ public sealed partial class CommunicationsManager : RabitManager
     {
         SendOwnFrames();
         PostStatus();
+        LogDrops(isEnd: true);
         _signing?.Save();
     }
 
@@ -180,10 +183,16 @@ public sealed partial class CommunicationsManager : RabitManager
 
         // A log is no network: whatever its target was then, it is part of the flight that is replayed now.
         bool isReplayed = isRecorded && frame.IsChecked && route.Reason != MavlinkRouteReason.OurOwn;
-        if (route.DeliverLocally || isReplayed)
-            Deliver(frame, isReplayed || frame.IsFor(own.SystemId, own.ComponentId));
+        bool isTime = IsTimeOfOurVehicle(frame, own);
+        if (route.DeliverLocally || isReplayed || isTime)
+            Deliver(frame, isReplayed || isTime || frame.IsFor(own.SystemId, own.ComponentId));
         Forward(route.ForwardTo, mavlink);
     }
+
+    // PX4 1.14 leaves the target of its TIMESYNC answers uninitialised; whose answer it is the time in it says.
+    private static bool IsTimeOfOurVehicle(in LinkFrame frame, OwnAddress own)
+        => frame.IsChecked && frame.Frame.MessageId == Timesync.MavlinkId && frame.Frame.SystemId == own.SystemId
+            && frame.Frame.ComponentId != own.ComponentId;
 
     // Autopilot Interface first: subscriptions never hold it up.
     private void Deliver(in LinkFrame frame, bool isForComputer)
@@ -197,6 +206,12 @@ public sealed partial class CommunicationsManager : RabitManager
     {
         while (_outgoing.TryPop(out OutgoingFrame outgoing))
         {
+            if (outgoing.ValidUntil != TimeSpan.Zero && Now > outgoing.ValidUntil)
+            {
+                _expired++;
+                continue;
+            }
+
             if (!_options.Dialect.TryGetMessage(outgoing.Frame.MessageId, out MavlinkMessageInfo message))
             {
                 Log($"{outgoing.Frame} is not sent: the dialect does not know its id");
@@ -249,18 +264,22 @@ public sealed partial class CommunicationsManager : RabitManager
         foreach (LinkPort port in _ports)
             port.PostStatus(Now, _options.SilentAfter, _droppedIn[port.Number]);
 
-        long dropped = _outgoing.Counters.Dropped;
-        if (dropped > _reportedDrops)
-            Log($"{dropped - _reportedDrops} frames of our own were dropped: more came than could be sent");
-        _reportedDrops = dropped;
+        LogDrops(isEnd: false);
+        ReportSigning();
+    }
+
+    private void LogDrops(bool isEnd)
+    {
+        long dropped = _outgoing.Counters.Dropped + _expired;
+        if (_ownDrops.IsDue(dropped, Now, isEnd))
+            Log($"{dropped} frames of our own were dropped so far: more came than could be sent in time");
         foreach (SubscriptionPort subscription in _subscriptions)
         {
-            if (subscription.TakeNewDrops() is > 0 and long lost)
-                Log($"{lost} frames for queue '{subscription.Queue}' were dropped: it is full, since its manager "
-                    + "receives too slowly");
+            long lost = subscription.Counters.Dropped;
+            if (subscription.Drops.IsDue(lost, Now, isEnd))
+                Log($"{lost} frames for queue '{subscription.Queue}' were dropped so far: it is full, since its "
+                    + "manager receives too slowly");
         }
-
-        ReportSigning();
     }
 
     // Not before everything is handled: what is still to be read or popped wakes us again.

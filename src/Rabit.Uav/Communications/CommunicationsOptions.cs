@@ -82,38 +82,51 @@ public sealed class CommunicationsOptions
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal CommunicationsOptions Validate(string parameter)
     {
-        var faults = new List<string>();
-        if (Links is null || RecordedFiles is null || VehicleMessageRoutes is null)
-            throw new ArgumentException(
-                "Communications: the lists of links, recorded files and vehicle message routes may be empty, but not "
-                    + "null.",
-                parameter);
-        faults.AddRange(SubscriptionCheck.FindFaults(Dialect, Subscriptions));
-        if (Count == 0)
-            faults.Add("there is no link");
-        if (Count > MavlinkRouter.MaxLinks)
-            faults.Add($"there are {Count} links; at most {MavlinkRouter.MaxLinks} are possible");
-        faults.AddRange(Signing?.FindFaults(Links.Count) ?? []);
-        if (FramesWaitingIn < 1)
-            faults.Add($"{nameof(FramesWaitingIn)} is {FramesWaitingIn}; it must be at least 1");
-        if (FramesWaitingOut < 1)
-            faults.Add($"{nameof(FramesWaitingOut)} is {FramesWaitingOut}; it must be at least 1");
-        if (SilentAfter <= TimeSpan.Zero)
-            faults.Add($"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero");
-        if (!(PositionRateHz >= 0 && PositionRateHz <= MaxPositionRate))
-            faults.Add(
-                FormattableString.Invariant(
-                    $"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {MaxPositionRate}"));
-        if (VehicleMessageBytesPerSecond < MavlinkFrame.MaxWireLength)
-            faults.Add($"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; it must be at least "
-                + $"one frame, {MavlinkFrame.MaxWireLength}");
-        foreach (IGrouping<int, VehicleMessageRoute> twice
-            in VehicleMessageRoutes.GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
-            faults.Add($"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once");
+        List<string> faults = FindFaultsOfLinks().Concat(FindFaultsOfValues()).ToList();
         if (faults.Count > 0)
             throw new ArgumentException("Communications: " + string.Join("; ", faults) + ".", parameter);
         CommunicationsOptions copy = Copy();
         copy.Subscriptions = Subscriptions.ToArray();
         return copy;
+    }
+
+    /// <summary>What is wrong with that which needs neither links nor a dialect.</summary>
+    internal IEnumerable<string> FindFaultsOfValues()
+    {
+        if (FramesWaitingIn < 1)
+            yield return $"{nameof(FramesWaitingIn)} is {FramesWaitingIn}; it must be at least 1";
+        if (FramesWaitingOut < 1)
+            yield return $"{nameof(FramesWaitingOut)} is {FramesWaitingOut}; it must be at least 1";
+        if (SilentAfter <= TimeSpan.Zero)
+            yield return $"{nameof(SilentAfter)} is {SilentAfter}; it must be above zero";
+        if (!(PositionRateHz >= 0 && PositionRateHz <= MaxPositionRate))
+            yield return FormattableString.Invariant(
+                $"{nameof(PositionRateHz)} is {PositionRateHz}; it must be 0 to {MaxPositionRate}");
+        if (VehicleMessageBytesPerSecond < MavlinkFrame.MaxWireLength)
+            yield return $"{nameof(VehicleMessageBytesPerSecond)} is {VehicleMessageBytesPerSecond}; "
+                + $"it must be at least one frame, {MavlinkFrame.MaxWireLength}";
+        if (VehicleMessageRoutes is null || VehicleMessageRoutes.Contains(null!))
+            yield return $"{nameof(VehicleMessageRoutes)}, or one of them, is null; it may be empty, but not null";
+        foreach (IGrouping<int, VehicleMessageRoute> twice in (VehicleMessageRoutes ?? [])
+            .Where(r => r is not null).GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
+            yield return $"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once";
+    }
+
+    private IEnumerable<string> FindFaultsOfLinks()
+    {
+        foreach (string fault in SubscriptionCheck.FindFaults(Dialect, Subscriptions))
+            yield return fault;
+        if (Links is null || RecordedFiles is null || Links.Contains(null!) || RecordedFiles.Contains(null!))
+        {
+            yield return $"{nameof(Links)} or {nameof(RecordedFiles)}, or one of them, is null; they may be empty, but not null";
+            yield break;
+        }
+
+        if (Count == 0)
+            yield return "there is no link";
+        if (Count > MavlinkRouter.MaxLinks)
+            yield return $"there are {Count} links; at most {MavlinkRouter.MaxLinks} are possible";
+        foreach (string fault in Signing?.FindFaults(Links.Count) ?? [])
+            yield return fault;
     }
 }

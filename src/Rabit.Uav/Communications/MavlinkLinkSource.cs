@@ -13,10 +13,13 @@ namespace Rabit.Uav.Communications;
 /// thread calls it.
 /// </summary>
 /// <example>
+/// In the constructor of a manager, and in its unit of work:
 /// <code>
 /// _frames = AttachReader("radio", new MavlinkLinkSource(link), 256, QueueFullMode.DropOldest);
-/// ...
-/// while (_frames.TryPop(out LinkFrame frame)) ...
+/// </code>
+/// <code>
+/// while (_frames.TryPop(out LinkFrame frame))
+///     Log($"message {frame.Frame.MessageId} of system {frame.Frame.SystemId}");
 /// </code>
 /// </example>
 public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>

@@ -13,10 +13,12 @@ namespace Rabit.Uav.Communications;
 /// <param name="link">Open; it stays the caller's to dispose.</param>
 /// <exception cref="ArgumentNullException">No link.</exception>
 /// <example>
+/// In the constructor of a manager, and in its unit of work:
 /// <code>
 /// _writer = AttachWriter("radio out", new MavlinkLinkTarget(link), 256, QueueFullMode.DropOldest);
-/// ...
-/// _writer.Push(_sender.Create(message));
+/// </code>
+/// <code>
+/// _writer.Push(mavlink.Create(message));   // a MavlinkSender, which numbers the frames
 /// </code>
 /// </example>
 public sealed class MavlinkLinkTarget(IByteLink link) : IWriterTarget<MavlinkFrame>

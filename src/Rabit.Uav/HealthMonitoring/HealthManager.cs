@@ -13,7 +13,7 @@ namespace Rabit.Uav.HealthMonitoring;
 /// heartbeat, once a second and only while it is true: an unknown address, a manager that faulted or that hangs stops
 /// it. In flight it advises Mission Control to return to launch or to land, where a rule says so.
 /// </summary>
-public sealed class HealthManager : RabitManager
+public sealed partial class HealthManager : RabitManager
 {
     /// <summary>The name of the manager.</summary>
     public const string ManagerName = "health";
@@ -31,6 +31,7 @@ public sealed class HealthManager : RabitManager
     private readonly ManagerWatch[] _managers;
     private readonly LinkWatch[] _links;
     private readonly MessageSubscriber<VehicleState> _vehicle;
+    private readonly MessageSubscriber<AutopilotStatistics> _autopilot;
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly MessageSubscriber<MissionStatus> _mission;
     private readonly CameraWatch _camera;
@@ -68,12 +69,14 @@ public sealed class HealthManager : RabitManager
         _links = Enumerable.Range(0, linkCount)
             .Select(number => new LinkWatch(number, Subscribe<LinkStatus>(MessageNames.LinkStatus(number)))).ToArray();
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
+        _autopilot = Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _mission = Subscribe<MissionStatus>(MessageNames.Mission);
         _camera = new CameraWatch(Subscribe<ImagingStatus>(MessageNames.Imaging));
         _texts = new StatusTextSender(_options.StatusTextPeriod);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
         _report = Publish<HealthReport>(MessageNames.Health);
+        _preflight = MakePreflight(_options.Preflight, linkCount);
         WakeUpDelay = EvaluationPeriod;
     }
 
@@ -87,6 +90,7 @@ public sealed class HealthManager : RabitManager
             SendHeartbeat();
         SendTexts(now);
         PostReport(now);
+        _preflight?.Update(now, _vehicle.Value, _ownAddress.Value, _mission.Value.Phase);
         WakeUpDelay = _schedule.UntilNext(now);
     }
 
@@ -145,7 +149,10 @@ public sealed class HealthManager : RabitManager
     {
         _vehicle.Fetch();
         TimeSpan? windHighFor = _wind.Update(_vehicle.Value, now, _options);
-        HealthRules.Evaluate(new VehicleFacts(_vehicle.Value, now, isReplayOver, windHighFor), _options, _findings);
+        _autopilot.Fetch();
+        HealthRules.Evaluate(
+            new VehicleFacts(_vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver, windHighFor), _options,
+            _findings);
         HealthRules.Evaluate(_camera.Update(now), _options, _findings);
     }
 
@@ -154,7 +161,8 @@ public sealed class HealthManager : RabitManager
     {
         _mission.Fetch();
         bool isFlying = _mission.Value.Phase is MissionPhase.Arming or MissionPhase.TakingOff or MissionPhase.InTransit
-            or MissionPhase.Searching or MissionPhase.Revisiting or MissionPhase.Returning or MissionPhase.Landing;
+            or MissionPhase.Searching or MissionPhase.Revisiting or MissionPhase.Holding or MissionPhase.Returning
+            or MissionPhase.Landing;
         _advice.Update(_findings, isFlying);
         _next.Advice = _advice.Advice;
         _next.AdviceText = _advice.Text;

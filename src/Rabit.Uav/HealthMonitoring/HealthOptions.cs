@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Uav.Preflight;
 
 namespace Rabit.Uav.HealthMonitoring;
 
@@ -78,6 +79,9 @@ public sealed class HealthOptions
     /// <value>Above zero. The default is 5 s.</value>
     public TimeSpan StatusTextPeriod { get; set; } = TimeSpan.FromSeconds(5);
 
+    /// <summary>The pre-flight checklist; null where there is none. Set where the system is composed.</summary>
+    internal PreflightOptions? Preflight { get; set; }
+
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal HealthOptions ValidatedCopy(string parameter)
     {
@@ -87,7 +91,9 @@ public sealed class HealthOptions
         return (HealthOptions)MemberwiseClone();
     }
 
-    private IEnumerable<string> FindFaults()
+    internal HealthOptions Copy() => (HealthOptions)MemberwiseClone();
+
+    internal IEnumerable<string> FindFaults()
     {
         if (!(BatteryLowFraction > 0 && BatteryLowFraction < 1))
             yield return FormattableString.Invariant(
@@ -103,9 +109,8 @@ public sealed class HealthOptions
                 + "at least that";
         if (StuckAfter < HealthManager.EvaluationPeriod)
         {
-            yield return $"{nameof(StuckAfter)} is {StuckAfter}; the rules are evaluated every "
-                + $"{HealthManager.EvaluationPeriod}, "
-                + "so it must be at least that";
+            yield return $"{nameof(StuckAfter)} is {StuckAfter}; it must be at least the "
+                + $"{HealthManager.EvaluationPeriod} after which the rules are evaluated again";
         }
 
         if (StuckReturnToLaunchAfter < StuckAfter)

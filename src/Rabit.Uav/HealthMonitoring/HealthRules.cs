@@ -45,6 +45,10 @@ internal static class HealthRules
             static (in VehicleFacts v, HealthOptions _) => v.State.SystemStatus
                 is MavState.Critical or MavState.Emergency or MavState.FlightTermination,
             static (in VehicleFacts v) => (long)v.State.SystemStatus),
+        new(HealthReasons.CommandsUnanswered, HealthLevel.Warning, HealthAdvice.None,
+            static (in VehicleFacts v, HealthOptions _) => v.State.IsConnected && v.Requests.Unanswered > 0
+                && v.Requests.Accepted == 0 && v.Requests.Refused == 0,
+            static (in VehicleFacts v) => v.Requests.Unanswered),
         new(HealthReasons.BatteryCritical, HealthLevel.Critical, HealthAdvice.Land,
             static (in VehicleFacts v, HealthOptions o) => v.State.BatteryTime is not null
                 && v.State.BatteryRemaining <= o.BatteryCriticalFraction,
@@ -83,6 +87,9 @@ internal static class HealthRules
         new(HealthReasons.FramesDropped, HealthLevel.Warning, HealthAdvice.None,
             static (in LinkFacts l, HealthOptions _) => l.HasDroppedRecently,
             static (in LinkFacts l) => l.FramesDropped),
+        new(HealthReasons.SignaturesRejected, HealthLevel.Warning, HealthAdvice.None,
+            static (in LinkFacts l, HealthOptions _) => l.HasRejectedRecently,
+            static (in LinkFacts l) => l.SignaturesRejected),
     ];
 
     /// <summary>

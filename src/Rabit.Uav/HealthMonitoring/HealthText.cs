@@ -36,6 +36,10 @@ internal static class HealthText
             $"link {finding.Subject}: nothing received yet",
         HealthReasons.LinkSilent => $"link {finding.Subject} is silent",
         HealthReasons.FramesDropped => Invariant($"link {finding.Subject} dropped frames ({finding.Figure} so far)"),
+        HealthReasons.SignaturesRejected => Invariant(
+            $"link {finding.Subject}: {finding.Figure} frames rejected, not signed with our key or not in time"),
+        HealthReasons.CommandsUnanswered => Invariant(
+            $"the autopilot answers no command ({finding.Figure} so far): it may sign its link, or receive nothing"),
         HealthReasons.CameraSilent when finding.Figure < 0 => "the camera has delivered no picture yet",
         HealthReasons.CameraSilent =>
             Invariant($"the camera delivers no pictures (last at {Seconds(finding.Figure)} s)"),

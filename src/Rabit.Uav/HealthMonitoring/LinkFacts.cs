@@ -5,7 +5,8 @@ namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>Input of the rules for a link.</summary>
 internal readonly struct LinkFacts(
-    string name, in LinkStatus status, long framesDropped, bool hasDroppedRecently, TimeSpan monitoredFor)
+    string name, in LinkStatus status, long framesDropped, bool hasDroppedRecently, bool hasRejectedRecently,
+    TimeSpan monitoredFor)
 {
     /// <summary>Its URL; its number until Communications has reported it.</summary>
     public string Name { get; } = name;
@@ -21,6 +22,11 @@ internal readonly struct LinkFacts(
     public long FramesDropped { get; } = framesDropped;
 
     public bool HasDroppedRecently { get; } = hasDroppedRecently;
+
+    /// <summary>Frames whose signatures were rejected, since the start.</summary>
+    public long SignaturesRejected { get; } = status.Signatures.Rejected;
+
+    public bool HasRejectedRecently { get; } = hasRejectedRecently;
 
     /// <summary>Since Health Monitoring started.</summary>
     public TimeSpan MonitoredFor { get; } = monitoredFor;

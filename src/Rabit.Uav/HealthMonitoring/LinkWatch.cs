@@ -10,6 +10,7 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
 {
     private readonly string _number = number.ToString(CultureInfo.InvariantCulture);
     private readonly WindowedIncrease _dropped = new();
+    private readonly WindowedIncrease _rejected = new();
     private long _droppedBeforeFirstFrame;
 
     public LinkFacts Update(TimeSpan now, TimeSpan monitoredSince, HealthOptions options)
@@ -22,6 +23,7 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
             _droppedBeforeFirstFrame = value.FramesDroppedOut;
         long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedBeforeFirstFrame;
         bool drops = _dropped.Update(dropped, now, options.RecentWindow);
-        return new LinkFacts(value.Url ?? _number, value, dropped, drops, now - monitoredSince);
+        bool rejects = _rejected.Update(value.Signatures.Rejected, now, options.RecentWindow);
+        return new LinkFacts(value.Url ?? _number, value, dropped, drops, rejects, now - monitoredSince);
     }
 }

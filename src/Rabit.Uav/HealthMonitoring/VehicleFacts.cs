@@ -5,9 +5,12 @@ namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>Input of the rules for the vehicle.</summary>
 internal readonly struct VehicleFacts(
-    in VehicleState state, TimeSpan now, bool isReplayOver, TimeSpan? windHighFor = null)
+    in VehicleState state, in RateRequestCounts requests, TimeSpan now, bool isReplayOver, TimeSpan? windHighFor = null)
 {
     public VehicleState State { get; } = state;
+
+    /// <summary>How the autopilot answered our first commands, which ask for message rates.</summary>
+    public RateRequestCounts Requests { get; } = requests;
 
     public TimeSpan HeartbeatAge { get; } = now - state.LastHeartbeatTime;
 

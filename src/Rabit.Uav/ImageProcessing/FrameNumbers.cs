@@ -1,9 +1,11 @@
+using System;
+
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>Counts pictures that were lost by the gaps in their numbers.</summary>
 internal sealed class FrameNumbers
 {
-    private long _next;
+    private long? _next;
 
     public long Lost { get; private set; }
 
@@ -11,10 +13,17 @@ internal sealed class FrameNumbers
     /// Takes the number of a picture that arrived. A number that goes back is a camera that was restarted, or a late
     /// picture.
     /// </summary>
-    public void Take(long number)
+    /// <param name="number">The number.</param>
+    /// <param name="dropped">
+    /// How many pictures found no room so far: of those before the first that arrived, the others were taken before the
+    /// run.
+    /// </param>
+    public void Take(long number, long dropped)
     {
-        if (number > _next)
-            Lost += number - _next;
+        if (_next is not { } next)
+            Lost = Math.Min(number, dropped);
+        else if (number > next)
+            Lost += number - next;
         _next = number + 1;
     }
 }

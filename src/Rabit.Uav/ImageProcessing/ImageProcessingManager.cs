@@ -119,7 +119,7 @@ public sealed class ImageProcessingManager : RabitManager
         {
             _next.Frames++;
             _next.LastFrameTime = now;
-            _numbers.Take(frame.Number);
+            _numbers.Take(frame.Number, _camera.Counters.Dropped);
             if (_command.Value.Mode != ImagingMode.Search)
             {
                 frame.Dispose();

@@ -95,11 +95,7 @@ public sealed class ImageProcessingOptions
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal ImageProcessingOptions ValidatedCopy(bool hasCamera, string parameter)
     {
-        if (Mount is null || Errors is null || ColourDetector is null)
-            throw new ArgumentException(
-                "Image Processing: the mount, the errors and the colour detector's options may not be null.",
-                parameter);
-        List<string> faults = FindFaults(hasCamera).Concat(FindFaultsInParts()).ToList();
+        List<string> faults = FindFaults(hasCamera).ToList();
         if (faults.Count > 0)
             throw new ArgumentException("Image Processing: " + string.Join("; ", faults) + ".", parameter);
         var copy = (ImageProcessingOptions)MemberwiseClone();
@@ -110,8 +106,13 @@ public sealed class ImageProcessingOptions
 
     internal ColourTargetDetector CreateColourDetector() => new(TargetClasses, ColourDetector, Errors.PixelNoise);
 
-    private IEnumerable<string> FindFaults(bool hasCamera)
+    internal IEnumerable<string> FindFaults(bool hasCamera)
+        => FindFaultsOfValues(hasCamera).Concat(FindFaultsInParts());
+
+    private IEnumerable<string> FindFaultsOfValues(bool hasCamera)
     {
+        if (Mount is null || Errors is null || ColourDetector is null)
+            yield return "the mount, the errors and the colour detector's options may not be null";
         if (hasCamera && Camera is null)
             yield return $"there is a camera, but {nameof(Camera)} does not say what it is like";
         if (DetectorTimeBudget <= TimeSpan.Zero)
@@ -136,9 +137,11 @@ public sealed class ImageProcessingOptions
 
     private IEnumerable<string> FindFaultsInParts()
         => (Camera?.FindFaults() ?? [])
-            .Concat(Mount.FindFaults())
-            .Concat(Errors.FindFaults())
+            .Concat(Mount?.FindFaults() ?? [])
+            .Concat(Errors?.FindFaults() ?? [])
             .Concat(TargetClass.FindFaults(TargetClasses))
-            .Concat(ColourDetector.FindFaults())
-            .Concat(Detector is null ? ColourTargetDetector.FindColourFaults(TargetClasses) : []);
+            .Concat(ColourDetector?.FindFaults() ?? [])
+            .Concat(Detector is null && !TargetClasses.IsDefault
+                ? ColourTargetDetector.FindColourFaults(TargetClasses)
+                : []);
 }

@@ -12,6 +12,9 @@ public enum CommandAuthorityState
     /// <summary>We command.</summary>
     Ours,
 
-    /// <summary>The pilot or the autopilot changed the mode: we command no more in this run.</summary>
+    /// <summary>
+    /// The pilot, another commander or the autopilot took the command away: nothing is sent until the operator gives it
+    /// back (<see cref="VehicleCommandKind.TakeControl"/>).
+    /// </summary>
     TakenAway,
 }

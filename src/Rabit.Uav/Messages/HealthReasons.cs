@@ -52,4 +52,10 @@ public enum HealthReasons
     /// The target detector threw, gave detections that are not valid, or took longer than its time budget.
     /// </summary>
     DetectorFault = 8192,
+
+    /// <summary>Frames on a signed link are rejected: another key, or none, or not in time.</summary>
+    SignaturesRejected = 16384,
+
+    /// <summary>The autopilot is received and answers no command.</summary>
+    CommandsUnanswered = 32768,
 }

@@ -36,6 +36,15 @@ public static class MessageNames
     /// <summary>Message <see cref="Messages.CommandAuthority"/>, posted by Autopilot Interface.</summary>
     public const string CommandAuthority = "command authority";
 
+    /// <summary>Message <see cref="Messages.AutopilotParameters"/>, posted by Autopilot Interface.</summary>
+    public const string AutopilotParameters = "autopilot parameters";
+
+    /// <summary>Message <see cref="NavigationStatus"/>, posted by Autopilot Interface.</summary>
+    public const string Navigation = "navigation";
+
+    /// <summary>Message <see cref="PreflightReport"/>, posted by Health Monitoring.</summary>
+    public const string Preflight = "preflight";
+
     /// <summary>Message <see cref="Messages.ImagingCommand"/>, posted by Mission Control.</summary>
     public const string ImagingCommand = "imaging command";
 

@@ -15,7 +15,7 @@ public enum MissionFailures
     /// <summary>The vehicle did not take off.</summary>
     NotFlown = 2,
 
-    /// <summary>The vehicle took off and is still armed.</summary>
+    /// <summary>The vehicle took off and is still armed, or its motors stopped in the air.</summary>
     NotLanded = 4,
 
     /// <summary>
@@ -26,4 +26,9 @@ public enum MissionFailures
 
     /// <summary>The vehicle was outside the fence.</summary>
     OutsideFence = 16,
+
+    /// <summary>
+    /// The command was taken away, and the mission was not resumed; <see cref="MissionStatus.TakenOver"/> says by whom.
+    /// </summary>
+    TakenOver = 32,
 }

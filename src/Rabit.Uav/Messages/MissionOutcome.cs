@@ -9,7 +9,10 @@ public enum MissionOutcome
     /// <summary>The mission is not over.</summary>
     InProgress,
 
-    /// <summary>The mission is over: the area was searched, and the vehicle landed at home.</summary>
+    /// <summary>
+    /// The mission is over: the area was searched, and the vehicle landed at home. Where the command was taken away in
+    /// between, the mission was resumed at the operator's command.
+    /// </summary>
     Accomplished,
 
     /// <summary>The mission is over and was not accomplished; <see cref="MissionResult.Failures"/> says why.</summary>

@@ -24,6 +24,11 @@ public enum MissionPhase
     /// <summary>Off the lanes, revisiting a confirmed target.</summary>
     Revisiting,
 
+    /// <summary>
+    /// Holding the position: at the operator's command until the next one, or because the vehicle made no progress.
+    /// </summary>
+    Holding,
+
     /// <summary>Return to launch.</summary>
     Returning,
 
@@ -33,7 +38,10 @@ public enum MissionPhase
     /// <summary>Landed, motors off.</summary>
     Done,
 
-    /// <summary>The pilot or the autopilot took over: nothing more is commanded.</summary>
+    /// <summary>
+    /// The pilot, the autopilot's failsafe or another commander took over, or the vehicle was flying already at the
+    /// start: nothing is commanded until the operator gives control back. Over once the motors are off.
+    /// </summary>
     HandedOver,
 
     /// <summary>

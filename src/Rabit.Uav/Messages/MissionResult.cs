@@ -18,7 +18,7 @@ public struct MissionResult
     /// <summary>Whether the vehicle took off.</summary>
     public bool HasFlown { get; set; }
 
-    /// <summary>Whether the vehicle took off and is on the ground with its motors off.</summary>
+    /// <summary>Whether the vehicle took off and landed: its motors are off, and did not stop in the air.</summary>
     public bool HasLanded { get; set; }
 
     /// <summary>Horizontal distance from home; NaN where the plan or the position is not known.</summary>

@@ -25,6 +25,15 @@ public struct MissionStatus
     /// <summary>Why the search was aborted before its end; null where it was not.</summary>
     public string? Aborted { get; set; }
 
+    /// <summary>
+    /// Who took the command away, and how ("the pilot took over: mode LOITER"); null where nothing did. It stays when
+    /// the operator has the mission resumed.
+    /// </summary>
+    public string? TakenOver { get; set; }
+
+    /// <summary>What became of the vehicle when the program was stopped in flight.</summary>
+    public MissionStopResult StopResult { get; set; }
+
     /// <summary>The lanes, the area and home; null before they are known.</summary>
     public SearchPlan? Plan { get; set; }
 

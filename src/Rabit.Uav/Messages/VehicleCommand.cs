@@ -1,3 +1,4 @@
+using System;
 using Rabit.Geodesy;
 
 namespace Rabit.Uav.Messages;
@@ -9,8 +10,18 @@ namespace Rabit.Uav.Messages;
 /// </summary>
 public struct VehicleCommand
 {
-    /// <summary>Chosen by the sender, above that of every earlier one; the result carries it.</summary>
+    /// <summary>
+    /// Chosen by the sender, above that of every earlier one; the result carries it. A command with the id of the
+    /// newest one is a renewal: nothing is sent again, only its <see cref="Validity"/> begins again.
+    /// </summary>
     public long Id { get; set; }
+
+    /// <summary>
+    /// How long the command stands without a renewal, counted from when Autopilot Interface receives it; zero: without
+    /// limit. When it has passed in flight, while we command and neither return nor landing runs, Autopilot Interface
+    /// returns to launch by itself: the commander no longer runs.
+    /// </summary>
+    public TimeSpan Validity { get; set; }
 
     /// <summary>What to do; says which of the other properties are read.</summary>
     public VehicleCommandKind Kind { get; set; }

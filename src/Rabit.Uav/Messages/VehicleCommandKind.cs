@@ -24,7 +24,10 @@ public enum VehicleCommandKind
     /// <summary>Fly with a velocity.</summary>
     Velocity,
 
-    /// <summary>Hold the present position.</summary>
+    /// <summary>
+    /// Hold where braking ends: ArduPilot in GUIDED at the stopping point (BRAKE where the position is not known), PX4
+    /// in AUTO.LOITER.
+    /// </summary>
     Hold,
 
     /// <summary>Return to launch (RTL) and land there, by the autopilot's own mode.</summary>
@@ -35,4 +38,10 @@ public enum VehicleCommandKind
 
     /// <summary>Point the camera's gimbal.</summary>
     PointCamera,
+
+    /// <summary>
+    /// The operator gives the command of the vehicle to us: the mode reported next counts as ours. Mission Control
+    /// sends it on the operator's word and never by itself.
+    /// </summary>
+    TakeControl,
 }

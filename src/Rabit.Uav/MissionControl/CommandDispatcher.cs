@@ -5,14 +5,24 @@ namespace Rabit.Uav.MissionControl;
 
 /// <summary>
 /// Sends the vehicle the command of the current goal: one at a time, again when it was refused or lost, never while no
-/// autopilot is connected. A phase sets its goal in every tick; only a new goal is sent.
+/// autopilot is connected. A phase sets its goal in every tick; only a new goal is sent. The command that was sent last
+/// is renewed once a second, so that Autopilot Interface sees that Mission Control works.
 /// </summary>
 internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<string> log)
 {
     // Autopilot Interface reports the result of each command; a result that never comes must not stop the mission.
     private static readonly TimeSpan ResultTimeout = TimeSpan.FromSeconds(20);
 
+    // Two renewals may be lost or late.
+    private static readonly TimeSpan Validity = TimeSpan.FromSeconds(3);
+
+    // At least once a second, with ticks of 0.2 s of which one may be left out.
+    private static readonly TimeSpan RenewalPeriod = TimeSpan.FromSeconds(0.6);
+
     private VehicleCommand _goal;
+    private VehicleCommand _newest;
+    private bool _isRenewed;
+    private TimeSpan _pushTime;
     private string _text = string.Empty;
     private TimeSpan _retryAfter;
     private TimeSpan _sentTime;
@@ -40,6 +50,10 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
     /// <summary>Why it failed last, as text; empty where it did not.</summary>
     public string LastFailure { get; private set; } = string.Empty;
 
+    /// <summary>What the goal is; None where there is none.</summary>
+    public VehicleCommandKind GoalKind
+        => _progress == Progress.Nothing ? VehicleCommandKind.None : _goal.Kind;
+
     /// <summary>Why we do not command, as Autopilot Interface reported it; null while we do.</summary>
     public string? NotInCommand { get; private set; }
 
@@ -65,11 +79,13 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
     /// <summary>Whether a command equals the goal; the text of a new one need not be made then.</summary>
     public bool IsGoal(in VehicleCommand command) => _progress != Progress.Nothing && AreSame(_goal, command);
 
-    /// <summary>Drops the goal; what was sent stays sent.</summary>
+    /// <summary>Drops the goal and renews nothing; what was sent stays sent.</summary>
     public void Clear()
     {
         _progress = Progress.Nothing;
+        _isRenewed = false;
         (Failures, LastFailure) = (0, string.Empty);
+        NotInCommand = null;
     }
 
     /// <summary>Has the goal sent again: it may have been lost, or the vehicle may have dropped it.</summary>
@@ -87,14 +103,26 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
         if (_progress != Progress.ToSend || now < _notBefore)
             return;
         _goal.Id = _lastId + 1;
+        _goal.Validity = Validity;
 
         // A full queue: the next tick tries again.
         if (!push(_goal))
             return;
         _lastId++;
-        _sentTime = now;
+        (_newest, _isRenewed) = (_goal, true);
+        (_sentTime, _pushTime) = (now, now);
         _progress = Progress.Sent;
         log($"command {_lastId}: {_text}");
+    }
+
+    /// <summary>
+    /// Renews the command that was sent last, also while it is not answered or no autopilot is connected: a renewal
+    /// says that we work, and sends nothing.
+    /// </summary>
+    public void Renew(TimeSpan now)
+    {
+        if (_isRenewed && now - _pushTime >= RenewalPeriod && push(_newest))
+            _pushTime = now;
     }
 
     /// <summary>Applies a result; one of an older command is ignored.</summary>
@@ -111,6 +139,7 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
             case VehicleCommandOutcome.NotInCommand:
                 NotInCommand = result.Text ?? "not in command";
                 _progress = Progress.Nothing;
+                _isRenewed = false;
                 break;
             case VehicleCommandOutcome.Refused:
                 Fail("refused" + Reason(result.Text), now);

@@ -83,6 +83,43 @@ internal sealed class CoverageGrid
         }
     }
 
+    /// <summary>Marks what was seen on an earlier flight.</summary>
+    /// <param name="cells">The cells, relative to the home of that flight.</param>
+    /// <param name="home">Where that is now.</param>
+    public void Mark(CoverageCells cells, PlanePoint home)
+    {
+        for (int i = 0; i < _isArea.Length; i++)
+        {
+            if (!_isArea[i] || _isSeen[i] || !cells.IsSeen(CentreOf(i) - home))
+                continue;
+            _isSeen[i] = true;
+            SeenCells++;
+        }
+    }
+
+    /// <summary>What was seen, to be stored.</summary>
+    /// <param name="previous">
+    /// Where it is of this grid its bytes are filled again, so that nothing is allocated.
+    /// </param>
+    public CoverageCells ToCells(CoverageCells previous)
+    {
+        bool isOfThis = previous.Rows == _rows && previous.Columns == _columns
+            && previous.CellMetres.Equals(CellMetres);
+        CoverageCells cells = isOfThis
+            ? previous
+            : new CoverageCells(
+                new PlanePoint(_south, _west), CellMetres, _rows, _columns,
+                new byte[CoverageCells.BytesFor(_rows, _columns)]);
+        Array.Clear(cells.Seen, 0, cells.Seen.Length);
+        for (int i = 0; i < _isSeen.Length; i++)
+        {
+            if (_isSeen[i])
+                cells.Seen[i >> 3] |= (byte)(1 << (i & 7));
+        }
+
+        return cells;
+    }
+
     private static void Widen(PlanePoint a, PlanePoint b, double line, ref double from, ref double to)
     {
         if (Math.Min(a.North, b.North) > line || Math.Max(a.North, b.North) < line || a.North.Equals(b.North))

@@ -10,19 +10,21 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>A mission planned from the position of the vehicle: local frame, geofence and lanes. Immutable.</summary>
 internal sealed class FlightPlan
 {
-    // Farther away it is probably the wrong mission file.
-    private const double MaxAreaDistanceMetres = 5000;
-    private const double MaxHomeDistanceMetres = 50;
+    /// <summary>Farther away it is probably the wrong mission file.</summary>
+    public const double MaxAreaDistanceMetres = 5000;
+
+    /// <summary>Farther away from where home is expected it is another place.</summary>
+    public const double MaxHomeDistanceMetres = 50;
     private const double MaxAltitudeDifferenceMetres = 50;
     private const int MaxLanes = 2000;
 
-    private FlightPlan(MissionPlan mission, LocalNedFrame frame)
+    private FlightPlan(MissionPlan mission, LocalNedFrame frame, IReadOnlyList<LaneSegment>? lanes)
     {
         Frame = frame;
         Area = new PlanePolygon(mission.Area.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
         Fence = PlanePolygon.HullOf(Area.Corners.Concat([default])).Grown(mission.FenceMarginMetres);
         HeadingRadians = mission.LaneHeading?.Radians ?? LanePlanner.BestHeading(Area, mission.LaneSpacingMetres);
-        Lanes = LanePlanner.Plan(Area, mission.LaneSpacingMetres, HeadingRadians, from: default);
+        Lanes = lanes ?? LanePlanner.Plan(Area, mission.LaneSpacingMetres, HeadingRadians, from: default);
         Message = ToMessage(mission);
     }
 
@@ -49,14 +51,23 @@ internal sealed class FlightPlan
     /// <param name="mission">The mission.</param>
     /// <param name="home">Position of the vehicle; its altitude is that of the ground.</param>
     /// <param name="fault">Why the mission cannot be flown from there; empty where it can.</param>
-    public static FlightPlan? Create(MissionPlan mission, GeodeticPosition home, out string fault)
+    /// <param name="lanes">Lanes that were planned before; null to plan them.</param>
+    public static FlightPlan? Create(
+        MissionPlan mission, GeodeticPosition home, out string fault, IReadOnlyList<LaneSegment>? lanes = null)
     {
         var frame = LocalNedFrame.IgnoringGeoid(home);
         fault = FindFault(mission, frame) ?? string.Empty;
         if (fault.Length > 0)
             return null;
-        var plan = new FlightPlan(mission, frame);
-        if (plan.Lanes.Count > MaxLanes)
+        var plan = new FlightPlan(mission, frame, lanes);
+        double far = plan.Lanes.Max(l => Math.Max(l.Start.Length, l.End.Length)) + MissionPlanRules.FenceReserveMetres;
+        if (far > mission.MaxDistanceMetres)
+        {
+            fault = $"a lane ends {MissionNumbers.Of(far - MissionPlanRules.FenceReserveMetres)} m from home; with a "
+                + $"reserve of {MissionNumbers.Of(MissionPlanRules.FenceReserveMetres)} m it must be within "
+                + $"limits.maxDistanceMetres, {MissionNumbers.Of(mission.MaxDistanceMetres.Value)} m";
+        }
+        else if (plan.Lanes.Count > MaxLanes)
             fault = $"it has {MissionNumbers.Of(plan.Lanes.Count)} lanes; the limit is {MissionNumbers.Of(MaxLanes)}";
         return fault.Length > 0 ? null : plan;
     }
@@ -83,8 +94,8 @@ internal sealed class FlightPlan
             (home.GroundAltitudeAmslMetres ?? frame.Origin.AltitudeAmslMetres) - frame.Origin.AltitudeAmslMetres);
         return difference <= MaxAltitudeDifferenceMetres
             ? null
-            : $"the ground is at {MissionNumbers.Of(frame.Origin.AltitudeAmslMetres)} m above mean sea level according "
-                + "to the vehicle, "
+            : $"the ground is at {MissionNumbers.Of(frame.Origin.AltitudeAmslMetres)} m above mean sea level "
+                + "according to the vehicle, "
                 + $"at {MissionNumbers.Of(home.GroundAltitudeAmslMetres!.Value)} m according to the mission";
     }
 

@@ -26,15 +26,15 @@ internal sealed class MissionAssessment
     public MissionResult Assess(MissionFlight flight, MissionPhase phase)
     {
         bool hasFlown = _maxHeightMetres > FlownHeightMetres;
-        bool hasLanded = hasFlown && !flight.Vehicle.IsArmed;
-        double distance = flight.Plan is null || flight.Vehicle.PositionTime is null
-            ? double.NaN
-            : flight.Position.Length;
-        MissionFailures failures = If(MissionFailures.GivenUp, hasFlown && flight.Aborted is not null)
+        bool hasLanded = hasFlown && !flight.Vehicle.IsArmed && !flight.HasFallen;
+        double distance = flight.Vehicle.PositionTime is null ? double.NaN : flight.DistanceFromHomeMetres;
+        bool isGivenUp = flight.Aborted is not null || phase == MissionPhase.Failed;
+        MissionFailures failures = If(MissionFailures.GivenUp, hasFlown && isGivenUp)
             | If(MissionFailures.NotFlown, !hasFlown)
             | If(MissionFailures.NotLanded, hasFlown && !hasLanded)
             | If(MissionFailures.AwayFromHome, hasLanded && !(distance <= MissionResult.MaxLandingDistanceMetres))
-            | If(MissionFailures.OutsideFence, _outsideFenceMetres > 0);
+            | If(MissionFailures.OutsideFence, _outsideFenceMetres > 0)
+            | If(MissionFailures.TakenOver, flight.IsTakenOver);
         return new MissionResult
         {
             Outcome = OutcomeOf(phase, failures),
@@ -51,7 +51,8 @@ internal sealed class MissionAssessment
     private static MissionOutcome OutcomeOf(MissionPhase phase, MissionFailures failures) => phase switch
     {
         MissionPhase.NoMission => MissionOutcome.None,
-        MissionPhase.Done or MissionPhase.HandedOver or MissionPhase.Failed
+        MissionPhase.Failed => MissionOutcome.Failed,
+        MissionPhase.Done or MissionPhase.HandedOver
             => failures == MissionFailures.None ? MissionOutcome.Accomplished : MissionOutcome.Failed,
         _ => MissionOutcome.InProgress,
     };

@@ -1,5 +1,4 @@
 using System;
-using System.Threading;
 using Rabit.Core;
 using Rabit.Uav.Messages;
 
@@ -22,6 +21,7 @@ public sealed class MissionControlManager : RabitManager
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly MessageSubscriber<CommandAuthority> _authority;
     private readonly MessageSubscriber<ImagingStatus> _imaging;
+    private readonly MessageSubscriber<PreflightReport>? _preflight;
     private readonly QueueReceiver<VehicleCommandResult> _results;
     private readonly QueueReceiver<CameraObservation> _searchedGround;
     private readonly QueueSender<VehicleCommand> _commands;
@@ -30,8 +30,8 @@ public sealed class MissionControlManager : RabitManager
     private readonly MissionFlight? _flight;
     private readonly MissionMachine? _machine;
     private readonly MissionAssessment _assessment = new();
+    private readonly ProgressKeeper? _progress;
     private TimeSpan? _lastStatus;
-    private string? _abort; // written by any thread, read by this manager; replaced as a whole
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
@@ -48,6 +48,8 @@ public sealed class MissionControlManager : RabitManager
         _tracks = Subscribe<TrackList>(MessageNames.Tracks);
         _authority = Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
         _imaging = Subscribe<ImagingStatus>(MessageNames.Imaging);
+        if (copy.Mission is not null && copy.RequiresPreflight)
+            _preflight = Subscribe<PreflightReport>(MessageNames.Preflight);
         _results = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _searchedGround = Receive<CameraObservation>(
             MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
@@ -60,18 +62,31 @@ public sealed class MissionControlManager : RabitManager
         var dispatcher = new CommandDispatcher(command => _commands.Push(command) != PushResult.Rejected, Log);
         _flight = new MissionFlight(copy.Mission, copy, dispatcher, Log);
         _machine = new MissionMachine(_flight);
+        if (copy.ProgressFile is { } path)
+        {
+            var target = new ProgressFileTarget(path);
+            _progress = new ProgressKeeper(
+                _flight, target, AttachWriter("progress", target, ProgressKeeper.Snapshots));
+        }
     }
 
     /// <summary>
-    /// Aborts the mission: the vehicle returns to launch; before take-off it stays where it is. Returns at once; does
-    /// nothing when the mission is over or there is none. Only the first reason counts. Any thread.
+    /// Commands the vehicle in the operator's name. Before take-off hold and return give the mission up on the ground.
+    /// After a takeover each of them also gives control back to Mission Control, which takes the command of the vehicle
+    /// first. A command that changes nothing, is against a reason to return, or is not possible within 10 s is refused,
+    /// and the log says why; only a return waits for a lost link. Returns at once; the newest command counts. Does
+    /// nothing where there is no mission. Any thread.
     /// </summary>
+    /// <param name="command">What to do.</param>
     /// <param name="reason">Why, as text for the status and the log.</param>
-    public void Abort(string reason)
+    /// <exception cref="ArgumentException">The command is none of its values, or there is no reason.</exception>
+    public void Command(OperatorCommand command, string reason)
     {
+        if (command is not (OperatorCommand.Hold or OperatorCommand.Return or OperatorCommand.Resume))
+            throw new ArgumentException($"The command is {command:D}, which is none of its values.", nameof(command));
         if (string.IsNullOrWhiteSpace(reason))
-            throw new ArgumentException("An abort needs a reason.", nameof(reason));
-        Interlocked.CompareExchange(ref _abort, reason, null);
+            throw new ArgumentException("The operator's command needs a reason.", nameof(reason));
+        _flight?.Operator.Give(new OperatorRequest(command, reason));
         WakeUp();
     }
 
@@ -88,13 +103,17 @@ public sealed class MissionControlManager : RabitManager
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
     {
-        MissionPhase before = _status.Value.Phase;
+        (MissionPhase Phase, MissionStopResult Stop) before = (_status.Value.Phase, _status.Value.StopResult);
         if (_flight is not null && _machine is not null)
         {
+            _flight.IsStopRequested = IsStopRequested;
             FetchInputs(_flight);
             _assessment.Update(_flight);
-            _machine.Tick(Volatile.Read(ref _abort));
+            _machine.Tick();
             PostImagingCommand(_flight, _machine);
+            DelaysStop = _machine.Stop.Delays;
+            bool hasStopped = _machine.Stop.Result is MissionStopResult.Held or MissionStopResult.Returning;
+            _progress?.Update(_machine.Phase, hasStopped, Clock.GetUtcNow());
         }
         else
         {
@@ -102,21 +121,34 @@ public sealed class MissionControlManager : RabitManager
         }
 
         MissionPhase phase = _machine?.Phase ?? MissionPhase.NoMission;
-        if (_lastStatus is null || phase != before || Now - _lastStatus.Value >= StatusPeriod)
+        MissionStopResult stop = _machine?.Stop.Result ?? MissionStopResult.None;
+        if (_lastStatus is null || (phase, stop) != before || Now - _lastStatus.Value >= StatusPeriod)
             PostStatus(phase);
+    }
+
+    /// <summary>Where the stop did not wait for us, or not long enough, the status says so.</summary>
+    protected override void Shutdown()
+    {
+        if (_machine is null)
+            return;
+        _machine.Stop.End(_machine.Phase);
+        PostStatus(_machine.Phase);
     }
 
     private void FetchInputs(MissionFlight flight)
     {
         flight.Now = Now;
         if (_vehicle.Fetch())
-            flight.Vehicle = _vehicle.Value;
+            (flight.Vehicle, flight.VehicleReportTime) = (_vehicle.Value, Now);
         if (_health.Fetch())
             flight.Health = _health.Value;
+        flight.HealthAge = _health.Age;
         if (_authority.Fetch())
             flight.Authority = _authority.Value;
         if (_imaging.Fetch())
             flight.Imaging = _imaging.Value;
+        if (_preflight?.Fetch() == true)
+            flight.Preflight = _preflight.Value;
         while (_results.TryPop(out VehicleCommandResult result))
             flight.Commands.Apply(result, flight.Now);
         while (_searchedGround.TryPop(out CameraObservation observation))
@@ -165,6 +197,8 @@ public sealed class MissionControlManager : RabitManager
             status.Since = _machine.Since;
             status.Text = _flight.Text;
             status.Aborted = _flight.Aborted;
+            status.TakenOver = _flight.TakenOver;
+            status.StopResult = _machine.Stop.Result;
             status.Plan = _flight.Plan?.Message;
             status.LanesFlown = _flight.Route?.Flown ?? 0;
             status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;

@@ -28,6 +28,12 @@ public sealed class MissionControlOptions
     public bool RequiresCamera { get; set; } = true;
 
     /// <summary>
+    /// Whether a mission waits until the pre-flight checklist passes; set where a system is composed that has one.
+    /// </summary>
+    /// <value>The default is false: without a system there is no checklist.</value>
+    public bool RequiresPreflight { get; set; }
+
+    /// <summary>
     /// Time-out for the vehicle to be connected, healthy and to have a position; after it the mission has failed.
     /// </summary>
     /// <value>
@@ -49,6 +55,24 @@ public sealed class MissionControlOptions
     /// <value>0 to 10. The default is 2: what two passes missed, a third misses too.</value>
     public int MaxGapPasses { get; set; } = 2;
 
+    /// <summary>What is commanded when the program is stopped while Mission Control flies the vehicle.</summary>
+    /// <value>The default is <see cref="OnStop.Hold"/>.</value>
+    public OnStop OnStop { get; set; }
+
+    /// <summary>
+    /// Progress of an earlier flight of the same mission, which is continued: what is flown and seen is not flown
+    /// again. Home must be within 50 m of the one then.
+    /// </summary>
+    /// <value>The default is null: the mission begins at its beginning.</value>
+    public MissionProgress? Resume { get; set; }
+
+    /// <summary>
+    /// Path of the file to which the progress of the mission is written, from its plan on: at each change of the phase,
+    /// after each lane and every 5 s. A file that is there is replaced.
+    /// </summary>
+    /// <value>The default is null: it is not written.</value>
+    public string? ProgressFile { get; set; }
+
     /// <exception cref="ArgumentException">
     /// Options are out of their range, or the mission cannot be flown; the text names all faults.
     /// </exception>
@@ -62,7 +86,7 @@ public sealed class MissionControlOptions
 
     internal MissionControlOptions Copy() => (MissionControlOptions)MemberwiseClone();
 
-    private IEnumerable<string> FindFaults()
+    internal IEnumerable<string> FindFaults()
     {
         if (ReadyTimeout <= TimeSpan.Zero)
             yield return $"{nameof(ReadyTimeout)} is {ReadyTimeout}; it must be above zero";
@@ -72,7 +96,20 @@ public sealed class MissionControlOptions
             yield return FormattableString.Invariant($"{nameof(CoverageGoal)} is {CoverageGoal}; it must be 0 to 1");
         if (MaxGapPasses is < 0 or > 10)
             yield return FormattableString.Invariant($"{nameof(MaxGapPasses)} is {MaxGapPasses}; it must be 0 to 10");
+        if (OnStop is not (OnStop.Hold or OnStop.Return))
+            yield return $"{nameof(OnStop)} is {OnStop:D}, which is none of its values";
+        if (ProgressFile is not null && string.IsNullOrWhiteSpace(ProgressFile))
+            yield return $"{nameof(ProgressFile)} is empty";
+        if (Resume is not null && Mission is null)
+            yield return $"{nameof(Resume)} is there without a {nameof(Mission)}";
         foreach (string fault in Mission is null ? [] : MissionPlanRules.FindFaults(Mission))
             yield return $"{nameof(Mission)}: {fault}";
+        if (Resume is not null && Mission is { Area.IsDefault: false }
+            && Resume.Fingerprint != MissionFingerprint.Of(Mission))
+        {
+            yield return Resume.MissionName == Mission.Name
+                ? $"{nameof(Resume)} is the progress of mission '{Mission.Name}' with other values than now"
+                : $"{nameof(Resume)} is the progress of mission '{Resume.MissionName}', not of '{Mission.Name}'";
+        }
     }
 }

@@ -39,10 +39,25 @@ internal enum MissionEvent
     /// <summary>Abort the search and return to launch (RTL).</summary>
     ReturnToLaunch,
 
+    /// <summary>Hold the position: no progress, or the program stops.</summary>
+    Hold,
+
+    /// <summary>The operator commanded to hold.</summary>
+    OperatorHold,
+
+    /// <summary>The operator commanded to return.</summary>
+    OperatorReturn,
+
+    /// <summary>The operator commanded to continue the mission.</summary>
+    OperatorResume,
+
+    /// <summary>The vehicle flies already before we commanded it.</summary>
+    AlreadyFlying,
+
     /// <summary>Land at the present position.</summary>
     LandNow,
 
-    /// <summary>The pilot or the autopilot took over.</summary>
+    /// <summary>The pilot, the autopilot or another commander took over.</summary>
     TakenOver,
 
     /// <summary>The mission cannot go on.</summary>

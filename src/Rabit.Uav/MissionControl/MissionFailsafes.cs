@@ -7,31 +7,40 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>The failsafes: checked in every phase before the phase itself, the most severe first.</summary>
 internal sealed class MissionFailsafes
 {
-    // Motors that stop below this height have landed.
-    private const double LandedHeightMetres = 5;
+    /// <summary>Motors that stop below this height have landed.</summary>
+    public const double LandedHeightMetres = 5;
 
-    // A single position outside may be an outlier.
-    private static readonly TimeSpan MaxTimeOutside = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan MaxTimeOnGround = TimeSpan.FromSeconds(3);
-    private static readonly TimeSpan MaxDisconnection = TimeSpan.FromMinutes(5);
+
+    // Health Monitoring advises to return after seconds; this holds also without its advice.
+    private static readonly TimeSpan MaxDisconnection = TimeSpan.FromMinutes(2);
+    private static readonly TimeSpan MaxDisconnectionOnGround = TimeSpan.FromMinutes(5);
     private static readonly TimeSpan MaxTimeWithoutPosition = TimeSpan.FromSeconds(15);
 
+    private readonly MissionLimits _limits = new();
     private TimeSpan? _disconnectedSince;
     private TimeSpan? _noPositionSince;
-    private TimeSpan? _outsideSince;
     private TimeSpan? _onGroundSince;
+    private TimeSpan _lostFor;
+    private bool _wasFlying;
 
     /// <summary>Command authority: checked even while no autopilot is connected.</summary>
     public static MissionStep CheckAuthority(MissionFlight flight)
     {
         if (flight.Authority.State == CommandAuthorityState.TakenAway)
-            return new MissionStep(
-                MissionEvent.TakenOver, flight.Authority.TakenBy ?? "the pilot or the autopilot took over");
+            return new MissionStep(MissionEvent.TakenOver, Takeover(flight.Authority));
         if (flight.Commands.NotInCommand is not { } why)
             return MissionStep.Stay;
         return flight.Authority.State == CommandAuthorityState.Observing
             ? new MissionStep(MissionEvent.Impossible, "we only observe: " + why)
-            : new MissionStep(MissionEvent.TakenOver, why);
+            : new MissionStep(MissionEvent.TakenOver, "the command was taken away: " + why);
+    }
+
+    /// <summary>Forgets what was observed: the command was taken away in between.</summary>
+    public void Reset()
+    {
+        (_disconnectedSince, _noPositionSince, _onGroundSince, _lostFor) = (null, null, null, TimeSpan.Zero);
+        _limits.Reset();
     }
 
     /// <summary>Whether the vehicle can be commanded: an autopilot is connected and has a position.</summary>
@@ -39,15 +48,23 @@ internal sealed class MissionFailsafes
     /// <param name="canAct">Whether the vehicle can be commanded.</param>
     public MissionStep CheckConnection(MissionFlight flight, out bool canAct)
     {
+        // On the ground, and before the first connection, nothing is lost.
+        if (flight.IsConnected && _disconnectedSince is { } lostSince && _wasFlying)
+            _lostFor = flight.Now - lostSince;
+        if (flight.IsConnected)
+            _wasFlying = flight.IsFlying;
         _disconnectedSince = flight.IsConnected ? null : _disconnectedSince ?? flight.Now;
         _noPositionSince = flight.IsConnected && !flight.HasFreshPosition ? _noPositionSince ?? flight.Now : null;
         canAct = flight.IsConnected && flight.HasFreshPosition;
         if (_disconnectedSince is { } since)
         {
-            flight.Text = "autopilot not connected";
-            if (flight.Plan is not null && flight.Now - since > MaxDisconnection)
+            flight.Text = flight.IsReported ? "autopilot not connected" : "Autopilot Interface reports nothing";
+
+            // In the air the mission waits for the link, however long: after Failed nothing would bring it home. What
+            // the first messages say before it is connected again, of a landing meanwhile, ends nothing.
+            if (flight.Plan is not null && !_wasFlying && flight.Now - since > MaxDisconnectionOnGround)
                 return new MissionStep(
-                    MissionEvent.Impossible, $"no autopilot for {MissionNumbers.Seconds(MaxDisconnection)}");
+                    MissionEvent.Impossible, $"no autopilot for {MissionNumbers.Seconds(MaxDisconnectionOnGround)}");
         }
         else if (_noPositionSince is { } lost)
         {
@@ -61,20 +78,37 @@ internal sealed class MissionFailsafes
     }
 
     /// <summary>What ends a phase from outside; only while the vehicle can be commanded.</summary>
-    public MissionStep Check(MissionFlight flight, MissionPhase phase, string? abort)
+    public MissionStep Check(MissionFlight flight, MissionPhase phase)
     {
         if (IsBeforeTakeOff(flight, phase))
-            return CheckBeforeTakeOff(flight, phase, abort);
+            return CheckBeforeTakeOff(flight, phase);
         MissionStep motors = CheckMotors(flight, phase);
         if (motors.What != MissionEvent.None)
             return motors;
         if (flight.Health.Advice == HealthAdvice.Land)
             return new MissionStep(MissionEvent.LandNow, Advice(flight));
-        if (abort is not null)
-            return new MissionStep(MissionEvent.ReturnToLaunch, abort);
-        if (flight.Health.Advice == HealthAdvice.ReturnToLaunch)
-            return new MissionStep(MissionEvent.ReturnToLaunch, Advice(flight));
-        return CheckFence(flight);
+        MissionStep step = CheckReturn(flight);
+        if (flight.Operator.Pending is not { } request)
+            return step;
+
+        // A hold or a resume against a reason to return would last for one tick.
+        if (step.What == MissionEvent.None || request.Command == OperatorCommand.Return)
+            return request.ToStep();
+        flight.Operator.Refuse(step.Reason);
+        return step;
+    }
+
+    /// <summary>Who took the command away, and how, as text.</summary>
+    public static string Takeover(in CommandAuthority authority)
+    {
+        string by = authority.Cause switch
+        {
+            TakeoverCause.Failsafe => "the autopilot's failsafe took over",
+            TakeoverCause.OtherCommander => "another commander took over",
+            TakeoverCause.Reboot => "the autopilot rebooted",
+            _ => "the pilot took over",
+        };
+        return authority.TakenBy is { } how ? $"{by}: {how}" : by;
     }
 
     private static string Advice(MissionFlight flight)
@@ -84,13 +118,34 @@ internal sealed class MissionFailsafes
         => phase is MissionPhase.WaitingForVehicle or MissionPhase.Arming
             || (phase == MissionPhase.TakingOff && !flight.IsFlying);
 
-    private static MissionStep CheckBeforeTakeOff(MissionFlight flight, MissionPhase phase, string? abort)
+    private static MissionStep CheckBeforeTakeOff(MissionFlight flight, MissionPhase phase)
     {
-        if (abort is not null)
-            return new MissionStep(MissionEvent.Impossible, "given up before take-off: " + abort);
-        return phase != MissionPhase.WaitingForVehicle && flight.Health.Advice != HealthAdvice.None
+        if (phase == MissionPhase.WaitingForVehicle && flight.IsFlying)
+            return MissionStep.Stay;
+        if (flight.Operator.Pending is { Command: not OperatorCommand.Resume } request)
+        {
+            flight.Operator.Take();
+            return new MissionStep(MissionEvent.Impossible, "given up before take-off: " + request.Reason);
+        }
+
+        flight.Operator.Refuse("nothing was interrupted");
+        if (phase == MissionPhase.WaitingForVehicle)
+            return MissionStep.Stay;
+        if (MissionGuards.FindCritical(flight) is { } critical)
+            return new MissionStep(MissionEvent.Impossible, "given up before take-off: " + critical);
+        return flight.Health.Advice != HealthAdvice.None
             ? new MissionStep(MissionEvent.Impossible, "given up before take-off: " + Advice(flight))
             : MissionStep.Stay;
+    }
+
+    private MissionStep CheckReturn(MissionFlight flight)
+    {
+        TimeSpan lostFor = _lostFor;
+        _lostFor = TimeSpan.Zero;
+        string? reason = flight.Health.Advice == HealthAdvice.ReturnToLaunch ? Advice(flight)
+            : lostFor > MaxDisconnection ? $"the link was lost for {MissionNumbers.Seconds(lostFor)}"
+            : MissionGuards.Find(flight) ?? _limits.Find(flight);
+        return reason is null ? MissionStep.Stay : new MissionStep(MissionEvent.ReturnToLaunch, reason);
     }
 
     private MissionStep CheckMotors(MissionFlight flight, MissionPhase phase)
@@ -107,15 +162,6 @@ internal sealed class MissionFailsafes
         _onGroundSince = isOnGround ? _onGroundSince ?? flight.Now : null;
         return flight.Now - _onGroundSince > MaxTimeOnGround
             ? new MissionStep(MissionEvent.Impossible, "the vehicle is on the ground without a command to land")
-            : MissionStep.Stay;
-    }
-
-    private MissionStep CheckFence(MissionFlight flight)
-    {
-        double outside = -flight.Plan!.Fence.SignedDistance(flight.Position);
-        _outsideSince = outside > 0 ? _outsideSince ?? flight.Now : null;
-        return flight.Now - _outsideSince >= MaxTimeOutside
-            ? new MissionStep(MissionEvent.ReturnToLaunch, $"{MissionNumbers.Of(outside)} m outside the fence")
             : MissionStep.Stay;
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Rabit.Mavlink.Messages;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -12,10 +13,18 @@ internal sealed class MissionFlight(
     // Below this a vehicle that reports no landed state is taken to be on the ground.
     private const double OnGroundHeightMetres = 2;
 
+    // Twice the time in which pictures are processed.
+    private const double OverlapSeconds = 3;
+
     private static readonly TimeSpan RetryAfter = TimeSpan.FromSeconds(1);
+
+    // Heartbeats come once a second, and are missed rarely five times.
+    private static readonly TimeSpan MaxReportAge = TimeSpan.FromSeconds(5);
 
     // Autopilots report several positions a second.
     private static readonly TimeSpan MaxPositionAge = TimeSpan.FromSeconds(2);
+
+    private LocalNedFrame? _startFrame;
 
     public MissionPlan Mission { get; } = mission;
 
@@ -24,6 +33,9 @@ internal sealed class MissionFlight(
     public CommandDispatcher Commands { get; } = commands;
 
     public Revisits Revisits { get; } = new();
+
+    /// <summary>What the operator commanded.</summary>
+    public OperatorRequests Operator { get; } = new(log);
 
     /// <summary>The time of this tick.</summary>
     public TimeSpan Now { get; set; }
@@ -36,11 +48,25 @@ internal sealed class MissionFlight(
 
     public VehicleState Vehicle { get; set; }
 
+    /// <summary>When Autopilot Interface last posted anything of the vehicle.</summary>
+    public TimeSpan VehicleReportTime { get; set; }
+
     public HealthReport Health { get; set; }
+
+    /// <summary>How old the health report is.</summary>
+    public TimeSpan HealthAge { get; set; }
+
+    /// <summary>Whether the program is to stop.</summary>
+    public bool IsStopRequested { get; set; }
 
     public CommandAuthority Authority { get; set; }
 
+    /// <summary>When the operator gave the command of the vehicle to us last; null where that never was.</summary>
+    public TimeSpan? ControlGivenTime { get; set; }
+
     public ImagingStatus Imaging { get; set; }
+
+    public PreflightReport Preflight { get; set; } = PreflightReport.None;
 
     public TrackList Tracks { get; set; } = TrackList.None;
 
@@ -56,22 +82,51 @@ internal sealed class MissionFlight(
     /// <summary>Why the search was given up; null where it was not.</summary>
     public string? Aborted { get; set; }
 
+    /// <summary>Who took the command away, and how; null where nothing did. A resume does not change it.</summary>
+    public string? TakenOver { get; set; }
+
+    /// <summary>Whether the command was taken away, and the mission not resumed.</summary>
+    public bool IsTakenOver { get; set; }
+
+    /// <summary>Whether the motors stopped in the air: the vehicle has not landed.</summary>
+    public bool HasFallen { get; set; }
+
+    /// <summary>Where the vehicle was last commanded to go.</summary>
+    public PlanePoint GoalPosition { get; private set; }
+
+    /// <summary>The height above home at which it is to be there.</summary>
+    public double GoalHeightMetres { get; private set; }
+
     /// <summary>What is being done, as text.</summary>
     public string Text { get; set; } = string.Empty;
 
-    public bool IsConnected => Vehicle.IsConnected;
+    /// <summary>
+    /// Whether the vehicle can be commanded: heartbeats come, and Autopilot Interface reports them. Where it hangs, the
+    /// last state says nothing of the vehicle, neither that it is connected nor that it has lost its position.
+    /// </summary>
+    public bool IsConnected => Vehicle.IsConnected && IsReported;
+
+    /// <summary>Whether Autopilot Interface reports.</summary>
+    public bool IsReported => Now - VehicleReportTime <= MaxReportAge;
 
     public bool HasFreshPosition => Vehicle.PositionTime is { } time && Now - time <= MaxPositionAge;
 
-    /// <summary>Position of the vehicle in the local frame; only with a plan.</summary>
+    /// <summary>
+    /// Position of the vehicle in the local frame; without a plan relative to where it was first asked for.
+    /// </summary>
     public PlanePoint Position
     {
         get
         {
-            NedPosition ned = Plan!.Frame.ToNed(Vehicle.Position);
+            NedPosition ned = Frame.ToNed(Vehicle.Position);
             return new PlanePoint(ned.North, ned.East);
         }
     }
+
+    /// <summary>
+    /// Horizontal distance from home; NaN without a plan: the vehicle was flying already at the start.
+    /// </summary>
+    public double DistanceFromHomeMetres => Plan is null ? double.NaN : Position.Length;
 
     public double HeightMetres => Vehicle.HeightAboveHomeMetres;
 
@@ -84,21 +139,63 @@ internal sealed class MissionFlight(
         _ => HeightMetres > OnGroundHeightMetres,
     };
 
+    private LocalNedFrame Frame => Plan?.Frame ?? (_startFrame ??= LocalNedFrame.IgnoringGeoid(Vehicle.Position));
+
     public void Log(string text) => log(text);
 
-    /// <summary>Plans the mission from the present position of the vehicle.</summary>
+    /// <summary>
+    /// How much of an interrupted lane is flown again: what the last pictures before showed may not have been seen.
+    /// </summary>
+    public double OverlapMetres => OverlapSeconds * Mission.SpeedMetresPerSecond;
+
+    /// <summary>Plans the mission from the present position of the vehicle, or continues an earlier flight.</summary>
     /// <returns>Why that cannot be; empty where it can.</returns>
     public string CreatePlan()
     {
         GeodeticPosition at = Vehicle.Position;
+        return CreatePlan(GeodeticPosition.FromRadians(
+            at.Latitude.Radians, at.Longitude.Radians, at.AltitudeAmslMetres - HeightMetres));
+    }
+
+    /// <summary>
+    /// Plans the mission for a vehicle that is in the air already: only the progress of its flight says where home is.
+    /// </summary>
+    /// <returns>Why that cannot be; null where it can.</returns>
+    public string? PlanInFlight()
+    {
+        if (Options.Resume is not { } progress)
+            return "where home is, is not known without the progress of the flight";
+        string fault = CreatePlan(progress.Home);
+        GroundAltitudeAmslMetres = progress.Home.AltitudeAmslMetres;
+        return fault.Length > 0 ? fault : null;
+    }
+
+    private string CreatePlan(GeodeticPosition home)
+    {
+        if (Options.Resume is not { } progress)
+        {
+            Plan = FlightPlan.Create(Mission, home, out string fault);
+            Route = Plan is null ? null : new SearchRoute(Plan, Mission.LaneSpacingMetres);
+            return fault;
+        }
+
+        NedPosition off = LocalNedFrame.IgnoringGeoid(home).ToNed(progress.Home);
+        var earlier = new PlanePoint(off.North, off.East);
+        if (!(earlier.Length <= FlightPlan.MaxHomeDistanceMetres))
+        {
+            return $"the progress is of another place: its home is {MissionNumbers.Of(earlier.Length)} m away; the "
+                + $"limit is {MissionNumbers.Of(FlightPlan.MaxHomeDistanceMetres)} m";
+        }
+
         Plan = FlightPlan.Create(
-            Mission,
-            GeodeticPosition.FromRadians(
-                at.Latitude.Radians, at.Longitude.Radians, at.AltitudeAmslMetres - HeightMetres),
-            out string fault);
-        if (Plan is not null)
-            Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
-        return fault;
+            Mission, home, out string faultOfPlan,
+            progress.Legs.Select(l => new LaneSegment(l.Start + earlier, l.End + earlier)).ToArray());
+        if (Plan is null)
+            return faultOfPlan;
+        Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
+        Route.Resume(progress, earlier, OverlapMetres);
+        bool isComplete = Route.Current is null && Route.Coverage.Fraction >= Options.CoverageGoal;
+        return isComplete ? "the progress is that of a search that is complete" : string.Empty;
     }
 
     /// <summary>Measures the altitude of the ground with the vehicle that stands on it.</summary>
@@ -117,6 +214,7 @@ internal sealed class MissionFlight(
             SpeedMetresPerSecond = Mission.SpeedMetresPerSecond,
             Yaw = Angle.FromRadians(yawRadians),
         };
+        (GoalPosition, GoalHeightMetres) = (to, heightMetres);
         if (!Commands.IsGoal(command))
             Commands.SetGoal(
                 command, $"go to {MissionNumbers.Of(to)}, height {MissionNumbers.Of(heightMetres)} m", RetryAfter);

@@ -12,6 +12,7 @@ internal sealed class MissionMachine
 {
     private readonly MissionFlight _flight;
     private readonly MissionFailsafes _failsafes = new();
+    private readonly LegProgress _progress = new();
     private readonly Dictionary<MissionPhase, MissionState> _states;
     private MissionState _state;
     private TimeSpan _lastTick;
@@ -24,8 +25,8 @@ internal sealed class MissionMachine
         _states = new MissionState[]
         {
             new WaitingForVehicleState(), new ArmingState(), new TakingOffState(), new InTransitState(),
-            new SearchingState(), new RevisitingState(), new ReturningState(), new LandingState(),
-            new EndState(MissionPhase.Done), new EndState(MissionPhase.HandedOver), new EndState(MissionPhase.Failed),
+            new SearchingState(), new RevisitingState(), new HoldingState(), new ReturningState(), new LandingState(),
+            new HandedOverState(), new EndState(MissionPhase.Done), new EndState(MissionPhase.Failed),
         }.ToDictionary(s => s.Phase);
         _state = _states[MissionPhase.WaitingForVehicle];
     }
@@ -36,65 +37,147 @@ internal sealed class MissionMachine
     public TimeSpan Since { get; private set; }
 
     /// <summary>Whether nothing more will happen.</summary>
-    public bool IsOver => _state is EndState;
+    public bool IsOver => _state.IsOver;
+
+    /// <summary>The stop of the program.</summary>
+    public MissionStop Stop { get; } = new();
 
     /// <summary>One step: failsafes, the phase, the transition, and the command that is due.</summary>
-    /// <param name="abort">Why the mission is to be aborted; null where it is not.</param>
-    public void Tick(string? abort)
+    public void Tick()
     {
+        bool isOurs = Phase != MissionPhase.HandedOver;
+        _flight.Operator.Update(_flight.Now, keepsReturn: isOurs);
         if (IsOver)
+        {
+            _flight.Operator.Refuse("the mission is over");
             return;
+        }
+
+        MissionStep step = isOurs ? Step() : _state.Tick(_flight, _flight.Now - Since);
+        if (!isOurs)
+            ExplainTakeover();
+        _lastTick = _flight.Now;
+        bool hasChanged = Go(step);
+        Stop.Update(_flight, Phase);
+        if (IsOver || hasChanged)
+            return;
+
+        // In the tick of a change the goal is still that of the phase before.
+        if (_flight.IsConnected)
+            _flight.Commands.Send(_flight.Now);
+        _flight.Commands.Renew(_flight.Now);
+    }
+
+    private MissionStep Step()
+    {
         MissionStep step = MissionFailsafes.CheckAuthority(_flight);
         bool canAct = false;
         if (step.What == MissionEvent.None)
             step = _failsafes.CheckConnection(_flight, out canAct);
+        if (step.What == MissionEvent.None)
+            step = Stop.Check(_flight, Phase);
         bool mayAct = canAct || Phase == MissionPhase.WaitingForVehicle
             || (Phase == MissionPhase.Landing && _flight.IsConnected);
         if (mayAct && !ChangesPhase(step))
-            step = Act(abort, canAct);
+            step = Act(canAct);
         _couldAct = canAct;
-        _lastTick = _flight.Now;
-        if (step.What != MissionEvent.None)
-            Go(step);
-        if (_flight.IsConnected && !IsOver)
-            _flight.Commands.Send(_flight.Now);
+        return step;
     }
 
-    private MissionStep Act(string? abort, bool canAct)
+    private MissionStep Act(bool canAct)
     {
         // Time without a connection does not count; a command sent in it may have been lost.
         if (canAct && !_couldAct && Phase != MissionPhase.WaitingForVehicle)
         {
             _flight.Log("the autopilot is connected again");
-            _flight.Commands.Resend();
+
+            // A vehicle that has taken off refuses to do so again.
+            if (Phase != MissionPhase.TakingOff || !_flight.IsFlying || !_flight.Commands.IsAccepted)
+                _flight.Commands.Resend();
         }
         else
         {
             _flight.ActiveTime += _flight.Now - _lastTick;
         }
 
-        MissionStep step = _failsafes.Check(_flight, Phase, abort);
-        return ChangesPhase(step) ? step : _state.Tick(_flight, _flight.ActiveTime - _activeSince);
+        MissionStep step = _failsafes.Check(_flight, Phase);
+        if (ChangesPhase(step))
+            return step;
+        if (step.What is MissionEvent.OperatorHold or MissionEvent.OperatorReturn or MissionEvent.OperatorResume)
+            _flight.Operator.Refuse($"nothing changes in phase {Phase}");
+        step = _state.Tick(_flight, _flight.ActiveTime - _activeSince);
+        return step.What == MissionEvent.None && IsOnLeg ? _progress.Check(_flight) : step;
     }
 
-    private bool ChangesPhase(MissionStep step) => MissionTransitions.After(Phase, step.What) != Phase;
+    private bool IsOnLeg
+        => Phase is MissionPhase.InTransit or MissionPhase.Searching or MissionPhase.Revisiting;
 
-    private void Go(MissionStep step)
+    // The operator's hold takes the place of our own.
+    private bool ChangesPhase(MissionStep step)
+        => MissionTransitions.After(Phase, step.What) != Phase
+            || (Phase == MissionPhase.Holding && step.What == MissionEvent.OperatorHold);
+
+    private bool Go(MissionStep step)
     {
+        if (!ChangesPhase(step))
+            return false;
         MissionPhase from = Phase;
         MissionPhase to = MissionTransitions.After(from, step.What);
-        if (to == from)
-            return;
-        if (step.What is MissionEvent.ReturnToLaunch or MissionEvent.LandNow)
-            _flight.Aborted ??= step.Reason;
+        Note(step);
         if (step.What == MissionEvent.Impossible)
             MakeSafe(from);
         _flight.Text = step.Reason;
         _flight.Log($"{from} -> {to}: {step.Reason}");
+        _state.Leave(_flight);
+        if (from == MissionPhase.HandedOver)
+            _failsafes.Reset();
         _state = _states[to];
         Since = _flight.Now;
         _activeSince = _flight.ActiveTime;
-        _state.Enter(_flight, step.What);
+        _state.Enter(_flight, step.What, step.Reason);
+        return true;
+    }
+
+    // What took the command away may turn out later: a failsafe's text, a reboot.
+    private void ExplainTakeover()
+    {
+        if (!_flight.IsTakenOver || _flight.Authority.State != CommandAuthorityState.TakenAway)
+            return;
+        string takeover = MissionFailsafes.Takeover(_flight.Authority);
+        if (takeover == _flight.TakenOver)
+            return;
+        _flight.Log(takeover);
+        _flight.TakenOver = _flight.Text = takeover;
+    }
+
+    private void Note(in MissionStep step)
+    {
+        switch (step.What)
+        {
+            case MissionEvent.ReturnToLaunch or MissionEvent.LandNow or MissionEvent.AlreadyFlying:
+                _flight.Aborted ??= step.Reason;
+                break;
+            case MissionEvent.OperatorHold or MissionEvent.OperatorReturn or MissionEvent.OperatorResume:
+                _flight.Operator.Take();
+                _flight.Aborted = step.What switch
+                {
+                    MissionEvent.OperatorReturn => _flight.Aborted ?? step.Reason,
+                    MissionEvent.OperatorResume => null,
+                    _ => _flight.Aborted,
+                };
+                _flight.IsTakenOver &= step.What != MissionEvent.OperatorResume;
+                break;
+            case MissionEvent.Impossible:
+                _flight.HasFallen = !_flight.Vehicle.IsArmed
+                    && _flight.HeightMetres > MissionFailsafes.LandedHeightMetres;
+                break;
+            case MissionEvent.TakenOver:
+                _flight.TakenOver = step.Reason;
+                _flight.IsTakenOver = true;
+                break;
+            default:
+                break;
+        }
     }
 
     // Motors that we started are stopped on the ground; in the air nothing is safer than what the autopilot does by

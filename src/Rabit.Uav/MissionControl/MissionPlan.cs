@@ -27,7 +27,7 @@ namespace Rabit.Uav.MissionControl;
 /// };
 /// </code>
 /// </example>
-public sealed class MissionPlan
+public sealed partial class MissionPlan
 {
     /// <summary>Name of the mission.</summary>
     public string Name { get; init; } = "search";
@@ -74,6 +74,24 @@ public sealed class MissionPlan
 
     /// <summary>Fraction of the battery that must remain at the start, 0 to 1.</summary>
     public double MinBatteryFractionAtStart { get; init; } = 0.5;
+
+    /// <summary>
+    /// Limit of the height above home, metres, 7 to 120; null for none of its own. Search and revisit stay 2 m below
+    /// it; in flight, above it, the vehicle returns to launch. The autopilot's own return may climb higher.
+    /// </summary>
+    public double? MaxHeightMetres { get; init; }
+
+    /// <summary>
+    /// Limit of the horizontal distance from home, metres, 20 to 5000; null for none of its own. Lanes stay 10 m within
+    /// it; in flight, beyond it, the vehicle returns to launch.
+    /// </summary>
+    public double? MaxDistanceMetres { get; init; }
+
+    /// <summary>
+    /// Height of the highest obstacle between the area and home, metres above home, 0 to 500; null where it is not
+    /// known. The autopilot's return must be above it (docs/preflight.md).
+    /// </summary>
+    public double? ObstacleHeightMetres { get; init; }
 
     /// <summary>Whether targets of a class are of interest.</summary>
     /// <param name="targetClass">The class of a track or a target.</param>

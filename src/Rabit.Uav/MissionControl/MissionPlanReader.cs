@@ -88,7 +88,10 @@ internal static class MissionPlanReader
             CameraPitch = Angle.FromDegrees(camera.Number("pitchDegrees") ?? -90),
             CameraYaw = Angle.FromDegrees(camera.Number("yawDegrees") ?? 0),
             HasGimbal = camera.Flag("gimbal") ?? false,
+            ObstacleHeightMetres = fields.Number("obstacleHeightMetres"),
             MinBatteryFractionAtStart = limits.Number("minBatteryFractionAtStart") ?? 0.5,
+            MaxHeightMetres = limits.Number("maxHeightMetres"),
+            MaxDistanceMetres = limits.Number("maxDistanceMetres"),
         };
         camera.RefuseOthers();
         limits.RefuseOthers();

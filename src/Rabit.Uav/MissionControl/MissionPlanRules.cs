@@ -17,11 +17,17 @@ internal static class MissionPlanRules
     private const double MinAreaSquareMetres = 100;
     private const int MaxCorners = 50;
 
-    // A lane ends up to half a spacing outside the area, and the vehicle overshoots and drifts.
-    private const double FenceReserveMetres = 10;
+    /// <summary>
+    /// A lane ends up to half a spacing outside the area, and the vehicle overshoots and drifts.
+    /// </summary>
+    public const double FenceReserveMetres = 10;
+
+    // The height is held to a metre, and a barometer drifts by another.
+    private const double HeightReserveMetres = 2;
 
     public static IEnumerable<string> FindFaults(MissionPlan plan)
-        => AreaFaults(plan).Concat(NumberFaults(plan)).Concat(FenceFaults(plan)).Concat(HomeFaults(plan));
+        => AreaFaults(plan).Concat(NumberFaults(plan)).Concat(FenceFaults(plan)).Concat(HomeFaults(plan))
+            .Concat(LimitFaults(plan));
 
     private static IEnumerable<string> NumberFaults(MissionPlan plan)
     {
@@ -44,11 +50,14 @@ internal static class MissionPlanRules
         yield return ("laneSpacingMetres", plan.LaneSpacingMetres, 2, 200);
         yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeading ?? Angle.Zero), -360, 360);
         yield return ("fenceMarginMetres", plan.FenceMarginMetres, 0, 500);
+        yield return ("obstacleHeightMetres", plan.ObstacleHeightMetres ?? 0, 0, 500);
         yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, 120);
         yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
         yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitch), -90, -20);
         yield return ("camera.yawDegrees", ToDegrees(plan.CameraYaw), -180, 180);
         yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);
+        yield return ("limits.maxHeightMetres", plan.MaxHeightMetres ?? 120, 5 + HeightReserveMetres, 120);
+        yield return ("limits.maxDistanceMetres", plan.MaxDistanceMetres ?? 5000, 20, 5000);
     }
 
     private static IEnumerable<string> FenceFaults(MissionPlan plan)
@@ -58,6 +67,24 @@ internal static class MissionPlanRules
         {
             yield return FormattableString.Invariant(
                 $"fenceMarginMetres is {plan.FenceMarginMetres}; it must be at least {min}: lanes end up to half a spacing outside the area");
+        }
+    }
+
+    // The distance of the lanes from home is checked when home is known.
+    private static IEnumerable<string> LimitFaults(MissionPlan plan)
+    {
+        if (plan.MaxHeightMetres is not { } max)
+            yield break;
+        foreach ((string path, double? height) in new[]
+        {
+            ("heightMetres", plan.HeightMetres), ("revisit.heightMetres", plan.Revisit.HeightMetres),
+        })
+        {
+            if (height > max - HeightReserveMetres)
+            {
+                yield return FormattableString.Invariant(
+                    $"{path} is {height}; it must be {HeightReserveMetres} below limits.maxHeightMetres, {max}");
+            }
         }
     }
 

@@ -12,10 +12,19 @@ internal abstract class MissionState(MissionPhase phase)
     /// <summary>Which phase it is.</summary>
     public MissionPhase Phase { get; } = phase;
 
+    /// <summary>Whether the mission is over: nothing more will happen.</summary>
+    public virtual bool IsOver => false;
+
     /// <summary>Called when the phase begins.</summary>
     /// <param name="flight">The state of the mission.</param>
     /// <param name="by">What led here.</param>
-    public virtual void Enter(MissionFlight flight, MissionEvent by)
+    /// <param name="reason">Why, as text.</param>
+    public virtual void Enter(MissionFlight flight, MissionEvent by, string reason)
+    {
+    }
+
+    /// <summary>Called when the phase ends.</summary>
+    public virtual void Leave(MissionFlight flight)
     {
     }
 

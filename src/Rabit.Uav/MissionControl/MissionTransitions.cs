@@ -11,9 +11,17 @@ internal static class MissionTransitions
 {
     public static MissionPhase After(MissionPhase phase, MissionEvent what) => (phase, what) switch
     {
-        (NoMission or Done or HandedOver or Failed, _) => phase,
+        (NoMission or Done or Failed, _) => phase,
+
+        // The operator's commands; only they lead back to the search.
+        (TakingOff or InTransit or Searching or Revisiting or Holding or Returning or Landing or HandedOver,
+            OperatorHold) => Holding,
+        (TakingOff or InTransit or Searching or Revisiting or Holding or HandedOver, OperatorReturn) => Returning,
+        (Holding or HandedOver, OperatorResume) => InTransit,
+        (HandedOver, _) => phase,
         (_, TakenOver) => HandedOver,
         (_, Impossible) => Failed,
+        (WaitingForVehicle, AlreadyFlying) => HandedOver,
 
         // As planned.
         (WaitingForVehicle, Ready) => Arming,
@@ -28,8 +36,9 @@ internal static class MissionTransitions
 
         // Otherwise.
         (TakingOff, Disarmed) => Arming,
-        (TakingOff or InTransit or Searching or Revisiting, ReturnToLaunch) => Returning,
-        (TakingOff or InTransit or Searching or Revisiting or Returning, LandNow) => Landing,
+        (TakingOff or InTransit or Searching or Revisiting, MissionEvent.Hold) => Holding,
+        (TakingOff or InTransit or Searching or Revisiting or Holding, ReturnToLaunch) => Returning,
+        (TakingOff or InTransit or Searching or Revisiting or Holding or Returning, LandNow) => Landing,
         _ => phase,
     };
 }

@@ -31,6 +31,9 @@ internal sealed class PathFollower
     private TimeSpan _until;
     private bool _isOnSegment;
 
+    /// <summary>How much of the segment has been flown.</summary>
+    public double FlownMetres { get; private set; }
+
     /// <summary>Begins a segment.</summary>
     public void Begin(MissionFlight flight, LaneSegment segment, double heightMetres)
     {
@@ -39,7 +42,7 @@ internal sealed class PathFollower
         _height = heightMetres;
         double brakingMetres = speed * speed / (2 * BrakingMetresPerSecondSquared);
         _lookaheadMetres = Math.Max(Math.Max(MinLookaheadMetres, LookaheadSeconds * speed), brakingMetres);
-        _targetMetres = 0;
+        (_targetMetres, FlownMetres) = (0, 0);
         _isOnSegment = false;
         _until = flight.ActiveTime + TimeLimit(flight, flight.Position.DistanceTo(segment.Start) + segment.Length);
     }
@@ -70,6 +73,7 @@ internal sealed class PathFollower
 
         PlanePoint along = (1 / _segment.Length) * (_segment.End - _segment.Start);
         double flown = (flight.Position - _segment.Start).Dot(along);
+        FlownMetres = Math.Max(FlownMetres, flown);
         if (flown >= _segment.Length - ArrivalMetres)
             return true;
         while (_targetMetres < _segment.Length && _targetMetres < flown + _lookaheadMetres)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -14,9 +15,16 @@ internal sealed class Revisits
 
     private readonly HashSet<int> _known = [];
     private readonly HashSet<int> _finished = [];
+    private ImmutableArray<int> _shownFinished;
 
     /// <summary>How many targets were revisited.</summary>
     public int Completed { get; private set; }
+
+    /// <summary>Tracks that are not to be revisited any more. Made again only when there are others.</summary>
+    public ImmutableArray<int> Finished
+        => !_shownFinished.IsDefault && _shownFinished.Length == _finished.Count
+            ? _shownFinished
+            : _shownFinished = _finished.OrderBy(id => id).ToImmutableArray();
 
     /// <summary>Logs the targets that are newly confirmed.</summary>
     public void LogConfirmed(MissionFlight flight)
@@ -43,10 +51,24 @@ internal sealed class Revisits
             .Where(t => flight.Mission.IsTarget(t.Class))
             .OrderBy(t => PositionOf(t, flight).DistanceTo(here)).ThenBy(t => t.Id).FirstOrDefault() is { } track)
         {
-            if (flight.Plan!.Fence.SignedDistance(PositionOf(track, flight)) >= FenceReserveMetres)
+            string? why = WhyNot(track, flight);
+            if (why is null)
                 return track;
             _finished.Add(track.Id);
-            flight.Log($"track {MissionNumbers.Of(track.Id)} is at the fence or outside: no revisit");
+            flight.Log($"track {MissionNumbers.Of(track.Id)} {why}: no revisit");
+        }
+
+        return null;
+    }
+
+    private static string? WhyNot(TargetTrack track, MissionFlight flight)
+    {
+        if (flight.Plan!.Fence.SignedDistance(PositionOf(track, flight)) < FenceReserveMetres)
+            return "is at the fence or outside";
+        foreach (MissionProgressTarget earlier in flight.Options.Resume?.Targets ?? [])
+        {
+            if (earlier.IsRevisited && ProgressTargets.AreSame(earlier, track))
+                return "was revisited on an earlier flight";
         }
 
         return null;

@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -8,9 +10,13 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>The legs of the search, flown and remaining, and the coverage of the area.</summary>
 internal sealed class SearchRoute
 {
+    // A leg has a direction as long as its ends are apart by more than the acceptance radius of each.
+    private const double MinLegMetres = 5;
+
     private readonly FlightPlan _plan;
     private readonly double _spacingMetres;
     private readonly List<LaneSegment> _legs;
+    private ImmutableArray<LaneSegment> _shownLegs;
 
     public SearchRoute(FlightPlan plan, double spacingMetres)
     {
@@ -25,6 +31,13 @@ internal sealed class SearchRoute
     /// <summary>How many legs there are, with those that are flown.</summary>
     public int Count => _legs.Count;
 
+    /// <summary>All of them. Made again only when they have changed.</summary>
+    public ImmutableArray<LaneSegment> Legs
+        => _shownLegs.IsDefault ? _shownLegs = _legs.ToImmutableArray() : _shownLegs;
+
+    /// <summary>How much of the leg to fly now has been flown.</summary>
+    public double FlownMetresOfLeg { get; set; }
+
     /// <summary>How many have been flown.</summary>
     public int Flown { get; private set; }
 
@@ -37,7 +50,36 @@ internal sealed class SearchRoute
     /// <summary>The leg to fly now; null when all have been.</summary>
     public LaneSegment? Current => Flown < _legs.Count ? _legs[Flown] : null;
 
-    public void FinishLeg() => Flown++;
+    public void FinishLeg()
+    {
+        Flown++;
+        FlownMetresOfLeg = 0;
+    }
+
+    /// <summary>The leg to fly now is left: what was flown of it is cut off.</summary>
+    /// <param name="overlapMetres">How much of what was flown is flown again.</param>
+    public void InterruptLeg(double overlapMetres)
+    {
+        if (Current is not { } leg)
+            return;
+        double cut = Math.Min(FlownMetresOfLeg - overlapMetres, leg.Length - MinLegMetres);
+        FlownMetresOfLeg = 0;
+        if (!(cut > 0))
+            return;
+        _legs[Flown] = new LaneSegment(leg.Start + (cut / leg.Length * (leg.End - leg.Start)), leg.End);
+        _shownLegs = default;
+    }
+
+    /// <summary>Continues where an earlier flight ended.</summary>
+    /// <param name="progress">Its legs are those of the plan.</param>
+    /// <param name="home">Where the home of that flight is now.</param>
+    /// <param name="overlapMetres">How much of what was flown of the last leg is flown again.</param>
+    public void Resume(MissionProgress progress, PlanePoint home, double overlapMetres)
+    {
+        (Flown, FlownMetresOfLeg, GapPasses) = (progress.LanesFlown, progress.FlownMetresOfLeg, progress.GapPasses);
+        InterruptLeg(overlapMetres);
+        Coverage.Mark(progress.Cells, home);
+    }
 
     /// <summary>Adds legs over what has not been seen.</summary>
     /// <returns>How many.</returns>
@@ -46,6 +88,7 @@ internal sealed class SearchRoute
         List<LaneSegment> legs = GapPlanner.Plan(
             Coverage.Unseen(), Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
         _legs.AddRange(legs);
+        _shownLegs = default;
         GapPasses++;
         return legs.Count;
     }

@@ -85,7 +85,7 @@ public sealed class SensorFusionOptions
         return (SensorFusionOptions)MemberwiseClone();
     }
 
-    private IEnumerable<string> FindFaults()
+    internal IEnumerable<string> FindFaults()
     {
         if (!(ProcessNoise >= 0 && ProcessNoise <= 1000))
             yield return FormattableString.Invariant(

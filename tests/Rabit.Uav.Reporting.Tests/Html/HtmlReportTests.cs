@@ -81,7 +81,7 @@ public sealed class HtmlReportTests
     [Fact]
     public void Write_MissionThatNeverBegan_SaysThatItDidNotFly()
     {
-        var mission = new MissionSummary(FlightRecord.Empty, MadeUpFlight.Score(FlightRecord.Empty));
+        var mission = new MissionSummary(FlightRecord.Empty, MadeUpTargets.Score(FlightRecord.Empty));
         XDocument document = Parse(Page(new FlightSummary(FlightRecord.Empty) { Mission = mission }));
 
         Assert.Contains("it did not fly", Words(document));

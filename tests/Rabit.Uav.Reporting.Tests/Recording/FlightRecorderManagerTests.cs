@@ -41,8 +41,7 @@ public sealed class FlightRecorderManagerTests : IDisposable
     {
         Post(MissionPhase.WaitingForVehicle, isArmed: false, speed: 0);
         Run(2);
-        Post(MissionPhase.Searching, isArmed: true, speed: 5);
-        Run(10);
+        Fly(seconds: 10, speed: 5);
         Post(MissionPhase.Done, isArmed: false, speed: 0);
         Run(1);
         FlightRecord record = _recorder.Record;
@@ -56,6 +55,16 @@ public sealed class FlightRecorderManagerTests : IDisposable
             record.Phases.Select(p => p.Phase));
         Assert.Equal([HealthLevel.Good], record.HealthChanges.Select(h => h.Report.Level));
         Assert.InRange(record.Managers.Single().Samples.Count, 6, 8);
+    }
+
+    [Fact]
+    public void Record_NothingIsReceivedForAMinute_ItsLengthDoesNotGoOn()
+    {
+        Post(MissionPhase.WaitingForVehicle, isArmed: false, speed: 0);
+        Run(1);
+        Fly(seconds: 4, speed: 5);
+        Run(30);
+        Assert.InRange(_recorder.Record.FlownMetres, 20, 31);
     }
 
     [Fact]
@@ -160,9 +169,19 @@ public sealed class FlightRecorderManagerTests : IDisposable
 
     public void Dispose() => _reactor.Stop();
 
-    private void Post(MissionPhase phase, bool isArmed, double speed)
+    private void Fly(int seconds, double speed)
     {
-        _mission.Value = new MissionStatus { Phase = phase, Since = _reactor.Now };
+        TimeSpan since = _reactor.Now;
+        for (int i = 0; i < seconds; i++)
+        {
+            Post(MissionPhase.Searching, isArmed: true, speed, since);
+            Run(1);
+        }
+    }
+
+    private void Post(MissionPhase phase, bool isArmed, double speed, TimeSpan? since = null)
+    {
+        _mission.Value = new MissionStatus { Phase = phase, Since = since ?? _reactor.Now };
         _mission.Post();
         _health.Value = new HealthReport { Level = HealthLevel.Good };
         _health.Post();
@@ -170,9 +189,10 @@ public sealed class FlightRecorderManagerTests : IDisposable
         {
             SystemId = 1,
             ComponentId = 1,
+            IsConnected = true,
             IsArmed = isArmed,
             PositionTime = _reactor.Now,
-            Position = MadeUpFlight.Home,
+            Position = MadeUpSite.Home,
             HeightAboveHomeMetres = 40,
             VelocityNed = new NedVector(speed, 0, 0),
             BatteryTime = _reactor.Now,

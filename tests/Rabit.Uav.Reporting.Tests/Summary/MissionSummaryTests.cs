@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using Rabit.Uav.Messages;
 using Xunit;
 
@@ -45,6 +46,20 @@ public sealed class MissionSummaryTests
                         new MissionResult { Failures = MissionFailures.NotFlown },
                         text: "the autopilot refuses to arm")).Failures));
 
+    [Theory]
+    [InlineData("waiting: no position", "mission not started (waiting: no position): FAILED")]
+    [InlineData(null, "mission not started: FAILED")]
+    public void Text_VehicleWasNeverReady_SaysWhatWasWaitedFor(string? text, string expected)
+    {
+        var result = new MissionResult { Failures = MissionFailures.NotFlown };
+        var record = new FlightRecord { Mission = new MissionStatus { Text = text, Result = result } };
+
+        using var written = new StringWriter();
+        SummaryText.Write(written, new FlightSummary(record) { Mission = Of(record) });
+
+        Assert.Contains(expected, written.ToString(), StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Failures_LandedWhereIsNotKnown_SaysSo()
         => Assert.Equal(
@@ -78,18 +93,27 @@ public sealed class MissionSummaryTests
 
         Assert.Equal(
             ["target T5 (magenta) was not found", "track 8 (red) was confirmed and is not a target"],
-            new MissionSummary(record, MadeUpFlight.Score(record)).Failures);
+            new MissionSummary(record, MadeUpTargets.Score(record)).Failures);
     }
 
     [Fact]
     public void Figures_GoodFlight_AreThoseOfTheRecord()
     {
         FlightRecord record = MadeUpFlight.Record();
-        var summary = new MissionSummary(record, MadeUpFlight.Score(record));
+        var summary = new MissionSummary(record, MadeUpTargets.Score(record));
 
         Assert.Empty(summary.Failures);
         Assert.Equal(0.64, summary.DistanceFromHomeMetres, 2);
         Assert.Equal(35, summary.BatteryUsedPercent, 3);
+    }
+
+    [Fact]
+    public void Failures_TakenOverAndLandedAtHome_SaysByWhom()
+    {
+        FlightRecord record = Landed(MissionFailures.TakenOver, takenOver: "the pilot took over: mode RTL");
+        Assert.Equal(
+            "the pilot took over: mode RTL",
+            Assert.Single(new MissionSummary(record, new MissionScore()).Failures));
     }
 
     [Fact]
@@ -99,7 +123,8 @@ public sealed class MissionSummaryTests
     private static MissionSummary Of(FlightRecord record) => new(record, score: null);
 
     private static FlightRecord Landed(
-        MissionFailures failures = MissionFailures.None, string? aborted = null, double distance = 0.5)
+        MissionFailures failures = MissionFailures.None, string? aborted = null, double distance = 0.5,
+        string? takenOver = null)
         => Flown(
             new MissionResult
             {
@@ -108,15 +133,17 @@ public sealed class MissionSummaryTests
                 DistanceFromHomeMetres = distance,
                 Failures = failures
             },
-            aborted: aborted);
+            aborted: aborted, takenOver: takenOver);
 
     private static FlightRecord Flown(
-        in MissionResult result, string? aborted = null, bool isArmed = false, string? text = null)
+        in MissionResult result, string? aborted = null, bool isArmed = false, string? text = null,
+        string? takenOver = null)
         => new()
         {
             Mission = new MissionStatus
             {
-                Plan = MadeUpFlight.Plan,
+                TakenOver = takenOver,
+                Plan = MadeUpSite.Plan,
                 Phase = MissionPhase.Done,
                 Aborted = aborted,
                 Text = text,
@@ -128,7 +155,7 @@ public sealed class MissionSummaryTests
                 Mode = "GUIDED",
                 HeightAboveHomeMetres = 29.8,
                 PositionTime = TimeSpan.FromSeconds(90),
-                Position = MadeUpFlight.Home,
+                Position = MadeUpSite.Home,
             },
         };
 }

@@ -48,7 +48,8 @@ internal sealed class SearchFlight : IDisposable
 
     public SearchFlight(
         MissionPlan plan, SimulationOptions options, VirtualTime time, RabitManager[] others,
-        MavlinkSigningKey? key = null, MavlinkSigningKey? vehicleKey = null)
+        MavlinkSigningKey? key = null, MavlinkSigningKey? vehicleKey = null, OnStop onStop = OnStop.Hold,
+        Func<IByteLink, IByteLink>? around = null)
     {
         options.TakePlacesFrom(plan);
         World = new SimulatedWorld(options);
@@ -57,7 +58,8 @@ internal sealed class SearchFlight : IDisposable
         Camera = World.CreateCamera();
         _uav = UavSystem.Open(new UavOptions
         {
-            OpenLinks = [link.A],
+            MissionControl = new MissionControlOptions { OnStop = onStop },
+            OpenLinks = [around is null ? link.A : around(link.A)],
             Mission = plan,
             MayCommand = true,
             Camera = Camera,
@@ -82,6 +84,8 @@ internal sealed class SearchFlight : IDisposable
     public SimulatedCamera Camera { get; }
 
     public RabitReactor Reactor { get; }
+
+    public MissionControlManager Control => _uav.MissionControl;
 
     /// <summary>What managers said and what became of them, with the time of the run.</summary>
     public string Log => _log.ToString();

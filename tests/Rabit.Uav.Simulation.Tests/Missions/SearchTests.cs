@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading.Tasks;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Reporting;
 using Xunit;
@@ -27,12 +28,17 @@ public sealed class SearchTests(ITestOutputHelper output)
         Assert.NotEqual(first, LogOf(seed: 4));
     }
 
-    [Fact, Trait("Category", "Long")]
-    public void Search_TwentySeeds_AreAsGoodAsTheySay()
+    [Theory, Trait("Category", "Long")]
+    [InlineData(SimulatedAutopilot.ArduPilot)]
+    [InlineData(SimulatedAutopilot.Px4)]
+    public void Search_FortySeeds_AreAsGoodAsTheySay(SimulatedAutopilot model)
     {
-        var scores = new List<TargetScore>();
-        for (long seed = 1; seed <= 20; seed++)
-            scores.AddRange(Fly(seed));
+        const int Seeds = 40;
+        var flights = new List<TargetScore>[Seeds];
+        Parallel.For(
+            0, Seeds, new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount },
+            index => flights[index] = Fly(index + 1, model));
+        List<TargetScore> scores = flights.SelectMany(f => f).ToList();
 
         double rmse = Rmse(scores);
         double inEllipse = scores.Count(s => s.EllipseContainsTruth) / (double)scores.Count;
@@ -42,9 +48,10 @@ public sealed class SearchTests(ITestOutputHelper output)
         Assert.InRange(inEllipse, 0.85, 1);
     }
 
-    private List<TargetScore> Fly(long seed)
+    private List<TargetScore> Fly(long seed, SimulatedAutopilot model = SimulatedAutopilot.ArduPilot)
     {
-        using var flight = new SearchFlight(SearchFlight.BundledPlan(), new SimulationOptions { Seed = seed });
+        using var flight = new SearchFlight(
+            SearchFlight.BundledPlan(), new SimulationOptions { Seed = seed, Autopilot = model });
         flight.Fly(TimeSpan.FromMinutes(20));
         MissionScore score = flight.Score();
         List<TargetScore> scores = score.Targets.ToList();
@@ -52,11 +59,11 @@ public sealed class SearchTests(ITestOutputHelper output)
         double fromHome = Math.Sqrt(
             (landing.Position.North * landing.Position.North) + (landing.Position.East * landing.Position.East));
         output.WriteLine(FormattableString.Invariant(
-            $"seed {seed}: {flight.Mission.Phase} at {flight.Reactor.Now}, {flight.Mission.Coverage:P1} seen, landed {fromHome:0.00} m from home, RMSE {Rmse(scores):0.00} m"));
+            $"{model}, seed {seed}: {flight.Mission.Phase} at {flight.Reactor.Now}, {flight.Mission.Coverage:P1} seen, landed {fromHome:0.00} m from home, RMSE {Rmse(scores):0.00} m"));
         foreach (TargetScore target in scores)
             output.WriteLine("  " + target);
 
-        string where = $"seed {seed}: ";
+        string where = $"{model}, seed {seed}: ";
         Assert.True(
             flight.Mission.Phase == MissionPhase.Done && flight.Mission.Aborted is null,
             where + flight.Mission.Text + "\n" + flight.Log);

@@ -67,8 +67,15 @@ public sealed class TruthFileTests
             + "180; targets[0]: 'pink and green stripes' is not a class: 1 to 16 ASCII characters; targets[1] has no "
             + "class")]
     [InlineData(
-        """{"format":"rabit-truth","version":1,"home":{"lat_deg":47,"lon_deg":8},"targets":[{"color":"red","lat_deg":1,"lon_deg":2},{"color":"red","lat_deg":1,"lon_deg":2}]}""",
-        "lat_deg is now latitudeDegrees; lon_deg is now longitudeDegrees; color is now class")]
+        """{"format":"rabit-truth","version":1,"home":{"lat_deg":47,"lon_deg":8},"targets":[{"color":"red","lat_deg":1,"lon_deg":2},{"name":"T1","color":"red","lat_deg":1,"longitudeDegrees":2}]}""",
+        "lat_deg is now latitudeDegrees (in home, targets[0], targets[1] 'T1'); lon_deg is now longitudeDegrees (in "
+            + "home, targets[0]); color is now class (in targets[0], targets[1] 'T1')")]
+    [InlineData(
+        """{"format":"rabit-truth","version":1,"home":{"lat_deg":47,"longitudeDegrees":8},"targets":[{"class":"red","lat_deg":1,"longitudeDegrees":2},{"class":"red","lat_deg":1,"longitudeDegrees":2},{"class":"red","lat_deg":1,"longitudeDegrees":2}]}""",
+        "lat_deg is now latitudeDegrees (in home, targets[0], targets[1] and 1 more)")]
+    [InlineData(
+        """{"format":"rabit-truth","version":1,"home":{"latitudeDegrees":1,"longitudeDegrees":8},"targets":[{"name":"T1","latitudeDegrees":1,"longitudeDegrees":2}]}""",
+        "targets[0] 'T1' has no class")]
     public void Parse_BadFile_NamesAllThatIsWrong(string json, string expected)
     {
         var error = Assert.Throws<FormatException>(() => TruthFile.Parse(json));

@@ -12,7 +12,7 @@ public class AuthorityTests
 {
     public static TheoryData<VehicleCommandKind> EveryKind => new(
         typeof(VehicleCommandKind).GetEnumValues().Cast<VehicleCommandKind>()
-            .Where(k => k != VehicleCommandKind.None).ToArray());
+            .Where(k => k is not (VehicleCommandKind.None or VehicleCommandKind.TakeControl)).ToArray());
 
     [Theory]
     [MemberData(nameof(EveryKind))]
@@ -62,7 +62,7 @@ public class AuthorityTests
         Assert.Equal((CommandAuthorityState.TakenAway, "mode LOITER"), (authority.State, authority.TakenBy));
         Assert.Equal(received, copter.Received.Count);
         VehicleCommandResult answer = copter.Answers.Single(a => a.Id == id);
-        if (kind != VehicleCommandKind.Velocity)   // that was accepted when it began
+        if (kind is not (VehicleCommandKind.Velocity or VehicleCommandKind.SetMode))   // done by then
             Assert.Equal(
                 (VehicleCommandOutcome.NotInCommand, "mode LOITER took the command away"),
                 (answer.Outcome, answer.Text));
@@ -85,27 +85,32 @@ public class AuthorityTests
     }
 
     [Fact]
-    public void Mode_HeartbeatsOfTheModeBefore_AreNoTakeoverWithinTheGrace()
+    public void Mode_OneReportOfTheModeBeforeAfterTheAcknowledgement_IsNoTakeover()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
-        copter.Beats = false;
         copter.Script = (frame, command) =>
         {
             copter.Accept(frame, command);
-            copter.Beat((uint)CopterMode.Rtl);
-            copter.Later(0.3, () => copter.Beat((uint)CopterMode.Guided));   // by a slower link
-            copter.Later(1.2, () => copter.Beat((uint)CopterMode.Guided));
+            copter.Later(0.001, () => copter.Beat((uint)CopterMode.Guided));   // sent just before the change
             return MavResult.Accepted;
         };
-        Assert.Equal(
-            VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Return, seconds: 1.4).Outcome);
+        Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Return).Outcome);
         Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
-        copter.Beat((uint)CopterMode.Rtl);
-        copter.Run(0.5);
-        Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
+    }
 
-        copter.Beat((uint)CopterMode.Guided);   // now it was done by other means
-        copter.Run(0.1);
+    [Theory]
+    [InlineData(0.05)]   // it has to be confirmed, which takes one more request
+    [InlineData(0.5)]
+    public void Mode_PilotTakesTheModeBeforeAfterTheAcknowledgement_IsATakeover(double laterSeconds)
+    {
+        using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
+        copter.Script = (frame, command) =>
+        {
+            copter.Accept(frame, command);
+            copter.Later(laterSeconds, () => copter.Mode = (uint)CopterMode.Guided);
+            return MavResult.Accepted;
+        };
+        copter.GiveAndRun(VehicleCommandKind.Return, seconds: laterSeconds + 0.4);
         Assert.Equal(
             (CommandAuthorityState.TakenAway, "mode GUIDED"), (copter.Authority, copter.Rig.Authority.TakenBy));
     }
@@ -114,10 +119,10 @@ public class AuthorityTests
     public void Mode_ThirdOneWhileWeAsk_IsATakeoverAtOnce()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
-        copter.Beats = false;
         copter.Script = (_, _) =>
         {
-            copter.Beat((uint)CopterMode.Poshold);
+            copter.Mode = (uint)CopterMode.Poshold;
+            copter.Beat();
             return MavResult.Accepted;
         };
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Return, seconds: 0.2);
@@ -208,6 +213,20 @@ public class AuthorityTests
     }
 
     [Fact]
+    public void Reboot_ItsModeIsReportedBeforeItsTime_IsTheCauseOfTheTakeover()
+    {
+        using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
+        copter.Say(new ExtendedSysState { LandedState = MavLandedState.InAir });
+        copter.Mode = (uint)CopterMode.Stabilize;
+        copter.Run(2);
+        Assert.Equal(TakeoverCause.Mode, copter.Rig.Authority.Cause);
+        copter.Say(new SystemTime { TimeBootMs = 1_000 });
+        copter.Run(0.1);
+        Assert.Equal(TakeoverCause.Reboot, copter.Rig.Authority.Cause);
+        Assert.Equal("a reboot of the autopilot", copter.Rig.Authority.TakenBy);
+    }
+
+    [Fact]
     public void Landing_DisarmAfterwards_IsNoTakeover()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
@@ -215,7 +234,7 @@ public class AuthorityTests
         copter.IsArmed = false;
         copter.Say(new ExtendedSysState { LandedState = MavLandedState.OnGround });
         copter.Run(10);
-        Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
+        Assert.Equal(CommandAuthorityState.Free, copter.Authority);
     }
 
     [Fact]

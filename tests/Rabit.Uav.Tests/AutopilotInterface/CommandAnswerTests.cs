@@ -159,14 +159,14 @@ public class CommandAnswerTests
     }
 
     [Fact]
-    public void Mode_AcceptedButNeverShown_TimesOut()
+    public void Mode_AcceptedButNeverShown_IsATakeover()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (_, _) => MavResult.Accepted;
         VehicleCommandResult answer = copter.GiveAndRun(VehicleCommandKind.Return, seconds: 6);
-        Assert.Equal(VehicleCommandOutcome.TimedOut, answer.Outcome);
-        Assert.Contains("is in GUIDED still", answer.Text, StringComparison.Ordinal);
-        Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
+        Assert.Equal(VehicleCommandOutcome.NotInCommand, answer.Outcome);
+        Assert.Equal(
+            (CommandAuthorityState.TakenAway, "mode GUIDED"), (copter.Authority, copter.Rig.Authority.TakenBy));
     }
 
     [Fact]
@@ -185,7 +185,7 @@ public class CommandAnswerTests
     }
 
     [Fact]
-    public void Mode_ShownButNeverAcknowledged_TimesOut()
+    public void Mode_ShownButNeverAcknowledged_IsAcceptedAndNotSentAgain()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Script = (frame, command) =>
@@ -193,8 +193,10 @@ public class CommandAnswerTests
             copter.Accept(frame, command);
             return null;
         };
-        Assert.Equal(VehicleCommandOutcome.TimedOut, copter.GiveAndRun(VehicleCommandKind.Return, seconds: 10).Outcome);
+        int before = copter.Received.Count;
+        Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.Return, seconds: 10).Outcome);
         Assert.Equal(CommandAuthorityState.Ours, copter.Authority);   // it is the mode that we asked for
+        Assert.Equal(before + 1, copter.Received.Count);
     }
 
     [Fact]

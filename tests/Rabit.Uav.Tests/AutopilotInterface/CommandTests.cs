@@ -92,17 +92,18 @@ public class CommandTests
     [Theory]
     [InlineData(VehicleCommandKind.Return, CopterMode.Rtl)]
     [InlineData(VehicleCommandKind.Land, CopterMode.Land)]
-    public void ReturnAndLand_Copter_AreModesThatStayOurs(VehicleCommandKind kind, CopterMode mode)
+    public void ReturnAndLand_Copter_AreModesThatStayOursUntilItHasLanded(VehicleCommandKind kind, CopterMode mode)
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(kind).Outcome);
         Assert.Equal((uint)mode, copter.Mode);
         copter.Run(3);
+        Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
         copter.IsArmed = false;   // landed
         copter.Run(5);
-        Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
+        Assert.Equal(CommandAuthorityState.Free, copter.Authority);   // the flight is over: no mode is ours
 
-        // And back: the mode in which it takes places comes first.
+        // And again: the mode in which it takes places comes first.
         int before = copter.Commands.Count();
         Assert.Equal(VehicleCommandOutcome.Accepted, copter.GiveAndRun(VehicleCommandKind.GoTo).Outcome);
         Assert.Equal([MavCmd.DoSetMode, MavCmd.DoReposition], copter.Commands.Skip(before));
@@ -199,7 +200,7 @@ public class CommandTests
     }
 
     [Fact]
-    public void Command_AutopilotLost_IsTriedUntilItTimesOut()
+    public void Command_AutopilotLost_TimesOutAndNothingIsSent()
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         copter.Beats = false;
@@ -207,7 +208,7 @@ public class CommandTests
         copter.Run(7);
         Assert.False(copter.Rig.Vehicle.IsConnected);
         Assert.Equal(VehicleCommandOutcome.TimedOut, copter.GiveAndRun(VehicleCommandKind.Return).Outcome);
-        Assert.Equal(4, copter.Received.Count - 2);
+        Assert.Equal(2, copter.Received.Count);   // without a report of the mode no mode is commanded
     }
 
     [Theory]

@@ -24,9 +24,11 @@ public class Px4CommandTests
     public void TakeOff_IsAboveTheSeaAndItsModesAreOurs()
     {
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
-        Assert.Equal(VehicleCommandOutcome.Accepted, px4.GiveAndRun(VehicleCommandKind.TakeOff).Outcome);
+        VehicleCommandResult answer = px4.GiveAndRun(
+            VehicleCommandKind.TakeOff, with: c => c with { HeightAboveHomeMetres = 30 });
+        Assert.Equal(VehicleCommandOutcome.Accepted, answer.Outcome);
         CommandLong takeOff = px4.Last<CommandLong>();
-        Assert.Equal((MavCmd.NavTakeoff, 140f), (takeOff.Command, takeOff.Param7));
+        Assert.Equal((MavCmd.NavTakeoff, 130f), (takeOff.Command, takeOff.Param7));
         Assert.True(float.IsNaN(takeOff.Param4) && float.IsNaN(takeOff.Param5) && float.IsNaN(takeOff.Param6));
 
         Assert.Equal("AUTO.TAKEOFF", px4.Rig.Vehicle.Mode);
@@ -38,20 +40,29 @@ public class Px4CommandTests
         Assert.Equal("mode POSCTL", px4.Rig.Authority.TakenBy);
     }
 
-    [Fact]
-    public void GoTo_IsARepositionAboveTheSeaWithSpeedAndHeading()
+    [Theory]
+    [InlineData(27, 0.5)]    // far below: a Hold of the pilot
+    [InlineData(28.4, 3)]    // it may be the end of the take-off, but does not go on to its height
+    public void TakeOff_LoiterBelowItsHeight_IsThePilotsAndNothingIsSentMeanwhile(double height, double within)
     {
-        using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
-        Assert.Equal(
-            VehicleCommandOutcome.Accepted,
-            px4.GiveAndRun(
-                VehicleCommandKind.GoTo,
-                with: c => c with { SpeedMetresPerSecond = 5, Yaw = Angle.FromRadians(1) }).Outcome);
-        CommandInt place = px4.Last<CommandInt>();
-        Assert.Equal(
-            (MavCmd.DoReposition, MavFrame.Global, 5f, 1f, 1f),
-            (place.Command, place.Frame, place.Param1, place.Param2, place.Param4));
-        Assert.Equal((401_070_457, 57_295_780, 140f), (place.X, place.Y, place.Z));
+        using ScriptedAutopilot px4 = TakingOff(height);
+        int sent = px4.Received.Count;
+        px4.Give(VehicleCommandKind.Return);
+        px4.Run(within);
+        Assert.Equal("mode AUTO.LOITER", px4.Rig.Authority.TakenBy);
+        Assert.Equal(sent, px4.Received.Count);
+    }
+
+    [Fact]
+    public void TakeOff_LoiterReportedBeforeTheHeight_IsOursOnceTheHeightIsReported()
+    {
+        using ScriptedAutopilot px4 = TakingOff(28.4);
+        px4.Run(1);
+        Assert.Equal(CommandAuthorityState.Ours, px4.Authority);
+        px4.HeightMetres = 29.3;
+        px4.Run(5);
+        Assert.Equal(CommandAuthorityState.Ours, px4.Authority);
+        Assert.Equal(VehicleCommandOutcome.Accepted, px4.GiveAndRun(VehicleCommandKind.Return).Outcome);
     }
 
     [Theory]
@@ -62,20 +73,39 @@ public class Px4CommandTests
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
         Assert.Equal(VehicleCommandOutcome.Accepted, px4.GiveAndRun(kind).Outcome);
         Assert.Equal(mode, px4.Mode);
+        px4.Say(new ExtendedSysState { LandedState = MavLandedState.OnGround });
+        px4.Run(0.1);
         px4.Mode = 0x0304_0000;
-        px4.IsArmed = false;
         px4.Run(3);
         Assert.Equal(CommandAuthorityState.Ours, px4.Authority);
+        px4.IsArmed = false;
+        px4.Mode = 0x0006_0000;   // PX4 reports the mode before, once it has disarmed
+        px4.Run(3);
+        Assert.Equal(CommandAuthorityState.Free, px4.Authority);
+    }
+
+    [Theory]
+    [InlineData(VehicleCommandKind.Return, 0x0304_0000u)]
+    [InlineData(VehicleCommandKind.Return, 0x0604_0000u)]
+    [InlineData(VehicleCommandKind.Land, 0x0304_0000u)]
+    public void ReturnAndLand_AnotherModeInTheAir_IsThePilots(VehicleCommandKind kind, uint mode)
+    {
+        using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
+        px4.Say(new ExtendedSysState { LandedState = MavLandedState.InAir });
+        px4.GiveAndRun(kind);
+        px4.Mode = mode;
+        px4.Run(3);
+        Assert.Equal(CommandAuthorityState.TakenAway, px4.Authority);
     }
 
     [Fact]
-    public void Hold_IsLoiterAtTheStoppingPoint()
+    public void Hold_IsLoiter()
     {
         using ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4).Armed();
         px4.GiveAndRun(VehicleCommandKind.Return);
         Assert.Equal(VehicleCommandOutcome.Accepted, px4.GiveAndRun(VehicleCommandKind.Hold).Outcome);
         Assert.Equal(0x0304_0000u, px4.Mode);
-        Assert.Equal((MavCmd.DoReposition, 130f), (px4.Last<CommandInt>().Command, px4.Last<CommandInt>().Z));
+        Assert.DoesNotContain(MavCmd.DoReposition, px4.Commands);
     }
 
     [Fact]
@@ -118,5 +148,18 @@ public class Px4CommandTests
             if (ArdupilotModes.NameOf(MavType.Quadrotor, mode) is { } name)
                 Assert.Equal(mode, ArdupilotModes.NumberOf(MavType.Quadrotor, name));
         }
+    }
+
+    // To 30 m, and in AUTO.LOITER at a height.
+    private static ScriptedAutopilot TakingOff(double height)
+    {
+        ScriptedAutopilot px4 = new ScriptedAutopilot(MavAutopilot.Px4) { HeightMetres = 0 }.Armed();
+        px4.GiveAndRun(VehicleCommandKind.TakeOff, with: c => c with { HeightAboveHomeMetres = 30 });
+        px4.HeightMetres = height;
+        px4.Run(0.5);
+        px4.Mode = 0x0304_0000;
+        px4.Beat();
+        px4.Run(0.1);
+        return px4;
     }
 }

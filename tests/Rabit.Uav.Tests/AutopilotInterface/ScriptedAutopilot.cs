@@ -20,6 +20,7 @@ internal sealed class ScriptedAutopilot : IDisposable
 
     private readonly List<(double Due, Action Act)> _due = [];
     private readonly List<(TimeSpan Time, MavlinkFrame Frame)> _received = [];
+    private SetPositionTargetGlobalInt? _setPoint;
     private double _nextBeat;
     private double _nextPosition;
     private int _taken;
@@ -47,6 +48,20 @@ internal sealed class ScriptedAutopilot : IDisposable
     public bool IsArmed { get; set; }
 
     public bool Beats { get; set; } = true;
+
+    public MavState Status { get; set; } = MavState.Active;
+
+    /// <summary>Where it does not follow set-points.</summary>
+    public double HeightMetres { get; set; } = 30;
+
+    /// <summary>Whether its position is that of the last set-point.</summary>
+    public bool FollowsSetPoints { get; set; }
+
+    /// <summary>What it answers where its HEARTBEAT is asked for; null where it does not answer.</summary>
+    public MavResult? ReportAnswer { get; set; } = MavResult.Accepted;
+
+    /// <summary>How often it was asked for its HEARTBEAT.</summary>
+    public int ReportRequests { get; private set; }
 
     /// <summary>One way.</summary>
     public double Latency { get; set; } = 0.02;
@@ -176,7 +191,7 @@ internal sealed class ScriptedAutopilot : IDisposable
         Autopilot = Make,
         BaseMode = MavModeFlag.CustomModeEnabled | (IsArmed ? MavModeFlag.SafetyArmed : 0),
         CustomMode = mode,
-        SystemStatus = MavState.Active,
+        SystemStatus = Status,
         MavlinkVersion = 3,
     };
 
@@ -192,13 +207,15 @@ internal sealed class ScriptedAutopilot : IDisposable
         if (now < _nextPosition)
             return;
         _nextPosition = now + 0.1;
+        SetPositionTargetGlobalInt? at = FollowsSetPoints ? _setPoint : null;
+        int height = at is { } point ? (int)(point.Alt * 1000) : (int)(HeightMetres * 1000);
         Say(new GlobalPositionInt
         {
             TimeBootMs = (uint)(60_000 + (now * 1000)),
-            Lat = 401_000_000,
-            Lon = 57_000_000,
-            Alt = 130_000,
-            RelativeAlt = 30_000,
+            Lat = at?.LatInt ?? 401_000_000,
+            Lon = at?.LonInt ?? 57_000_000,
+            Alt = 100_000 + height,
+            RelativeAlt = height,
             Vx = (short)(VelocityNed.North * 100),
             Vy = (short)(VelocityNed.East * 100),
         });
@@ -209,15 +226,35 @@ internal sealed class ScriptedAutopilot : IDisposable
         for (; _taken < Rig.Sink.Frames.Count; _taken++)
         {
             (TimeSpan time, MavlinkFrame frame) = Rig.Sink.Frames[_taken];
+            if (CommandOf(frame) == MavCmd.RequestMessage)
+            {
+                Later(Latency, Report);
+                continue;
+            }
+
             if (frame.MessageId is CommandLong.MavlinkId or CommandInt.MavlinkId or SetPositionTargetLocalNed.MavlinkId
                 or SetPositionTargetGlobalInt.MavlinkId)
             {
                 _received.Add((time, frame));
             }
 
+            if (frame.TryDecode(out SetPositionTargetGlobalInt setPoint))
+                _setPoint = setPoint;
+
             if (CommandOf(frame) is { } command)
                 Later(Latency, () => Answer(frame, command));
         }
+    }
+
+    // The mode is that of the moment in which the request comes.
+    private void Report()
+    {
+        ReportRequests++;
+        if (ReportAnswer is not { } result || !Beats)
+            return;
+        Acknowledge(MavCmd.RequestMessage, result);
+        if (result == MavResult.Accepted)
+            Beat();
     }
 
     private void Answer(MavlinkFrame frame, MavCmd command)

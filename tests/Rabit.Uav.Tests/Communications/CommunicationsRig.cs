@@ -112,9 +112,9 @@ internal sealed class CommunicationsRig : IDisposable
         where T : struct, IMavlinkMessage
         => SendOwn(MavlinkFrame.Create(message, system, component, sequence: 99));
 
-    public void SendOwn(in MavlinkFrame frame)
+    public void SendOwn(in MavlinkFrame frame, TimeSpan validUntil = default)
     {
-        _outgoing.Push(new OutgoingFrame { Frame = frame });
+        _outgoing.Push(new OutgoingFrame { Frame = frame, ValidUntil = validUntil });
         Run(TimeSpan.FromMilliseconds(200));
     }
 

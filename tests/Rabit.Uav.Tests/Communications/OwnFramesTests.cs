@@ -24,6 +24,19 @@ public sealed class OwnFramesTests
     }
 
     [Fact]
+    public void Expired_IsNotSentAndCountsAsDropped()
+    {
+        using CommunicationsRig rig = new CommunicationsRig(links: 1).As(1);
+        rig.Run(TimeSpan.FromSeconds(3));
+        var frame = MavlinkFrame.Create(new Heartbeat { MavlinkVersion = 3 }, 1, 191, sequence: 0);
+
+        rig.SendOwn(frame, validUntil: rig.Reactor.Now - TimeSpan.FromSeconds(1));
+        Assert.Empty(rig.ReceivedFrames(0));
+        rig.SendOwn(frame, validUntil: rig.Reactor.Now + TimeSpan.FromSeconds(1));
+        Assert.Single(rig.ReceivedFrames(0));
+    }
+
+    [Fact]
     public void Sequence_OfEachSender_IsConsecutiveAndWraps()
     {
         using CommunicationsRig rig = new CommunicationsRig(links: 1).As(1);

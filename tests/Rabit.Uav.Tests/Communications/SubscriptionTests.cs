@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink;
@@ -75,6 +76,27 @@ public sealed class SubscriptionTests
         Assert.Equal((4L, 46L), (counters.Delivered, counters.Dropped));
         Assert.Contains(
             "46 frames for queue 'stuck' were dropped", Assert.Single(rig.Log, e => e.Text.Contains("dropped")).Text);
+    }
+
+    [Fact]
+    public void Subscription_QueueThatStaysFull_IsLoggedEveryTenSecondsWithTheTotal()
+    {
+        var stuck = new PayloadManager<Heartbeat>("stuck", capacity: 4, QueueFullMode.Reject, isStuck: true);
+        using CommunicationsRig rig = Rig([stuck], [new MavlinkSubscription("stuck")]);
+
+        for (int second = 0; second < 25; second++)
+        {
+            byte first = (byte)(2 * second);
+            rig.Send(0, Frames.Heartbeat(sequence: first), Frames.Heartbeat(sequence: (byte)(first + 1)));
+            rig.Run(TimeSpan.FromSeconds(1));
+        }
+
+        string[] lines = [.. rig.Log.Select(e => e.Text).Where(t => t.Contains("dropped"))];
+        Assert.Equal(3, lines.Length);
+        long[] totals = [.. lines.Select(l => long.Parse(l.Split(' ')[0], CultureInfo.InvariantCulture))];
+        Assert.InRange(totals[1], totals[0] + 18, totals[0] + 22);
+        Assert.InRange(totals[2], totals[1] + 18, totals[1] + 22);
+        Assert.Equal(46, Assert.Single(rig.Manager.CountSubscriptions()).Dropped);
     }
 
     [Fact]

@@ -37,6 +37,7 @@ internal sealed class HealthRig : IDisposable
         _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         _link = Reactor.Workspace.Publish<LinkStatus>(MessageNames.LinkStatus(0));
         _mission = Reactor.Workspace.Publish<MissionStatus>(MessageNames.Mission);
+        Reactor.Workspace.Publish<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         _imaging = Reactor.Workspace.Publish<ImagingStatus>(MessageNames.Imaging);
         _report = Reactor.Workspace.Subscribe<HealthReport>(MessageNames.Health);
         Reactor.Start();

@@ -95,7 +95,8 @@ public class HealthRulesTests
         var status = new LinkStatus { State = state, Url = "udp", Progress = isRecorded ? 1 : double.NaN };
         AssertLink(
             new LinkFacts(
-                "udp", status, framesDropped: 0, hasDroppedRecently: false, TimeSpan.FromSeconds(watchedSeconds)),
+                "udp", status, framesDropped: 0, hasDroppedRecently: false, hasRejectedRecently: false,
+                TimeSpan.FromSeconds(watchedSeconds)),
             expected, level);
     }
 
@@ -112,8 +113,28 @@ public class HealthRulesTests
             FramesDroppedOut = 4,
             Progress = double.NaN
         };
-        AssertLink(new LinkFacts("udp", status, framesDropped: 7, droppedLately, TimeSpan.Zero), expected, level);
+        AssertLink(new LinkFacts("udp", status, 7, droppedLately, false, TimeSpan.Zero), expected, level);
     }
+
+    [Theory]
+    [InlineData(true, HealthReasons.SignaturesRejected, HealthLevel.Warning)]
+    [InlineData(false, HealthReasons.None, HealthLevel.Unknown)]
+    public void Link_IsEvaluatedByFramesThatWereRejectedLately(
+        bool rejectedLately, HealthReasons expected, HealthLevel level)
+    {
+        var status = new LinkStatus { State = LinkState.Receiving, Progress = double.NaN };
+        AssertLink(new LinkFacts("udp", status, 0, false, rejectedLately, TimeSpan.Zero), expected, level);
+    }
+
+    [Theory]
+    [InlineData(0, 0, 1, HealthReasons.CommandsUnanswered, HealthLevel.Warning)]
+    [InlineData(1, 0, 4, HealthReasons.None, HealthLevel.Unknown)]
+    [InlineData(0, 1, 4, HealthReasons.None, HealthLevel.Unknown)]
+    [InlineData(0, 0, 0, HealthReasons.None, HealthLevel.Unknown)]
+    public void Vehicle_IsEvaluatedByWhetherItAnswersCommands(
+        int accepted, int refused, int unanswered, HealthReasons expected, HealthLevel level)
+        => AssertVehicle(
+            Connected(), expected, level, requests: new RateRequestCounts(accepted, refused, unanswered, sent: 9));
 
     [Fact]
     public void Text_AllReasons_NamesAndFiguresMostSevereFirst()
@@ -165,11 +186,12 @@ public class HealthRulesTests
         => new() { SystemId = 1, IsConnected = true, SystemStatus = MavState.Active };
 
     private static void AssertVehicle(
-        VehicleState state, HealthReasons expected, HealthLevel level, double ageSeconds = 1, bool isReplayOver = false)
+        VehicleState state, HealthReasons expected, HealthLevel level, double ageSeconds = 1, bool isReplayOver = false,
+        RateRequestCounts requests = default)
     {
         var findings = new List<HealthFinding>();
         HealthRules.Evaluate(
-            new VehicleFacts(state, TimeSpan.FromSeconds(ageSeconds), isReplayOver), Options, findings);
+            new VehicleFacts(state, requests, TimeSpan.FromSeconds(ageSeconds), isReplayOver), Options, findings);
         AssertFindings(findings, expected, level, null);
     }
 

@@ -186,6 +186,7 @@ public class HeartbeatTests
         };
         reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
         reactor.Workspace.Publish<MissionStatus>(MessageNames.Mission);
+        reactor.Workspace.Publish<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         reactor.Workspace.Publish<ImagingStatus>(MessageNames.Imaging);
         MessagePublisher<OwnAddress> address = reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         reactor.Start();

@@ -1,4 +1,5 @@
 using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
 using Xunit;
 
 namespace Rabit.Uav.Tests.MissionControl;
@@ -45,7 +46,7 @@ public class MissionResultTests
     {
         using var rig = new MissionRig(MissionRig.Mission());
         rig.RunUntil(MissionPhase.Searching);
-        rig.Manager.Abort("asked to");
+        rig.Manager.Command(OperatorCommand.Return, "asked to");
         rig.RunToEnd();
 
         Assert.Equal(
@@ -71,12 +72,74 @@ public class MissionResultTests
         rig.Vehicle.TakeOver("mode LOITER");
         rig.Run(2);
         Assert.Equal(
-            (MissionOutcome.Failed, MissionFailures.NotLanded),
+            (MissionOutcome.Failed, MissionFailures.NotLanded | MissionFailures.TakenOver),
             (rig.Status.Result.Outcome, rig.Status.Result.Failures));
 
         rig.Vehicle.IsArmed = false;
         rig.Run(2);
-        Assert.Equal(MissionFailures.AwayFromHome, rig.Status.Result.Failures);
+        Assert.Equal(MissionFailures.AwayFromHome | MissionFailures.TakenOver, rig.Status.Result.Failures);
+    }
+
+    [Fact]
+    public void Result_TakeoverIsExplainedLater_SaysByWhom()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Vehicle.TakeOver("mode STABILIZE");
+        rig.Run(2);
+        rig.Vehicle.TakeOver("a reboot of the autopilot", TakeoverCause.Reboot);
+        rig.Run(2);
+        Assert.Equal("the autopilot rebooted: a reboot of the autopilot", rig.Status.TakenOver);
+    }
+
+    [Theory]
+    [InlineData(MissionPhase.TakingOff)]
+    [InlineData(MissionPhase.Landing)]
+    public void Result_MotorsStopInTheAir_IsNeitherLandedNorAccomplished(MissionPhase phase)
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.RunUntil(phase);
+        for (int i = 0; i < 100 && !(rig.Vehicle.Height is > 6 and < 30); i++)
+            rig.Run(0.2);
+        rig.Vehicle.IsArmed = false;
+        rig.Run(2);
+        MissionResult result = rig.Status.Result;
+        Assert.Equal((MissionPhase.Failed, MissionOutcome.Failed), (rig.Status.Phase, result.Outcome));
+        Assert.False(result.HasLanded);
+        Assert.True((result.Failures & MissionFailures.NotLanded) != 0);
+    }
+
+    [Fact]
+    public void Result_LandedWithoutUsAtHome_IsGivenUp()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Vehicle.IsConnected = false;
+        rig.Run(20);
+        (rig.Vehicle.North, rig.Vehicle.East, rig.Vehicle.Height, rig.Vehicle.IsArmed) = (0, 0, 0, false);
+        rig.Vehicle.IsConnected = true;
+        rig.Run(2);
+        Assert.Equal(
+            (MissionOutcome.Failed, MissionFailures.GivenUp), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
+    }
+
+    [Theory]
+    [InlineData(TakeoverCause.Mode, "the pilot took over: mode RTL")]
+    [InlineData(TakeoverCause.Failsafe, "the autopilot's failsafe took over: mode RTL")]
+    [InlineData(TakeoverCause.OtherCommander, "another commander took over: mode RTL")]
+    public void Result_TakenOverAndLandedAtHome_IsFailedAndSaysByWhom(TakeoverCause cause, string text)
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Vehicle.TakeOver("mode RTL", cause);
+        rig.Run(2);
+        (rig.Vehicle.North, rig.Vehicle.East, rig.Vehicle.Height, rig.Vehicle.IsArmed) = (0, 0, 0, false);
+        rig.Run(2);
+
+        Assert.Equal(
+            (MissionOutcome.Failed, MissionFailures.TakenOver),
+            (rig.Status.Result.Outcome, rig.Status.Result.Failures));
+        Assert.Equal(text, rig.Status.TakenOver);
     }
 
     [Fact]

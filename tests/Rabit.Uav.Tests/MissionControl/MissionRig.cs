@@ -6,6 +6,7 @@ using Rabit.Core;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
+using Xunit;
 
 namespace Rabit.Uav.Tests.MissionControl;
 
@@ -13,6 +14,8 @@ namespace Rabit.Uav.Tests.MissionControl;
 internal sealed class MissionRig : IDisposable
 {
     public static readonly GeodeticPosition Home = GeodeticPosition.FromDegrees(47.3977, 8.5456, 488);
+
+    private static readonly TimeSpan MaxStopDelay = TimeSpan.FromSeconds(4);
 
     private readonly RabitReactor _reactor;
     private readonly MessageSubscriber<MissionStatus> _status;
@@ -23,12 +26,33 @@ internal sealed class MissionRig : IDisposable
         change?.Invoke(options);
         Manager = new MissionControlManager(options);
         _reactor = new RabitReactor(
-            new ReactorOptions { Time = new VirtualTime(seed), Log = Entries.Add, StopsOnSignals = false })
+            new ReactorOptions
+            {
+                Time = new VirtualTime(seed),
+                Log = Entries.Add,
+                StopsOnSignals = false,
+                MaxStopDelay = MaxStopDelay,
+            })
         {
             Manager, Vehicle
         };
         _status = _reactor.Workspace.Subscribe<MissionStatus>(MessageNames.Mission);
         _reactor.Start();
+    }
+
+    /// <summary>A mission with one target that has got to a phase.</summary>
+    public static MissionRig In(MissionPhase phase, Action<MissionControlOptions>? change = null)
+    {
+        var rig = new MissionRig(Mission(), change);
+        rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
+        if (phase == MissionPhase.WaitingForVehicle)
+            rig.Run(1);
+        if (phase == MissionPhase.Arming)
+            rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.Arm ? VehicleCommandOutcome.Refused : null;
+        Assert.Equal(phase, rig.RunUntil(phase));
+        if (phase == MissionPhase.TakingOff)
+            rig.Run(2);
+        return rig;
     }
 
     public MissionControlManager Manager { get; }
@@ -81,6 +105,19 @@ internal sealed class MissionRig : IDisposable
         });
         return "{\"area\":[" + string.Join(",", places)
             + "],\"heightMetres\":40,\"speedMetresPerSecond\":8,\"laneSpacingMetres\":30" + more + "}";
+    }
+
+    /// <summary>Asks for the stop, and runs until it is over.</summary>
+    /// <returns>How long it took.</returns>
+    public TimeSpan Stop()
+    {
+        TimeSpan from = Now;
+        _reactor.Stop("the test");
+        while (Now - from < TimeSpan.FromSeconds(20) && _reactor.RunFor(TimeSpan.FromSeconds(0.05)))
+        {
+        }
+
+        return Now - from;
     }
 
     public void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));

@@ -10,7 +10,10 @@ namespace Rabit.Uav.Tests.MissionControl;
 public class MissionTransitionsTests
 {
     private static readonly MissionPhase[] Ends =
-        [MissionPhase.NoMission, MissionPhase.Done, MissionPhase.HandedOver, MissionPhase.Failed];
+        [MissionPhase.NoMission, MissionPhase.Done, MissionPhase.Failed];
+
+    private static readonly MissionEvent[] Operators =
+        [MissionEvent.OperatorHold, MissionEvent.OperatorReturn, MissionEvent.OperatorResume];
 
     private static readonly MissionPhase[] All = ValuesOf<MissionPhase>();
 
@@ -22,7 +25,7 @@ public class MissionTransitionsTests
 
     [Fact]
     public void Table_OtherPhases_CanAlwaysBeHandedOverAndFail()
-        => Assert.All(All.Except(Ends), phase =>
+        => Assert.All(All.Except(Ends).Except([MissionPhase.HandedOver]), phase =>
         {
             Assert.Equal(MissionPhase.HandedOver, MissionTransitions.After(phase, MissionEvent.TakenOver));
             Assert.Equal(MissionPhase.Failed, MissionTransitions.After(phase, MissionEvent.Impossible));
@@ -30,14 +33,19 @@ public class MissionTransitionsTests
         });
 
     [Fact]
-    public void Table_Return_NeverGoesBackToTheSearch()
+    public void Table_HandedOver_IsLeftAtTheOperatorsCommandOnly()
+        => Assert.All(Events.Except(Operators), what
+            => Assert.Equal(MissionPhase.HandedOver, MissionTransitions.After(MissionPhase.HandedOver, what)));
+
+    [Fact]
+    public void Table_Return_GoesBackToTheSearchAtTheOperatorsCommandOnly()
     {
         var reached = new HashSet<MissionPhase> { MissionPhase.Returning };
         for (int before = 0; before != reached.Count;)
         {
             before = reached.Count;
             foreach (MissionPhase phase in reached.ToList())
-                reached.UnionWith(Events.Select(e => MissionTransitions.After(phase, e)));
+                reached.UnionWith(Events.Except(Operators).Select(e => MissionTransitions.After(phase, e)));
         }
 
         Assert.Equal(

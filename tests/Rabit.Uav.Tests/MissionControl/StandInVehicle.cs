@@ -72,6 +72,8 @@ internal sealed class StandInVehicle : RabitManager
 
     public bool CanMove { get; set; } = true;
 
+    public double MaxSpeed { get; set; } = 100;
+
     public bool CanClimb { get; set; } = true;
 
     public bool CameraSees { get; set; } = true;
@@ -83,6 +85,16 @@ internal sealed class StandInVehicle : RabitManager
     public double Battery { get; set; } = 0.9;
 
     public GpsFixType Fix { get; set; } = GpsFixType.Type3dFix;
+
+    /// <summary>Autopilot Interface hangs: nothing is taken and nothing posted; the vehicle flies on.</summary>
+    public bool Hangs { get; set; }
+
+    /// <summary>Health Monitoring hangs: nothing is posted.</summary>
+    public bool HealthHangs { get; set; }
+
+    public MavState SystemStatus { get; set; } = MavState.Active;
+
+    public List<(TimeSpan Time, VehicleCommand Command)> Renewals { get; } = [];
 
     public HealthReport Health { get; set; } = new() { Level = HealthLevel.Good };
 
@@ -103,19 +115,28 @@ internal sealed class StandInVehicle : RabitManager
 
     public ImagingCommand Imaging { get; private set; }
 
-    /// <summary>The pilot takes another mode.</summary>
-    public void TakeOver(string by)
+    /// <summary>The pilot takes another mode, or something else takes the command.</summary>
+    public void TakeOver(string by, TakeoverCause cause = TakeoverCause.Mode)
     {
-        Authority = new CommandAuthority { State = CommandAuthorityState.TakenAway, TakenBy = by };
+        Authority = new CommandAuthority { State = CommandAuthorityState.TakenAway, TakenBy = by, Cause = cause };
         _task = new VehicleCommand { Kind = VehicleCommandKind.Hold };
     }
+
+    /// <summary>Another mode was taken and given back: the vehicle holds, and it was not reported.</summary>
+    public void ForgetTask() => _task = new VehicleCommand { Kind = VehicleCommandKind.Hold };
 
     public int Count(VehicleCommandKind kind) => Commands.Count(c => c.Command.Kind == kind);
 
     protected override void ExecuteUnitOfWork()
     {
-        while (_commands.TryPop(out VehicleCommand command))
+        while (!Hangs && _commands.TryPop(out VehicleCommand command))
         {
+            if (Commands.Count > 0 && Commands[Commands.Count - 1].Command.Id == command.Id)
+            {
+                Renewals.Add((Now, command));
+                continue;
+            }
+
             Commands.Add((Now, command));
             if (IsConnected)
                 Answer(command);
@@ -132,6 +153,7 @@ internal sealed class StandInVehicle : RabitManager
     {
         VehicleCommandOutcome? refusal = Authority.State switch
         {
+            _ when command.Kind == VehicleCommandKind.TakeControl => Refuses(command),
             CommandAuthorityState.TakenAway or CommandAuthorityState.Observing => VehicleCommandOutcome.NotInCommand,
             _ => Refuses(command),
         };
@@ -149,7 +171,7 @@ internal sealed class StandInVehicle : RabitManager
             IsArmed = true;
         else if (command.Kind == VehicleCommandKind.Disarm)
             IsArmed = Height > 0.1 && IsArmed;
-        else if (command.Kind != VehicleCommandKind.PointCamera)
+        else if (command.Kind is not (VehicleCommandKind.PointCamera or VehicleCommandKind.TakeControl))
             _task = command;
     }
 
@@ -166,7 +188,7 @@ internal sealed class StandInVehicle : RabitManager
         Height = Math.Max(0, Height + (sinkOrClimb * Step));
         _vd = -sinkOrClimb;
         double distance = Math.Sqrt(((n - North) * (n - North)) + ((e - East) * (e - East)));
-        double wanted = CanMove ? Math.Min(speed, Math.Sqrt(2 * Acceleration * distance) * 0.8) : 0;
+        double wanted = CanMove ? Math.Min(Math.Min(speed, MaxSpeed), Math.Sqrt(2 * Acceleration * distance) * 0.8) : 0;
         (double wn, double we) = distance < 0.05
             ? (0, 0)
             : (wanted * (n - North) / distance, wanted * (e - East) / distance);
@@ -283,8 +305,14 @@ internal sealed class StandInVehicle : RabitManager
     private void Post()
     {
         _nextPost = Now + TimeSpan.FromSeconds(0.2);
-        _health.Value = Health;
-        _health.Post();
+        if (!HealthHangs)
+        {
+            _health.Value = Health;
+            _health.Post();
+        }
+
+        if (Hangs)
+            return;
         _authority.Value = Authority;
         _authority.Post();
         _imaging.Value = new ImagingStatus { HasCamera = HasCamera };
@@ -303,6 +331,7 @@ internal sealed class StandInVehicle : RabitManager
         state.SystemId = 1;
         state.LastHeartbeatTime = Now;
         state.IsArmed = IsArmed;
+        state.SystemStatus = SystemStatus;
         bool isDown = Height < 0.05;
         state.LandedState = !ReportsLandedState ? MavLandedState.Undefined
             : isDown ? MavLandedState.OnGround

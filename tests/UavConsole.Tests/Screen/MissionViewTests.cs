@@ -66,13 +66,14 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         Post(reactor.Workspace, MessageNames.Mission, new MissionStatus
         {
             Phase = MissionPhase.Searching,
-            Plan = MadeUpFlight.Plan,
+            Plan = MadeUpSite.Plan,
             Coverage = 0.62,
             LanesFlown = 1,
             Text = missionText,
         });
         Post(reactor.Workspace, MessageNames.Tracks, new TrackList(TimeSpan.Zero, [Track(colour)]));
         reactor.Workspace.Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
+        reactor.Workspace.Publish(MessageNames.Preflight, PreflightReport.None);
         var monitor = new FlightMonitor(reactor, recorder, linkCount: 0);
         var screen = new LiveScreen(monitor, notes, showsMission: true);
         reactor.Start();
@@ -107,7 +108,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         IsArmed = true,
         Mode = "GUIDED",
         PositionTime = TimeSpan.Zero,
-        Position = MadeUpFlight.Frame.ToGeodetic(new NedPosition(65, 90, -40)),
+        Position = MadeUpSite.Frame.ToGeodetic(new NedPosition(65, 90, -40)),
         HeightAboveHomeMetres = 40.2,
         VelocityNed = new NedVector(0, -6, 0),
         Attitude = EulerAngles.FromRadians(0, 0, -Math.PI / 2),
@@ -124,7 +125,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         State = TrackState.Confirmed,
         Reports = 12,
         Covariance = new HorizontalCovariance(1, 0, 1),
-        Position = MadeUpFlight.Frame.ToGeodetic(new NedPosition(48, 60, 0)),
+        Position = MadeUpSite.Frame.ToGeodetic(new NedPosition(48, 60, 0)),
     };
 
     private static string Draw(LiveScreen screen)

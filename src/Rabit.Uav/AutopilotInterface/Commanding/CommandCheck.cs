@@ -22,7 +22,7 @@ internal static class CommandCheck
         VehicleCommandKind.PointCamera => FaultOfAngle(nameof(command.CameraPitch), command.CameraPitch, 180)
             ?? FaultOfAngle(nameof(command.CameraYaw), command.CameraYaw, 360),
         VehicleCommandKind.Arm or VehicleCommandKind.Disarm or VehicleCommandKind.Hold or VehicleCommandKind.Return
-            or VehicleCommandKind.Land
+            or VehicleCommandKind.Land or VehicleCommandKind.TakeControl
             => null,
         _ => FormattableString.Invariant($"Kind is {(int)command.Kind}, which is no command"),
     };

@@ -10,6 +10,11 @@ internal sealed partial class CommandExecutor
 {
     private MavResult _refusal;
 
+    // A report older than this says too little for a command that changes the mode; one round trip takes milliseconds.
+    private static readonly TimeSpan MaxReportAge = TimeSpan.FromMilliseconds(100);
+
+    private TimeSpan _reportWantedAt = TimeSpan.MaxValue;
+
     /// <returns>Whether there may be more to do at once.</returns>
     private bool RunPhase(in VehicleState vehicle, TimeSpan now) => _phase switch
     {
@@ -18,6 +23,8 @@ internal sealed partial class CommandExecutor
         ExecutorPhase.AwaitingMode => AwaitMode(vehicle, now),
         ExecutorPhase.AwaitingReason => AwaitReason(now),
         ExecutorPhase.StartingVelocity => StartVelocity(vehicle, now),
+        ExecutorPhase.StartingStream => StartStream(vehicle, now),
+        ExecutorPhase.TakingControl => TakeControl(vehicle, now),
         _ => false,
     };
 
@@ -32,7 +39,8 @@ internal sealed partial class CommandExecutor
         }
 
         _profile = VehicleProfile.For(vehicle, out string? refusal);
-        refusal ??= _profile!.Plan(_command, new CommandContext(vehicle, now, _lastSpeed), _steps);
+        refusal ??= _profile!.Plan(
+            _command, new CommandContext(vehicle, now, _lastSpeed, _stream.IsInOffboard), _steps);
         if (refusal is not null)
         {
             Finish(VehicleCommandOutcome.Refused, refusal, now);
@@ -41,36 +49,58 @@ internal sealed partial class CommandExecutor
 
         if (_command.Kind != VehicleCommandKind.PointCamera)
             _lastSpeed = double.NaN;
-        BeginStep(now);
+        if (_command.Kind == VehicleCommandKind.TakeOff)
+            _takeOffHeight = _command.HeightAboveHomeMetres;
+        BeginStep(vehicle, now);
         return true;
     }
 
-    private void BeginStep(TimeSpan now)
+    private void BeginStep(in VehicleState vehicle, TimeSpan now)
     {
         _isModeSeen = false;
         _reason = null;
-        if (_steps[_step].StartsVelocity)
+        CommandStep step = _steps[_step];
+        if (step.StartsVelocity)
         {
             Enter(ExecutorPhase.StartingVelocity, now);
             return;
         }
 
+        if (step.StartsStream)
+        {
+            if (!_stream.IsRunning)
+                _stream.Start(vehicle, now);
+            Enter(ExecutorPhase.StartingStream, now);
+            return;
+        }
+
+        if (step.SetsTarget)
+        {
+            _stream.SetTarget(_command, vehicle);
+            EndStep(vehicle, now);
+            return;
+        }
+
         _sent = 0;
+        _reportWantedAt = TimeSpan.MaxValue;
 
         // At most one is at work and a handful may still be answered late: there is always room.
-        _client!.TryStart(_steps[_step].Request with { Target = _target }, now, out _handle);
+        _client!.TryStart(step.Request with { Target = _target }, now, out _handle);
         Enter(ExecutorPhase.Sending, now);
     }
 
     private bool Send(in VehicleState vehicle, TimeSpan now)
     {
         CommandStep step = _steps[_step];
+        if (step.NeedsReport && _client!.NextDue <= now && !HasFreshReport(now))
+            return GiveUpWaiting(vehicle, now);
         while (_client!.TryTakeFrame(now, out MavlinkFrame frame))
         {
             _guard.Begin(vehicle.CustomMode, now);
             if (step.Mode is { } mode)
-                _guard.Ask(mode, now);
+                _guard.Ask(mode);
             _sent++;
+            _reportWantedAt = TimeSpan.MaxValue;
             Outbox.Frames.Enqueue(frame);
         }
 
@@ -80,6 +110,40 @@ internal sealed partial class CommandExecutor
                 return Take(outcome, step, vehicle, now);
         }
 
+        // Reported is as good as acknowledged: the answer may be lost, and nothing is sent again.
+        if (!_isModeSeen || !step.IsModeAwaited)
+            return false;
+        _client.StopTracking(_handle, now);
+        EndStep(vehicle, now);
+        return true;
+    }
+
+    // Asked for right before the command, so that what it shows is a round trip old at most.
+    private bool HasFreshReport(TimeSpan now)
+    {
+        if (_reportWantedAt == TimeSpan.MaxValue)
+        {
+            _reportWantedAt = now;
+            _reports.RequestNow();
+            return false;
+        }
+
+        return !_guard.NeedsReport && _reports.HasReportSince(_reportWantedAt)
+            && now - _reports.ReportedAt <= MaxReportAge;
+    }
+
+    // A return, a landing or a hold that is due waits for the next report as long as the autopilot is connected.
+    private bool GiveUpWaiting(in VehicleState vehicle, TimeSpan now)
+    {
+        if (_reports.ReportedAt < now - MaxReportAge)
+            _reports.RequestNow();
+        bool isDueAnyway = vehicle.IsConnected
+            && _command.Kind is VehicleCommandKind.Return or VehicleCommandKind.Land or VehicleCommandKind.Hold;
+        if (isDueAnyway || now - _reportWantedAt < AutopilotWait)
+            return false;
+        Finish(
+            VehicleCommandOutcome.TimedOut,
+            $"no report of the mode, without which {_steps[_step].Request.Command} is not sent", now);
         return false;
     }
 
@@ -94,10 +158,16 @@ internal sealed partial class CommandExecutor
 
         if (result == MavResult.Accepted || (step.IsDoneInTheAir && outcome.Sent > 1 && IsInTheAir(vehicle)))
         {
-            if (step.IsModeAwaited)
-                Enter(ExecutorPhase.AwaitingMode, now);
-            else
-                EndStep(now);
+            if (step.Mode is { } mode)
+                _guard.Acknowledge(mode, now);
+            if (!step.IsModeAwaited)
+            {
+                EndStep(vehicle, now);
+                return true;
+            }
+
+            _reports.RequestNow();
+            Enter(ExecutorPhase.AwaitingMode, now);
             return true;
         }
 
@@ -112,7 +182,7 @@ internal sealed partial class CommandExecutor
     {
         if (_isModeSeen)
         {
-            EndStep(now);
+            EndStep(vehicle, now);
             return true;
         }
 
@@ -137,7 +207,7 @@ internal sealed partial class CommandExecutor
         {
             _guard.Begin(vehicle.CustomMode, now);
             _velocity.Start(_command, _begunAt, now);
-            EndStep(now);
+            EndStep(vehicle, now);
             return true;
         }
 
@@ -147,16 +217,58 @@ internal sealed partial class CommandExecutor
         return false;
     }
 
-    private void EndStep(TimeSpan now)
+    private bool StartStream(in VehicleState vehicle, TimeSpan now)
+    {
+        if (vehicle.SystemStatus is MavState.Critical or MavState.Emergency)
+        {
+            Finish(
+                VehicleCommandOutcome.Refused,
+                $"the autopilot reports {vehicle.SystemStatus}: no set-point is sent in a failsafe", now);
+            return false;
+        }
+
+        if (_stream.HasLead(now))
+        {
+            EndStep(vehicle, now);
+            return true;
+        }
+
+        if (now - _phaseSince < OffboardStream.LeadTime + AutopilotWait)
+            return false;
+        Finish(VehicleCommandOutcome.TimedOut, "the autopilot reports no mode", now);
+        return false;
+    }
+
+    private bool TakeControl(in VehicleState vehicle, TimeSpan now)
+    {
+        if (_client is not null && HasFreshReport(now))
+        {
+            _guard.GiveControl(vehicle.CustomMode, now);
+            Outbox.Notes.Enqueue($"the operator gave the command to us, in mode {vehicle.Mode}");
+            Finish(VehicleCommandOutcome.Accepted, text: null, now);
+            return false;
+        }
+
+        if (now - _phaseSince < AutopilotWait)
+            return false;
+        Finish(VehicleCommandOutcome.TimedOut, "no autopilot reports its mode", now);
+        return false;
+    }
+
+    private void EndStep(in VehicleState vehicle, TimeSpan now)
     {
         if (++_step < _steps.Count)
         {
-            BeginStep(now);
+            BeginStep(vehicle, now);
             return;
         }
 
         if (_command.Kind == VehicleCommandKind.GoTo)
             _lastSpeed = _command.SpeedMetresPerSecond;
+        if (_isOurOwn && _command.Kind == VehicleCommandKind.Return)
+            _validity.EndReturn();
+        if (_profile is CopterProfile && _command.Kind is VehicleCommandKind.GoTo or VehicleCommandKind.Hold)
+            _targets.Begin(now);
         Finish(VehicleCommandOutcome.Accepted, text: null, now);
     }
 

@@ -7,14 +7,14 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Carries out vehicle commands, one at a time: step by step, each acknowledged, a mode also shown by a heartbeat.
-/// Exactly one answer for each. It sends nothing unless we command, and nothing more once the command is taken away. A
-/// state machine: time, commands and frames come in; frames and answers go out by its <see cref="Outbox"/>.
+/// Carries out vehicle commands, one at a time: step by step, each acknowledged, a mode also shown by a report. Exactly
+/// one answer for each. It sends nothing unless we command, and nothing more once the command is taken away. A state
+/// machine: time, commands and frames come in; frames and answers go out by its <see cref="Outbox"/>.
 /// </summary>
 internal sealed partial class CommandExecutor(bool mayCommand)
 {
     /// <summary>
-    /// How long a heartbeat may take to show a mode whose command was accepted: three at 1 Hz, two of them lost.
+    /// How long a report may take to show a mode whose command was accepted: three heartbeats, two of them lost.
     /// </summary>
     public static readonly TimeSpan ModeTimeout = TimeSpan.FromSeconds(3.5);
 
@@ -39,7 +39,9 @@ internal sealed partial class CommandExecutor(bool mayCommand)
 
     private readonly AuthorityMonitor _guard = new(mayCommand);
     private readonly VelocityStream _velocity = new();
+    private readonly OffboardStream _stream = new();
     private readonly List<CommandStep> _steps = [];
+    private MavlinkSender? _sender;
     private MavlinkCommandClient? _client;
     private MavlinkAddress _target;
     private VehicleProfile? _profile;
@@ -55,13 +57,15 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     private TimeSpan _phaseSince;
     private string? _reason;
     private double _lastSpeed = double.NaN;
+    private double _takeOffHeight = double.NaN;
 
     public CommandOutbox Outbox { get; } = new();
 
     public ref readonly CommandAuthority Authority => ref _guard.Authority;
 
     /// <summary>Whether something is due sooner than the manager would wake up by itself.</summary>
-    public bool IsBusy => _phase != ExecutorPhase.Idle || _velocity.IsRunning;
+    public bool IsBusy => _phase != ExecutorPhase.Idle || _velocity.IsRunning || _stream.IsRunning
+        || _guard.NeedsReport;
 
     private bool StepAsksForMode => _step < _steps.Count && _steps[_step].Mode is not null;
 
@@ -70,14 +74,20 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     /// <param name="target">The autopilot.</param>
     public void Connect(MavlinkSender sender, MavlinkAddress target)
     {
+        _sender = sender;
         _client = new MavlinkCommandClient(sender, ExchangeOptions);
         _target = target;
     }
 
-    /// <summary>Takes a command. It replaces the one that is worked at, unless it is invalid itself.</summary>
+    /// <summary>
+    /// Takes a command. It replaces the one that is worked at, unless it is invalid itself. One with the id of the
+    /// newest is a renewal, which has no answer.
+    /// </summary>
     public void Take(in VehicleCommand command, TimeSpan now)
     {
-        if (!_guard.MayCommand)
+        if (_validity.TryRenew(command, now))
+            return;
+        if (!_guard.MayCommand && !IsTakingControl(command))
         {
             Answer(command, VehicleCommandOutcome.NotInCommand, NotInCommandText());
             return;
@@ -91,44 +101,9 @@ internal sealed partial class CommandExecutor(bool mayCommand)
 
         if (_phase != ExecutorPhase.Idle)
             Finish(VehicleCommandOutcome.Replaced, $"{command.Kind} came before it was done", now);
+        _validity.Take(command, now);
+        _guard.SetReturningByItself(false);
         Begin(command, isOurOwn: false, now);
-    }
-
-    /// <summary>Takes the state after a heartbeat of the autopilot.</summary>
-    public void TakeHeartbeat(in VehicleState vehicle, TimeSpan time)
-    {
-        if (_guard.TakeMode(vehicle.CustomMode, vehicle.Mode, _profile, time))
-        {
-            StopCommanding(time);
-            return;
-        }
-
-        bool isStepUnderway = _phase is ExecutorPhase.Sending or ExecutorPhase.AwaitingMode;
-        if (isStepUnderway && _sent > 0 && StepAsksForMode)
-            _isModeSeen = _steps[_step].Mode == vehicle.CustomMode;
-    }
-
-    /// <summary>The autopilot has rebooted.</summary>
-    /// <param name="wasFlying">Whether it was in the air, or might have been.</param>
-    /// <param name="time">When.</param>
-    public void TakeReboot(bool wasFlying, TimeSpan time)
-    {
-        _lastSpeed = double.NaN;
-        if (_guard.TakeReboot(wasFlying, time))
-            StopCommanding(time);
-    }
-
-    /// <summary>Takes an acknowledgement, which may be the autopilot's to us.</summary>
-    public void TakeAcknowledgement(in MavlinkFrame frame, in CommandAck acknowledgement, TimeSpan now)
-        => _client?.Handle(frame, acknowledgement, now);
-
-    /// <summary>
-    /// Takes a text of the vehicle: the newest one that came with a refusal, and is no mere information, is its reason.
-    /// </summary>
-    public void TakeText(MavSeverity severity, string text)
-    {
-        if (_phase != ExecutorPhase.Idle && severity <= MavSeverity.Warning)
-            _reason = text;
     }
 
     /// <summary>Does what is due.</summary>
@@ -139,16 +114,21 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         {
         }
 
-        WatchDeadMan(now);
+        WatchVelocity(now);
+        WatchValidity(vehicle, now);
         while (RunPhase(vehicle, now))
         {
         }
 
-        if (_velocity.TryNext(now, own, vehicle, out MavlinkFrame frame))
-            Outbox.Frames.Enqueue(frame);
+        RunStreams(vehicle, own, now);
+        RequestReports(now);
     }
 
-    private void WatchDeadMan(TimeSpan now)
+    private bool IsTakingControl(in VehicleCommand command)
+        => command.Kind == VehicleCommandKind.TakeControl
+            && _guard.Authority.State != CommandAuthorityState.Observing;
+
+    private void WatchVelocity(TimeSpan now)
     {
         if (_velocity.IsDead(now))
         {
@@ -173,8 +153,17 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         if (command.Kind is not (VehicleCommandKind.Velocity or VehicleCommandKind.PointCamera))
             _velocity.Stop();
         if (command.Kind != VehicleCommandKind.PointCamera)
+        {
             _owesHold = false;
-        Enter(ExecutorPhase.Planning, now);
+            _targets.Stop();
+
+            // In OFFBOARD set-points go on until another mode is reported.
+            if (command.Kind != VehicleCommandKind.GoTo && !_stream.IsInOffboard)
+                _stream.Stop();
+        }
+
+        Enter(
+            command.Kind == VehicleCommandKind.TakeControl ? ExecutorPhase.TakingControl : ExecutorPhase.Planning, now);
     }
 
     private void Enter(ExecutorPhase phase, TimeSpan now)
@@ -186,6 +175,9 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     private void StopCommanding(TimeSpan now)
     {
         _velocity.Stop();
+        _stream.Stop();
+        _targets.Stop();
+        _validity.Stop();
         _owesHold = false;
         string text = NotInCommandText();
         Outbox.Notes.Enqueue(text);
@@ -195,10 +187,13 @@ internal sealed partial class CommandExecutor(bool mayCommand)
 
     private void Finish(VehicleCommandOutcome outcome, string? text, TimeSpan now)
     {
+        bool isRefused = outcome is not (VehicleCommandOutcome.Accepted or VehicleCommandOutcome.Replaced);
         if (!_isOurOwn)
             Answer(_command, outcome, text);
-        else if (outcome is not (VehicleCommandOutcome.Accepted or VehicleCommandOutcome.Replaced))
-            Outbox.Notes.Enqueue($"holding: {outcome}, {text}");
+        else if (isRefused)
+            Outbox.Notes.Enqueue($"{(_command.Kind == VehicleCommandKind.Hold ? "holding" : "returning")}: {outcome}, {text}");
+        if (isRefused && !_stream.IsInOffboard)
+            _stream.Stop();
         _phase = ExecutorPhase.Idle;
         _steps.Clear();
         _step = 0;

@@ -6,8 +6,7 @@ namespace Rabit.Uav.AutopilotInterface;
 internal struct CommandStep
 {
     /// <summary>
-    /// What is sent, and acknowledged; the addressee is filled in then. Not of a step that
-    /// <see cref="StartsVelocity"/>.
+    /// What is sent, and acknowledged; the addressee is filled in then. Not of a step that concerns a stream.
     /// </summary>
     public MavlinkCommand Request { get; set; }
 
@@ -22,6 +21,18 @@ internal struct CommandStep
     /// </summary>
     public bool IsDoneInTheAir { get; set; }
 
+    /// <summary>
+    /// Whether it is sent only on the arrival of a report that shows our mode: what changes the mode, and what would
+    /// act in the pilot's.
+    /// </summary>
+    public bool NeedsReport { get; set; }
+
     /// <summary>Whether it starts the stream of velocities, which have no acknowledgement.</summary>
     public bool StartsVelocity { get; set; }
+
+    /// <summary>Whether it starts the stream of set-points that OFFBOARD needs.</summary>
+    public bool StartsStream { get; set; }
+
+    /// <summary>Whether it gives the stream its target.</summary>
+    public bool SetsTarget { get; set; }
 }

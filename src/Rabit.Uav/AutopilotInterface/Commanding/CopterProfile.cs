@@ -30,7 +30,8 @@ internal sealed class CopterProfile : VehicleProfile
 
     public override uint LandMode => (uint)CopterMode.Land;
 
-    public override bool FollowsByItself(uint mode, uint next) => mode == ReturnMode && next == LandMode;
+    public override bool FollowsByItself(uint mode, in VehicleState vehicle, double takeOffHeightMetres)
+        => mode == ReturnMode && vehicle.CustomMode == LandMode;
 
     public override uint? ModeOf(MavType vehicle, string name) => ArdupilotModes.NumberOf(vehicle, name);
 
@@ -40,6 +41,12 @@ internal sealed class CopterProfile : VehicleProfile
         in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
     {
         VehicleState vehicle = context.Vehicle;
+        if (command.Kind == VehicleCommandKind.Hold && !context.IsPositionFresh)
+        {
+            steps.Add(SetMode((uint)CopterMode.Brake));
+            return null;
+        }
+
         EnsureCommandedMode(vehicle, steps);
         switch (command.Kind)
         {
@@ -52,6 +59,7 @@ internal sealed class CopterProfile : VehicleProfile
                         Z = (float)command.HeightAboveHomeMetres
                     },
                     IsDoneInTheAir = true,
+                    NeedsReport = true,
                 });
                 return null;
             case VehicleCommandKind.GoTo:
@@ -60,8 +68,6 @@ internal sealed class CopterProfile : VehicleProfile
             case VehicleCommandKind.Velocity:
                 steps.Add(new CommandStep { StartsVelocity = true });
                 return null;
-            case VehicleCommandKind.Hold when !context.IsPositionFresh:
-                return "where the vehicle is is not known";
             case VehicleCommandKind.Hold:
                 GeodeticPosition here = StoppingPoint(vehicle);
                 steps.Add(

@@ -1,36 +1,60 @@
+using System;
 using System.Collections.Generic;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
-using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// PX4: places in AUTO.LOITER by DO_REPOSITION, altitudes above mean sea level, modes by main and sub number.
+/// PX4: places by set-points in OFFBOARD, altitudes of a take-off above mean sea level, modes by main and sub number.
 /// </summary>
 /// <remarks>
-/// PX4 takes DO_REPOSITION only with the flag that changes the mode. A pilot who takes over while one is on its way may
-/// have to do it again. Velocities need OFFBOARD, whose stream must run before the mode is taken: not done yet.
+/// Not by DO_REPOSITION in AUTO.LOITER: that mode is also the pilot's Hold, which PX4 accepts there and does nothing,
+/// and the flag that changes the mode, without which PX4 denies the command, undoes a takeover. In OFFBOARD the
+/// pilot's AUTO.LOITER and POSCTL stand although set-points go on (docs/decisions/0017).
 /// </remarks>
 internal sealed class Px4Profile : VehicleProfile
 {
-    private const float ChangesMode = (float)MavDoRepositionFlags.ChangeMode;
+    // An altitude at which PX4 ends a take-off: within NAV_MC_ALT_RAD, 0.8 m by default.
+    private const double TakeOffToleranceMetres = 1;
+
+    // As far below as the position reported last may be: 0.8 m, half a second at MPC_TKO_SPEED (1.5 m/s), and noise.
+    private const double SettlingMetres = 2.5;
+
+    private static readonly TimeSpan MaxPositionAge = TimeSpan.FromSeconds(1);
 
     public static Px4Profile Instance { get; } = new();
 
+    /// <summary>Also what it waits in, from arming on.</summary>
     public override uint CommandedMode => Px4Modes.Loiter;
 
     public override uint ReturnMode => Px4Modes.Return;
 
     public override uint LandMode => Px4Modes.Land;
 
-    public override bool FollowsByItself(uint mode, uint next) => mode switch
+    public override bool FollowsByItself(uint mode, in VehicleState vehicle, double takeOffHeightMetres)
     {
-        Px4Modes.Takeoff or Px4Modes.Land => next == Px4Modes.Loiter,
-        Px4Modes.Return => next is Px4Modes.Loiter or Px4Modes.Land,
-        _ => false,
-    };
+        uint next = vehicle.CustomMode;
+        return mode switch
+        {
+            // Below its height AUTO.LOITER is the pilot's Hold.
+            Px4Modes.Takeoff => next == Px4Modes.Loiter
+                && vehicle.HeightAboveHomeMetres >= takeOffHeightMetres - TakeOffToleranceMetres,
+
+            // PX4 returns and lands in AUTO.RTL alone; in the air another mode is the pilot's or a failsafe's.
+            Px4Modes.Land or Px4Modes.Return => next is Px4Modes.Loiter or Px4Modes.Land
+                && vehicle.LandedState == MavLandedState.OnGround,
+            _ => false,
+        };
+    }
+
+    // After a gap in the link the height is an old one. In AUTO.LOITER it goes on to the height of the take-off; a
+    // pilot's Hold stays below.
+    public override bool MayFollowByItself(uint mode, in VehicleState vehicle, double takeOffHeightMetres)
+        => mode == Px4Modes.Takeoff && vehicle.CustomMode == Px4Modes.Loiter
+            && (vehicle.HeightAboveHomeMetres >= takeOffHeightMetres - SettlingMetres
+                || vehicle.LastHeartbeatTime - vehicle.PositionTime > MaxPositionAge);
 
     public override uint? ModeOf(MavType vehicle, string name) => Px4Modes.NumberOf(name);
 
@@ -40,33 +64,42 @@ internal sealed class Px4Profile : VehicleProfile
     private protected override string? PlanFlight(
         in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
     {
-        if (command.Kind == VehicleCommandKind.Velocity)
-            return "velocities are not supported on PX4 yet";
-        if (!context.IsPositionFresh)
-            return "where the vehicle is is not known, and so not how high home lies above the sea";
-        VehicleState vehicle = context.Vehicle;
-        double homeAmsl = vehicle.Position.AltitudeAmslMetres - vehicle.HeightAboveHomeMetres;
         switch (command.Kind)
         {
+            case VehicleCommandKind.Velocity:
+                return "velocities are not supported on PX4 yet";
+            case VehicleCommandKind.Hold:
+                steps.Add(SetMode(Px4Modes.Loiter));
+                return null;
+            case VehicleCommandKind.TakeOff or VehicleCommandKind.GoTo when !context.IsPositionFresh:
+                return "where the vehicle is is not known, and so not how high home lies above the sea";
             case VehicleCommandKind.TakeOff:
-                steps.Add(TakeOff(homeAmsl + command.HeightAboveHomeMetres));
+                steps.Add(TakeOff(context.HomeAltitudeAmslMetres + command.HeightAboveHomeMetres));
                 return null;
             case VehicleCommandKind.GoTo:
-                EnsureCommandedMode(vehicle, steps);
-                steps.Add(
-                    Reposition(
-                        command.Latitude.Radians, command.Longitude.Radians, homeAmsl + command.HeightAboveHomeMetres,
-                        command));
-                return null;
-            case VehicleCommandKind.Hold:
-                // The mode alone would let it fly on to the last place.
-                EnsureCommandedMode(vehicle, steps);
-                GeodeticPosition here = StoppingPoint(vehicle);
-                steps.Add(Reposition(here.Latitude.Radians, here.Longitude.Radians, here.AltitudeAmslMetres, Plain));
-                return null;
+                return PlanGoTo(context, steps);
             default:
                 return $"{command.Kind} is not known";
         }
+    }
+
+    // Set-points that come again end a failsafe: not by us. From any mode but those of our take-off and hold,
+    // AUTO.LOITER is taken and shown first.
+    private string? PlanGoTo(in CommandContext context, List<CommandStep> steps)
+    {
+        VehicleState vehicle = context.Vehicle;
+        if (!context.IsStreaming)
+        {
+            if (vehicle.SystemStatus is MavState.Critical or MavState.Emergency)
+                return $"the autopilot reports {vehicle.SystemStatus}: no set-point is sent in a failsafe";
+            if (vehicle.CustomMode is not (Px4Modes.Loiter or Px4Modes.Takeoff))
+                steps.Add(SetMode(Px4Modes.Loiter));
+            steps.Add(new CommandStep { StartsStream = true });
+            steps.Add(SetMode(Px4Modes.Offboard));
+        }
+
+        steps.Add(new CommandStep { SetsTarget = true });
+        return null;
     }
 
     // Not a number: from here, with the heading that it has.
@@ -82,14 +115,6 @@ internal sealed class Px4Profile : VehicleProfile
         },
         Mode = Px4Modes.Takeoff,
         IsDoneInTheAir = true,
+        NeedsReport = true,
     };
-
-    private CommandStep Reposition(
-        double latitudeRadians, double longitudeRadians, double altitudeAmslMetres, in VehicleCommand command)
-    {
-        CommandStep step = Reposition(
-            MavFrame.Global, latitudeRadians, longitudeRadians, altitudeAmslMetres, command, ChangesMode);
-        step.Mode = CommandedMode;
-        return step;
-    }
 }

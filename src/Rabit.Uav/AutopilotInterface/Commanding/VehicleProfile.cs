@@ -48,8 +48,19 @@ internal abstract class VehicleProfile
         }
     }
 
-    /// <summary>Whether the autopilot goes from a mode that we asked for to another by itself, as part of it.</summary>
-    public abstract bool FollowsByItself(uint mode, uint next);
+    /// <summary>Whether the autopilot goes from a mode of ours to another by itself, as part of it.</summary>
+    /// <param name="mode">Our mode.</param>
+    /// <param name="vehicle">The state with the other mode.</param>
+    /// <param name="takeOffHeightMetres">The height of our take-off above home.</param>
+    public abstract bool FollowsByItself(uint mode, in VehicleState vehicle, double takeOffHeightMetres);
+
+    /// <summary>
+    /// Whether it may be so, and the next reports of the position decide: a mode that it takes at a height of its own.
+    /// </summary>
+    /// <param name="mode">Our mode.</param>
+    /// <param name="vehicle">The state with the other mode.</param>
+    /// <param name="takeOffHeightMetres">The height of our take-off above home.</param>
+    public virtual bool MayFollowByItself(uint mode, in VehicleState vehicle, double takeOffHeightMetres) => false;
 
     /// <summary>The number of a mode; null where it has none of that name.</summary>
     public abstract uint? ModeOf(MavType vehicle, string name);
@@ -137,14 +148,20 @@ internal abstract class VehicleProfile
         Yaw = Angle.NaN
     };
 
-    private static CommandStep Arm(bool arms) => Long(MavCmd.ComponentArmDisarm, arms ? 1 : 0);
+    private static CommandStep Arm(bool arms)
+    {
+        CommandStep step = Long(MavCmd.ComponentArmDisarm, arms ? 1 : 0);
+        step.NeedsReport = arms;
+        return step;
+    }
 
-    private CommandStep SetMode(uint mode)
+    /// <summary>The step to a mode.</summary>
+    private protected CommandStep SetMode(uint mode)
     {
         (float main, float sub) = ModeParameters(mode);
         CommandStep step = Long(MavCmd.DoSetMode, ByCustomMode, main, sub);
         step.Mode = mode;
-        step.IsModeAwaited = true;
+        step.IsModeAwaited = step.NeedsReport = true;
         return step;
     }
 

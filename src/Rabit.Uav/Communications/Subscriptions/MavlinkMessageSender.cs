@@ -11,13 +11,14 @@ namespace Rabit.Uav.Communications;
 /// them. Belongs to the manager whose queue and message it is given; allocates nothing per message.
 /// </summary>
 /// <example>
-/// In a manager that is a gimbal, component 154:
+/// In the constructor of a manager that is a gimbal, component 154, and in its unit of work:
 /// <code>
 /// _sender = new MavlinkMessageSender(
 ///     Send&lt;OutgoingFrame&gt;(MessageNames.OutgoingFrames),
 ///     Subscribe&lt;OwnAddress&gt;(MessageNames.OwnAddress),
 ///     componentId: 154);
-/// ...
+/// </code>
+/// <code>
 /// _sender.TrySend(new Heartbeat { Type = MavType.Gimbal, Autopilot = MavAutopilot.Invalid, MavlinkVersion = 3 });
 /// </code>
 /// </example>

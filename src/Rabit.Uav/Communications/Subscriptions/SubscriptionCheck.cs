@@ -43,8 +43,7 @@ internal static class SubscriptionCheck
             if (dialect.TryGetMessage(ours.Id, out MavlinkMessageInfo other) && other.CrcExtra != ours.CrcExtra)
             {
                 yield return $"dialect '{dialect.Name}' has {other.Name} (checksum byte {other.CrcExtra}) as message "
-                    + $"{ours.Id}, "
-                    + $"which the managers use as {ours.Name} (checksum byte {ours.CrcExtra})";
+                    + $"{ours.Id}, which the managers use as {ours.Name} (checksum byte {ours.CrcExtra})";
             }
         }
     }

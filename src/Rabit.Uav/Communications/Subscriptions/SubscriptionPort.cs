@@ -14,12 +14,14 @@ internal sealed class SubscriptionPort(MavlinkSubscription subscription, QueueSe
     private readonly byte? _componentId = subscription.ComponentId;
     private long _delivered;
     private long _dropped;
-    private long _reportedDrops;
 
     public string Queue => subscription.Queue;
 
     public MavlinkSubscriptionCounters Counters
         => new(Queue, Interlocked.Read(ref _delivered), Interlocked.Read(ref _dropped));
+
+    /// <summary>When its drops are logged.</summary>
+    public DropReport Drops { get; } = new();
 
     public bool Includes(int messageId) => _messageIds.Length == 0 || _messageIds.Contains(messageId);
 
@@ -36,13 +38,5 @@ internal sealed class SubscriptionPort(MavlinkSubscription subscription, QueueSe
             Interlocked.Increment(ref _delivered);
         else
             Interlocked.Increment(ref _dropped);
-    }
-
-    /// <summary>How many frames were dropped since this was last asked.</summary>
-    public long TakeNewDrops()
-    {
-        long dropped = Interlocked.Read(ref _dropped) - _reportedDrops;
-        _reportedDrops += dropped;
-        return dropped;
     }
 }

@@ -90,7 +90,7 @@ public sealed class ColourTargetDetector : ITargetDetector
     {
         if (classes.Length > MaxClasses)
             yield return $"there are {classes.Length} target classes; the colour detector takes at most {MaxClasses}";
-        foreach (TargetClass targetClass in classes.Where(c => c.Colour is null))
+        foreach (TargetClass targetClass in classes.Where(c => c is not null && c.Colour is null))
             yield return $"target class {targetClass.Name} has no colour, which the colour detector needs";
     }
 

@@ -14,6 +14,10 @@ internal static class CameraDescription
 {
     private const string Format = "uav-imagery-camera";
     private const int Version = 2;
+
+    // For people and other programs; they change nothing here.
+    private static readonly string[] Notes = ["format", "version", "timeSource", "origin"];
+
     private const string Distortion = "distortion";
     private const string RowReadout = "rowReadoutMicroseconds";
     private const string FrameStart = "frameStartMicroseconds";
@@ -45,6 +49,9 @@ internal static class CameraDescription
             camera.RefuseOthers();
             List<ListedPicture> listed = ReadFrames(root, faults);
             root.Renamed(("time_source", "timeSource"), ("mount", "camera.mount"));
+            foreach (string note in Notes)
+                root.Has(note);
+            root.RefuseOthers();
 
             // Where a number is missing, what it would have meant is not worth a second fault.
             if (faults.Count == 0)
@@ -149,7 +156,9 @@ internal static class CameraDescription
             string where = FormattableString.Invariant($"frames[{listed.Count}]");
             var fields = new JsonFields(frame, where, faults);
             fields.Renamed(("frame_start_us", FrameStart), ("exposure_us", Exposure));
-            if (TryReadFrame(fields, listed.Count, out ListedPicture? picture))
+            bool isPicture = TryReadFrame(fields, listed.Count, out ListedPicture? picture);
+            fields.RefuseOthers();
+            if (isPicture)
             {
                 listed.Add(picture!);
                 continue;
@@ -165,16 +174,18 @@ internal static class CameraDescription
     private static bool TryReadFrame(JsonFields frame, int number, out ListedPicture? picture)
     {
         picture = null;
-        if (frame.Text("file") is not { } name || frame.Long(FrameStart) is not { } start
-            || frame.Long(Exposure) is not { } exposure
-            || !PictureFileName.IsPossible(start, exposure))
+        string? name = frame.Text("file");
+        long? start = frame.Long(FrameStart);
+        long? exposure = frame.Long(Exposure);
+        if (name is null || start is null || exposure is null
+            || !PictureFileName.IsPossible(start.Value, exposure.Value))
             return false;
 
         string[] steps = name.Split('/', '\\');
         if (name.IndexOfAny(Path.GetInvalidPathChars()) >= 0 || name.Contains(':')
             || steps.Any(s => s.Length == 0 || s == ".."))
             return false;
-        picture = new ListedPicture(name, new PictureFileName(number, start, exposure));
+        picture = new ListedPicture(name, new PictureFileName(number, start.Value, exposure.Value));
         return true;
     }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Json;
@@ -13,6 +14,13 @@ internal static class CameraMountDescription
     public const string LeverArm = "leverArmBodyMetres";
     private const string Gimbal = "gimbal";
     private const string CameraLeverArm = "leverArmGimbalMetres";
+    private const string Roll = "misalignmentRollDegrees";
+    private const string Pitch = "misalignmentPitchDegrees";
+    private const string Yaw = "misalignmentYawDegrees";
+
+    // What was in the mount itself in an older form of the file, and is in its gimbal now.
+    private static readonly (string Old, string New)[] OldOfGimbal =
+        [("roll_deg", Roll), ("pitch_deg", Pitch), ("yaw_deg", Yaw), ("lever_arm_gimbal_m", CameraLeverArm)];
 
     /// <param name="mount">The object of the mount.</param>
     /// <param name="faults">
@@ -21,9 +29,13 @@ internal static class CameraMountDescription
     public static CameraMount Read(JsonFields mount, List<string> faults)
     {
         mount.Renamed(("R_body_from_cam", BodyFromCamera), ("lever_arm_body_m", LeverArm));
+        bool isOldGimbal = OldOfGimbal.Any(n => mount.Has(n.Old));
+        mount.Renamed([.. OldOfGimbal.Select(n => (n.Old, $"{Gimbal}.{n.New}"))]);
         double[] arm = mount.RequiredNumbers(LeverArm, 3);
         var position = new BodyVector(arm[0], arm[1], arm[2]);
-        CameraMount read = mount.Has(Gimbal) ? OnGimbal(mount, position, faults) : Fixed(mount, position, faults);
+        CameraMount read = mount.Has(Gimbal) || isOldGimbal
+            ? OnGimbal(mount, position, faults)
+            : Fixed(mount, position, faults);
         mount.RefuseOthers();
         return read;
     }
@@ -34,14 +46,15 @@ internal static class CameraMountDescription
             faults.Add(
                 $"camera.mount has both {BodyFromCamera}, of a fixed camera, and {Gimbal}; it must have one of them");
         JsonFields gimbal = mount.Object(Gimbal);
+        gimbal.Renamed(OldOfGimbal);
         double[] arm = gimbal.Has(CameraLeverArm) ? gimbal.RequiredNumbers(CameraLeverArm, 3) : new double[3];
         var read = new CameraMount
         {
             GimbalLeverArmMetres = position,
             CameraLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
-            MisalignmentRoll = Angle.FromDegrees(gimbal.Number("misalignmentRollDegrees") ?? 0),
-            MisalignmentPitch = Angle.FromDegrees(gimbal.Number("misalignmentPitchDegrees") ?? 0),
-            MisalignmentYaw = Angle.FromDegrees(gimbal.Number("misalignmentYawDegrees") ?? 0),
+            MisalignmentRoll = Angle.FromDegrees(gimbal.Number(Roll) ?? 0),
+            MisalignmentPitch = Angle.FromDegrees(gimbal.Number(Pitch) ?? 0),
+            MisalignmentYaw = Angle.FromDegrees(gimbal.Number(Yaw) ?? 0),
         };
         gimbal.RefuseOthers();
         return read;

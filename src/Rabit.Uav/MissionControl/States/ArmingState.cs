@@ -11,7 +11,7 @@ internal sealed class ArmingState() : MissionState(MissionPhase.Arming)
     // An autopilot that accepts the command has armed within a heartbeat or two.
     private static readonly TimeSpan AcceptedToArmedTimeout = TimeSpan.FromSeconds(5);
 
-    public override void Enter(MissionFlight flight, MissionEvent by) => flight.Commands.Clear();
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason) => flight.Commands.Clear();
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {

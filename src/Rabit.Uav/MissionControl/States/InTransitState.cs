@@ -6,13 +6,24 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>Flies to the start of the first lane; a gimbal is pointed first.</summary>
 internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 {
+    // A take-off ends this much below its height at most (5 % of 120 m).
+    private const double LowMetres = 7;
+    private const double MinClimbRate = 0.7;
+
     private bool _isCameraPointed;
     private TimeSpan _limit;
+    private PlanePoint? _climbAt;
 
-    public override void Enter(MissionFlight flight, MissionEvent by)
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
         _isCameraPointed = !flight.Mission.HasGimbal;
-        _limit = PathFollower.TimeLimit(flight, flight.Position.DistanceTo(flight.Route!.Current!.Value.Start));
+        double distance = flight.Route!.Current is { } lane ? flight.Position.DistanceTo(lane.Start) : 0;
+        double climb = flight.Mission.HeightMetres - flight.HeightMetres;
+        _limit = PathFollower.TimeLimit(flight, distance) + Seconds(Math.Max(0, climb) / MinClimbRate);
+
+        // A mission that is resumed may have been left low: what lies in the way is flown over.
+        bool isLow = by == MissionEvent.OperatorResume && climb > LowMetres;
+        _climbAt = isLow ? flight.Position : null;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
@@ -27,12 +38,28 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
             return MissionStep.Stay;
         }
 
-        LaneSegment lane = flight.Route!.Current!.Value;
+        if (flight.Route!.Current is not { } lane)
+            return new MissionStep(MissionEvent.AtArea, "all lanes are flown");
+        if (_climbAt is { } at)
+        {
+            Climb(flight, at);
+            return MissionStep.Stay;
+        }
+
         flight.SetGoalPosition(lane.Start, flight.Mission.HeightMetres, lane.HeadingRadians);
         flight.Text = $"to the area: {MissionNumbers.Of(flight.Position.DistanceTo(lane.Start))} m to go";
         return PathFollower.HasArrived(flight, lane.Start, flight.Mission.HeightMetres)
             ? new MissionStep(MissionEvent.AtArea, "at the first lane")
             : MissionStep.Stay;
+    }
+
+    private void Climb(MissionFlight flight, PlanePoint at)
+    {
+        double height = flight.Mission.HeightMetres;
+        flight.SetGoalPosition(at, height, flight.Vehicle.Attitude.Yaw.Radians);
+        flight.Text = $"climbing: {MissionNumbers.Of(flight.HeightMetres)} of {MissionNumbers.Of(height)} m";
+        if (flight.HeightMetres >= height - PathFollower.ArrivalMetres)
+            _climbAt = null;
     }
 
     private void PointCamera(MissionFlight flight)

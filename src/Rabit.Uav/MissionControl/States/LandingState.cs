@@ -20,7 +20,7 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
     private TimeSpan _limit;
     private TimeSpan? _onGround;
 
-    public override void Enter(MissionFlight flight, MissionEvent by)
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
         _isOurLanding = by == MissionEvent.LandNow;
         _limit = Seconds(TimeReserveSeconds + (Math.Max(0, flight.HeightMetres) / MinDescentRate));
@@ -33,7 +33,7 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
             + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (!flight.Vehicle.IsArmed)
             return new MissionStep(
-                MissionEvent.Landed, $"landed {MissionNumbers.Of(flight.Position.Length)} m from home");
+                MissionEvent.Landed, $"landed {MissionNumbers.Metres(flight.DistanceFromHomeMetres)} from home");
         if (inPhase > _limit)
             return Impossible($"not landed within {MissionNumbers.Seconds(_limit)}");
         if (flight.Vehicle.LandedState != MavLandedState.OnGround)

@@ -20,27 +20,29 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
     private TimeSpan _progressTime;
     private double _lastDistance;
     private double _lastHeight;
+    private PlanePoint _lastPosition;
     private bool _wasSentAgain;
 
-    public override void Enter(MissionFlight flight, MissionEvent by)
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
-        double distance = flight.Position.Length;
-        _limit = PathFollower.TimeLimit(flight, distance)
+        double distance = flight.DistanceFromHomeMetres;
+        _limit = PathFollower.TimeLimit(flight, double.IsNaN(distance) ? FlightPlan.MaxAreaDistanceMetres : distance)
             + Seconds(TimeReserveSeconds + (flight.HeightMetres / MinDescentRate));
         (_progressTime, _lastDistance, _lastHeight) = (flight.ActiveTime, distance, flight.HeightMetres);
+        _lastPosition = flight.Position;
         _wasSentAgain = false;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
         flight.SetGoal(VehicleCommandKind.Return, "return");
-        double distance = flight.Position.Length;
-        flight.Text = $"returning: {MissionNumbers.Of(distance)} m to go"
+        double distance = flight.DistanceFromHomeMetres;
+        flight.Text = $"returning: {MissionNumbers.Metres(distance)} to go"
             + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (flight.Vehicle.LandedState is MavLandedState.Landing or MavLandedState.OnGround || !flight.Vehicle.IsArmed)
-            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Of(distance)} m from home");
+            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Metres(distance)} from home");
         if (distance < OverHomeMetres && flight.Vehicle.VelocityNed.Down > SinkingMetresPerSecond)
-            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Of(distance)} m from home");
+            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Metres(distance)} from home");
         if (flight.Commands.Failures >= MaxFailures)
             return new MissionStep(MissionEvent.LandNow, "return " + flight.Commands.LastFailure);
         if (inPhase > _limit)
@@ -50,10 +52,18 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
 
     private MissionStep CheckProgress(MissionFlight flight, double distance)
     {
-        bool hasProgress = distance < _lastDistance - ProgressMetres
+        // Where home is not known any way counts.
+        bool isNearer = double.IsNaN(distance)
+            ? flight.Position.DistanceTo(_lastPosition) > ProgressMetres
+            : distance < _lastDistance - ProgressMetres;
+        bool hasProgress = isNearer
             || Math.Abs(flight.HeightMetres - _lastHeight) > ProgressMetres;
         if (hasProgress)
+        {
             (_progressTime, _lastDistance, _lastHeight) = (flight.ActiveTime, distance, flight.HeightMetres);
+            _lastPosition = flight.Position;
+        }
+
         if (flight.ActiveTime - _progressTime < Seconds(MaxSecondsWithoutProgress))
             return MissionStep.Stay;
         if (_wasSentAgain)

@@ -22,7 +22,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     private TimeSpan _limit;
     private double _height;
 
-    public override void Enter(MissionFlight flight, MissionEvent by)
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
         _height = flight.Mission.Revisit.HeightMetres ?? flight.Mission.HeightMetres;
         _overhead = null;

@@ -16,7 +16,14 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
     private TimeSpan? _laneEnd;
     private bool _isOnLane;
 
-    public override void Enter(MissionFlight flight, MissionEvent by) => _isOnLane = false;
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason) => _isOnLane = false;
+
+    /// <summary>A lane that was interrupted is continued where it was left.</summary>
+    public override void Leave(MissionFlight flight)
+    {
+        if (_isOnLane)
+            flight.Route!.InterruptLeg(flight.OverlapMetres);
+    }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
@@ -40,6 +47,7 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
         flight.Text =
             $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(route)}";
         bool isFlown = _follower.Tick(flight, out bool isLate);
+        route.FlownMetresOfLeg = _follower.FlownMetres;
         if (isLate)
             return ReturnToLaunch($"lane {MissionNumbers.Of(route.Flown + 1)} takes too long");
         if (!isFlown)

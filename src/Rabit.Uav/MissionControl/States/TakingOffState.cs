@@ -19,7 +19,7 @@ internal sealed class TakingOffState() : MissionState(MissionPhase.TakingOff)
     private int _starts;
     private bool _hasFlown;
 
-    public override void Enter(MissionFlight flight, MissionEvent by)
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
         _starts++;
         _hasFlown = false;

@@ -18,7 +18,14 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
         if (flight.IsFlying)
-            return Impossible("the vehicle is already flying; it is not taken over");
+        {
+            if (flight.Options.Resume is not null && flight.Plan is null)
+                flight.PlanInFlight();
+            return new MissionStep(
+                MissionEvent.AlreadyFlying,
+                "the vehicle is already flying; it is commanded at the operator's word only");
+        }
+
         string? missing = FindMissing(flight);
         flight.Text = "waiting: " + (missing ?? "ready");
         if (missing is not null)
@@ -37,18 +44,38 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
             return Impossible(fault);
         return new MissionStep(
             MissionEvent.Ready,
-            $"{MissionNumbers.Of(flight.Route!.Count)} lanes over {MissionNumbers.Of(flight.Plan!.Area.Area)} m2");
+            $"{MissionNumbers.Of(flight.Route!.Count)} lanes over {MissionNumbers.Of(flight.Plan!.Area.Area)} m2"
+                + (flight.Options.Resume is null
+                    ? string.Empty
+                    : $", {MissionNumbers.Of(flight.Route.Flown)} of them flown already, "
+                        + MissionNumbers.Percent(flight.Route.Coverage.Fraction) + " seen"));
     }
 
     private static string? FindMissing(MissionFlight flight)
     {
-        VehicleState vehicle = flight.Vehicle;
         if (!flight.IsConnected)
             return "no autopilot connected";
         if (flight.Authority.State == CommandAuthorityState.Observing)
             return "we only observe, and may not command";
         if (!flight.HasFreshPosition)
             return "no position";
+        if (flight.Options.RequiresPreflight && flight.Preflight.FindRefusal() is { } refusal)
+            return refusal;
+
+        // Where there is a checklist it judges these, and the operator may override a line of it.
+        if (!flight.Options.RequiresPreflight && FindMissingOfVehicle(flight) is { } missing)
+            return missing;
+        return flight.Health.Level switch
+        {
+            HealthLevel.Unknown => "health unknown",
+            HealthLevel.Critical => flight.Health.Text ?? "health critical",
+            _ => flight.Health.Advice != HealthAdvice.None ? flight.Health.Text ?? "health advises against it" : null,
+        };
+    }
+
+    private static string? FindMissingOfVehicle(MissionFlight flight)
+    {
+        VehicleState vehicle = flight.Vehicle;
         if (vehicle.GpsFix < GpsFixType.Type3dFix || !(flight.Now - vehicle.GpsTime <= MaxGpsAge))
             return "no satellite fix";
         if (vehicle.BatteryRemaining < flight.Mission.MinBatteryFractionAtStart)
@@ -57,14 +84,6 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
                 + $"{MissionNumbers.Percent(flight.Mission.MinBatteryFractionAtStart)} are needed";
         }
 
-        if (flight.Options.RequiresCamera && !flight.Imaging.HasCamera)
-            return "no camera";
-        return flight.Health.Level switch
-        {
-            HealthLevel.Unknown => "health unknown",
-            HealthLevel.Critical => flight.Health.Text ?? "health critical",
-            _ when flight.Health.Advice != HealthAdvice.None => flight.Health.Text ?? "health advises against it",
-            _ => null,
-        };
+        return flight.Options.RequiresCamera && !flight.Imaging.HasCamera ? "no camera" : null;
     }
 }

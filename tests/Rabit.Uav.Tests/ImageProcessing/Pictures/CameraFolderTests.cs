@@ -193,6 +193,34 @@ public sealed class CameraFolderTests : IDisposable
                 () => Open(Known.Replace("\"height\"", "\"rowReadoutMicrosecond\":3,\"height\""))).Message,
             StringComparison.Ordinal);
 
+    [Theory]
+    [InlineData("\"version\"", "\"verson\"", "verson is unknown; did you mean version?")]
+    [InlineData("\"origin\"", "\"frame\"", "frame is unknown; did you mean frames?")]
+    [InlineData("\"frameStartMicroseconds\":469185613", "\"frameStartMicros\":1,\"frameStartMicroseconds\":469185613",
+        "frames[0].frameStartMicros is unknown; did you mean frameStartMicroseconds?")]
+    [InlineData("\"exposureMicroseconds\":1095", "\"exposureMicrosecond\":1095",
+        "frames[1].exposureMicrosecond is unknown; did you mean exposureMicroseconds?")]
+    public void Open_UnknownNameOutsideTheCamera_IsRefusedByName(string right, string wrong, string reason)
+    {
+        Assert.Contains(right, Known, StringComparison.Ordinal);
+
+        PictureException fault = Assert.Throws<PictureException>(() => Open(Known.Replace(right, wrong)));
+
+        Assert.Contains(reason, fault.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("\"roll_deg\":1", "mount.roll_deg", "mount.gimbal.misalignmentRollDegrees")]
+    [InlineData("\"pitch_deg\":1", "mount.pitch_deg", "mount.gimbal.misalignmentPitchDegrees")]
+    [InlineData("\"yaw_deg\":1", "mount.yaw_deg", "mount.gimbal.misalignmentYawDegrees")]
+    [InlineData("\"lever_arm_gimbal_m\":[0,0,0]", "mount.lever_arm_gimbal_m", "mount.gimbal.leverArmGimbalMetres")]
+    [InlineData("\"gimbal\":{\"yaw_deg\":1}", "mount.gimbal.yaw_deg", "mount.gimbal.misalignmentYawDegrees")]
+    public void Open_GimbalOfTheOldForm_IsRefusedWithTheNewName(string gimbal, string old, string now)
+        => Assert.EndsWith(
+            $"camera.{old} is of an older form of the file; it is camera.{now} now",
+            Assert.Throws<PictureException>(() => Open(Known.Replace(Fixed, gimbal))).Message,
+            StringComparison.Ordinal);
+
     [Fact]
     public void Open_MountOnAGimbal_GivesItsMisalignmentAndLeverArms()
     {

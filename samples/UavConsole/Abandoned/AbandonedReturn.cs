@@ -1,0 +1,36 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+
+namespace UavConsole;
+
+/// <summary>Whether a vehicle that is reported is one that hovers without anyone who commands it.</summary>
+internal static class AbandonedReturn
+{
+    // A vehicle that reports no landed state is taken to fly above this.
+    private const double OnGroundHeightMetres = 2;
+
+    /// <summary>Judges a vehicle by reports that were all received in this run.</summary>
+    /// <returns>Why it is left alone, as text; null where it is to return.</returns>
+    public static string? FindReasonToStay(in VehicleState vehicle)
+    {
+        if (vehicle.Autopilot == MavAutopilot.Px4)
+            return "PX4: its own failsafe has acted";
+        if (vehicle.Autopilot != MavAutopilot.Ardupilotmega)
+            return $"the autopilot is {vehicle.Autopilot}, not ArduPilot";
+        if (!vehicle.IsArmed)
+            return "the vehicle is not armed";
+        if (vehicle.SystemStatus is MavState.Critical or MavState.Emergency)
+            return $"the autopilot is in a failsafe ({vehicle.SystemStatus})";
+        if (!string.Equals(vehicle.Mode, "GUIDED", StringComparison.Ordinal))
+            return $"its mode is {vehicle.Mode}: another commands it";
+        return IsInAir(vehicle) ? null : "the vehicle is not in the air";
+    }
+
+    private static bool IsInAir(in VehicleState vehicle) => vehicle.LandedState switch
+    {
+        MavLandedState.InAir or MavLandedState.Takeoff or MavLandedState.Landing => true,
+        MavLandedState.OnGround => false,
+        _ => vehicle.PositionTime is not null && vehicle.HeightAboveHomeMetres > OnGroundHeightMetres,
+    };
+}

@@ -1,0 +1,84 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Linq;
+using Rabit.Uav.MissionControl;
+
+namespace UavConsole;
+
+/// <summary>The options of the operator: what to do with a vehicle in flight, at the start and at the end.</summary>
+internal static class OperatorArguments
+{
+    /// <summary>Where the progress of a mission goes when nothing else is asked for.</summary>
+    public const string DefaultProgress = "progress.json";
+
+    private static readonly Option<bool> Hold = new("--hold")
+    {
+        Description = "Takes the command of a vehicle that is flying already at the start, and has it hold its position.",
+    };
+
+    private static readonly Option<bool> Return = new("--return")
+    {
+        Description = "Takes the command of a vehicle that is flying already at the start, and has it return and land.",
+    };
+
+    private static readonly Option<string> Resume = new("--resume")
+    {
+        Description = "Continues the mission of an earlier flight by its progress file: what is flown and seen is not "
+            + "flown again.",
+        HelpName = "FILE",
+    };
+
+    private static readonly Option<string> Progress = new("--progress")
+    {
+        Description = $"Where the progress of the mission is kept, for --resume. {DefaultProgress} with --fly without it; "
+            + "a file of another flight is kept beside it, under its date.",
+        HelpName = "FILE",
+    };
+
+    private static readonly Option<string> OnStopOption = CreateOnStop();
+
+    /// <summary>All of them.</summary>
+    public static IEnumerable<Option> All => [Hold, Return, Resume, Progress, OnStopOption];
+
+    public static OperatorChoices Read(ParseResult result, bool flies) => new()
+    {
+        AtStart = result.GetValue(Hold) ? OperatorCommand.Hold
+            : result.GetValue(Return) ? OperatorCommand.Return : null,
+        ResumeFile = result.GetValue(Resume),
+        ProgressFile = result.GetValue(Progress) ?? (flies ? DefaultProgress : null),
+        OnStop = result.GetValue(OnStopOption) == "return" ? OnStop.Return : OnStop.Hold,
+    };
+
+    /// <summary>What makes no sense together.</summary>
+    public static IEnumerable<string> FindFaults(ParseResult result, bool flies, bool isSimulated)
+    {
+        if (result.GetValue(Hold) && result.GetValue(Return))
+            yield return "--hold and --return exclude each other.";
+        foreach (string name in Given(result, Hold, Return))
+        {
+            if (!flies)
+                yield return $"{name} commands a real vehicle: it goes with --link URL --mission FILE --fly.";
+        }
+
+        foreach (string name in Given(result, Resume, Progress, OnStopOption))
+        {
+            if (!flies && !isSimulated)
+                yield return $"{name} goes with a mission that is flown: --mission FILE --fly.";
+        }
+    }
+
+    private static IEnumerable<string> Given(ParseResult result, params Option[] options)
+        => options.Where(o => result.GetResult(o) is { Implicit: false }).Select(o => o.Name);
+
+    private static Option<string> CreateOnStop()
+    {
+        var option = new Option<string>("--on-stop")
+        {
+            Description = "What the vehicle does when the program is stopped while it flies it: hold or return. hold "
+                + "without it.",
+            HelpName = "WHAT",
+        };
+        option.AcceptOnlyFromAmong("hold", "return");
+        return option;
+    }
+}

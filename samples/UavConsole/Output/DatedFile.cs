@@ -1,0 +1,24 @@
+using System;
+using System.Globalization;
+using System.IO;
+
+namespace UavConsole;
+
+/// <summary>Keeps the file of an earlier run beside the new one: NAME.20261122-143000.EXT, by its change.</summary>
+internal static class DatedFile
+{
+    /// <summary>Moves a file aside; does nothing where there is none.</summary>
+    public static void Keep(string path)
+    {
+        if (!File.Exists(path))
+            return;
+        string date = File.GetLastWriteTimeUtc(path).ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture);
+        string name = Path.Combine(
+            Path.GetDirectoryName(Path.GetFullPath(path))!, Path.GetFileNameWithoutExtension(path) + "." + date);
+        string extension = Path.GetExtension(path);
+        string kept = name + extension;
+        for (int number = 2; File.Exists(kept); number++)
+            kept = FormattableString.Invariant($"{name}-{number}{extension}");
+        File.Move(path, kept);
+    }
+}

@@ -1,0 +1,165 @@
+using System;
+using Rabit.Geodesy;
+using Rabit.Mavlink.Messages;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>
+/// COMMAND_LONG, COMMAND_INT and SET_MODE: executes them and acknowledges with the result codes of PX4 1.14. What is
+/// refused is TEMPORARILY_REJECTED without a reason.
+/// </summary>
+internal sealed class Px4CommandHandler(
+    Px4Controller controller, Px4SetPointReader places, Px4RequestHandler requests, Gimbal gimbal, WorldFrame frame,
+    ILinkSink sink)
+{
+    private const float ForceMagic = 21196;
+    private const double DegE7 = 1e7;
+
+    public void Handle(in CommandLong message, Sender sender, int link)
+    {
+        // Places in degrees, heights above sea level.
+        var command = new CommandInt
+        {
+            Command = message.Command,
+            Frame = MavFrame.Global,
+            Param1 = message.Param1,
+            Param2 = message.Param2,
+            Param3 = message.Param3,
+            Param4 = message.Param4,
+            X = ToDegE7(message.Param5),
+            Y = ToDegE7(message.Param6),
+            Z = message.Param7,
+        };
+        Acknowledge(message.Command, Execute(command, link), sender, link);
+    }
+
+    public void Handle(in CommandInt message, Sender sender, int link)
+        => Acknowledge(message.Command, Execute(message, link), sender, link);
+
+    /// <summary>SET_MODE (11), the older way: it is not acknowledged.</summary>
+    public void Handle(in SetMode message)
+        => SetModeTo((float)message.BaseMode, (byte)(message.CustomMode >> 16), (byte)(message.CustomMode >> 24));
+
+    private void Acknowledge(MavCmd command, MavResult result, Sender sender, int link)
+        => sink.Send(link, new CommandAck
+        {
+            Command = command,
+            Result = result,
+            TargetSystem = sender.SystemId,
+            TargetComponent = sender.ComponentId,
+        });
+
+    private MavResult Execute(in CommandInt command, int link)
+    {
+        switch (command.Command)
+        {
+            case MavCmd.ComponentArmDisarm: return ArmOrDisarm(command.Param1, command.Param2);
+            case MavCmd.DoSetMode: return SetModeTo(command.Param1, command.Param2, command.Param3);
+            case MavCmd.NavTakeoff: return TakeOff(command);
+            case MavCmd.NavReturnToLaunch: return Result(controller.TrySetMode(Px4Mode.Rtl));
+            case MavCmd.NavLand: return Result(controller.TrySetMode(Px4Mode.Land));
+            case MavCmd.DoReposition: return Reposition(command);
+            case MavCmd.DoOrbit: return Orbit(command);
+            case MavCmd.DoChangeSpeed: return ChangeSpeed(command.Param2);
+            case MavCmd.DoMountControl: return PointCamera(command.Param1, command.Param3);
+            case MavCmd.DoGimbalManagerPitchyaw: return PointCamera(command.Param1, command.Param2);
+            default: return requests.Execute(command, link);
+        }
+    }
+
+    private MavResult ArmOrDisarm(float arms, float magic)
+    {
+        bool isForced = magic.Equals(ForceMagic);
+        if (arms.Equals(1f))
+            return Result(controller.TryArm(isForced));
+        return arms.Equals(0f) ? Result(controller.TryDisarm(isForced)) : MavResult.Denied;
+    }
+
+    // An unknown mode is accepted, and nothing happens.
+    private MavResult SetModeTo(float baseMode, float main, float sub)
+    {
+        bool isCustom = ((int)baseMode & (int)MavModeFlag.CustomModeEnabled) != 0;
+        if (!isCustom || !(main >= 0 && main <= byte.MaxValue) || !(sub >= 0 && sub <= byte.MaxValue))
+            return MavResult.Accepted;
+        uint mode = ((uint)main << 16) | ((uint)sub << 24);
+        if (Px4ModeNames.IsFlown(mode) && (Px4Mode)mode != Px4Mode.Orbit)
+            return Result(controller.TrySetMode((Px4Mode)mode));
+        return Px4ModeNames.IsKnownButNotFlown(mode) ? MavResult.TemporarilyRejected : MavResult.Accepted;
+    }
+
+    // The height is above sea level; a place that is NaN is here.
+    private MavResult TakeOff(in CommandInt command)
+    {
+        NedVector here = controller.Situation.Position;
+        if (!controller.Situation.HasPosition)
+            return MavResult.TemporarilyRejected;
+        double down = float.IsNaN(command.Z)
+            ? here.Down - controller.Situation.Parameters.TakeoffHeight.Value
+            : frame.Origin.AltitudeAmslMetres - command.Z;
+        bool isHere = command.X == int.MinValue || command.Y == int.MinValue || (command.X == 0 && command.Y == 0);
+        NedVector place = here;
+        if (!isHere && !places.TryReadPlace(MavFrame.Global, command.X, command.Y, 0, out place))
+            return MavResult.Denied;
+        controller.Takeoff.Commanded = new NedVector(place.North, place.East, down);
+        return Result(controller.TrySetMode(Px4Mode.Takeoff));
+    }
+
+    // Without the flag the commander does not know the command, but AUTO.LOITER flies there all the same. The height is
+    // above sea level in every frame.
+    private MavResult Reposition(in CommandInt command)
+    {
+        bool changesMode = ((int)command.Param2 & (int)MavDoRepositionFlags.ChangeMode) != 0;
+        if (!TryReadTarget(command, out NedVector place))
+            return MavResult.Denied;
+        if (changesMode && !controller.TrySetMode(Px4Mode.Loiter))
+            return MavResult.TemporarilyRejected;
+        if (controller.Mode == Px4Mode.Loiter)
+        {
+            controller.Hold.GoTo(place, command.Param4);
+            if (command.Param1 > 0)
+                controller.Situation.CommandedSpeed = command.Param1;
+        }
+
+        return changesMode ? MavResult.Accepted : MavResult.Unsupported;
+    }
+
+    private MavResult Orbit(in CommandInt command)
+    {
+        if (!TryReadTarget(command, out NedVector middle) || !(Math.Abs(command.Param1) >= 1))
+            return MavResult.Denied;
+        double speed = command.Param2 > 0 ? command.Param2 : 1;
+        controller.Orbit.Circle(middle, command.Param1, speed);
+        return Result(controller.TrySetMode(Px4Mode.Orbit));
+    }
+
+    private bool TryReadTarget(in CommandInt command, out NedVector place)
+    {
+        NedVector here = controller.Situation.Position;
+        double aboveSea = float.IsNaN(command.Z) ? frame.Origin.AltitudeAmslMetres - here.Down : command.Z;
+        if (command.X != int.MinValue && command.Y != int.MinValue)
+            return places.TryReadPlace(MavFrame.Global, command.X, command.Y, aboveSea, out place);
+        place = new NedVector(here.North, here.East, frame.Origin.AltitudeAmslMetres - aboveSea);
+        return true;
+    }
+
+    // Only AUTO modes have a speed; in OFFBOARD it is accepted and has no effect.
+    private MavResult ChangeSpeed(float speed)
+    {
+        if (speed > 0 && Px4ModeNames.IsAuto(controller.Mode))
+            controller.Situation.CommandedSpeed = speed;
+        return MavResult.Accepted;
+    }
+
+    private MavResult PointCamera(float pitchDegrees, float yawDegrees)
+    {
+        if (!(Math.Abs(pitchDegrees) <= 360) || !(Math.Abs(yawDegrees) <= 360))
+            return MavResult.Denied;
+        gimbal.Point(pitchDegrees * NedMath.RadiansPerDegree, yawDegrees * NedMath.RadiansPerDegree);
+        return MavResult.Accepted;
+    }
+
+    private static MavResult Result(bool isDone) => isDone ? MavResult.Accepted : MavResult.TemporarilyRejected;
+
+    private static int ToDegE7(float degrees)
+        => float.IsNaN(degrees) || Math.Abs(degrees) > 200 ? int.MinValue : (int)Math.Round(degrees * DegE7);
+}

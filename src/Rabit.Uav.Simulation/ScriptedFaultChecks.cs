@@ -1,0 +1,66 @@
+using System;
+using System.Collections.Generic;
+
+namespace Rabit.Uav.Simulation;
+
+/// <summary>What is wrong with scripted faults, in words.</summary>
+internal static class ScriptedFaultChecks
+{
+    private const double MaxGlitchMetres = 10_000;
+    private const double MaxVolts = 100;
+
+    public static IEnumerable<string> FindFaults(SimulationOptions options)
+    {
+        if (options.Faults is null)
+        {
+            yield return $"{nameof(options.Faults)} is null; it may be empty";
+            yield break;
+        }
+
+        foreach (ScriptedFault fault in options.Faults)
+        {
+            string what = FormattableString.Invariant($"{nameof(options.Faults)}: {fault.Kind} at {fault.At}");
+            if (fault.At < TimeSpan.Zero || fault.Duration < TimeSpan.Zero)
+                yield return what + " has a negative time";
+            if (fault.Kind is ScriptedFaultKind.LinkSilent or ScriptedFaultKind.CameraFreeze
+                or ScriptedFaultKind.ManagerHangs
+                && fault.Duration == TimeSpan.Zero)
+                yield return what + " lasts no time";
+            if (fault.Kind == ScriptedFaultKind.ManagerHangs && string.IsNullOrWhiteSpace(fault.Manager))
+                yield return what + " names no manager";
+            if (fault.Kind == ScriptedFaultKind.GroundStationSilent && !options.HasGroundStation)
+                yield return what
+                    + $" is about a ground station that is not there ({nameof(options.HasGroundStation)})";
+            if (fault.Kind == ScriptedFaultKind.PilotMode && fault.Mode is { } mode)
+            {
+                if (!ModeNames.TryFind(options.Autopilot, mode, out _))
+                    yield return $"{what} names the flight mode '{mode}', which the autopilot does not have";
+            }
+            else if (!IsPossible(fault, options.Autopilot))
+            {
+                yield return FormattableString.Invariant(
+                    $"{what} has the value {fault.Value}, which is not possible");
+            }
+        }
+    }
+
+    /// <summary>The fault with the number of the flight mode that it names.</summary>
+    public static ScriptedFault WithModeNumber(ScriptedFault fault, SimulatedAutopilot autopilot)
+    {
+        if (fault.Mode is { } name && ModeNames.TryFind(autopilot, name, out uint mode))
+            fault.Value = mode;
+        return fault;
+    }
+
+    private static bool IsPossible(in ScriptedFault fault, SimulatedAutopilot autopilot) => fault.Kind switch
+    {
+        ScriptedFaultKind.BatteryTo => fault.Value is >= 0 and <= 1,
+        ScriptedFaultKind.WindTo => SimulationOptions.IsWind(fault.Value),
+        ScriptedFaultKind.PilotMode => fault.Value is >= 0 and <= uint.MaxValue
+            && ModeNames.IsKnown(autopilot, (uint)fault.Value),
+        ScriptedFaultKind.GpsGlitch => Math.Abs(fault.Value) <= MaxGlitchMetres,
+        ScriptedFaultKind.BatteryVolts => fault.Value is >= 0 and <= MaxVolts,
+        ScriptedFaultKind.Reboot => fault.Value is 0 or 1,
+        _ => true,
+    };
+}

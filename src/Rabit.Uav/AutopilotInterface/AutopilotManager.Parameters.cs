@@ -1,0 +1,79 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Core;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+using Rabit.Uav.Preflight;
+
+namespace Rabit.Uav.AutopilotInterface;
+
+// Parameters, fence, and how well the autopilot knows where it is: for the pre-flight checklist.
+public sealed partial class AutopilotManager
+{
+    private readonly PreflightFacts _setupFacts = new(new PreflightOptions());
+    private readonly NavigationTracker _navigationTracker = new();
+    private MessagePublisher<AutopilotParameters> _parametersMessage = null!; // made by the constructor
+    private MessagePublisher<NavigationStatus> _navigation = null!; // made by the constructor
+    private AutopilotSetup? _setup;
+
+    private bool IsSetupBusy => _setup is { IsBusy: true };
+
+    private void PublishSetup()
+    {
+        _parametersMessage = Publish(MessageNames.AutopilotParameters, AutopilotParameters.None);
+        _navigation = Publish<NavigationStatus>(MessageNames.Navigation);
+    }
+
+    // What the checklist needs beside the rest, by the make of the autopilot.
+    private IEnumerable<RequestedRate> RatesFor(MavAutopilot autopilot)
+    {
+        if (!_options.Setup.ReadsParameters)
+            return _options.RequestedRates;
+        int estimator = autopilot == MavAutopilot.Ardupilotmega
+            ? EkfStatusReport.MavlinkId
+            : EstimatorStatus.MavlinkId;
+        return _options.RequestedRates.Concat([new(estimator, 1), new(HomePosition.MavlinkId, 0.5)])
+            .GroupBy(r => r.MessageId).Select(g => g.First());
+    }
+
+    private void MakeSetup(in VehicleState vehicle, MavlinkSender sender, MavlinkAddress target)
+    {
+        if (!_options.Setup.ReadsParameters)
+            return;
+        OriginalsFile? store = _options.Setup.OriginalsFile is { } path ? new OriginalsFile(path) : null;
+        _setup = new AutopilotSetup(vehicle.Autopilot, sender, target, _options.Setup, store, Log);
+    }
+
+    private void TakeSetupFrame(in LinkFrame frame)
+    {
+        if (_setup is null || _tracker.State.IsArmed || !_tracker.IsFromAutopilot(frame.Frame))
+            return;
+        _setup.Handle(frame.Frame, Now);
+        if (_navigationTracker.Update(frame))
+        {
+            _navigation.Value = _navigationTracker.Status;
+            _navigation.Post();
+        }
+    }
+
+    // Before the state of the vehicle is posted: a stop that follows from it must find what is to be written back.
+    private void RunSetup()
+    {
+        if (_setup is null)
+            return;
+        _setupFacts.Now = Now;
+        _setupFacts.Vehicle = _tracker.State;
+        _setupFacts.Own = _ownAddress.Value;
+        _setup.Run(_setupFacts, IsStopRequested);
+        DelaysStop = _setup.MustRestore;
+        bool maySend = _tracker.State.IsConnected && !_tracker.State.IsArmed;
+        while (maySend && _setup.TryTakeFrame(Now, out MavlinkFrame frame))
+            _outgoing.Push(new OutgoingFrame { Frame = frame });
+        if (!_setup.TryTakeReport(out AutopilotParameters report))
+            return;
+        _parametersMessage.Value = report;
+        _parametersMessage.Post();
+    }
+}

@@ -1,0 +1,79 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>
+/// The command was taken away, or never was ours: nothing is commanded. Only the operator's command gives control back:
+/// then the command of the vehicle is taken first, and what he commanded is done once it is ours.
+/// </summary>
+internal sealed class HandedOverState() : MissionState(MissionPhase.HandedOver)
+{
+    private OperatorRequest? _asked;
+    private bool _isOver;
+
+    /// <summary>Whether the motors are off: then nothing can be resumed.</summary>
+    public override bool IsOver => _isOver;
+
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason)
+    {
+        _asked = null;
+        flight.Commands.Clear();
+    }
+
+    public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
+    {
+        _isOver = flight.IsConnected && !flight.Vehicle.IsArmed;
+        if (flight.Operator.Pending is not null && flight.IsConnected)
+            Take(flight);
+        if (_asked is null)
+            return MissionStep.Stay;
+        if (!flight.IsConnected || _isOver || flight.Commands.Failures >= MaxFailures)
+        {
+            flight.Log($"operator's {_asked.Name}: the command of the vehicle was not taken, "
+                + (flight.IsConnected ? flight.Commands.LastFailure : "no autopilot connected"));
+            _asked = null;
+            flight.Commands.Clear();
+            return MissionStep.Stay;
+        }
+
+        flight.SetGoal(VehicleCommandKind.TakeControl, "take control");
+        bool isOurs = flight.Commands.IsAccepted && flight.Authority.State == CommandAuthorityState.Ours;
+        if (isOurs)
+            flight.ControlGivenTime = flight.Now;
+        return isOurs ? _asked.ToStep() : MissionStep.Stay;
+    }
+
+    private void Take(MissionFlight flight)
+    {
+        if (!flight.IsFlying)
+        {
+            flight.Operator.Refuse("the vehicle is not flying");
+        }
+        else if (FindFault(flight, flight.Operator.Pending!.Command) is { } fault)
+        {
+            flight.Operator.Refuse(fault);
+        }
+        else
+        {
+            _asked = flight.Operator.Take();
+        }
+    }
+
+    // As in flight: a hold or a resume against a reason to return would last for one tick. But a critical state may be
+    // that of the failsafe that a hold ends.
+    private static string? FindFault(MissionFlight flight, OperatorCommand command)
+    {
+        if (command == OperatorCommand.Return)
+            return null;
+        if (flight.Health.Advice != HealthAdvice.None)
+            return flight.Health.AdviceText ?? flight.Health.Text ?? "health advises against it";
+        if (command == OperatorCommand.Hold)
+            return null;
+        if (MissionGuards.FindCritical(flight) is { } critical)
+            return critical + "; a hold comes first";
+        if (!flight.HasFreshPosition)
+            return "no position";
+        return flight.Plan is null ? flight.PlanInFlight() : null;
+    }
+}

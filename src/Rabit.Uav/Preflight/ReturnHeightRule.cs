@@ -1,0 +1,39 @@
+using System.Collections.Generic;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Preflight;
+
+/// <summary>
+/// The height of the autopilot's return over the highest obstacle: RTL_ALT in centimetres, RTL_ALT_M in metres in newer
+/// versions of ArduPilot, RTL_RETURN_ALT in metres in PX4.
+/// </summary>
+internal static class ReturnHeightRule
+{
+    public const string Name = "return-height";
+
+    public static IReadOnlyList<(string Name, double Scale)> Ardupilot { get; } =
+        [("RTL_ALT_M", 1), ("RTL_ALT", 0.01)];
+
+    public static IReadOnlyList<(string Name, double Scale)> Px4 { get; } = [("RTL_RETURN_ALT", 1)];
+
+    public static ParameterRule Create(IReadOnlyList<(string Name, double Scale)> names) => new()
+    {
+        Name = Name,
+        Names = names,
+        Test = ParameterTest.Custom(Judge, " m"),
+        Pass = "obstacles and the clearance (10 m) or more",
+        Warn = "the mission names no obstacleHeightMetres, or the return begins at the present height (0)",
+        Fail = "below obstacles and the clearance",
+        HowToSet = "set it above the obstacles that the mission file names by obstacleHeightMetres",
+        Reason = "the return is a straight line at this height, or at the present one where that is higher",
+    };
+
+    private static PreflightResult Judge(double metres, PreflightFacts facts)
+    {
+        if (facts.Options.ObstacleHeightMetres is not { } obstacle)
+            return PreflightResult.Warn;
+        return metres >= obstacle + facts.Options.MinObstacleClearanceMetres
+            ? PreflightResult.Pass
+            : PreflightResult.Fail;
+    }
+}

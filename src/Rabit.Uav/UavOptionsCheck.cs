@@ -1,0 +1,149 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Uav.Communications;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+
+namespace Rabit.Uav;
+
+/// <summary>
+/// Finds everything that is wrong with the options of a system and of its managers, so that one error names it all.
+/// </summary>
+internal static class UavOptionsCheck
+{
+    public static IReadOnlyList<string> FindFaults(UavOptions given)
+    {
+        var faults = new List<string>();
+
+        // What is null is reported, and replaced by its default so that the rest can be checked too.
+        UavOptions options = WithoutNulls(given, faults);
+        faults.AddRange(UavLinkCheck.FindNulls(given));
+        faults.AddRange(FindFaultsOfAddresses(options));
+        faults.AddRange(UavLinkCheck.FindFaults(options));
+        faults.AddRange(
+            SubscriptionCheck.FindFaults(ManagerOptions.DialectOf(options), ManagerOptions.SubscriptionsOf(options)));
+        faults.AddRange(FindFaultsOfManagers(options));
+        faults.AddRange(FindFaultsOfWhatIsLeftOut(options));
+        faults.AddRange(ManagerOptions.FindContradictions(options));
+        faults.AddRange(FindFaultsOfParts(options));
+        return faults;
+    }
+
+    private static UavOptions WithoutNulls(UavOptions given, List<string> faults)
+    {
+        UavOptions options = given.Copy();
+        var defaults = new UavOptions();
+        options.Communications = NotNull(given.Communications, defaults.Communications, nameof(given.Communications))
+            .Copy();
+        options.Autopilot = NotNull(given.Autopilot, defaults.Autopilot, nameof(given.Autopilot)).Copy();
+        options.MissionControl = NotNull(given.MissionControl, defaults.MissionControl, nameof(given.MissionControl));
+        options.Imaging = NotNull(given.Imaging, defaults.Imaging, nameof(given.Imaging));
+        options.Fusion = NotNull(given.Fusion, defaults.Fusion, nameof(given.Fusion));
+        options.Health = NotNull(given.Health, defaults.Health, nameof(given.Health));
+        options.Preflight = NotNull(given.Preflight, defaults.Preflight, nameof(given.Preflight));
+        options.LinkOptions = NotNull(given.LinkOptions, defaults.LinkOptions, nameof(given.LinkOptions));
+        (options.Links, options.OpenLinks) = (UavLinkCheck.Usable(given.Links), UavLinkCheck.Usable(given.OpenLinks));
+        options.OtherManagers = NoneIsNull(given.OtherManagers, nameof(given.OtherManagers));
+        options.Dialect = NotNull(given.Dialect, defaults.Dialect, nameof(given.Dialect));
+        options.Subscriptions = NoneIsNull(given.Subscriptions, nameof(given.Subscriptions));
+
+        CommunicationsOptions communications = options.Communications;
+        string place = nameof(given.Communications) + ".";
+        communications.Dialect = NotNull(
+            communications.Dialect, defaults.Dialect, place + nameof(communications.Dialect));
+        communications.Subscriptions = NoneIsNull(
+            communications.Subscriptions, place + nameof(communications.Subscriptions));
+        options.Autopilot.Dialect = NotNull(
+            options.Autopilot.Dialect, defaults.Dialect,
+            nameof(given.Autopilot) + "." + nameof(options.Autopilot.Dialect));
+        return options;
+
+        T NotNull<T>(T? value, T standIn, string name)
+            where T : class
+        {
+            if (value is null)
+                faults.Add($"{name} is null");
+            return value ?? standIn;
+        }
+
+        IReadOnlyList<T> NoneIsNull<T>(IReadOnlyList<T>? values, string name)
+            where T : class
+        {
+            if (values?.Contains(null!) == true)
+                faults.Add($"one of {name} is null");
+            return NotNull(values, [], name).Where(v => v is not null).ToArray();
+        }
+    }
+
+    private static IEnumerable<string> FindFaultsOfAddresses(UavOptions options)
+    {
+        if (options.SystemId == 0)
+            yield return $"{nameof(options.SystemId)} is 0; it must be 1 to 255";
+        if (options.ComponentId == 0)
+            yield return $"{nameof(options.ComponentId)} is 0; it must be 1 to 255";
+    }
+
+    private static IEnumerable<string> FindFaultsOfManagers(UavOptions options)
+    {
+        if ((options.Without & ~UavManagers.All) != 0)
+            yield return $"{nameof(options.Without)} is {options.Without:D}, which is none of the managers";
+        IEnumerable<string> ours = AbsentManagers.Of(UavManagers.All & ~options.Without).Select(m => m.Name);
+        foreach (IGrouping<string, string> same in ours.Concat(options.OtherManagers.Select(m => m.Name))
+            .GroupBy(n => n, StringComparer.Ordinal).Where(g => g.Count() > 1))
+            yield return $"{same.Count()} managers are named '{same.Key}'";
+
+        MissionPlan? mission = ManagerOptions.MissionOf(options);
+        if (mission is not null && !options.MayCommand)
+            yield return $"there is a mission, but {nameof(options.MayCommand)} is false";
+        if (options.MayCommand && options.IsReplay)
+            yield return "nothing can be commanded in a replay";
+        ImageProcessingOptions imaging = options.Imaging;
+        if (mission is not null && options.Camera is not null && options.Has(UavManagers.ImageProcessing)
+            && !imaging.TargetClasses.IsDefault)
+        {
+            string declared = string.Join(", ", imaging.TargetClasses.Select(c => c?.Name));
+            foreach (TargetClassName name in mission.Targets.Where(n => imaging.TargetClasses.All(c => c?.Name != n)))
+                yield return $"target {name} of the mission is no target class; there are {declared}";
+        }
+
+        if (imaging.Detector is not null && options.Camera is null)
+            yield return $"there is a {nameof(imaging.Detector)}, but no {nameof(options.Camera)} whose pictures it "
+                + "could search";
+    }
+
+    private static IEnumerable<string> FindFaultsOfWhatIsLeftOut(UavOptions options)
+    {
+        if (ManagerOptions.MissionOf(options) is not null && !options.Has(UavManagers.MissionControl))
+            yield return $"there is a mission, but {nameof(options.Without)} has {nameof(UavManagers.MissionControl)}";
+        if (options.Camera is not null && !options.Has(UavManagers.ImageProcessing))
+            yield return $"there is a camera, but {nameof(options.Without)} has {nameof(UavManagers.ImageProcessing)}";
+        if (options.Has(UavManagers.Communications))
+            yield break;
+        if (options.Links.Count + options.OpenLinks.Count > 0)
+            yield return $"there are links, but {nameof(options.Without)} has {nameof(UavManagers.Communications)}: "
+                + "open them where your own manager is made";
+        if (ManagerOptions.SigningOf(options) is not null || ManagerOptions.SubscriptionsOf(options).Count > 0
+            || options.Communications.VehicleMessageRoutes is { Count: > 0 })
+            yield return "signing, subscriptions and vehicle messages are the work of "
+                + $"{nameof(UavManagers.Communications)}, which {nameof(options.Without)} has";
+    }
+
+    // Of the managers that are made; each of them checks again, for those who make it themselves.
+    private static IEnumerable<string> FindFaultsOfParts(UavOptions options)
+    {
+        MissionControlOptions missionControl = ManagerOptions.ForMissionControl(options);
+        (UavManagers Manager, string Name, IEnumerable<string> Faults)[] parts =
+        [
+            (UavManagers.Communications, "Communications", options.Communications.FindFaultsOfValues()),
+            (UavManagers.AutopilotInterface, "Autopilot Interface", options.Autopilot.FindFaults()),
+            (UavManagers.ImageProcessing, "Image Processing", options.Imaging.FindFaults(options.Camera is not null)),
+            (UavManagers.SensorFusion, "Sensor Fusion", options.Fusion.FindFaults()),
+            (UavManagers.MissionControl, "Mission Control", missionControl.FindFaults()),
+            (UavManagers.HealthMonitoring, "Health Monitoring", options.Health.FindFaults()),
+            (UavManagers.HealthMonitoring, nameof(options.Preflight), options.Preflight.FindFaults()),
+        ];
+        return parts.Where(p => options.Has(p.Manager)).SelectMany(p => p.Faults.Select(f => $"{p.Name}: {f}"));
+    }
+}

@@ -1,0 +1,126 @@
+using System;
+using Rabit.Geodesy;
+using Rabit.Mavlink.Messages;
+
+namespace Rabit.Uav.Simulation.Tests.FaultMatrix;
+
+/// <summary>What goes wrong in the fault matrix.</summary>
+internal static class MatrixFaults
+{
+    // Inside our own fence, beside the area, so that it is the target that is noticed and not the place.
+    private static readonly NedPosition Elsewhere = new(20, 0, -25);
+
+    public static readonly MatrixFault PilotHold = MatrixFault.Pilot(
+        "pilot: LOITER by switch / AUTO.LOITER", "LOITER", "AUTO.LOITER", bySwitch: true);
+
+    public static readonly MatrixFault PilotPosition = MatrixFault.Pilot(
+        "pilot: BRAKE / POSCTL by command", "BRAKE", "POSCTL");
+
+    public static readonly MatrixFault PilotReturn = MatrixFault.Pilot("pilot: RTL / AUTO.RTL", "RTL", "AUTO.RTL");
+
+    public static readonly MatrixFault PilotLand = MatrixFault.Pilot("pilot: LAND / AUTO.LAND", "LAND", "AUTO.LAND");
+
+    public static readonly MatrixFault OtherReposition = Other("other commander: one DO_REPOSITION", seconds: 0);
+
+    public static readonly MatrixFault OtherTargets = Other("other commander: targets at 10 Hz for 60 s", seconds: 60);
+
+    public static readonly MatrixFault GroundStationLost = MatrixFault.Of(
+        "ground station lost", ScriptedFaultKind.GroundStationSilent);
+
+    public static readonly MatrixFault RcLost = MatrixFault.Of("remote control lost", ScriptedFaultKind.RcLost);
+
+    public static readonly MatrixFault BatteryLow = MatrixFault.Of(
+        "battery at 20 %", ScriptedFaultKind.BatteryTo, 0.20);
+
+    public static readonly MatrixFault BatteryCritical = MatrixFault.Of(
+        "battery at 8 %", ScriptedFaultKind.BatteryTo, 0.08);
+
+    public static readonly MatrixFault BatteryBelowCritical = MatrixFault.Of(
+        "battery at 6 %, below the autopilot's critical level", ScriptedFaultKind.BatteryTo, 0.06);
+
+    public static readonly MatrixFault VoltageLow = MatrixFault.Of(
+        "battery voltage low", ScriptedFaultKind.BatteryVolts, 9.8);
+
+    public static readonly MatrixFault VoltageCritical = MatrixFault.Of(
+        "battery voltage critical", ScriptedFaultKind.BatteryVolts, 9.4);
+
+    public static readonly MatrixFault BatteryUnknown = MatrixFault.Outside(
+        "no battery messages any more", flight => flight.Tap.HidesBattery = true);
+
+    public static readonly MatrixFault GpsGlitch = MatrixFault.Of(
+        "GPS glitch of 50 m for 10 s", ScriptedFaultKind.GpsGlitch, 50, 10);
+
+    public static readonly MatrixFault GpsLostShort = MatrixFault.Of(
+        "GPS lost for 3 s", ScriptedFaultKind.GpsLost, seconds: 3);
+
+    public static readonly MatrixFault GpsLost = MatrixFault.Of("GPS lost", ScriptedFaultKind.GpsLost);
+
+    public static readonly MatrixFault Estimator = MatrixFault.Of(
+        "estimator variances too large", ScriptedFaultKind.EkfFailsafe);
+
+    public static readonly MatrixFault Fence = MatrixFault.Outside(
+        "fence breached: its height set to 2 m by the ground station", SetFence);
+
+    public static readonly MatrixFault Reboot =
+        MatrixFault.Of("autopilot reboots, stays armed", ScriptedFaultKind.Reboot);
+
+    public static readonly MatrixFault RebootDisarmed = MatrixFault.Of(
+        "autopilot reboots, motors stop", ScriptedFaultKind.Reboot, 1);
+
+    public static readonly MatrixFault Silent3 = MatrixFault.Of(
+        "link silent 3 s", ScriptedFaultKind.LinkSilent, seconds: 3);
+
+    public static readonly MatrixFault Silent20 = MatrixFault.Of(
+        "link silent 20 s", ScriptedFaultKind.LinkSilent, seconds: 20);
+
+    public static readonly MatrixFault Silent400 = MatrixFault.Of(
+        "link silent 400 s", ScriptedFaultKind.LinkSilent, seconds: 400);
+
+    public static readonly MatrixFault MissionControlHangs = MatrixFault.Hang("mission control");
+
+    public static readonly MatrixFault HealthHangs = MatrixFault.Hang("health");
+
+    public static readonly MatrixFault AutopilotInterfaceHangs = MatrixFault.Hang("autopilot");
+
+    public static readonly MatrixFault ImageProcessingHangs = MatrixFault.Hang("image processing");
+
+    public static readonly MatrixFault SensorFusionHangs = MatrixFault.Hang("sensor fusion");
+
+    public static readonly MatrixFault CommunicationsHangs = MatrixFault.Hang("communications");
+
+    public static readonly MatrixFault CameraSilent = MatrixFault.Of(
+        "camera silent", ScriptedFaultKind.CameraFreeze, seconds: 1000);
+
+    public static readonly MatrixFault WindHigh = MatrixFault.Of("wind of 15 m/s", ScriptedFaultKind.WindTo, 15);
+
+    public static readonly MatrixFault ManagerThrows = MatrixFault.Outside("a manager of the user throws", null)
+        with
+    { Throws = true };
+
+    public static readonly MatrixFault Stop = MatrixFault.Outside("Ctrl-C", null) with { StopsProgram = true };
+
+    private static MatrixFault Other(string name, double seconds) => new(name, (_, at) =>
+    [
+        new ScriptedFault
+        {
+            Kind = ScriptedFaultKind.OtherCommander, At = at, Place = Elsewhere,
+            Duration = TimeSpan.FromSeconds(seconds),
+        },
+    ]);
+
+    // Both names: an autopilot ignores one that it does not have.
+    private static void SetFence(MatrixFlight flight)
+    {
+        foreach (string name in new[] { "FENCE_ALT_MAX", "GF_MAX_VER_DIST" })
+        {
+            flight.Tap.SendAsGroundStation(new ParamSet
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                ParamId = new Text16(name),
+                ParamValue = 2,
+                ParamType = MavParamType.Real32,
+            });
+        }
+    }
+}

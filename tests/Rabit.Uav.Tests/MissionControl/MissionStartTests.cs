@@ -1,0 +1,100 @@
+using System;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+using Xunit;
+
+namespace Rabit.Uav.Tests.MissionControl;
+
+/// <summary>What a mission waits for before it starts, and what it does not start with.</summary>
+public class MissionStartTests
+{
+    [Fact]
+    public void Health_CriticalAtStart_Waits()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Critical, Text = "manager 'x' faulted" };
+        rig.Run(30);
+        Assert.Equal("waiting: manager 'x' faulted", rig.Status.Text);
+        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Good };
+        Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff, 20));
+    }
+
+    [Fact]
+    public void Start_FlyingAlready_IsNotTakenOver()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        (rig.Vehicle.IsArmed, rig.Vehicle.Height) = (true, 30);
+        rig.Run(60);
+        Assert.Equal(MissionPhase.HandedOver, rig.Status.Phase);
+        Assert.Empty(rig.Vehicle.Commands);
+        Assert.Equal(MissionFailures.GivenUp, rig.Status.Result.Failures & MissionFailures.GivenUp);
+    }
+
+    [Fact]
+    public void Start_ArmedOnTheGround_IsTaken()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.Vehicle.IsArmed = true;
+        Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff, 20));
+    }
+
+    [Theory]
+    [InlineData("battery", "waiting: battery 40.0 %; 50.0 % are needed")]
+    [InlineData("fix", "waiting: no satellite fix")]
+    [InlineData("position", "waiting: no position")]
+    [InlineData("camera", "waiting: no camera")]
+    [InlineData("silent", "waiting: no autopilot connected")]
+    [InlineData("observing", "waiting: we only observe, and may not command")]
+    public void Start_SomethingIsMissing_WaitsAndThenFails(string what, string text)
+    {
+        using var rig = new MissionRig(MissionRig.Mission(), o => o.ReadyTimeout = TimeSpan.FromSeconds(40));
+        switch (what)
+        {
+            case "battery":
+                rig.Vehicle.Battery = 0.4;
+                break;
+            case "fix":
+                rig.Vehicle.Fix = GpsFixType.Type2dFix;
+                break;
+            case "position":
+                rig.Vehicle.HasPosition = false;
+                break;
+            case "camera":
+                rig.Vehicle.HasCamera = false;
+                break;
+            case "silent":
+                rig.Vehicle.IsConnected = false;
+                break;
+            default:
+                rig.Vehicle.Authority = new CommandAuthority { State = CommandAuthorityState.Observing };
+                break;
+        }
+
+        rig.Run(30);
+        Assert.Equal((MissionPhase.WaitingForVehicle, text), (rig.Status.Phase, rig.Status.Text));
+        rig.Run(20);
+        Assert.Equal(MissionPhase.Failed, rig.Status.Phase);
+        Assert.Empty(rig.Vehicle.Commands);
+    }
+
+    [Fact]
+    public void Start_FarFromTheMissionsHome_IsFailed()
+    {
+        using var rig = new MissionRig(
+            MissionRig.Mission(", \"home\": {\"latitudeDegrees\": 47.3987, \"longitudeDegrees\": 8.5456}"));
+        rig.Run(10);
+        Assert.Equal(MissionPhase.Failed, rig.Status.Phase);
+        Assert.StartsWith("the vehicle is 111.2 m from the mission's home", rig.Status.Text!, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Autopilot_ComesMinutesAfterTheProgram_MissionIsFlown()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.Vehicle.IsConnected = false;
+        rig.Run(150);
+        rig.Vehicle.IsConnected = true;
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.Null(rig.Status.Aborted);
+    }
+}
