@@ -14,6 +14,8 @@ internal static class TestData
 
     public static string MissionText(string file) => File.ReadAllText(Path.Combine(Data, "missions", file));
 
+    public static string AutopilotPathOf(string file) => Path.Combine(Data, "autopilots", file);
+
     public static JsonDocument Autonomy(string file)
         => JsonDocument.Parse(File.ReadAllText(Path.Combine(Data, "autonomy", file)));
 

@@ -40,6 +40,9 @@ public sealed partial class AutopilotManager
             case Wind.MavlinkId:
                 mavlink.TryDecode(out Wind wind);
                 return Complete(frame, _tracker.Update(frame, wind));
+            case WindCov.MavlinkId:
+                mavlink.TryDecode(out WindCov windCov);
+                return Complete(frame, _tracker.Update(frame, windCov));
             case Event.MavlinkId:
                 mavlink.TryDecode(out Event happened);
                 return Take(frame, happened);

@@ -26,15 +26,23 @@ public sealed partial class AutopilotManager
         _navigation = Publish<NavigationStatus>(MessageNames.Navigation);
     }
 
-    // What the checklist needs beside the rest, by the make of the autopilot.
+    // What the checklist needs beside the rest, by the make of the autopilot; not the wind of the other make, which
+    // would be refused, by ArduPilot with a text to the ground station.
     private IEnumerable<RequestedRate> RatesFor(MavAutopilot autopilot)
     {
+        int unknown = autopilot switch
+        {
+            MavAutopilot.Ardupilotmega => WindCov.MavlinkId,
+            MavAutopilot.Px4 => Wind.MavlinkId,
+            _ => -1,
+        };
+        IEnumerable<RequestedRate> rates = _options.RequestedRates.Where(r => r.MessageId != unknown);
         if (!_options.Setup.ReadsParameters)
-            return _options.RequestedRates;
+            return rates;
         int estimator = autopilot == MavAutopilot.Ardupilotmega
             ? EkfStatusReport.MavlinkId
             : EstimatorStatus.MavlinkId;
-        return _options.RequestedRates.Concat([new(estimator, 1), new(HomePosition.MavlinkId, 0.5)])
+        return rates.Concat([new(estimator, 1), new(HomePosition.MavlinkId, 0.5)])
             .GroupBy(r => r.MessageId).Select(g => g.First());
     }
 

@@ -54,7 +54,8 @@ public sealed class AutopilotOptions
     public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;
 
     /// <summary>
-    /// What the autopilot is asked to send, and how often, when it is found, found again or has rebooted.
+    /// What the autopilot is asked to send, and how often, when it is found, found again or has rebooted. ArduPilot is
+    /// not asked for WIND_COV, nor PX4 for WIND: each has the other one only.
     /// </summary>
     /// <value>
     /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees
@@ -70,6 +71,7 @@ public sealed class AutopilotOptions
         new(SystemTime.MavlinkId, 1),
         new(ExtendedSysState.MavlinkId, 2),
         new(Wind.MavlinkId, 1),
+        new(WindCov.MavlinkId, 1),
         new(PositionTargetLocalNed.MavlinkId, 4),
     ];
 

@@ -47,6 +47,9 @@ internal sealed partial class VehicleTracker
     public VehicleEvents Update(in LinkFrame frame, in Wind message)
         => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
 
+    public VehicleEvents Update(in LinkFrame frame, in WindCov message)
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
+
     private VehicleEvents Apply(in GlobalPositionInt message, TimeSpan time)
     {
         BootTimeMs = message.TimeBootMs;
@@ -120,10 +123,29 @@ internal sealed partial class VehicleTracker
 
     private VehicleEvents Apply(in Wind message, TimeSpan time)
     {
-        if (!(message.Speed is >= 0 and <= StrongestWind))
+        if (!(message.Speed >= 0) || !(Math.Abs(message.Direction) <= 360))
             return VehicleEvents.Refused;
-        _state.WindTime = time;
-        _state.WindMetresPerSecond = message.Speed;
+
+        // Where it comes from, clockwise from north.
+        double from = message.Direction * Angle.RadiansPerDegree;
+        return ApplyWind(-message.Speed * Math.Cos(from), -message.Speed * Math.Sin(from), time);
+    }
+
+    // The velocity of the air. Of its variances one is a square and the other always 0 in PX4, unlike the definition:
+    // not used.
+    private VehicleEvents Apply(in WindCov message, TimeSpan time) => ApplyWind(message.WindX, message.WindY, time);
+
+    // Exactly nothing is what ArduPilot sends that has no estimate, on the ground and without drag coefficients: it is
+    // not known then, and does not say that the air is still.
+    private VehicleEvents ApplyWind(double north, double east, TimeSpan time)
+    {
+        var velocity = new NedVector(north, east, 0);
+        double speed = velocity.HorizontalLength;
+        if (speed == 0)
+            return VehicleEvents.None;
+        if (!(speed <= StrongestWind))
+            return VehicleEvents.Refused;
+        (_state.WindTime, _state.WindVelocityNed) = (time, velocity);
         return VehicleEvents.Changed;
     }
 

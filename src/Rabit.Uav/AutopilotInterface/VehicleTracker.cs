@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
@@ -26,7 +27,7 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         BatteryAmperes = double.NaN,
         BatteryRemaining = double.NaN,
         Satellites = byte.MaxValue,
-        WindMetresPerSecond = double.NaN,
+        WindVelocityNed = new NedVector(double.NaN, double.NaN, double.NaN),
     };
 
     public ref readonly VehicleState State => ref _state;

@@ -100,12 +100,16 @@ public struct VehicleState
     /// <summary>When <see cref="GpsUtcMicroseconds"/> was true; null before the first.</summary>
     public TimeSpan? UtcTime { get; set; }
 
-    /// <summary>When the autopilot last reported its estimate of the wind; null where it never did.</summary>
+    /// <summary>When the autopilot last reported an estimate of the wind; null before the first.</summary>
     public TimeSpan? WindTime { get; set; }
 
     /// <summary>
-    /// Speed of the wind over ground, metres per second, as the autopilot estimates it (ArduPilot); NaN where it
-    /// reports none.
+    /// Velocity of the air over ground, metres per second, north-east-down, without its vertical part: where the wind
+    /// blows to, not where it comes from. As the autopilot estimates it (ArduPilot WIND, PX4 WIND_COV); NaN before the
+    /// first estimate. Old after some seconds: see <see cref="WindTime"/>.
     /// </summary>
-    public double WindMetresPerSecond { get; set; }
+    public NedVector WindVelocityNed { get; set; }
+
+    /// <summary>Speed of <see cref="WindVelocityNed"/>, metres per second; NaN before the first estimate.</summary>
+    public readonly double WindMetresPerSecond => WindVelocityNed.HorizontalLength;
 }

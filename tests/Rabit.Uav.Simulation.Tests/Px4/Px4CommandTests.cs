@@ -37,6 +37,16 @@ public class Px4CommandTests
         Assert.Equal(before, _flyer.All<Attitude>().Count());
     }
 
+    // On the ground the estimator knows of no wind, and nothing is sent (WIND_COV.hpp of PX4).
+    [Fact]
+    public void WindCov_Asked_IsAcceptedAndComesInTheAirOnly()
+    {
+        Assert.Equal(MavResult.Accepted, _flyer.Command(MavCmd.SetMessageInterval, WindCov.MavlinkId, 500_000));
+        _flyer.Run(2);
+        Assert.Empty(_flyer.All<WindCov>());
+        Assert.Equal(MavResult.Failed, _flyer.Command(MavCmd.SetMessageInterval, Wind.MavlinkId, 500_000));
+    }
+
     [Theory]
     [InlineData(MavCmd.NavLoiterUnlim, MavResult.Unsupported)]
     [InlineData(MavCmd.DoSetStandardMode, MavResult.Unsupported)]

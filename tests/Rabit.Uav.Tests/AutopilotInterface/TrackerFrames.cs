@@ -25,6 +25,8 @@ internal static class TrackerFrames
             return tracker.Update(frame, clock);
         if (frame.Frame.TryDecode(out ExtendedSysState extended))
             return tracker.Update(frame, extended);
+        if (frame.Frame.TryDecode(out WindCov windCov))
+            return tracker.Update(frame, windCov);
         return frame.Frame.TryDecode(out Wind wind) ? tracker.Update(frame, wind) : tracker.Update(frame);
     }
 }

@@ -250,6 +250,8 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         Update(tracker, Random<GpsRawInt>(payload), 1);
         Update(tracker, Random<SystemTime>(payload), 1);
         Update(tracker, Random<ExtendedSysState>(payload), 1);
+        Update(tracker, Random<Wind>(payload), 1);
+        Update(tracker, Random<WindCov>(payload), 1);
         Update(tracker, Random<Heartbeat>(payload), 1);
         VehicleState state = tracker.State;
         return !(Math.Abs(state.Position.Latitude.Radians) <= Math.PI / 2)
@@ -258,6 +260,7 @@ public class VehicleTrackerTests(ITestOutputHelper output)
             || !(Math.Abs(state.Attitude.Pitch.Radians) <= 1.58)
             || double.IsInfinity(state.Rates.YawRadiansPerSecond)
             || double.IsNaN(state.Rates.YawRadiansPerSecond)
+            || (state.WindTime is not null && !(state.WindMetresPerSecond is > 0 and <= 113))
             || state.BatteryRemaining is < 0 or > 1;
     }
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
@@ -87,7 +88,7 @@ internal sealed class HealthRig : IDisposable
             BatteryTime = Reactor.Now,
             BatteryRemaining = remaining,
             WindTime = double.IsNaN(wind) ? null : Reactor.Now,
-            WindMetresPerSecond = wind,
+            WindVelocityNed = new NedVector(wind, 0, 0),
         };
         _vehicle.Post();
     }

@@ -114,6 +114,23 @@ internal sealed partial class Px4Telemetry
         });
     }
 
+    // The velocity of the air. PX4 estimates it in flight, a multirotor by its drag (EKF2_DRAG_CTRL), and is silent
+    // while it does not; the sum of the two variances, no accuracy.
+    private bool TrySendWind(int link)
+    {
+        if (controller.Situation.IsLanded)
+            return false;
+        NedVector wind = _state.Velocity.Minus(_state.AirVelocity);
+        return Send(link, new WindCov
+        {
+            TimeUsec = (ulong)_state.BootMicroseconds,
+            WindX = (float)wind.North,
+            WindY = (float)wind.East,
+            VarHoriz = 0.1f,
+            WindAlt = (float)(frame.Origin.AltitudeAmslMetres - _state.Position.Down),
+        });
+    }
+
     private bool TrySendHome(int link)
     {
         if (controller.Situation.Home is not { } home || Origin is not { } origin)

@@ -25,7 +25,7 @@ internal sealed partial class Px4Telemetry(
             or PositionTargetLocalNed.MavlinkId or PositionTargetGlobalInt.MavlinkId or Altitude.MavlinkId
             or BatteryStatus.MavlinkId or AutopilotVersion.MavlinkId or HomePosition.MavlinkId
             or ExtendedSysState.MavlinkId or EstimatorStatus.MavlinkId or GpsGlobalOrigin.MavlinkId
-            or Timesync.MavlinkId or GimbalDeviceAttitudeStatus.MavlinkId;
+            or Timesync.MavlinkId or GimbalDeviceAttitudeStatus.MavlinkId or WindCov.MavlinkId;
 
     /// <summary>The state that the following messages report.</summary>
     public void Update(in AutopilotState state)
@@ -75,6 +75,7 @@ internal sealed partial class Px4Telemetry(
             case GpsGlobalOrigin.MavlinkId: return TrySendOrigin(link);
             case Timesync.MavlinkId: return Send(link, new Timesync { Ts1 = _state.BootMicroseconds * 1000 });
             case GimbalDeviceAttitudeStatus.MavlinkId: SendGimbal(link); return true;
+            case WindCov.MavlinkId: return TrySendWind(link);
             default: return false;
         }
     }
