@@ -142,6 +142,7 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
     private static string Advice(HealthAdvice advice) => advice switch
     {
         HealthAdvice.None => "–",
+        HealthAdvice.Hold => "hold",
         HealthAdvice.ReturnToLaunch => "return to launch",
         HealthAdvice.Land => "land",
         _ => advice.ToString(),

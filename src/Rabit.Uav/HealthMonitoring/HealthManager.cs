@@ -35,7 +35,9 @@ public sealed partial class HealthManager : RabitManager
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly MessageSubscriber<MissionStatus> _mission;
     private readonly CameraWatch _camera;
-    private readonly WindWatch _wind = new();
+    private readonly HealthRuleSet<VehicleFacts> _vehicleRules = new(HealthRules.OfVehicle);
+    private readonly HealthRuleSet<VehicleFacts> _batteryRules = new(HealthRules.OfBattery);
+    private readonly HealthRuleSet<CameraFacts> _cameraRules = new(HealthRules.OfCamera);
     private readonly AdviceLatch _advice = new();
     private readonly StatusTextSender _texts;
     private readonly QueueSender<OutgoingFrame> _outgoing;
@@ -124,7 +126,7 @@ public sealed partial class HealthManager : RabitManager
         foreach (ManagerWatch watch in _managers)
         {
             ManagerFacts manager = watch.Update(now, monitoredSince, _options);
-            HealthRules.Evaluate(manager, _options, _findings);
+            watch.Rules.Evaluate(manager, manager.Name, _options, now, _findings);
             areAllAlive &= HealthRules.IsAlive(manager, _options);
         }
 
@@ -138,7 +140,7 @@ public sealed partial class HealthManager : RabitManager
         foreach (LinkWatch watch in _links)
         {
             LinkFacts link = watch.Update(now, monitoredSince, _options);
-            HealthRules.Evaluate(link, _options, _findings);
+            watch.Rules.Evaluate(link, link.Name, _options, now, _findings);
             isReplayOver &= link.IsRecorded && link.State == LinkState.Ended;
         }
 
@@ -148,12 +150,11 @@ public sealed partial class HealthManager : RabitManager
     private void EvaluateVehicle(TimeSpan now, bool isReplayOver)
     {
         _vehicle.Fetch();
-        TimeSpan? windHighFor = _wind.Update(_vehicle.Value, now, _options);
         _autopilot.Fetch();
-        HealthRules.Evaluate(
-            new VehicleFacts(_vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver, windHighFor), _options,
-            _findings);
-        HealthRules.Evaluate(_camera.Update(now), _options, _findings);
+        var vehicle = new VehicleFacts(_vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver);
+        _vehicleRules.Evaluate(vehicle, subject: null, _options, now, _findings);
+        _batteryRules.Evaluate(vehicle, subject: null, _options, now, _findings);
+        _cameraRules.Evaluate(_camera.Update(now), subject: null, _options, now, _findings);
     }
 
     // Advice is for a mission in flight; otherwise findings are only reported.

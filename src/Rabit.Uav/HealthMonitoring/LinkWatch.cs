@@ -13,6 +13,9 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
     private readonly WindowedIncrease _rejected = new();
     private long _droppedBeforeFirstFrame;
 
+    /// <summary>What its rules keep between two evaluations.</summary>
+    public HealthRuleSet<LinkFacts> Rules { get; } = new(HealthRules.OfLinks);
+
     public LinkFacts Update(TimeSpan now, TimeSpan monitoredSince, HealthOptions options)
     {
         status.Fetch();

@@ -10,6 +10,9 @@ internal sealed class ManagerWatch(string name, MessageSubscriber<ManagerStatus>
 
     public string Name { get; } = name;
 
+    /// <summary>What its rules keep between two evaluations.</summary>
+    public HealthRuleSet<ManagerFacts> Rules { get; } = new(HealthRules.OfManagers);
+
     public ManagerFacts Update(TimeSpan now, TimeSpan monitoredSince, HealthOptions options)
     {
         // Its own status is never new to a manager: it has the same local copy.

@@ -38,8 +38,13 @@ internal sealed class StatusTextSender(TimeSpan period)
     private static string TextOf(in HealthReport report, bool isNewAdvice)
     {
         string text = report.Text ?? "all OK";
-        return !isNewAdvice ? Sender + text
-            : Sender + (report.Advice == HealthAdvice.Land ? "land! " : "return to launch! ") + report.AdviceText;
+        return Sender + (!isNewAdvice ? text : report.Advice switch
+        {
+            HealthAdvice.Hold => "hold! " + report.AdviceText,
+            HealthAdvice.ReturnToLaunch => "return to launch! " + report.AdviceText,
+            HealthAdvice.Land => "land! " + report.AdviceText,
+            _ => "no reason to hold any more; " + text,
+        });
     }
 
     private static MavSeverity SeverityOf(HealthLevel level) => level switch

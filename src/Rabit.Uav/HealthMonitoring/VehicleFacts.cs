@@ -5,8 +5,11 @@ namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>Input of the rules for the vehicle.</summary>
 internal readonly struct VehicleFacts(
-    in VehicleState state, in RateRequestCounts requests, TimeSpan now, bool isReplayOver, TimeSpan? windHighFor = null)
+    in VehicleState state, in RateRequestCounts requests, TimeSpan now, bool isReplayOver)
 {
+    // Reported once a second; an older estimate is out of date.
+    private static readonly TimeSpan MaxWindAge = TimeSpan.FromSeconds(5);
+
     public VehicleState State { get; } = state;
 
     /// <summary>How the autopilot answered our first commands, which ask for message rates.</summary>
@@ -17,6 +20,6 @@ internal readonly struct VehicleFacts(
     /// <summary>Whether all links are recorded logs that have been played: then silence is expected.</summary>
     public bool IsReplayOver { get; } = isReplayOver;
 
-    /// <summary>For how long the wind has been above its limit; null while it is not, or is unknown.</summary>
-    public TimeSpan? WindHighFor { get; } = windHighFor;
+    /// <summary>Whether the autopilot reports an estimate of the wind.</summary>
+    public bool IsWindKnown { get; } = now - state.WindTime <= MaxWindAge && !double.IsNaN(state.WindMetresPerSecond);
 }

@@ -23,7 +23,7 @@ public struct HealthReport
     public HealthAdvice Advice { get; set; }
 
     /// <summary>
-    /// The reason of the advice, as text, also when the reason no longer holds; null while there is no advice.
+    /// The reason of the advice, as text, to return or to land also when it no longer holds; null without advice.
     /// </summary>
     public string? AdviceText { get; set; }
 

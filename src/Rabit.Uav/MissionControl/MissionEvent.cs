@@ -42,6 +42,12 @@ internal enum MissionEvent
     /// <summary>Hold the position: no progress, or the program stops.</summary>
     Hold,
 
+    /// <summary>Hold the position until the reason of Health Monitoring ends.</summary>
+    HealthHold,
+
+    /// <summary>The reason of Health Monitoring to hold has ended.</summary>
+    HealthHoldOver,
+
     /// <summary>The operator commanded to hold.</summary>
     OperatorHold,
 

@@ -88,11 +88,15 @@ internal sealed class MissionFailsafes
         if (flight.Health.Advice == HealthAdvice.Land)
             return new MissionStep(MissionEvent.LandNow, Advice(flight));
         MissionStep step = CheckReturn(flight);
+        if (step.What == MissionEvent.None && flight.Health.Advice == HealthAdvice.Hold)
+            step = new MissionStep(MissionEvent.HealthHold, Advice(flight));
         if (flight.Operator.Pending is not { } request)
             return step;
 
-        // A hold or a resume against a reason to return would last for one tick.
-        if (step.What == MissionEvent.None || request.Command == OperatorCommand.Return)
+        // A hold or a resume against a reason to return would last for one tick, and a resume against one to hold.
+        bool agrees = step.What == MissionEvent.None || request.Command == OperatorCommand.Return
+            || (step.What == MissionEvent.HealthHold && request.Command == OperatorCommand.Hold);
+        if (agrees)
             return request.ToStep();
         flight.Operator.Refuse(step.Reason);
         return step;

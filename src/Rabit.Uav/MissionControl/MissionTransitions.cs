@@ -36,7 +36,8 @@ internal static class MissionTransitions
 
         // Otherwise.
         (TakingOff, Disarmed) => Arming,
-        (TakingOff or InTransit or Searching or Revisiting, MissionEvent.Hold) => Holding,
+        (TakingOff or InTransit or Searching or Revisiting, MissionEvent.Hold or HealthHold) => Holding,
+        (Holding, HealthHoldOver) => InTransit,
         (TakingOff or InTransit or Searching or Revisiting or Holding, ReturnToLaunch) => Returning,
         (TakingOff or InTransit or Searching or Revisiting or Holding or Returning, LandNow) => Landing,
         _ => phase,

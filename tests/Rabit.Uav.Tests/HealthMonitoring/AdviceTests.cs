@@ -99,12 +99,10 @@ public class AdviceTests
     public void Manager_FaultedOrIsStuck_IsReturnToLaunch()
     {
         var findings = new List<HealthFinding>();
-        HealthRules.Evaluate(
-            new ManagerFacts(
-                "autopilot", Rabit.Core.ManagerState.Running, TimeSpan.FromSeconds(0.2), 1, true,
-                TimeSpan.FromSeconds(9)),
-            new HealthOptions(),
-            findings);
+        var facts = new ManagerFacts(
+            "autopilot", Rabit.Core.ManagerState.Running, TimeSpan.FromSeconds(0.2), 1, true, TimeSpan.FromSeconds(9));
+        new HealthRuleSet<ManagerFacts>(HealthRules.OfManagers)
+            .Evaluate(facts, facts.Name, new HealthOptions(), TimeSpan.Zero, findings);
         Assert.Equal([HealthReasons.ManagerFaulted, HealthReasons.ManagerStuck], findings.Select(f => f.Reason));
         Assert.All(findings, f => Assert.Equal(HealthAdvice.ReturnToLaunch, f.Advice));
     }

@@ -33,7 +33,8 @@ public class HealthRulesTests
         var facts = new ManagerFacts(
             "m", state, TimeSpan.FromSeconds(0.1), 3, faultedLately, TimeSpan.FromSeconds(quietSeconds));
         var findings = new List<HealthFinding>();
-        HealthRules.Evaluate(facts, Options, findings);
+        new HealthRuleSet<ManagerFacts>(HealthRules.OfManagers)
+            .Evaluate(facts, facts.Name, Options, TimeSpan.Zero, findings);
 
         Assert.Equal(expected, ReasonsOf(findings));
         Assert.Equal(isAlive, HealthRules.IsAlive(facts, Options));
@@ -156,19 +157,33 @@ public class HealthRulesTests
     }
 
     [Fact]
-    public void Text_EveryReason_HasWords()
+    public void Text_EveryReason_IsOneBitWithARowAndWords()
     {
-        int reasons = 0;
-        foreach (string name in typeof(HealthReasons).GetEnumNames().Where(n => n != nameof(HealthReasons.None)))
+        HealthReasons all = HealthReasons.None;
+        foreach (HealthReasons reason in Enum.GetValues(typeof(HealthReasons)))
         {
-            var reason = (HealthReasons)(1 << reasons++);
-            Assert.Equal(name, reason.ToString());
+            if (reason == HealthReasons.None)
+                continue;
+            Assert.Equal(0, (int)reason & ((int)reason - 1));
+            Assert.Equal(HealthReasons.None, all & reason);
+            all |= reason;
             string text = HealthText.Of([new HealthFinding(reason, HealthLevel.Warning, "x", 5)])!;
             Assert.DoesNotContain(reason.ToString(), text, StringComparison.Ordinal);
         }
 
         Assert.Null(HealthText.Of([]));
     }
+
+    [Fact]
+    public void Table_EveryRow_SaysWhenItEndsAndWhy()
+        => Assert.All(HealthRules.All, rule =>
+        {
+            Assert.NotEmpty(rule.Condition(Options));
+            Assert.NotEmpty(rule.End(Options));
+            Assert.NotEmpty(rule.Why);
+            Assert.True(rule.Dwell(Options) >= TimeSpan.Zero);
+            Assert.True(rule.ClearDwell(Options) >= TimeSpan.Zero);
+        });
 
     [Fact]
     public void WindowedIncrease_CountThatRises_IsReportedForAWhile()
@@ -190,15 +205,18 @@ public class HealthRulesTests
         RateRequestCounts requests = default)
     {
         var findings = new List<HealthFinding>();
-        HealthRules.Evaluate(
-            new VehicleFacts(state, requests, TimeSpan.FromSeconds(ageSeconds), isReplayOver), Options, findings);
+        var facts = new VehicleFacts(state, requests, TimeSpan.FromSeconds(ageSeconds), isReplayOver);
+        foreach (HealthRule<VehicleFacts>[] rules in new[] { HealthRules.OfVehicle, HealthRules.OfBattery })
+            new HealthRuleSet<VehicleFacts>(rules)
+                .Evaluate(facts, subject: null, Options, TimeSpan.Zero, findings);
         AssertFindings(findings, expected, level, null);
     }
 
     private static void AssertLink(LinkFacts facts, HealthReasons expected, HealthLevel level)
     {
         var findings = new List<HealthFinding>();
-        HealthRules.Evaluate(facts, Options, findings);
+        new HealthRuleSet<LinkFacts>(HealthRules.OfLinks)
+            .Evaluate(facts, facts.Name, Options, TimeSpan.Zero, findings);
         AssertFindings(findings, expected, level, "udp");
     }
 

@@ -21,8 +21,8 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         double climb = flight.Mission.HeightMetres - flight.HeightMetres;
         _limit = PathFollower.TimeLimit(flight, distance) + Seconds(Math.Max(0, climb) / MinClimbRate);
 
-        // A mission that is resumed may have been left low: what lies in the way is flown over.
-        bool isLow = by == MissionEvent.OperatorResume && climb > LowMetres;
+        // A mission that continues may have been left low: what lies in the way is flown over.
+        bool isLow = by is MissionEvent.OperatorResume or MissionEvent.HealthHoldOver && climb > LowMetres;
         _climbAt = isLow ? flight.Position : null;
     }
 

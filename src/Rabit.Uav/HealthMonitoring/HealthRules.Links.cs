@@ -1,0 +1,54 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.HealthMonitoring;
+
+// A link is judged by its state and its counters.
+internal static partial class HealthRules
+{
+    public static readonly HealthRule<LinkFacts>[] OfLinks =
+    [
+        new(HealthReasons.LinkDown, HealthLevel.Critical, HealthAdvice.None)
+        {
+            When = static (in LinkFacts l, HealthOptions _) => l.State == LinkState.Failed
+                || (l.State == LinkState.Ended && !l.IsRecorded),
+            Figure = static (in LinkFacts l) => (long)l.State,
+            Text = static f => f.Figure == (long)LinkState.Failed
+                ? (FormattableString)$"link {f.Subject} failed"
+                : $"link {f.Subject} was closed by the other end",
+            Condition = static _ => "it failed, or the peer closed it; a log that ends is no fault",
+            End = static _ => "it is open again",
+            Why = "where it is the autopilot's, AutopilotLost follows",
+        },
+        new(HealthReasons.LinkSilent, HealthLevel.Warning, HealthAdvice.None)
+        {
+            When = static (in LinkFacts l, HealthOptions o) => l.State == LinkState.Silent
+                || (l.State == LinkState.Waiting && l.MonitoredFor > o.FirstFrameTimeout),
+            Figure = static (in LinkFacts l) => (long)l.State,
+            Text = static f => f.Figure == (long)LinkState.Waiting
+                ? (FormattableString)$"link {f.Subject}: nothing received yet"
+                : $"link {f.Subject} is silent",
+            Condition = static o => $"frames stopped coming, or none came within {Seconds(o.FirstFrameTimeout)}",
+            End = static _ => "its next frame",
+            Why = "heartbeats come once a second on a link that works",
+        },
+        new(HealthReasons.FramesDropped, HealthLevel.Warning, HealthAdvice.None)
+        {
+            When = static (in LinkFacts l, HealthOptions _) => l.HasDroppedRecently,
+            Figure = static (in LinkFacts l) => l.FramesDropped,
+            Text = static f => $"link {f.Subject} dropped frames ({f.Figure} so far)",
+            Condition = static _ => "frames were dropped because a queue was full",
+            End = static o => $"{Seconds(o.RecentWindow)} without another",
+            Why = "nothing is lost in silence",
+        },
+        new(HealthReasons.SignaturesRejected, HealthLevel.Warning, HealthAdvice.None)
+        {
+            When = static (in LinkFacts l, HealthOptions _) => l.HasRejectedRecently,
+            Figure = static (in LinkFacts l) => l.SignaturesRejected,
+            Text = static f => $"link {f.Subject}: {f.Figure} frames rejected, not signed with our key or not in time",
+            Condition = static _ => "frames on a signed link were rejected: another key, or none, or not in time",
+            End = static o => $"{Seconds(o.RecentWindow)} without another",
+            Why = "a wrong key shows in nothing else than silence",
+        },
+    ];
+}
