@@ -43,6 +43,12 @@ public sealed partial class AutopilotManager
             case WindCov.MavlinkId:
                 mavlink.TryDecode(out WindCov windCov);
                 return Complete(frame, _tracker.Update(frame, windCov));
+            case EkfStatusReport.MavlinkId:
+                mavlink.TryDecode(out EkfStatusReport ekf);
+                return Complete(frame, _tracker.Update(frame, ekf));
+            case EstimatorStatus.MavlinkId:
+                mavlink.TryDecode(out EstimatorStatus estimator);
+                return Complete(frame, _tracker.Update(frame, estimator));
             case Event.MavlinkId:
                 mavlink.TryDecode(out Event happened);
                 return Take(frame, happened);

@@ -26,24 +26,22 @@ public sealed partial class AutopilotManager
         _navigation = Publish<NavigationStatus>(MessageNames.Navigation);
     }
 
-    // What the checklist needs beside the rest, by the make of the autopilot; not the wind of the other make, which
-    // would be refused, by ArduPilot with a text to the ground station.
+    // Messages of one make, which the other refuses, ArduPilot with a text to the ground station.
+    private static readonly int[] OfArdupilot = [EkfStatusReport.MavlinkId, Wind.MavlinkId];
+    private static readonly int[] OfPx4 = [EstimatorStatus.MavlinkId, WindCov.MavlinkId];
+
+    // The checklist needs home beside the rest.
     private IEnumerable<RequestedRate> RatesFor(MavAutopilot autopilot)
     {
-        int unknown = autopilot switch
+        int[] denied = autopilot switch
         {
-            MavAutopilot.Ardupilotmega => WindCov.MavlinkId,
-            MavAutopilot.Px4 => Wind.MavlinkId,
-            _ => -1,
+            MavAutopilot.Ardupilotmega => OfPx4,
+            MavAutopilot.Px4 => OfArdupilot,
+            _ => [],
         };
-        IEnumerable<RequestedRate> rates = _options.RequestedRates.Where(r => r.MessageId != unknown);
-        if (!_options.Setup.ReadsParameters)
-            return rates;
-        int estimator = autopilot == MavAutopilot.Ardupilotmega
-            ? EkfStatusReport.MavlinkId
-            : EstimatorStatus.MavlinkId;
-        return rates.Concat([new(estimator, 1), new(HomePosition.MavlinkId, 0.5)])
-            .GroupBy(r => r.MessageId).Select(g => g.First());
+        IEnumerable<RequestedRate> rates = _options.RequestedRates.Where(r => Array.IndexOf(denied, r.MessageId) < 0);
+        bool needsHome = _options.Setup.ReadsParameters && rates.All(r => r.MessageId != HomePosition.MavlinkId);
+        return needsHome ? rates.Append(new RequestedRate(HomePosition.MavlinkId, 0.5)) : rates;
     }
 
     private void MakeSetup(in VehicleState vehicle, MavlinkSender sender, MavlinkAddress target)

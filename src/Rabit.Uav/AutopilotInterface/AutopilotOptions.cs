@@ -59,7 +59,8 @@ public sealed class AutopilotOptions
     /// </summary>
     /// <value>
     /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees
-    /// is located by it, position at 10 Hz, the rest at 1 or 2 Hz.
+    /// is located by it, position at 10 Hz, targets at 4 Hz, the rest at 1 or 2 Hz. What ArduPilot or PX4 alone knows
+    /// is not asked of the other.
     /// </value>
     public IReadOnlyList<RequestedRate> RequestedRates { get; set; } =
     [
@@ -72,6 +73,8 @@ public sealed class AutopilotOptions
         new(ExtendedSysState.MavlinkId, 2),
         new(Wind.MavlinkId, 1),
         new(WindCov.MavlinkId, 1),
+        new(EkfStatusReport.MavlinkId, 1),
+        new(EstimatorStatus.MavlinkId, 1),
         new(PositionTargetLocalNed.MavlinkId, 4),
     ];
 

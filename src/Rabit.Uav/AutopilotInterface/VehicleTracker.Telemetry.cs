@@ -42,7 +42,17 @@ internal sealed partial class VehicleTracker
         => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
 
     public VehicleEvents Update(in LinkFrame frame, in ExtendedSysState message)
-        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message)) : events;
+        => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
+
+    public VehicleEvents Update(in LinkFrame frame, in EkfStatusReport message)
+        => Begin(frame, out VehicleEvents events)
+            ? Complete(frame, events | ApplyEstimator(Converted(message.Flags), frame.Time))
+            : events;
+
+    public VehicleEvents Update(in LinkFrame frame, in EstimatorStatus message)
+        => Begin(frame, out VehicleEvents events)
+            ? Complete(frame, events | ApplyEstimator(message.Flags, frame.Time))
+            : events;
 
     public VehicleEvents Update(in LinkFrame frame, in Wind message)
         => Begin(frame, out VehicleEvents events) ? Complete(frame, events | Apply(message, frame.Time)) : events;
@@ -115,10 +125,27 @@ internal sealed partial class VehicleTracker
         return VehicleEvents.Changed;
     }
 
-    private VehicleEvents Apply(in ExtendedSysState message)
+    private VehicleEvents Apply(in ExtendedSysState message, TimeSpan time)
     {
         _state.LandedState = message.LandedState;
+        _state.LandedStateTime = time;
         return VehicleEvents.Changed;
+    }
+
+    private VehicleEvents ApplyEstimator(EstimatorStatusFlags flags, TimeSpan time)
+    {
+        _state.EstimatorFlags = flags;
+        _state.EstimatorTime = time;
+        return VehicleEvents.Changed;
+    }
+
+    // Bits 0 to 9 mean the same in both (EKF_STATUS_FLAGS, ESTIMATOR_STATUS_FLAGS), those above do not.
+    private static EstimatorStatusFlags Converted(EkfStatusFlags flags)
+    {
+        if ((flags & EkfStatusFlags.Uninitialized) != 0)
+            return 0;
+        var same = (EstimatorStatusFlags)((int)flags & 0x3FF);
+        return (flags & EkfStatusFlags.GpsGlitching) != 0 ? same | EstimatorStatusFlags.GpsGlitch : same;
     }
 
     private VehicleEvents Apply(in Wind message, TimeSpan time)

@@ -49,6 +49,9 @@ public struct VehicleState
     /// <summary>Whether it flies, as far as the autopilot reports.</summary>
     public MavLandedState LandedState { get; set; }
 
+    /// <summary>When <see cref="LandedState"/> was last reported; null before the first.</summary>
+    public TimeSpan? LandedStateTime { get; set; }
+
     /// <summary>When position and velocity were true; null before the first.</summary>
     public TimeSpan? PositionTime { get; set; }
 
@@ -60,6 +63,23 @@ public struct VehicleState
 
     /// <summary>Velocity over ground, metres per second, north-east-down.</summary>
     public NedVector VelocityNed { get; set; }
+
+    /// <summary>When the autopilot's estimator last reported; null where it never did.</summary>
+    public TimeSpan? EstimatorTime { get; set; }
+
+    /// <summary>
+    /// Which parts of its estimate the autopilot's estimator counts on: flags of ESTIMATOR_STATUS (PX4). Those of
+    /// ArduPilot's EKF_STATUS_REPORT are converted: the same bits, GPS_GLITCHING is GpsGlitch, UNINITIALIZED is none.
+    /// </summary>
+    public EstimatorStatusFlags EstimatorFlags { get; set; }
+
+    /// <summary>
+    /// Whether the horizontal position is an estimate that the autopilot counts on: without satellites ArduPilot goes
+    /// on reporting where it lost its position. True where no estimator reports.
+    /// </summary>
+    public readonly bool HasValidHorizontalPosition => EstimatorTime is null
+        || (EstimatorFlags & (EstimatorStatusFlags.PosHorizAbs | EstimatorStatusFlags.ConstPosMode))
+            == EstimatorStatusFlags.PosHorizAbs;
 
     /// <summary>When attitude and rates were true; null before the first.</summary>
     public TimeSpan? AttitudeTime { get; set; }

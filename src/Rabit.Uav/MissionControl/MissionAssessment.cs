@@ -26,8 +26,11 @@ internal sealed class MissionAssessment
     public MissionResult Assess(MissionFlight flight, MissionPhase phase)
     {
         bool hasFlown = _maxHeightMetres > FlownHeightMetres;
-        bool hasLanded = hasFlown && !flight.Vehicle.IsArmed && !flight.HasFallen;
-        double distance = flight.Vehicle.PositionTime is null ? double.NaN : flight.DistanceFromHomeMetres;
+        MotorStop stop = flight.Touchdown.Stop;
+        bool hasLanded = hasFlown && stop == MotorStop.Landed;
+        bool isPlaceKnown = stop == MotorStop.None ? flight.Vehicle.PositionTime is not null
+            : flight.Touchdown.IsPlaceKnown;
+        double distance = isPlaceKnown ? flight.DistanceFromHomeMetres : double.NaN;
         bool isGivenUp = flight.Aborted is not null || phase == MissionPhase.Failed;
         MissionFailures failures = If(MissionFailures.GivenUp, hasFlown && isGivenUp)
             | If(MissionFailures.NotFlown, !hasFlown)

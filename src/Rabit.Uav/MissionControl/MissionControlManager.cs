@@ -108,6 +108,7 @@ public sealed class MissionControlManager : RabitManager
         {
             _flight.IsStopRequested = IsStopRequested;
             FetchInputs(_flight);
+            _flight.Touchdown.Update(_flight);
             _assessment.Update(_flight);
             _machine.Tick();
             PostImagingCommand(_flight, _machine);

@@ -7,9 +7,6 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>The failsafes: checked in every phase before the phase itself, the most severe first.</summary>
 internal sealed class MissionFailsafes
 {
-    /// <summary>Motors that stop below this height have landed.</summary>
-    public const double LandedHeightMetres = 5;
-
     private static readonly TimeSpan MaxTimeOnGround = TimeSpan.FromSeconds(3);
 
     // Health Monitoring advises to return after seconds; this holds also without its advice.
@@ -155,12 +152,9 @@ internal sealed class MissionFailsafes
     private MissionStep CheckMotors(MissionFlight flight, MissionPhase phase)
     {
         bool isLanding = phase is MissionPhase.Returning or MissionPhase.Landing;
-        if (!flight.Vehicle.IsArmed && (!isLanding || flight.HeightMetres > LandedHeightMetres))
-        {
-            return new MissionStep(
-                MissionEvent.Impossible,
-                $"the motors stopped at a height of {MissionNumbers.Of(flight.HeightMetres)} m");
-        }
+        bool hasLanded = isLanding && flight.Touchdown.Stop is MotorStop.Undecided or MotorStop.Landed;
+        if (!flight.Vehicle.IsArmed && !hasLanded)
+            return new MissionStep(MissionEvent.Impossible, flight.Touchdown.Text);
 
         bool isOnGround = flight.Vehicle.LandedState == MavLandedState.OnGround && !isLanding;
         _onGroundSince = isOnGround ? _onGroundSince ?? flight.Now : null;

@@ -88,8 +88,8 @@ internal sealed class MissionFlight(
     /// <summary>Whether the command was taken away, and the mission not resumed.</summary>
     public bool IsTakenOver { get; set; }
 
-    /// <summary>Whether the motors stopped in the air: the vehicle has not landed.</summary>
-    public bool HasFallen { get; set; }
+    /// <summary>Whether the vehicle has landed or fallen.</summary>
+    public TouchdownWatch Touchdown { get; } = new();
 
     /// <summary>Where the vehicle was last commanded to go.</summary>
     public PlanePoint GoalPosition { get; private set; }

@@ -167,10 +167,6 @@ internal sealed class MissionMachine
                 };
                 _flight.IsTakenOver &= step.What != MissionEvent.OperatorResume;
                 break;
-            case MissionEvent.Impossible:
-                _flight.HasFallen = !_flight.Vehicle.IsArmed
-                    && _flight.HeightMetres > MissionFailsafes.LandedHeightMetres;
-                break;
             case MissionEvent.TakenOver:
                 _flight.TakenOver = step.Reason;
                 _flight.IsTakenOver = true;

@@ -71,7 +71,8 @@ internal static class FaultMatrixCells
         (GpsLost, Ardu, "FFFFFLL",
             "FS_EKF_ACTION lands; LAND is also how a return ends, and without a position where it lands is not known"),
         (GpsLost, Px4, "FFFFFFF", "without a position it descends in AUTO.LAND, which is not how a return ends"),
-        (Estimator, Ardu, "FFFFFLA", "FS_EKF_ACTION lands; LAND is also how a return ends"),
+        (Estimator, Ardu, "FFFFFLL",
+            "FS_EKF_ACTION lands; LAND is also how a return ends, and without a valid position where it lands is not known"),
         (Fence, Ardu, "FFFFFAA", "FENCE_ACTION returns; our own return goes on"),
         (Fence, Px4, "FFFFRAA", "GF_ACTION: 5 s in AUTO.LOITER, then a return; in our hold the first is our mode"),
         (Reboot, null, "BBBBBBB", "after a reboot in flight it is no longer our flight"),
@@ -112,10 +113,6 @@ internal static class FaultMatrixCells
             [MissionPhase.TakingOff, MissionPhase.InTransit, MissionPhase.Searching, MissionPhase.Revisiting,
                 MissionPhase.Holding],
             "our set-points come twice as often and prevail: the mission is truly accomplished, and nothing is said"),
-        (GpsLost, Ardu, [MissionPhase.Landing],
-            "ArduPilot goes on reporting the place where it lost its position; the state of the estimator is not read"),
-        (Estimator, Ardu, [MissionPhase.Landing],
-            "ArduPilot goes on reporting the place where it lost its position; the state of the estimator is not read"),
     ];
 
     /// <summary>All of them.</summary>

@@ -65,6 +65,17 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void BatteryEmpty_InALane_IsACrashAndNoLanding()
+    {
+        using SearchFlight flight = Fly(Fault(ScriptedFaultKind.BatteryTo, 0));
+
+        Assert.True(flight.World.Truth.HasCrashed);
+        Assert.False(flight.Mission.Result.HasLanded);
+        Assert.Equal(MissionPhase.Failed, flight.Mission.Phase);
+        Assert.StartsWith("the vehicle fell", flight.Mission.Text, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void CameraFreeze_InALane_ReturnsToLaunch()
     {
         using SearchFlight flight = Fly(Fault(ScriptedFaultKind.CameraFreeze, 0, seconds: 1000));

@@ -27,6 +27,10 @@ internal static class TrackerFrames
             return tracker.Update(frame, extended);
         if (frame.Frame.TryDecode(out WindCov windCov))
             return tracker.Update(frame, windCov);
+        if (frame.Frame.TryDecode(out EkfStatusReport ekf))
+            return tracker.Update(frame, ekf);
+        if (frame.Frame.TryDecode(out EstimatorStatus estimator))
+            return tracker.Update(frame, estimator);
         return frame.Frame.TryDecode(out Wind wind) ? tracker.Update(frame, wind) : tracker.Update(frame);
     }
 }

@@ -169,7 +169,38 @@ public class VehicleTrackerTests(ITestOutputHelper output)
         Assert.Equal(
             (GpsFixType.RtkFixed, 17, TimeSpan.FromSeconds(2)), (state.GpsFix, state.Satellites, state.GpsTime));
         Assert.Equal((1_795_227_296_098_321, TimeSpan.FromSeconds(3)), (state.GpsUtcMicroseconds, state.UtcTime));
-        Assert.Equal(MavLandedState.InAir, state.LandedState);
+        Assert.Equal((MavLandedState.InAir, TimeSpan.FromSeconds(3)), (state.LandedState, state.LandedStateTime));
+    }
+
+    // The flags that ap-gps-ekf-failsafe and px4-gps-loss record.
+    [Theory]
+    [InlineData(0x033F, true)]
+    [InlineData(0x833F, true)]
+    [InlineData(0x0025, false)]
+    [InlineData(0x00A7, false)]
+    [InlineData(0x0400, false)]
+    public void Update_ArdupilotsEstimator_SaysWhetherThePositionIsValid(int flags, bool isValid)
+    {
+        VehicleTracker tracker = ConnectedTracker();
+        Assert.True(tracker.State.HasValidHorizontalPosition);
+        Update(tracker, new EkfStatusReport { Flags = (EkfStatusFlags)flags }, 4);
+
+        Assert.Equal(TimeSpan.FromSeconds(4), tracker.State.EstimatorTime);
+        Assert.Equal(isValid, tracker.State.HasValidHorizontalPosition);
+        Assert.Equal(
+            (flags & 0x8000) != 0, (tracker.State.EstimatorFlags & EstimatorStatusFlags.GpsGlitch) != 0);
+    }
+
+    [Theory]
+    [InlineData(0x033F, true)]
+    [InlineData(0x0025, false)]
+    public void Update_Px4sEstimator_SaysWhetherThePositionIsValid(int flags, bool isValid)
+    {
+        VehicleTracker tracker = ConnectedTracker();
+        Update(tracker, new EstimatorStatus { Flags = (EstimatorStatusFlags)flags }, 4);
+
+        Assert.Equal((EstimatorStatusFlags)flags, tracker.State.EstimatorFlags);
+        Assert.Equal(isValid, tracker.State.HasValidHorizontalPosition);
     }
 
     [Theory]

@@ -75,6 +75,8 @@ public class MissionResultTests
             (MissionOutcome.Failed, MissionFailures.NotLanded | MissionFailures.TakenOver),
             (rig.Status.Result.Outcome, rig.Status.Result.Failures));
 
+        rig.Vehicle.Height = 0;
+        rig.Run(1);
         rig.Vehicle.IsArmed = false;
         rig.Run(2);
         Assert.Equal(MissionFailures.AwayFromHome | MissionFailures.TakenOver, rig.Status.Result.Failures);
@@ -133,7 +135,9 @@ public class MissionResultTests
         rig.RunUntil(MissionPhase.Searching);
         rig.Vehicle.TakeOver("mode RTL", cause);
         rig.Run(2);
-        (rig.Vehicle.North, rig.Vehicle.East, rig.Vehicle.Height, rig.Vehicle.IsArmed) = (0, 0, 0, false);
+        (rig.Vehicle.North, rig.Vehicle.East, rig.Vehicle.Height) = (0, 0, 0);
+        rig.Run(1);
+        rig.Vehicle.IsArmed = false;
         rig.Run(2);
 
         Assert.Equal(

@@ -64,9 +64,15 @@ internal sealed class StandInVehicle : RabitManager
     /// <summary>Motors that stop in the air leave it hanging there: falling is not what is tested.</summary>
     public bool IsArmed { get; set; }
 
+    /// <summary>The motors give no thrust: it falls, and is disarmed 2 s after it met the ground.</summary>
+    public bool Falls { get; set; }
+
     public bool IsConnected { get; set; } = true;
 
     public bool HasPosition { get; set; } = true;
+
+    /// <summary>Whether the estimator counts on its horizontal position.</summary>
+    public bool HasValidPosition { get; set; } = true;
 
     public bool HasCamera { get; set; } = true;
 
@@ -183,6 +189,12 @@ internal sealed class StandInVehicle : RabitManager
             return;
         }
 
+        if (Falls)
+        {
+            Fall();
+            return;
+        }
+
         (double n, double e, double height, double speed) = Goal();
         double sinkOrClimb = CanClimb ? Math.Max(-1.5, Math.Min(2.5, height - Height)) : 0;
         Height = Math.Max(0, Height + (sinkOrClimb * Step));
@@ -199,9 +211,16 @@ internal sealed class StandInVehicle : RabitManager
         StopMotorsOnGround();
     }
 
+    private void Fall()
+    {
+        _vd = Height > 0 ? _vd + (9.81 * Step) : 0;
+        Height = Math.Max(0, Height - (_vd * Step));
+        StopMotorsOnGround();
+    }
+
     private void StopMotorsOnGround()
     {
-        bool isDown = Height < 0.05 && _task.Kind is VehicleCommandKind.Land or VehicleCommandKind.Return;
+        bool isDown = Height < 0.05 && (Falls || _task.Kind is VehicleCommandKind.Land or VehicleCommandKind.Return);
         _stillSince = isDown ? _stillSince ?? Now : null;
         if (DisarmsItself && Now - _stillSince > TimeSpan.FromSeconds(2))
             IsArmed = false;
@@ -336,15 +355,24 @@ internal sealed class StandInVehicle : RabitManager
         state.LandedState = !ReportsLandedState ? MavLandedState.Undefined
             : isDown ? MavLandedState.OnGround
             : _task.Kind == VehicleCommandKind.Land ? MavLandedState.Landing : MavLandedState.InAir;
+        if (ReportsLandedState)
+            state.LandedStateTime = Now;
+        state.EstimatorTime = Now;
+        state.EstimatorFlags = HasValidPosition ? EstimatorStatusFlags.PosHorizAbs : EstimatorStatusFlags.ConstPosMode;
         if (HasPosition)
-            state.PositionTime = Now;
-        GeodeticPosition at = _frame.ToGeodetic(new NedPosition(North, East, -Height));
-        state.Position = at;
-        state.HeightAboveHomeMetres = Height;
-        state.VelocityNed = new NedVector(_vn, _ve, _vd);
+            DescribePosition(ref state);
         state.GpsTime = Now;
         state.GpsFix = Fix;
         state.BatteryTime = Now;
         state.BatteryRemaining = Battery;
+    }
+
+    // What is not reported any more stays as it was.
+    private void DescribePosition(ref VehicleState state)
+    {
+        state.PositionTime = Now;
+        state.Position = _frame.ToGeodetic(new NedPosition(North, East, -Height));
+        state.HeightAboveHomeMetres = Height;
+        state.VelocityNed = new NedVector(_vn, _ve, _vd);
     }
 }

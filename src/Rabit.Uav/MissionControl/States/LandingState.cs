@@ -31,9 +31,10 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
     {
         flight.Text = $"landing: height {MissionNumbers.Of(flight.HeightMetres)} m"
             + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
+        if (flight.Touchdown.Stop == MotorStop.Landed)
+            return new MissionStep(MissionEvent.Landed, LandedText(flight));
         if (!flight.Vehicle.IsArmed)
-            return new MissionStep(
-                MissionEvent.Landed, $"landed {MissionNumbers.Metres(flight.DistanceFromHomeMetres)} from home");
+            return MissionStep.Stay;
         if (inPhase > _limit)
             return Impossible($"not landed within {MissionNumbers.Seconds(_limit)}");
         if (flight.Vehicle.LandedState != MavLandedState.OnGround)
@@ -49,4 +50,8 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
             flight.SetGoal(VehicleCommandKind.Disarm, "disarm", RetryAfter);
         return MissionStep.Stay;
     }
+
+    private static string LandedText(MissionFlight flight) => flight.Touchdown.IsPlaceKnown
+        ? $"landed {MissionNumbers.Metres(flight.DistanceFromHomeMetres)} from home"
+        : "landed at an unknown place";
 }
