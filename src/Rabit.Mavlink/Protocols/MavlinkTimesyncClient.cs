@@ -59,7 +59,7 @@ public sealed class MavlinkTimesyncClient
             AnswerOurs(frame, message, now);
         else if (_target.IsSourceOf(frame) && Requests.IsAnswer(message, out TimeSpan askedAt)
             && Filter.AddRoundTrip(askedAt, now, message.Tc1 * SecondsPerNanosecond))
-            Requests.Start(now);
+            Requests.Hasten(now);
     }
 
     /// <summary>Takes the next frame to send. Call it until there is none.</summary>

@@ -29,15 +29,26 @@ public sealed class MavlinkTimesyncFilter
     // After that long without an answer the line is not extrapolated any further.
     private static readonly TimeSpan ValidFor = TimeSpan.FromSeconds(60);
 
-    // Slower than this and a link is not fit for it.
-    private const double MaxRoundTripSeconds = 1;
+    // A slower link is not fit for it. Half of it is what the offset may be off by then, which is to be stated.
+    private const double MaxRoundTripSeconds = 5;
+
+    // A message that is later than that is not of this clock.
+    private const double MaxLateSeconds = 1;
     private const double MaxExcessSeconds = 0.05;
     private const double MinErrorSeconds = 0.2e-3;
     private const double TypicalDrift = 30e-6;
 
-    // No delay can make the error of an answer, or of the line, larger than half a round trip; beyond this margin the
-    // clock has jumped.
-    private const double JumpSeconds = 5e-3;
+    // No delay can make the error of an answer, or of the line, larger than half a round trip, or than half of what it
+    // took longer than the shortest one once that is known. What is further off by this margin contradicts the line.
+    private const double EarlyMarginSeconds = 5e-3;
+    private const double MarginSeconds = 1e-3;
+    private const double MarginSigmas = 4;
+
+    // From so many answers on the shortest round trip is known well enough for that.
+    private const int MinAnswersOfShortest = 60;
+
+    // So many answers that agree with both the line and a contradicting one decide nothing; then that one is forgotten.
+    private const int SuspectFor = 30;
 
     // Which messages were fast depends on the drift, and the drift on them.
     private const int Passes = 3;
@@ -55,11 +66,22 @@ public sealed class MavlinkTimesyncFilter
     private double _offsetVariance;
     private double _driftVariance;
     private double _covariance;
+    private double _best;
+    private Answer _suspect;
+    private int _suspectLeft;
 
-    /// <summary>Answers that were rejected because of their round-trip time.</summary>
+    /// <summary>
+    /// Answers that were rejected because of their round-trip time, or because their time is not a number.
+    /// </summary>
     public long Rejected { get; private set; }
 
-    /// <summary>How often the autopilot's clock jumped.</summary>
+    /// <summary>
+    /// Answers that contradict the others and were put aside: a wrong one, or the first after the autopilot's clock
+    /// jumped.
+    /// </summary>
+    public long Contradictions { get; private set; }
+
+    /// <summary>How often the autopilot's clock jumped: two answers contradict the others and agree.</summary>
     public long Jumps { get; private set; }
 
     /// <summary>The shortest round trip of those that are kept, seconds; NaN while there are none.</summary>
@@ -79,6 +101,7 @@ public sealed class MavlinkTimesyncFilter
         _count = 0;
         _next = 0;
         _drift = 0;
+        _suspectLeft = 0;
         _arrivals.Clear();
         ShortestRoundTripSeconds = double.NaN;
     }
@@ -87,34 +110,40 @@ public sealed class MavlinkTimesyncFilter
     /// <param name="askedAt">When the request was sent, by our clock.</param>
     /// <param name="receivedAt">When the answer was received, by our clock.</param>
     /// <param name="theirSeconds">The autopilot's clock in between, seconds.</param>
-    /// <returns>True where it shows that the autopilot's clock has jumped: all earlier answers are discarded.</returns>
+    /// <returns>
+    /// True where it contradicts the earlier answers, so that the next one should be asked for soon: one such answer is
+    /// put aside; with a second one that agrees with it the clock has jumped, and all earlier ones are discarded.
+    /// </returns>
     public bool AddRoundTrip(TimeSpan askedAt, TimeSpan receivedAt, double theirSeconds)
     {
         double roundTrip = (receivedAt - askedAt).TotalSeconds;
-        if (!(roundTrip >= 0 && roundTrip <= MaxRoundTripSeconds))
-        {
-            Rejected++;
-            return false;
-        }
-
         double middle = (askedAt.TotalSeconds + receivedAt.TotalSeconds) / 2;
-        double offset = theirSeconds - middle;
-        bool hasJumped = _count > 0
-            && Math.Abs(offset - OffsetSecondsAt(middle)) > ((roundTrip + ShortestRoundTripSeconds) / 2) + JumpSeconds;
-        if (hasJumped)
-        {
-            Jumps++;
-            Clear();
-        }
-        else if (_count >= MinAnswers && roundTrip > ShortestRoundTripSeconds + MaxExcessSeconds)
+        var answer = new Answer(middle, theirSeconds - middle, roundTrip);
+        if (!(roundTrip >= 0 && roundTrip <= MaxRoundTripSeconds) || double.IsNaN(answer.Offset)
+            || double.IsInfinity(answer.Offset))
         {
             Rejected++;
             return false;
         }
 
-        Add(middle, offset, roundTrip);
+        if (_count > 0 && Contradicts(answer))
+        {
+            TakeContradiction(answer);
+            return true;
+        }
+
+        if (_count >= MinAnswers && roundTrip > ShortestRoundTripSeconds + MaxExcessSeconds)
+        {
+            Rejected++;
+            return false;
+        }
+
+        // An answer that agrees with the line, and cannot agree with the one that was put aside, decides against that.
+        if (_suspectLeft > 0)
+            _suspectLeft = AgreesWithSuspect(answer) ? _suspectLeft - 1 : 0;
+        Add(answer);
         Fit();
-        return hasJumped;
+        return false;
     }
 
     /// <summary>
@@ -131,7 +160,7 @@ public sealed class MavlinkTimesyncFilter
         double ours = arrival.TotalSeconds;
         double offset = theirSeconds - ours;
         double late = OffsetSecondsAt(ours) - offset;
-        if (late >= -MaxRoundTripSeconds && late <= MaxRoundTripSeconds)
+        if (late >= -MaxLateSeconds && late <= MaxLateSeconds)
             _arrivals.Add(ours - _origin, offset);
     }
 
@@ -158,14 +187,50 @@ public sealed class MavlinkTimesyncFilter
         return Math.Sqrt(Math.Max(0, _offsetVariance + (2 * x * _covariance) + (x * x * _driftVariance)));
     }
 
-    private void Add(double middle, double offset, double roundTrip)
+    private void TakeContradiction(in Answer answer)
+    {
+        if (_suspectLeft == 0 || !AgreesWithSuspect(answer))
+        {
+            Contradictions++;
+            (_suspect, _suspectLeft) = (answer, SuspectFor);
+            return;
+        }
+
+        Answer first = _suspect;
+        Jumps++;
+        Clear();
+        Add(first);
+        Add(answer);
+        Fit();
+    }
+
+    private bool Contradicts(in Answer answer) => Math.Abs(Residual(answer)) > Reach(answer);
+
+    private bool AgreesWithSuspect(in Answer answer)
+        => Math.Abs(Residual(answer) - Residual(_suspect)) <= Reach(answer) + Reach(_suspect);
+
+    private double Residual(in Answer answer) => answer.Offset - OffsetSecondsAt(answer.Time);
+
+    // How far an answer can be from the line by its delays and the error of the line.
+    private double Reach(in Answer answer)
+    {
+        double early = ((answer.RoundTrip + ShortestRoundTripSeconds) / 2) + EarlyMarginSeconds;
+        return _count < MinAnswersOfShortest
+            ? early
+            : Math.Min(
+                early,
+                (Math.Abs(answer.RoundTrip - _best) / 2) + MarginSeconds
+                    + (MarginSigmas * OffsetErrorSecondsAt(answer.Time)));
+    }
+
+    private void Add(in Answer answer)
     {
         if (_count == 0)
-            _origin = middle;
-        _time[_next] = middle - _origin;
-        _offset[_next] = offset;
-        _roundTrip[_next] = roundTrip;
-        _newest = middle - _origin;
+            _origin = answer.Time;
+        _time[_next] = answer.Time - _origin;
+        _offset[_next] = answer.Offset;
+        _roundTrip[_next] = answer.RoundTrip;
+        _newest = answer.Time - _origin;
         _next = (_next + 1) % Capacity;
         if (_count < Capacity)
             _count++;
@@ -182,9 +247,9 @@ public sealed class MavlinkTimesyncFilter
         }
 
         ShortestRoundTripSeconds = shortest;
-        double best = shortest - ((mean - shortest) * Math.Sqrt(2.0 / _count));
+        _best = shortest - ((mean - shortest) * Math.Sqrt(2.0 / _count));
         for (int pass = 0; pass < Passes; pass++)
-            FitLine(best);
+            FitLine(_best);
     }
 
     // Weighted min squares about the newest answer, with an observation of no drift that is as sure as crystals are
@@ -220,5 +285,15 @@ public sealed class MavlinkTimesyncFilter
         _offsetVariance = caution * wxx / determinant;
         _driftVariance = caution * w / determinant;
         _covariance = -caution * wx / determinant;
+    }
+
+    /// <summary>One answer: the middle of its round trip by our clock, seconds, and what it says.</summary>
+    private readonly struct Answer(double time, double offset, double roundTrip)
+    {
+        public double Time { get; } = time;
+
+        public double Offset { get; } = offset;
+
+        public double RoundTrip { get; } = roundTrip;
     }
 }

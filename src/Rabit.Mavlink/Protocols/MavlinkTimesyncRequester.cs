@@ -18,7 +18,9 @@ public sealed class MavlinkTimesyncRequester
 
     private static readonly TimeSpan FastFor = TimeSpan.FromSeconds(2);
     private const int NanosecondsPerTick = 100;
-    private const int Remembered = 8;
+
+    // At the fast rate more than the longest round trip that is of any use.
+    private const int Remembered = 32;
 
     private readonly long[] _open = new long[Remembered];
     private int _next;
@@ -37,6 +39,19 @@ public sealed class MavlinkTimesyncRequester
     /// When to call <see cref="TryNext"/> again; <see cref="TimeSpan.MaxValue"/> while it is stopped.
     /// </summary>
     public TimeSpan NextDue => IsStarted ? _due : TimeSpan.MaxValue;
+
+    /// <summary>
+    /// Requests at the fast rate again, from now on; open requests stay open. Does nothing while it is stopped.
+    /// </summary>
+    /// <param name="now">The time.</param>
+    public void Hasten(TimeSpan now)
+    {
+        if (!IsStarted)
+            return;
+        _startedAt = now;
+        if (_due > now + FastPeriod)
+            _due = now + FastPeriod;
+    }
 
     /// <summary>Starts, or starts over: open requests are discarded.</summary>
     /// <param name="now">The time, by a clock that never goes back.</param>

@@ -80,6 +80,111 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
         Assert.Equal(Drift, link.Filter.Drift, 4 * link.Filter.DriftError);
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(-0.05)]
+    [InlineData(1e9)]
+    public void AddRoundTrip_OneWrongAnswer_IsPutAsideAndDiscardsNothing(double wrongBy)
+    {
+        for (ulong seed = 1; seed <= 10; seed++)
+        {
+            (TwoClocks link, TwoClocks right) = (new TwoClocks(seed) { Drift = Drift }, new TwoClocks(seed) { Drift = Drift });
+            link.Run(240);
+            right.Run(240);
+            link.NextAnswerWrongBy = wrongBy;
+            for (int i = 0; i < 5; i++)
+            {
+                link.Run(1);
+                right.Run(1);
+                Assert.True(link.Filter.IsKnown(TimeSpan.FromSeconds(link.Seconds)));
+                Assert.Equal(right.OffsetError(), link.OffsetError(), 0.2e-3);
+            }
+
+            Assert.Equal((1, 0), (link.Filter.Contradictions, link.Filter.Jumps));
+        }
+    }
+
+    // Two wrong answers that do not agree with each other are two wrong answers.
+    [Fact]
+    public void AddRoundTrip_TwoWrongAnswersThatDisagree_DiscardNothing()
+    {
+        var link = new TwoClocks(3) { Drift = Drift };
+        link.Run(120);
+        foreach (double wrongBy in new[] { 1.0, -1.0, 2.0 })
+        {
+            link.NextAnswerWrongBy = wrongBy;
+            link.Run(1);
+        }
+
+        Assert.Equal((3, 0), (link.Filter.Contradictions, link.Filter.Jumps));
+        Assert.True(Math.Abs(link.OffsetError()) < 0.7e-3, $"{link.OffsetError()}");
+    }
+
+    [Fact]
+    public void AddRoundTrip_NotANumber_IsRejectedAndCounted()
+    {
+        var link = new TwoClocks(3) { Drift = Drift };
+        link.Run(30);
+        double before = link.Filter.OffsetSecondsAt(link.Seconds);
+        foreach (double theirs in new[] { double.NaN, double.PositiveInfinity, double.NegativeInfinity })
+        {
+            Assert.False(link.Filter.AddRoundTrip(
+                TimeSpan.FromSeconds(link.Seconds), TimeSpan.FromSeconds(link.Seconds + 0.01), theirs));
+        }
+
+        Assert.Equal(3, link.Filter.Rejected);
+        Assert.Equal(before, link.Filter.OffsetSecondsAt(link.Seconds));
+    }
+
+    // The delays of these answers scatter by 4 ms, so that only the quick ones show such a step: two of those are
+    // waited for.
+    [Theory]
+    [InlineData(3e-3, 30)]
+    [InlineData(-3e-3, 30)]
+    [InlineData(6e-3, 12)]
+    [InlineData(-6e-3, 12)]
+    [InlineData(12e-3, 6)]
+    public void AddRoundTrip_SmallStep_IsNotTakenForDriftForLong(double step, int mean)
+    {
+        (double sum, int worst) = (0, 0);
+        const int Seeds = 40;
+        for (ulong seed = 1; seed <= Seeds; seed++)
+        {
+            var link = new TwoClocks(seed) { Drift = Drift };
+            link.Run(240);
+            link.Step = step;
+            int wrongUntil = 0;
+            for (int i = 1; i <= 90; i++)
+            {
+                link.Run(1);
+                if (Math.Abs(link.OffsetError()) > 1e-3)
+                    wrongUntil = i;
+            }
+
+            (sum, worst) = (sum + wrongUntil, Math.Max(worst, wrongUntil));
+        }
+
+        output.WriteLine(FormattableString.Invariant(
+            $"seeds 1 to {Seeds}, {step * 1e3} ms: within 1 ms after {sum / Seeds:0.0} s, {worst} s at worst"));
+        Assert.True(sum / Seeds < mean, $"{sum / Seeds}");
+    }
+
+    [Fact]
+    public void AddRoundTrip_ScatteredDelays_AreNoContradictions()
+    {
+        long contradictions = 0;
+        for (ulong seed = 1; seed <= 40; seed++)
+        {
+            var link = new TwoClocks(seed) { Drift = Drift };
+            link.Run(600);
+            contradictions += link.Filter.Contradictions;
+            Assert.Equal(0, link.Filter.Jumps);
+        }
+
+        output.WriteLine($"{contradictions} contradictions");
+        Assert.True(contradictions < 24, $"{contradictions} of 24000 answers");
+    }
+
     // Other messages asked for, another radio rate: all messages come later or sooner from then on.
     [Theory]
     [InlineData(1)]

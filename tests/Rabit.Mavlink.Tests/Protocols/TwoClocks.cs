@@ -25,13 +25,17 @@ internal sealed class TwoClocks(ulong seed)
 
     public double Seconds { get; private set; } = 400;
 
+    /// <summary>How wrong the time of the next answer is, seconds.</summary>
+    public double NextAnswerWrongBy { get; set; }
+
     public void Run(int seconds)
     {
         for (int i = 0; i < seconds; i++, Seconds++)
         {
             double there = Seconds + 2e-3 + Tail(2, 1.85e-3);
             double back = there + 2e-3 + Tail(2, 1.85e-3);
-            Filter.AddRoundTrip(TimeSpan.FromSeconds(Seconds), TimeSpan.FromSeconds(back), Theirs(there));
+            Filter.AddRoundTrip(TimeSpan.FromSeconds(Seconds), TimeSpan.FromSeconds(back), Theirs(there) + NextAnswerWrongBy);
+            NextAnswerWrongBy = 0;
             for (int k = 0; k < MessagesPerSecond; k++)
             {
                 // After the answer: what comes in is taken in its order.

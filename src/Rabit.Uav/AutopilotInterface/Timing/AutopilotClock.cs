@@ -42,7 +42,7 @@ internal sealed class AutopilotClock
         if (!Requests.IsAnswer(message, out TimeSpan askedAt))
             return;
         if (_timesync.AddRoundTrip(askedAt, arrival, message.Tc1 * SecondsPerNanosecond))
-            Requests.Start(arrival);
+            Requests.Hasten(arrival);
     }
 
     /// <summary>When something was true, by our clock.</summary>
