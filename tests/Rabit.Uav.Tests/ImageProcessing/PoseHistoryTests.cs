@@ -152,7 +152,42 @@ public sealed class PoseHistoryTests
         AddBoth(1.4);
 
         Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.3), out _));
-        Assert.Equal(PoseLookup.TooOld, _history.Find(Seconds(1.1), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.1), out _));
+        Assert.Equal((2, 0), (_history.Refused, _history.Restarts));
+    }
+
+    [Theory]
+    [InlineData(98)]
+    [InlineData(-3600)]
+    [InlineData(3700)]
+    public void Add_OneSampleOfAnotherTime_IsRefusedAndForgetsNothing(double time)
+    {
+        AddBoth(100);
+        AddBoth(100.2);
+        AddBoth(time - 0.01);
+        AddBoth(100.4);
+        AddBoth(time - 0.01);
+        AddBoth(time - 0.01);
+        AddBoth(100.6);
+
+        Assert.Equal((6, 0), (_history.Refused, _history.Restarts));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(100.1), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(100.5), out _));
+    }
+
+    // As after a pause of the link: the second one counts, and the first with it.
+    [Fact]
+    public void Add_TwoSamplesFarAheadThatAgree_BothCountAndNothingIsForgotten()
+    {
+        AddBoth(1);
+        AddBoth(1.2);
+        AddBoth(20);
+        AddBoth(20.2);
+
+        Assert.Equal((0, 0), (_history.Refused, _history.Restarts));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(1.1), out _));
+        Assert.Equal(PoseLookup.Known, _history.Find(Seconds(20), out _));
+        Assert.Equal(PoseLookup.Gap, _history.Find(Seconds(10), out _));
     }
 
     [Fact]

@@ -15,15 +15,17 @@ internal sealed class PoseHistory(TimeSpan maxGap)
     private const int AttitudesKept = 512;
     private const int PositionsKept = 256;
 
-    // Samples may come a little out of order; one that is older than this is of a clock that was set again.
-    private static readonly TimeSpan MaxStepBack = TimeSpan.FromSeconds(2);
+    // Samples may come a little out of order, and a link may pause. Two that are further than this from the newest one
+    // are of a clock that was set again, or came after a pause; one is nothing.
+    private static readonly TimeSpan MaxStep = TimeSpan.FromSeconds(2);
 
-    private readonly TimedRing<PositionSample> _positions = new(PositionsKept, MaxStepBack);
-    private readonly TimedRing<AttitudeSample> _attitudes = new(AttitudesKept, MaxStepBack);
+    private readonly TimedRing<PositionSample> _positions = new(PositionsKept, MaxStep);
+    private readonly TimedRing<AttitudeSample> _attitudes = new(AttitudesKept, MaxStep);
     private long _invalid;
 
     /// <summary>
-    /// Samples that were not used: not a number, out of range, of a moment that was there already, or too old.
+    /// Samples that were not used: not a number, out of range, of a moment that was there already, too old, or with a
+    /// time that no other one agrees with.
     /// </summary>
     public long Refused => _invalid + _positions.Refused + _attitudes.Refused;
 

@@ -2,17 +2,30 @@ using System;
 
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
-/// <summary>The newest samples in the order of their times, in fixed memory. For one thread.</summary>
-internal sealed class TimedRing<T>(int capacity, TimeSpan longestStepBack)
+/// <summary>
+/// The newest samples in the order of their times, in fixed memory. A sample whose time is far from the newest one is
+/// refused, be it before or after; when the next one agrees with it, a clock was set anew, and both count. For one
+/// thread.
+/// </summary>
+/// <param name="capacity">How many samples are kept.</param>
+/// <param name="longestStep">
+/// How far the time of a sample may be from the newest one, either way: further than samples come out of order.
+/// </param>
+internal sealed class TimedRing<T>(int capacity, TimeSpan longestStep)
 {
     private readonly TimeSpan[] _times = new TimeSpan[capacity];
     private readonly T[] _values = new T[capacity];
     private int _first;
     private int _count;
+    private bool _hasSuspect;
+    private TimeSpan _suspectTime;
+    private T _suspect = default!;
 
     public int Count => _count;
 
-    /// <summary>Samples of a moment that is in it already, or too old for the room there is.</summary>
+    /// <summary>
+    /// Samples of a moment that is in it already, too old for the room there is, or far from all others in time.
+    /// </summary>
     public long Refused { get; private set; }
 
     /// <summary>How often time jumped back, so that all before was forgotten.</summary>
@@ -21,38 +34,33 @@ internal sealed class TimedRing<T>(int capacity, TimeSpan longestStepBack)
     /// <summary>Puts a sample where it belongs; late ones too.</summary>
     public void Add(TimeSpan time, in T value)
     {
-        // A clock was set again: the times before and after cannot be compared.
-        if (_count > 0 && time < TimeAt(_count - 1) - longestStepBack)
+        if (_count == 0 || (time - TimeAt(_count - 1)).Duration() <= longestStep)
+        {
+            _hasSuspect = false;
+            Insert(time, value);
+            return;
+        }
+
+        // One sample is not a clock: a datagram that the network repeated, or a wrong time. Nor is the same one twice.
+        if (!_hasSuspect || time <= _suspectTime || time - _suspectTime > longestStep)
+        {
+            Refused++;
+            (_hasSuspect, _suspectTime, _suspect) = (true, time, value);
+            return;
+        }
+
+        // Ahead, nothing is wrong with what was before: there was a pause. Times before and after a clock was set back
+        // cannot be compared.
+        _hasSuspect = false;
+        Refused--;
+        if (time < TimeAt(_count - 1))
         {
             Restarts++;
             _count = 0;
         }
 
-        int place = _count;
-        while (place > 0 && TimeAt(place - 1) > time)
-            place--;
-        if ((place > 0 && TimeAt(place - 1) == time) || (place == 0 && _count == capacity))
-        {
-            Refused++;
-            return;
-        }
-
-        if (_count == capacity)
-        {
-            _first = Slot(1);
-            _count--;
-            place--;
-        }
-
-        for (int i = _count; i > place; i--)
-        {
-            _times[Slot(i)] = _times[Slot(i - 1)];
-            _values[Slot(i)] = _values[Slot(i - 1)];
-        }
-
-        _times[Slot(place)] = time;
-        _values[Slot(place)] = value;
-        _count++;
+        Insert(_suspectTime, _suspect);
+        Insert(time, value);
     }
 
     /// <summary>Finds the samples around a moment; both the same where one is of that very moment.</summary>
@@ -80,6 +88,35 @@ internal sealed class TimedRing<T>(int capacity, TimeSpan longestStepBack)
     {
         (time, value) = _count > 0 ? (TimeAt(_count - 1), _values[Slot(_count - 1)]) : default;
         return _count > 0;
+    }
+
+    private void Insert(TimeSpan time, in T value)
+    {
+        int place = _count;
+        while (place > 0 && TimeAt(place - 1) > time)
+            place--;
+        if ((place > 0 && TimeAt(place - 1) == time) || (place == 0 && _count == capacity))
+        {
+            Refused++;
+            return;
+        }
+
+        if (_count == capacity)
+        {
+            _first = Slot(1);
+            _count--;
+            place--;
+        }
+
+        for (int i = _count; i > place; i--)
+        {
+            _times[Slot(i)] = _times[Slot(i - 1)];
+            _values[Slot(i)] = _values[Slot(i - 1)];
+        }
+
+        _times[Slot(place)] = time;
+        _values[Slot(place)] = value;
+        _count++;
     }
 
     private TimeSpan TimeAt(int index) => _times[Slot(index)];
