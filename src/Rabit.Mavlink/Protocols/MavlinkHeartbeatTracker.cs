@@ -24,7 +24,8 @@ namespace Rabit.Mavlink;
 /// <remarks>
 /// The time since boot is that of SYSTEM_TIME, ATTITUDE, ATTITUDE_QUATERNION, LOCAL_POSITION_NED and
 /// GLOBAL_POSITION_INT. It may fall back by <see cref="ReorderTolerance"/>, since frames overtake each other, and wraps
-/// to zero after 49.7 days; neither is a reboot. So a reboot within the first seconds after another is not detected.
+/// to zero after 49.7 days; neither is a reboot, nor is one message that does not continue the others, before or ahead:
+/// it takes a second one that continues it. So a reboot within the first seconds after another is not detected.
 /// </remarks>
 public sealed class MavlinkHeartbeatTracker
 {
@@ -210,7 +211,7 @@ public sealed class MavlinkHeartbeatTracker
         if (!entry.BootTime.HasRebooted(milliseconds, ReorderToleranceMs))
             return;
         CountReboot(ref entry);
-        entry.ClockNanoseconds = 0;
+        entry.Clock = default;
     }
 
     // The clock of a TIMESYNC answer starts with the boot, on autopilots; messages with a boot time may be far between.
@@ -220,10 +221,7 @@ public sealed class MavlinkHeartbeatTracker
         if (index < 0)
             return;
         ref Entry entry = ref _entries[index];
-        bool hasRestarted = nanoseconds < entry.ClockNanoseconds - (ReorderToleranceMs * NanosecondsPerMillisecond);
-        if (nanoseconds > entry.ClockNanoseconds || hasRestarted)
-            entry.ClockNanoseconds = nanoseconds;
-        if (!hasRestarted)
+        if (!entry.Clock.HasRebooted(nanoseconds / NanosecondsPerMillisecond, ReorderToleranceMs))
             return;
         CountReboot(ref entry);
         entry.BootTime = default;
@@ -251,7 +249,7 @@ public sealed class MavlinkHeartbeatTracker
     {
         public MavlinkComponent Value;
         public BootTime BootTime;
-        public long ClockNanoseconds;
+        public BootTime Clock;
         public int Open;
     }
 }

@@ -58,13 +58,16 @@ public class MavlinkHeartbeatTrackerTests
 
     [Theory]
     [InlineData(0, new uint[] { 1000, 2000, 3000 })]
-    [InlineData(1, new uint[] { 100_000, 200 })]
+    [InlineData(1, new uint[] { 100_000, 200, 240 })]
     [InlineData(1, new uint[] { 100_000, 200, 1200, 2200 })]
-    [InlineData(2, new uint[] { 100_000, 200, 50_000, 100 })]
+    [InlineData(2, new uint[] { 100_000, 200, 240, 50_000, 50_040, 100, 140 })]
+    [InlineData(0, new uint[] { 100_000, 200, 100_040, 200, 200, 100_080 })]   // one wrong, or repeated by the network
+    [InlineData(0, new uint[] { 100_000, 3_700_000, 100_040, 100_080, 100_120 })]   // one of the future
+    [InlineData(0, new uint[] { 100_000, 3_700_000, 3_700_040 })]           // a pause
     [InlineData(0, new uint[] { 10_000, 7_500, 10_200, 7_600 })]           // messages that overtook each other
     [InlineData(0, new uint[] { uint.MaxValue - 500, 400, 1400 })]          // 49.7 days
     [InlineData(0, new uint[] { uint.MaxValue - 500, 400, uint.MaxValue - 100, 1400 })]
-    [InlineData(1, new uint[] { 3_000_000_000, 5_000 })]
+    [InlineData(1, new uint[] { 3_000_000_000, 5_000, 5_040 })]
     [InlineData(0, new uint[] { 0, 0, 0 })]
     public void BootTimes_InTurn_CountTheBoots(int boots, uint[] times)
     {
@@ -86,10 +89,16 @@ public class MavlinkHeartbeatTrackerTests
         Receive(2.1, new Timesync { Ts1 = 5 });   // a question says nothing
         Receive(2.2, new Timesync { Ts1 = 1, Tc1 = 60_500_000_000 });   // overtaken
         Assert.Equal(0, _tracker[0].Reboots);
-        Receive(4, new Timesync { Ts1 = 3, Tc1 = 900_000_000 });
-        Assert.Equal(1, _tracker[0].Reboots);
+        Receive(3, new Timesync { Ts1 = 3, Tc1 = 3_600_000_000_000 });   // a wrong answer
+        Receive(3.1, new Timesync { Ts1 = 4, Tc1 = 62_100_000_000 });
+        Receive(3.2, new Timesync { Ts1 = 5, Tc1 = 62_200_000_000 });
+        Assert.Equal(0, _tracker[0].Reboots);
+        Receive(4, new Timesync { Ts1 = 6, Tc1 = 900_000_000 });
+        Assert.Equal(0, _tracker[0].Reboots);
         Receive(4.5, new SystemTime { TimeBootMs = 1_400 });
-        Receive(5, new Timesync { Ts1 = 4, Tc1 = 1_900_000_000 });
+        Receive(5, new Timesync { Ts1 = 7, Tc1 = 1_900_000_000 });
+        Assert.Equal(1, _tracker[0].Reboots);
+        Receive(5.5, new SystemTime { TimeBootMs = 2_400 });
         Assert.Equal(1, _tracker[0].Reboots);
     }
 

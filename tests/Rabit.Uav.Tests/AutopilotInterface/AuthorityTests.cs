@@ -202,6 +202,7 @@ public class AuthorityTests
         copter.Run(2);
         long id = copter.Give(VehicleCommandKind.GoTo);
         copter.Say(new SystemTime { TimeBootMs = 1_000 });
+        copter.Say(new SystemTime { TimeBootMs = 1_040 });
         copter.Latency = 5;   // nothing more is received before we decide
         copter.Run(0.1);
         Assert.Equal(expected, copter.Authority);
@@ -221,6 +222,7 @@ public class AuthorityTests
         copter.Run(2);
         Assert.Equal(TakeoverCause.Mode, copter.Rig.Authority.Cause);
         copter.Say(new SystemTime { TimeBootMs = 1_000 });
+        copter.Say(new SystemTime { TimeBootMs = 1_040 });
         copter.Run(0.1);
         Assert.Equal(TakeoverCause.Reboot, copter.Rig.Authority.Cause);
         Assert.Equal("a reboot of the autopilot", copter.Rig.Authority.TakenBy);

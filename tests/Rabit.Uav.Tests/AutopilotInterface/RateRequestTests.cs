@@ -116,6 +116,7 @@ public class RateRequestTests
         rig.Beat(1);
         rig.Sink.Frames.Clear();
         rig.Send(new SystemTime { TimeBootMs = 2_000 });
+        rig.Send(new SystemTime { TimeBootMs = 2_100 });
         rig.Run();
 
         Assert.Equal(30, Assert.Single(Asked(rig)));
