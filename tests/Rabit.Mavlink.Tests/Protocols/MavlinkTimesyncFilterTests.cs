@@ -88,7 +88,8 @@ public sealed class MavlinkTimesyncFilterTests(ITestOutputHelper output)
     {
         for (ulong seed = 1; seed <= 10; seed++)
         {
-            (TwoClocks link, TwoClocks right) = (new TwoClocks(seed) { Drift = Drift }, new TwoClocks(seed) { Drift = Drift });
+            var link = new TwoClocks(seed) { Drift = Drift };
+            var right = new TwoClocks(seed) { Drift = Drift };
             link.Run(240);
             right.Run(240);
             link.NextAnswerWrongBy = wrongBy;

@@ -34,7 +34,8 @@ internal sealed class TwoClocks(ulong seed)
         {
             double there = Seconds + 2e-3 + Tail(2, 1.85e-3);
             double back = there + 2e-3 + Tail(2, 1.85e-3);
-            Filter.AddRoundTrip(TimeSpan.FromSeconds(Seconds), TimeSpan.FromSeconds(back), Theirs(there) + NextAnswerWrongBy);
+            double theirs = Theirs(there) + NextAnswerWrongBy;
+            Filter.AddRoundTrip(TimeSpan.FromSeconds(Seconds), TimeSpan.FromSeconds(back), theirs);
             NextAnswerWrongBy = 0;
             for (int k = 0; k < MessagesPerSecond; k++)
             {

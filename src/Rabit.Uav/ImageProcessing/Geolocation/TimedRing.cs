@@ -4,7 +4,7 @@ namespace Rabit.Uav.ImageProcessing.Geolocation;
 
 /// <summary>
 /// The newest samples in the order of their times, in fixed memory. A sample whose time is far from the newest one is
-/// refused, be it before or after; when the next one agrees with it, a clock was set anew, and both count. For one
+/// refused, be it before or after; when the next one agrees with it, a clock was set again, and both count. For one
 /// thread.
 /// </summary>
 /// <param name="capacity">How many samples are kept.</param>
