@@ -8,6 +8,11 @@ internal static class ScriptedFaultChecks
 {
     private const double MaxGlitchMetres = 10_000;
     private const double MaxVolts = 100;
+    private const double MinCelsius = -55;
+    private const double MaxCelsius = 150;
+
+    // That of the simulated disk.
+    private const double MaxDiskBytes = 32e9;
 
     public static IEnumerable<string> FindFaults(SimulationOptions options)
     {
@@ -23,7 +28,7 @@ internal static class ScriptedFaultChecks
             if (fault.At < TimeSpan.Zero || fault.Duration < TimeSpan.Zero)
                 yield return what + " has a negative time";
             if (fault.Kind is ScriptedFaultKind.LinkSilent or ScriptedFaultKind.CameraFreeze
-                or ScriptedFaultKind.ManagerHangs
+                or ScriptedFaultKind.ManagerHangs or ScriptedFaultKind.Gust
                 && fault.Duration == TimeSpan.Zero)
                 yield return what + " lasts no time";
             if (fault.Kind == ScriptedFaultKind.ManagerHangs && string.IsNullOrWhiteSpace(fault.Manager))
@@ -55,6 +60,9 @@ internal static class ScriptedFaultChecks
     private static bool IsPossible(in ScriptedFault fault, SimulatedAutopilot autopilot) => fault.Kind switch
     {
         ScriptedFaultKind.BatteryTo => fault.Value is >= 0 and <= 1,
+        ScriptedFaultKind.Gust => SimulationOptions.IsWind(fault.Value),
+        ScriptedFaultKind.ComputerHot => fault.Value is >= MinCelsius and <= MaxCelsius,
+        ScriptedFaultKind.DiskLow => fault.Value is >= 0 and <= MaxDiskBytes,
         ScriptedFaultKind.WindTo => SimulationOptions.IsWind(fault.Value),
         ScriptedFaultKind.PilotMode => fault.Value is >= 0 and <= uint.MaxValue
             && ModeNames.IsKnown(autopilot, (uint)fault.Value),

@@ -78,4 +78,27 @@ public enum ScriptedFaultKind
     /// position targets at 10 Hz. Where there is no place it sends targets of velocity zero, at least one.
     /// </summary>
     OtherCommander,
+
+    /// <summary>
+    /// A gust: the wind rises by the value, m/s, in its own direction, and falls again, within the duration.
+    /// </summary>
+    Gust,
+
+    /// <summary>
+    /// The companion computer (<see cref="SimulatedWorld.CreateComputer"/>) has the temperature of the value, degrees
+    /// Celsius, for the duration; to the end of the run where that is zero.
+    /// </summary>
+    ComputerHot,
+
+    /// <summary>
+    /// The supply of the companion computer has too little voltage for the duration; to the end of the run where that
+    /// is zero.
+    /// </summary>
+    ComputerUnderVoltage,
+
+    /// <summary>
+    /// The disk of the companion computer has the value free, bytes, for the duration; to the end of the run where that
+    /// is zero.
+    /// </summary>
+    DiskLow,
 }

@@ -107,6 +107,9 @@ public sealed class SimulatedWorld
     public SimulatedCamera CreateCamera()
         => new(Options.Camera.With(Options.Faults), History, Things, unchecked((ulong)Options.Seed));
 
+    /// <summary>The companion computer, for <see cref="UavOptions.Computer"/>.</summary>
+    public SimulatedComputer CreateComputer() => new(Options.Faults);
+
     /// <summary>
     /// Adds to the time of a run which of the managers on board hang, when and for how long (
     /// <see cref="ScriptedFaultKind.ManagerHangs"/>). Before the start.

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
@@ -111,9 +112,14 @@ internal static class ManagerOptions
         return made;
     }
 
-    public static HealthOptions ForHealth(UavOptions options)
+    public static HealthOptions ForHealth(UavOptions options, RabitTime time)
     {
         HealthOptions made = options.Health.Copy();
+        made.Computer = options.Computer;
+        if (time is RealTime && !options.IsReplay)
+            made.Computer ??= new LinuxComputer(made.DataDirectory);
+        if (MissionOf(options) is { } flown)
+            made.GroundStationLoss = flown.GroundStationLost;
         if (MissionOf(options) is not { } mission || !ChecksBeforeFlight(options))
             return made;
         made.Preflight = options.Preflight.Copy();

@@ -88,6 +88,13 @@ public sealed class UavOptions
     public IReaderSource<CameraFrame>? Camera { get; set; }
 
     /// <summary>
+    /// Figures of the companion computer, about once a second; null for those of the computer that this runs on, by the
+    /// files of Linux, in real time where no log is played.
+    /// </summary>
+    /// <value>The default is null.</value>
+    public IReaderSource<ComputerStatus>? Computer { get; set; }
+
+    /// <summary>
     /// How Communications works: queues, vehicle messages, rates. Its links are <see cref="Links"/> and
     /// <see cref="OpenLinks"/>; subscriptions of both places are added up, and vehicle messages to those of target
     /// reports.

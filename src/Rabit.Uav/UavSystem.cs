@@ -47,6 +47,7 @@ public sealed class UavSystem : IDisposable
         try
         {
             OpenLinks();
+            Time = CreateTime();
             if (options.Has(UavManagers.Communications))
                 _communications = new CommunicationsManager(ManagerOptions.ForCommunications(options, _links, _files));
             if (options.Has(UavManagers.AutopilotInterface))
@@ -61,8 +62,7 @@ public sealed class UavSystem : IDisposable
                 CarryOnAfterFaults();
             if (options.Has(UavManagers.HealthMonitoring))
                 _health = new HealthManager(
-                    ManagerOptions.ForHealth(options), Managers().Select(m => m.Name), LinkCount);
-            Time = CreateTime();
+                    ManagerOptions.ForHealth(options, Time), Managers().Select(m => m.Name), LinkCount);
         }
         catch
         {

@@ -33,10 +33,27 @@ internal sealed class FaultScript(IReadOnlyList<ScriptedFault> faults)
         return value;
     }
 
+    /// <summary>By how much gusts raise the wind, m/s: each as the square of a sine over its duration.</summary>
+    private double GustAt(TimeSpan time)
+    {
+        double gust = 0;
+        for (int index = 0; index < faults.Count; index++)
+        {
+            if (faults[index].Kind != ScriptedFaultKind.Gust || !faults[index].IsOn(time))
+                continue;
+            double sine = Math.Sin(
+                Math.PI * (time - faults[index].At).TotalSeconds / faults[index].Duration.TotalSeconds);
+            gust += faults[index].Value * sine * sine;
+        }
+
+        return gust;
+    }
+
     public void Apply(TimeSpan time, SimulatedVehicle vehicle)
     {
         for (; _next < faults.Count && faults[_next].At <= time; _next++)
             Begin(faults[_next], vehicle);
+        vehicle.Air.Gust = GustAt(time);
         vehicle.Pack.SensorVolts = ValueOf(ScriptedFaultKind.BatteryVolts, time);
         vehicle.Radio.IsReceived = !IsOn(ScriptedFaultKind.RcLost, time);
         for (int index = _windReturns.Count - 1; index >= 0; index--)

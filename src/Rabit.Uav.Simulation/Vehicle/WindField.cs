@@ -41,6 +41,9 @@ internal sealed class WindField
     /// <summary>What the mean is, or is on its way to, m/s.</summary>
     public double MeanSpeed { get; set; }
 
+    /// <summary>By how much the wind is stronger now than it would be, m/s.</summary>
+    public double Gust { get; set; }
+
     /// <summary>Velocity of the air over ground, m/s.</summary>
     public NedVector Velocity { get; private set; }
 
@@ -49,6 +52,7 @@ internal sealed class WindField
         _mean += (MeanSpeed - _mean) * _step / ChangeSeconds;
         _north.Step(GustPart * _mean);
         _east.Step(GustPart * _mean);
-        Velocity = new NedVector((_toNorth * _mean) + _north.Value, (_toEast * _mean) + _east.Value, 0);
+        Velocity = new NedVector(
+            (_toNorth * (_mean + Gust)) + _north.Value, (_toEast * (_mean + Gust)) + _east.Value, 0);
     }
 }

@@ -160,8 +160,10 @@ public sealed partial class CommunicationsManager : RabitManager
             if (!port.Reader.TryPop(out LinkFrame frame))
                 return;
             port.CountReceived(frame);
-            if (IsAccepted(port, frame.Frame))
-                Route(frame, port.IsRecorded);
+            if (!IsAccepted(port, frame.Frame))
+                continue;
+            port.NoteGroundStation(frame);
+            Route(frame, port.IsRecorded);
         }
 
         // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which

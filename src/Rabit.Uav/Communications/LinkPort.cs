@@ -1,6 +1,7 @@
 using System;
 using Rabit.Core;
 using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
@@ -24,6 +25,7 @@ internal sealed class LinkPort(
     private long _framesOut;
     private long _rejectedOut;
     private TimeSpan? _lastFrameTime;
+    private TimeSpan? _groundStationTime;
     private MavlinkSignatureCounters _signatures;
     private long _reportedRejections;
 
@@ -37,6 +39,16 @@ internal sealed class LinkPort(
     public bool HasEnded => Reader.State is DeviceState.Ended or DeviceState.Faulted;
 
     public void CountReceived(in LinkFrame frame) => _lastFrameTime = frame.Time;
+
+    /// <summary>
+    /// Notes the heartbeat of a ground station. The one message that is looked into here, since its loss concerns the
+    /// link, and counts also where Autopilot Interface hangs.
+    /// </summary>
+    public void NoteGroundStation(in LinkFrame frame)
+    {
+        if (frame.IsChecked && frame.Frame.TryDecode(out Heartbeat heartbeat) && heartbeat.Type == MavType.Gcs)
+            _groundStationTime = frame.Time;
+    }
 
     public void CountSignature(MavlinkSignatureResult result) => _signatures = _signatures.With(result);
 
@@ -81,6 +93,7 @@ internal sealed class LinkPort(
             Url = url,
             Fault = fault?.Message,
             LastFrameTime = _lastFrameTime,
+            GroundStationTime = _groundStationTime,
             FramesIn = tally.Frames,
             FramesOut = _framesOut - lostOut,
             FramesMissing = tally.Missing,

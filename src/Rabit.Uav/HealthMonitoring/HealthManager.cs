@@ -38,6 +38,7 @@ public sealed partial class HealthManager : RabitManager
     private readonly HealthRuleSet<VehicleFacts> _vehicleRules = new(HealthRules.OfVehicle);
     private readonly HealthRuleSet<VehicleFacts> _batteryRules = new(HealthRules.OfBattery);
     private readonly HealthRuleSet<CameraFacts> _cameraRules = new(HealthRules.OfCamera);
+    private readonly WindGusts _gusts = new();
     private readonly AdviceLatch _advice = new();
     private readonly StatusTextSender _texts;
     private readonly QueueSender<OutgoingFrame> _outgoing;
@@ -77,7 +78,9 @@ public sealed partial class HealthManager : RabitManager
         _camera = new CameraWatch(Subscribe<ImagingStatus>(MessageNames.Imaging));
         _texts = new StatusTextSender(_options.StatusTextPeriod);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
-        _report = Publish<HealthReport>(MessageNames.Health);
+        _next.Computer = ComputerStatus.Unknown;
+        _report = Publish(MessageNames.Health, _next);
+        _computer = MakeComputer(_options.Computer);
         _preflight = MakePreflight(_options.Preflight, linkCount);
         WakeUpDelay = EvaluationPeriod;
     }
@@ -88,8 +91,13 @@ public sealed partial class HealthManager : RabitManager
         TimeSpan now = Now;
         _monitoredSince ??= now;
         Evaluate(now, _monitoredSince.Value);
-        if (_schedule.TakeBeat(now) && _next.SendsHeartbeat)
-            SendHeartbeat();
+        if (_schedule.TakeBeat(now))
+        {
+            if (_next.SendsHeartbeat)
+                SendHeartbeat();
+            SendComputerStatus(now);
+        }
+
         SendTexts(now);
         PostReport(now);
         _preflight?.Update(now, _vehicle.Value, _ownAddress.Value, _mission.Value.Phase);
@@ -112,7 +120,10 @@ public sealed partial class HealthManager : RabitManager
     {
         _findings.Clear();
         bool areAllAlive = EvaluateManagers(now, monitoredSince);
-        EvaluateVehicle(now, isReplayOver: EvaluateLinks(now, monitoredSince));
+        bool isReplayOver = EvaluateLinks(now, monitoredSince);
+        EvaluateVehicle(now, isReplayOver);
+        EvaluateGroundStation(now, isReplayOver);
+        EvaluateComputer(now);
         _ownAddress.Fetch();
         UpdateAdvice();
         _next.SendsHeartbeat = areAllAlive && _ownAddress.Value.IsKnown;
@@ -151,7 +162,8 @@ public sealed partial class HealthManager : RabitManager
     {
         _vehicle.Fetch();
         _autopilot.Fetch();
-        var vehicle = new VehicleFacts(_vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver);
+        var vehicle = new VehicleFacts(_vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver,
+            _gusts.Update(_vehicle.Value, now));
         _vehicleRules.Evaluate(vehicle, subject: null, _options, now, _findings);
         _batteryRules.Evaluate(vehicle, subject: null, _options, now, _findings);
         _cameraRules.Evaluate(_camera.Update(now), subject: null, _options, now, _findings);

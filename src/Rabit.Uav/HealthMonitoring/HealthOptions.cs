@@ -1,6 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Core;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
 using Rabit.Uav.Preflight;
 
 namespace Rabit.Uav.HealthMonitoring;
@@ -71,6 +74,48 @@ public sealed class HealthOptions
     /// <value>Zero or more. The default is 5 s.</value>
     public TimeSpan WindHighAfter { get; set; } = TimeSpan.FromSeconds(5);
 
+    /// <summary>
+    /// Limit of the gusts, metres per second: the strongest wind of the last 10 s, by two estimates of the autopilot.
+    /// </summary>
+    /// <value>
+    /// At least <see cref="WindHighMetresPerSecond"/>. The default is 17 m/s: 1.4 times the limit of the wind, as gusts
+    /// are.
+    /// </value>
+    public double GustHighMetresPerSecond { get; set; } = 17;
+
+    /// <summary>
+    /// Time without a heartbeat of a ground station, once one was received, after which it is lost. What the vehicle
+    /// does then the mission says: <see cref="MissionPlan.GroundStationLost"/>.
+    /// </summary>
+    /// <value>At least 2 s. The default is 5 s: five missed at 1 Hz.</value>
+    public TimeSpan GroundStationLostAfter { get; set; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>Temperature of the computer from which it is hot, degrees Celsius: a warning.</summary>
+    /// <value>The default is 75: a Raspberry Pi lowers its clock from 80 degrees.</value>
+    public double ComputerHotCelsius { get; set; } = 75;
+
+    /// <summary>Temperature of the computer from which the vehicle returns to launch, degrees Celsius.</summary>
+    /// <value>
+    /// Above <see cref="ComputerHotCelsius"/>. The default is 84, for a Raspberry Pi; a Jetson is made for more.
+    /// </value>
+    public double ComputerTooHotCelsius { get; set; } = 84;
+
+    /// <summary>Fraction of the memory in use above which it is low: a warning.</summary>
+    /// <value>Between 0 and 1. The default is 0.85.</value>
+    public double MemoryLowFraction { get; set; } = 0.85;
+
+    /// <summary>Free space below which the disk is nearly full, bytes: a warning.</summary>
+    /// <value>At least <see cref="DiskFullBytes"/>. The default is 1 GB.</value>
+    public long DiskLowBytes { get; set; } = 1_000_000_000;
+
+    /// <summary>Free space below which ONBOARD_COMPUTER_STATUS reports the disk as full, bytes.</summary>
+    /// <value>Zero or more. The default is 200 MB.</value>
+    public long DiskFullBytes { get; set; } = 200_000_000;
+
+    /// <summary>The directory whose disk is watched: where logs and pictures are written.</summary>
+    /// <value>The default is ".", the current directory at the start.</value>
+    public string DataDirectory { get; set; } = ".";
+
     /// <summary>Time without a picture during a search after which the camera is silent.</summary>
     /// <value>Above zero. The default is 3 s: six pictures at 2 Hz.</value>
     public TimeSpan CameraSilentAfter { get; set; } = TimeSpan.FromSeconds(3);
@@ -78,6 +123,12 @@ public sealed class HealthOptions
     /// <summary>Minimum time between two texts about our health to the ground station (STATUSTEXT).</summary>
     /// <value>Above zero. The default is 5 s.</value>
     public TimeSpan StatusTextPeriod { get; set; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>What the loss of the ground station leads to. Set where the system is composed.</summary>
+    internal GroundStationLoss GroundStationLoss { get; set; } = new();
+
+    /// <summary>Figures of the computer; null for none. Set where the system is composed.</summary>
+    internal IReaderSource<ComputerStatus>? Computer { get; set; }
 
     /// <summary>The pre-flight checklist; null where there is none. Set where the system is composed.</summary>
     internal PreflightOptions? Preflight { get; set; }
@@ -128,9 +179,37 @@ public sealed class HealthOptions
 
         if (WindHighAfter < TimeSpan.Zero)
             yield return $"{nameof(WindHighAfter)} is {WindHighAfter}; it cannot be negative";
+        if (!(GustHighMetresPerSecond >= WindHighMetresPerSecond && !double.IsInfinity(GustHighMetresPerSecond)))
+        {
+            yield return FormattableString.Invariant(
+                $"{nameof(GustHighMetresPerSecond)} is {GustHighMetresPerSecond}; it must be at least {nameof(WindHighMetresPerSecond)}");
+        }
+
+        foreach (string fault in FindFaultsOfComputer())
+            yield return fault;
         if (CameraSilentAfter <= TimeSpan.Zero)
             yield return $"{nameof(CameraSilentAfter)} is {CameraSilentAfter}; it must be above zero";
         if (StatusTextPeriod <= TimeSpan.Zero)
             yield return $"{nameof(StatusTextPeriod)} is {StatusTextPeriod}; it must be above zero";
+    }
+    private IEnumerable<string> FindFaultsOfComputer()
+    {
+        if (GroundStationLostAfter < TimeSpan.FromSeconds(2))
+            yield return $"{nameof(GroundStationLostAfter)} is {GroundStationLostAfter}; heartbeats come once a "
+                + "second: it must be at least 2 s";
+        if (!(ComputerHotCelsius > 0 && ComputerTooHotCelsius > ComputerHotCelsius && ComputerTooHotCelsius < 150))
+        {
+            yield return FormattableString.Invariant(
+                $"{nameof(ComputerHotCelsius)} is {ComputerHotCelsius} and {nameof(ComputerTooHotCelsius)} {ComputerTooHotCelsius}; they must be above 0, the second above the first and below 150");
+        }
+
+        if (!(MemoryLowFraction > 0 && MemoryLowFraction < 1))
+            yield return FormattableString.Invariant(
+                $"{nameof(MemoryLowFraction)} is {MemoryLowFraction}; it must be between 0 and 1");
+        if (DiskFullBytes < 0 || DiskLowBytes < DiskFullBytes)
+            yield return FormattableString.Invariant(
+                $"{nameof(DiskFullBytes)} is {DiskFullBytes} and {nameof(DiskLowBytes)} {DiskLowBytes}; the first must be 0 or more, the second not less");
+        if (string.IsNullOrWhiteSpace(DataDirectory))
+            yield return $"{nameof(DataDirectory)} is empty; \".\" is the current one";
     }
 }

@@ -9,6 +9,9 @@ internal static partial class HealthRules
 {
     private const double WindMarginMetresPerSecond = 1;
 
+    // A figure above it is that of gusts.
+    private const long GustFigure = 1000;
+
     private static readonly TimeSpan StatusClearDwell = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan WindClearDwell = TimeSpan.FromSeconds(5);
 
@@ -66,11 +69,28 @@ internal static partial class HealthRules
             Dwell = static o => o.WindHighAfter,
             ClearDwell = static _ => WindClearDwell,
             Figure = static (in VehicleFacts v) => (long)Math.Round(v.State.WindMetresPerSecond),
-            Text = static f => $"wind too strong ({f.Figure} m/s)",
+            Text = static f => f.Figure < GustFigure
+                ? (FormattableString)$"wind too strong ({f.Figure} m/s)"
+                : $"gusts too strong ({f.Figure - GustFigure} m/s)",
             Condition = static o => $"the autopilot's estimate is above {Number(o.WindHighMetresPerSecond)} m/s",
             End = static o => $"below {Number(o.WindHighMetresPerSecond - WindMarginMetresPerSecond)} m/s, or not "
                 + $"reported, for {Seconds(WindClearDwell)}",
             Why = "the usual rating of small multirotors, well below the speed that they can fly; gusts are ignored",
+        },
+        new(HealthReasons.WindHigh, HealthLevel.Warning, HealthAdvice.ReturnToLaunch)
+        {
+            Supersedes = HealthReasons.WindHigh,
+            When = static (in VehicleFacts v, HealthOptions o)
+                => v.GustMetresPerSecond > o.GustHighMetresPerSecond,
+            Until = static (in VehicleFacts v, HealthOptions o)
+                => !(v.GustMetresPerSecond >= o.GustHighMetresPerSecond - WindMarginMetresPerSecond),
+            ClearDwell = static _ => WindClearDwell,
+            Figure = static (in VehicleFacts v) => GustFigure + (long)Math.Round(v.GustMetresPerSecond),
+            Condition = static o => "gusts, by two estimates of the last 10 s, are above "
+                + $"{Number(o.GustHighMetresPerSecond)} m/s",
+            End = static o => $"below {Number(o.GustHighMetresPerSecond - WindMarginMetresPerSecond)} m/s, or not "
+                + $"reported, for {Seconds(WindClearDwell)}",
+            Why = "1.4 times the limit of the wind, as gusts are; a small multirotor tilts to its limit there",
         },
     ];
 }

@@ -16,7 +16,10 @@ namespace Rabit.Uav.HealthMonitoring;
 internal static partial class HealthRules
 {
     /// <summary>All rows, in the order of the table.</summary>
-    public static IReadOnlyList<HealthRule> All => [.. OfManagers, .. OfVehicle, .. OfBattery, .. OfCamera, .. OfLinks];
+    public static IReadOnlyList<HealthRule> All =>
+    [
+        .. OfManagers, .. OfVehicle, .. OfBattery, .. OfCamera, .. OfLinks, .. OfGroundStation, .. OfComputer,
+    ];
 
     /// <summary>The words of a reason; null where it has no row.</summary>
     public static HealthText.Words? WordsOf(HealthReasons reason)

@@ -16,6 +16,14 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
     /// <summary>What its rules keep between two evaluations.</summary>
     public HealthRuleSet<LinkFacts> Rules { get; } = new(HealthRules.OfLinks);
 
+    public int Number => number;
+
+    /// <summary>The URL that it was opened by; null until Communications has reported it.</summary>
+    public string? Url => status.Value.Url;
+
+    /// <summary>When a ground station was last received over it; null where none ever was.</summary>
+    public TimeSpan? GroundStationTime => status.Value.GroundStationTime;
+
     public LinkFacts Update(TimeSpan now, TimeSpan monitoredSince, HealthOptions options)
     {
         status.Fetch();

@@ -5,7 +5,8 @@ namespace Rabit.Uav.HealthMonitoring;
 
 /// <summary>Input of the rules for the vehicle.</summary>
 internal readonly struct VehicleFacts(
-    in VehicleState state, in RateRequestCounts requests, TimeSpan now, bool isReplayOver)
+    in VehicleState state, in RateRequestCounts requests, TimeSpan now, bool isReplayOver,
+    double gustMetresPerSecond = double.NaN)
 {
     // Reported once a second; an older estimate is out of date.
     private static readonly TimeSpan MaxWindAge = TimeSpan.FromSeconds(5);
@@ -19,6 +20,9 @@ internal readonly struct VehicleFacts(
 
     /// <summary>Whether all links are recorded logs that have been played: then silence is expected.</summary>
     public bool IsReplayOver { get; } = isReplayOver;
+
+    /// <summary>The strongest wind of the last seconds, metres per second; NaN where it is not known.</summary>
+    public double GustMetresPerSecond { get; } = gustMetresPerSecond;
 
     /// <summary>Whether the autopilot reports an estimate of the wind.</summary>
     public bool IsWindKnown { get; } = now - state.WindTime <= MaxWindAge && !double.IsNaN(state.WindMetresPerSecond);

@@ -146,6 +146,18 @@ internal sealed class JsonFields
         return null;
     }
 
+    /// <summary>One of some words; null where it is not there or another, which is blamed.</summary>
+    public string? Choice(string name, params string[] words)
+    {
+        if (!Has(name))
+            return null;
+        JsonElement value = _values[name];
+        if (value.ValueKind == JsonValueKind.String && System.Array.IndexOf(words, value.GetString()) >= 0)
+            return value.GetString();
+        Blame(name, value, "must be one of " + string.Join(", ", words));
+        return null;
+    }
+
     public JsonElement? Array(string name)
     {
         if (!Has(name))

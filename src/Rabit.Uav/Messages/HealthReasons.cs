@@ -58,4 +58,19 @@ public enum HealthReasons
 
     /// <summary>The autopilot is received and answers no command.</summary>
     CommandsUnanswered = 32768,
+
+    /// <summary>The heartbeats of the ground station stopped.</summary>
+    GroundStationLost = 2097152,
+
+    /// <summary>The companion computer is hot.</summary>
+    ComputerHot = 4194304,
+
+    /// <summary>The companion computer has too little voltage, or lowers its clock.</summary>
+    ComputerThrottled = 8388608,
+
+    /// <summary>Most of the memory of the companion computer is in use.</summary>
+    MemoryLow = 16777216,
+
+    /// <summary>The disk of the companion computer is nearly full.</summary>
+    DiskLow = 33554432,
 }

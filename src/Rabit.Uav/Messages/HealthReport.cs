@@ -30,6 +30,9 @@ public struct HealthReport
     /// <summary>Whether our own heartbeat is sent: only while every manager works.</summary>
     public bool SendsHeartbeat { get; set; }
 
+    /// <summary>How the companion computer is, by the last look at it.</summary>
+    public ComputerStatus Computer { get; set; }
+
     /// <summary>Own heartbeats that were pushed to Communications.</summary>
     public long HeartbeatsSent { get; set; }
 }

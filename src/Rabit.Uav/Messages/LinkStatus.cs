@@ -20,6 +20,11 @@ public struct LinkStatus
     /// <summary>When the last frame came in, by the clock of the run; null before the first.</summary>
     public TimeSpan? LastFrameTime { get; set; }
 
+    /// <summary>
+    /// When the last HEARTBEAT of a ground station (MAV_TYPE_GCS) came in over it; null before the first.
+    /// </summary>
+    public TimeSpan? GroundStationTime { get; set; }
+
     /// <summary>Frames that came in.</summary>
     public long FramesIn { get; set; }
 

@@ -93,6 +93,9 @@ public sealed partial class MissionPlan
     /// </summary>
     public double? ObstacleHeightMetres { get; init; }
 
+    /// <summary>What the mission does where the ground station is lost.</summary>
+    public GroundStationLoss GroundStationLost { get; init; } = new();
+
     /// <summary>Whether targets of a class are of interest.</summary>
     /// <param name="targetClass">The class of a track or a target.</param>
     public bool IsTarget(TargetClassName targetClass)

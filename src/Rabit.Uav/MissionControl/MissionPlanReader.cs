@@ -92,11 +92,26 @@ internal static class MissionPlanReader
             MinBatteryFractionAtStart = limits.Number("minBatteryFractionAtStart") ?? 0.5,
             MaxHeightMetres = limits.Number("maxHeightMetres"),
             MaxDistanceMetres = limits.Number("maxDistanceMetres"),
+            GroundStationLost = ReadGroundStationLost(fields),
         };
         camera.RefuseOthers();
         limits.RefuseOthers();
         revisit.RefuseOthers();
         return plan;
+    }
+
+    private static GroundStationLoss ReadGroundStationLost(JsonFields fields)
+    {
+        JsonFields loss = fields.Object("groundStationLost");
+        string action = loss.Choice("action", "return", "hold", "continue") ?? "return";
+        TimeSpan hold = ToTime(loss.Number("holdAfterSeconds") ?? 10);
+        TimeSpan back = ToTime(loss.Number("returnAfterSeconds") ?? 30);
+        loss.RefuseOthers();
+        return new GroundStationLoss
+        {
+            HoldAfter = action == "continue" ? null : hold,
+            ReturnAfter = action == "return" ? back : null,
+        };
     }
 
     private static ImmutableArray<GeodeticPosition> ReadArea(JsonFields fields)
@@ -172,6 +187,10 @@ internal static class MissionPlanReader
         home.RefuseOthers();
         return read;
     }
+
+    // What is no number, or far out of its range, is a fault elsewhere.
+    private static TimeSpan ToTime(double seconds)
+        => TimeSpan.FromSeconds(double.IsNaN(seconds) ? 0 : Math.Max(-1e6, Math.Min(1e6, seconds)));
 
     private static Angle? ToAngle(double? degrees) => degrees is { } number ? Angle.FromDegrees(number) : null;
 }

@@ -58,6 +58,11 @@ internal static class MissionPlanRules
         yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);
         yield return ("limits.maxHeightMetres", plan.MaxHeightMetres ?? 120, 5 + HeightReserveMetres, 120);
         yield return ("limits.maxDistanceMetres", plan.MaxDistanceMetres ?? 5000, 20, 5000);
+        double hold = plan.GroundStationLost.HoldAfter?.TotalSeconds ?? 5;
+        yield return ("groundStationLost.holdAfterSeconds", hold, 5, 600);
+        yield return (
+            "groundStationLost.returnAfterSeconds", plan.GroundStationLost.ReturnAfter?.TotalSeconds ?? 3600,
+            Math.Max(5, Math.Min(hold, 600)), 3600);
     }
 
     private static IEnumerable<string> FenceFaults(MissionPlan plan)

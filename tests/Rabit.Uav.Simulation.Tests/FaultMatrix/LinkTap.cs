@@ -26,6 +26,9 @@ internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : IByteLink
     /// <summary>Whether the messages about the battery are held back.</summary>
     public bool HidesBattery { get; set; }
 
+    /// <summary>Until when the heartbeats of the ground station are held back.</summary>
+    public TimeSpan HidesGroundStationUntil { get; set; }
+
     public string Url => link.Url;
 
     public bool Blocks => link.Blocks;
@@ -49,6 +52,9 @@ internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : IByteLink
             if (isWhole)
                 Note(frame);
             if (HidesBattery && isWhole && frame.MessageId is SysStatus.MavlinkId or BatteryStatus.MavlinkId)
+                continue;
+            if (isWhole && now() < HidesGroundStationUntil && frame is
+                { MessageId: Heartbeat.MavlinkId, SystemId: Ground.SystemId, ComponentId: Ground.ComponentId })
                 continue;
             Buffer.BlockCopy(buffer, start, buffer, kept, length);
             kept += length;

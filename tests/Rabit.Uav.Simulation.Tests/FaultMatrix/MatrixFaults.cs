@@ -93,6 +93,30 @@ internal static class MatrixFaults
 
     public static readonly MatrixFault WindHigh = MatrixFault.Of("wind of 15 m/s", ScriptedFaultKind.WindTo, 15);
 
+    public static readonly MatrixFault Gust = MatrixFault.Of(
+        "a gust of 20 m/s for 6 s", ScriptedFaultKind.Gust, 20, 6);
+
+    public static readonly MatrixFault ComputerTooHot = MatrixFault.Of(
+        "computer at 90 degrees", ScriptedFaultKind.ComputerHot, 90);
+
+    public static readonly MatrixFault ComputerWarm = MatrixFault.Of(
+        "computer at 78 degrees", ScriptedFaultKind.ComputerHot, 78);
+
+    public static readonly MatrixFault UnderVoltage = MatrixFault.Of(
+        "computer with too little voltage", ScriptedFaultKind.ComputerUnderVoltage);
+
+    public static readonly MatrixFault DiskLow = MatrixFault.Of(
+        "disk with 100 MB free", ScriptedFaultKind.DiskLow, 100e6);
+
+    // The autopilot still receives it: its own failsafe does not act.
+    public static readonly MatrixFault GroundStationHidden = MatrixFault.Outside(
+        "ground station not received by the computer",
+        flight => flight.Tap.HidesGroundStationUntil = TimeSpan.MaxValue);
+
+    public static readonly MatrixFault GroundStationHidden20 = MatrixFault.Outside(
+        "ground station not received by the computer for 20 s",
+        flight => flight.Tap.HidesGroundStationUntil = flight.Flight.Reactor.Now + TimeSpan.FromSeconds(20));
+
     public static readonly MatrixFault ManagerThrows = MatrixFault.Outside("a manager of the user throws", null)
         with
     { Throws = true };

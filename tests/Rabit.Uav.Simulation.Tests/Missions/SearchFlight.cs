@@ -63,6 +63,10 @@ internal sealed class SearchFlight : IDisposable
             Mission = plan,
             MayCommand = true,
             Camera = Camera,
+            Computer = options.Faults.Any(f => f.Kind is ScriptedFaultKind.ComputerHot
+                or ScriptedFaultKind.ComputerUnderVoltage or ScriptedFaultKind.DiskLow)
+                ? World.CreateComputer()
+                : null,
             Imaging = new ImageProcessingOptions { Camera = World.CameraModel, Mount = World.CameraMount },
             OtherManagers = others,
             Time = time,

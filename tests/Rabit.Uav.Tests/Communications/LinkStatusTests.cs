@@ -43,6 +43,24 @@ public sealed class LinkStatusTests
     }
 
     [Fact]
+    public void GroundStationTime_HeartbeatOfAGroundStation_IsWhenTheLastCame()
+    {
+        using CommunicationsRig rig = new CommunicationsRig(links: 2).As(1);
+        rig.Send(0, Frames.Heartbeat());
+        rig.Send(1, Frames.Of(new Heartbeat { Type = MavType.OnboardController }, 2, 191));
+        rig.Run(TimeSpan.FromSeconds(1));
+        Assert.Null(rig.Status(0).GroundStationTime);
+
+        rig.Send(1, Frames.Of(new Heartbeat { Type = MavType.Gcs }, 255, 190));
+        Assert.Null(rig.Status(0).GroundStationTime);
+        TimeSpan? received = rig.Status(1).LastFrameTime;
+        Assert.Equal(received, rig.Status(1).GroundStationTime);
+        rig.Run(TimeSpan.FromSeconds(5));
+        rig.Send(1, Frames.Heartbeat(2));
+        Assert.Equal(received, rig.Status(1).GroundStationTime);
+    }
+
+    [Fact]
     public void State_FarEndCloses_IsEndedAndStaysSo()
     {
         using CommunicationsRig rig = new CommunicationsRig(links: 2).As(1);

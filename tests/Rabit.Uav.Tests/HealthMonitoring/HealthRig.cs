@@ -28,12 +28,18 @@ internal sealed class HealthRig : IDisposable
     }
 
     public HealthRig(VirtualTime time, params RabitManager[] others)
+        : this(time, null, others)
+    {
+    }
+
+    public HealthRig(VirtualTime time, HealthOptions? options, params RabitManager[] others)
     {
         Reactor = new RabitReactor(time) { Sink };
         foreach (RabitManager other in others)
             Reactor.Add(other);
         Reactor.Add(
-            new HealthManager(new HealthOptions(), others.Select(m => m.Name).Concat([Sink.Name]), linkCount: 1));
+            new HealthManager(
+                options ?? new HealthOptions(), others.Select(m => m.Name).Concat([Sink.Name]), linkCount: 1));
         _vehicle = Reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
         _ownAddress = Reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         _link = Reactor.Workspace.Publish<LinkStatus>(MessageNames.LinkStatus(0));
@@ -112,7 +118,8 @@ internal sealed class HealthRig : IDisposable
     }
 
     public void PostLink(
-        LinkState state = LinkState.Receiving, long dropped = 0, double progress = double.NaN, long droppedOut = 0)
+        LinkState state = LinkState.Receiving, long dropped = 0, double progress = double.NaN, long droppedOut = 0,
+        TimeSpan? groundStation = null)
     {
         _link.Value = new LinkStatus
         {
@@ -121,6 +128,7 @@ internal sealed class HealthRig : IDisposable
             FramesDroppedIn = dropped,
             FramesDroppedOut = droppedOut,
             Progress = progress,
+            GroundStationTime = groundStation,
         };
         _link.Post();
     }

@@ -45,6 +45,15 @@ public class MissionPlanTests
     [InlineData("\"laneHeadingDegrees\": \"north\"", "laneHeadingDegrees is \"north\"; it must be a number")]
     [InlineData("\"laneHeadingDegrees\": 400", "laneHeadingDegrees is 400; it must be -360 to 360")]
     [InlineData("\"heightMetres\": 40", "heightMetres is there twice")]
+    [InlineData("\"groundStationLost\": {\"action\": \"land\"}",
+        "groundStationLost.action is \"land\"; it must be one of return, hold, continue")]
+    [InlineData("\"groundStationLost\": {\"holdAfterSeconds\": 1}",
+        "groundStationLost.holdAfterSeconds is 1; it must be 5 to 600")]
+    [InlineData("\"groundStationLost\": {\"returnAfterSeconds\": 8}",
+        "groundStationLost.returnAfterSeconds is 8; it must be 10 to 3600")]
+    [InlineData("\"groundStationLost\": {\"holdAfterSeconds\": \"x\"}",
+        "groundStationLost.holdAfterSeconds is \"x\"; it must be a number")]
+    [InlineData("\"groundStationLost\": {\"after\": 1}", "groundStationLost.after is unknown")]
     [InlineData("\"name\": 7", "name is 7; it must be a text")]
     [InlineData("\"name\": \"\"", "name must be a line of 1 to 80 characters")]
     [InlineData("\"targets\": [\"red\", \"\"]",

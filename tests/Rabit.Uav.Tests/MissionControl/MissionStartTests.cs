@@ -19,6 +19,29 @@ public class MissionStartTests
         Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff, 20));
     }
 
+    [Theory]
+    [InlineData(HealthReasons.WindHigh, true, true)]
+    [InlineData(HealthReasons.GroundStationLost, true, true)]
+    [InlineData(HealthReasons.GroundStationLost, false, false)]
+    [InlineData(HealthReasons.DiskLow, true, false)]
+    public void Start_WindOrGroundStation_IsWaitedForWithItsFigures(
+        HealthReasons reason, bool needsGroundStation, bool waits)
+    {
+        string more = needsGroundStation ? string.Empty : ",\"groundStationLost\":{\"action\":\"continue\"}";
+        using var rig = new MissionRig(MissionRig.Mission(more));
+        rig.Vehicle.Health = new HealthReport
+        {
+            Level = HealthLevel.Warning, Reasons = reason, Text = "wind too strong (15 m/s)",
+        };
+        rig.Run(30);
+        Assert.Equal(waits, rig.Status.Text == "waiting: wind too strong (15 m/s)");
+        Assert.Equal(waits, rig.Status.Phase == MissionPhase.WaitingForVehicle);
+        if (!waits)
+            return;
+        rig.Vehicle.Health = new HealthReport { Level = HealthLevel.Good };
+        Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff, 20));
+    }
+
     [Fact]
     public void Start_FlyingAlready_IsNotTakenOver()
     {

@@ -103,7 +103,13 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
     }
 
     public void Handle(in MavlinkFrame frame, long bootNanoseconds, int link)
-        => _dispatcher.Handle(frame, bootNanoseconds, link);
+    {
+        _dispatcher.Handle(frame, bootNanoseconds, link);
+
+        // It forwards what is broadcast (MAV_0_FORWARD), as recorded.
+        if (link == SecondLink.Number && frame.MessageId == Heartbeat.MavlinkId)
+            _sink.Forward(frame);
+    }
 
     public void SendWhatIsDue(TimeSpan time, long bootNanoseconds)
     {

@@ -65,6 +65,8 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         // Where there is a checklist it judges these, and the operator may override a line of it.
         if (!flight.Options.RequiresPreflight && FindMissingOfVehicle(flight) is { } missing)
             return missing;
+        if ((flight.Health.Reasons & ReasonsToWait(flight.Mission)) != 0)
+            return flight.Health.Text ?? "health advises against it";
         return flight.Health.Level switch
         {
             HealthLevel.Unknown => "health unknown",
@@ -72,6 +74,12 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
             _ => flight.Health.Advice != HealthAdvice.None ? flight.Health.Text ?? "health advises against it" : null,
         };
     }
+
+    // In flight they are reasons to return or to hold; before it there is no advice, and what passes is waited for.
+    private static HealthReasons ReasonsToWait(MissionPlan mission)
+        => mission.GroundStationLost is { HoldAfter: null, ReturnAfter: null }
+            ? HealthReasons.WindHigh
+            : HealthReasons.WindHigh | HealthReasons.GroundStationLost;
 
     private static string? FindMissingOfVehicle(MissionFlight flight)
     {
