@@ -60,5 +60,7 @@ public struct ScriptedFault
     private static bool LastsToTheEnd(ScriptedFaultKind kind)
         => kind is ScriptedFaultKind.GroundStationSilent or ScriptedFaultKind.RcLost or ScriptedFaultKind.GpsLost
             or ScriptedFaultKind.GpsGlitch or ScriptedFaultKind.BatteryVolts or ScriptedFaultKind.EkfFailsafe
-            or ScriptedFaultKind.ComputerHot or ScriptedFaultKind.ComputerUnderVoltage or ScriptedFaultKind.DiskLow;
+            or ScriptedFaultKind.ComputerHot or ScriptedFaultKind.ComputerUnderVoltage or ScriptedFaultKind.DiskLow
+            or ScriptedFaultKind.AttitudeSilent
+            || PictureFaults.IsOfPictures(kind);
 }

@@ -13,6 +13,8 @@ internal static class ScriptedFaultChecks
 
     // That of the simulated disk.
     private const double MaxDiskBytes = 32e9;
+    private const double MaxBlurPixels = 50;
+    private const double MaxSecondsOff = 1_000_000;
 
     public static IEnumerable<string> FindFaults(SimulationOptions options)
     {
@@ -69,6 +71,11 @@ internal static class ScriptedFaultChecks
         ScriptedFaultKind.GpsGlitch => Math.Abs(fault.Value) <= MaxGlitchMetres,
         ScriptedFaultKind.BatteryVolts => fault.Value is >= 0 and <= MaxVolts,
         ScriptedFaultKind.Reboot => fault.Value is 0 or 1,
+        ScriptedFaultKind.PicturesFrozen => fault.Value is 0 or 1,
+        ScriptedFaultKind.PicturesDefocused => fault.Value is >= 0 and <= MaxBlurPixels,
+        ScriptedFaultKind.PicturesMotionBlurred => fault.Value is >= 0 and <= MaxBlurPixels,
+        ScriptedFaultKind.PicturesCovered => fault.Value is >= 0 and <= 1,
+        ScriptedFaultKind.PictureTimesOff => Math.Abs(fault.Value) <= MaxSecondsOff,
         _ => true,
     };
 }

@@ -101,4 +101,42 @@ public enum ScriptedFaultKind
     /// is zero.
     /// </summary>
     DiskLow,
+
+    /// <summary>
+    /// The pictures are black but for the noise, as under a lens cap, for the duration; to the end of the run where
+    /// that is zero. So for all that follow.
+    /// </summary>
+    PicturesBlack,
+
+    /// <summary>The pictures are white.</summary>
+    PicturesWhite,
+
+    /// <summary>
+    /// Each picture is the last one before, with a number and a time of its own; with the value 1 and new noise.
+    /// </summary>
+    PicturesFrozen,
+
+    /// <summary>
+    /// The pictures are defocused: blurred by two boxes of the value to each side, pixels; 4 where that is zero.
+    /// </summary>
+    PicturesDefocused,
+
+    /// <summary>
+    /// Something dark is before the left of the lens; the value is the part of the picture, 0.5 where that is zero.
+    /// </summary>
+    PicturesCovered,
+
+    /// <summary>
+    /// The camera shakes: each picture is blurred along its columns over the value, pixels; 17 where that is zero.
+    /// </summary>
+    PicturesMotionBlurred,
+
+    /// <summary>All pictures have the number of the first of them.</summary>
+    PictureNumbersRepeat,
+
+    /// <summary>The times of the pictures are later than the truth by the value, seconds.</summary>
+    PictureTimesOff,
+
+    /// <summary>The autopilot sends no attitude any more.</summary>
+    AttitudeSilent,
 }

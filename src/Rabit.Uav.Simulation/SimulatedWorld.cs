@@ -105,7 +105,7 @@ public sealed class SimulatedWorld
     /// Makes the camera of the vehicle, as the source of a reader in the same reactor or in one with the same clock.
     /// </summary>
     public SimulatedCamera CreateCamera()
-        => new(Options.Camera.With(Options.Faults), History, Things, unchecked((ulong)Options.Seed));
+        => new(Options.Camera.With(Options.Faults), History, Things, unchecked((ulong)Options.Seed), Options.Faults);
 
     /// <summary>The companion computer, for <see cref="UavOptions.Computer"/>.</summary>
     public SimulatedComputer CreateComputer() => new(Options.Faults);

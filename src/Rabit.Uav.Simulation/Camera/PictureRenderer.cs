@@ -13,6 +13,7 @@ internal sealed class PictureRenderer
     private readonly GroundPainter _ground;
     private readonly SheetPainter _sheets;
     private readonly SensorFinish _finish;
+    private readonly LensFaults _faults;
 
     /// <exception cref="System.ArgumentException">No ray of light falls on some pixel.</exception>
     public PictureRenderer(SimulatedCameraOptions options, IEnumerable<SimulatedTarget> sheets, ulong seed)
@@ -20,6 +21,7 @@ internal sealed class PictureRenderer
         var lens = new LensRays(options.Camera);
         _ground = new GroundPainter(lens, new GroundTexture(SeededSequence.Derive(seed, PurposeOfGround)));
         _sheets = new SheetPainter(lens, sheets);
+        _faults = new LensFaults(lens.Width, lens.Height);
         _finish = new SensorFinish(lens.Width, lens.Height, options.NoiseSigma, seed);
     }
 
@@ -29,10 +31,17 @@ internal sealed class PictureRenderer
     /// <param name="late">How it stands after three quarters of it.</param>
     /// <param name="number">Number of the picture; another number has other noise.</param>
     /// <param name="pixels">Takes red, green and blue, row by row.</param>
-    public void Render(in CameraPose middle, in CameraPose early, in CameraPose late, long number, byte[] pixels)
+    /// <param name="faults">What is wrong with it; null: nothing.</param>
+    public void Render(
+        in CameraPose middle, in CameraPose early, in CameraPose late, long number, byte[] pixels,
+        IReadOnlyList<ScriptedFault>? faults = null)
     {
         _ground.Paint(middle, pixels);
         _sheets.Paint(early, late, pixels);
+        if (faults is { Count: > 0 })
+            _faults.Apply(faults, pixels);
         _finish.Apply(pixels, number);
+        if (faults is { Count: > 0 })
+            LensFaults.Overexpose(faults, pixels);
     }
 }

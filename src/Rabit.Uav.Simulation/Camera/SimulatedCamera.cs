@@ -27,7 +27,9 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
     private readonly TruthHistory _truth;
     private readonly PictureRenderer _renderer;
     private readonly BufferPool _pool;
+    private readonly PictureFaults _faults;
     private ReaderContext? _context;
+    private ShownPicture _shown;
     private TimeSpan _opened;
     private long _number;
     private long _delivered;
@@ -37,11 +39,13 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal SimulatedCamera(
-        SimulatedCameraOptions options, TruthHistory truth, IEnumerable<SimulatedTarget> things, ulong seed)
+        SimulatedCameraOptions options, TruthHistory truth, IEnumerable<SimulatedTarget> things, ulong seed,
+        IReadOnlyList<ScriptedFault>? faults = null)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         _truth = truth;
         _renderer = new PictureRenderer(_options, things, seed);
+        _faults = new PictureFaults(faults ?? Array.Empty<ScriptedFault>());
         _pool = new BufferPool(Owner, _options.Buffers, _options.Camera.Width * _options.Camera.Height * 3);
     }
 
@@ -123,17 +127,21 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
 
     private CameraFrame Expose(TimeSpan start, in CameraPose middle, BufferLease lease)
     {
+        _faults.Update(start, _number);
         if (!TryGetCameraPose(start + Part(1), out CameraPose early)
             || !TryGetCameraPose(start + Part(3), out CameraPose late))
             (early, late) = (middle, middle);
-        _renderer.Render(middle, early, late, _number, lease.Array);
+        if (!_faults.IsFrozen)
+            _shown = new ShownPicture(middle, early, late, _number);
+        long noise = _faults.HasNewNoise ? _number : _shown.Number;
+        _renderer.Render(_shown.Middle, _shown.Early, _shown.Late, noise, lease.Array, _faults.Active);
         return new CameraFrame
         {
             Pixels = lease,
             Width = _options.Camera.Width,
             Height = _options.Camera.Height,
-            Number = _number,
-            FrameStart = start,
+            Number = _faults.RepeatedNumber ?? _number,
+            FrameStart = start + _faults.TimeOff,
             Exposure = _options.Exposure,
         };
     }
@@ -162,4 +170,16 @@ public sealed class SimulatedCamera : IReaderSource<CameraFrame>
         => _opened + TimeSpan.FromTicks((long)((number + 1) * TimeSpan.TicksPerSecond / _options.FramesPerSecond));
 
     private TimeSpan DueTime(long number) => StartTime(number) + _options.Delay;
+
+    // A frozen camera shows the last one again and again.
+    private readonly struct ShownPicture(in CameraPose middle, in CameraPose early, in CameraPose late, long number)
+    {
+        public CameraPose Middle { get; } = middle;
+
+        public CameraPose Early { get; } = early;
+
+        public CameraPose Late { get; } = late;
+
+        public long Number { get; } = number;
+    }
 }

@@ -160,7 +160,7 @@ internal sealed class SimulatedVehicle : ILinkSink
     public void Send<T>(in T message)
         where T : struct, IMavlinkMessage
     {
-        if (IsBooting)
+        if (IsBooting || (IsAttitude<T>() && _script.IsOn(ScriptedFaultKind.AttitudeSilent, _time)))
             return;
         var frame = MavlinkFrame.Create(message, Autopilot.SystemId, AutopilotAddress.ComponentId, _sequences[0]++);
         if (!_handlesSecondLink || !IsForSecondLink(frame))
@@ -183,6 +183,8 @@ internal sealed class SimulatedVehicle : ILinkSink
         if (!IsBooting)
             _outboxes[0].Enqueue(frame);
     }
+
+    private static bool IsAttitude<T>() => typeof(T) == typeof(Attitude) || typeof(T) == typeof(AttitudeQuaternion);
 
     private static bool IsForSecondLink(in MavlinkFrame frame)
         => MavlinkDialect.All.TryGetMessage(frame.MessageId, out MavlinkMessageInfo info)

@@ -18,12 +18,16 @@ internal sealed class FrameNumbers
     /// How many pictures found no room so far: of those before the first that arrived, the others were taken before the
     /// run.
     /// </param>
-    public void Take(long number, long dropped)
+    /// <returns>False where it is the number of the picture before.</returns>
+    public bool Take(long number, long dropped)
     {
+        if (number == _next - 1)
+            return false;
         if (_next is not { } next)
             Lost = Math.Min(number, dropped);
         else if (number > next)
             Lost += number - next;
         _next = number + 1;
+        return true;
     }
 }

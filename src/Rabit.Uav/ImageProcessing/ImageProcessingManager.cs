@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Rabit.Core;
 using Rabit.Uav.ImageProcessing.Geolocation;
+using Rabit.Uav.ImageProcessing.Quality;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -33,6 +34,10 @@ public sealed class ImageProcessingManager : RabitManager
     // With the idle period at least once a second.
     private static readonly TimeSpan StatusPeriod = TimeSpan.FromMilliseconds(750);
 
+    // Three pictures at 2 Hz, or four where they come more slowly: one or two that are bad are no fault of the camera.
+    private static readonly TimeSpan QualityWindow = TimeSpan.FromSeconds(1.5);
+    private static readonly TimeSpan MaxQualityAge = TimeSpan.FromSeconds(10);
+
     // Pictures between two units of work; the newer ones are worth more.
     private const int FramesQueued = 2;
 
@@ -52,6 +57,7 @@ public sealed class ImageProcessingManager : RabitManager
     private readonly WaitingFrames _waiting;
     private readonly ImageChipBuffer _imageChips;
     private readonly FrameNumbers _numbers = new();
+    private readonly PictureWindow _window = new(QualityWindow, MaxQualityAge);
     private ImagingStatus _next;
     private TimeSpan? _lastPost;
     private string? _loggedFault;
@@ -103,7 +109,7 @@ public sealed class ImageProcessingManager : RabitManager
         if (_command.Value.Mode == ImagingMode.Search)
             SearchWaiting(now);
         else
-            _waiting.Clear();
+            StopSearch();
         PostStatus(now);
         WakeUpDelay = NextWakeUp(now);
     }
@@ -119,10 +125,17 @@ public sealed class ImageProcessingManager : RabitManager
         {
             _next.Frames++;
             _next.LastFrameTime = now;
-            _numbers.Take(frame.Number, _camera.Counters.Dropped);
+            bool isNew = _numbers.Take(frame.Number, _camera.Counters.Dropped);
             if (_command.Value.Mode != ImagingMode.Search)
             {
                 frame.Dispose();
+                continue;
+            }
+
+            if (!isNew)
+            {
+                frame.Dispose();
+                CountRefusal(PictureQuality.RepeatedNumber, PictureQualityText.RefusalOf(PictureQuality.RepeatedNumber));
                 continue;
             }
 
@@ -188,12 +201,14 @@ public sealed class ImageProcessingManager : RabitManager
         // Given back in any case, also after an exception.
         using CameraFrame frame = _waiting.TakeOut(index);
         string? refusal = _search!.Search(frame, pose, _command.Value, _ownAddress.Value.SystemId);
+        _next.GroundSamplingMetres = _search.View.GroundSamplingMetres;
         if (refusal is not null)
         {
-            CountRefusal(refusal);
+            CountRefusal(_search.Quality, refusal);
             return;
         }
 
+        Count(PictureQuality.Usable);
         ref readonly CameraObservation observation = ref _search.Observation;
         _next.Observations++;
         _next.ReportsDropped += _search.Dropped;
@@ -214,16 +229,32 @@ public sealed class ImageProcessingManager : RabitManager
     private void Refuse(int index, string why)
     {
         _waiting.TakeOut(index).Dispose();
-        CountRefusal(why);
+        CountRefusal(PictureQuality.NoPose, why);
     }
 
-    private void CountRefusal(string why)
+    private void CountRefusal(PictureQuality quality, string why)
     {
         _next.FramesRefused++;
         _next.LastRefusal = why;
+        Count(quality);
     }
 
-    // At once when the command or the camera changed or a picture was searched, else at least once a second.
+    private void Count(PictureQuality quality)
+    {
+        PictureCounts counts = _next.Pictures;
+        counts.Count(quality);
+        _next.Pictures = counts;
+        _window.Add(quality, Now);
+    }
+
+    // What was seen before says nothing of the next search.
+    private void StopSearch()
+    {
+        _waiting.Clear();
+        _window.Clear();
+    }
+
+    // At once when the command or the camera changed or a picture was judged, else at least once a second.
     private void PostStatus(TimeSpan now)
     {
         _next.HasCamera = _camera is not null;
@@ -232,9 +263,12 @@ public sealed class ImageProcessingManager : RabitManager
         _next.HasEnded = _camera?.State is DeviceState.Ended or DeviceState.Faulted;
         if (_next.HasEnded && _next.Fault is null && _camera?.Fault is { } fault)
             _next.Fault = $"{fault.GetType().Name}: {fault.Message}";
+        _window.Update(now);
+        (_next.UsableShare, _next.UnusableCause, _next.UnusableCauseShare) =
+            (_window.UsableShare, _window.MainCause, _window.CauseShare);
         ref ImagingStatus posted = ref _status.Value;
         bool isNews = _lastPost is null || posted.Mode != _next.Mode || posted.HasEnded != _next.HasEnded
-            || posted.Observations != _next.Observations;
+            || posted.Observations != _next.Observations || posted.FramesRefused != _next.FramesRefused;
         if (_search is not null)
             ReadDetector(_search);
         if (!isNews && now - _lastPost < StatusPeriod)

@@ -16,6 +16,9 @@ public sealed class ImageProcessingOptions
     // A report's index is a byte between vehicles.
     private const int ReportsLimit = 200;
 
+    // No detector needs more; a larger number is a mistake.
+    private const double MaxTargetPixels = 1000;
+
     /// <summary>The camera's pinhole and lens. Needed where there is a camera.</summary>
     public CameraModel? Camera { get; set; }
 
@@ -47,6 +50,17 @@ public sealed class ImageProcessingOptions
     /// What the default detector takes for a target; of no effect with another <see cref="Detector"/>.
     /// </summary>
     public ColourDetectorOptions ColourDetector { get; set; } = new();
+
+    /// <summary>
+    /// How many pixels the side of the smallest target must have that is searched for: a picture whose pixels are
+    /// larger on the ground, or in which the ground moves further during the exposure, is not searched and does not
+    /// count as seen. 0: not judged.
+    /// </summary>
+    /// <value>
+    /// The default, null, is what the colour detector needs (<see cref="ColourDetectorOptions.MinSidePixels"/>), and
+    /// with another <see cref="Detector"/> 0: what that needs is not known.
+    /// </value>
+    public double? MinTargetPixels { get; set; }
 
     /// <summary>
     /// How many targets of one picture are reported, the most confident first; the others are counted. 1 to 200.
@@ -104,6 +118,9 @@ public sealed class ImageProcessingOptions
         return copy;
     }
 
+    internal double EffectiveMinTargetPixels
+        => MinTargetPixels ?? (Detector is null ? ColourDetector.MinSidePixels : 0);
+
     internal ColourTargetDetector CreateColourDetector() => new(TargetClasses, ColourDetector, Errors.PixelNoise);
 
     internal IEnumerable<string> FindFaults(bool hasCamera)
@@ -117,6 +134,12 @@ public sealed class ImageProcessingOptions
             yield return $"there is a camera, but {nameof(Camera)} does not say what it is like";
         if (DetectorTimeBudget <= TimeSpan.Zero)
             yield return $"{nameof(DetectorTimeBudget)} is {DetectorTimeBudget}; it must be above zero";
+        if (MinTargetPixels is { } pixels && !(pixels >= 0 && pixels <= MaxTargetPixels))
+        {
+            yield return FormattableString.Invariant(
+                $"{nameof(MinTargetPixels)} is {pixels}; it must be 0 to {MaxTargetPixels}");
+        }
+
         if (MaxReportsPerPicture is < 1 or > ReportsLimit)
             yield return $"{nameof(MaxReportsPerPicture)} is {MaxReportsPerPicture}; it must be 1 to {ReportsLimit}";
         if (!(MinDepression.Degrees > 0 && MinDepression.Degrees < 90))

@@ -3,13 +3,14 @@ using System.Collections.Immutable;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
+using Rabit.Uav.ImageProcessing.Quality;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
-/// Searches one picture whose pose is known: which ground it shows, what the detector finds in it, where that is. The
-/// result stays until the next picture. Allocates nothing for a picture without targets; for one thread.
+/// Searches one picture whose pose is known: which ground it shows, whether it is good enough, what the detector finds
+/// in it, where that is. The result stays until the next picture. Allocates nothing for a picture without targets; for one thread.
 /// </summary>
 internal sealed class PictureSearch : IGroundScaleSource
 {
@@ -22,6 +23,8 @@ internal sealed class PictureSearch : IGroundScaleSource
     private readonly DetectorRunner _detector;
     private readonly WantedClasses _wanted;
     private readonly GroundProjector _projector;
+    private readonly PictureJudge _judge = new();
+    private readonly double _minTargetPixels;
     private readonly PoseHistory _poses;
     private readonly TimeSpan _maxExtrapolation;
     private readonly TargetReport[] _reports;
@@ -42,6 +45,7 @@ internal sealed class PictureSearch : IGroundScaleSource
             options.Detector ?? options.CreateColourDetector(), options.DetectorTimeBudget,
             options.MaxReportsPerPicture, clock);
         _wanted = new WantedClasses(options.TargetClasses);
+        _minTargetPixels = options.EffectiveMinTargetPixels;
         _projector = new GroundProjector(camera, options.Mount, options.Errors, options.MinDepression, options.Terrain);
         _reports = new TargetReport[options.MaxReportsPerPicture];
     }
@@ -51,6 +55,12 @@ internal sealed class PictureSearch : IGroundScaleSource
 
     /// <summary>Targets of the last picture that were not reported: too many, or not on the ground.</summary>
     public int Dropped => _detector.Dropped + _detector.Found.Length - _reportCount;
+
+    /// <summary>What became of the last picture.</summary>
+    public PictureQuality Quality { get; private set; }
+
+    /// <summary>How the last picture that shows the ground was taken.</summary>
+    public PictureView View { get; private set; }
 
     /// <summary>What the detector did so far.</summary>
     public DetectorRunner Detector => _detector;
@@ -67,6 +77,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     public string? Search(in CameraFrame frame, in Pose pose, in ImagingCommand command, byte systemId)
     {
         _reportCount = 0;
+        Quality = PictureQuality.NotSearched;
         if (frame.Width != _camera.Width || frame.Height != _camera.Height)
             return WrongSize;
         if (frame.Pixels.IsEmpty || frame.Pixels.Array.Length < frame.Width * frame.Height * 3)
@@ -74,10 +85,23 @@ internal sealed class PictureSearch : IGroundScaleSource
         ImmutableArray<TargetClass> classes = _wanted.Select(command.Classes);
         if (classes.IsEmpty)
             return NoClasses;
-        if (!TryFindCorners(frame, pose, command))
+        _projection = _projector.At(pose, command);
+        if (!TryFindCorners(frame, pose, command) || !TryView(frame, pose, _wanted.MinSideMetres))
+        {
+            Quality = PictureQuality.NotGround;
             return NotGround;
-        if (Detect(frame, pose, command, classes) is { } refusal)
+        }
+
+        PictureQuality quality = _judge.Judge(frame.Pixels.Array, frame.Width, frame.Height, View);
+        if (quality != PictureQuality.Usable)
+        {
+            Quality = quality;
+            return PictureQualityText.RefusalOf(quality);
+        }
+
+        if (Detect(frame, classes) is { } refusal)
             return refusal;
+        Quality = PictureQuality.Usable;
         foreach (ref readonly TargetDetection detection in _detector.Found)
             Report(detection, frame, pose, command, systemId);
         _observation.SourceSystemId = systemId;
@@ -91,10 +115,8 @@ internal sealed class PictureSearch : IGroundScaleSource
     public bool TryScale(double column, double row, out GroundScale scale)
         => _projection.TryScale(column, row, out scale);
 
-    private string? Detect(
-        in CameraFrame frame, in Pose pose, in ImagingCommand command, ImmutableArray<TargetClass> classes)
+    private string? Detect(in CameraFrame frame, ImmutableArray<TargetClass> classes)
     {
-        _projection = _projector.At(pose, command);
         var input = new DetectorInput(
             new ReadOnlyMemory<byte>(frame.Pixels.Array, 0, frame.Width * frame.Height * 3),
             frame.Width,
@@ -107,6 +129,31 @@ internal sealed class PictureSearch : IGroundScaleSource
         };
         return _detector.Run(input);
     }
+
+    // What the ground moves past during the exposure comes from speed and rotation.
+    private bool TryView(in CameraFrame frame, in Pose pose, double minSideMetres)
+    {
+        if (!_projection.TryProjectToGround(_camera.CentreX, _camera.CentreY, out GeodeticPosition centre)
+            || !_projection.TryScale(_camera.CentreX, _camera.CentreY, out GroundScale scale))
+            return false;
+        double sampling = Math.Sqrt(scale.PixelArea);
+        double moved = pose.VelocityNed.Length + (Turning(pose.Rates) * sampling * _camera.FocalX);
+        View = new PictureView
+        {
+            Centre = centre,
+            GroundSamplingMetres = sampling,
+            SmearMetres = frame.Exposure.TotalSeconds * moved,
+            NeededSamplingMetres = _minTargetPixels > 0
+                ? minSideMetres / _minTargetPixels
+                : double.PositiveInfinity,
+        };
+        return true;
+    }
+
+    private static double Turning(BodyRates rates) => Math.Sqrt(
+        (rates.RollRadiansPerSecond * rates.RollRadiansPerSecond)
+        + (rates.PitchRadiansPerSecond * rates.PitchRadiansPerSecond)
+        + (rates.YawRadiansPerSecond * rates.YawRadiansPerSecond));
 
     private bool TryFindCorners(in CameraFrame frame, in Pose pose, in ImagingCommand command)
     {

@@ -14,7 +14,14 @@ internal sealed class WantedClasses
     private ImmutableArray<TargetClassName> _names = [];
     private ImmutableArray<TargetClass> _selected;
 
-    public WantedClasses(ImmutableArray<TargetClass> declared) => (_declared, _selected) = (declared, declared);
+    public WantedClasses(ImmutableArray<TargetClass> declared)
+    {
+        (_declared, _selected) = (declared, declared);
+        MinSideMetres = SmallestOf(declared);
+    }
+
+    /// <summary>Side of the smallest target of the classes that were selected last, metres.</summary>
+    public double MinSideMetres { get; private set; }
 
     /// <summary>Names of the last command that are not declared; null if all are.</summary>
     public string? Unknown { get; private set; }
@@ -34,7 +41,11 @@ internal sealed class WantedClasses
     {
         _names = names;
         _selected = names.IsEmpty ? _declared : _declared.Where(c => names.Contains(c.Name)).ToImmutableArray();
+        MinSideMetres = SmallestOf(_selected);
         List<TargetClassName> unknown = names.Where(n => _declared.All(c => c.Name != n)).ToList();
         Unknown = unknown.Count == 0 ? null : string.Join(", ", unknown);
     }
+
+    private static double SmallestOf(ImmutableArray<TargetClass> classes)
+        => classes.IsEmpty ? double.PositiveInfinity : classes.Min(c => c.MinSideMetres);
 }

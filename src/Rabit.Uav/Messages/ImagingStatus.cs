@@ -32,12 +32,33 @@ public struct ImagingStatus
     public long FramesDropped { get; set; }
 
     /// <summary>
-    /// Pictures that were not searched: no pose for their time, they do not show the ground, or the detector failed.
+    /// Pictures that were not searched, whatever the cause: see <see cref="Pictures"/>.
     /// </summary>
     public long FramesRefused { get; set; }
 
     /// <summary>Why the last one was refused; null where none was.</summary>
     public string? LastRefusal { get; set; }
+
+    /// <summary>How many pictures of the search were of which quality.</summary>
+    public PictureCounts Pictures { get; set; }
+
+    /// <summary>
+    /// Part of the pictures of the last 1.5 s that are usable, at least the last four if they are no older than 10 s:
+    /// 0 to 1. Only usable pictures count as seen. Null where there are fewer, and without a search.
+    /// </summary>
+    public double? UsableShare { get; set; }
+
+    /// <summary>What most of the others of these pictures are; usable where there are none.</summary>
+    public PictureQuality UnusableCause { get; set; }
+
+    /// <summary>Part of these pictures that are of that cause, 0 to 1.</summary>
+    public double UnusableCauseShare { get; set; }
+
+    /// <summary>
+    /// Side of a pixel on the ground in the middle of the last picture whose place is known, metres; 0 before the
+    /// first.
+    /// </summary>
+    public double GroundSamplingMetres { get; set; }
 
     /// <summary>Reports of targets that went out.</summary>
     public long Reports { get; set; }

@@ -1,0 +1,30 @@
+using System;
+using Rabit.Geodesy;
+
+namespace Rabit.Uav.ImageProcessing.Quality;
+
+/// <summary>What is known of how a picture was taken, by its pose. A plain value.</summary>
+internal struct PictureView
+{
+    /// <summary>Where the middle of the picture is on the ground.</summary>
+    public GeodeticPosition Centre { get; set; }
+
+    /// <summary>Side of a pixel on the ground in the middle of the picture, metres.</summary>
+    public double GroundSamplingMetres { get; set; }
+
+    /// <summary>How far the ground moved past during the exposure, metres.</summary>
+    public double SmearMetres { get; set; }
+
+    /// <summary>
+    /// The largest ground sampling at which the smallest class can be detected, metres; infinite where that is not
+    /// known.
+    /// </summary>
+    public double NeededSamplingMetres { get; set; }
+
+    /// <summary>How far on the middle of the picture is from that of another one, pixels.</summary>
+    public readonly double PixelsFrom(GeodeticPosition centre)
+    {
+        NedPosition way = LocalNedFrame.IgnoringGeoid(centre).ToNed(Centre);
+        return Math.Sqrt((way.North * way.North) + (way.East * way.East)) / GroundSamplingMetres;
+    }
+}
