@@ -8,6 +8,7 @@ using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.MissionControl;
 
 namespace Rabit.Uav;
@@ -120,6 +121,7 @@ internal static class ManagerOptions
             made.Computer ??= new LinuxComputer(made.DataDirectory);
         if (MissionOf(options) is { } flown)
             made.GroundStationLoss = flown.GroundStationLost;
+        made.CameraManager = ImageProcessingManager.ManagerName;
         if (MissionOf(options) is not { } mission || !ChecksBeforeFlight(options))
             return made;
         made.Preflight = options.Preflight.Copy();

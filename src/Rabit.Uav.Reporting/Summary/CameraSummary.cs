@@ -15,6 +15,7 @@ public sealed class CameraSummary
         Delivered = camera.PicturesDelivered;
         BeforeRun = camera.PicturesBeforeRun;
         Late = camera.PicturesLate;
+        Ahead = camera.PicturesAhead;
         Refused = camera.PicturesRefused;
         WithoutBuffer = camera.PicturesWithoutBuffer;
         LastRefusal = camera.LastRefusal;
@@ -28,6 +29,9 @@ public sealed class CameraSummary
 
     /// <summary>Pictures that were not read, since they came after a later one.</summary>
     public long Late { get; }
+
+    /// <summary>Pictures that were not read, since their time is ahead of the clock.</summary>
+    public long Ahead { get; }
 
     /// <summary>Pictures that were refused: damaged, of another size, or with a name without its time.</summary>
     public long Refused { get; }

@@ -67,6 +67,7 @@ public static class SummaryJson
         json.WriteNumber("taken", camera.Delivered);
         json.WriteNumber("beforeRun", camera.BeforeRun);
         json.WriteNumber("late", camera.Late);
+        json.WriteNumber("ahead", camera.Ahead);
         json.WriteNumber("refused", camera.Refused);
         json.WriteNumber("withoutBuffer", camera.WithoutBuffer);
         json.WriteString("lastRefusal", camera.LastRefusal);

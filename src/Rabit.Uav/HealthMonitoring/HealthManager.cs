@@ -47,6 +47,7 @@ public sealed partial class HealthManager : RabitManager
     private List<HealthFinding> _findings = [];
     private List<HealthFinding> _lastFindings = [];
     private HealthReport _next;
+    private bool _isImagingStuck;
     private TimeSpan? _monitoredSince;
     private TimeSpan _lastPost;
 
@@ -138,7 +139,10 @@ public sealed partial class HealthManager : RabitManager
         {
             ManagerFacts manager = watch.Update(now, monitoredSince, _options);
             watch.Rules.Evaluate(manager, manager.Name, _options, now, _findings);
-            areAllAlive &= HealthRules.IsAlive(manager, _options);
+            bool isAlive = HealthRules.IsAlive(manager, _options);
+            if (string.Equals(watch.Name, _options.CameraManager, StringComparison.Ordinal))
+                _isImagingStuck = !isAlive;
+            areAllAlive &= isAlive;
         }
 
         return areAllAlive;
@@ -166,7 +170,7 @@ public sealed partial class HealthManager : RabitManager
             _gusts.Update(_vehicle.Value, now));
         _vehicleRules.Evaluate(vehicle, subject: null, _options, now, _findings);
         _batteryRules.Evaluate(vehicle, subject: null, _options, now, _findings);
-        _cameraRules.Evaluate(_camera.Update(now), subject: null, _options, now, _findings);
+        _cameraRules.Evaluate(_camera.Update(now, _isImagingStuck, _options), subject: null, _options, now, _findings);
     }
 
     // Advice is for a mission in flight; otherwise findings are only reported.

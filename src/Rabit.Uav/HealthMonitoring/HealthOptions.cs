@@ -120,6 +120,18 @@ public sealed class HealthOptions
     /// <value>Above zero. The default is 3 s: six pictures at 2 Hz.</value>
     public TimeSpan CameraSilentAfter { get; set; } = TimeSpan.FromSeconds(3);
 
+    /// <summary>Fraction of usable pictures at or below which a search cannot go on.</summary>
+    /// <value>Above 0, below 0.8. The default is 0.5.</value>
+    public double PicturesUsableFraction { get; set; } = 0.5;
+
+    /// <summary>How long that holds before the vehicle holds, and how long the opposite before it goes on.</summary>
+    /// <value>Zero or more. The default is 1 s: with the pictures that the fraction is of, 2 s and a half.</value>
+    public TimeSpan PicturesUnusableAfter { get; set; } = TimeSpan.FromSeconds(1);
+
+    /// <summary>How long pictures may be unusable in all before the vehicle returns to launch.</summary>
+    /// <value>Above <see cref="PicturesUnusableAfter"/>. The default is 20 s.</value>
+    public TimeSpan PicturesUnusableReturnAfter { get; set; } = TimeSpan.FromSeconds(20);
+
     /// <summary>Minimum time between two texts about our health to the ground station (STATUSTEXT).</summary>
     /// <value>Above zero. The default is 5 s.</value>
     public TimeSpan StatusTextPeriod { get; set; } = TimeSpan.FromSeconds(5);
@@ -132,6 +144,11 @@ public sealed class HealthOptions
 
     /// <summary>The pre-flight checklist; null where there is none. Set where the system is composed.</summary>
     internal PreflightOptions? Preflight { get; set; }
+
+    /// <summary>
+    /// The manager by whose posts the camera is judged; null where there is none. Set where the system is composed.
+    /// </summary>
+    internal string? CameraManager { get; set; }
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
     internal HealthOptions ValidatedCopy(string parameter)
@@ -189,6 +206,13 @@ public sealed class HealthOptions
             yield return fault;
         if (CameraSilentAfter <= TimeSpan.Zero)
             yield return $"{nameof(CameraSilentAfter)} is {CameraSilentAfter}; it must be above zero";
+        if (!(PicturesUsableFraction > 0 && PicturesUsableFraction < 0.8))
+            yield return FormattableString.Invariant(
+                $"{nameof(PicturesUsableFraction)} is {PicturesUsableFraction}; it must be above 0 and below 0.8");
+        if (PicturesUnusableAfter < TimeSpan.Zero || PicturesUnusableReturnAfter <= PicturesUnusableAfter)
+            yield return $"{nameof(PicturesUnusableAfter)} is {PicturesUnusableAfter} and "
+                + $"{nameof(PicturesUnusableReturnAfter)} {PicturesUnusableReturnAfter}; they must not be negative and "
+                + "in this order";
         if (StatusTextPeriod <= TimeSpan.Zero)
             yield return $"{nameof(StatusTextPeriod)} is {StatusTextPeriod}; it must be above zero";
     }

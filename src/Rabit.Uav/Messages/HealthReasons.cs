@@ -73,4 +73,9 @@ public enum HealthReasons
 
     /// <summary>The disk of the companion computer is nearly full.</summary>
     DiskLow = 33554432,
+
+    /// <summary>
+    /// Too few of the pictures of a search can be used; <see cref="ImagingStatus.UnusableCause"/> says why.
+    /// </summary>
+    PicturesUnusable = 67108864,
 }

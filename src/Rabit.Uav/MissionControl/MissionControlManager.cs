@@ -176,9 +176,14 @@ public sealed class MissionControlManager : RabitManager
 
     private void PostImagingCommand(MissionFlight flight, MissionMachine machine)
     {
-        bool searches = machine.Phase is MissionPhase.Searching or MissionPhase.Revisiting;
+        // While Health Monitoring holds it the pictures are still judged: they may be the reason.
         ref ImagingCommand command = ref _imagingCommand.Value;
-        ImagingMode mode = searches ? ImagingMode.Search : ImagingMode.Off;
+        ImagingMode mode = machine.Phase switch
+        {
+            MissionPhase.Searching or MissionPhase.Revisiting => ImagingMode.Search,
+            MissionPhase.Holding when flight.IsHeldByHealth => command.Mode,
+            _ => ImagingMode.Off,
+        };
         if (command.Mode == mode)
             return;
         command.Mode = mode;

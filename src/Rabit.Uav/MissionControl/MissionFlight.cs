@@ -66,6 +66,9 @@ internal sealed class MissionFlight(
 
     public ImagingStatus Imaging { get; set; }
 
+    /// <summary>Whether it holds until a reason of Health Monitoring ends.</summary>
+    public bool IsHeldByHealth { get; set; }
+
     public PreflightReport Preflight { get; set; } = PreflightReport.None;
 
     public TrackList Tracks { get; set; } = TrackList.None;

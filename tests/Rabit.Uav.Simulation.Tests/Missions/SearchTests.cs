@@ -15,6 +15,9 @@ public sealed class SearchTests(ITestOutputHelper output)
     private const double MaxRmse = 3;
     private const double MaxHalfAxis = 8;
 
+    // Of the pictures of a flight without faults.
+    private const double MinUsable = 0.98;
+
     [Theory]
     [InlineData(1)]
     [InlineData(7)]
@@ -73,6 +76,13 @@ public sealed class SearchTests(ITestOutputHelper output)
         Assert.True(Rmse(scores) <= MaxRmse, $"{where}RMSE {Rmse(scores)} m");
         Assert.True(flight.Mission.Coverage >= 0.98, $"{where}{flight.Mission.Coverage} seen");
         Assert.True(flight.World.Truth.Landing is not null && fromHome <= 3, $"{where}landed {fromHome} m from home");
+        PictureCounts pictures = flight.Imaging.Pictures;
+        output.WriteLine(FormattableString.Invariant(
+            $"  {pictures.Usable} of {pictures.Total} pictures usable, {flight.Imaging.LastRefusal}"));
+        Assert.True(
+            pictures.Usable >= MinUsable * pictures.Total,
+            FormattableString.Invariant($"{where}{pictures.Usable} of {pictures.Total} pictures usable"));
+        Assert.DoesNotContain("health: pictures", flight.Log, StringComparison.Ordinal);
         Assert.Empty(flight.Camera.BufferHolders());
         return scores;
     }

@@ -22,8 +22,9 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
 {
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(100);
 
-    // The wall clock may be set while a picture of the future is waited for.
-    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(1);
+    // Clocks of two computers may differ a little. What appears during the run and is further ahead has not been taken
+    // yet by our clock: its stamp is wrong.
+    private static readonly TimeSpan MaxAhead = TimeSpan.FromSeconds(1);
 
     private readonly CameraFolder _folder;
     private readonly PictureListing _listing;
@@ -39,7 +40,9 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     private long _beforeRun;
     private long _late;
     private long _withoutBuffer;
+    private long _ahead;
     private string? _lastRefusal;
+    private bool _hasListed;
 
     /// <summary>Makes the camera.</summary>
     /// <param name="folder">The folder, see <see cref="CameraFolder.Open"/>.</param>
@@ -70,6 +73,12 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     /// <summary>Pictures that appeared when a later one had already been delivered, and were not read.</summary>
     public long PicturesLate => Interlocked.Read(ref _late);
 
+    /// <summary>
+    /// Pictures whose time is more than a second ahead of the wall clock, and that were not read: the clock that
+    /// stamped them is wrong. <see cref="LastRefusal"/> names the last one.
+    /// </summary>
+    public long PicturesAhead => Interlocked.Read(ref _ahead);
+
     /// <summary>Pictures lost because no buffer was free.</summary>
     public long PicturesWithoutBuffer => Interlocked.Read(ref _withoutBuffer);
 
@@ -94,22 +103,16 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
         value = default;
         while (true)
         {
-            if (_pending.Count == 0)
+            // While one is waited for, earlier ones may appear.
+            if (!IsNextDue(out TimeSpan wait))
                 FindNew();
-            if (_pending.Count == 0)
-                return ReaderStep.WaitUntil(_context!.Now + Poll);
+            if (!IsNextDue(out wait))
+                return ReaderStep.WaitUntil(_context!.Now + (wait < Poll ? wait : Poll));
 
             ListedPicture next = _pending[_pending.Count - 1];
-            TimeSpan start = RunTime(next.Facts.StartUtcMicroseconds);
-            TimeSpan exposure = TimeSpan.FromTicks(
-                next.Facts.ExposureMicroseconds * PictureFolderWriter.TicksPerMicrosecond);
-            TimeSpan wait = start + exposure - _context!.Now;
-            if (wait > TimeSpan.Zero)
-                return ReaderStep.WaitUntil(_context.Now + (wait < MaxWait ? wait : MaxWait));
-
             _pending.RemoveAt(_pending.Count - 1);
             _lastUtc = next.Facts.StartUtcMicroseconds;
-            if (TryTake(next, start, exposure, out value))
+            if (TryTake(next, out value))
                 return ReaderStep.Value;
         }
     }
@@ -124,7 +127,20 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     {
     }
 
-    private bool TryTake(ListedPicture picture, TimeSpan start, TimeSpan exposure, out CameraFrame frame)
+    private bool IsNextDue(out TimeSpan wait)
+    {
+        wait = Poll;
+        if (_pending.Count == 0)
+            return false;
+        ListedPicture next = _pending[_pending.Count - 1];
+        wait = RunTime(next.Facts.StartUtcMicroseconds) + ExposureOf(next) - _context!.Now;
+        return wait <= TimeSpan.Zero;
+    }
+
+    private static TimeSpan ExposureOf(ListedPicture picture)
+        => TimeSpan.FromTicks(picture.Facts.ExposureMicroseconds * PictureFolderWriter.TicksPerMicrosecond);
+
+    private bool TryTake(ListedPicture picture, out CameraFrame frame)
     {
         frame = default;
         if (!_pool.TryRent("folder camera", out BufferLease lease))
@@ -152,8 +168,8 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
             Width = _folder.Camera.Width,
             Height = _folder.Camera.Height,
             Number = picture.Facts.Number,
-            FrameStart = start,
-            Exposure = exposure,
+            FrameStart = RunTime(picture.Facts.StartUtcMicroseconds),
+            Exposure = ExposureOf(picture),
         };
         Interlocked.Increment(ref _delivered);
         return true;
@@ -176,7 +192,15 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
                 + "f000123_1732190000123456_e2000.png has");
         _nameless.Clear();
         foreach (ListedPicture picture in found)
-            Add(picture);
+        {
+            // Those of a recorded folder are there from the start, and come at their times.
+            if (_hasListed && RunTime(picture.Facts.StartUtcMicroseconds) - _context!.Now > MaxAhead)
+                RefuseAhead(picture);
+            else
+                Add(picture);
+        }
+
+        _hasListed = true;
         Sort();
     }
 
@@ -196,6 +220,14 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
         int order = b.Facts.StartUtcMicroseconds.CompareTo(a.Facts.StartUtcMicroseconds);
         return order != 0 ? order : string.CompareOrdinal(b.File, a.File);
     });
+
+    private void RefuseAhead(ListedPicture picture)
+    {
+        Interlocked.Increment(ref _ahead);
+        TimeSpan ahead = RunTime(picture.Facts.StartUtcMicroseconds) - _context!.Now;
+        Volatile.Write(ref _lastRefusal, FormattableString.Invariant(
+            $"{Path.Combine(_folder.Path, picture.File)}: its time is {ahead.TotalSeconds:0.0} s ahead of the clock"));
+    }
 
     private void Refuse(string reason)
     {

@@ -19,7 +19,13 @@ internal sealed class HoldingState() : MissionState(MissionPhase.Holding)
     private string _reason = string.Empty;
     private MissionEvent _by;
 
-    public override void Enter(MissionFlight flight, MissionEvent by, string reason) => (_by, _reason) = (by, reason);
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason)
+    {
+        (_by, _reason) = (by, reason);
+        flight.IsHeldByHealth = by == MissionEvent.HealthHold;
+    }
+
+    public override void Leave(MissionFlight flight) => flight.IsHeldByHealth = false;
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {

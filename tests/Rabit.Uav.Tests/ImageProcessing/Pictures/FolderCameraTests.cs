@@ -106,6 +106,38 @@ public sealed class FolderCameraTests : IDisposable
     }
 
     [Fact]
+    public void Read_PictureWithATimeInTheFuture_IsCountedByNameAndHoldsUpNothing()
+    {
+        _rig.Write(1, At(0.5));
+        _rig.RunFor(At(1));
+        string ahead = _rig.Write(2, At(3600));
+        for (int number = 3; number < 9; number++)
+        {
+            _rig.Write(number, At(number - 2));
+            _rig.RunFor(At(1));
+        }
+
+        Assert.Equal([1, 3, 4, 5, 6, 7, 8], _rig.Taken.Select(t => t.Frame.Number));
+        Assert.Equal(1, _rig.Camera.PicturesAhead);
+        Assert.Contains(Path.GetFileName(ahead), _rig.Camera.LastRefusal, StringComparison.Ordinal);
+        Assert.Contains("ahead of the clock", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Read_FuturePictureFromTheStart_HoldsUpNothing()
+    {
+        _rig.Write(2, At(60));
+        for (int number = 3; number < 9; number++)
+        {
+            _rig.RunFor(At(1));
+            _rig.Write(number, At(number - 2.5));
+        }
+
+        _rig.RunFor(At(1));
+        Assert.Equal([3, 4, 5, 6, 7, 8], _rig.Taken.Select(t => t.Frame.Number));
+    }
+
+    [Fact]
     public void Read_NoBufferFree_LosesPicturesAndCountsThem()
     {
         _rig.Dispose();

@@ -1,11 +1,10 @@
-using Rabit.Uav.Messages;
+namespace Rabit.Uav.Messages;
 
-namespace Rabit.Uav.ImageProcessing.Quality;
-
-/// <summary>What is wrong with pictures, as text: for the status, Health Monitoring and the report.</summary>
-internal static class PictureQualityText
+/// <summary>What is wrong with pictures, as text: for the status, Health Monitoring, screen and report.</summary>
+public static class PictureQualityText
 {
-    /// <summary>A word or two that follow "pictures".</summary>
+    /// <summary>A few words that follow a number of pictures: "100 % black". A constant.</summary>
+    /// <param name="quality">What they are.</param>
     public static string Of(PictureQuality quality) => quality switch
     {
         PictureQuality.Usable => "usable",
@@ -26,7 +25,7 @@ internal static class PictureQualityText
     };
 
     /// <summary>Why one picture was not searched; a constant, which costs no allocation.</summary>
-    public static string RefusalOf(PictureQuality quality) => quality switch
+    internal static string RefusalOf(PictureQuality quality) => quality switch
     {
         PictureQuality.TooCoarse => "the pixels are too large on the ground for the smallest target class",
         PictureQuality.RepeatedNumber => "the picture has the number of the one before it",
