@@ -7,8 +7,8 @@ using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
 using Rabit.Uav.HealthMonitoring;
-using Rabit.Uav.Messages;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 
 namespace Rabit.Uav;

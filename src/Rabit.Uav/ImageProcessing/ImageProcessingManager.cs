@@ -135,7 +135,8 @@ public sealed class ImageProcessingManager : RabitManager
             if (!isNew)
             {
                 frame.Dispose();
-                CountRefusal(PictureQuality.RepeatedNumber, PictureQualityText.RefusalOf(PictureQuality.RepeatedNumber));
+                CountRefusal(
+                    PictureQuality.RepeatedNumber, PictureQualityText.RefusalOf(PictureQuality.RepeatedNumber));
                 continue;
             }
 

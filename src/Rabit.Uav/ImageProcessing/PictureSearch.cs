@@ -10,7 +10,8 @@ namespace Rabit.Uav.ImageProcessing;
 
 /// <summary>
 /// Searches one picture whose pose is known: which ground it shows, whether it is good enough, what the detector finds
-/// in it, where that is. The result stays until the next picture. Allocates nothing for a picture without targets; for one thread.
+/// in it, where that is. The result stays until the next picture. Allocates nothing for a picture without targets; for
+/// one thread.
 /// </summary>
 internal sealed class PictureSearch : IGroundScaleSource
 {

@@ -17,7 +17,7 @@ internal sealed class WantedClasses
     public WantedClasses(ImmutableArray<TargetClass> declared)
     {
         (_declared, _selected) = (declared, declared);
-        MinSideMetres = SmallestOf(declared);
+        MinSideMetres = MinSideOf(declared);
     }
 
     /// <summary>Side of the smallest target of the classes that were selected last, metres.</summary>
@@ -41,11 +41,11 @@ internal sealed class WantedClasses
     {
         _names = names;
         _selected = names.IsEmpty ? _declared : _declared.Where(c => names.Contains(c.Name)).ToImmutableArray();
-        MinSideMetres = SmallestOf(_selected);
+        MinSideMetres = MinSideOf(_selected);
         List<TargetClassName> unknown = names.Where(n => _declared.All(c => c.Name != n)).ToList();
         Unknown = unknown.Count == 0 ? null : string.Join(", ", unknown);
     }
 
-    private static double SmallestOf(ImmutableArray<TargetClass> classes)
+    private static double MinSideOf(ImmutableArray<TargetClass> classes)
         => classes.IsEmpty ? double.PositiveInfinity : classes.Min(c => c.MinSideMetres);
 }

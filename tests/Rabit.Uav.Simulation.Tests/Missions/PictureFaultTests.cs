@@ -8,7 +8,9 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Missions;
 
-/// <summary>Pictures that cannot be used: reported in time, held for, and never taken for ground that was seen.</summary>
+/// <summary>
+/// Pictures that cannot be used: reported in time, held for, and never taken for ground that was seen.
+/// </summary>
 public sealed class PictureFaultTests(ITestOutputHelper output)
 {
     private static readonly TimeSpan MaxDelay = TimeSpan.FromSeconds(3);

@@ -101,12 +101,12 @@ internal sealed class PictureJudge
         bool isDirected = picture.DirectedDetail > MinDirectedRatio * picture.FineDetail;
         if (isLearnt && isDirected && picture.FineDetail < MinDetailRatio * _fineDetail)
             return PictureQuality.MotionBlurred;
-        if (isJudged && !isDirected && SharpnessOf(picture) < LeastSharpness(isLearnt))
+        if (isJudged && !isDirected && SharpnessOf(picture) < RequiredSharpness(isLearnt))
             return PictureQuality.Defocused;
         return view.SmearMetres > view.NeededSamplingMetres ? PictureQuality.MotionBlurred : PictureQuality.Usable;
     }
 
-    private double LeastSharpness(bool isLearnt)
+    private double RequiredSharpness(bool isLearnt)
         => isLearnt ? Math.Max(MinSharpness, MinSharpnessRatio * _sharpness) : MinSharpness;
 
     private static double SharpnessOf(in PictureStatistics picture) => picture.FineDetail / picture.CoarseDetail;
