@@ -28,7 +28,8 @@ internal sealed class PictureFaults(IReadOnlyList<ScriptedFault> faults)
     public static bool IsOfPictures(ScriptedFaultKind kind)
         => kind is ScriptedFaultKind.PicturesBlack or ScriptedFaultKind.PicturesWhite
             or ScriptedFaultKind.PicturesFrozen or ScriptedFaultKind.PicturesDefocused
-            or ScriptedFaultKind.PicturesCovered or ScriptedFaultKind.PicturesMotionBlurred or ScriptedFaultKind.PictureNumbersRepeat
+            or ScriptedFaultKind.PicturesCovered or ScriptedFaultKind.PicturesMotionBlurred
+            or ScriptedFaultKind.PictureNumbersRepeat
             or ScriptedFaultKind.PictureTimesOff;
 
     /// <summary>What holds for a picture.</summary>

@@ -41,8 +41,8 @@ internal static partial class HealthRules
             End = static o => $"{PercentText(o.PicturesUsableFraction + PicturesUsableMargin)} or more for "
                 + $"{Seconds(o.PicturesUnusableAfter)}, or the search is over",
             Why = "a search whose pictures cannot be used finds nothing. A few bad ones, which gaps are flown over for,"
-                + " are no fault of the camera: with the window of 1.5 s of the share this is found within 3 s at 2 Hz. "
-                + "What passes by itself, a cloud of dust or a driver that starts again, is waited for",
+                + " are no fault of the camera: with the window of 1.5 s of the share this is found within 3 s at 2 Hz."
+                + " What passes by itself, a cloud of dust or a driver that starts again, is waited for",
         },
         new(HealthReasons.PicturesUnusable, HealthLevel.Warning, HealthAdvice.ReturnToLaunch)
         {
