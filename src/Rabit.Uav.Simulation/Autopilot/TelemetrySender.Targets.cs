@@ -25,7 +25,7 @@ internal sealed partial class TelemetrySender
         if (!controller.IsGuided || Origin is not { } origin)
             return;
         (NedVector? place, NedVector? velocity) = controller.Guided.Target;
-        NedVector local = place is { } target ? target.Minus(origin) : default;
+        NedVector local = place is { } target ? Offset(origin, target) : default;
         NedVector speed = velocity ?? default;
         PositionTargetTypemask mask = NoYaw | (place is null ? NoPlace : 0)
             | (velocity is null ? NoVelocity | NoAcceleration : 0);
@@ -41,6 +41,21 @@ internal sealed partial class TelemetrySender
             Vy = (float)speed.East,
             Vz = (float)speed.Down,
         });
+    }
+
+    // ArduPilot reckons with degrees of 1e7 times this many metres, of longitude times the cosine of the mean latitude
+    // (Location::get_distance_NE): up to 0.7 % more than the earth has.
+    private NedVector Offset(NedVector origin, NedVector target)
+    {
+        const double MetresPerDegE7 = 0.011131884502145034;
+        GeodeticPosition from = frame.ToPlace(origin);
+        GeodeticPosition to = frame.ToPlace(target);
+        double metresPerRadian = MetresPerDegE7 * 1e7 / NedMath.RadiansPerDegree;
+        double middle = (from.Latitude.Radians + to.Latitude.Radians) / 2;
+        return new NedVector(
+            (to.Latitude.Radians - from.Latitude.Radians) * metresPerRadian,
+            NedMath.Wrapped(to.Longitude.Radians - from.Longitude.Radians) * metresPerRadian * Math.Cos(middle),
+            from.AltitudeAmslMetres - to.AltitudeAmslMetres);
     }
 
     // In RTL, and in GUIDED with a place and no velocity. There the recorded ArduCopter divides the offset from its

@@ -58,6 +58,12 @@ public sealed partial class AutopilotManager
             case PositionTargetLocalNed.MavlinkId:
                 mavlink.TryDecode(out PositionTargetLocalNed target);
                 return Take(frame, target);
+            case PositionTargetGlobalInt.MavlinkId:
+                mavlink.TryDecode(out PositionTargetGlobalInt place);
+                return Take(frame, place);
+            case GpsGlobalOrigin.MavlinkId:
+                mavlink.TryDecode(out GpsGlobalOrigin origin);
+                return Take(frame, origin);
             case Timesync.MavlinkId:
                 mavlink.TryDecode(out Timesync time);
                 return Take(frame, time);
@@ -147,6 +153,22 @@ public sealed partial class AutopilotManager
         VehicleEvents events = Complete(frame, _tracker.Update(frame));
         if (_tracker.IsFromAutopilot(frame.Frame))
             _executor.TakeTarget(target, frame.Time);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in PositionTargetGlobalInt target)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (_tracker.IsFromAutopilot(frame.Frame))
+            _executor.TakeTarget(target, frame.Time);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in GpsGlobalOrigin origin)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (_tracker.IsFromAutopilot(frame.Frame))
+            _executor.TakeOrigin(origin);
         return events;
     }
 

@@ -26,9 +26,11 @@ public sealed partial class AutopilotManager
         _navigation = Publish<NavigationStatus>(MessageNames.Navigation);
     }
 
-    // Messages of one make, which the other refuses, ArduPilot with a text to the ground station.
-    private static readonly int[] OfArdupilot = [EkfStatusReport.MavlinkId, Wind.MavlinkId];
-    private static readonly int[] OfPx4 = [EstimatorStatus.MavlinkId, WindCov.MavlinkId];
+    // Messages that are read of one make alone, or that the other refuses, ArduPilot with a text to the ground station.
+    private static readonly int[] OfArdupilot =
+        [EkfStatusReport.MavlinkId, Wind.MavlinkId, GpsGlobalOrigin.MavlinkId];
+    private static readonly int[] OfPx4 =
+        [EstimatorStatus.MavlinkId, WindCov.MavlinkId, PositionTargetGlobalInt.MavlinkId];
 
     // The checklist needs home beside the rest.
     private IEnumerable<RequestedRate> RatesFor(MavAutopilot autopilot)

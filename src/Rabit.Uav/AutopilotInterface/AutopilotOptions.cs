@@ -59,7 +59,7 @@ public sealed class AutopilotOptions
     /// </summary>
     /// <value>
     /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees
-    /// is located by it, position at 10 Hz, targets at 4 Hz, the rest at 1 or 2 Hz. What ArduPilot or PX4 alone knows
+    /// is located by it, position at 10 Hz, the target at 13 Hz, the rest at 1 or 2 Hz. What ArduPilot or PX4 alone knows
     /// is not asked of the other.
     /// </value>
     public IReadOnlyList<RequestedRate> RequestedRates { get; set; } =
@@ -75,7 +75,11 @@ public sealed class AutopilotOptions
         new(WindCov.MavlinkId, 1),
         new(EkfStatusReport.MavlinkId, 1),
         new(EstimatorStatus.MavlinkId, 1),
-        new(PositionTargetLocalNed.MavlinkId, 4),
+
+        // No usual rate of set-points is a multiple of it, so that of two streams not always the same one is reported.
+        new(PositionTargetLocalNed.MavlinkId, 13),
+        new(PositionTargetGlobalInt.MavlinkId, 4),
+        new(GpsGlobalOrigin.MavlinkId, 0.2),
     ];
 
     /// <summary>Which of the autopilot's parameters are read and written before a flight.</summary>

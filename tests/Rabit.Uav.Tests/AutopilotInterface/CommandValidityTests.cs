@@ -106,46 +106,6 @@ public class CommandValidityTests
         Assert.Equal((uint)CopterMode.Guided, copter.Mode);
     }
 
-    [Theory]
-    [InlineData(30, 0, 3576)]
-    [InlineData(0, 0, 0xC07)]
-    public void Target_ChangedWithoutACommandOfOurs_IsAnotherCommander(float north, float down, int mask)
-    {
-        using ScriptedAutopilot copter = Flying();
-        copter.GiveAndRun(VehicleCommandKind.GoTo, seconds: 1);
-        Report(copter, 10, -20, 3576);
-        copter.Run(2);
-        Report(copter, 10.4f, -20, 3576);   // rounding, and a step of the estimator
-        copter.Run(2);
-        Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
-        Report(copter, 10 + north, -20 + down, mask);
-        copter.Run(0.1);
-        Assert.Equal(
-            (CommandAuthorityState.TakenAway, TakeoverCause.OtherCommander),
-            (copter.Authority, copter.Rig.Authority.Cause));
-        int sent = copter.Received.Count;
-        copter.Run(10);
-        Assert.Equal(sent, copter.Received.Count);
-    }
-
-    [Fact]
-    public void Target_ChangedByOurNextCommand_IsOurs()
-    {
-        using ScriptedAutopilot copter = Flying();
-        for (int leg = 0; leg < 5; leg++)
-        {
-            double up = 30 + leg;
-            copter.GiveAndRun(VehicleCommandKind.GoTo, seconds: 1, with: c => c with { HeightAboveHomeMetres = up });
-            Report(copter, 50 * leg, -30, 3576);
-            copter.Run(1);
-        }
-
-        Assert.Equal(CommandAuthorityState.Ours, copter.Authority);
-    }
-
-    private static void Report(ScriptedAutopilot copter, float north, float down, int mask)
-        => copter.Say(new PositionTargetLocalNed { X = north, Z = down, TypeMask = (PositionTargetTypemask)mask });
-
     private static ScriptedAutopilot Flying()
     {
         ScriptedAutopilot copter = new ScriptedAutopilot().Armed();

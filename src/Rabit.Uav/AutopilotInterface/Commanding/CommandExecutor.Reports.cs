@@ -13,7 +13,6 @@ internal sealed partial class CommandExecutor
     private static readonly TimeSpan MaxRunGap = TimeSpan.FromSeconds(0.35);
 
     private readonly FailsafeSigns _failsafes = new();
-    private readonly TargetMonitor _targets = new();
     private readonly CommandValidity _validity = new();
     private TimeSpan _lastRun;
 
@@ -60,6 +59,7 @@ internal sealed partial class CommandExecutor
         }
 
         ExplainTakeover(vehicle);
+        ConfirmForeignTargets(vehicle, time);
         if (_guard.NeedsReport)
             _reports.RequestNow();
         _stream.TakeReport(vehicle, _guard.IsModeUnanswered);
@@ -75,6 +75,8 @@ internal sealed partial class CommandExecutor
     {
         _lastSpeed = double.NaN;
         _reports.Restart();
+        _targets.Restart();
+        _setPoints.Restart();
         if (_guard.TakeReboot(wasFlying, time))
             StopCommanding(time);
     }
@@ -101,15 +103,6 @@ internal sealed partial class CommandExecutor
 
     /// <summary>Takes what the fence of the autopilot reports.</summary>
     public void TakeFence(bool isBreached) => _failsafes.TakeFence(isBreached);
-
-    /// <summary>Takes the target that the autopilot flies to.</summary>
-    public void TakeTarget(in PositionTargetLocalNed target, TimeSpan time)
-    {
-        if (_guard.Authority.State != CommandAuthorityState.Ours || !_targets.IsOfAnother(target, time))
-            return;
-        _guard.TakeAway(TakeoverCause.OtherCommander, "another commander's target", time);
-        StopCommanding(time);
-    }
 
     // A failsafe says so before the change of the mode or after it.
     private void ExplainTakeover(in VehicleState vehicle)
@@ -138,8 +131,10 @@ internal sealed partial class CommandExecutor
             _stream.Resume(vehicle, now);
         }
 
-        if (_stream.TryNext(now, own, vehicle, out frame))
-            Outbox.Frames.Enqueue(frame);
+        if (!_stream.TryNext(now, own, vehicle, out frame))
+            return;
+        Outbox.Frames.Enqueue(frame);
+        _setPoints.TakeSent(_stream.Place, _stream.HeightMetres, now);
     }
 
     // Only while we command, or are about to: who observes sends nothing.

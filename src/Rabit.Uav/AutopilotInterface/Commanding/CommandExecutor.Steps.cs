@@ -69,7 +69,11 @@ internal sealed partial class CommandExecutor
         if (step.StartsStream)
         {
             if (!_stream.IsRunning)
+            {
                 _stream.Start(vehicle, now);
+                _setPoints.Restart();
+            }
+
             Enter(ExecutorPhase.StartingStream, now);
             return;
         }
@@ -99,6 +103,7 @@ internal sealed partial class CommandExecutor
             _guard.Begin(vehicle.CustomMode, now);
             if (step.Mode is { } mode)
                 _guard.Ask(mode);
+            AskForTarget(step, vehicle);
             _sent++;
             _reportWantedAt = TimeSpan.MaxValue;
             Outbox.Frames.Enqueue(frame);
@@ -160,6 +165,7 @@ internal sealed partial class CommandExecutor
         {
             if (step.Mode is { } mode)
                 _guard.Acknowledge(mode, now);
+            AcknowledgeTarget(step.Request.Command, now);
             if (!step.IsModeAwaited)
             {
                 EndStep(vehicle, now);
@@ -173,6 +179,7 @@ internal sealed partial class CommandExecutor
 
         if (step.Mode is { } refused)
             _guard.Withdraw(refused);
+        WithdrawTarget(step.Request.Command);
         _refusal = result;
         Enter(ExecutorPhase.AwaitingReason, now);
         return true;
@@ -267,8 +274,8 @@ internal sealed partial class CommandExecutor
             _lastSpeed = _command.SpeedMetresPerSecond;
         if (_isOurOwn && _command.Kind == VehicleCommandKind.Return)
             _validity.EndReturn();
-        if (_profile is CopterProfile && _command.Kind is VehicleCommandKind.GoTo or VehicleCommandKind.Hold)
-            _targets.Begin(now);
+        if (_profile is Px4Profile && _command.Kind == VehicleCommandKind.Hold)
+            _holdTarget.Begin(now);
         Finish(VehicleCommandOutcome.Accepted, text: null, now);
     }
 

@@ -155,7 +155,8 @@ internal sealed partial class CommandExecutor(bool mayCommand)
         if (command.Kind != VehicleCommandKind.PointCamera)
         {
             _owesHold = false;
-            _targets.Stop();
+            if (command.Kind == VehicleCommandKind.Velocity)
+                StopWatchingTargets();
 
             // In OFFBOARD set-points go on until another mode is reported.
             if (command.Kind != VehicleCommandKind.GoTo && !_stream.IsInOffboard)
@@ -176,7 +177,7 @@ internal sealed partial class CommandExecutor(bool mayCommand)
     {
         _velocity.Stop();
         _stream.Stop();
-        _targets.Stop();
+        StopWatchingTargets();
         _validity.Stop();
         _owesHold = false;
         string text = NotInCommandText();

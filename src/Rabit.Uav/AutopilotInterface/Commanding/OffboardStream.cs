@@ -53,6 +53,15 @@ internal sealed class OffboardStream
     /// <summary>Whether a report has shown OFFBOARD since it was started.</summary>
     public bool IsInOffboard { get; private set; }
 
+    /// <summary>When a report first showed OFFBOARD; far away where none did.</summary>
+    public TimeSpan OffboardSince { get; private set; } = TimeSpan.MaxValue;
+
+    /// <summary>The set-point that was sent last; its altitude is not used.</summary>
+    public GeodeticPosition Place => _trajectory.Place;
+
+    /// <summary>Its height above home.</summary>
+    public double HeightMetres => -_trajectory.Position.Down;
+
     /// <summary>Starts it where the vehicle is.</summary>
     public void Start(in VehicleState vehicle, TimeSpan now)
     {
@@ -60,12 +69,14 @@ internal sealed class OffboardStream
         _startedAt = _due = _sentAt = now;
         IsRunning = true;
         IsPaused = IsInOffboard = false;
+        OffboardSince = TimeSpan.MaxValue;
         _leg = null;
     }
 
     public void Stop()
     {
         IsRunning = IsPaused = IsInOffboard = false;
+        OffboardSince = TimeSpan.MaxValue;
         _leg = null;
     }
 
@@ -100,6 +111,8 @@ internal sealed class OffboardStream
             return;
         }
 
+        if (!IsInOffboard && isOffboard)
+            OffboardSince = vehicle.LastHeartbeatTime;
         IsInOffboard |= isOffboard;
     }
 
@@ -146,7 +159,7 @@ internal sealed class OffboardStream
 
     private MavlinkFrame Create(TimeSpan now, in OwnAddress from, in VehicleState vehicle)
     {
-        GeodeticPosition place = _trajectory.Place;
+        GeodeticPosition place = Place;
         NedVector velocity = _leg is not null ? _trajectory.Velocity : NedVector.Zero;
         var target = new SetPositionTargetGlobalInt
         {
@@ -157,7 +170,7 @@ internal sealed class OffboardStream
             TypeMask = PositionAndVelocity,
             LatInt = (int)Math.Round(place.Latitude.Degrees * 1e7),
             LonInt = (int)Math.Round(place.Longitude.Degrees * 1e7),
-            Alt = (float)-_trajectory.Position.Down,
+            Alt = (float)HeightMetres,
             Vx = (float)velocity.North,
             Vy = (float)velocity.East,
             Vz = (float)velocity.Down,
