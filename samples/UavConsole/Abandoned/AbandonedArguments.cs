@@ -9,7 +9,7 @@ internal static class AbandonedArguments
     private static readonly Option<string> ReturnIfAbandoned = new("--return-if-abandoned")
     {
         Description = "After a service has failed (ExecStopPost of systemd): asks the vehicle at --link to return, "
-            + "once, if the progress file of the flight says that it was commanded, and it is still in the air in "
+            + "if the progress file of the flight says that it was commanded, and it is still in the air in "
             + "GUIDED of ArduPilot without a failsafe (docs/how-to.md).",
         HelpName = "FILE",
     };

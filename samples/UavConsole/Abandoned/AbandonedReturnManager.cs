@@ -8,8 +8,9 @@ using Rabit.Uav.Messages;
 namespace UavConsole;
 
 /// <summary>
-/// Waits for reports of the vehicle, asks it once to return where it was abandoned, and ends the run. The request goes
-/// out on the arrival of a report that still shows GUIDED, and again on such a report where it was not acknowledged.
+/// Waits for reports of the vehicle, asks it to return where it was abandoned, and ends the run with the first answer.
+/// The request goes out on the arrival of a report that still shows GUIDED; where it was not acknowledged it is
+/// repeated on the next one, and sent three times at most.
 /// </summary>
 internal sealed class AbandonedReturnManager : RabitManager
 {

@@ -12,7 +12,7 @@ namespace UavConsole;
 
 /// <summary>
 /// The program after the program: whether a flight that ended by a fault left its vehicle hovering, and if so asks it
-/// once to return.
+/// to return.
 /// </summary>
 internal static class AbandonedRun
 {

@@ -43,7 +43,7 @@ internal sealed partial class TelemetrySender
         });
     }
 
-    // ArduPilot reckons with degrees of 1e7 times this many metres, of longitude times the cosine of the mean latitude
+    // ArduPilot takes 1e-7 degrees for this many metres, of longitude times the cosine of the mean latitude
     // (Location::get_distance_NE): up to 0.7 % more than the earth has.
     private NedVector Offset(NedVector origin, NedVector target)
     {

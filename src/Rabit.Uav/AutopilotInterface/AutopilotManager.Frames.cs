@@ -24,7 +24,7 @@ public sealed partial class AutopilotManager
                 return TakePose(frame, Complete(frame, _tracker.Update(frame, attitude)), PoseSampleKind.Attitude);
             case SysStatus.MavlinkId:
                 mavlink.TryDecode(out SysStatus status);
-                return Complete(frame, _tracker.Update(frame, status));
+                return Take(frame, status);
             case BatteryStatus.MavlinkId:
                 mavlink.TryDecode(out BatteryStatus battery);
                 return Complete(frame, _tracker.Update(frame, battery));
@@ -137,6 +137,14 @@ public sealed partial class AutopilotManager
         VehicleEvents events = Complete(frame, _tracker.Update(frame));
         if (_tracker.IsFromAutopilot(frame.Frame))
             _executor.TakeEvent(happened.Id, frame.Time);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in SysStatus status)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame, status));
+        if (_tracker.IsFromAutopilot(frame.Frame))
+            _executor.TakeHealth(status, frame.Time);
         return events;
     }
 

@@ -59,8 +59,8 @@ public sealed class AutopilotOptions
     /// </summary>
     /// <value>
     /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees
-    /// is located by it, position at 10 Hz, the target at 13 Hz, the rest at 1 or 2 Hz. What ArduPilot or PX4 alone knows
-    /// is not asked of the other.
+    /// is located by it, position at 10 Hz, the target at 13 Hz, the rest slower. What ArduPilot or PX4 alone knows is
+    /// not asked of the other.
     /// </value>
     public IReadOnlyList<RequestedRate> RequestedRates { get; set; } =
     [

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Rabit.Uav.Messages;
 
@@ -118,7 +119,9 @@ internal static class ArdupilotRules
         {
             Name = "BATT_LOW_VOLT", Names = [("BATT_LOW_VOLT", 1)],
             Test = ParameterTest.Custom(JudgeLowVoltage, " V"),
-            Pass = "above 0 and below the present voltage", Fail = "0 (off), or not below the present voltage",
+            Pass = "3.3 V for each cell or more, below the present voltage",
+            Warn = "less than 3.3 V for each cell: little is left for the return",
+            Fail = "0 (off), less than 3 V for each cell, or not below the present voltage",
             HowToSet = "set it to the voltage at which the vehicle must return, 3.5 V for each cell as a rule",
             Reason = "the low-battery failsafe acts by this voltage",
         },
@@ -169,6 +172,21 @@ internal static class ArdupilotRules
     ];
 
     // A pack of which no voltage is reported cannot be compared; its line is "battery".
+    // Lithium cells are empty at 3.0 V, and fall from 3.3 V to there within minutes. The number of cells is not known
+    // to the autopilot: the least by which the present voltage is none above that of a full cell.
     private static PreflightResult JudgeLowVoltage(double value, PreflightFacts facts)
-        => value > 0 && !(value >= facts.Vehicle.BatteryVolts) ? PreflightResult.Pass : PreflightResult.Fail;
+    {
+        const double FullCell = 4.35;
+        const double LowCell = 3.3;
+        const double EmptyCell = 3.0;
+        double volts = facts.Vehicle.BatteryVolts;
+        if (!(value > 0) || value >= volts)
+            return PreflightResult.Fail;
+        if (double.IsNaN(volts))
+            return PreflightResult.Warn;
+        double cell = Math.Round(value / Math.Ceiling(volts / FullCell), 2);
+        return cell < EmptyCell ? PreflightResult.Fail
+            : cell < LowCell ? PreflightResult.Warn
+            : PreflightResult.Pass;
+    }
 }

@@ -22,8 +22,8 @@ internal static class ReturnHeightRule
         Names = names,
         Test = ParameterTest.Custom(Judge, " m"),
         Pass = "obstacles and the clearance (10 m) or more",
-        Warn = "the mission names no obstacleHeightMetres, or the return begins at the present height (0)",
-        Fail = "below obstacles and the clearance",
+        Warn = "the mission names no obstacleHeightMetres",
+        Fail = "below obstacles and the clearance; 0 is the present height, which in a take-off is as low",
         HowToSet = "set it above the obstacles that the mission file names by obstacleHeightMetres",
         Reason = "the return is a straight line at this height, or at the present one where that is higher",
     };

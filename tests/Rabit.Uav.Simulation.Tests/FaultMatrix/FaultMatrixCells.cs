@@ -106,7 +106,8 @@ internal static class FaultMatrixCells
     ];
 
     // Not right yet, each with the reason. A cell that ends as expected has to be taken out.
-    private static readonly (MatrixFault Fault, SimulatedAutopilot Model, MissionPhase[] Phases, string Why)[] Known = [];
+    private static readonly (MatrixFault Fault, SimulatedAutopilot Model, MissionPhase[] Phases, string Why)[] Known =
+        [];
 
     /// <summary>All of them.</summary>
     public static IReadOnlyList<FaultCell> All { get; } = Rows.SelectMany(Expand).ToArray();

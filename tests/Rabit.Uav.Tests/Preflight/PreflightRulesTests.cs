@@ -33,6 +33,10 @@ public sealed class PreflightRulesTests
     [InlineData("FS_OPTIONS", 20, PreflightResult.Warn, "20 (bit 2 set)")]
     [InlineData("BATT_LOW_VOLT", 0, PreflightResult.Fail, "0 V")]
     [InlineData("BATT_LOW_VOLT", 12.5, PreflightResult.Fail, "12.5 V")]
+    [InlineData("BATT_LOW_VOLT", 1, PreflightResult.Fail, "1 V")]
+    [InlineData("BATT_LOW_VOLT", 8.9, PreflightResult.Fail, "8.9 V")]
+    [InlineData("BATT_LOW_VOLT", 9.6, PreflightResult.Warn, "9.6 V")]
+    [InlineData("BATT_LOW_VOLT", 9.9, PreflightResult.Pass, "9.9 V")]
     [InlineData("BATT_FS_LOW_ACT", 0, PreflightResult.Fail, "0 (none)")]
     [InlineData("BATT_FS_LOW_ACT", 1, PreflightResult.Fail, "1 (land)")]
     [InlineData("BATT_FS_LOW_ACT", 3, PreflightResult.Pass, "3 (SmartRTL or RTL)")]
@@ -93,6 +97,7 @@ public sealed class PreflightRulesTests
     [Theory]
     [InlineData("RTL_ALT_M", 29, PreflightResult.Fail, "29 m")]
     [InlineData("RTL_ALT_M", 30, PreflightResult.Pass, "30 m")]
+    [InlineData("RTL_ALT_M", 0, PreflightResult.Fail, "0 m")]
     public void Judge_ReturnHeight_IsByTheObstacles(string name, double value, PreflightResult expected, string text)
     {
         PreflightLine line = PreflightCases.Facts().With(name, value).Line("return-height");

@@ -5,8 +5,8 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// PX4's health checks, ten times a second: what is lost or low now. It reports changes by events; what is done about
-/// them is decided elsewhere.
+/// PX4's health checks, ten times a second: what is no longer received, or low, now. It reports changes by events; what
+/// is done about them is decided elsewhere.
 /// </summary>
 internal sealed class Px4Checks(
     Px4Situation situation, Px4Links links, Px4Events events, Px4Fence fence)
@@ -19,11 +19,11 @@ internal sealed class Px4Checks(
     private bool _isLoadTooHigh;
     private TimeSpan _manualLostAt;
 
-    public bool IsOffboardLost { get; private set; } = true;
+    public bool IsOffboardStreamLost { get; private set; } = true;
 
-    public bool IsManualLost { get; private set; }
+    public bool IsManualControlLost { get; private set; }
 
-    public bool IsGroundLost { get; private set; }
+    public bool IsGroundStationLost { get; private set; }
 
     public bool IsFenceBreached { get; private set; }
 
@@ -35,14 +35,14 @@ internal sealed class Px4Checks(
     /// <summary>A set-point that can be flown was received.</summary>
     public void ReceiveSetPoint() => _setPointReceived = situation.Time;
 
-    /// <summary>Looks, where it is time; true where it has.</summary>
+    /// <summary>Checks where a check is due; true where it did.</summary>
     public bool Step(bool isArmed, double batteryRemaining)
     {
         if (situation.Time < _next)
             return false;
         _next = situation.Time + Period;
         Px4Parameters parameters = situation.Parameters;
-        IsOffboardLost = _setPointReceived == TimeSpan.MinValue
+        IsOffboardStreamLost = _setPointReceived == TimeSpan.MinValue
             || (situation.Time - _setPointReceived).TotalSeconds > parameters.OffboardLossTime.Value;
         CheckLoad();
         CheckManualControl();
@@ -56,9 +56,10 @@ internal sealed class Px4Checks(
     public bool PreventsArming
         => _isLoadTooHigh || !situation.HasPosition
             || Charge is MavBatteryChargeState.Critical or MavBatteryChargeState.Emergency
-            || (situation.Parameters.GroundLossAction.Whole > 0 && links.IsGroundLost(GroundLossSeconds));
+            || (situation.Parameters.GroundStationLossAction.Whole > 0
+                && links.IsGroundStationLost(GroundStationLossSeconds));
 
-    private double GroundLossSeconds => situation.Parameters.GroundLossTime.Value;
+    private double GroundStationLossSeconds => situation.Parameters.GroundStationLossTime.Value;
 
     private void CheckLoad()
     {
@@ -76,37 +77,37 @@ internal sealed class Px4Checks(
         Px4Sticks sticks = situation.Sticks;
         sticks.Update(situation.Time, situation.Parameters.ManualLossTime.Value);
         bool isLost = sticks.WereReceived && !sticks.AreValid;
-        if (isLost && !IsManualLost)
+        if (isLost && !IsManualControlLost)
         {
             _manualLostAt = sticks.Received;
             events.Send(Px4Event.ManualControlLost, 0x62);
         }
-        else if (!isLost && IsManualLost)
+        else if (!isLost && IsManualControlLost)
         {
             events.Send(
                 Px4Event.ManualControlRegained, 0x66,
                 default(Px4EventArguments).Float((situation.Time - _manualLostAt).TotalSeconds));
         }
 
-        IsManualLost = isLost;
+        IsManualControlLost = isLost;
     }
 
     private void CheckGroundStation()
     {
-        bool isLost = links.HadGroundStation && links.IsGroundLost(GroundLossSeconds);
-        if (isLost && !IsGroundLost)
+        bool isLost = links.HadGroundStation && links.IsGroundStationLost(GroundStationLossSeconds);
+        if (isLost && !IsGroundStationLost)
         {
-            byte levels = situation.Parameters.GroundLossAction.Whole > 0 ? (byte)0x33 : (byte)0x66;
-            events.Send(Px4Event.GroundLost, 0x64);
+            byte levels = situation.Parameters.GroundStationLossAction.Whole > 0 ? (byte)0x33 : (byte)0x66;
+            events.Send(Px4Event.GroundStationLost, 0x64);
             events.Send(
                 Px4Event.NoGroundConnection, levels, default(Px4EventArguments).UInt32(uint.MaxValue).Byte(0x0C));
         }
-        else if (!isLost && IsGroundLost)
+        else if (!isLost && IsGroundStationLost)
         {
             events.Send(Px4Event.GroundRegained, 0x66, text: "GCS connection regained");
         }
 
-        IsGroundLost = isLost;
+        IsGroundStationLost = isLost;
     }
 
     private void CheckBattery(double remaining)

@@ -8,7 +8,7 @@ internal sealed partial class Px4Controller
 
     private bool CanRun(Px4Mode mode)
         => (Situation.HasPosition || !Px4ModeNames.NeedsPosition(mode))
-            && (mode != Px4Mode.Offboard || !Checks.IsOffboardLost);
+            && (mode != Px4Mode.Offboard || !Checks.IsOffboardStreamLost);
 
     private void Choose(Px4Mode mode)
     {

@@ -14,7 +14,7 @@ internal enum Px4Event : uint
     LoadTooHigh = 17836172,
     BatteryIsLow = 21826980,
     NoGroundConnection = 23579003,
-    GroundLost = 27571288,
+    GroundStationLost = 27571288,
     GroundRegained = 31011876,
     ManualControlLost = 22400324,
     ManualControlRegained = 17490621,

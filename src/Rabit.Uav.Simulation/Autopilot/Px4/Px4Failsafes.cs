@@ -81,9 +81,9 @@ internal sealed class Px4Failsafes
     {
         Px4Parameters parameters = _situation.Parameters;
         bool isNew = _manual.Update(
-            checks.IsManualLost && WereReceivedInFlight && !IsExcepted(intention),
+            checks.IsManualControlLost && WereReceivedInFlight && !IsExcepted(intention),
             LinkAction(parameters.ManualLossAction.Whole));
-        isNew |= _ground.Update(checks.IsGroundLost, LinkAction(parameters.GroundLossAction.Whole));
+        isNew |= _ground.Update(checks.IsGroundStationLost, LinkAction(parameters.GroundStationLossAction.Whole));
         isNew |= _fence.Update(checks.IsFenceBreached, FenceAction(parameters.FenceAction.Whole));
         MavBatteryChargeState charge = checks.Charge;
         isNew |= _low.Update(charge == MavBatteryChargeState.Low, Px4Action.Warn);

@@ -40,7 +40,7 @@ internal sealed class Px4Links
         => _groundReceived[link] is { } received && Now - received <= HeartbeatTimeout;
 
     /// <summary>Whether no link has had a ground station for a time.</summary>
-    public bool IsGroundLost(double seconds)
+    public bool IsGroundStationLost(double seconds)
     {
         foreach (TimeSpan? received in _groundReceived)
         {

@@ -19,7 +19,7 @@ internal sealed class Px4Parameters
         MaxLoad = Real("COM_CPU_MAX", -1);
         DisarmLanded = Real("COM_DISARM_LAND", 2);
         DisarmPreflight = Real("COM_DISARM_PRFLT", 10);
-        GroundLossTime = Whole("COM_DL_LOSS_T", 10);
+        GroundStationLossTime = Whole("COM_DL_LOSS_T", 10);
         FailsafeDelay = Real("COM_FAIL_ACT_T", 5);
         LowBatteryAction = Whole("COM_LOW_BAT_ACT", 0);
         OffboardLossAction = Whole("COM_OBL_RC_ACT", 0);
@@ -48,7 +48,7 @@ internal sealed class Px4Parameters
         MaxSpeedUp = Real("MPC_Z_VEL_MAX_UP", 3);
         AutoSpeedDown = Real("MPC_Z_V_AUTO_DN", 1.5);
         AutoSpeedUp = Real("MPC_Z_V_AUTO_UP", 3);
-        GroundLossAction = Whole("NAV_DLL_ACT", 0);
+        GroundStationLossAction = Whole("NAV_DLL_ACT", 0);
         ManualLossAction = Whole("NAV_RCL_ACT", 2);
         ReturnCone = Whole("RTL_CONE_ANG", 45);
         DescendHeight = Real("RTL_DESCEND_ALT", 12);
@@ -77,7 +77,7 @@ internal sealed class Px4Parameters
     public Px4Parameter DisarmPreflight { get; }
 
     /// <summary>Seconds.</summary>
-    public Px4Parameter GroundLossTime { get; }
+    public Px4Parameter GroundStationLossTime { get; }
 
     /// <summary>Seconds in AUTO.LOITER before the action of a failsafe.</summary>
     public Px4Parameter FailsafeDelay { get; }
@@ -160,7 +160,7 @@ internal sealed class Px4Parameters
     public Px4Parameter AutoSpeedUp { get; }
 
     /// <summary>0: none, 1: hold, 2: return, 3: land.</summary>
-    public Px4Parameter GroundLossAction { get; }
+    public Px4Parameter GroundStationLossAction { get; }
 
     /// <summary>0: none, 1: hold, 2: return, 3: land.</summary>
     public Px4Parameter ManualLossAction { get; }

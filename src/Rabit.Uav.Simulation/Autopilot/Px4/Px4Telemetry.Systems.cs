@@ -31,7 +31,7 @@ internal sealed partial class Px4Telemetry
         bool hasSticks = controller.Situation.Sticks.WereReceived;
         uint present = Present | Gps | (hasSticks ? Radio : 0);
         uint health = Healthy | Gps | Prearm;
-        if (hasSticks && !controller.Checks.IsManualLost)
+        if (hasSticks && !controller.Checks.IsManualControlLost)
             health |= Radio;
         if (controller.Checks.Charge != MavBatteryChargeState.Ok)
             health &= ~BatteryBit;

@@ -5,7 +5,7 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// The origin of ArduPilot's local frame. ArduPilot reckons a degree of latitude as 111 318.8 m and one of longitude as
+/// The origin of ArduPilot's local frame. ArduPilot takes a degree of latitude for 111 318.8 m and one of longitude for
 /// that times the cosine of the mean latitude (Location::get_distance_NE), which is up to 0.7 % more than WGS84 has:
 /// 7 m at a kilometre. A plain value.
 /// </summary>

@@ -101,6 +101,9 @@ internal sealed partial class CommandExecutor
     /// <summary>Takes an event of the autopilot.</summary>
     public void TakeEvent(uint id, TimeSpan time) => _failsafes.TakeEvent(id, time);
 
+    /// <summary>Takes what the autopilot reports as healthy or not.</summary>
+    public void TakeHealth(in SysStatus status, TimeSpan time) => _failsafes.TakeHealth(status, time);
+
     /// <summary>Takes what the fence of the autopilot reports.</summary>
     public void TakeFence(bool isBreached) => _failsafes.TakeFence(isBreached);
 

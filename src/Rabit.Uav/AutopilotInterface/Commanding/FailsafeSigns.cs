@@ -7,13 +7,22 @@ namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
 /// Distinguishes a failsafe of the autopilot from a pilot's change of the mode: by its state, its fence, its texts and
-/// events. No I/O, one thread.
+/// events, and what becomes unhealthy. No I/O, one thread.
 /// </summary>
 internal sealed class FailsafeSigns
 {
     /// <summary>How near to the change of the mode, before or after it, a text or an event counts.</summary>
     public static readonly TimeSpan Near = TimeSpan.FromSeconds(5);
 
+    // What real autopilots set within 0.4 s of the failsafe, and at no other time (ap-battery-*, ap-rc-failsafe,
+    // ap-fence-reboot, px4-battery-*). Other bits are set before arming, too, and with other causes.
+    private static readonly (MavSysStatusSensor Bit, string Name)[] HealthSigns =
+    [
+        (MavSysStatusSensor.RcReceiver, "RC_RECEIVER"), (MavSysStatusSensor.Battery, "BATTERY"),
+        (MavSysStatusSensor.Geofence, "GEOFENCE"),
+    ];
+
+    private MavSysStatusSensor? _unhealthy;
     private TimeSpan? _signAt;
     private string? _sign;
     private bool _isFenceBreached;
@@ -34,6 +43,21 @@ internal sealed class FailsafeSigns
 
     /// <summary>Takes what the fence of the autopilot reports.</summary>
     public void TakeFence(bool isBreached) => _isFenceBreached = isBreached;
+
+    /// <summary>Takes what is present, enabled and not healthy (SYS_STATUS).</summary>
+    public void TakeHealth(in SysStatus status, TimeSpan time)
+    {
+        MavSysStatusSensor unhealthy = status.OnboardControlSensorsPresent & status.OnboardControlSensorsEnabled
+            & ~status.OnboardControlSensorsHealth;
+        foreach ((MavSysStatusSensor bit, string name) in HealthSigns)
+        {
+            // What never was healthy, as a transmitter that is not there, is no sign.
+            if (_unhealthy is { } before && (unhealthy & ~before & bit) != 0)
+                Note($"SYS_STATUS: {name} unhealthy", time);
+        }
+
+        _unhealthy = unhealthy;
+    }
 
     /// <summary>What failsafe changed the mode; null where none did.</summary>
     /// <param name="vehicle">The state.</param>
