@@ -103,6 +103,20 @@ public sealed class FaultTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void Wind_AboveTheLimitBeforeTakeOff_IsWaitedForWithItsFigure()
+    {
+        ScriptedFault storm = Fault(ScriptedFaultKind.WindTo, 18, seconds: 60);
+        storm.At = TimeSpan.Zero;
+        using var flight = new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld(storm));
+        flight.FlyUntil(f => f.Mission.Text?.Contains("too strong") == true, TimeSpan.FromSeconds(40));
+        Assert.Matches(@"^waiting: (wind|gusts) too strong \(\d\d m/s\)$", flight.Mission.Text);
+        flight.FlyUntil(f => f.Mission.Phase != MissionPhase.WaitingForVehicle, TimeSpan.FromMinutes(3));
+        Assert.Equal(MissionPhase.Arming, flight.Mission.Phase);
+        Assert.InRange(flight.Reactor.Now.TotalSeconds, 65, 120);
+        flight.End();
+    }
+
+    [Fact]
     public void Manager_ThrowsOnce_ReturnsToLaunch()
     {
         var payload = new PayloadManager(throwsAt: InTheLanes) { FaultPolicy = FaultPolicy.CarryOn };

@@ -44,6 +44,35 @@ public class PartsTests
     }
 
     [Fact]
+    public void Wind_Gust_RisesAndFallsWithinItsDuration()
+    {
+        var options = new SimulationOptions
+        {
+            WindMetresPerSecond = 0,
+            WindFrom = Rabit.Geodesy.Angle.FromDegrees(270),
+            Faults =
+            [
+                new ScriptedFault
+                {
+                    Kind = ScriptedFaultKind.Gust, At = TimeSpan.FromSeconds(2), Value = 12,
+                    Duration = TimeSpan.FromSeconds(6),
+                },
+            ],
+        };
+        SimulatedVehicle vehicle = new SimulatedWorld(options).CreateVehicle();
+        var east = new List<double>();
+        for (int step = 1; step <= 1000; step++)
+        {
+            vehicle.Step(TimeSpan.FromSeconds(step * Step), DateTimeOffset.FromUnixTimeSeconds(0));
+            east.Add(vehicle.Air.Velocity.East);
+        }
+
+        Assert.Equal((0, 0), (east[198], east[820]));
+        Assert.Equal(12, east[499], 2);
+        Assert.Equal(6, east[349], 1);
+    }
+
+    [Fact]
     public void Battery_HoverPower_EmptiesInHalfAnHour()
     {
         var battery = new Battery(8, 1);

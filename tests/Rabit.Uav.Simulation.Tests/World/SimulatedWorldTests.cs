@@ -261,12 +261,16 @@ public class SimulatedWorldTests(ITestOutputHelper output)
             Faults =
             [
                 new ScriptedFault { Kind = ScriptedFaultKind.PilotMode, Value = 99 },
-                new ScriptedFault { Kind = ScriptedFaultKind.LinkSilent }
+                new ScriptedFault { Kind = ScriptedFaultKind.LinkSilent },
+                new ScriptedFault { Kind = ScriptedFaultKind.Gust, Value = 9 },
+                new ScriptedFault { Kind = ScriptedFaultKind.ComputerHot, Value = 400 },
+                new ScriptedFault { Kind = ScriptedFaultKind.DiskLow, Value = -1 },
             ],
         };
         var e = Assert.Throws<ArgumentException>(() => new SimulatedWorld(options));
         foreach (string name
-            in (string[])["WindMetresPerSecond", "BatteryRemaining", "Area", "PilotMode", "LinkSilent"])
+            in (string[])["WindMetresPerSecond", "BatteryRemaining", "Area", "PilotMode", "LinkSilent", "Gust at",
+                "ComputerHot", "DiskLow"])
             Assert.Contains(name, e.Message, StringComparison.Ordinal);
     }
 

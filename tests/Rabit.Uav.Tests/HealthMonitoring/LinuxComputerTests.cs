@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Rabit.Tests.Shared;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
 using Xunit;
@@ -67,6 +68,32 @@ public sealed class LinuxComputerTests : IDisposable
     {
         ComputerStatus status = Look();
         Assert.InRange(status.DiskFreeBytes ?? -1, 0, status.DiskTotalBytes ?? -2);
+    }
+
+    [Fact]
+    public void Look_ThisComputer_KnowsWhatLinuxReports()
+    {
+        using var computer = new LinuxComputer(".");
+        ComputerStatus status = computer.Look(TimeSpan.Zero);
+        Assert.InRange(status.DiskFreeBytes ?? -1, 0, status.DiskTotalBytes ?? -2);
+        if (!File.Exists("/proc/meminfo"))
+            return;
+        Assert.InRange(status.MemoryUsedFraction, 0.001, 1);
+        Assert.True(status.Uptime > TimeSpan.Zero);
+        for (int look = 0; look < 50 && double.IsNaN(status.CpuLoad); look++)
+            status = computer.Look(TimeSpan.Zero);
+        Assert.True(double.IsNaN(status.CpuLoad) || status.CpuLoad is >= 0 and <= 1);
+    }
+
+    // Once a second: the disk's figures are strings on their way.
+    [Fact]
+    public void Look_AgainAndAgain_HardlyAllocates()
+    {
+        Write("proc/meminfo", "MemTotal:        8000000 kB\nMemAvailable:    6000000 kB\n");
+        Write("proc/stat", "cpu  100 0 100 800 0 0 0 0 0 0\ncpu0 50 0 50 400 0 0 0 0 0 0\n");
+        Write(Temperature, "61322\n");
+        Look();
+        Assert.InRange(Allocated.By(() => Look()), 0, 4000);
     }
 
     [Theory]

@@ -26,6 +26,13 @@ internal sealed class KernelFile(string path) : IDisposable
             return default;
         }
 
+        // No exception where a computer has no such file.
+        if (_file is null && !File.Exists(path))
+        {
+            _leftOut = ReadsLeftOut;
+            return default;
+        }
+
         try
         {
             // Without a buffer of its own, which would keep what it was.
