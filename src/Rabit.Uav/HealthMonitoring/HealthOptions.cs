@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Uav.Messages;
-using Rabit.Uav.MissionControl;
 using Rabit.Uav.Preflight;
 
 namespace Rabit.Uav.HealthMonitoring;
@@ -85,7 +84,7 @@ public sealed class HealthOptions
 
     /// <summary>
     /// Time without a heartbeat of a ground station, once one was received, after which it is lost. What the vehicle
-    /// does then the mission says: <see cref="MissionPlan.GroundStationLost"/>.
+    /// does then the mission says: <see cref="MissionControl.MissionPlan.GroundStationLost"/>.
     /// </summary>
     /// <value>At least 2 s. The default is 5 s: five missed at 1 Hz.</value>
     public TimeSpan GroundStationLostAfter { get; set; } = TimeSpan.FromSeconds(5);

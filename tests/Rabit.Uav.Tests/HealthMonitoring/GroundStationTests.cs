@@ -2,7 +2,6 @@ using System;
 using Rabit.Core;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
-using Rabit.Uav.MissionControl;
 using Xunit;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;

@@ -1,6 +1,6 @@
 using System;
 
-namespace Rabit.Uav.MissionControl;
+namespace Rabit.Uav.Messages;
 
 /// <summary>
 /// What a mission does where the ground station, once received, is no longer: times since its last heartbeat.
