@@ -66,6 +66,7 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--link tlog:a --sign-key key", "--sign-key needs a live vehicle")]
     [InlineData("--seed -1", "--seed -1: it must be a whole number, 0 or more.")]
     [InlineData("--seed x", "--seed x: it must be a whole number, 0 or more.")]
+    [InlineData("--resume /nowhere/p.json", "--resume: Progress file '/nowhere/p.json': it cannot be read: ")]
     [InlineData("--targets 51", "--targets 51: it must be a number from 0 to 50.")]
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)
         => AssertRefused(expected, arguments.Split(' '));

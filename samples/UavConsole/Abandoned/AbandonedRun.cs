@@ -1,12 +1,11 @@
 using System;
 using System.Globalization;
-using System.IO;
-using System.Text.Json;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Uav;
 using Rabit.Uav.Communications;
+using Rabit.Uav.MissionControl;
 
 namespace UavConsole;
 
@@ -48,15 +47,13 @@ internal static class AbandonedRun
             return "the service ended in order";
         try
         {
-            using JsonDocument state = JsonDocument.Parse(File.ReadAllBytes(stateFile));
-            bool isCommanding = state.RootElement.ValueKind == JsonValueKind.Object
-                && state.RootElement.TryGetProperty("isCommanding", out JsonElement flag)
-                && flag.ValueKind == JsonValueKind.True;
-            return isCommanding ? null : $"{stateFile} does not say that the vehicle was commanded";
+            return MissionProgress.ReadFile(stateFile).IsCommanding
+                ? null
+                : $"{stateFile} does not say that the vehicle was commanded";
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or JsonException)
+        catch (Exception e) when (e is MissionProgressException or ArgumentException or NotSupportedException)
         {
-            return $"{stateFile} cannot be read: {e.Message}";
+            return e.Message.TrimEnd('.');
         }
     }
 

@@ -64,7 +64,7 @@ internal sealed class OperatorChoices
         catch (Exception e)
             when (e is MissionProgressException or IOException or UnauthorizedAccessException or NotSupportedException)
         {
-            throw new ArgumentException($"--resume {path}: {e.Message}", nameof(path), e);
+            throw new ArgumentException("--resume: " + e.Message, nameof(path), e);
         }
     }
 

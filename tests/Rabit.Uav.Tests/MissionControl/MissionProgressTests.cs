@@ -177,12 +177,14 @@ public sealed class MissionProgressTests : IDisposable
     }
 
     [Fact]
-    public void ReadFile_NotThere_IsRefusedByName()
-        => Assert.Contains(
-            "nowhere.json",
-            Assert.Throws<MissionProgressException>(
-                () => MissionProgress.ReadFile(Path.Combine(_folder, "nowhere.json"))).Message,
-            StringComparison.Ordinal);
+    public void ReadFile_NotThere_IsRefusedByNameInOneSentence()
+    {
+        string refusal = Assert.Throws<MissionProgressException>(
+            () => MissionProgress.ReadFile(Path.Combine(_folder, "nowhere.json"))).Message;
+        Assert.Contains("nowhere.json", refusal, StringComparison.Ordinal);
+        Assert.EndsWith(".", refusal, StringComparison.Ordinal);
+        Assert.DoesNotContain("..", refusal, StringComparison.Ordinal);
+    }
 
     [Fact]
     public void File_FolderIsGone_TheFlightGoesOnAndTheLogSaysSoOnce()

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Tests;
 using Rabit.Uav.Tests.Communications;
 using Xunit;
 
@@ -10,6 +11,10 @@ namespace UavConsole.Tests.Abandoned;
 /// <summary>When a vehicle that a failed flight left behind is asked to return, and when it is left alone.</summary>
 public sealed class AbandonedReturnTests : IDisposable
 {
+    // Written by Mission Control in the middle of a simulated search and at its end.
+    private const string Progress = "search.progress.json";
+    private const string DoneProgress = "search-done.progress.json";
+
     private readonly TestLog _folder = new();
 
     private string StateFile => Path.Combine(_folder.Folder, "progress.json");
@@ -46,17 +51,11 @@ public sealed class AbandonedReturnTests : IDisposable
     }
 
     [Theory]
-    [InlineData(null, "{ \"isCommanding\": true }", "SERVICE_RESULT is not set")]
-    [InlineData("success", "{ \"isCommanding\": true }", "the service ended in order")]
-    [InlineData("signal", "{ \"isCommanding\": false }", "does not say that the vehicle was commanded")]
-    [InlineData("signal", "{ }", "does not say that the vehicle was commanded")]
-    [InlineData("signal", "[true]", "does not say that the vehicle was commanded")]
-    [InlineData("signal", "{ \"isComm", "cannot be read")]
-    [InlineData("signal", null, "cannot be read")]
-    public void FindReasonToStay_ByServiceAndState_NothingIsOpened(string? result, string? state, string expected)
+    [InlineData(null, "SERVICE_RESULT is not set")]
+    [InlineData("success", "the service ended in order")]
+    public void FindReasonToStay_ServiceDidNotFail_IsNamed(string? result, string expected)
     {
-        if (state is not null)
-            File.WriteAllText(StateFile, state);
+        File.WriteAllText(StateFile, TestData.MissionText(Progress));
 
         Assert.Contains(expected, AbandonedRun.FindReasonToStay(result, StateFile));
     }
@@ -64,10 +63,47 @@ public sealed class AbandonedReturnTests : IDisposable
     [Fact]
     public void FindReasonToStay_ServiceFailedWhileCommanding_IsNone()
     {
-        File.WriteAllText(StateFile, "{ \"isCommanding\": true }");
+        File.WriteAllText(StateFile, TestData.MissionText(Progress));
 
         Assert.Null(AbandonedRun.FindReasonToStay("watchdog", StateFile));
     }
+
+    [Fact]
+    public void FindReasonToStay_NotCommanded_IsNamed()
+    {
+        File.WriteAllText(StateFile, TestData.MissionText(DoneProgress));
+
+        Assert.Contains("does not say that the vehicle was commanded", FindReasonAfterFault());
+    }
+
+    // It says that the vehicle was commanded, and none of them is what Mission Control wrote.
+    [Fact]
+    public void FindReasonToStay_DamagedProgress_IsNamed()
+    {
+        string whole = TestData.MissionText(Progress);
+        string[] damaged =
+        [
+            string.Empty, "{ \"isCommanding\": true }", whole.Remove(whole.Length / 2),
+            TestData.MissionText(DoneProgress).Replace("\"isCommanding\":false", "\"isCommanding\":true"),
+        ];
+
+        Assert.All(damaged, text =>
+        {
+            File.WriteAllText(StateFile, text);
+            Assert.Contains("it is not complete or was changed", FindReasonAfterFault());
+        });
+    }
+
+    [Fact]
+    public void FindReasonToStay_NoProgress_IsNamedInOneSentence()
+    {
+        string? reason = FindReasonAfterFault();
+
+        Assert.Contains("it cannot be read: ", reason);
+        Assert.DoesNotContain("..", reason);
+    }
+
+    private string? FindReasonAfterFault() => AbandonedRun.FindReasonToStay("signal", StateFile);
 
     private static VehicleState Hovering() => new()
     {
