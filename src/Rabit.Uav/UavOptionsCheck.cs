@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
@@ -108,9 +109,28 @@ internal static class UavOptionsCheck
                 yield return $"target {name} of the mission is no target class; there are {declared}";
         }
 
+        if (mission is not null && options.Camera is not null && options.Has(UavManagers.ImageProcessing)
+            && FindGapBetweenLanes(mission, imaging) is { } gap)
+            yield return gap;
         if (imaging.Detector is not null && options.Camera is null)
             yield return $"there is a {nameof(imaging.Detector)}, but no {nameof(options.Camera)} whose pictures it "
                 + "could search";
+    }
+
+    // What is wrong with the values by themselves is reported with them.
+    private static string? FindGapBetweenLanes(MissionPlan mission, ImageProcessingOptions imaging)
+    {
+        bool isKnown = imaging.Camera?.FindFaults().Any() == false && imaging.Mount?.FindFaults().Any() == false
+            && !MissionPlanRules.FindFaults(mission).Any();
+        if (!isKnown)
+            return null;
+        double width = PictureSwath.WidthMetres(
+            imaging.Camera!, imaging.Mount!, mission.CameraPitch, mission.CameraYaw, mission.HeightMetres);
+        return mission.LaneSpacingMetres <= width
+            ? null
+            : $"laneSpacingMetres of the mission is {MissionNumbers.Of(mission.LaneSpacingMetres)}, wider than the "
+                + $"picture: from heightMetres {MissionNumbers.Of(mission.HeightMetres)} the camera sees "
+                + $"{MissionNumbers.Of(width)} m across the lanes, and the ground between them would not be seen";
     }
 
     private static IEnumerable<string> FindFaultsOfWhatIsLeftOut(UavOptions options)

@@ -4,11 +4,14 @@ using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
 using Rabit.Uav.Tests.Communications;
 using Rabit.Uav.Tests.HealthMonitoring;
 using Rabit.Uav.Tests.ImageProcessing;
+using Rabit.Uav.Tests.MissionControl;
 using Xunit;
 
 namespace Rabit.Uav.Tests;
@@ -76,6 +79,15 @@ public sealed class UavPartsTests
             o => o.OpenLinks = [o.OpenLinks[0], o.OpenLinks[0]] },
         { "there is a Detector, but no Camera whose pictures it could search",
             o => o.Imaging.Detector = new RednessDetector() },
+        { "laneSpacingMetres of the mission is 60.0, wider than the picture: from heightMetres 40.0 the camera sees "
+            + "48.2 m across the lanes",
+            o =>
+            {
+                o.Mission = MissionPlan.Parse(
+                    MissionRig.Text().Replace("\"laneSpacingMetres\":30", "\"laneSpacingMetres\":60"), "wide");
+                o.Camera = new ScriptedCamera([]);
+                o.Imaging.Camera = new CameraModel { Width = 640, Height = 480, FocalX = 530, FocalY = 530 };
+            } },
         { "2 managers are named 'autopilot'", o => o.OtherManagers = [new WorkingManager("autopilot")] },
         { "vehicle messages are the work of Communications, which Without has", o =>
         {

@@ -94,6 +94,8 @@ public sealed class HtmlReport
             _page.Close();
         }
 
+        foreach (string headline in mission.Remarks)
+            _page.Element("p", headline, "class", "aborted");
         if (mission.Aborted is { } aborted)
             _page.Element("p", "The search was given up before its end: " + aborted, "class", "aborted");
         _page.Element("p", _summary.Source, "class", "lead").Close();
@@ -127,9 +129,12 @@ public sealed class HtmlReport
                 $"RMS; {FlightText.Number(score.InEllipse)} of {FlightText.Number(score.Found)} in their ellipse");
         }
 
+        string lanes = FlightText.Number(mission.LanesFlown) + (mission.LanesFlown == 1 ? " lane" : " lanes") + " flown";
         Tile(
             "area covered", $"{FlightText.Number(mission.CoveragePercent, "0.0")} %",
-            mission.LanesFlown == 1 ? "1 lane flown" : $"{FlightText.Number(mission.LanesFlown)} lanes flown");
+            mission.RequiredCoveragePercent > 0
+                ? $"{FlightText.Number(mission.RequiredCoveragePercent, "0.#")} % required, {lanes}"
+                : lanes);
         Tile("path flown", $"{FlightText.Number(mission.FlownMetres, "0")} m", mission.OutsideFenceMetres > 0
             ? $"{FlightText.Number(mission.OutsideFenceMetres, "0.0")} m outside the fence"
             : "inside the fence");

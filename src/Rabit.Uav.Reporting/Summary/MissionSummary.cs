@@ -21,8 +21,8 @@ public sealed class MissionSummary
     /// <summary>Summarises a mission.</summary>
     /// <param name="record">The flight.</param>
     /// <param name="score">
-    /// Null where the truth is not known. Where it is, a mission that was given up after all its targets were found
-    /// has passed.
+    /// Null where the truth is not known. Where it is, a mission that was given up after all its targets were found and
+    /// as much of the area was seen as is required has passed.
     /// </param>
     public MissionSummary(FlightRecord record, MissionScore? score)
     {
@@ -36,6 +36,7 @@ public sealed class MissionSummary
         Aborted = mission.Aborted;
         StopResult = mission.StopResult;
         CoveragePercent = mission.Coverage * 100;
+        RequiredCoveragePercent = mission.Result.RequiredCoverage * 100;
         LanesFlown = mission.LanesFlown;
         Revisits = mission.Revisits;
         FlownMetres = record.FlownMetres;
@@ -45,7 +46,10 @@ public sealed class MissionSummary
         HasLanded = mission.Result.HasLanded;
         DistanceFromHomeMetres = score?.DistanceFromHomeMetres ?? mission.Result.DistanceFromHomeMetres;
         OutsideFenceMetres = mission.Result.OutsideFenceMetres;
-        Failures = [.. TargetFailures(score), .. FlightFailures(record)];
+        string[] notSeen = CoverageFailures(mission.Result).ToArray();
+        Failures = [.. notSeen, .. TargetFailures(score), .. FlightFailures(record)];
+        Remarks = [.. NothingFound(record)];
+        Headlines = [.. notSeen, .. Remarks];
     }
 
     /// <summary>Compared with the truth; null where it is not known.</summary>
@@ -68,6 +72,9 @@ public sealed class MissionSummary
 
     /// <summary>The part of the area that was searched, 0 to 100.</summary>
     public double CoveragePercent { get; }
+
+    /// <summary>The part of the area that had to be searched, 0 to 100; 0 for a mission without a camera.</summary>
+    public double RequiredCoveragePercent { get; }
 
     /// <summary>How many segments of the lanes were flown.</summary>
     public int LanesFlown { get; }
@@ -99,8 +106,33 @@ public sealed class MissionSummary
     /// <summary>Why the mission failed, for people; none where it passed.</summary>
     public IReadOnlyList<string> Failures { get; }
 
+    /// <summary>
+    /// What is said before everything else, for people: that the area was not fully seen, that nothing was found. None
+    /// where neither holds.
+    /// </summary>
+    public IReadOnlyList<string> Headlines { get; }
+
+    /// <summary>The headlines that are no failures.</summary>
+    internal IReadOnlyList<string> Remarks { get; }
+
     /// <summary>Whether the mission did what was asked for.</summary>
     public bool HasPassed => Failures.Count == 0;
+
+    private IEnumerable<string> CoverageFailures(MissionResult result)
+    {
+        if ((result.Failures & MissionFailures.AreaNotSeen) != 0)
+            yield return $"the area was not fully seen: {FlightText.Number(CoveragePercent, "0.0")} % of it, "
+                + $"{FlightText.Number(RequiredCoveragePercent, "0.#")} % are required";
+    }
+
+    private static IEnumerable<string> NothingFound(FlightRecord record)
+    {
+        if (!record.Mission.Result.HasFlown || record.Tracks.Confirmed.Any())
+            yield break;
+        yield return record.Imaging.HasCamera || record.Imaging.Observations > 0
+            ? "nothing was found: no target was confirmed"
+            : "nothing was searched for: there was no camera";
+    }
 
     private static IEnumerable<string> TargetFailures(MissionScore? score)
     {

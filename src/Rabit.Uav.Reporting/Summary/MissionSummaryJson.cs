@@ -10,7 +10,6 @@ namespace Rabit.Uav.Reporting;
 /// <summary>Writes the result of a mission for programs; docs/uavconsole-summary.md describes the fields.</summary>
 internal static class MissionSummaryJson
 {
-
     public static void Write(Utf8JsonWriter json, FlightSummary summary, MissionSummary mission)
     {
         json.WriteStartObject("mission");
@@ -37,10 +36,15 @@ internal static class MissionSummaryJson
         foreach (string failure in mission.Failures)
             json.WriteStringValue(failure);
         json.WriteEndArray();
+        json.WriteStartArray("headlines");
+        foreach (string headline in mission.Headlines)
+            json.WriteStringValue(headline);
+        json.WriteEndArray();
         json.WriteString("phase", mission.Phase.ToString());
         json.WriteString("aborted", mission.Aborted);
         json.WriteString("stopResult", mission.StopResult.ToString());
         WriteNumber(json, "coveragePercent", mission.CoveragePercent);
+        WriteNumber(json, "requiredCoveragePercent", mission.RequiredCoveragePercent);
         WriteNumber(json, "pathMetres", mission.FlownMetres);
         WriteNumber(json, "flightTimeSeconds", mission.FlightTime.TotalSeconds);
         WriteNumber(json, "runTimeSeconds", summary.RunTime.TotalSeconds);

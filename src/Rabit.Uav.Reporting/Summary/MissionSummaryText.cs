@@ -10,6 +10,13 @@ namespace Rabit.Uav.Reporting;
 /// <summary>Writes the result of a mission for people.</summary>
 internal sealed class MissionSummaryText(TextWriter output, FlightSummary summary, MissionSummary mission)
 {
+    /// <summary>What a reader of a file must not miss, each in a line of its own.</summary>
+    public void WriteHeadlines()
+    {
+        foreach (string headline in mission.Headlines)
+            Line("ATTENTION: " + headline);
+    }
+
     // The verdict last: in a terminal that is what one sees first.
     public void Write()
     {
@@ -24,6 +31,8 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
         Line($"{title}: {(mission.HasPassed ? "ACCOMPLISHED" : "FAILED")}");
         foreach (string failure in mission.Failures)
             Line("  failed: " + failure);
+        foreach (string headline in mission.Remarks)
+            Line("  " + headline);
         if (mission is { Aborted: { } why, Score: not null })
             Line("  given up before its end: " + why);
     }

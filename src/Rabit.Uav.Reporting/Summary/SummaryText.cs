@@ -47,6 +47,10 @@ public sealed class SummaryText
     private void Write()
     {
         Line($"--- summary: {_summary.StopReason} ---");
+        MissionSummaryText? mission = _summary.Mission is null
+            ? null
+            : new MissionSummaryText(_output, _summary, _summary.Mission);
+        mission?.WriteHeadlines();
         WriteFlight(_telemetry);
         if (_telemetry.FramesDropped > 0)
             Line($"NOT RECORDED: {FlightText.Number(_telemetry.FramesDropped)} frames had no room in the recorder's "
@@ -59,8 +63,7 @@ public sealed class SummaryText
         Line("health at the end: " + FlightText.Health(_summary.Health));
         foreach (ManagerSummary manager in _summary.Managers)
             Line("manager " + FlightText.Printable(manager.Description));
-        if (_summary.Mission is { } mission)
-            new MissionSummaryText(_output, _summary, mission).Write();
+        mission?.Write();
         if (_summary.HasReplayLostFrames)
             Line("FAILED: frames of a recorded flight were dropped, or it could not be read to its end");
     }

@@ -31,4 +31,9 @@ public enum MissionFailures
     /// The command was taken away, and the mission was not resumed; <see cref="MissionStatus.TakenOver"/> says by whom.
     /// </summary>
     TakenOver = 32,
+
+    /// <summary>
+    /// The camera saw less of the area than the mission requires, <see cref="MissionResult.RequiredCoverage"/>.
+    /// </summary>
+    AreaNotSeen = 64,
 }

@@ -21,6 +21,12 @@ public struct MissionResult
     /// <summary>Whether the vehicle took off and landed: its motors are off, and did not stop in the air.</summary>
     public bool HasLanded { get; set; }
 
+    /// <summary>
+    /// Fraction of the area that the camera must have seen, 0 to 1; 0 where nothing is required: a mission without a
+    /// camera.
+    /// </summary>
+    public double RequiredCoverage { get; set; }
+
     /// <summary>Horizontal distance from home; NaN where the plan or the position is not known.</summary>
     public double DistanceFromHomeMetres { get; set; }
 

@@ -37,11 +37,13 @@ internal sealed class MissionAssessment
             | If(MissionFailures.NotLanded, hasFlown && !hasLanded)
             | If(MissionFailures.AwayFromHome, hasLanded && !(distance <= MissionResult.MaxLandingDistanceMetres))
             | If(MissionFailures.OutsideFence, _outsideFenceMetres > 0)
-            | If(MissionFailures.TakenOver, flight.IsTakenOver);
+            | If(MissionFailures.TakenOver, flight.IsTakenOver)
+            | If(MissionFailures.AreaNotSeen, hasFlown && flight.Route?.Coverage.Fraction < flight.RequiredCoverage);
         return new MissionResult
         {
             Outcome = OutcomeOf(phase, failures),
             Failures = failures,
+            RequiredCoverage = flight.RequiredCoverage,
             HasFlown = hasFlown,
             HasLanded = hasLanded,
             DistanceFromHomeMetres = distance,

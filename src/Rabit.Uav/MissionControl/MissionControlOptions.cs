@@ -23,7 +23,10 @@ public sealed class MissionControlOptions
     /// <summary>The mission; null to observe and command nothing.</summary>
     public MissionPlan? Mission { get; set; }
 
-    /// <summary>Whether a mission waits for a camera before it begins.</summary>
+    /// <summary>
+    /// Whether a mission waits for a camera before it begins, and is accomplished only when the camera has seen the
+    /// area (<see cref="MissionPlan.RequiredCoverage"/>).
+    /// </summary>
     /// <value>The default is true: a search without pictures finds nothing.</value>
     public bool RequiresCamera { get; set; } = true;
 
@@ -47,7 +50,10 @@ public sealed class MissionControlOptions
     /// </value>
     public TimeSpan ArmTimeout { get; set; } = TimeSpan.FromSeconds(60);
 
-    /// <summary>Fraction of the area that the camera must have seen for the search to be complete.</summary>
+    /// <summary>
+    /// Fraction of the area that the camera must have seen for the search to be complete, so that no gaps are flown
+    /// over; <see cref="MissionPlan.RequiredCoverage"/> where that is more.
+    /// </summary>
     /// <value>0 to 1. The default is 0.985: rounding to cells leaves up to a per cent along the border.</value>
     public double CoverageGoal { get; set; } = 0.985;
 

@@ -144,6 +144,14 @@ internal sealed class MissionFlight(
 
     private LocalNedFrame Frame => Plan?.Frame ?? (_startFrame ??= LocalNedFrame.IgnoringGeoid(Vehicle.Position));
 
+    /// <summary>Fraction of the area that must have been seen for the search to be complete.</summary>
+    public double CoverageGoal => Math.Max(Options.CoverageGoal, RequiredCoverage);
+
+    /// <summary>
+    /// Fraction of the area that must have been seen for the mission to be accomplished; 0 without a camera.
+    /// </summary>
+    public double RequiredCoverage => Options.RequiresCamera ? Mission.RequiredCoverage : 0;
+
     public void Log(string text) => log(text);
 
     /// <summary>
@@ -197,7 +205,7 @@ internal sealed class MissionFlight(
             return faultOfPlan;
         Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
         Route.Resume(progress, earlier, OverlapMetres);
-        bool isComplete = Route.Current is null && Route.Coverage.Fraction >= Options.CoverageGoal;
+        bool isComplete = Route.Current is null && Route.Coverage.Fraction >= CoverageGoal;
         return isComplete ? "the progress is that of a search that is complete" : string.Empty;
     }
 

@@ -29,6 +29,8 @@ namespace Rabit.Uav.MissionControl;
 /// </example>
 public sealed partial class MissionPlan
 {
+    internal const double DefaultRequiredCoverage = 0.98;
+
     /// <summary>Name of the mission.</summary>
     public string Name { get; init; } = "search";
 
@@ -71,6 +73,15 @@ public sealed partial class MissionPlan
 
     /// <summary>Whether a gimbal is to be pointed there; otherwise the camera is fixed in that direction.</summary>
     public bool HasGimbal { get; init; }
+
+    /// <summary>
+    /// Fraction of the area that the camera must have seen for the mission to be accomplished, 0 to 1. A mission that
+    /// is flown without a camera has no such requirement.
+    /// </summary>
+    /// <value>
+    /// The default is 0.98: rounding to cells and a roll of a few degrees at the border leave up to 2 %.
+    /// </value>
+    public double RequiredCoverage { get; init; } = DefaultRequiredCoverage;
 
     /// <summary>Fraction of the battery that must remain at the start, 0 to 1.</summary>
     public double MinBatteryFractionAtStart { get; init; } = 0.5;

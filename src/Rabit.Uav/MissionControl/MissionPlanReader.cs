@@ -88,6 +88,7 @@ internal static class MissionPlanReader
             CameraPitch = Angle.FromDegrees(camera.Number("pitchDegrees") ?? -90),
             CameraYaw = Angle.FromDegrees(camera.Number("yawDegrees") ?? 0),
             HasGimbal = camera.Flag("gimbal") ?? false,
+            RequiredCoverage = fields.Number("requiredCoverage") ?? MissionPlan.DefaultRequiredCoverage,
             ObstacleHeightMetres = fields.Number("obstacleHeightMetres"),
             MinBatteryFractionAtStart = limits.Number("minBatteryFractionAtStart") ?? 0.5,
             MaxHeightMetres = limits.Number("maxHeightMetres"),

@@ -50,6 +50,7 @@ internal static class MissionPlanRules
         yield return ("laneSpacingMetres", plan.LaneSpacingMetres, 2, 200);
         yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeading ?? Angle.Zero), -360, 360);
         yield return ("fenceMarginMetres", plan.FenceMarginMetres, 0, 500);
+        yield return ("requiredCoverage", plan.RequiredCoverage, 0, 1);
         yield return ("obstacleHeightMetres", plan.ObstacleHeightMetres ?? 0, 0, 500);
         yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, 120);
         yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);

@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Text.Json;
 using Rabit.Uav.Messages;
 using Xunit;
 
@@ -24,6 +25,80 @@ public sealed class MissionSummaryTests
 
     [Fact]
     public void HasPassed_FlownToItsEndAndTruthNotKnown_IsTrue() => Assert.True(Of(Landed()).HasPassed);
+
+    // Finding mission.md 19: 93.4 % were accomplished. The truth of the targets does not make up for it.
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Failures_AreaNotSeen_IsTheFirst(bool isTruthKnown)
+    {
+        var summary = new MissionSummary(
+            NotSeen(MissionFailures.GivenUp), isTruthKnown ? new MissionScore() : null);
+
+        Assert.False(summary.HasPassed);
+        Assert.Equal("the area was not fully seen: 93.4 % of it, 98 % are required", summary.Failures[0]);
+        Assert.Equal(summary.Failures[0], summary.Headlines[0]);
+        Assert.Equal(98, summary.RequiredCoveragePercent, 6);
+    }
+
+    [Theory]
+    [InlineData(true, 0.98, "nothing was found: no target was confirmed")]
+    [InlineData(false, 0, "nothing was searched for: there was no camera")]
+    public void Headlines_NoTargetConfirmed_SaysSo(bool hasCamera, double required, string expected)
+    {
+        MissionSummary summary = Of(Landed(result: Home with { RequiredCoverage = required }, hasCamera: hasCamera));
+
+        Assert.Equal([expected], summary.Headlines);
+        Assert.True(summary.HasPassed);
+    }
+
+    [Fact]
+    public void Headlines_TargetsFoundOrNotFlown_AreNone()
+    {
+        Assert.Empty(Of(MadeUpFlight.Record()).Headlines);
+        Assert.Empty(Of(Flown(new MissionResult { Failures = MissionFailures.NotFlown })).Headlines);
+    }
+
+    [Fact]
+    public void Text_AreaNotSeenAndNothingFound_IsSaidFirst()
+    {
+        using var written = new StringWriter();
+        FlightRecord record = NotSeen();
+        SummaryText.Write(written, new FlightSummary(record) { Mission = Of(record), StopReason = "over" });
+
+        string[] lines = written.ToString().Split('\n');
+        Assert.Equal("--- summary: over ---", lines[0].TrimEnd());
+        Assert.Equal("ATTENTION: the area was not fully seen: 93.4 % of it, 98 % are required", lines[1].TrimEnd());
+        Assert.Equal("ATTENTION: nothing was found: no target was confirmed", lines[2].TrimEnd());
+    }
+
+    [Fact]
+    public void Html_AreaNotSeenAndNothingFound_IsSaidBeforeTheMap()
+    {
+        using var written = new StringWriter();
+        FlightRecord record = NotSeen();
+        HtmlReport.Write(written, new FlightSummary(record) { Mission = Of(record) });
+
+        string page = written.ToString();
+        int tiles = page.IndexOf("class=\"tiles\"", StringComparison.Ordinal);
+        Assert.InRange(page.IndexOf("the area was not fully seen: 93.4 %", StringComparison.Ordinal), 1, tiles);
+        Assert.InRange(page.IndexOf("nothing was found", StringComparison.Ordinal), 1, tiles);
+        Assert.Contains("98 % required", page, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Json_AreaNotSeen_SaysWhatIsRequired()
+    {
+        using var written = new MemoryStream();
+        FlightRecord record = NotSeen();
+        SummaryJson.Write(written, new FlightSummary(record) { Mission = Of(record) });
+        written.Position = 0;
+        using JsonDocument json = JsonDocument.Parse(written);
+        JsonElement mission = json.RootElement.GetProperty("mission");
+
+        Assert.Equal(98, mission.GetProperty("requiredCoveragePercent").GetDouble(), 3);
+        Assert.Equal(2, mission.GetProperty("headlines").GetArrayLength());
+    }
 
     [Fact]
     public void Failures_StillInTheAir_SaysWhereAndThatItIsNotCommanded()
@@ -120,7 +195,25 @@ public sealed class MissionSummaryTests
     public void HasPassed_WithoutTruth_DoesNotCountTargets()
         => Assert.True(Of(MadeUpFlight.Record(finds: 0)) is { HasPassed: true, Score: null });
 
+    private static MissionResult Home => new() { HasFlown = true, HasLanded = true, DistanceFromHomeMetres = 0.5 };
+
     private static MissionSummary Of(FlightRecord record) => new(record, score: null);
+
+    private static FlightRecord NotSeen(MissionFailures failures = MissionFailures.None) => Landed(
+        result: Home with { RequiredCoverage = 0.98, Failures = MissionFailures.AreaNotSeen | failures },
+        coverage: 0.934, hasCamera: true);
+
+    private static FlightRecord Landed(MissionResult result, double coverage = 1, bool hasCamera = false) => new()
+    {
+        Mission = new MissionStatus
+        {
+            Plan = MadeUpSite.Plan,
+            Phase = MissionPhase.Done,
+            Coverage = coverage,
+            Result = result,
+        },
+        Imaging = new ImagingStatus { HasCamera = hasCamera },
+    };
 
     private static FlightRecord Landed(
         MissionFailures failures = MissionFailures.None, string? aborted = null, double distance = 0.5,

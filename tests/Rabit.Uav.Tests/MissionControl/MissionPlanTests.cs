@@ -69,6 +69,7 @@ public class MissionPlanTests
         "home.groundAltitudeAmslMetres is 99999; it must be -500 to 9000")]
     [InlineData("\"fenceMarginMetres\": 20",
         "fenceMarginMetres is 20; it must be at least 25: lanes end up to half a spacing outside the area")]
+    [InlineData("\"requiredCoverage\": 98", "requiredCoverage is 98; it must be 0 to 1")]
     [InlineData("\"fenceMarginMetres\": 501", "fenceMarginMetres is 501; it must be 0 to 500")]
     [InlineData("\"revisit\": {\"enabled\": 1}", "revisit.enabled is 1; it must be true or false")]
     [InlineData("\"revisit\": {\"heightMetres\": 2}", "revisit.heightMetres is 2; it must be 5 to 120")]

@@ -28,6 +28,62 @@ public class MissionResultTests
         Assert.InRange(result.DistanceFromHomeMetres, 0, 2);
     }
 
+    // Finding mission.md 19: 93 % of the area was enough.
+    [Theory]
+    [InlineData("", 0.98)]
+    [InlineData(",\"requiredCoverage\":0.3", 0.3)]
+    public void Result_CameraSeesNothing_IsFailedByTheCoverage(string more, double required)
+    {
+        using var rig = new MissionRig(MissionRig.Mission(more));
+        rig.Vehicle.CameraSees = false;
+        rig.RunToEnd();
+
+        MissionResult result = rig.Status.Result;
+        Assert.Equal((MissionOutcome.Failed, MissionFailures.AreaNotSeen), (result.Outcome, result.Failures));
+        Assert.Equal((required, 0.0), (result.RequiredCoverage, rig.Status.Coverage));
+    }
+
+    [Fact]
+    public void Result_AsMuchSeenAsIsRequired_IsAccomplished()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(",\"requiredCoverage\":0.3"), o => o.MaxGapPasses = 0);
+        rig.RunUntil(MissionPhase.Searching);
+        for (int i = 0; i < 2000 && rig.Status.Coverage < 0.3; i++)
+            rig.Run(0.1);
+        rig.Vehicle.CameraSees = false;
+        rig.RunToEnd();
+
+        Assert.InRange(rig.Status.Coverage, 0.3, 0.5);
+        Assert.Equal(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
+    }
+
+    [Fact]
+    public void Result_FlownWithoutACamera_HasNoCriterionOfCoverage()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(), o => o.RequiresCamera = false);
+        (rig.Vehicle.HasCamera, rig.Vehicle.CameraSees) = (false, false);
+        rig.RunToEnd();
+
+        MissionResult result = rig.Status.Result;
+        Assert.Equal((MissionOutcome.Accomplished, 0.0), (result.Outcome, result.RequiredCoverage));
+    }
+
+    // Otherwise the search would end short of what is required, without flying over the gaps.
+    [Fact]
+    public void Search_MoreIsRequiredThanTheGoal_GapsAreFlownOver()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(",\"requiredCoverage\":0.9"), o => o.CoverageGoal = 0.1);
+        for (int i = 0; i < 2000 && rig.Status.Coverage < 0.2; i++)
+            rig.Run(0.1);
+        rig.Vehicle.CameraSees = false;
+        rig.Run(20);
+        rig.Vehicle.CameraSees = true;
+        rig.RunToEnd();
+
+        Assert.Contains("more legs over gaps", rig.Story, System.StringComparison.Ordinal);
+        Assert.Equal(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
+    }
+
     [Fact]
     public void Result_InTheAir_IsInProgressAndSaysWhatItWouldBeNow()
     {
@@ -36,7 +92,7 @@ public class MissionResultTests
         rig.Run(1);
 
         Assert.Equal(
-            (MissionOutcome.InProgress, MissionFailures.NotLanded),
+            (MissionOutcome.InProgress, MissionFailures.NotLanded | MissionFailures.AreaNotSeen),
             (rig.Status.Result.Outcome, rig.Status.Result.Failures));
         Assert.InRange(rig.Status.Result.DistanceFromHomeMetres, 30, 200);
     }
@@ -50,7 +106,8 @@ public class MissionResultTests
         rig.RunToEnd();
 
         Assert.Equal(
-            (MissionOutcome.Failed, MissionFailures.GivenUp), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
+            (MissionOutcome.Failed, MissionFailures.GivenUp | MissionFailures.AreaNotSeen),
+            (rig.Status.Result.Outcome, rig.Status.Result.Failures));
     }
 
     [Fact]
@@ -72,14 +129,17 @@ public class MissionResultTests
         rig.Vehicle.TakeOver("mode LOITER");
         rig.Run(2);
         Assert.Equal(
-            (MissionOutcome.Failed, MissionFailures.NotLanded | MissionFailures.TakenOver),
+            (MissionOutcome.Failed,
+                MissionFailures.NotLanded | MissionFailures.TakenOver | MissionFailures.AreaNotSeen),
             (rig.Status.Result.Outcome, rig.Status.Result.Failures));
 
         rig.Vehicle.Height = 0;
         rig.Run(1);
         rig.Vehicle.IsArmed = false;
         rig.Run(2);
-        Assert.Equal(MissionFailures.AwayFromHome | MissionFailures.TakenOver, rig.Status.Result.Failures);
+        Assert.Equal(
+            MissionFailures.AwayFromHome | MissionFailures.TakenOver | MissionFailures.AreaNotSeen,
+            rig.Status.Result.Failures);
     }
 
     [Fact]
@@ -122,7 +182,8 @@ public class MissionResultTests
         rig.Vehicle.IsConnected = true;
         rig.Run(2);
         Assert.Equal(
-            (MissionOutcome.Failed, MissionFailures.GivenUp), (rig.Status.Result.Outcome, rig.Status.Result.Failures));
+            (MissionOutcome.Failed, MissionFailures.GivenUp | MissionFailures.AreaNotSeen),
+            (rig.Status.Result.Outcome, rig.Status.Result.Failures));
     }
 
     [Theory]
@@ -141,7 +202,7 @@ public class MissionResultTests
         rig.Run(2);
 
         Assert.Equal(
-            (MissionOutcome.Failed, MissionFailures.TakenOver),
+            (MissionOutcome.Failed, MissionFailures.TakenOver | MissionFailures.AreaNotSeen),
             (rig.Status.Result.Outcome, rig.Status.Result.Failures));
         Assert.Equal(text, rig.Status.TakenOver);
     }
@@ -156,7 +217,8 @@ public class MissionResultTests
 
         MissionResult result = rig.Status.Result;
         Assert.Equal(
-            (MissionOutcome.Failed, MissionFailures.GivenUp | MissionFailures.OutsideFence),
+            (MissionOutcome.Failed,
+                MissionFailures.GivenUp | MissionFailures.OutsideFence | MissionFailures.AreaNotSeen),
             (result.Outcome, result.Failures));
         Assert.InRange(result.OutsideFenceMetres, 50, 250);
     }

@@ -107,7 +107,9 @@ public class OperatorCommandTests
         rig.Manager.Command(OperatorCommand.Return, "enough");
         rig.Run(2);
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
-        Assert.Equal(MissionFailures.GivenUp | MissionFailures.TakenOver, rig.Status.Result.Failures);
+        Assert.Equal(
+            MissionFailures.GivenUp | MissionFailures.TakenOver | MissionFailures.AreaNotSeen,
+            rig.Status.Result.Failures);
         Assert.Equal("enough", rig.Status.Aborted);
     }
 

@@ -65,7 +65,7 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
     {
         SearchRoute route = flight.Route!;
         string seen = Seen(route);
-        if (route.Coverage.Fraction >= flight.Options.CoverageGoal)
+        if (route.Coverage.Fraction >= flight.CoverageGoal)
             return new MissionStep(MissionEvent.Searched, seen);
         if (route.GapPasses >= flight.Options.MaxGapPasses)
             return new MissionStep(MissionEvent.Searched, seen + ", the gaps were flown over");
