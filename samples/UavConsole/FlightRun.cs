@@ -61,7 +61,7 @@ internal static class FlightRun
         FlightSummary summary = Show(flight, log, options);
         SummaryText.Write(Console.Out, summary);
         string?[] losses =
-            [WriteSummary(files, summary), WriteReport(files, summary), log.Failure, log.ViewLoss, output.Loss];
+            [WriteSummary(files, summary), WriteReport(files, summary), log.Loss, log.ViewLoss, output.Loss];
         foreach (string? loss in losses)
         {
             if (loss is not null)
@@ -76,7 +76,7 @@ internal static class FlightRun
     {
         using var json = new MemoryStream();
         SummaryJson.Write(json, summary);
-        return TryWrite(files.Summary, json.ToArray());
+        return files.Summary?.Write(json.ToArray());
     }
 
     private static string? WriteReport(RunFiles files, FlightSummary summary)
@@ -85,23 +85,10 @@ internal static class FlightRun
             return null;
         using var page = new StringWriter();
         HtmlReport.Write(page, summary);
-        string? failure = TryWrite(files.Report, Encoding.UTF8.GetBytes(page.ToString()));
+        string? failure = files.Report.Write(Encoding.UTF8.GetBytes(page.ToString()));
         if (failure is null)
             Console.WriteLine("report: " + Path.GetFullPath(files.Report.Path));
         return failure;
-    }
-
-    private static string? TryWrite(OutputFile? file, byte[] content)
-    {
-        try
-        {
-            file?.Write(content);
-            return null;
-        }
-        catch (ArgumentException e)
-        {
-            return e.Message;
-        }
     }
 
     private static void WriteError(string text)

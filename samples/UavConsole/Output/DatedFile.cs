@@ -7,11 +7,17 @@ namespace UavConsole;
 /// <summary>Keeps the file of an earlier run beside the new one: NAME.20261122-143000.EXT, by its change.</summary>
 internal static class DatedFile
 {
-    /// <summary>Moves a file aside; does nothing where there is none.</summary>
+    /// <summary>Moves a file aside, an empty one away; does nothing where there is none.</summary>
     public static void Keep(string path)
     {
         if (!File.Exists(path))
             return;
+        if (new FileInfo(path).Length == 0)
+        {
+            File.Delete(path);
+            return;
+        }
+
         string date = File.GetLastWriteTimeUtc(path).ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture);
         string name = Path.Combine(
             Path.GetDirectoryName(Path.GetFullPath(path))!, Path.GetFileNameWithoutExtension(path) + "." + date);

@@ -11,21 +11,21 @@ internal sealed class RunFiles : IDisposable
 {
     private const int MaxNameLength = 40;
 
-    private RunFiles(OutputFile? summary, OutputFile? report, OutputFile? log)
+    private RunFiles(OutputPath? summary, OutputPath? report, OutputPath? log)
     {
-        Summary = summary;
-        Report = report;
-        Log = log;
+        Summary = summary is null ? null : new WholeFile(summary);
+        Report = report is null ? null : new WholeFile(report);
+        Log = log is null ? null : new LogFile(log);
     }
 
     /// <summary>Null where none is wanted.</summary>
-    public OutputFile? Summary { get; }
+    public WholeFile? Summary { get; }
 
     /// <summary>Null where none is wanted.</summary>
-    public OutputFile? Report { get; }
+    public WholeFile? Report { get; }
 
     /// <summary>Null where none is wanted.</summary>
-    public OutputFile? Log { get; }
+    public LogFile? Log { get; }
 
     /// <param name="options">What was asked for.</param>
     /// <param name="mission">The name of the mission that is flown; null for none.</param>
@@ -41,28 +41,13 @@ internal sealed class RunFiles : IDisposable
             ("--progress", options.Operator.ProgressFile), ("--originals", options.Preflight.OriginalsFile),
             ("--summary", options.SummaryFile), ("--report", report), ("--log", options.LogFile),
         ]);
-        OutputFile? summaryFile = null;
-        OutputFile? reportFile = null;
-        try
-        {
-            summaryFile = OutputFile.Open("--summary", options.SummaryFile, options.Links);
-            reportFile = OutputFile.Open("--report", report, options.Links);
-            return new RunFiles(summaryFile, reportFile, OutputFile.Open("--log", options.LogFile, options.Links));
-        }
-        catch (ArgumentException)
-        {
-            summaryFile?.Dispose();
-            reportFile?.Dispose();
-            throw;
-        }
+        return new RunFiles(
+            OutputPath.Check("--summary", options.SummaryFile, options.Links),
+            OutputPath.Check("--report", report, options.Links),
+            OutputPath.Check("--log", options.LogFile, options.Links));
     }
 
-    public void Dispose()
-    {
-        Summary?.Dispose();
-        Report?.Dispose();
-        Log?.Dispose();
-    }
+    public void Dispose() => Log?.Dispose();
 
     // Where the report of a mission goes when nothing else is asked for: beside the user, with mission and date, so
     // that no flight overwrites the last one's.
@@ -77,7 +62,7 @@ internal sealed class RunFiles : IDisposable
     private static void CheckTheyDiffer(IReadOnlyList<(string Option, string? Path)> files)
     {
         IGrouping<string, (string Option, string? Path)>? same = files
-            .Where(f => !string.IsNullOrEmpty(f.Path) && !f.Path!.StartsWith("/dev/", StringComparison.Ordinal))
+            .Where(f => !string.IsNullOrEmpty(f.Path) && !OutputPath.IsOfDevice(f.Path!))
             .GroupBy(f => Path.GetFullPath(f.Path!), StringComparer.Ordinal)
             .FirstOrDefault(g => g.Count() > 1);
         if (same is not null)

@@ -1,6 +1,4 @@
-using System;
 using System.Collections.Generic;
-using System.Text;
 using Rabit.Core;
 using Rabit.Uav.Reporting;
 
@@ -11,25 +9,24 @@ namespace UavConsole;
 /// those of the run's clock, so that the same flight in virtual time gives the same bytes. Any thread writes; one
 /// reads, that of the view.
 /// </summary>
-internal sealed class RunLog(OutputFile? file = null)
+internal sealed class RunLog(LogFile? file = null)
 {
     private const int MaxKept = 200;
 
     private readonly object _gate = new();   // guards all below, and the file
     private readonly Queue<RabitLogEntry> _entries = new();
-    private string? _failure;
     private string? _viewLoss;
 
     /// <summary>What the report shows.</summary>
     public FlightLog Flight { get; } = new();
 
-    /// <summary>Why the file could not be written to its end; null where it was, and where there is none.</summary>
-    public string? Failure
+    /// <summary>What the file has lost, for people; null where nothing, and where there is none.</summary>
+    public string? Loss
     {
         get
         {
             lock (_gate)
-                return _failure;
+                return file?.Loss;
         }
     }
 
@@ -57,7 +54,7 @@ internal sealed class RunLog(OutputFile? file = null)
         lock (_gate)
         {
             Flight.Add(entry);
-            WriteLine(FlightText.Printable(entry.ToString()));
+            file?.WriteLine(FlightText.Printable(entry.ToString()));
             _entries.Enqueue(entry);
             if (_entries.Count > MaxKept)
                 _entries.Dequeue();
@@ -72,21 +69,6 @@ internal sealed class RunLog(OutputFile? file = null)
             RabitLogEntry[] entries = _entries.ToArray();
             _entries.Clear();
             return entries;
-        }
-    }
-
-    // A full disk ends the file, not the flight.
-    private void WriteLine(string line)
-    {
-        if (file is null || _failure is not null)
-            return;
-        try
-        {
-            file.Write(Encoding.UTF8.GetBytes(line + "\n"));
-        }
-        catch (ArgumentException e)
-        {
-            _failure = e.Message;
         }
     }
 }
