@@ -97,6 +97,10 @@ internal static class Text
             monitor.Pace);
     }
 
+    /// <summary>Exactly so wide: cut off with an ellipsis, or filled with blanks.</summary>
+    public static string Fit(string text, int width)
+        => text.Length > width ? text.Remove(Math.Max(0, width - 1)) + "…" : text.PadRight(width);
+
     private static string OrUnknown(double value, string format)
         => double.IsNaN(value) ? "?" : value.ToString(format, CultureInfo.InvariantCulture);
 }

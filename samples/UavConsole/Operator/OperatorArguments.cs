@@ -13,7 +13,8 @@ internal static class OperatorArguments
 
     private static readonly Option<bool> Hold = new("--hold")
     {
-        Description = "Takes the command of a vehicle that is flying already at the start, and has it hold its position.",
+        Description = "Takes the command of a vehicle that is flying already at the start, and has it hold its "
+            + "position.",
     };
 
     private static readonly Option<bool> Return = new("--return")
@@ -30,8 +31,8 @@ internal static class OperatorArguments
 
     private static readonly Option<string> Progress = new("--progress")
     {
-        Description = $"Where the progress of the mission is kept, for --resume. {DefaultProgress} with --fly without it; "
-            + "a file of another flight is kept beside it, under its date.",
+        Description = "Where the progress of the mission is kept, for --resume. "
+            + $"{DefaultProgress} with --fly without it; a file of another flight is kept beside it, under its date.",
         HelpName = "FILE",
     };
 

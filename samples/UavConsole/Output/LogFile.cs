@@ -15,7 +15,9 @@ internal sealed class LogFile(OutputPath path) : IDisposable
     private long _lost;
 
     /// <summary>What was lost, for people; null where nothing was.</summary>
-    public string? Loss => _failure is null ? null : FormattableString.Invariant($"{_failure} ({_lost} lines were lost)");
+    public string? Loss => _failure is null
+        ? null
+        : FormattableString.Invariant($"{_failure} ({_lost} lines were lost)");
 
     public void WriteLine(string line)
     {

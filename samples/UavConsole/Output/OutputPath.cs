@@ -6,7 +6,9 @@ using Rabit.Links;
 
 namespace UavConsole;
 
-/// <summary>Where a run writes a file, checked before the run: a wrong path shows at once, not after the flight.</summary>
+/// <summary>
+/// Where a run writes a file, checked before the run: a wrong path shows at once, not after the flight.
+/// </summary>
 internal sealed class OutputPath
 {
     private readonly string _option;

@@ -15,14 +15,17 @@ internal static class PreflightText
         int width = report.Lines.Select(l => l.Name.Length).DefaultIfEmpty(0).Max();
         foreach (PreflightLine line in report.Lines)
         {
-            string result = line.IsOverridden ? "override" : line.Result.ToString().ToLowerInvariant();
             string howToSet = line.HowToSet.Length > 0 ? "; " + line.HowToSet : string.Empty;
             yield return string.Format(
-                CultureInfo.InvariantCulture, "  {0,-8} {1} {2}{3}", result, line.Name.PadRight(width),
+                CultureInfo.InvariantCulture, "  {0,-8} {1} {2}{3}", ResultOf(line), line.Name.PadRight(width),
                 FlightText.Printable(line.Value), howToSet);
         }
 
         if (report.WhenComputerFails.Length > 0)
             yield return "if this computer fails in flight: " + report.WhenComputerFails;
     }
+
+    /// <summary>The result of a line in a word.</summary>
+    public static string ResultOf(PreflightLine line)
+        => line.IsOverridden ? "override" : line.Result.ToString().ToLowerInvariant();
 }

@@ -23,25 +23,37 @@ internal sealed class MissionView(FlightMonitor monitor)
     private const int BarWidth = 20;
     private const int TargetsShown = 5;
 
+    // What the operator can do; a stop after a takeover sends nothing.
+    private static readonly string[] TakenOverHints =
+    [
+        "nothing is commanded. To command again", "stop (Ctrl-C), and start with --hold,", "--return or --resume FILE",
+    ];
+
     public Rows Draw(IEnumerable<string> notes, int width, int height, bool isUnicode)
     {
         // One line stays free for the cursor.
         int managerRows = ((monitor.Managers.Count + 1) / 2) + 1;
         int mapRows = Math.Min(MaxMapHeight, Math.Max(8, height - managerRows - NotesShown - 2));
         int mapColumns = Math.Min(WidestMap, width - PanelWidth - 2);
-        MapPicture map = CharacterMap.Draw(MapModel.Of(monitor.Record), mapColumns, mapRows, isUnicode);
+        IReadOnlyList<string> left = IsChecklistShown()
+            ? ChecklistPane.Draw(monitor.Preflight, mapColumns, mapRows)
+            : MapLines(CharacterMap.Draw(MapModel.Of(monitor.Record), mapColumns, mapRows, isUnicode));
         List<string> panel = Panel();
 
         var lines = new List<string> { Title(width) };
         for (int row = 0; row < mapRows; row++)
-            lines.Add(MapLine(map, row) + "  " + (row < panel.Count ? panel[row] : string.Empty));
+            lines.Add(left[row] + "  " + (row < panel.Count ? panel[row] : string.Empty));
         lines.AddRange(Managers(width));
         string[] last = notes.ToArray();
         lines.AddRange(
             last.Skip(last.Length - NotesShown)
-                .Select(n => $"[grey]{Markup.Escape(Fit(FlightText.Printable(n), width))}[/]"));
+                .Select(n => $"[grey]{Markup.Escape(Text.Fit(FlightText.Printable(n), width))}[/]"));
         return new Rows(lines.Select(l => new Markup(l).Overflow(Overflow.Crop)));
     }
+
+    // It is judged until the motors run.
+    private bool IsChecklistShown() => monitor.Preflight.IsComplete && !monitor.Vehicle.IsArmed
+        && monitor.Record.Mission.Phase is MissionPhase.WaitingForVehicle or MissionPhase.Arming;
 
     private string Title(int width)
     {
@@ -52,7 +64,7 @@ internal sealed class MissionView(FlightMonitor monitor)
                 CultureInfo.InvariantCulture, "   {0} (x{1:0.0})", FlightText.Clock(monitor.Now), monitor.Pace)
             : string.Empty;
         string vehicle = Text.Vehicle(monitor.Vehicle);
-        return $"[bold]{Markup.Escape(Fit(FlightText.Printable($"{name}{pace}   {vehicle}"), width))}[/]";
+        return $"[bold]{Markup.Escape(Text.Fit(FlightText.Printable($"{name}{pace}   {vehicle}"), width))}[/]";
     }
 
     private List<string> Panel()
@@ -76,6 +88,8 @@ internal sealed class MissionView(FlightMonitor monitor)
             Field("battery", Text.Battery(monitor.Vehicle), "default"),
             Field("health", FlightText.Health(monitor.Health), HealthColour(monitor.Health.Level)),
         };
+        if (mission.Phase == MissionPhase.HandedOver && monitor.Vehicle.IsArmed)
+            lines.AddRange(TakenOverHints.Select(h => $"[yellow]{Markup.Escape(h)}[/]"));
         lines.AddRange(Targets(record.Tracks));
         return lines;
     }
@@ -118,7 +132,7 @@ internal sealed class MissionView(FlightMonitor monitor)
                 track.Covariance.HalfMajorAxis95Metres,
                 track.Reports,
                 track.State == TrackState.Lost ? ", lost" : string.Empty);
-            yield return $"[{InkStyle(TargetLetters.Ink(track.Class))}]{Markup.Escape(Fit(text, PanelWidth))}[/]";
+            yield return $"[{InkStyle(TargetLetters.Ink(track.Class))}]{Markup.Escape(Text.Fit(text, PanelWidth))}[/]";
         }
     }
 
@@ -126,8 +140,8 @@ internal sealed class MissionView(FlightMonitor monitor)
     private IEnumerable<string> Managers(int width)
     {
         int half = (width - 2) / 2;
-        yield return $"[grey]{Fit(ManagerLine("manager", "state", "runs", "ms", "!"), half)}  "
-            + $"{Fit(ManagerLine("manager", "state", "runs", "ms", "!"), half)}[/]";
+        yield return $"[grey]{Text.Fit(ManagerLine("manager", "state", "runs", "ms", "!"), half)}  "
+            + $"{Text.Fit(ManagerLine("manager", "state", "runs", "ms", "!"), half)}[/]";
         for (int index = 0; index < monitor.Managers.Count; index += 2)
             yield return Manager(index, half) + "  "
                 + (index + 1 < monitor.Managers.Count ? Manager(index + 1, half) : string.Empty);
@@ -146,14 +160,15 @@ internal sealed class MissionView(FlightMonitor monitor)
             || status.State is ManagerState.Faulted or ManagerState.Restarting or ManagerState.Hanging
             ? "red"
             : "default";
-        return $"[{colour}]{Markup.Escape(Fit(line, width))}[/]";
+        return $"[{colour}]{Markup.Escape(Text.Fit(line, width))}[/]";
     }
 
     private static string ManagerLine(string name, string state, string runs, string work, string faults)
-        => $"{Fit(name, 18)}{Fit(state, 8)}{runs,6}{work,5}{faults,2}";
+        => $"{Text.Fit(name, 18)}{Text.Fit(state, 8)}{runs,6}{work,5}{faults,2}";
 
     private static string Field(string name, string text, string style)
-        => $"[grey]{name,-9}[/][{style}]{Markup.Escape(Fit(FlightText.Printable(text), PanelWidth - 9).TrimEnd())}[/]";
+        => $"[grey]{name,-9}[/][{style}]"
+            + Markup.Escape(Text.Fit(FlightText.Printable(text), PanelWidth - 9).TrimEnd()) + "[/]";
 
     private static string Bar(double part)
     {
@@ -163,6 +178,9 @@ internal sealed class MissionView(FlightMonitor monitor)
             CultureInfo.InvariantCulture, "[green]{0}[/][grey]{1}[/] {2:0.0}%", new string('━', done),
             new string('━', BarWidth - done), known * 100);
     }
+
+    private static string[] MapLines(MapPicture map)
+        => [.. Enumerable.Range(0, map.Lines.Count).Select(row => MapLine(map, row))];
 
     private static string MapLine(MapPicture map, int row)
     {
@@ -205,7 +223,4 @@ internal sealed class MissionView(FlightMonitor monitor)
         HealthLevel.Critical => "red",
         _ => "grey",
     };
-
-    private static string Fit(string text, int width)
-        => text.Length > width ? text.Remove(Math.Max(0, width - 1)) + "…" : text.PadRight(width);
 }

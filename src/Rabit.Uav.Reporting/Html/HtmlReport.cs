@@ -129,12 +129,12 @@ public sealed class HtmlReport
                 $"RMS; {FlightText.Number(score.InEllipse)} of {FlightText.Number(score.Found)} in their ellipse");
         }
 
-        string lanes = FlightText.Number(mission.LanesFlown) + (mission.LanesFlown == 1 ? " lane" : " lanes") + " flown";
+        string lanes = mission.LanesFlown == 1 ? "1 lane" : FlightText.Number(mission.LanesFlown) + " lanes";
         Tile(
             "area covered", $"{FlightText.Number(mission.CoveragePercent, "0.0")} %",
             mission.RequiredCoveragePercent > 0
-                ? $"{FlightText.Number(mission.RequiredCoveragePercent, "0.#")} % required, {lanes}"
-                : lanes);
+                ? $"{FlightText.Number(mission.RequiredCoveragePercent, "0.#")} % required, {lanes} flown"
+                : lanes + " flown");
         Tile("path flown", $"{FlightText.Number(mission.FlownMetres, "0")} m", mission.OutsideFenceMetres > 0
             ? $"{FlightText.Number(mission.OutsideFenceMetres, "0.0")} m outside the fence"
             : "inside the fence");

@@ -127,7 +127,7 @@ public sealed class MissionSummary
 
     private static IEnumerable<string> NothingFound(FlightRecord record)
     {
-        if (!record.Mission.Result.HasFlown || record.Tracks.Confirmed.Any())
+        if (!record.Mission.Result.HasFlown || record.Mission.Plan is null || record.Tracks.Confirmed.Any())
             yield break;
         yield return record.Imaging.HasCamera || record.Imaging.Observations > 0
             ? "nothing was found: no target was confirmed"
@@ -158,7 +158,10 @@ public sealed class MissionSummary
             yield return $"it has not landed: it is armed, {Metres(record.Vehicle.HeightAboveHomeMetres)} high, in "
                 + $"mode {record.Vehicle.Mode ?? "not known"}; it is not commanded any more";
         else if (double.IsNaN(DistanceFromHomeMetres))
-            yield return "where it landed is not known";
+            yield return Plan is null
+                ? "nothing was searched: the vehicle was flying already and was only brought down; how far from home "
+                    + "it landed only the autopilot knows"
+                : "where it landed is not known";
         else if (DistanceFromHomeMetres > MissionResult.MaxLandingDistanceMetres)
             yield return $"it landed {Metres(DistanceFromHomeMetres)} from home";
         if (OutsideFenceMetres > 0)

@@ -3,7 +3,9 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.CameraGeometry;
 
-/// <summary>The strip of level ground that a camera sees on a straight flight: what lanes must be nearer than.</summary>
+/// <summary>
+/// The strip of level ground that a camera sees on a straight flight: what lanes must be nearer than.
+/// </summary>
 internal static class PictureSwath
 {
     // A straight border is a straight line on the ground; what a lens bends it by shows between eight points.

@@ -131,6 +131,14 @@ internal sealed class MissionFlight(
     /// </summary>
     public double DistanceFromHomeMetres => Plan is null ? double.NaN : Position.Length;
 
+    /// <summary>
+    /// <see cref="DistanceFromHomeMetres"/> as text. Only the autopilot knows home where a vehicle that was flying
+    /// already is only to hold or to return.
+    /// </summary>
+    public string DistanceText => Plan is null
+        ? "home is the autopilot's, the distance from it not known here"
+        : MissionNumbers.Of(DistanceFromHomeMetres) + " m from home";
+
     public double HeightMetres => Vehicle.HeightAboveHomeMetres;
 
     public double GroundSpeed => new PlanePoint(Vehicle.VelocityNed.North, Vehicle.VelocityNed.East).Length;

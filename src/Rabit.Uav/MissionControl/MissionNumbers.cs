@@ -11,9 +11,6 @@ internal static class MissionNumbers
 
     public static string Of(int value) => value.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>With the unit; what is not known is said to be so.</summary>
-    public static string Metres(double value) => double.IsNaN(value) ? "an unknown distance" : Of(value) + " m";
-
     public static string Percent(double fraction) => Of(100 * fraction) + " %";
 
     public static string Of(PlanePoint p) => "N " + Of(p.North) + " E " + Of(p.East);

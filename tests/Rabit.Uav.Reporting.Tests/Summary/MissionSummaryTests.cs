@@ -141,6 +141,22 @@ public sealed class MissionSummaryTests
             "where it landed is not known",
             Assert.Single(Of(Landed(MissionFailures.AwayFromHome, distance: double.NaN)).Failures));
 
+    // --hold and --return: there is no plan, and so no home that we know.
+    [Fact]
+    public void Failures_OnlyBroughtDown_SaysWhoKnowsWhereHomeIs()
+    {
+        MissionSummary summary = Of(new FlightRecord
+        {
+            Mission = new MissionStatus { Result = Home with { DistanceFromHomeMetres = double.NaN } },
+        });
+
+        Assert.Equal(
+            "nothing was searched: the vehicle was flying already and was only brought down; how far from home it "
+                + "landed only the autopilot knows",
+            Assert.Single(summary.Failures));
+        Assert.Empty(summary.Headlines);
+    }
+
     [Fact]
     public void Failures_OutsideTheFence_SaysHowFar()
         => Assert.Equal(

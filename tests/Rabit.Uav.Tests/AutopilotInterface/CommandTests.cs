@@ -214,6 +214,8 @@ public class CommandTests
     [Theory]
     [InlineData(MavAutopilot.Generic, MavType.Quadrotor, "Generic")]
     [InlineData(MavAutopilot.Ardupilotmega, MavType.FixedWing, "FixedWing")]
+    [InlineData(MavAutopilot.Px4, MavType.FixedWing, "FixedWing")]
+    [InlineData(MavAutopilot.Px4, MavType.VtolFixedrotor, "VtolFixedrotor")]
     public void Command_VehicleThatIsNotCommanded_IsRefusedAndNothingSent(
         MavAutopilot make, MavType type, string expected)
     {

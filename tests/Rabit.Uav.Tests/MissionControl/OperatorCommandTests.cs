@@ -235,6 +235,12 @@ public class OperatorCommandTests
         rig.Manager.Command(OperatorCommand.Return, "home");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.NotEqual(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
+        Assert.Equal(
+            "landed after the operator's command; home is the autopilot's, the distance from it not known here",
+            rig.Status.Text);
+        Assert.Equal(
+            MissionFailures.None,
+            rig.Status.Result.Failures & (MissionFailures.AreaNotSeen | MissionFailures.NotLanded));
     }
 
     [Fact]

@@ -7,7 +7,9 @@ using Xunit;
 
 namespace UavConsole.Tests.Output;
 
-/// <summary>Files of a run on a disk that is full: complete or absent, the one before them kept, the loss told.</summary>
+/// <summary>
+/// Files of a run on a disk that is full: complete or absent, the one before them kept, the loss reported.
+/// </summary>
 public sealed class OutputFileTests : IDisposable
 {
     private static readonly byte[] Content = [.. Enumerable.Repeat((byte)'x', 10_000)];
@@ -29,8 +31,9 @@ public sealed class OutputFileTests : IDisposable
         string? failure = file.Write(Content);
 
         Assert.StartsWith($"--summary {SummaryPath} cannot be written: ", failure, StringComparison.Ordinal);
-        Assert.Equal(wasThere ? "the last flight" : null, File.Exists(SummaryPath) ? File.ReadAllText(SummaryPath) : null);
         Assert.Equal(wasThere ? [SummaryPath] : [], Directory.GetFiles(_folder.Folder, "s.*"));
+        if (wasThere)
+            Assert.Equal("the last flight", File.ReadAllText(SummaryPath));
     }
 
     [Fact]

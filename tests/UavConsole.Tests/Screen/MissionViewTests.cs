@@ -52,7 +52,55 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         Assert.All(drawn.Split('\n'), l => Assert.InRange(l.TrimEnd('\r').Length, 0, 80));
     }
 
-    private string Draw(string missionText, TargetClassName colour)
+    // Shown before --fly arms: what refuses the flight is never below the edge of the screen.
+    [Fact]
+    public void Draw_BeforeTheMotorsRun_ShowsTheChecklistWithItsFailuresFirst()
+    {
+        string drawn = Draw(
+            "waiting", DefaultTargetClasses.Red, MissionPhase.WaitingForVehicle, isArmed: false,
+            Checklist(passing: 30));
+        string[] lines = drawn.Split('\n').Select(l => l.TrimEnd('\r', ' ')).ToArray();
+
+        Assert.InRange(lines.Count(l => l.Length > 0), 20, 24);
+        Assert.All(lines, l => Assert.InRange(l.Length, 0, 80));
+        Assert.Contains("pre-flight checklist: REFUSES THE FLIGHT", lines[1]);
+        Assert.Contains("fail     battery: 31 %", lines[2]);
+        Assert.Contains("override hdop: 2.1", lines[3]);
+        Assert.Contains("warn     return-height: 15 m; set", lines[4]);
+        Assert.Contains("more lines", drawn);
+    }
+
+    [Fact]
+    public void Draw_MotorsRun_ShowsTheMapAgain()
+        => Assert.DoesNotContain(
+            "pre-flight", Draw("climbing", DefaultTargetClasses.Red, MissionPhase.Arming, true, Checklist(passing: 1)));
+
+    [Fact]
+    public void Draw_TakenOver_SaysHowToCommandAgain()
+    {
+        string drawn = Draw("the pilot took over", DefaultTargetClasses.Red, MissionPhase.HandedOver);
+
+        Assert.Contains("nothing is commanded. To command again", drawn);
+        Assert.Contains("--return or --resume FILE", drawn);
+        Assert.All(drawn.Split('\n'), l => Assert.InRange(l.TrimEnd('\r').Length, 0, 80));
+    }
+
+    private static PreflightReport Checklist(int passing) => new()
+    {
+        IsComplete = true,
+        Lines =
+        [
+            .. Enumerable.Range(0, passing).Select(
+                i => new PreflightLine($"line {i}", PreflightResult.Pass, "good", string.Empty, IsOverridden: false)),
+            new("return-height", PreflightResult.Warn, "15 m", "set obstacleHeightMetres", IsOverridden: false),
+            new("hdop", PreflightResult.Fail, "2.1", string.Empty, IsOverridden: true),
+            new("battery", PreflightResult.Fail, "31 %", "charge it", IsOverridden: false),
+        ],
+    };
+
+    private string Draw(
+        string missionText, TargetClassName colour, MissionPhase phase = MissionPhase.Searching, bool isArmed = true,
+        PreflightReport? checklist = null)
     {
         var notes = new RunLog();
         var reactor = new RabitReactor(
@@ -61,11 +109,11 @@ public sealed class MissionViewTests(ITestOutputHelper output)
             reactor.Add(new IdleManager(name));
         var recorder = new FlightRecorderManager(new FlightRecorderOptions { ManagerNames = ManagerNames });
         reactor.Add(recorder);
-        Post(reactor.Workspace, MessageNames.VehicleState, Vehicle());
+        Post(reactor.Workspace, MessageNames.VehicleState, Vehicle() with { IsArmed = isArmed });
         Post(reactor.Workspace, MessageNames.Health, new HealthReport { Level = HealthLevel.Good });
         Post(reactor.Workspace, MessageNames.Mission, new MissionStatus
         {
-            Phase = MissionPhase.Searching,
+            Phase = phase,
             Plan = MadeUpSite.Plan,
             Coverage = 0.62,
             LanesFlown = 1,
@@ -73,7 +121,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         });
         Post(reactor.Workspace, MessageNames.Tracks, new TrackList(TimeSpan.Zero, [Track(colour)]));
         reactor.Workspace.Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
-        reactor.Workspace.Publish(MessageNames.Preflight, PreflightReport.None);
+        reactor.Workspace.Publish(MessageNames.Preflight, checklist ?? PreflightReport.None);
         var monitor = new FlightMonitor(reactor, recorder, linkCount: 0);
         var screen = new LiveScreen(monitor, notes, showsMission: true);
         reactor.Start();

@@ -51,7 +51,12 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
         return MissionStep.Stay;
     }
 
-    private static string LandedText(MissionFlight flight) => flight.Touchdown.IsPlaceKnown
-        ? $"landed {MissionNumbers.Metres(flight.DistanceFromHomeMetres)} from home"
-        : "landed at an unknown place";
+    private static string LandedText(MissionFlight flight)
+    {
+        if (!flight.Touchdown.IsPlaceKnown)
+            return "landed at an unknown place";
+        return flight.Plan is null
+            ? $"landed after the operator's command; {flight.DistanceText}"
+            : "landed " + flight.DistanceText;
+    }
 }

@@ -37,12 +37,12 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
     {
         flight.SetGoal(VehicleCommandKind.Return, "return");
         double distance = flight.DistanceFromHomeMetres;
-        flight.Text = $"returning: {MissionNumbers.Metres(distance)} to go"
+        flight.Text = $"returning: {flight.DistanceText}"
             + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (flight.Vehicle.LandedState is MavLandedState.Landing or MavLandedState.OnGround || !flight.Vehicle.IsArmed)
-            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Metres(distance)} from home");
+            return new MissionStep(MissionEvent.Descending, flight.DistanceText);
         if (distance < OverHomeMetres && flight.Vehicle.VelocityNed.Down > SinkingMetresPerSecond)
-            return new MissionStep(MissionEvent.Descending, $"{MissionNumbers.Metres(distance)} from home");
+            return new MissionStep(MissionEvent.Descending, flight.DistanceText);
         if (flight.Commands.Failures >= MaxFailures)
             return new MissionStep(MissionEvent.LandNow, "return " + flight.Commands.LastFailure);
         if (inPhase > _limit)
