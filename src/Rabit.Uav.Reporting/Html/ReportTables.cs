@@ -122,11 +122,18 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
                 $"{FlightText.Number(imaging.Frames)} pictures, {FlightText.Number(imaging.Observations)} searched, "
                 + $"{FlightText.Number(imaging.FramesRefused)} refused, "
                 + $"{FlightText.Number(imaging.FramesDropped)} lost, {FlightText.Number(imaging.Reports)} reports"
+                + UnusableOf(imaging.Pictures)
                 + (imaging.Fault is { } fault ? $", {fault}" : string.Empty));
         }
 
         page.Close().Close().Close();
     }
+
+    // Which of them could not be used, and why: the most frequent cause first.
+    private static string UnusableOf(PictureCounts pictures) => string.Concat(
+        Enumerable.Range(1, (int)PictureQuality.MotionBlurred)
+            .Select(q => (PictureQuality)q).Where(q => pictures.Of(q) > 0).OrderByDescending(q => pictures.Of(q))
+            .Select(q => $", {FlightText.Number(pictures.Of(q))} {PictureQualityText.Of(q)}"));
 
     private void Fact(string name, string value) => page.Element("dt", name).Element("dd", value);
 

@@ -162,11 +162,25 @@ internal static class MissionSummaryJson
         json.WriteNumber("observations", imaging.Observations);
         json.WriteNumber("framesDropped", imaging.FramesDropped);
         json.WriteNumber("framesRefused", imaging.FramesRefused);
+        WritePictures(json, imaging.Pictures);
         json.WriteNumber("reports", imaging.Reports);
         json.WriteNumber("detectorFailures", imaging.DetectorFailures);
         json.WriteNumber("detectionsRefused", imaging.DetectionsRefused);
         json.WriteNumber("detectorOverruns", imaging.DetectorOverruns);
         json.WriteString("fault", imaging.Fault);
+        json.WriteEndObject();
+    }
+
+    // By quality, those that there were.
+    private static void WritePictures(Utf8JsonWriter json, in PictureCounts pictures)
+    {
+        json.WriteStartObject("pictures");
+        for (PictureQuality quality = PictureQuality.Usable; quality <= PictureQuality.MotionBlurred; quality++)
+        {
+            if (pictures.Of(quality) > 0 || quality == PictureQuality.Usable)
+                json.WriteNumber(JsonNamingPolicy.CamelCase.ConvertName(quality.ToString()), pictures.Of(quality));
+        }
+
         json.WriteEndObject();
     }
 

@@ -91,6 +91,33 @@ internal static class MatrixFaults
     public static readonly MatrixFault CameraSilent = MatrixFault.Of(
         "camera silent", ScriptedFaultKind.CameraFreeze, seconds: 1000);
 
+    public static readonly MatrixFault PicturesBlack = Pictures("pictures black", ScriptedFaultKind.PicturesBlack);
+
+    public static readonly MatrixFault PicturesBlackShort = MatrixFault.Of(
+        "pictures black for 10 s", ScriptedFaultKind.PicturesBlack, seconds: 10);
+
+    public static readonly MatrixFault PicturesWhite = Pictures("pictures white", ScriptedFaultKind.PicturesWhite);
+
+    public static readonly MatrixFault PicturesFrozen = Pictures("pictures frozen", ScriptedFaultKind.PicturesFrozen);
+
+    public static readonly MatrixFault PicturesDefocused = Pictures(
+        "pictures defocused", ScriptedFaultKind.PicturesDefocused);
+
+    public static readonly MatrixFault PicturesCovered = Pictures(
+        "half of the pictures covered", ScriptedFaultKind.PicturesCovered);
+
+    public static readonly MatrixFault PicturesMotionBlurred = Pictures(
+        "pictures motion-blurred", ScriptedFaultKind.PicturesMotionBlurred);
+
+    public static readonly MatrixFault PictureNumbersRepeat = Pictures(
+        "picture numbers repeat", ScriptedFaultKind.PictureNumbersRepeat);
+
+    public static readonly MatrixFault PictureTimesOff = Pictures(
+        "camera clock 60 s late", ScriptedFaultKind.PictureTimesOff, 60);
+
+    public static readonly MatrixFault AttitudeSilent = Pictures(
+        "no attitude any more", ScriptedFaultKind.AttitudeSilent);
+
     public static readonly MatrixFault WindHigh = MatrixFault.Of("wind of 15 m/s", ScriptedFaultKind.WindTo, 15);
 
     public static readonly MatrixFault Gust = MatrixFault.Of(
@@ -122,6 +149,9 @@ internal static class MatrixFaults
     { Throws = true };
 
     public static readonly MatrixFault Stop = MatrixFault.Outside("Ctrl-C", null) with { StopsProgram = true };
+
+    private static MatrixFault Pictures(string name, ScriptedFaultKind kind, double value = 0)
+        => MatrixFault.Of(name, kind, value);
 
     private static MatrixFault Other(string name, double seconds) => new(name, (_, at) =>
     [

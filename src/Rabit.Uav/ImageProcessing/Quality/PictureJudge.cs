@@ -15,23 +15,23 @@ namespace Rabit.Uav.ImageProcessing.Quality;
 internal sealed class PictureJudge
 {
     // 95 % of the luma is below: a lens cap is at the sensor's black level and its noise, below 20 (91).
-    private const int MaxBlackLevel = 32;
+    internal const int MaxBlackLevel = 32;
 
     // 95 % of the luma is above (113).
-    private const int MinWhiteLevel = 235;
+    internal const int MinWhiteLevel = 235;
 
     // A third of the picture holds no colour any more (0.005).
-    private const double MaxClippedShare = 0.33;
+    internal const double MaxClippedShare = 0.33;
 
     // Square levels: ground varies by several levels within eight pixels; the darker corners that every lens has come
     // to 0.5, and what chance makes of noise of 2.5 levels to 0.4 (17).
-    private const double MinCoarseDetail = 2;
+    internal const double MinCoarseDetail = 2;
 
     // Part of the tiles that show nothing but noise (0.06).
-    private const double MaxFlatShare = 0.3;
+    internal const double MaxFlatShare = 0.3;
 
     // Fine by coarse detail, for any lens: a blur of 4 pixels (sigma) and more is below (0.086)...
-    private const double MinSharpness = 0.06;
+    internal const double MinSharpness = 0.06;
 
     // ...and for this lens over this ground, of what it had in the flight; one flight varies by 0.68 downwards. A blur
     // of 3 pixels is below in the simulation.
