@@ -7,13 +7,13 @@ namespace Rabit.Uav.ImageProcessing.Quality;
 /// a thumbnail that two pictures are compared by. Fixed memory, no allocation; for one thread.
 /// </summary>
 /// <remarks>
-/// The grid has a pixel in 64, and no more than <see cref="MaxColumns"/> x <see cref="MaxRows"/>: its cost stays a
+/// The grid has a pixel in 64 or fewer, and no more than <see cref="MaxColumns"/> x <see cref="MaxRows"/>: its cost stays a
 /// small part of that of any detector, which reads every pixel. Differences are those of green, which is most of luma.
 /// </remarks>
 internal sealed class PictureMeter
 {
-    public const int MaxColumns = 80;
-    public const int MaxRows = 60;
+    public const int MaxColumns = 64;
+    public const int MaxRows = 48;
 
     private const int MinStep = 8;
     private const int CoarseLag = 8;
@@ -22,7 +22,7 @@ internal sealed class PictureMeter
     private const int ClippedLevel = 250;
 
     // A tile of nothing but noise has a variance of half the mean square difference of neighbours: 1.6 times that is
-    // four standard deviations of what 100 pixels give. Where the picture has less noise than one level, JPEG's
+    // three standard deviations of what 64 pixels give. Where the picture has less noise than one level, JPEG's
     // rounding is what is left. Detail of ground is shared by neighbours, so that the variance is several times that.
     private const double FlatVarianceRatio = 1.6;
     private const double FlatVarianceFloor = 1;
