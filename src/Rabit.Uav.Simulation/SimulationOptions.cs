@@ -75,6 +75,13 @@ public sealed class SimulationOptions
     public double BatteryRemaining { get; set; } = 1;
 
     /// <summary>
+    /// True capacity of the battery over the stated one, 0.5 to 1: what remains of an aged battery. The autopilot
+    /// counts its percentage from the stated capacity and does not know.
+    /// </summary>
+    /// <value>The default is 1.</value>
+    public double BatteryCapacityFraction { get; set; } = 1;
+
+    /// <summary>
     /// How long a frame of the vehicle is on its way at least; a jitter of some milliseconds comes on top. Zero: it
     /// arrives at once, without jitter, as between two processes of one computer.
     /// </summary>
@@ -201,6 +208,9 @@ public sealed class SimulationOptions
         if (!(BatteryRemaining >= 0 && BatteryRemaining <= 1))
             yield return FormattableString.Invariant(
                 $"{nameof(BatteryRemaining)} is {BatteryRemaining}; it must be 0 to 1");
+        if (!(BatteryCapacityFraction >= 0.5 && BatteryCapacityFraction <= 1))
+            yield return FormattableString.Invariant(
+                $"{nameof(BatteryCapacityFraction)} is {BatteryCapacityFraction}; it must be 0.5 to 1");
         if (TelemetryLatency < TimeSpan.Zero || TelemetryLatency > TimeSpan.FromSeconds(10))
             yield return FormattableString.Invariant(
                 $"{nameof(TelemetryLatency)} is {TelemetryLatency}; it must be 0 to 10 s");

@@ -4,9 +4,12 @@ namespace Rabit.Uav.Simulation;
 
 /// <summary>
 /// A lithium polymer pack: charge is counted, the voltage follows from what is left and from the current, U = cells *
-/// Uoc(charge) - I * R.
+/// Uoc(charge) - I * R. The autopilot counts its percentage from the stated capacity, of which an aged pack has less.
 /// </summary>
-internal sealed class Battery(double capacityAmpereHours, double remaining)
+/// <param name="statedAmpereHours">What stands on it, and in the autopilot's parameters.</param>
+/// <param name="remaining">At the start, 0 to 1; the autopilot knows it.</param>
+/// <param name="capacityFraction">True capacity over the stated one.</param>
+internal sealed class Battery(double statedAmpereHours, double remaining, double capacityFraction = 1)
 {
     private const int Cells = 3;
     private const double Resistance = 0.02;   // ohm, the whole pack and its leads
@@ -16,8 +19,11 @@ internal sealed class Battery(double capacityAmpereHours, double remaining)
     // curve, full 4.2 V.
     private static readonly double[] CellVolts = [3.27, 3.61, 3.69, 3.73, 3.77, 3.80, 3.85, 3.92, 4.00, 4.09, 4.20];
 
-    /// <summary>What is left, 0 to 1.</summary>
+    /// <summary>What is truly left of the true capacity, 0 to 1.</summary>
     public double Remaining { get; private set; } = remaining;
+
+    /// <summary>What the autopilot reports: at the start the truth, then counted from the stated capacity.</summary>
+    public double Reported { get; private set; } = remaining;
 
     public double Volts { get; private set; } = Cells * OpenCircuit(remaining);
 
@@ -37,7 +43,7 @@ internal sealed class Battery(double capacityAmpereHours, double remaining)
     public bool IsEmpty => Remaining <= 0;
 
     /// <summary>Gives it another state, as a script wants it.</summary>
-    public void Set(double newRemaining) => Remaining = newRemaining;
+    public void Set(double newRemaining) => Remaining = Reported = newRemaining;
 
     /// <summary>Draws a power for a time.</summary>
     public void Step(double watts, double seconds)
@@ -50,7 +56,8 @@ internal sealed class Battery(double capacityAmpereHours, double remaining)
         double hours = Amperes * seconds / SecondsPerHour;
         ConsumedAmpereHours += hours;
         ConsumedJoules += Volts * Amperes * seconds;
-        Remaining = Math.Max(0, Remaining - (hours / capacityAmpereHours));
+        Remaining = Math.Max(0, Remaining - (hours / (capacityFraction * statedAmpereHours)));
+        Reported = Math.Max(0, Reported - (hours / statedAmpereHours));
     }
 
     private static double OpenCircuit(double charge)

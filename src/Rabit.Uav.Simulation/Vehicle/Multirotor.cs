@@ -20,6 +20,7 @@ internal sealed class Multirotor
     private const double LeanGain = 0.8;          // 1/s2, of the integral that holds against the wind
     private const double MaxLean = 4;         // m/s2
     private const double Drag = 0.2;              // 1/s: 2 m/s2 at 10 m/s of air
+    private const double MaxAirspeed = 18;        // m/s: there it needs 2.6 times the power of hovering
     private const double FallDrag = 0.5;          // 1/s: it falls at 20 m/s at most
 
     private NedVector _reference;
@@ -70,7 +71,7 @@ internal sealed class Multirotor
 
     private void Fly(in MotionCommand command, NedVector air, double seconds)
     {
-        NedVector wanted = Steer(command, seconds);
+        NedVector wanted = Steer(command, air, seconds);
         Turn(command, seconds);
         bool leans = !IsOnGround && !command.KeepsLevel;
         if (command.KeepsLevel)
@@ -87,13 +88,13 @@ internal sealed class Multirotor
     }
 
     // The velocity that is flown moves to the one that is wanted no faster than it may; the loop holds it.
-    private NedVector Steer(in MotionCommand command, double seconds)
+    private NedVector Steer(in MotionCommand command, NedVector air, double seconds)
     {
         NedVector change = command.Velocity.Minus(_reference)
             .LimitedHorizontally(command.HorizontalAcceleration * seconds);
         double reach = command.VerticalAcceleration * seconds;
         change = new NedVector(change.North, change.East, NedMath.Limited(change.Down, -reach, reach));
-        _reference = _reference.Plus(change);
+        _reference = WithinAirspeed(_reference.Plus(change), Velocity.Minus(air));
 
         NedVector error = _reference.Minus(Velocity);
         NedVector wanted = change.Times(1 / seconds).Plus(error.Times(VelocityGain))
@@ -103,6 +104,15 @@ internal sealed class Multirotor
                 .LimitedHorizontally(MaxLean);
         double down = NedMath.Limited(wanted.Down, -2 * command.VerticalAcceleration, 2 * command.VerticalAcceleration);
         return new NedVector(wanted.North + _lean.North, wanted.East + _lean.East, down);
+    }
+
+    // Against a strong wind it is slower over ground than it is commanded to be; across it, it drifts.
+    private static NedVector WithinAirspeed(NedVector velocity, NedVector wind)
+    {
+        NedVector throughAir = velocity.Minus(wind);
+        return throughAir.HorizontalLength() <= MaxAirspeed
+            ? velocity
+            : throughAir.LimitedHorizontally(MaxAirspeed).Plus(wind);
     }
 
     private void Turn(in MotionCommand command, double seconds)

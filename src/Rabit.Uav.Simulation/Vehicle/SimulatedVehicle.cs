@@ -75,7 +75,8 @@ internal sealed class SimulatedVehicle : ILinkSink
             PreparedParameters.ApplyTo(Autopilot, options.Autopilot);
         foreach (KeyValuePair<string, double> parameter in options.Parameters)
             Autopilot.SetParameter(parameter.Key, (float)parameter.Value);
-        Pack = new Battery(Autopilot.BatteryCapacityAmpereHours, options.BatteryRemaining);
+        Pack = new Battery(
+            Autopilot.BatteryCapacityAmpereHours, options.BatteryRemaining, options.BatteryCapacityFraction);
     }
 
     public Multirotor Body { get; }
@@ -219,7 +220,7 @@ internal sealed class SimulatedVehicle : ILinkSink
         ModeOfSwitch = Radio.ModeOfSwitch,
         SwitchCount = Radio.SwitchCount,
         BatteryVolts = Pack.MeasuredVolts,
-        BatteryRemaining = Pack.Remaining,
+        BatteryRemaining = Pack.Reported,
         ConsumedAmpereHours = Pack.ConsumedAmpereHours,
     };
 
@@ -267,7 +268,7 @@ internal sealed class SimulatedVehicle : ILinkSink
             CameraYaw = Mount.Yaw,
             BatteryVolts = Pack.MeasuredVolts,
             BatteryAmperes = Pack.Amperes,
-            BatteryRemaining = Pack.Remaining,
+            BatteryRemaining = Pack.Reported,
             ConsumedAmpereHours = Pack.ConsumedAmpereHours,
             ConsumedJoules = Pack.ConsumedJoules,
         });

@@ -44,7 +44,7 @@ public sealed class SimulatedTruth
     /// <summary>Flight mode, by ArduCopter's name.</summary>
     public string Mode { get; internal init; } = string.Empty;
 
-    /// <summary>What is left in the battery, 0 to 1.</summary>
+    /// <summary>What is truly left in the battery, of its true capacity, 0 to 1.</summary>
     public double BatteryRemaining { get; internal init; }
 
     /// <summary>Off the ground, all flights together.</summary>

@@ -32,7 +32,8 @@ internal sealed class BatteryTracker
     public BatteryReading Take(in BatteryStatus message, TimeSpan time)
     {
         _batteryStatus = new BatteryReading(
-            time, Volts(message), Amperes(message.CurrentBattery), Fraction(message.BatteryRemaining));
+            time, Volts(message), Amperes(message.CurrentBattery), Fraction(message.BatteryRemaining),
+            message.CurrentConsumed < 0 ? double.NaN : message.CurrentConsumed / 1000.0);
         return _batteryStatus.FilledFrom(_systemStatus, FillsGapsFor);
     }
 

@@ -104,6 +104,7 @@ internal sealed partial class VehicleTracker
         _state.BatteryVolts = battery.Volts;
         _state.BatteryAmperes = battery.Amperes;
         _state.BatteryRemaining = battery.Remaining;
+        _state.BatteryConsumedAmpereHours = battery.ConsumedAmpereHours;
         return VehicleEvents.Changed;
     }
 

@@ -26,6 +26,7 @@ internal sealed partial class VehicleTracker(byte? systemId, TimeSpan heartbeatT
         BatteryVolts = double.NaN,
         BatteryAmperes = double.NaN,
         BatteryRemaining = double.NaN,
+        BatteryConsumedAmpereHours = double.NaN,
         Satellites = byte.MaxValue,
         WindVelocityNed = new NedVector(double.NaN, double.NaN, double.NaN),
     };

@@ -102,6 +102,11 @@ public struct VehicleState
     /// <summary>What remains in the battery, 0 to 1; NaN where the autopilot does not know it.</summary>
     public double BatteryRemaining { get; set; }
 
+    /// <summary>
+    /// Charge drawn from the battery since the autopilot began to count, ampere hours; NaN where it does not know it.
+    /// </summary>
+    public double BatteryConsumedAmpereHours { get; set; }
+
     /// <summary>When the receiver last reported its fix; null before the first.</summary>
     public TimeSpan? GpsTime { get; set; }
 

@@ -1,0 +1,159 @@
+using System;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>
+/// The energy of the flight: the charge that is left, the power that the vehicle needs, and with the wind what the way
+/// home takes. Learnt in flight from what the autopilot reports. No I/O; one thread.
+/// </summary>
+internal sealed class EnergyModel
+{
+    // Both sides of the comparison may be wrong: a return too early costs a part of the search, one too late the
+    // vehicle.
+    private const double Deviations = 1;
+
+    // To land in a field there must be no doubt that home cannot be reached.
+    private const double DeviationsOutOfReach = 2;
+    private const double ReserveOfLanding = 0.03;
+
+    // Where the current is not reported: so many whole per cent say enough of the power.
+    private const double MinFractionForPower = 0.02;
+
+    private readonly EnergyOptions _options;
+    private readonly MissionPlan _mission;
+    private readonly ChargeEstimator _charge;
+    private readonly PowerModel _power;
+    private readonly WindEstimate _wind = new();
+    private TimeSpan? _sampleTime;
+    private double _sampleRemaining;
+    private double _seconds;
+    private double _cubedSeconds;
+    private double _climbed;
+    private EnergyStatus _status;
+
+    public EnergyModel(EnergyOptions options, MissionPlan mission)
+    {
+        (_options, _mission) = (options, mission);
+        _charge = new ChargeEstimator(options);
+        _power = new PowerModel(options);
+    }
+
+    public ref readonly EnergyStatus Status => ref _status;
+
+    /// <summary>Parameters of the autopilot, for the speed of its return.</summary>
+    public AutopilotParameters Parameters { get; set; } = AutopilotParameters.None;
+
+    /// <summary>Takes what is new, at each unit of work.</summary>
+    public void Update(MissionFlight flight)
+    {
+        bool isFlying = flight.IsFlying;
+        _wind.Update(flight.Vehicle, flight.Now, isFlying);
+        if (_charge.Update(flight.Vehicle))
+            Learn(flight.Vehicle, isFlying);
+        Judge(flight, isFlying);
+    }
+
+    /// <summary>Whether the battery can fly the plan, by what is known before the take-off.</summary>
+    /// <returns>Why not, with the figures; null where it can, or where the battery is not known.</returns>
+    public string? CheckPlan(MissionFlight flight)
+    {
+        double speed = ReturnSpeed.Of(Parameters, flight.Vehicle.Autopilot, _options);
+        (double joules, double seconds) = PlanEnergy.Of(
+            _power, flight.Route!, _mission, _options.AssumedWindMetresPerSecond, speed,
+            _options.MaxAirspeedMetresPerSecond);
+        bool isEndless = double.IsInfinity(joules);
+        _status.PlanCharge = _charge.FractionOf(joules, joules / seconds);
+        _status.PlanTime = isEndless ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);
+        if (!_charge.IsKnown || _status.PlanCharge + _mission.EnergyReserveFraction <= _charge.Left)
+            return null;
+        string wind = $"in a wind of {MissionNumbers.Of(_options.AssumedWindMetresPerSecond)} m/s";
+        return isEndless
+            ? $"the plan cannot be flown {wind}: the way home would be against it"
+            : $"the plan takes {MissionNumbers.Of(seconds / 60)} min and {MissionNumbers.Percent(_status.PlanCharge)} of "
+                + $"the battery {wind}, with a reserve of {MissionNumbers.Percent(_mission.EnergyReserveFraction)}; "
+                + $"{MissionNumbers.Percent(_charge.Left)} are left";
+    }
+
+    private void Learn(in VehicleState vehicle, bool isFlying)
+    {
+        TimeSpan time = vehicle.BatteryTime!.Value;
+        double seconds = _sampleTime is { } last && isFlying ? (time - last).TotalSeconds : 0;
+        _sampleTime = time;
+        if (!(seconds > 0))
+        {
+            BeginSample(vehicle);
+            return;
+        }
+
+        var ground = new PlanePoint(vehicle.VelocityNed.North, vehicle.VelocityNed.East);
+        double airspeed = (ground - _wind.Velocity).Length;
+        _seconds += seconds;
+        _cubedSeconds += seconds * airspeed * airspeed * airspeed;
+        _climbed -= seconds * vehicle.VelocityNed.Down;
+        double watts = vehicle.BatteryVolts * vehicle.BatteryAmperes;
+        if (double.IsNaN(watts))
+        {
+            double used = _sampleRemaining - vehicle.BatteryRemaining;
+            if (!(used >= MinFractionForPower))
+                return;
+            watts = _charge.WattsOf(used / _seconds);
+        }
+
+        if (watts > 0)
+            _power.Update(watts, _cubedSeconds / _seconds, _climbed / _seconds, _seconds);
+        BeginSample(vehicle);
+    }
+
+    private void BeginSample(in VehicleState vehicle)
+    {
+        (_seconds, _cubedSeconds, _climbed) = (0, 0, 0);
+        _sampleRemaining = vehicle.BatteryRemaining;
+    }
+
+    private void Judge(MissionFlight flight, bool isFlying)
+    {
+        _status.IsKnown = _charge.IsKnown && flight.Plan is not null && flight.Vehicle.PositionTime is not null;
+        _status.Reserve = _mission.EnergyReserveFraction;
+        (_status.ChargeLeft, _status.ChargeLeftDeviation) = (_charge.Left, _charge.LeftDeviation);
+        (_status.CapacityFraction, _status.CapacityFractionDeviation)
+            = (_charge.CapacityFraction, _charge.CapacityFractionDeviation);
+        _status.HoverWatts = _power.HoverWatts;
+        _status.CruiseWatts = _power.Watts(_mission.SpeedMetresPerSecond);
+        _status.ClimbWattsPerMetrePerSecond = _power.ClimbWattsPerMetrePerSecond;
+        _status.IsWindMeasured = _wind.IsMeasured;
+        if (_status.IsKnown)
+            JudgeWayHome(flight, isFlying);
+        else
+            (_status.MustReturn, _status.IsHomeOutOfReach) = (false, false);
+    }
+
+    private void JudgeWayHome(MissionFlight flight, bool isFlying)
+    {
+        double assumed = _wind.IsMeasured ? 0 : _options.AssumedWindMetresPerSecond;
+        (double joules, double seconds) = Home(flight, assumed);
+        (double high, _) = Home(flight, assumed + _options.WindDeviationMetresPerSecond);
+        double watts = double.IsInfinity(joules) ? _power.HoverWatts : joules / seconds;
+        double home = _charge.FractionOf(joules, watts);
+        double ofWind = _charge.FractionOf(high, watts) - home;
+        double ofPower = home * _power.Deviation(airspeed: 0) / _power.HoverWatts;
+        double ofHome = double.IsInfinity(home) ? 0 : Math.Sqrt((ofWind * ofWind) + (ofPower * ofPower));
+        double ofLeft = _charge.LeftDeviation;
+        double margin = _charge.Left - home - _mission.EnergyReserveFraction
+            - (Deviations * Math.Sqrt((ofHome * ofHome) + (ofLeft * ofLeft)));
+        (double landing, double landingSeconds) = WayHome.Landing(_power, flight.HeightMetres, _wind.Velocity.Length);
+        double toLand = _charge.FractionOf(landing, landing / landingSeconds);
+        _status.ChargeHome = home;
+        _status.ChargeHomeDeviation = ofHome;
+        _status.TimeHome = double.IsInfinity(seconds) ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);
+        double perSecond = _charge.FractionOf(_power.HoverWatts, _power.HoverWatts);
+        _status.TimeToReturn = margin > 0 ? TimeSpan.FromSeconds(margin / perSecond) : TimeSpan.Zero;
+        _status.MustReturn = isFlying && margin <= 0;
+        _status.IsHomeOutOfReach = isFlying
+            && _charge.Left + (DeviationsOutOfReach * ofLeft) < home && _charge.Left <= toLand + ReserveOfLanding;
+    }
+
+    private (double Joules, double Seconds) Home(MissionFlight flight, double moreHeadWind) => WayHome.Of(
+        _power, flight.Position, flight.HeightMetres, _wind.Velocity, moreHeadWind,
+        ReturnSpeed.Of(Parameters, flight.Vehicle.Autopilot, _options), _options.MaxAirspeedMetresPerSecond);
+}

@@ -1,0 +1,54 @@
+using System;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>
+/// Time and energy of a plan: the climb, the legs that are not flown yet and the ways between them, the way home and
+/// the landing. Revisits come on top: nobody knows how many there will be.
+/// </summary>
+internal static class PlanEnergy
+{
+    private const double ClimbRate = 2;
+
+    // Autopilots accelerate and brake with this, and settle before they turn.
+    private const double Acceleration = 1.5;
+    private const double TurnSeconds = 2;
+
+    /// <param name="power">What the vehicle needs.</param>
+    /// <param name="route">What is to be flown.</param>
+    /// <param name="mission">Speed and height.</param>
+    /// <param name="wind">Assumed, from any side, m/s.</param>
+    /// <param name="returnSpeed">m/s.</param>
+    /// <param name="maxAirspeed">m/s.</param>
+    public static (double Joules, double Seconds) Of(
+        PowerModel power, SearchRoute route, MissionPlan mission, double wind, double returnSpeed, double maxAirspeed)
+    {
+        double climbing = mission.HeightMetres / ClimbRate;
+        double joules = climbing * power.Watts(wind, ClimbRate);
+        double seconds = climbing;
+        double speed = mission.SpeedMetresPerSecond;
+
+        // With and against the wind by turns.
+        double watts = (power.Watts(speed + wind) + power.Watts(Math.Abs(speed - wind))) / 2;
+        double turning = (speed / Acceleration) + TurnSeconds;
+        PlanePoint at = default;
+        for (int index = route.Flown; index < route.Count; index++)
+        {
+            LaneSegment leg = route.Legs[index];
+            seconds += Fly(at.DistanceTo(leg.Start)) + Fly(leg.Length);
+            at = leg.End;
+        }
+
+        PlanePoint headWind = at.Length > 0 ? (wind / at.Length) * at : default;
+        (double home, double homeSeconds) = WayHome.Of(
+            power, at, mission.HeightMetres, headWind, moreHeadWind: 0, returnSpeed, maxAirspeed);
+        return (joules + home, seconds + homeSeconds);
+
+        double Fly(double metres)
+        {
+            double time = (metres / speed) + turning;
+            joules += time * watts;
+            return time;
+        }
+    }
+}
