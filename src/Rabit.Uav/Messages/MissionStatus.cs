@@ -46,6 +46,9 @@ public struct MissionStatus
     /// <summary>Tracks that were revisited.</summary>
     public int Revisits { get; set; }
 
+    /// <summary>What is left in the battery, and what the way home takes.</summary>
+    public EnergyStatus Energy { get; set; }
+
     /// <summary>Whether the mission was accomplished, and why not.</summary>
     public MissionResult Result { get; set; }
 }

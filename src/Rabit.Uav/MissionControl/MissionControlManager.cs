@@ -21,6 +21,7 @@ public sealed class MissionControlManager : RabitManager
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly MessageSubscriber<CommandAuthority> _authority;
     private readonly MessageSubscriber<ImagingStatus> _imaging;
+    private readonly MessageSubscriber<AutopilotParameters> _parameters;
     private readonly MessageSubscriber<PreflightReport>? _preflight;
     private readonly QueueReceiver<VehicleCommandResult> _results;
     private readonly QueueReceiver<CameraObservation> _searchedGround;
@@ -48,6 +49,7 @@ public sealed class MissionControlManager : RabitManager
         _tracks = Subscribe<TrackList>(MessageNames.Tracks);
         _authority = Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
         _imaging = Subscribe<ImagingStatus>(MessageNames.Imaging);
+        _parameters = Subscribe<AutopilotParameters>(MessageNames.AutopilotParameters);
         if (copy.Mission is not null && copy.RequiresPreflight)
             _preflight = Subscribe<PreflightReport>(MessageNames.Preflight);
         _results = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
@@ -109,6 +111,7 @@ public sealed class MissionControlManager : RabitManager
             _flight.IsStopRequested = IsStopRequested;
             FetchInputs(_flight);
             _flight.Touchdown.Update(_flight);
+            _flight.Energy.Update(_flight);
             _assessment.Update(_flight);
             _machine.Tick();
             PostImagingCommand(_flight, _machine);
@@ -148,6 +151,8 @@ public sealed class MissionControlManager : RabitManager
             flight.Authority = _authority.Value;
         if (_imaging.Fetch())
             flight.Imaging = _imaging.Value;
+        if (_parameters.Fetch())
+            flight.Energy.Parameters = _parameters.Value;
         if (_preflight?.Fetch() == true)
             flight.Preflight = _preflight.Value;
         while (_results.TryPop(out VehicleCommandResult result))
@@ -209,6 +214,7 @@ public sealed class MissionControlManager : RabitManager
             status.LanesFlown = _flight.Route?.Flown ?? 0;
             status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;
             status.Revisits = _flight.Revisits.Completed;
+            status.Energy = _flight.Energy.Status;
             status.Result = _assessment.Assess(_flight, phase);
         }
         else

@@ -61,6 +61,9 @@ public sealed class MissionControlOptions
     /// <value>0 to 10. The default is 2: what two passes missed, a third misses too.</value>
     public int MaxGapPasses { get; set; } = 2;
 
+    /// <summary>What is assumed of battery, power and wind before the flight has measured them.</summary>
+    public EnergyOptions Energy { get; set; } = new();
+
     /// <summary>What is commanded when the program is stopped while Mission Control flies the vehicle.</summary>
     /// <value>The default is <see cref="OnStop.Hold"/>.</value>
     public OnStop OnStop { get; set; }
@@ -87,7 +90,9 @@ public sealed class MissionControlOptions
         List<string> faults = FindFaults().ToList();
         if (faults.Count > 0)
             throw new ArgumentException("Mission Control: " + string.Join("; ", faults) + ".", parameter);
-        return (MissionControlOptions)MemberwiseClone();
+        MissionControlOptions copy = Copy();
+        copy.Energy = Energy.Copy();
+        return copy;
     }
 
     internal MissionControlOptions Copy() => (MissionControlOptions)MemberwiseClone();
@@ -102,6 +107,10 @@ public sealed class MissionControlOptions
             yield return FormattableString.Invariant($"{nameof(CoverageGoal)} is {CoverageGoal}; it must be 0 to 1");
         if (MaxGapPasses is < 0 or > 10)
             yield return FormattableString.Invariant($"{nameof(MaxGapPasses)} is {MaxGapPasses}; it must be 0 to 10");
+        if (Energy is null)
+            yield return $"{nameof(Energy)} is null; it may be left as it is";
+        foreach (string fault in Energy?.FindFaults() ?? [])
+            yield return $"{nameof(Energy)}: {fault}";
         if (OnStop is not (OnStop.Hold or OnStop.Return))
             yield return $"{nameof(OnStop)} is {OnStop:D}, which is none of its values";
         if (ProgressFile is not null && string.IsNullOrWhiteSpace(ProgressFile))

@@ -34,6 +34,9 @@ internal sealed class MissionFlight(
 
     public Revisits Revisits { get; } = new();
 
+    /// <summary>What is left in the battery, and what the way home takes.</summary>
+    public EnergyModel Energy { get; } = new(options.Energy, mission);
+
     /// <summary>What the operator commanded.</summary>
     public OperatorRequests Operator { get; } = new(log);
 
@@ -172,8 +175,14 @@ internal sealed class MissionFlight(
     public string CreatePlan()
     {
         GeodeticPosition at = Vehicle.Position;
-        return CreatePlan(GeodeticPosition.FromRadians(
+        string fault = CreatePlan(GeodeticPosition.FromRadians(
             at.Latitude.Radians, at.Longitude.Radians, at.AltitudeAmslMetres - HeightMetres));
+        if (fault.Length > 0 || Energy.CheckPlan(this) is not { } shortage)
+            return fault;
+        if (!Mission.AllowsPartialSearch)
+            return shortage + "; with allowPartialSearch it is begun, and returns in time";
+        Log(shortage + ": begun all the same, it returns in time");
+        return string.Empty;
     }
 
     /// <summary>

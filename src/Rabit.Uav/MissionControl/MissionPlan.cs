@@ -87,6 +87,18 @@ public sealed partial class MissionPlan
     public double MinBatteryFractionAtStart { get; init; } = 0.5;
 
     /// <summary>
+    /// Fraction of the true charge of the battery that is to be left after the landing, 0.05 to 0.5: the vehicle returns
+    /// when what is left is no more than the way home takes and this.
+    /// </summary>
+    public double EnergyReserveFraction { get; init; } = 0.1;
+
+    /// <summary>
+    /// Whether a mission that the battery cannot fly to its end is begun: the vehicle returns in time, and the rest can
+    /// be flown later.
+    /// </summary>
+    public bool AllowsPartialSearch { get; init; }
+
+    /// <summary>
     /// Limit of the height above home, metres, 7 to 120; null for none of its own. Search and revisit stay 2 m below
     /// it; in flight, above it, the vehicle returns to launch. The autopilot's own return may climb higher.
     /// </summary>

@@ -91,6 +91,8 @@ internal static class MissionPlanReader
             RequiredCoverage = fields.Number("requiredCoverage") ?? MissionPlan.DefaultRequiredCoverage,
             ObstacleHeightMetres = fields.Number("obstacleHeightMetres"),
             MinBatteryFractionAtStart = limits.Number("minBatteryFractionAtStart") ?? 0.5,
+            EnergyReserveFraction = limits.Number("energyReserveFraction") ?? 0.1,
+            AllowsPartialSearch = fields.Flag("allowPartialSearch") ?? false,
             MaxHeightMetres = limits.Number("maxHeightMetres"),
             MaxDistanceMetres = limits.Number("maxDistanceMetres"),
             GroundStationLost = ReadGroundStationLost(fields),

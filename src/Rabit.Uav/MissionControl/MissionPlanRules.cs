@@ -57,6 +57,7 @@ internal static class MissionPlanRules
         yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitch), -90, -20);
         yield return ("camera.yawDegrees", ToDegrees(plan.CameraYaw), -180, 180);
         yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);
+        yield return ("limits.energyReserveFraction", plan.EnergyReserveFraction, 0.05, 0.5);
         yield return ("limits.maxHeightMetres", plan.MaxHeightMetres ?? 120, 5 + HeightReserveMetres, 120);
         yield return ("limits.maxDistanceMetres", plan.MaxDistanceMetres ?? 5000, 20, 5000);
         double hold = plan.GroundStationLost.HoldAfter?.TotalSeconds ?? 5;

@@ -9,7 +9,7 @@ using Rabit.Uav.Preflight;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Reads the parameters of the checklist, writes failsafes and fence before a flight, and writes the autopilot's own
+/// Reads the parameters of the checklist and of the return, writes failsafes and fence before a flight, and writes the autopilot's own
 /// ones back after it. A queue of steps, one after another; frames in and out, time as argument, no I/O but the store.
 /// Nothing is read or written in flight. One thread.
 /// </summary>
@@ -61,8 +61,10 @@ internal sealed partial class AutopilotSetup
         _fence = new MavlinkMissionClient(sender, target);
         IEnumerable<IReadOnlyList<string>> groups = PreflightRules.ParametersOf(autopilot)
             .Select(r => (IReadOnlyList<string>)r.Names.Select(n => n.Name).ToArray());
+        IEnumerable<string> others = FenceParameters(autopilot).Select(p => p.Name)
+            .Concat(ReturnSpeed.ParametersOf(autopilot));
         _known = new KnownParameters(
-            groups.Concat(FenceParameters(autopilot).Select(p => (IReadOnlyList<string>)[p.Name])).ToArray(), encoding);
+            groups.Concat(others.Select(n => (IReadOnlyList<string>)[n])).ToArray(), encoding);
         _state = options.Writes ? AutopilotSetupState.Writing : AutopilotSetupState.None;
         QueueReading(onlyUnknown: false);
     }

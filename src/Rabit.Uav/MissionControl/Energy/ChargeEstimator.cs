@@ -29,8 +29,8 @@ internal sealed class ChargeEstimator(EnergyOptions options)
     private const double UsedPerMeasurement = 0.02;
     private const double Correlated = 5;
 
-    // Per cent are whole.
-    private const double HalfPercent = 0.01;
+    // Per cent are whole, at the start and now.
+    private const double HalfPercent = 0.005;
     private const double MinUsedForCapacity = 0.05;
     private const double JumpFraction = 0.05;
 
@@ -152,12 +152,14 @@ internal sealed class ChargeEstimator(EnergyOptions options)
     private void Count(in VehicleState vehicle)
     {
         double remaining = vehicle.BatteryRemaining;
-        bool hasJumped = Math.Abs(remaining - _lastRemaining) > JumpFraction
-            || double.IsNaN(vehicle.BatteryConsumedAmpereHours) != _countsItself;
+        if (double.IsNaN(Left))
+            Left = _start;
 
         // Another battery, or the autopilot has started again and takes it for full.
-        if (hasJumped)
-            Anchor(vehicle, remaining < Left || double.IsNaN(Left) ? remaining : Left, VoltageStartDeviation);
+        if (Math.Abs(remaining - _lastRemaining) > JumpFraction)
+            Anchor(vehicle, Math.Min(remaining, Left), VoltageStartDeviation);
+        else if (double.IsNaN(vehicle.BatteryConsumedAmpereHours) != _countsItself)
+            Anchor(vehicle, Left, LeftDeviation);
         if (!double.IsNaN(remaining))
             _lastRemaining = remaining;
         _used = Math.Max(_used, Used(vehicle));
@@ -180,13 +182,19 @@ internal sealed class ChargeEstimator(EnergyOptions options)
         double drawn = Drawn(vehicle) - _anchorDrawn;
         bool hasCurrent = !_countsItself || !double.IsNaN(vehicle.BatteryAmperes);
         if (hasCurrent && byPercent >= MinUsedForCapacity && drawn > 0)
-            StatedAmpereHours = drawn / byPercent;
+        {
+            double least = drawn / (byPercent + HalfPercent + HalfPercent);
+            double most = drawn / (byPercent - HalfPercent - HalfPercent);
+            StatedAmpereHours = Math.Min(Math.Max(StatedAmpereHours, least), most);
+        }
+
         double byCharge = drawn / StatedAmpereHours;
         if (!hasCurrent || double.IsNaN(byCharge))
             return byPercent;
         return double.IsNaN(byPercent)
             ? byCharge
-            : Math.Min(Math.Max(byCharge, byPercent - HalfPercent), byPercent + HalfPercent);
+            : Math.Min(
+                Math.Max(byCharge, byPercent - HalfPercent - HalfPercent), byPercent + HalfPercent + HalfPercent);
     }
 
     private void Measure()

@@ -1,5 +1,6 @@
 using System;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Preflight;
 
 namespace Rabit.Uav.MissionControl;
 
@@ -19,6 +20,9 @@ internal sealed class EnergyModel
 
     // Where the current is not reported: so many whole per cent say enough of the power.
     private const double MinFractionForPower = 0.02;
+
+    // Reported once a second.
+    private static readonly TimeSpan MaxBatteryAge = TimeSpan.FromSeconds(10);
 
     private readonly EnergyOptions _options;
     private readonly MissionPlan _mission;
@@ -58,9 +62,8 @@ internal sealed class EnergyModel
     /// <returns>Why not, with the figures; null where it can, or where the battery is not known.</returns>
     public string? CheckPlan(MissionFlight flight)
     {
-        double speed = ReturnSpeed.Of(Parameters, flight.Vehicle.Autopilot, _options);
         (double joules, double seconds) = PlanEnergy.Of(
-            _power, flight.Route!, _mission, _options.AssumedWindMetresPerSecond, speed,
+            _power, flight.Route!, _mission, _options.AssumedWindMetresPerSecond, SpeedHome(flight),
             _options.MaxAirspeedMetresPerSecond);
         bool isEndless = double.IsInfinity(joules);
         _status.PlanCharge = _charge.FractionOf(joules, joules / seconds);
@@ -113,7 +116,8 @@ internal sealed class EnergyModel
 
     private void Judge(MissionFlight flight, bool isFlying)
     {
-        _status.IsKnown = _charge.IsKnown && flight.Plan is not null && flight.Vehicle.PositionTime is not null;
+        _status.IsKnown = _charge.IsKnown && flight.Plan is not null && flight.Vehicle.PositionTime is not null
+            && flight.Now - flight.Vehicle.BatteryTime <= MaxBatteryAge;
         _status.Reserve = _mission.EnergyReserveFraction;
         (_status.ChargeLeft, _status.ChargeLeftDeviation) = (_charge.Left, _charge.LeftDeviation);
         (_status.CapacityFraction, _status.CapacityFractionDeviation)
@@ -153,7 +157,10 @@ internal sealed class EnergyModel
             && _charge.Left + (DeviationsOutOfReach * ofLeft) < home && _charge.Left <= toLand + ReserveOfLanding;
     }
 
+    private double SpeedHome(MissionFlight flight)
+        => _options.ReturnSpeedMetresPerSecond ?? ReturnSpeed.Of(Parameters, flight.Vehicle.Autopilot);
+
     private (double Joules, double Seconds) Home(MissionFlight flight, double moreHeadWind) => WayHome.Of(
         _power, flight.Position, flight.HeightMetres, _wind.Velocity, moreHeadWind,
-        ReturnSpeed.Of(Parameters, flight.Vehicle.Autopilot, _options), _options.MaxAirspeedMetresPerSecond);
+        SpeedHome(flight), _options.MaxAirspeedMetresPerSecond);
 }

@@ -21,6 +21,9 @@ internal sealed class PowerModel
     // Per measurement, of the prior's deviation: a load is dropped, an arm ices.
     private const double Drift = 0.02;
 
+    // Nothing flies on less.
+    private const double MinPartOfHover = 0.1;
+
     // Keeps the numbers near one another: airspeed in units of 10 m/s.
     private const double SpeedUnit = 10;
 
@@ -30,6 +33,7 @@ internal sealed class PowerModel
     private readonly double[] _terms = new double[Count];
     private readonly double[] _gain = new double[Count];
     private readonly double _noise;
+    private readonly double _minHover;
 
     public PowerModel(EnergyOptions prior)
     {
@@ -39,7 +43,7 @@ internal sealed class PowerModel
         [
             HoverDeviation * prior.HoverWatts, OtherDeviation * drag, OtherDeviation * prior.ClimbWattsPerMetrePerSecond,
         ];
-        _noise = NoiseOfHover * prior.HoverWatts;
+        (_noise, _minHover) = (NoiseOfHover * prior.HoverWatts, MinPartOfHover * prior.HoverWatts);
         for (int i = 0; i < Count; i++)
             _covariance[i, i] = _deviations[i] * _deviations[i];
     }
@@ -103,6 +107,7 @@ internal sealed class PowerModel
 
         for (int i = 0; i < Count; i++)
             _values[i] = Math.Max(0, _values[i] + (_gain[i] * error / variance));
+        _values[0] = Math.Max(_values[0], _minHover);
         for (int i = 0; i < Count; i++)
         {
             for (int j = 0; j < Count; j++)
