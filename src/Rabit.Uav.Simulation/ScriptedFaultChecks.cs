@@ -61,7 +61,7 @@ internal static class ScriptedFaultChecks
 
     private static bool IsPossible(in ScriptedFault fault, SimulatedAutopilot autopilot) => fault.Kind switch
     {
-        ScriptedFaultKind.BatteryTo => fault.Value is >= 0 and <= 1,
+        ScriptedFaultKind.BatteryTo or ScriptedFaultKind.BatteryTrueTo => fault.Value is >= 0 and <= 1,
         ScriptedFaultKind.Gust => SimulationOptions.IsWind(fault.Value),
         ScriptedFaultKind.ComputerHot => fault.Value is >= MinCelsius and <= MaxCelsius,
         ScriptedFaultKind.DiskLow => fault.Value is >= 0 and <= MaxDiskBytes,

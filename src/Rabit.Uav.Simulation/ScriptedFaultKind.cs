@@ -139,4 +139,10 @@ public enum ScriptedFaultKind
 
     /// <summary>The autopilot sends no attitude any more.</summary>
     AttitudeSilent,
+
+    /// <summary>
+    /// What is truly left in the battery is suddenly the value, 0 to 1, and the autopilot goes on counting its
+    /// percentage as before: a cell has failed, or the battery never had what stands on it.
+    /// </summary>
+    BatteryTrueTo,
 }

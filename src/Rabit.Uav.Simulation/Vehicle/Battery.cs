@@ -45,6 +45,9 @@ internal sealed class Battery(double statedAmpereHours, double remaining, double
     /// <summary>Gives it another state, as a script wants it.</summary>
     public void Set(double newRemaining) => Remaining = Reported = newRemaining;
 
+    /// <summary>Gives it another state of which the autopilot does not know.</summary>
+    public void SetTrue(double newRemaining) => Remaining = newRemaining;
+
     /// <summary>Draws a power for a time.</summary>
     public void Step(double watts, double seconds)
     {

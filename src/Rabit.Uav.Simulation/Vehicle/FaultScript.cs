@@ -72,6 +72,9 @@ internal sealed class FaultScript(IReadOnlyList<ScriptedFault> faults)
             case ScriptedFaultKind.BatteryTo:
                 vehicle.Pack.Set(fault.Value);
                 break;
+            case ScriptedFaultKind.BatteryTrueTo:
+                vehicle.Pack.SetTrue(fault.Value);
+                break;
             case ScriptedFaultKind.WindTo:
                 if (fault.Duration > TimeSpan.Zero)
                     _windReturns.Add((fault.At + fault.Duration, vehicle.Air.MeanSpeed));

@@ -106,13 +106,17 @@ internal sealed class Multirotor
         return new NedVector(wanted.North + _lean.North, wanted.East + _lean.East, down);
     }
 
-    // Against a strong wind it is slower over ground than it is commanded to be; across it, it drifts.
+    // Against a strong wind it is slower over ground than it is commanded to be: the part s of the velocity v with
+    // |s v - wind| at the limit, so that it keeps its track. It stands where the wind alone is too strong.
     private static NedVector WithinAirspeed(NedVector velocity, NedVector wind)
     {
-        NedVector throughAir = velocity.Minus(wind);
-        return throughAir.HorizontalLength() <= MaxAirspeed
-            ? velocity
-            : throughAir.LimitedHorizontally(MaxAirspeed).Plus(wind);
+        if (velocity.Minus(wind).HorizontalLength() <= MaxAirspeed)
+            return velocity;
+        double square = (velocity.North * velocity.North) + (velocity.East * velocity.East);
+        double along = (velocity.North * wind.North) + (velocity.East * wind.East);
+        double spare = (MaxAirspeed * MaxAirspeed) - (wind.North * wind.North) - (wind.East * wind.East);
+        double part = spare > 0 ? (along + Math.Sqrt((along * along) + (square * spare))) / square : 0;
+        return new NedVector(velocity.North * part, velocity.East * part, velocity.Down);
     }
 
     private void Turn(in MotionCommand command, double seconds)

@@ -24,6 +24,9 @@ public sealed partial class HealthManager : RabitManager
     // MAVLink guide, "Heartbeat/Connection Protocol": 1 Hz.
     private static readonly TimeSpan HeartbeatPeriod = TimeSpan.FromSeconds(1);
 
+    // Mission Control posts it once a second.
+    private static readonly TimeSpan MaxEnergyAge = TimeSpan.FromSeconds(5);
+
     // The version of the protocol's messages that every HEARTBEAT carries (minimal.xml: <version>3</version>).
     private const byte MavlinkMessagesVersion = 3;
 
@@ -37,6 +40,7 @@ public sealed partial class HealthManager : RabitManager
     private readonly CameraWatch _camera;
     private readonly HealthRuleSet<VehicleFacts> _vehicleRules = new(HealthRules.OfVehicle);
     private readonly HealthRuleSet<VehicleFacts> _batteryRules = new(HealthRules.OfBattery);
+    private readonly HealthRuleSet<VehicleFacts> _energyRules = new(HealthRules.OfEnergy);
     private readonly HealthRuleSet<CameraFacts> _cameraRules = new(HealthRules.OfCamera);
     private readonly WindGusts _gusts = new();
     private readonly AdviceLatch _advice = new();
@@ -166,17 +170,19 @@ public sealed partial class HealthManager : RabitManager
     {
         _vehicle.Fetch();
         _autopilot.Fetch();
-        var vehicle = new VehicleFacts(_vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver,
-            _gusts.Update(_vehicle.Value, now));
+        _mission.Fetch();
+        EnergyStatus energy = _mission.Age <= MaxEnergyAge ? _mission.Value.Energy : default;
+        var vehicle = new VehicleFacts(
+            _vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver, _gusts.Update(_vehicle.Value, now), energy);
         _vehicleRules.Evaluate(vehicle, subject: null, _options, now, _findings);
         _batteryRules.Evaluate(vehicle, subject: null, _options, now, _findings);
+        _energyRules.Evaluate(vehicle, subject: null, _options, now, _findings);
         _cameraRules.Evaluate(_camera.Update(now, _isImagingStuck, _options), subject: null, _options, now, _findings);
     }
 
     // Advice is for a mission in flight; otherwise findings are only reported.
     private void UpdateAdvice()
     {
-        _mission.Fetch();
         bool isFlying = _mission.Value.Phase is MissionPhase.Arming or MissionPhase.TakingOff or MissionPhase.InTransit
             or MissionPhase.Searching or MissionPhase.Revisiting or MissionPhase.Holding or MissionPhase.Returning
             or MissionPhase.Landing;

@@ -18,7 +18,8 @@ internal static partial class HealthRules
     /// <summary>All rows, in the order of the table.</summary>
     public static IReadOnlyList<HealthRule> All =>
     [
-        .. OfManagers, .. OfVehicle, .. OfBattery, .. OfCamera, .. OfLinks, .. OfGroundStation, .. OfComputer,
+        .. OfManagers, .. OfVehicle, .. OfBattery, .. OfEnergy, .. OfCamera, .. OfLinks, .. OfGroundStation,
+        .. OfComputer,
     ];
 
     /// <summary>The words of a reason; null where it has no row.</summary>

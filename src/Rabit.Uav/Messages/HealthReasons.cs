@@ -78,4 +78,10 @@ public enum HealthReasons
     /// Too few of the pictures of a search can be used; <see cref="ImagingStatus.UnusableCause"/> says why.
     /// </summary>
     PicturesUnusable = 67108864,
+
+    /// <summary>What is left in the battery is needed for the way home.</summary>
+    EnergyLow = 536870912,
+
+    /// <summary>What is left in the battery does not reach home, and is needed to land.</summary>
+    HomeOutOfReach = 1073741824,
 }

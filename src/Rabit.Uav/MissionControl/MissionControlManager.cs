@@ -21,7 +21,7 @@ public sealed class MissionControlManager : RabitManager
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly MessageSubscriber<CommandAuthority> _authority;
     private readonly MessageSubscriber<ImagingStatus> _imaging;
-    private readonly MessageSubscriber<AutopilotParameters> _parameters;
+    private readonly MessageSubscriber<AutopilotParameters>? _parameters;
     private readonly MessageSubscriber<PreflightReport>? _preflight;
     private readonly QueueReceiver<VehicleCommandResult> _results;
     private readonly QueueReceiver<CameraObservation> _searchedGround;
@@ -49,9 +49,13 @@ public sealed class MissionControlManager : RabitManager
         _tracks = Subscribe<TrackList>(MessageNames.Tracks);
         _authority = Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
         _imaging = Subscribe<ImagingStatus>(MessageNames.Imaging);
-        _parameters = Subscribe<AutopilotParameters>(MessageNames.AutopilotParameters);
         if (copy.Mission is not null && copy.RequiresPreflight)
+        {
+            // They are read where there is a checklist.
             _preflight = Subscribe<PreflightReport>(MessageNames.Preflight);
+            _parameters = Subscribe<AutopilotParameters>(MessageNames.AutopilotParameters);
+        }
+
         _results = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _searchedGround = Receive<CameraObservation>(
             MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
@@ -151,7 +155,7 @@ public sealed class MissionControlManager : RabitManager
             flight.Authority = _authority.Value;
         if (_imaging.Fetch())
             flight.Imaging = _imaging.Value;
-        if (_parameters.Fetch())
+        if (_parameters?.Fetch() == true)
             flight.Energy.Parameters = _parameters.Value;
         if (_preflight?.Fetch() == true)
             flight.Preflight = _preflight.Value;

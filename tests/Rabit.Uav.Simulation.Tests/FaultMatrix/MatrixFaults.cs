@@ -35,6 +35,9 @@ internal static class MatrixFaults
     public static readonly MatrixFault BatteryCritical = MatrixFault.Of(
         "battery at 8 %", ScriptedFaultKind.BatteryTo, 0.08);
 
+    public static readonly MatrixFault BatteryAged = MatrixFault.Of(
+        "battery truly at 15 %, reported as before", ScriptedFaultKind.BatteryTrueTo, 0.15);
+
     public static readonly MatrixFault BatteryBelowCritical = MatrixFault.Of(
         "battery at 6 %, below the autopilot's critical level", ScriptedFaultKind.BatteryTo, 0.06);
 

@@ -18,6 +18,7 @@ internal sealed class ChargeEstimator(EnergyOptions options)
     // (ArduPilot does at each start): the curve is less wrong than that.
     private const double MaxOfVoltage = 0.15;
     private const double VoltageStartDeviation = 0.08;
+    private const double FailedCell = 0.3;
 
     // Batteries in use have 75 % to 105 % of what stands on them.
     private const double PriorInverseCapacity = 1.12;
@@ -151,6 +152,19 @@ internal sealed class ChargeEstimator(EnergyOptions options)
 
     private void Count(in VehicleState vehicle)
     {
+        NoteJump(vehicle);
+        _used = Math.Max(_used, Used(vehicle));
+        if (_used >= _nextMeasurement)
+        {
+            _nextMeasurement = _used + UsedPerMeasurement;
+            Measure();
+        }
+
+        SetLeft(vehicle);
+    }
+
+    private void NoteJump(in VehicleState vehicle)
+    {
         double remaining = vehicle.BatteryRemaining;
         if (double.IsNaN(Left))
             Left = _start;
@@ -162,14 +176,19 @@ internal sealed class ChargeEstimator(EnergyOptions options)
             Anchor(vehicle, Left, LeftDeviation);
         if (!double.IsNaN(remaining))
             _lastRemaining = remaining;
-        _used = Math.Max(_used, Used(vehicle));
-        if (_used >= _nextMeasurement)
+    }
+
+    private void SetLeft(in VehicleState vehicle)
+    {
+        // A cell has failed: no curve is as wrong as that.
+        double ofVoltage = double.IsNaN(_rest) ? double.NaN : CellVoltage.ChargeOf(_rest);
+        double left = _start - (_used * _inverse);
+        if (ofVoltage < left - FailedCell)
         {
-            _nextMeasurement = _used + UsedPerMeasurement;
-            Measure();
+            Anchor(vehicle, ofVoltage, VoltageStartDeviation);
+            left = ofVoltage;
         }
 
-        double left = _start - (_used * _inverse);
         if (_lastRemaining < left)
             left = _lastRemaining;
         Left = Math.Max(0, left);

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Preflight;
 
@@ -12,11 +13,17 @@ internal sealed class EnergyModel
 {
     // Both sides of the comparison may be wrong: a return too early costs a part of the search, one too late the
     // vehicle.
-    private const double Deviations = 1;
+    private const double Deviations = 1.25;
 
-    // To land in a field there must be no doubt that home cannot be reached.
+    // To land in a field there must be no doubt that home cannot be reached: the curve of the voltage takes so much too
+    // little for left in a battery that is nearly empty.
     private const double DeviationsOutOfReach = 2;
+    private const double MinDoubt = 0.08;
     private const double ReserveOfLanding = 0.03;
+
+    private const double BrakingMetresPerSecondSquared = 2;
+    private const double Px4BackSpeed = 0.4;
+    private const double MaxStartSeconds = 120;
 
     // Where the current is not reported: so many whole per cent say enough of the power.
     private const double MinFractionForPower = 0.02;
@@ -64,7 +71,7 @@ internal sealed class EnergyModel
     {
         (double joules, double seconds) = PlanEnergy.Of(
             _power, flight.Route!, _mission, _options.AssumedWindMetresPerSecond, SpeedHome(flight),
-            _options.MaxAirspeedMetresPerSecond);
+            _options.MaxAirspeedMetresPerSecond, StartSeconds(flight));
         bool isEndless = double.IsInfinity(joules);
         _status.PlanCharge = _charge.FractionOf(joules, joules / seconds);
         _status.PlanTime = isEndless ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);
@@ -90,7 +97,7 @@ internal sealed class EnergyModel
         }
 
         var ground = new PlanePoint(vehicle.VelocityNed.North, vehicle.VelocityNed.East);
-        double airspeed = (ground - _wind.Velocity).Length;
+        double airspeed = (ground - _wind.Latest).Length;
         _seconds += seconds;
         _cubedSeconds += seconds * airspeed * airspeed * airspeed;
         _climbed -= seconds * vehicle.VelocityNed.Down;
@@ -141,7 +148,10 @@ internal sealed class EnergyModel
         double home = _charge.FractionOf(joules, watts);
         double ofWind = _charge.FractionOf(high, watts) - home;
         double ofPower = home * _power.Deviation(airspeed: 0) / _power.HoverWatts;
-        double ofHome = double.IsInfinity(home) ? 0 : Math.Sqrt((ofWind * ofWind) + (ofPower * ofPower));
+        double ofCapacity = home * _charge.CapacityFractionDeviation / _charge.CapacityFraction;
+        double ofHome = double.IsInfinity(home)
+            ? 0
+            : Math.Sqrt((ofWind * ofWind) + (ofPower * ofPower) + (ofCapacity * ofCapacity));
         double ofLeft = _charge.LeftDeviation;
         double margin = _charge.Left - home - _mission.EnergyReserveFraction
             - (Deviations * Math.Sqrt((ofHome * ofHome) + (ofLeft * ofLeft)));
@@ -154,7 +164,8 @@ internal sealed class EnergyModel
         _status.TimeToReturn = margin > 0 ? TimeSpan.FromSeconds(margin / perSecond) : TimeSpan.Zero;
         _status.MustReturn = isFlying && margin <= 0;
         _status.IsHomeOutOfReach = isFlying
-            && _charge.Left + (DeviationsOutOfReach * ofLeft) < home && _charge.Left <= toLand + ReserveOfLanding;
+            && _charge.Left + Math.Max(DeviationsOutOfReach * ofLeft, MinDoubt) < home
+            && _charge.Left <= toLand + ReserveOfLanding;
     }
 
     private double SpeedHome(MissionFlight flight)
@@ -162,5 +173,18 @@ internal sealed class EnergyModel
 
     private (double Joules, double Seconds) Home(MissionFlight flight, double moreHeadWind) => WayHome.Of(
         _power, flight.Position, flight.HeightMetres, _wind.Velocity, moreHeadWind,
-        SpeedHome(flight), _options.MaxAirspeedMetresPerSecond);
+        SpeedHome(flight), _options.MaxAirspeedMetresPerSecond, StartSeconds(flight));
+
+    // A return begins with braking. PX4 goes back to where it began, at 0.4 m/s (recorded: 0.3 to 0.8), which is as far
+    // as it took to brake, at 2 m/s2.
+    private double StartSeconds(MissionFlight flight)
+    {
+        if (flight.Commands.GoalKind == VehicleCommandKind.Return)
+            return 0;
+        double speed = _mission.SpeedMetresPerSecond;
+        double braking = speed / BrakingMetresPerSecondSquared;
+        return flight.Vehicle.Autopilot == MavAutopilot.Px4
+            ? Math.Min(braking + (speed * braking / 2 / Px4BackSpeed), MaxStartSeconds)
+            : braking;
+    }
 }

@@ -20,8 +20,10 @@ internal static class PlanEnergy
     /// <param name="wind">Assumed, from any side, m/s.</param>
     /// <param name="returnSpeed">m/s.</param>
     /// <param name="maxAirspeed">m/s.</param>
+    /// <param name="returnStartSeconds">Until a return flies towards home.</param>
     public static (double Joules, double Seconds) Of(
-        PowerModel power, SearchRoute route, MissionPlan mission, double wind, double returnSpeed, double maxAirspeed)
+        PowerModel power, SearchRoute route, MissionPlan mission, double wind, double returnSpeed, double maxAirspeed,
+        double returnStartSeconds)
     {
         double climbing = mission.HeightMetres / ClimbRate;
         double joules = climbing * power.Watts(wind, ClimbRate);
@@ -41,7 +43,8 @@ internal static class PlanEnergy
 
         PlanePoint headWind = at.Length > 0 ? (wind / at.Length) * at : default;
         (double home, double homeSeconds) = WayHome.Of(
-            power, at, mission.HeightMetres, headWind, moreHeadWind: 0, returnSpeed, maxAirspeed);
+            power, at, mission.HeightMetres, headWind, moreHeadWind: 0, returnSpeed, maxAirspeed,
+            returnStartSeconds);
         return (joules + home, seconds + homeSeconds);
 
         double Fly(double metres)

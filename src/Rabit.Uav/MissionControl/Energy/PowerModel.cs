@@ -19,7 +19,10 @@ internal sealed class PowerModel
     private const double NoiseOfHover = 0.3;
 
     // Per measurement, of the prior's deviation: a load is dropped, an arm ices.
-    private const double Drift = 0.02;
+    private const double Drift = 0.005;
+
+    // Of the airspeed, m/s: by it the drag is known less well the faster it flies.
+    private const double AirspeedDeviation = 1.5;
 
     // Nothing flies on less.
     private const double MinPartOfHover = 0.1;
@@ -89,7 +92,8 @@ internal sealed class PowerModel
     {
         SetTerms(0, climbRate);
         _terms[1] = cubedAirspeed / (SpeedUnit * SpeedUnit * SpeedUnit);
-        double variance = _noise * _noise / Math.Max(1, seconds);
+        double ofAirspeed = 3 * _values[1] / SpeedUnit * Math.Pow(_terms[1], 2.0 / 3) * AirspeedDeviation;
+        double variance = ((_noise * _noise) + (ofAirspeed * ofAirspeed)) / Math.Max(1, seconds);
         double error = watts;
         for (int i = 0; i < Count; i++)
         {

@@ -10,7 +10,7 @@ internal static class WayHome
     // Slower over ground home is not reached before the wind changes.
     private const double MinGroundSpeed = 1;
 
-    // Braking, the climb to the height of the return, and the wait over home.
+    // The climb to the height of the return, and the wait over home.
     private const double FixedSeconds = 15;
 
     // Autopilots come down at 1.5 m/s, and at 0.5 m/s for the last 12 m.
@@ -38,12 +38,15 @@ internal static class WayHome
     /// <param name="moreHeadWind">What it may be stronger against the vehicle, m/s.</param>
     /// <param name="speed">Commanded ground speed, m/s.</param>
     /// <param name="maxAirspeed">m/s.</param>
+    /// <param name="startSeconds">Until it flies towards home.</param>
     /// <returns>Infinite where home cannot be reached against the wind.</returns>
     public static (double Joules, double Seconds) Of(
         PowerModel power, PlanePoint place, double height, PlanePoint wind, double moreHeadWind, double speed,
-        double maxAirspeed)
+        double maxAirspeed, double startSeconds)
     {
         (double joules, double seconds) = Landing(power, height, wind.Length + moreHeadWind);
+        joules += startSeconds * power.Watts(wind.Length + moreHeadWind);
+        seconds += startSeconds;
         double distance = place.Length;
         if (distance < 1)
             return (joules, seconds);

@@ -22,6 +22,9 @@ internal sealed class WindEstimate
     /// <summary>Velocity of the air over ground, m/s; zero while it is not measured.</summary>
     public PlanePoint Velocity { get; private set; }
 
+    /// <summary>As it was reported last, with gusts.</summary>
+    public PlanePoint Latest { get; private set; }
+
     public void Update(in VehicleState vehicle, TimeSpan now, bool isFlying)
     {
         // On the ground autopilots report the wind of the flight before, or none.
@@ -30,7 +33,7 @@ internal sealed class WindEstimate
         bool isRecent = isFlying && vehicle.WindTime is { } reported && now - reported <= MaxAge;
         if (!isRecent)
         {
-            (IsMeasured, Velocity) = (false, default);
+            (IsMeasured, Velocity, Latest) = (false, default, default);
             return;
         }
 
@@ -41,6 +44,6 @@ internal sealed class WindEstimate
         double seconds = IsMeasured && _time is { } last ? (time - last).TotalSeconds : double.PositiveInfinity;
         double part = double.IsInfinity(seconds) ? 1 : seconds / (MeanSeconds + seconds);
         Velocity += part * (wind - Velocity);
-        (IsMeasured, _time) = (true, time);
+        (IsMeasured, _time, Latest) = (true, time, wind);
     }
 }

@@ -14,6 +14,9 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
     // Longer than autopilots loiter over home before they land.
     private const double MaxSecondsWithoutProgress = 40;
     private const double TimeReserveSeconds = 180;
+
+    // It brakes first, and PX4 goes back to where its return began, at 0.4 m/s: until then any way is progress.
+    private const double StartSeconds = 120;
     private const double MinDescentRate = 0.3;
 
     private TimeSpan _limit;
@@ -47,13 +50,13 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
             return new MissionStep(MissionEvent.LandNow, "return " + flight.Commands.LastFailure);
         if (inPhase > _limit)
             return new MissionStep(MissionEvent.LandNow, $"not home within {MissionNumbers.Seconds(_limit)}");
-        return CheckProgress(flight, distance);
+        return CheckProgress(flight, distance, isStart: inPhase < Seconds(StartSeconds));
     }
 
-    private MissionStep CheckProgress(MissionFlight flight, double distance)
+    private MissionStep CheckProgress(MissionFlight flight, double distance, bool isStart)
     {
         // Where home is not known any way counts.
-        bool isNearer = double.IsNaN(distance)
+        bool isNearer = double.IsNaN(distance) || isStart
             ? flight.Position.DistanceTo(_lastPosition) > ProgressMetres
             : distance < _lastDistance - ProgressMetres;
         bool hasProgress = isNearer

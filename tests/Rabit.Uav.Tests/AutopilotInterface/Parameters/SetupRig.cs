@@ -58,7 +58,7 @@ internal sealed class SetupRig
         {
             ("FS_GCS_ENABLE", 0.0), ("FS_GCS_TIMEOUT", 5), ("MAV_GCS_SYSID", 255), ("FS_THR_ENABLE", 1),
             ("FS_EKF_ACTION", 1), ("FS_OPTIONS", 20), ("BATT_LOW_VOLT", 10.5), ("BATT_FS_LOW_ACT", 0),
-            ("BATT_FS_CRT_ACT", 0), ("GUID_TIMEOUT", 3), ("RTL_ALT", 1500), ("FENCE_ENABLE", 0), ("FENCE_TYPE", 3),
+            ("BATT_FS_CRT_ACT", 0), ("GUID_TIMEOUT", 3), ("RTL_ALT", 1500), ("RTL_SPEED", 0), ("WPNAV_SPEED", 500), ("FENCE_ENABLE", 0), ("FENCE_TYPE", 3),
             ("FENCE_ACTION", 1), ("FENCE_MARGIN", 2),
         })
             server.Values[name] = (name.EndsWith("VOLT", StringComparison.Ordinal)
