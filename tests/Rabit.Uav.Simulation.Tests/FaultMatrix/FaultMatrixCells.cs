@@ -61,10 +61,8 @@ internal static class FaultMatrixCells
             "NAV_RCL_ACT: 5 s in AUTO.LOITER, then a return; in our hold the first is our mode, with status CRITICAL"),
         (BatteryLow, null, "RRRRRAA",
             "Health Monitoring: the way home, the reserve and the doubt after a jump of the charge take all of it"),
-        (BatteryCritical, null, "RRRRRAA", "Health Monitoring: home is near, and 8 % reaches it: it does not land in a field"),
-        (BatteryAged, null, "RRRRRAA", "the voltage shows what the percentage does not: return"),
-        (BatteryBelowCritical, Px4, "FFFFRAF",
-            "PX4 holds, then returns at 7 %, also out of a landing; where the mode stays ours Health Monitoring returns"),
+        (BatteryCritical, Ardu, "RRRRRAA", "Health Monitoring: 8 % reaches home, which is near: it does not land in a field"),
+        (BatteryBelowCritical, Px4, "FFFFFFF", "PX4 holds, then returns at 7 %, also out of a return or a landing"),
         (VoltageLow, Ardu, "FFFFFAA", "BATT_FS_LOW_ACT returns; our own return goes on"),
         (VoltageCritical, Ardu, "FFFFFLA", "BATT_FS_CRT_ACT lands; LAND is also how a return ends"),
         (BatteryUnknown, null, "AAAAAAA", "an unknown battery is no reason to return: the autopilot's failsafe watches it"),
@@ -115,6 +113,9 @@ internal static class FaultMatrixCells
         (GroundStationHidden20, null, "AAAAAAA", "Health Monitoring: hold after 10 s, until it is back"),
         (ManagerThrows, null, "RRRRRAA", "Health Monitoring: a manager faulted"),
         (Stop, null, "HHHHHKK", "Mission Control holds before the program ends; return and landing go on without us"),
+        (BatteryCritical, Px4, "RFFFRFA",
+            "8 % reaches home, but below 7 % on the way PX4's failsafe takes over, which returns, also out of our return"),
+        (BatteryAged, null, "RRRRRAA", "the voltage shows what the percentage does not: return"),
     ];
 
     // Not right yet, each with the reason. A cell that ends as expected has to be taken out.

@@ -20,6 +20,9 @@ internal sealed class ChargeEstimator(EnergyOptions options)
     private const double VoltageStartDeviation = 0.08;
     private const double FailedCell = 0.3;
 
+    // The mean of the voltage has followed by then.
+    private static readonly TimeSpan FailedCellDwell = TimeSpan.FromSeconds(20);
+
     // Batteries in use have 75 % to 105 % of what stands on them.
     private const double PriorInverseCapacity = 1.12;
     private const double InverseCapacityDeviation = 0.15;
@@ -43,6 +46,7 @@ internal sealed class ChargeEstimator(EnergyOptions options)
 
     private readonly InternalResistance _resistance = new();
     private TimeSpan? _time;
+    private TimeSpan? _failedSince;
     private int _cells = options.Cells ?? 0;
     private double _rest = double.NaN;
     private double _drawn;
@@ -123,7 +127,7 @@ internal sealed class ChargeEstimator(EnergyOptions options)
         if (_cells == 0)
             _cells = Math.Max(1, (int)Math.Round(volts / VoltsPerCellAtStart));
         double amperes = double.IsNaN(vehicle.BatteryAmperes) ? 0 : vehicle.BatteryAmperes;
-        _resistance.Update(volts, amperes, time);
+        _resistance.Update(volts, amperes, _cells, time);
         double rest = (volts + (amperes * _resistance.Ohms(_cells))) / _cells;
         _rest = double.IsNaN(_rest) ? rest : _rest + ((rest - _rest) * seconds / (RestSeconds + seconds));
     }
@@ -183,7 +187,9 @@ internal sealed class ChargeEstimator(EnergyOptions options)
         // A cell has failed: no curve is as wrong as that.
         double ofVoltage = double.IsNaN(_rest) ? double.NaN : CellVoltage.ChargeOf(_rest);
         double left = _start - (_used * _inverse);
-        if (ofVoltage < left - FailedCell)
+        bool isFar = ofVoltage < left - FailedCell;
+        _failedSince = isFar ? _failedSince ?? _time : null;
+        if (_time - _failedSince >= FailedCellDwell)
         {
             Anchor(vehicle, ofVoltage, VoltageStartDeviation);
             left = ofVoltage;

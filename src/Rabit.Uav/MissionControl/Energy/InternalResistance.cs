@@ -20,6 +20,9 @@ internal sealed class InternalResistance
     // It grows as the battery cools and empties: older changes count less, half after some 70 newer ones.
     private const double Kept = 0.99;
 
+    // What changes the voltage by more is no resistance: a cell has failed.
+    private const double MaxOhmsPerCell = 0.03;
+
     private static readonly TimeSpan MaxGap = TimeSpan.FromSeconds(3);
 
     private double _weight = PriorWeight;
@@ -38,12 +41,14 @@ internal sealed class InternalResistance
     }
 
     /// <summary>Takes what was measured at the same time.</summary>
-    public void Update(double volts, double amperes, TimeSpan time)
+    public void Update(double volts, double amperes, int cells, TimeSpan time)
     {
         double change = amperes - _amperes;
-        if (Math.Abs(change) >= MinChangeAmperes && time - _time <= MaxGap)
+        double fall = _volts - volts;
+        bool isPossible = fall * change >= 0 && Math.Abs(fall) <= Math.Abs(change) * MaxOhmsPerCell * cells;
+        if (isPossible && Math.Abs(change) >= MinChangeAmperes && time - _time <= MaxGap)
         {
-            _sum = (_sum * Kept) + (change * (_volts - volts));
+            _sum = (_sum * Kept) + (change * fall);
             _weight = PriorWeight + ((_weight - PriorWeight) * Kept) + (change * change);
         }
 
