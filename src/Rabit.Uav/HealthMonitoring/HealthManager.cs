@@ -173,7 +173,8 @@ public sealed partial class HealthManager : RabitManager
         _mission.Fetch();
         EnergyStatus energy = _mission.Age <= MaxEnergyAge ? _mission.Value.Energy : default;
         var vehicle = new VehicleFacts(
-            _vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver, _gusts.Update(_vehicle.Value, now), energy);
+            _vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver, _gusts.Update(_vehicle.Value, now),
+            energy);
         _vehicleRules.Evaluate(vehicle, subject: null, _options, now, _findings);
         _batteryRules.Evaluate(vehicle, subject: null, _options, now, _findings);
         _energyRules.Evaluate(vehicle, subject: null, _options, now, _findings);

@@ -8,7 +8,10 @@ namespace Rabit.Uav.Messages;
 /// </summary>
 /// <example>
 /// <code>
-/// EnergyStatus energy = mission.Value.Energy;
+/// MessageSubscriber&lt;MissionStatus&gt; subscriber =
+///     reactor.Workspace.Subscribe&lt;MissionStatus&gt;(MessageNames.Mission);
+/// subscriber.Fetch();
+/// EnergyStatus energy = subscriber.Value.Energy;
 /// if (energy.IsKnown)
 ///     Console.WriteLine($"{energy.ChargeLeft:P0} left, home takes {energy.ChargeHome:P0}");
 /// </code>

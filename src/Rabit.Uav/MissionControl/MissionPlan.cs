@@ -87,8 +87,8 @@ public sealed partial class MissionPlan
     public double MinBatteryFractionAtStart { get; init; } = 0.5;
 
     /// <summary>
-    /// Fraction of the true charge of the battery that is to be left after the landing, 0.05 to 0.5: the vehicle returns
-    /// when what is left is no more than the way home takes and this.
+    /// Fraction of the true charge of the battery that is to be left after the landing, 0.05 to 0.5: the vehicle
+    /// returns when what is left is no more than the way home takes and this.
     /// </summary>
     public double EnergyReserveFraction { get; init; } = 0.1;
 

@@ -43,7 +43,9 @@ internal sealed record EnergyCase(long Seed, SimulatedAutopilot Model)
 
     public IReadOnlyList<ScriptedFault> Faults { get; init; } = [];
 
-    /// <summary>Draws one: wind to 10 m/s at any time, in a third after a rise; to 5 km; 80 % of the capacity or more.</summary>
+    /// <summary>
+    /// Draws one: wind to 10 m/s at any time, in a third after a rise; to 5 km; 80 % of the capacity or more.
+    /// </summary>
     public static EnergyCase Draw(long seed, SimulatedAutopilot model)
     {
         var random = new SimulationRandom(seed, "energy trial");
@@ -97,7 +99,9 @@ internal sealed record EnergyCase(long Seed, SimulatedAutopilot Model)
             LaneSpacingMetres = 20,
             Home = new MissionHome
             {
-                Latitude = Home.Latitude, Longitude = Home.Longitude, GroundAltitudeAmslMetres = Home.AltitudeAmslMetres,
+                Latitude = Home.Latitude,
+                Longitude = Home.Longitude,
+                GroundAltitudeAmslMetres = Home.AltitudeAmslMetres,
             },
             AllowsPartialSearch = AllowsPartial,
         };

@@ -5,7 +5,9 @@ using Xunit;
 
 namespace Rabit.Uav.Simulation.Tests.Energy;
 
-/// <summary>What the battery cannot fly is not begun, or ends in time; it lands in a field only where it has to.</summary>
+/// <summary>
+/// What the battery cannot fly is not begun, or ends in time; it lands in a field only where it has to.
+/// </summary>
 public sealed class EnergyFlightTests
 {
     [Theory]
@@ -32,7 +34,10 @@ public sealed class EnergyFlightTests
     {
         EnergyFlight flight = EnergyFlight.Fly(Far(SimulatedAutopilot.ArduPilot) with
         {
-            Faults = [new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromMinutes(5), Value = 0.2 }],
+            Faults =
+            [
+                new ScriptedFault { Kind = ScriptedFaultKind.BatteryTo, At = TimeSpan.FromMinutes(5), Value = 0.2 },
+            ],
         });
 
         Assert.True(flight.Mission.Phase == MissionPhase.Done && !flight.Truth.HasCrashed, flight.ToString());

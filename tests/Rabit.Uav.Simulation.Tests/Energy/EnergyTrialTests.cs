@@ -9,7 +9,7 @@ using Xunit.Abstractions;
 
 namespace Rabit.Uav.Simulation.Tests.Energy;
 
-/// <summary>Every flight comes home: searches that are longer than the battery lasts, drawn by seeds.</summary>
+/// <summary>Every flight lands at home: searches that are longer than the battery lasts, drawn by seeds.</summary>
 public sealed class EnergyTrialTests(ITestOutputHelper output)
 {
     private const int Flights = 60;

@@ -9,9 +9,9 @@ using Rabit.Uav.Preflight;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// Reads the parameters of the checklist and of the return, writes failsafes and fence before a flight, and writes the autopilot's own
-/// ones back after it. A queue of steps, one after another; frames in and out, time as argument, no I/O but the store.
-/// Nothing is read or written in flight. One thread.
+/// Reads the parameters of the checklist and of the return, writes failsafes and fence before a flight, and writes the
+/// autopilot's own ones back after it. A queue of steps, one after another; frames in and out, time as argument, no I/O
+/// but the store. Nothing is read or written in flight. One thread.
 /// </summary>
 internal sealed partial class AutopilotSetup
 {

@@ -15,7 +15,7 @@ internal static class CellVoltage
     // Of published curves about each other, between a tenth and two thirds of the charge.
     private const double DeviationVolts = 0.015;
 
-    // What the shape of the curve cannot tell better anywhere.
+    // No part of the curve gives the charge better.
     private const double MinDeviation = 0.03;
 
     private const int Halvings = 20;

@@ -4,7 +4,7 @@ namespace Rabit.Uav.MissionControl;
 
 /// <summary>
 /// Time and energy of a plan: the climb, the legs that are not flown yet and the ways between them, the way home and
-/// the landing. Revisits come on top: nobody knows how many there will be.
+/// the landing. Revisits come on top: their number is not known.
 /// </summary>
 internal static class PlanEnergy
 {

@@ -44,7 +44,8 @@ internal sealed class PowerModel
         _values = [prior.HoverWatts, drag, prior.ClimbWattsPerMetrePerSecond];
         _deviations =
         [
-            HoverDeviation * prior.HoverWatts, OtherDeviation * drag, OtherDeviation * prior.ClimbWattsPerMetrePerSecond,
+            HoverDeviation * prior.HoverWatts, OtherDeviation * drag,
+            OtherDeviation * prior.ClimbWattsPerMetrePerSecond,
         ];
         (_noise, _minHover) = (NoiseOfHover * prior.HoverWatts, MinPartOfHover * prior.HoverWatts);
         for (int i = 0; i < Count; i++)
