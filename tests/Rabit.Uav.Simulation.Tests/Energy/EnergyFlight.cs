@@ -53,7 +53,7 @@ internal sealed class EnergyFlight
         options.MissionControl.Energy.MaxAirspeedMetresPerSecond = 18;
 
         // Gusts of a mean of 10 m/s: the wind is to end none of these flights.
-        options.Health = new HealthOptions { WindHighMetresPerSecond = 18 };
+        options.Health = new HealthOptions { WindHighMetresPerSecond = 18, GustHighMetresPerSecond = 25 };
         var world = new SimulatedWorld(simulation);
         var link = new MemoryLinkPair("simulation");
         options.OpenLinks = [link.A];

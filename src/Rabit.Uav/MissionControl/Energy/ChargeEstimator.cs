@@ -100,6 +100,10 @@ internal sealed class ChargeEstimator(EnergyOptions options)
         return true;
     }
 
+    /// <summary>What may be left at most: never more than the autopilot reports.</summary>
+    /// <param name="doubt">How much more than the estimate.</param>
+    public double MostLeft(double doubt) => _lastRemaining < Left + doubt ? _lastRemaining : Left + doubt;
+
     /// <summary>The fraction of the true capacity that an energy is.</summary>
     /// <param name="joules">The energy.</param>
     /// <param name="watts">The power at which it is drawn.</param>
