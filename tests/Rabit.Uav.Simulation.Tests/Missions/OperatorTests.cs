@@ -73,15 +73,18 @@ public sealed class OperatorTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(1)]
-    [InlineData(2)]
-    public void LegProgress_NominalFlightInWind_IsNoFalseAlarm(long seed) => FlyInWind(seed, metresPerSecond: 8);
+    [InlineData(1, SimulatedAutopilot.ArduPilot)]
+    [InlineData(2, SimulatedAutopilot.Px4)]
+    public void LegProgress_NominalFlightInWind_IsNoFalseAlarm(long seed, SimulatedAutopilot model)
+        => FlyInWind(seed, model, metresPerSecond: 8);
 
-    [Fact, Trait("Category", "Long")]
-    public void LegProgress_FortySeedsInWindToEight_IsNoFalseAlarm()
+    [Theory, Trait("Category", "Long")]
+    [InlineData(SimulatedAutopilot.ArduPilot)]
+    [InlineData(SimulatedAutopilot.Px4)]
+    public void LegProgress_FortySeedsInWindToEight_IsNoFalseAlarm(SimulatedAutopilot model)
     {
         for (long seed = 1; seed <= 40; seed++)
-            FlyInWind(seed, metresPerSecond: seed % 9);
+            FlyInWind(seed, model, metresPerSecond: seed % 9);
     }
 
     private static double SpeedOf(SearchFlight flight)
@@ -90,10 +93,11 @@ public sealed class OperatorTests(ITestOutputHelper output)
         return Math.Sqrt((n * n) + (e * e));
     }
 
-    private void FlyInWind(long seed, double metresPerSecond)
+    // Neither a leg without progress nor another commander.
+    private void FlyInWind(long seed, SimulatedAutopilot model, double metresPerSecond)
     {
         SimulationOptions world = SearchFlight.SmallWorld();
-        (world.Seed, world.WindMetresPerSecond) = (seed, metresPerSecond);
+        (world.Seed, world.Autopilot, world.WindMetresPerSecond) = (seed, model, metresPerSecond);
         using var flight = new SearchFlight(SearchFlight.SmallPlan(), world);
         flight.Fly(TestTimeout);
         output.WriteLine($"seed {seed}, wind {metresPerSecond} m/s\n" + flight.Log);
