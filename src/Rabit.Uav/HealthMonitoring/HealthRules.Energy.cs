@@ -18,11 +18,11 @@ internal static partial class HealthRules
             ClearDwell = static _ => EnergyDwell,
             Figure = static (in VehicleFacts v) => Percent(v.Energy.ChargeLeft),
             Text = static f => $"the battery is needed for the way home ({f.Figure} % truly left)",
-            Condition = static _ => "what is truly left is no more than the way home in this wind takes, the landing and "
-                + "the reserve of the mission (10 %), with the uncertainty of both, for " + Seconds(EnergyDwell),
+            Condition = static _ => "what is truly left is no more than the way home in this wind takes, the landing "
+                + "and the reserve of the mission (10 %), with the uncertainty of both, for " + Seconds(EnergyDwell),
             End = static _ => "more is left for " + Seconds(EnergyDwell),
-            Why = "a fixed level is too late far from home and against the wind, and too early near it; the estimates are "
-                + "means already",
+            Why = "a fixed level is too late far from home and against the wind, and too early near it; the estimates "
+                + "are means already",
         },
         new(HealthReasons.HomeOutOfReach, HealthLevel.Critical, HealthAdvice.Land)
         {
@@ -35,7 +35,7 @@ internal static partial class HealthRules
             Condition = static _ => "what is truly left does not reach home, also where it is two standard deviations "
                 + "more, and is just enough to land, for " + Seconds(OutOfReachDwell),
             End = static _ => "home is within reach for " + Seconds(OutOfReachDwell),
-            Why = "until then it flies towards home: a landing under control in a field is better than a fall nearer to it",
+            Why = "until then it flies towards home: a landing under control in a field is better than a fall",
         },
     ];
 }

@@ -54,8 +54,8 @@ public sealed class EnergyFlightTests
         Assert.Equal(MissionPhase.Failed, flight.Mission.Phase);
         Assert.False(flight.Truth.HasFlown);
         Assert.Matches(
-            @"^the plan takes [0-9.]+ min and [0-9.]+ % of the battery in a wind of 5\.0 m/s, with a reserve of 10\.0 %; "
-                + @"[0-9.]+ % are left; with allowPartialSearch it is begun, and returns in time$",
+            @"^the plan takes [0-9.]+ min and [0-9.]+ % of the battery in a wind of 5\.0 m/s, with a reserve of "
+                + @"10\.0 %; [0-9.]+ % are left; with allowPartialSearch it is begun, and returns in time$",
             flight.Mission.Text);
     }
 
