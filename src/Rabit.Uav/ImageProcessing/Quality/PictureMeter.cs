@@ -7,8 +7,9 @@ namespace Rabit.Uav.ImageProcessing.Quality;
 /// a thumbnail that two pictures are compared by. Fixed memory, no allocation; for one thread.
 /// </summary>
 /// <remarks>
-/// The grid has a pixel in 64 or fewer, and no more than <see cref="MaxColumns"/> x <see cref="MaxRows"/>: its cost stays a
-/// small part of that of any detector, which reads every pixel. Differences are those of green, which is most of luma.
+/// The grid has a pixel in 64 or fewer, and no more than <see cref="MaxColumns"/> x <see cref="MaxRows"/>: its cost
+/// stays a small part of that of any detector, which reads every pixel. Differences are those of green, which is most
+/// of luma.
 /// </remarks>
 internal sealed class PictureMeter
 {
