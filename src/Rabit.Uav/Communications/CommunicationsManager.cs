@@ -12,8 +12,8 @@ namespace Rabit.Uav.Communications;
 /// <summary>
 /// The post office between aircraft and ground: it owns the links, delivers frames that are for us to Autopilot
 /// Interface and to subscriptions, forwards the others unchanged by MAVLink's address rules, and sends the frames of
-/// the other managers. It reads addresses, never meaning. It reports our position to ground and others, and carries
-/// typed messages between vehicles.
+/// the other managers. It reads addresses, never meaning, but for which link a ground station's heartbeats come over.
+/// It reports our position to ground and others, and carries typed messages between vehicles.
 /// </summary>
 public sealed partial class CommunicationsManager : RabitManager
 {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
 using Rabit.Mavlink.Messages;
@@ -91,7 +92,7 @@ public sealed class ComputerTests : IDisposable
         _computer.Hangs = true;
         _rig.Fly(8);
         Assert.Equal(HealthReasons.None, _rig.Report.Reasons);
-        OnboardComputerStatus last = _rig.Sink.MessagesOf<OnboardComputerStatus>().Last();
+        OnboardComputerStatus last = Last(_rig.Sink.MessagesOf<OnboardComputerStatus>());
         Assert.Equal(uint.MaxValue, last.StorageTotal[0]);
     }
 
@@ -131,7 +132,7 @@ public sealed class ComputerTests : IDisposable
     public void Message_NothingKnown_HasTheValuesOfUnknown()
     {
         _rig.Fly(3);
-        OnboardComputerStatus message = _rig.Sink.MessagesOf<OnboardComputerStatus>().Last();
+        OnboardComputerStatus message = Last(_rig.Sink.MessagesOf<OnboardComputerStatus>());
         Assert.Equal((255, 255, 255, 255),
             (message.CpuCores[0], message.CpuCombined[9], message.GpuCores[3], message.GpuCombined[9]));
         Assert.Equal((127, 127, short.MaxValue),
@@ -140,6 +141,8 @@ public sealed class ComputerTests : IDisposable
             (message.RamUsage, message.RamTotal, message.StorageType[0]));
         Assert.Equal(default, message.StatusFlags);
     }
+
+    private static OnboardComputerStatus Last(IReadOnlyList<OnboardComputerStatus> sent) => sent[sent.Count - 1];
 
     private delegate void Change(ref ComputerStatus status);
 
