@@ -102,7 +102,7 @@ internal sealed class ChargeEstimator(EnergyOptions options)
 
     /// <summary>What may be left at most: never more than the autopilot reports.</summary>
     /// <param name="doubt">How much more than the estimate.</param>
-    public double MostLeft(double doubt) => _lastRemaining < Left + doubt ? _lastRemaining : Left + doubt;
+    public double MaxLeft(double doubt) => _lastRemaining < Left + doubt ? _lastRemaining : Left + doubt;
 
     /// <summary>The fraction of the true capacity that an energy is.</summary>
     /// <param name="joules">The energy.</param>

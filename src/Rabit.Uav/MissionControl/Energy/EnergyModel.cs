@@ -164,7 +164,7 @@ internal sealed class EnergyModel
         _status.TimeToReturn = margin > 0 ? TimeSpan.FromSeconds(margin / perSecond) : TimeSpan.Zero;
         _status.MustReturn = isFlying && margin <= 0;
         _status.IsHomeOutOfReach = isFlying
-            && _charge.MostLeft(Math.Max(DeviationsOutOfReach * ofLeft, MinDoubt)) < home
+            && _charge.MaxLeft(Math.Max(DeviationsOutOfReach * ofLeft, MinDoubt)) < home
             && _charge.Left <= toLand + ReserveOfLanding;
     }
 
