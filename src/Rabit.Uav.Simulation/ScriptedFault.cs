@@ -61,6 +61,8 @@ public struct ScriptedFault
         => kind is ScriptedFaultKind.GroundStationSilent or ScriptedFaultKind.RcLost or ScriptedFaultKind.GpsLost
             or ScriptedFaultKind.GpsGlitch or ScriptedFaultKind.BatteryVolts or ScriptedFaultKind.EkfFailsafe
             or ScriptedFaultKind.ComputerHot or ScriptedFaultKind.ComputerUnderVoltage or ScriptedFaultKind.DiskLow
+            or ScriptedFaultKind.FixNotReported or ScriptedFaultKind.PositionZero or ScriptedFaultKind.PositionFrozen
+            or ScriptedFaultKind.PositionJump or ScriptedFaultKind.EstimatorRatio or ScriptedFaultKind.BatteryUnknown
             or ScriptedFaultKind.AttitudeSilent
             || PictureFaults.IsOfPictures(kind);
 }

@@ -15,6 +15,7 @@ internal static class ScriptedFaultChecks
     private const double MaxDiskBytes = 32e9;
     private const double MaxBlurPixels = 50;
     private const double MaxSecondsOff = 1_000_000;
+    private const double MaxRatio = 1000;
 
     public static IEnumerable<string> FindFaults(SimulationOptions options)
     {
@@ -68,9 +69,10 @@ internal static class ScriptedFaultChecks
         ScriptedFaultKind.WindTo => SimulationOptions.IsWind(fault.Value),
         ScriptedFaultKind.PilotMode => fault.Value is >= 0 and <= uint.MaxValue
             && ModeNames.IsKnown(autopilot, (uint)fault.Value),
-        ScriptedFaultKind.GpsGlitch => Math.Abs(fault.Value) <= MaxGlitchMetres,
+        ScriptedFaultKind.GpsGlitch or ScriptedFaultKind.PositionJump => Math.Abs(fault.Value) <= MaxGlitchMetres,
+        ScriptedFaultKind.EstimatorRatio => fault.Value is >= 0 and <= MaxRatio,
         ScriptedFaultKind.BatteryVolts => fault.Value is >= 0 and <= MaxVolts,
-        ScriptedFaultKind.Reboot => fault.Value is 0 or 1,
+        ScriptedFaultKind.Reboot or ScriptedFaultKind.BatteryUnknown => fault.Value is 0 or 1,
         ScriptedFaultKind.PicturesFrozen => fault.Value is 0 or 1,
         ScriptedFaultKind.PicturesDefocused => fault.Value is >= 0 and <= MaxBlurPixels,
         ScriptedFaultKind.PicturesMotionBlurred => fault.Value is >= 0 and <= MaxBlurPixels,

@@ -145,4 +145,41 @@ public enum ScriptedFaultKind
     /// percentage as before: a cell has failed, or the battery never had what stands on it.
     /// </summary>
     BatteryTrueTo,
+
+    /// <summary>
+    /// The autopilot reports of its satellites that there is no fix, and flies on by its position, which is as good as
+    /// before; for the duration, to the end of the run where that is zero.
+    /// </summary>
+    FixNotReported,
+
+    /// <summary>
+    /// The autopilot reports latitude and longitude 0 as its position, and flies by the right one; for the duration, to
+    /// the end of the run where that is zero.
+    /// </summary>
+    PositionZero,
+
+    /// <summary>
+    /// The autopilot reports the position where it was when the fault began, with the velocity that it has, and flies
+    /// by the right one; for the duration, to the end of the run where that is zero.
+    /// </summary>
+    PositionFrozen,
+
+    /// <summary>
+    /// The autopilot reports a position that is wrong by the value, metres to the north, and flies by the right one;
+    /// for the duration, to the end of the run where that is zero.
+    /// </summary>
+    PositionJump,
+
+    /// <summary>
+    /// The autopilot reports the value as how far its estimate is off its measurements (1: they are rejected), of
+    /// velocity, position and height, and does nothing about it; for the duration, to the end of the run where that is
+    /// zero.
+    /// </summary>
+    EstimatorRatio,
+
+    /// <summary>
+    /// The autopilot does not know what is left in its battery, and reports -1; with the value 1 it does not know
+    /// voltage and current either. For the duration, to the end of the run where that is zero.
+    /// </summary>
+    BatteryUnknown,
 }

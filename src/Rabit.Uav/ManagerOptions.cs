@@ -127,6 +127,7 @@ internal static class ManagerOptions
         made.Preflight = options.Preflight.Copy();
         made.Preflight.ObstacleHeightMetres ??= mission.ObstacleHeightMetres;
         made.Preflight.MinBatteryFraction = mission.MinBatteryFractionAtStart;
+        made.Preflight.AllowsUnknownBattery = mission.AllowUnknownBattery;
         made.Preflight.RequiresCamera = options.MissionControl.RequiresCamera;
         return made;
     }

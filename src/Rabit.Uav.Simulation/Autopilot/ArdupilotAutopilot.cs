@@ -109,7 +109,8 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         if (_consumedBefore is { } before)
         {
             reported.ConsumedAmpereHours -= before;
-            reported.BatteryRemaining = Math.Max(0, 1 - (reported.ConsumedAmpereHours / BatteryCapacityAmpereHours));
+            double remaining = Math.Max(0, 1 - (reported.ConsumedAmpereHours / BatteryCapacityAmpereHours));
+            reported.BatteryRemaining = double.IsNaN(reported.BatteryRemaining) ? double.NaN : remaining;
         }
 
         _telemetry.Update(reported);

@@ -25,6 +25,18 @@ internal struct AutopilotState
     /// <summary>How far what the GPS says is off to the north, metres.</summary>
     public double GpsErrorNorth;
 
+    /// <summary>Whether it reports of its satellites that there is no fix, whatever there is.</summary>
+    public bool HidesFix;
+
+    /// <summary>Whether it reports 0/0 as its position, whatever it knows.</summary>
+    public bool HidesPlace;
+
+    /// <summary>How far the estimate is off the measurements; 1 is where they are rejected.</summary>
+    public double EstimatorRatio;
+
+    /// <summary>Where it truly is, metres down in the world: what its barometer measures.</summary>
+    public double TrueDown;
+
     /// <summary>Metres in the world.</summary>
     public NedVector Position;
 
@@ -40,10 +52,13 @@ internal struct AutopilotState
 
     public double CameraYaw;
 
+    /// <summary>NaN where it does not know it.</summary>
     public double BatteryVolts;
 
+    /// <summary>NaN where it does not know it.</summary>
     public double BatteryAmperes;
 
+    /// <summary>NaN where it does not know it.</summary>
     public double BatteryRemaining;
 
     public double ConsumedAmpereHours;

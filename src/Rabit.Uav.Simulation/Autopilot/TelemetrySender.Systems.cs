@@ -51,8 +51,8 @@ internal sealed partial class TelemetrySender
             OnboardControlSensorsEnabled = enabled,
             OnboardControlSensorsHealth = health,
             Load = 200,
-            VoltageBattery = (ushort)Math.Round(_state.BatteryVolts * 1000),
-            CurrentBattery = Short(_state.BatteryAmperes * 100),
+            VoltageBattery = Millivolts(),
+            CurrentBattery = Centiamperes(),
             BatteryRemaining = Percent(),
         });
     }
@@ -60,14 +60,14 @@ internal sealed partial class TelemetrySender
     private void SendBattery()
     {
         var voltages = default(UInt16Array10);
-        voltages[0] = (ushort)Math.Round(_state.BatteryVolts * 1000);
+        voltages[0] = Millivolts();
         for (int cell = 1; cell < voltages.Length; cell++)
             voltages[cell] = ushort.MaxValue;
         sink.Send(new BatteryStatus
         {
             Temperature = short.MaxValue,
             Voltages = voltages,
-            CurrentBattery = Short(_state.BatteryAmperes * 100),
+            CurrentBattery = Centiamperes(),
             CurrentConsumed = Scaled(_state.ConsumedAmpereHours, 1000),
             EnergyConsumed = Scaled(_state.ConsumedJoules, 0.01),
             BatteryRemaining = Percent(),
@@ -82,7 +82,7 @@ internal sealed partial class TelemetrySender
 
     private void SendGps()
     {
-        bool hasFix = _state.HasPosition && _state.HasGps;
+        bool hasFix = _state.HasPosition && _state.HasGps && !_state.HidesFix;
         GeodeticPosition place = hasFix
             ? frame.ToPlace(_state.Position.Plus(new NedVector(_state.GpsErrorNorth, 0, 0)))
             : default;
@@ -142,7 +142,15 @@ internal sealed partial class TelemetrySender
     private void SendVersion()
         => sink.Send(new AutopilotVersion { Capabilities = Capabilities, FlightSwVersion = Firmware, Uid = uid });
 
-    private sbyte Percent() => (sbyte)Math.Round(_state.BatteryRemaining * 100);
+    // What is not known has a number of its own in each field.
+    private sbyte Percent()
+        => double.IsNaN(_state.BatteryRemaining) ? (sbyte)-1 : (sbyte)Math.Round(_state.BatteryRemaining * 100);
+
+    private ushort Millivolts()
+        => double.IsNaN(_state.BatteryVolts) ? ushort.MaxValue : (ushort)Math.Round(_state.BatteryVolts * 1000);
+
+    private short Centiamperes()
+        => double.IsNaN(_state.BatteryAmperes) ? (short)-1 : Short(_state.BatteryAmperes * 100);
 
     private static FloatArray4 NotKnown()
     {

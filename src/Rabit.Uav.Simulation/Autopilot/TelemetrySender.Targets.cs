@@ -102,6 +102,19 @@ internal sealed partial class TelemetrySender
     private void SendEstimator()
     {
         EstimatorFailsafe estimator = controller.Failsafes.Estimator;
-        sink.Send(new EkfStatusReport { Flags = estimator.FlagsOf(controller.HasOrigin) });
+        float ratio = (float)_state.EstimatorRatio;
+        sink.Send(new EkfStatusReport
+        {
+            Flags = estimator.FlagsOf(controller.HasOrigin),
+            VelocityVariance = ratio,
+            PosHorizVariance = ratio,
+            PosVertVariance = ratio,
+        });
     }
+
+    private void SendPressure() => sink.Send(new ScaledPressure
+    {
+        TimeBootMs = BootMilliseconds,
+        PressAbs = (float)StandardAtmosphere.PressureAt(frame.Origin.AltitudeAmslMetres - _state.TrueDown),
+    });
 }

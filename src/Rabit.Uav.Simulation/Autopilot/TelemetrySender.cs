@@ -25,7 +25,7 @@ internal sealed partial class TelemetrySender(FlightController controller, World
             or VfrHud.MavlinkId or BatteryStatus.MavlinkId or AutopilotVersion.MavlinkId or Wind.MavlinkId
             or HomePosition.MavlinkId or ExtendedSysState.MavlinkId or GpsGlobalOrigin.MavlinkId
             or GimbalDeviceAttitudeStatus.MavlinkId or EkfStatusReport.MavlinkId or FenceStatus.MavlinkId
-            or PositionTargetLocalNed.MavlinkId or PositionTargetGlobalInt.MavlinkId;
+            or PositionTargetLocalNed.MavlinkId or PositionTargetGlobalInt.MavlinkId or ScaledPressure.MavlinkId;
 
     /// <summary>The state that the following messages report.</summary>
     public void Update(in AutopilotState state)
@@ -65,6 +65,7 @@ internal sealed partial class TelemetrySender(FlightController controller, World
             case GimbalDeviceAttitudeStatus.MavlinkId: SendGimbal(); break;
             case EkfStatusReport.MavlinkId: SendEstimator(); break;
             case FenceStatus.MavlinkId: SendFence(); break;
+            case ScaledPressure.MavlinkId: SendPressure(); break;
             case PositionTargetLocalNed.MavlinkId: SendLocalTarget(); break;
             case PositionTargetGlobalInt.MavlinkId: SendGlobalTarget(); break;
         }
@@ -103,7 +104,7 @@ internal sealed partial class TelemetrySender(FlightController controller, World
     // Latitude and longitude are both zero until it knows where it is.
     private void SendGlobalPosition()
     {
-        GeodeticPosition place = _state.HasPosition ? frame.ToPlace(_state.Position) : default;
+        GeodeticPosition place = _state.HasPosition && !_state.HidesPlace ? frame.ToPlace(_state.Position) : default;
         sink.Send(new GlobalPositionInt
         {
             TimeBootMs = BootMilliseconds,

@@ -23,6 +23,7 @@ internal sealed class SimulatedVehicle : ILinkSink
     private readonly TruthHistory _history;
     private readonly TruthRecorder _recorder;
     private readonly FaultScript _script;
+    private readonly ReportFaults _reports;
     private readonly NavigationErrors _errors;
     private readonly SecondLink _secondLink;
     private readonly double _driftPpm;
@@ -52,6 +53,7 @@ internal sealed class SimulatedVehicle : ILinkSink
         _history = history;
         _recorder = recorder;
         _script = new FaultScript(options.Faults);
+        _reports = new ReportFaults(_script);
         _secondLink = new SecondLink(options, frame, _script);
         _positionAfter = options.PositionAfter;
         _errors = new NavigationErrors(options.Seed, StepSeconds);
@@ -248,7 +250,7 @@ internal sealed class SimulatedVehicle : ILinkSink
                 ? (ulong)((known - DateTimeOffset.FromUnixTimeSeconds(0)).Ticks / TicksPerMicrosecond)
                 : 0;
         EulerAngles errors = _errors.EstimatedAttitude;
-        Autopilot.Observe(new AutopilotState
+        var state = new AutopilotState
         {
             Time = _time,
             BootMicroseconds = _clock.Microseconds(_time),
@@ -271,6 +273,9 @@ internal sealed class SimulatedVehicle : ILinkSink
             BatteryRemaining = Pack.Reported,
             ConsumedAmpereHours = Pack.ConsumedAmpereHours,
             ConsumedJoules = Pack.ConsumedJoules,
-        });
+            TrueDown = Body.Position.Down,
+        };
+        _reports.Apply(_time, ref state);
+        Autopilot.Observe(state);
     }
 }

@@ -85,6 +85,7 @@ public sealed partial class AutopilotManager
         if (_tracker.State.IsConnected)
             _rates?.Handle(frame.Frame, Now);
         TakeSetupFrame(frame);
+        TakeNavigation(frame);
         return events;
     }
 

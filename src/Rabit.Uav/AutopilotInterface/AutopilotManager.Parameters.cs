@@ -59,11 +59,14 @@ public sealed partial class AutopilotManager
         if (_setup is null || _tracker.State.IsArmed || !_tracker.IsFromAutopilot(frame.Frame))
             return;
         _setup.Handle(frame.Frame, Now);
-        if (_navigationTracker.Update(frame))
-        {
-            _navigation.Value = _navigationTracker.Status;
-            _navigation.Post();
-        }
+    }
+
+    private void TakeNavigation(in LinkFrame frame)
+    {
+        if (!_tracker.IsFromAutopilot(frame.Frame) || !_navigationTracker.Update(frame))
+            return;
+        _navigation.Value = _navigationTracker.Status;
+        _navigation.Post();
     }
 
     // Before the state of the vehicle is posted: a stop that follows from it must find what is to be written back.

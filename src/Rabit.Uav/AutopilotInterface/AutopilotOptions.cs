@@ -55,12 +55,12 @@ public sealed class AutopilotOptions
 
     /// <summary>
     /// What the autopilot is asked to send, and how often, when it is found, found again or has rebooted. ArduPilot is
-    /// not asked for WIND_COV, nor PX4 for WIND: each has the other one only.
+    /// not asked for WIND_COV and ESTIMATOR_STATUS, nor PX4 for WIND and EKF_STATUS_REPORT: each has the others only.
     /// </summary>
     /// <value>
-    /// The default is what <see cref="Messages.VehicleState"/> is made of; attitude at 25 Hz, since what a camera sees
-    /// is located by it, position at 10 Hz, the target at 13 Hz, the rest slower. What ArduPilot or PX4 alone knows is
-    /// not asked of the other.
+    /// The default is what <see cref="Messages.VehicleState"/> and <see cref="Messages.NavigationStatus"/> are made of,
+    /// but for home; attitude at 25 Hz, since what a camera sees is located by it, position at 10 Hz, the target at
+    /// 13 Hz, the rest slower. What ArduPilot or PX4 alone knows is not asked of the other.
     /// </value>
     public IReadOnlyList<RequestedRate> RequestedRates { get; set; } =
     [
@@ -75,6 +75,7 @@ public sealed class AutopilotOptions
         new(WindCov.MavlinkId, 1),
         new(EkfStatusReport.MavlinkId, 1),
         new(EstimatorStatus.MavlinkId, 1),
+        new(ScaledPressure.MavlinkId, 1),
 
         // No usual rate of set-points is a multiple of it, so that of two streams not always the same one is reported.
         new(PositionTargetLocalNed.MavlinkId, 13),

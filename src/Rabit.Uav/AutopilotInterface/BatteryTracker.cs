@@ -37,6 +37,19 @@ internal sealed class BatteryTracker
         return _batteryStatus.FilledFrom(_systemStatus, FillsGapsFor);
     }
 
+    /// <summary>How many cells are reported one by one; 0 where it is the whole battery.</summary>
+    public static int Cells(in BatteryStatus message)
+    {
+        UInt16Array10 cells = message.Voltages;
+        UInt16Array4 furtherCells = message.VoltagesExt;
+        int count = 0;
+        for (int i = 0; i < cells.Length; i++)
+            count += cells[i] is 0 or NoVoltage ? 0 : 1;
+        for (int i = 0; i < furtherCells.Length; i++)
+            count += furtherCells[i] is 0 or NoVoltage ? 0 : 1;
+        return count > 1 ? count : 0;
+    }
+
     // Cells one by one, or the whole battery in the first; 65535 is no cell. Cells 11 to 14 are extensions, where 0 is
     // no cell.
     private static double Volts(in BatteryStatus message)

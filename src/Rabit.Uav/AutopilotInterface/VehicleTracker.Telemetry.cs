@@ -29,7 +29,7 @@ internal sealed partial class VehicleTracker
 
     public VehicleEvents Update(in LinkFrame frame, in SysStatus message)
         => Begin(frame, out VehicleEvents events)
-            ? Complete(frame, events | Apply(_battery.Take(message, frame.Time)))
+            ? Complete(frame, events | Apply(message, frame.Time))
             : events;
 
     public VehicleEvents Update(in LinkFrame frame, in BatteryStatus message)
@@ -94,9 +94,24 @@ internal sealed partial class VehicleTracker
         return VehicleEvents.Changed;
     }
 
+    private VehicleEvents Apply(in SysStatus message, TimeSpan time)
+    {
+        const MavSysStatusSensor Battery = MavSysStatusSensor.Battery;
+        _state.IsBatteryUnhealthy = (message.OnboardControlSensorsPresent & message.OnboardControlSensorsEnabled
+            & ~message.OnboardControlSensorsHealth & Battery) != 0;
+        return Apply(_battery.Take(message, time));
+    }
+
     // The other batteries are not ours to watch.
     private VehicleEvents Apply(in BatteryStatus message, TimeSpan time)
-        => message.Id == 0 ? Apply(_battery.Take(message, time)) : VehicleEvents.None;
+    {
+        if (message.Id != 0)
+            return VehicleEvents.None;
+        _state.BatteryCells = BatteryTracker.Cells(message);
+        _state.BatteryChargeState = message.ChargeState;
+        _state.BatteryFaults = message.FaultBitmask;
+        return Apply(_battery.Take(message, time));
+    }
 
     private VehicleEvents Apply(in BatteryReading battery)
     {

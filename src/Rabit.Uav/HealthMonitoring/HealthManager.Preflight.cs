@@ -17,7 +17,7 @@ public sealed partial class HealthManager
             ? null
             : new PreflightWatch(
                 options, Subscribe<AutopilotParameters>(MessageNames.AutopilotParameters),
-                Subscribe<NavigationStatus>(MessageNames.Navigation), Subscribe<ImagingStatus>(MessageNames.Imaging),
+                _navigation, Subscribe<ImagingStatus>(MessageNames.Imaging),
                 Enumerable.Range(0, linkCount).Select(n => Subscribe<LinkStatus>(MessageNames.LinkStatus(n))).ToArray(),
                 publisher, Log);
     }

@@ -38,11 +38,6 @@ public sealed partial class HealthManager : RabitManager
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly MessageSubscriber<MissionStatus> _mission;
     private readonly CameraWatch _camera;
-    private readonly HealthRuleSet<VehicleFacts> _vehicleRules = new(HealthRules.OfVehicle);
-    private readonly HealthRuleSet<VehicleFacts> _batteryRules = new(HealthRules.OfBattery);
-    private readonly HealthRuleSet<VehicleFacts> _energyRules = new(HealthRules.OfEnergy);
-    private readonly HealthRuleSet<CameraFacts> _cameraRules = new(HealthRules.OfCamera);
-    private readonly WindGusts _gusts = new();
     private readonly AdviceLatch _advice = new();
     private readonly StatusTextSender _texts;
     private readonly QueueSender<OutgoingFrame> _outgoing;
@@ -78,6 +73,7 @@ public sealed partial class HealthManager : RabitManager
             .Select(number => new LinkWatch(number, Subscribe<LinkStatus>(MessageNames.LinkStatus(number)))).ToArray();
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _autopilot = Subscribe<AutopilotStatistics>(MessageNames.AutopilotStatistics);
+        _navigation = Subscribe<NavigationStatus>(MessageNames.Navigation);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _mission = Subscribe<MissionStatus>(MessageNames.Mission);
         _camera = new CameraWatch(Subscribe<ImagingStatus>(MessageNames.Imaging));
@@ -164,21 +160,6 @@ public sealed partial class HealthManager : RabitManager
         }
 
         return isReplayOver;
-    }
-
-    private void EvaluateVehicle(TimeSpan now, bool isReplayOver)
-    {
-        _vehicle.Fetch();
-        _autopilot.Fetch();
-        _mission.Fetch();
-        EnergyStatus energy = _mission.Age <= MaxEnergyAge ? _mission.Value.Energy : default;
-        var vehicle = new VehicleFacts(
-            _vehicle.Value, _autopilot.Value.RateRequests, now, isReplayOver, _gusts.Update(_vehicle.Value, now),
-            energy);
-        _vehicleRules.Evaluate(vehicle, subject: null, _options, now, _findings);
-        _batteryRules.Evaluate(vehicle, subject: null, _options, now, _findings);
-        _energyRules.Evaluate(vehicle, subject: null, _options, now, _findings);
-        _cameraRules.Evaluate(_camera.Update(now, _isImagingStuck, _options), subject: null, _options, now, _findings);
     }
 
     // Advice is for a mission in flight; otherwise findings are only reported.

@@ -30,6 +30,54 @@ public sealed class HealthOptions
     public double BatteryCriticalFraction { get; set; } = 0.10;
 
     /// <summary>
+    /// Cells of the battery in series; null for as many as the autopilot reports one by one, or as the first voltage
+    /// makes likely: a battery that is not charged may be taken for one with a cell less.
+    /// </summary>
+    /// <value>1 to 24, or null, the default.</value>
+    public int? BatteryCells { get; set; }
+
+    /// <summary>Voltage of a cell without load, volts, below which the battery is low: return to launch.</summary>
+    /// <value>
+    /// Above <see cref="BatteryCriticalCellVolts"/>, below 4.5 V. The default is 3.6 V: some 10 % of a lithium polymer
+    /// cell. For lithium ion cells 3.2 V and 2.9 V are usual.
+    /// </value>
+    public double BatteryLowCellVolts { get; set; } = 3.6;
+
+    /// <summary>Voltage of a cell without load, volts, below which the battery is critical: land.</summary>
+    /// <value>Above 0. The default is 3.3 V: below it the voltage of a lithium polymer cell collapses.</value>
+    public double BatteryCriticalCellVolts { get; set; } = 3.3;
+
+    /// <summary>Satellites below which the fix is poor.</summary>
+    /// <value>4 to 50. The default is 6, as PX4 requires (EKF2_REQ_NSATS).</value>
+    public int MinSatellites { get; set; } = 6;
+
+    /// <summary>Horizontal dilution of precision (HDOP) above which the fix is poor.</summary>
+    /// <value>At least 1. The default is 2.5, as PX4 requires (EKF2_REQ_HDOP).</value>
+    public double MaxHorizontalDilution { get; set; } = 2.5;
+
+    /// <summary>
+    /// Limit of what the autopilot's estimator reports of velocity, position and height against their measurements;
+    /// see <see cref="Messages.NavigationStatus.EstimatorRatio"/>.
+    /// </summary>
+    /// <value>Above 0.2. The default is 0.8, as ArduPilot's failsafe has it (FS_EKF_THRESH).</value>
+    public double MaxEstimatorRatio { get; set; } = 0.8;
+
+    /// <summary>
+    /// How far the ways of 5 s by positions and by velocities may end from each other, metres.
+    /// </summary>
+    /// <value>
+    /// At least 3 m. The default is 12 m: estimators correct themselves by 1 to 2 m, that of an ArduCopter of 2013 by
+    /// up to 11 m; what flies with 2.4 m/s or more is found.
+    /// </value>
+    public double PositionErrorMetres { get; set; } = 12;
+
+    /// <summary>
+    /// How far the height above home and that by the air pressure may differ, metres, beside 15 % of the height.
+    /// </summary>
+    /// <value>At least 5 m. The default is 10 m: the weather alone makes some 5 m in half an hour.</value>
+    public double HeightErrorMetres { get; set; } = 10;
+
+    /// <summary>
     /// Time without a heartbeat after which the autopilot is lost, whatever Autopilot Interface reports.
     /// </summary>
     /// <value>
@@ -171,6 +219,8 @@ public sealed class HealthOptions
                 $"{nameof(BatteryCriticalFraction)} is {BatteryCriticalFraction}; it must be above 0 and below {nameof(BatteryLowFraction)}");
         }
 
+        foreach (string fault in FindFaultsOfPosition())
+            yield return fault;
         if (AutopilotTimeout < TimeSpan.FromSeconds(1))
             yield return $"{nameof(AutopilotTimeout)} is {AutopilotTimeout}; heartbeats come once a second: it must be "
                 + "at least that";
@@ -235,4 +285,32 @@ public sealed class HealthOptions
         if (string.IsNullOrWhiteSpace(DataDirectory))
             yield return $"{nameof(DataDirectory)} is empty; \".\" is the current one";
     }
+
+    private IEnumerable<string> FindFaultsOfPosition()
+    {
+        if (BatteryCells is < 1 or > 24)
+            yield return $"{nameof(BatteryCells)} is {BatteryCells}; it must be 1 to 24, or null";
+        if (!(BatteryLowCellVolts < 4.5))
+            yield return Fault(nameof(BatteryLowCellVolts), BatteryLowCellVolts, "it must be below 4.5");
+        if (!(BatteryCriticalCellVolts > 0 && BatteryCriticalCellVolts < BatteryLowCellVolts))
+        {
+            yield return Fault(
+                nameof(BatteryCriticalCellVolts), BatteryCriticalCellVolts,
+                $"it must be above 0 and below {nameof(BatteryLowCellVolts)}");
+        }
+
+        if (MinSatellites is < 4 or > 50)
+            yield return Fault(nameof(MinSatellites), MinSatellites, "it must be 4 to 50");
+        if (!(MaxHorizontalDilution >= 1))
+            yield return Fault(nameof(MaxHorizontalDilution), MaxHorizontalDilution, "it must be at least 1");
+        if (!(MaxEstimatorRatio > 0.2))
+            yield return Fault(nameof(MaxEstimatorRatio), MaxEstimatorRatio, "it must be above 0.2");
+        if (!(PositionErrorMetres >= 3))
+            yield return Fault(nameof(PositionErrorMetres), PositionErrorMetres, "it must be at least 3");
+        if (!(HeightErrorMetres >= 5))
+            yield return Fault(nameof(HeightErrorMetres), HeightErrorMetres, "it must be at least 5");
+    }
+
+    private static string Fault(string name, double value, string rule)
+        => FormattableString.Invariant($"{name} is {value}; {rule}");
 }

@@ -16,7 +16,7 @@ internal static partial class HealthRules
             When = static (in VehicleFacts v, HealthOptions o) => !v.IsEnergyKnown && IsLow(v, o),
             Until = static (in VehicleFacts v, HealthOptions o) => v.IsEnergyKnown || IsNotLow(v, o),
             Figure = static (in VehicleFacts v) => Percent(v.State.BatteryRemaining),
-            Text = static f => $"battery low ({f.Figure} %)",
+            Text = static f => Describe("low", f.Figure),
             Condition = static o
                 => $"{PercentText(o.BatteryLowFraction)} or less remains, and the energy of the way home is not known; "
                     + "an unknown charge is not judged",
@@ -29,7 +29,7 @@ internal static partial class HealthRules
             When = static (in VehicleFacts v, HealthOptions o) => !v.IsEnergyKnown && IsCritical(v, o),
             Until = static (in VehicleFacts v, HealthOptions o) => v.IsEnergyKnown || IsNotCritical(v, o),
             Figure = static (in VehicleFacts v) => Percent(v.State.BatteryRemaining),
-            Text = static f => $"battery nearly empty ({f.Figure} %)",
+            Text = static f => Describe("nearly empty", f.Figure),
             Condition = static o
                 => $"{PercentText(o.BatteryCriticalFraction)} or less remains, and the energy of the way home is not known",
             End = static o => $"more than {PercentText(o.BatteryCriticalFraction + BatteryMargin)}",

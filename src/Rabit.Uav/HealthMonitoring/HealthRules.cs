@@ -18,7 +18,8 @@ internal static partial class HealthRules
     /// <summary>All rows, in the order of the table.</summary>
     public static IReadOnlyList<HealthRule> All =>
     [
-        .. OfManagers, .. OfVehicle, .. OfBattery, .. OfEnergy, .. OfCamera, .. OfLinks, .. OfGroundStation,
+        .. OfManagers, .. OfVehicle, .. OfPosition, .. OfBattery, .. OfBatteryState, .. OfEnergy, .. OfCamera,
+        .. OfLinks, .. OfGroundStation,
         .. OfComputer,
     ];
 

@@ -59,6 +59,23 @@ public enum HealthReasons
     /// <summary>The autopilot is received and answers no command.</summary>
     CommandsUnanswered = 32768,
 
+    /// <summary>The satellite fix is lost, or has few satellites or a poor geometry.</summary>
+    PositionFixPoor = 65536,
+
+    /// <summary>
+    /// The autopilot reports no position, or one that stands still while the vehicle flies, or that jumped.
+    /// </summary>
+    PositionInvalid = 131072,
+
+    /// <summary>The estimator of the autopilot contradicts its sensors, or has no position.</summary>
+    EstimatorUnhealthy = 262144,
+
+    /// <summary>The height disagrees with the air pressure.</summary>
+    HeightInconsistent = 524288,
+
+    /// <summary>The charge of the battery is not known.</summary>
+    BatteryUnknown = 1048576,
+
     /// <summary>The heartbeats of the ground station stopped.</summary>
     GroundStationLost = 2097152,
 

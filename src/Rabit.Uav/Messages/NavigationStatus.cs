@@ -4,8 +4,8 @@ using Rabit.Geodesy;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// How well the autopilot knows where it is, and where it would return to. Posted by Autopilot Interface until the
-/// motors run. A plain value.
+/// How well the autopilot knows where it is, and where it would return to. Posted by Autopilot Interface whenever the
+/// autopilot reports of it. A plain value.
 /// </summary>
 public struct NavigationStatus
 {
@@ -22,6 +22,22 @@ public struct NavigationStatus
     /// What is wrong with the estimate of attitude, velocity and position, as text; null where nothing is.
     /// </summary>
     public string? EstimatorFault { get; set; }
+
+    /// <summary>
+    /// The greatest of what the estimator reports of velocity, horizontal position and height against their
+    /// measurements, no unit: 1 is where a measurement is rejected (ArduPilot's "variances", PX4's innovation test
+    /// ratios); NaN where it reports none of them.
+    /// </summary>
+    public double EstimatorRatio { get; set; }
+
+    /// <summary>When the air pressure was measured; null where it is not reported.</summary>
+    public TimeSpan? PressureTime { get; set; }
+
+    /// <summary>
+    /// Height of the air pressure in the standard atmosphere (ISO 2533), metres above the level of 1013.25 hPa: its
+    /// changes are changes of height, itself it says nothing.
+    /// </summary>
+    public double PressureHeightMetres { get; set; }
 
     /// <summary>When the autopilot last reported its home; null where it never did.</summary>
     public TimeSpan? HomeTime { get; set; }

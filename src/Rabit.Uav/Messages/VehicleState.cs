@@ -107,6 +107,22 @@ public struct VehicleState
     /// </summary>
     public double BatteryConsumedAmpereHours { get; set; }
 
+    /// <summary>
+    /// How many cells the battery has, where the autopilot reports their voltages one by one; 0 where it does not.
+    /// </summary>
+    public int BatteryCells { get; set; }
+
+    /// <summary>What the autopilot says of the charge of the battery.</summary>
+    public MavBatteryChargeState BatteryChargeState { get; set; }
+
+    /// <summary>What the autopilot says is wrong with the battery.</summary>
+    public MavBatteryFault BatteryFaults { get; set; }
+
+    /// <summary>
+    /// Whether the autopilot says that the battery, which it monitors, is not healthy: its failsafe, or a warning.
+    /// </summary>
+    public bool IsBatteryUnhealthy { get; set; }
+
     /// <summary>When the receiver last reported its fix; null before the first.</summary>
     public TimeSpan? GpsTime { get; set; }
 

@@ -99,6 +99,12 @@ public sealed partial class MissionPlan
     public bool AllowsPartialSearch { get; init; }
 
     /// <summary>
+    /// Whether it is begun with a battery whose charge the autopilot does not report: nothing says then whether it
+    /// lasts, and in flight only its voltage is judged.
+    /// </summary>
+    public bool AllowUnknownBattery { get; init; }
+
+    /// <summary>
     /// Limit of the height above home, metres, 7 to 120; null for none of its own. Search and revisit stay 2 m below
     /// it; in flight, above it, the vehicle returns to launch. The autopilot's own return may climb higher.
     /// </summary>

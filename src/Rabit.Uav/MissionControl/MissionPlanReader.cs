@@ -93,6 +93,7 @@ internal static class MissionPlanReader
             MinBatteryFractionAtStart = limits.Number("minBatteryFractionAtStart") ?? 0.5,
             EnergyReserveFraction = limits.Number("energyReserveFraction") ?? 0.1,
             AllowsPartialSearch = fields.Flag("allowPartialSearch") ?? false,
+            AllowUnknownBattery = limits.Flag("allowUnknownBattery") ?? false,
             MaxHeightMetres = limits.Number("maxHeightMetres"),
             MaxDistanceMetres = limits.Number("maxDistanceMetres"),
             GroundStationLost = ReadGroundStationLost(fields),

@@ -68,6 +68,9 @@ public sealed class PreflightOptions
     /// <summary>What the mission asks for; set where the system is composed.</summary>
     internal double MinBatteryFraction { get; set; }
 
+    /// <summary>Whether the charge of the battery may be unknown; set where the system is composed.</summary>
+    internal bool AllowsUnknownBattery { get; set; }
+
     /// <summary>Whether the mission needs a camera; set where the system is composed.</summary>
     internal bool RequiresCamera { get; set; } = true;
 

@@ -60,6 +60,7 @@ internal static class VehicleRules
         new VehicleRule(JudgeBattery)
         {
             Name = "battery", Pass = "at least limits.minBatteryFractionAtStart of the mission",
+            Warn = "not known, with limits.allowUnknownBattery of the mission",
             Fail = "less, or not known", HowToSet = "charge it; without a current sensor calibrate the battery monitor",
             Reason = "the rules of the flight go by what remains",
         },
@@ -149,7 +150,13 @@ internal static class VehicleRules
             ? string.Empty
             : Text(", {0:0.0} V", facts.Vehicle.BatteryVolts);
         if (double.IsNaN(remaining))
-            return PreflightJudgement.Fail("remaining charge not known" + volts);
+        {
+            string unknown = "remaining charge not known" + volts;
+            return facts.Options.AllowsUnknownBattery
+                ? PreflightJudgement.Warn(unknown)
+                : PreflightJudgement.Fail(unknown);
+        }
+
         string text = Text("{0:0} %", remaining * 100) + volts;
         return remaining >= facts.Options.MinBatteryFraction
             ? PreflightJudgement.Pass(text)

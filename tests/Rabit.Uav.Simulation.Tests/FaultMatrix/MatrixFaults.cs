@@ -61,6 +61,36 @@ internal static class MatrixFaults
     public static readonly MatrixFault Estimator = MatrixFault.Of(
         "estimator variances too large", ScriptedFaultKind.EkfFailsafe);
 
+    public static readonly MatrixFault FixNotReportedShort = MatrixFault.Of(
+        "no fix reported for 10 s, position good", ScriptedFaultKind.FixNotReported, seconds: 10);
+
+    public static readonly MatrixFault FixNotReported = MatrixFault.Of(
+        "no fix reported, position good", ScriptedFaultKind.FixNotReported);
+
+    public static readonly MatrixFault PositionZeroShort = MatrixFault.Of(
+        "positions of 0/0 for 5 s", ScriptedFaultKind.PositionZero, seconds: 5);
+
+    public static readonly MatrixFault PositionFrozenShort = MatrixFault.Of(
+        "position frozen for 6 s", ScriptedFaultKind.PositionFrozen, seconds: 6);
+
+    public static readonly MatrixFault PositionFrozen = MatrixFault.Of(
+        "position frozen", ScriptedFaultKind.PositionFrozen);
+
+    public static readonly MatrixFault PositionJump = MatrixFault.Of(
+        "position jumps by 15 m for 6 s", ScriptedFaultKind.PositionJump, 15, 6);
+
+    public static readonly MatrixFault EstimatorRatioShort = MatrixFault.Of(
+        "estimator off its measurements for 10 s", ScriptedFaultKind.EstimatorRatio, 1.2, 10);
+
+    public static readonly MatrixFault EstimatorRatio = MatrixFault.Of(
+        "estimator off its measurements", ScriptedFaultKind.EstimatorRatio, 1.2);
+
+    public static readonly MatrixFault ChargeUnknown = MatrixFault.Of(
+        "charge of the battery unknown (-1)", ScriptedFaultKind.BatteryUnknown);
+
+    public static readonly MatrixFault CellVoltageLow = MatrixFault.Of(
+        "3.43 V a cell with a good count, above the autopilot's limit", ScriptedFaultKind.BatteryVolts, 10.3);
+
     public static readonly MatrixFault Fence = MatrixFault.Outside(
         "fence breached: its height set to 2 m by the ground station", SetFence);
 

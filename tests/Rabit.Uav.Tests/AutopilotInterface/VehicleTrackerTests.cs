@@ -137,6 +137,43 @@ public class VehicleTrackerTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void Update_BatteryStatus_TakesCellsChargeStateAndFaults()
+    {
+        VehicleTracker tracker = ConnectedTracker();
+        BatteryStatus message = Battery(500, 55, 4_100, 4_110, 4_120, 0);
+        message.ChargeState = MavBatteryChargeState.Low;
+        message.FaultBitmask = MavBatteryFault.CellFail;
+        Update(tracker, message, 2);
+        VehicleState state = tracker.State;
+        Assert.Equal(
+            (3, MavBatteryChargeState.Low, MavBatteryFault.CellFail),
+            (state.BatteryCells, state.BatteryChargeState, state.BatteryFaults));
+
+        // The whole battery in the first: how many cells it has is not reported.
+        Update(tracker, Battery(500, 55, 12_330), 3);
+        Assert.Equal(0, tracker.State.BatteryCells);
+    }
+
+    [Theory]
+    [InlineData(true, true, false, true)]
+    [InlineData(true, true, true, false)]
+    [InlineData(true, false, false, false)]
+    [InlineData(false, true, false, false)]
+    public void Update_SysStatus_BatteryIsUnhealthyWhereItIsPresentAndEnabled(
+        bool isPresent, bool isEnabled, bool isHealthy, bool expected)
+    {
+        static MavSysStatusSensor Bit(bool isSet) => isSet ? MavSysStatusSensor.Battery : 0;
+        VehicleTracker tracker = ConnectedTracker();
+        Update(tracker, new SysStatus
+        {
+            OnboardControlSensorsPresent = Bit(isPresent),
+            OnboardControlSensorsEnabled = Bit(isEnabled),
+            OnboardControlSensorsHealth = Bit(isHealthy),
+        }, 2);
+        Assert.Equal(expected, tracker.State.IsBatteryUnhealthy);
+    }
+
+    [Fact]
     public void Update_BatteryStatusOfAnotherBattery_ChangesNothing()
     {
         VehicleTracker tracker = ConnectedTracker();

@@ -153,6 +153,18 @@ public class HealthManagerTests
     }
 
     [Fact]
+    public void ExecuteUnitOfWork_SteadyFlight_AllocatesNothing()
+    {
+        using var vehicle = new FlownVehicle();
+        void Hold() => vehicle.Fly(10, static (ref VehicleState s, ref NavigationStatus _) => s.Satellites = 5);
+        vehicle.Rig.Sink.Frames.Capacity = 1000;
+        Hold();
+        Hold();
+        Assert.Equal(0, Allocated.By(Hold));
+        Assert.Equal(HealthReasons.PositionFixPoor, vehicle.Report.Reasons);
+    }
+
+    [Fact]
     public void Constructor_BadOptions_NamesAllFaults()
     {
         var options = new HealthOptions
@@ -163,6 +175,14 @@ public class HealthManagerTests
             StuckAfter = TimeSpan.Zero,
             RecentWindow = TimeSpan.Zero,
             FirstFrameTimeout = TimeSpan.Zero,
+            BatteryCells = 0,
+            BatteryLowCellVolts = 5,
+            BatteryCriticalCellVolts = 0,
+            MinSatellites = 3,
+            MaxHorizontalDilution = 0.9,
+            MaxEstimatorRatio = 0.1,
+            PositionErrorMetres = 2,
+            HeightErrorMetres = double.NaN,
             WindHighMetresPerSecond = 0,
             WindHighAfter = TimeSpan.FromSeconds(-1),
             CameraSilentAfter = TimeSpan.Zero,
@@ -172,7 +192,9 @@ public class HealthManagerTests
         foreach (string name in new[]
         {
             "BatteryLowFraction", "BatteryCriticalFraction", "AutopilotTimeout", "StuckAfter", "RecentWindow",
-            "FirstFrameTimeout", "WindHighMetresPerSecond", "WindHighAfter", "CameraSilentAfter", "StatusTextPeriod"
+            "FirstFrameTimeout", "WindHighMetresPerSecond", "WindHighAfter", "CameraSilentAfter", "StatusTextPeriod",
+            "BatteryCells", "BatteryLowCellVolts", "BatteryCriticalCellVolts", "MinSatellites",
+            "MaxHorizontalDilution", "MaxEstimatorRatio", "PositionErrorMetres", "HeightErrorMetres",
         })
             Assert.Contains(name, text, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => new HealthManager(new HealthOptions(), ["a", "a"], 0));

@@ -21,6 +21,7 @@ internal sealed class HealthRig : IDisposable
     private readonly MessageSubscriber<HealthReport> _report;
     private readonly MessagePublisher<MissionStatus> _mission;
     private readonly MessagePublisher<ImagingStatus> _imaging;
+    private readonly MessagePublisher<NavigationStatus> _navigation;
 
     public HealthRig(params RabitManager[] others)
         : this(new VirtualTime(1), others)
@@ -45,6 +46,7 @@ internal sealed class HealthRig : IDisposable
         _link = Reactor.Workspace.Publish<LinkStatus>(MessageNames.LinkStatus(0));
         _mission = Reactor.Workspace.Publish<MissionStatus>(MessageNames.Mission);
         Reactor.Workspace.Publish<AutopilotStatistics>(MessageNames.AutopilotStatistics);
+        _navigation = Reactor.Workspace.Publish<NavigationStatus>(MessageNames.Navigation);
         _imaging = Reactor.Workspace.Publish<ImagingStatus>(MessageNames.Imaging);
         _report = Reactor.Workspace.Subscribe<HealthReport>(MessageNames.Health);
         Reactor.Start();
@@ -97,6 +99,18 @@ internal sealed class HealthRig : IDisposable
             WindVelocityNed = new NedVector(wind, 0, 0),
         };
         _vehicle.Post();
+    }
+
+    public void PostVehicle(VehicleState state)
+    {
+        _vehicle.Value = state;
+        _vehicle.Post();
+    }
+
+    public void PostNavigation(NavigationStatus status)
+    {
+        _navigation.Value = status;
+        _navigation.Post();
     }
 
     public void PostMission(MissionPhase phase)

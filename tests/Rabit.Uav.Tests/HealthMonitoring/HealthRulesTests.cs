@@ -206,9 +206,14 @@ public class HealthRulesTests
     {
         var findings = new List<HealthFinding>();
         var facts = new VehicleFacts(state, requests, TimeSpan.FromSeconds(ageSeconds), isReplayOver);
-        foreach (HealthRule<VehicleFacts>[] rules in new[] { HealthRules.OfVehicle, HealthRules.OfBattery })
-            new HealthRuleSet<VehicleFacts>(rules)
-                .Evaluate(facts, subject: null, Options, TimeSpan.Zero, findings);
+        new HealthRuleSet<VehicleFacts>(HealthRules.OfVehicle)
+            .Evaluate(facts, subject: null, Options, TimeSpan.Zero, findings);
+        new HealthRuleSet<VehicleFacts>(HealthRules.OfBattery)
+            .Evaluate(facts, subject: null, Options, TimeSpan.Zero, findings);
+        new HealthRuleSet<BatteryFacts>(HealthRules.OfBatteryState)
+            .Evaluate(
+                new BatteryCellWatch().Update(state, TimeSpan.FromSeconds(ageSeconds), Options), subject: null, Options,
+                TimeSpan.Zero, findings);
         AssertFindings(findings, expected, level, null);
     }
 

@@ -188,6 +188,7 @@ public class HeartbeatTests
         reactor.Workspace.Publish<MissionStatus>(MessageNames.Mission);
         reactor.Workspace.Publish<AutopilotStatistics>(MessageNames.AutopilotStatistics);
         reactor.Workspace.Publish<ImagingStatus>(MessageNames.Imaging);
+        reactor.Workspace.Publish<NavigationStatus>(MessageNames.Navigation);
         MessagePublisher<OwnAddress> address = reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         reactor.Start();
         address.Value = new OwnAddress { SystemId = 1, ComponentId = 191 };

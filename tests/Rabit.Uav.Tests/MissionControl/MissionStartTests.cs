@@ -61,8 +61,18 @@ public class MissionStartTests
         Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff, 20));
     }
 
+    [Fact]
+    public void Start_UnknownBatteryThatTheMissionAllows_Begins()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(", \"limits\": { \"allowUnknownBattery\": true }"));
+        rig.Vehicle.Battery = double.NaN;
+        Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff, 20));
+    }
+
     [Theory]
     [InlineData("battery", "waiting: battery 40.0 %; 50.0 % are needed")]
+    [InlineData("unknown battery",
+        "waiting: the charge of the battery is not known (limits.allowUnknownBattery of the mission)")]
     [InlineData("fix", "waiting: no satellite fix")]
     [InlineData("position", "waiting: no position")]
     [InlineData("camera", "waiting: no camera")]
@@ -75,6 +85,9 @@ public class MissionStartTests
         {
             case "battery":
                 rig.Vehicle.Battery = 0.4;
+                break;
+            case "unknown battery":
+                rig.Vehicle.Battery = double.NaN;
                 break;
             case "fix":
                 rig.Vehicle.Fix = GpsFixType.Type2dFix;

@@ -34,6 +34,12 @@ public sealed class PreflightChecklistTests
             "30 %, 12.4 V; 50 % are needed"),
         ("battery", f => Change(f, v => v with { BatteryRemaining = double.NaN }), PreflightResult.Fail,
             "remaining charge not known, 12.4 V"),
+        ("battery", f =>
+            {
+                f.Options.AllowsUnknownBattery = true;
+                Change(f, v => v with { BatteryRemaining = double.NaN });
+            },
+            PreflightResult.Warn, "remaining charge not known, 12.4 V"),
         ("battery", f => Change(f, v => v with { BatteryTime = null }), PreflightResult.Fail,
             "remaining charge not known"),
         ("picture", f => f.Imaging = default, PreflightResult.Fail, "no camera"),

@@ -45,8 +45,8 @@ internal sealed partial class Px4Telemetry
             OnboardControlSensorsEnabled = (MavSysStatusSensor)(Enabled | Gps),
             OnboardControlSensorsHealth = (MavSysStatusSensor)health,
             Load = 80,
-            VoltageBattery = (ushort)Math.Round(_state.BatteryVolts * 1000),
-            CurrentBattery = Short(_state.BatteryAmperes * 100),
+            VoltageBattery = Millivolts(),
+            CurrentBattery = Centiamperes(),
             BatteryRemaining = Percent(),
         });
     }
@@ -54,14 +54,14 @@ internal sealed partial class Px4Telemetry
     private void SendBattery(int link)
     {
         var voltages = default(UInt16Array10);
-        voltages[0] = (ushort)Math.Round(_state.BatteryVolts * 1000);
+        voltages[0] = Millivolts();
         for (int cell = 1; cell < voltages.Length; cell++)
             voltages[cell] = ushort.MaxValue;
         sink.Send(link, new BatteryStatus
         {
             Temperature = short.MaxValue,
             Voltages = voltages,
-            CurrentBattery = Short(_state.BatteryAmperes * 100),
+            CurrentBattery = Centiamperes(),
             CurrentConsumed = Scaled(_state.ConsumedAmpereHours, 1000),
             EnergyConsumed = Scaled(_state.ConsumedJoules, 0.01),
             BatteryRemaining = Percent(),
@@ -71,7 +71,7 @@ internal sealed partial class Px4Telemetry
 
     private void SendGps(int link)
     {
-        bool hasFix = _state.HasPosition;
+        bool hasFix = _state.HasPosition && !_state.HidesFix;
         GeodeticPosition place = hasFix ? frame.ToPlace(_state.Position) : default;
         double course = Math.Atan2(_state.Velocity.East, _state.Velocity.North) / NedMath.RadiansPerDegree;
         sink.Send(link, new GpsRawInt
@@ -101,13 +101,14 @@ internal sealed partial class Px4Telemetry
             | EstimatorStatusFlags.PosHorizAbs | EstimatorStatusFlags.PredPosHorizRel
             | EstimatorStatusFlags.PredPosHorizAbs;
         bool hasPosition = controller.Situation.HasPosition;
+        float ratio = (float)_state.EstimatorRatio;
         sink.Send(link, new EstimatorStatus
         {
             TimeUsec = (ulong)_state.BootMicroseconds,
             Flags = hasPosition ? Level | Place : Level,
-            VelRatio = 0.05f,
-            PosHorizRatio = 0.05f,
-            PosVertRatio = 0.05f,
+            VelRatio = ratio,
+            PosHorizRatio = ratio,
+            PosVertRatio = ratio,
             MagRatio = 0.05f,
             PosHorizAccuracy = hasPosition ? 0.32f : float.NaN,
             PosVertAccuracy = 0.33f,
@@ -188,5 +189,13 @@ internal sealed partial class Px4Telemetry
     private AutopilotVersion Version()
         => new() { Capabilities = Capabilities, FlightSwVersion = Firmware, Uid = uid };
 
-    private sbyte Percent() => (sbyte)Math.Round(_state.BatteryRemaining * 100);
+    // What is not known has a number of its own in each field.
+    private sbyte Percent()
+        => double.IsNaN(_state.BatteryRemaining) ? (sbyte)-1 : (sbyte)Math.Round(_state.BatteryRemaining * 100);
+
+    private ushort Millivolts()
+        => double.IsNaN(_state.BatteryVolts) ? ushort.MaxValue : (ushort)Math.Round(_state.BatteryVolts * 1000);
+
+    private short Centiamperes()
+        => double.IsNaN(_state.BatteryAmperes) ? (short)-1 : Short(_state.BatteryAmperes * 100);
 }

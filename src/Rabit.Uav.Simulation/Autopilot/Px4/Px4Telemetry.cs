@@ -25,7 +25,8 @@ internal sealed partial class Px4Telemetry(
             or PositionTargetLocalNed.MavlinkId or PositionTargetGlobalInt.MavlinkId or Altitude.MavlinkId
             or BatteryStatus.MavlinkId or AutopilotVersion.MavlinkId or HomePosition.MavlinkId
             or ExtendedSysState.MavlinkId or EstimatorStatus.MavlinkId or GpsGlobalOrigin.MavlinkId
-            or Timesync.MavlinkId or GimbalDeviceAttitudeStatus.MavlinkId or WindCov.MavlinkId;
+            or Timesync.MavlinkId or GimbalDeviceAttitudeStatus.MavlinkId or WindCov.MavlinkId
+            or ScaledPressure.MavlinkId;
 
     /// <summary>The state that the following messages report.</summary>
     public void Update(in AutopilotState state)
@@ -76,6 +77,13 @@ internal sealed partial class Px4Telemetry(
             case Timesync.MavlinkId: return Send(link, new Timesync { Ts1 = _state.BootMicroseconds * 1000 });
             case GimbalDeviceAttitudeStatus.MavlinkId: SendGimbal(link); return true;
             case WindCov.MavlinkId: return TrySendWind(link);
+            case ScaledPressure.MavlinkId:
+                return Send(link, new ScaledPressure
+                {
+                    TimeBootMs = BootMilliseconds,
+                    PressAbs = (float)StandardAtmosphere.PressureAt(
+                        frame.Origin.AltitudeAmslMetres - _state.TrueDown),
+                });
             default: return false;
         }
     }
@@ -113,7 +121,7 @@ internal sealed partial class Px4Telemetry(
     {
         if (!_state.HasPosition)
             return false;
-        GeodeticPosition place = frame.ToPlace(_state.Position);
+        GeodeticPosition place = _state.HidesPlace ? default : frame.ToPlace(_state.Position);
         return Send(link, new GlobalPositionInt
         {
             TimeBootMs = BootMilliseconds,

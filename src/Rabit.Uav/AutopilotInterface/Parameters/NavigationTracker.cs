@@ -24,7 +24,24 @@ internal sealed class NavigationTracker
     private const int Px4Glitch = 1024;
     private const int Px4AccelerationError = 2048;
 
-    private NavigationStatus _status = new() { HorizontalDilution = double.NaN };
+    // ISO 2533: pressure at the level 0, and the exponent and height of the formula below 11 km.
+    private const double StandardHectopascals = 1013.25;
+    private const double PressureExponent = 0.190263;
+    private const double PressureScaleMetres = 44330.77;
+
+    // The highest and the lowest that were ever measured outdoors, with a margin to flying 5 km above the sea.
+    private const double MinHectopascals = 400;
+    private const double MaxHectopascals = 1100;
+
+    private NavigationStatus _status = new()
+    {
+        HorizontalDilution = double.NaN,
+        EstimatorRatio = double.NaN,
+        PressureHeightMetres = double.NaN,
+    };
+
+    // What flags mean is made into a text once, not with each report.
+    private int _flags = -1;
 
     public NavigationStatus Status => _status;
 
@@ -39,18 +56,48 @@ internal sealed class NavigationTracker
                 _status.HorizontalDilution = gps.Eph == ushort.MaxValue ? double.NaN : gps.Eph / 100.0;
                 return true;
             case EkfStatusReport.MavlinkId when mavlink.TryDecode(out EkfStatusReport report):
-                _status.EstimatorTime = frame.Time;
-                _status.EstimatorFault = FindFault((int)report.Flags, ArdupilotGlitch, ArdupilotUninitialized);
+                TakeEstimator(frame.Time, (int)report.Flags, ArdupilotGlitch, ArdupilotUninitialized);
+                _status.EstimatorRatio = Greatest(
+                    report.VelocityVariance, report.PosHorizVariance, report.PosVertVariance);
                 return true;
             case EstimatorStatus.MavlinkId when mavlink.TryDecode(out EstimatorStatus status):
-                _status.EstimatorTime = frame.Time;
-                _status.EstimatorFault = FindFault((int)status.Flags, Px4Glitch, Px4AccelerationError);
+                TakeEstimator(frame.Time, (int)status.Flags, Px4Glitch, Px4AccelerationError);
+                _status.EstimatorRatio = Greatest(status.VelRatio, status.PosHorizRatio, status.PosVertRatio);
                 return true;
+            case ScaledPressure.MavlinkId when mavlink.TryDecode(out ScaledPressure pressure):
+                return TakePressure(pressure.PressAbs, frame.Time);
             case HomePosition.MavlinkId when mavlink.TryDecode(out HomePosition home):
                 return TakeHome(home, frame.Time);
             default:
                 return false;
         }
+    }
+
+    private void TakeEstimator(TimeSpan time, int flags, int glitch, int error)
+    {
+        _status.EstimatorTime = time;
+        if (flags != _flags)
+            _status.EstimatorFault = FindFault(flags, glitch, error);
+        _flags = flags;
+    }
+
+    // NaN is what an estimator reports of what it does not use.
+    private static double Greatest(float velocity, float position, float height)
+    {
+        double greatest = double.NaN;
+        greatest = velocity >= 0 ? velocity : greatest;
+        greatest = position >= 0 && !(greatest >= position) ? position : greatest;
+        return height >= 0 && !(greatest >= height) ? height : greatest;
+    }
+
+    private bool TakePressure(double hectopascals, TimeSpan time)
+    {
+        if (!(hectopascals >= MinHectopascals && hectopascals <= MaxHectopascals))
+            return false;
+        _status.PressureTime = time;
+        _status.PressureHeightMetres = PressureScaleMetres
+            * (1 - Math.Pow(hectopascals / StandardHectopascals, PressureExponent));
+        return true;
     }
 
     private static string? FindFault(int flags, int glitch, int error)

@@ -86,6 +86,9 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         VehicleState vehicle = flight.Vehicle;
         if (vehicle.GpsFix < GpsFixType.Type3dFix || !(flight.Now - vehicle.GpsTime <= MaxGpsAge))
             return "no satellite fix";
+        bool isKnown = vehicle.BatteryTime is not null && !double.IsNaN(vehicle.BatteryRemaining);
+        if (!isKnown && !flight.Mission.AllowUnknownBattery)
+            return "the charge of the battery is not known (limits.allowUnknownBattery of the mission)";
         if (vehicle.BatteryRemaining < flight.Mission.MinBatteryFractionAtStart)
         {
             return $"battery {MissionNumbers.Percent(vehicle.BatteryRemaining)}; "
