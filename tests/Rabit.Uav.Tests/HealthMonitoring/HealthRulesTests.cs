@@ -160,7 +160,7 @@ public class HealthRulesTests
     public void Text_EveryReason_IsOneBitWithARowAndWords()
     {
         HealthReasons all = HealthReasons.None;
-        foreach (HealthReasons reason in Enum.GetValues(typeof(HealthReasons)))
+        foreach (HealthReasons reason in EnumValues.Of<HealthReasons>())
         {
             if (reason == HealthReasons.None)
                 continue;

@@ -118,7 +118,7 @@ internal static class RecordedHealth
             _health.Fetch();
             _vehicle.Fetch();
             HealthReasons now = _health.Value.Reasons & ~OfTheReplay;
-            foreach (HealthReasons reason in Enum.GetValues(typeof(HealthReasons)))
+            foreach (HealthReasons reason in EnumValues.Of<HealthReasons>())
             {
                 bool isFound = reason != HealthReasons.None && (now & reason) != 0;
                 if (isFound && !_since.ContainsKey(reason))

@@ -15,9 +15,9 @@ public class MissionTransitionsTests
     private static readonly MissionEvent[] Operators =
         [MissionEvent.OperatorHold, MissionEvent.OperatorReturn, MissionEvent.OperatorResume];
 
-    private static readonly MissionPhase[] All = ValuesOf<MissionPhase>();
+    private static readonly MissionPhase[] All = EnumValues.Of<MissionPhase>();
 
-    private static readonly MissionEvent[] Events = ValuesOf<MissionEvent>();
+    private static readonly MissionEvent[] Events = EnumValues.Of<MissionEvent>();
 
     [Fact]
     public void Table_Ends_AreNeverLeft()
@@ -53,8 +53,4 @@ public class MissionTransitionsTests
                 MissionPhase.Failed],
             reached.OrderBy(p => p));
     }
-
-    private static T[] ValuesOf<T>()
-        where T : struct
-        => Enum.GetValues(typeof(T)).Cast<T>().ToArray();
 }
