@@ -19,7 +19,8 @@ public class TouchdownTests
         MissionResult result = rig.Status.Result;
         Assert.Equal("landed at an unknown place", rig.Status.Text);
         Assert.True(result.HasLanded);
-        Assert.Equal(MissionFailures.GivenUp | MissionFailures.AwayFromHome, result.Failures);
+        Assert.Equal(
+            MissionFailures.GivenUp | MissionFailures.AwayFromHome | MissionFailures.AreaNotSeen, result.Failures);
         Assert.True(double.IsNaN(result.DistanceFromHomeMetres));
     }
 
@@ -79,7 +80,8 @@ public class TouchdownTests
 
         Assert.False(rig.Status.Result.HasLanded);
         Assert.Equal(
-            MissionFailures.NotLanded | MissionFailures.TakenOver, rig.Status.Result.Failures);
+            MissionFailures.NotLanded | MissionFailures.TakenOver | MissionFailures.AreaNotSeen,
+            rig.Status.Result.Failures);
     }
 
     [Fact]
