@@ -53,6 +53,14 @@ internal static class Text
         OrUnknown(vehicle.BatteryAmperes, "0.0 A"),
         OrUnknown(vehicle.BatteryRemaining * 100, "0'%'"));
 
+    public static string Energy(in EnergyStatus energy) => !energy.IsKnown ? "-" : string.Format(
+        CultureInfo.InvariantCulture,
+        "{0:0} % left, home takes {1:0} %, {2:0} kept; {3}",
+        energy.ChargeLeft * 100,
+        energy.ChargeHome * 100,
+        energy.Reserve * 100,
+        energy.MustReturn ? "has to return" : "returns in " + FlightText.Clock(energy.TimeToReturn));
+
     public static string Gps(in VehicleState vehicle) => vehicle.GpsTime is null
         ? "-"
         : $"{vehicle.GpsFix}, "

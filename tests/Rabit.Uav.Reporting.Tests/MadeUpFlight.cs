@@ -55,6 +55,16 @@ internal static class MadeUpFlight
                 LanesFlown = 4,
                 Revisits = finds,
                 Text = "landed",
+                Energy = new EnergyStatus
+                {
+                    IsKnown = true,
+                    ChargeLeft = 0.58,
+                    ChargeLeftDeviation = 0.03,
+                    CapacityFraction = 0.91,
+                    CapacityFractionDeviation = 0.05,
+                    PlanCharge = 0.4,
+                    PlanTime = TimeSpan.FromSeconds(290),
+                },
                 Result = new MissionResult
                 {
                     Outcome = MissionOutcome.Accomplished,

@@ -24,6 +24,7 @@ public sealed class LeftOutManagerTests
                 + "it.",
             "'mission control' subscribes to message 'command authority', but it has no publisher: LEFTOUT, would "
                 + "publish it.",
+            "'health' subscribes to message 'navigation', but it has no publisher: LEFTOUT, would publish it.",
             "'communications', 'image processing', 'health' subscribe to message 'own address', but it has no "
                 + "publisher: LEFTOUT, would publish it.",
             "'communications', 'mission control', 'health' subscribe to message 'vehicle', but it has no publisher: "

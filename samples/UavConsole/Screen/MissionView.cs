@@ -86,6 +86,7 @@ internal sealed class MissionView(FlightMonitor monitor)
                 CultureInfo.InvariantCulture, "{0:0.0} m high, {1:0.0} m/s", monitor.Vehicle.HeightAboveHomeMetres,
                 Speed(monitor.Vehicle)), "default"),
             Field("battery", Text.Battery(monitor.Vehicle), "default"),
+            Field("energy", Text.Energy(mission.Energy), mission.Energy.MustReturn ? "yellow" : "default"),
             Field("health", FlightText.Health(monitor.Health), HealthColour(monitor.Health.Level)),
         };
         if (mission.Phase == MissionPhase.HandedOver && monitor.Vehicle.IsArmed)

@@ -139,7 +139,9 @@ public sealed class HtmlReport
             ? $"{FlightText.Number(mission.OutsideFenceMetres, "0.0")} m outside the fence"
             : "inside the fence");
         Tile("flight time", FlightText.Clock(mission.FlightTime) + " min", "motors on");
-        Tile("battery used", $"{FlightText.Number(mission.BatteryUsedPercent, "0")} %", "of its capacity");
+        Tile("battery used", $"{FlightText.Number(mission.BatteryUsedPercent, "0")} %", mission.Energy.IsKnown
+            ? $"of its capacity; {FlightText.Number(mission.Energy.ChargeLeft * 100, "0")} % are left by the energy model"
+            : "of its capacity");
         Tile(
             "landed", mission.HasLanded ? $"{FlightText.Number(mission.DistanceFromHomeMetres, "0.0")} m" : "no",
             "from home");

@@ -43,6 +43,7 @@ public sealed class MissionSummary
         FlightTime = record.ArmedTime;
         double remaining = record.Vehicle.BatteryTime is null ? double.NaN : record.Vehicle.BatteryRemaining;
         BatteryUsedPercent = (record.FirstBatteryRemaining - remaining) * 100;
+        Energy = mission.Energy;
         HasLanded = mission.Result.HasLanded;
         DistanceFromHomeMetres = score?.DistanceFromHomeMetres ?? mission.Result.DistanceFromHomeMetres;
         OutsideFenceMetres = mission.Result.OutsideFenceMetres;
@@ -90,6 +91,9 @@ public sealed class MissionSummary
 
     /// <summary>Used part of the battery, 0 to 100; NaN where the autopilot does not know it.</summary>
     public double BatteryUsedPercent { get; }
+
+    /// <summary>The energy of the flight, as Mission Control estimated it last.</summary>
+    public EnergyStatus Energy { get; }
 
     /// <summary>Whether the vehicle took off and is on the ground with its motors off.</summary>
     public bool HasLanded { get; }

@@ -49,11 +49,33 @@ internal static class MissionSummaryJson
         WriteNumber(json, "flightTimeSeconds", mission.FlightTime.TotalSeconds);
         WriteNumber(json, "runTimeSeconds", summary.RunTime.TotalSeconds);
         WriteNumber(json, "batteryUsedPercent", mission.BatteryUsedPercent);
+        WriteEnergy(json, mission.Energy);
         json.WriteBoolean("landed", mission.HasLanded);
         WriteNumber(json, "distanceFromHomeMetres", mission.DistanceFromHomeMetres);
         WriteNumber(json, "outsideFenceMetres", mission.OutsideFenceMetres);
         json.WriteNumber("lanesFlown", mission.LanesFlown);
         json.WriteNumber("revisits", mission.Revisits);
+    }
+
+    private static void WriteEnergy(Utf8JsonWriter json, in EnergyStatus energy)
+    {
+        if (!energy.IsKnown)
+        {
+            json.WriteNull("energy");
+            return;
+        }
+
+        json.WriteStartObject("energy");
+        WriteNumber(json, "leftPercent", energy.ChargeLeft * 100);
+        WriteNumber(json, "leftDeviationPercent", energy.ChargeLeftDeviation * 100);
+        WriteNumber(json, "wayHomePercent", energy.ChargeHome * 100);
+        WriteNumber(json, "reservePercent", energy.Reserve * 100);
+        WriteNumber(json, "capacityPercent", energy.CapacityFraction * 100);
+        WriteNumber(json, "capacityDeviationPercent", energy.CapacityFractionDeviation * 100);
+        WriteNumber(json, "planPercent", energy.PlanCharge * 100);
+        WriteNumber(json, "planSeconds", energy.PlanTime.TotalSeconds);
+        json.WriteBoolean("windMeasured", energy.IsWindMeasured);
+        json.WriteEndObject();
     }
 
     private static void WriteScore(Utf8JsonWriter json, MissionScore? score)

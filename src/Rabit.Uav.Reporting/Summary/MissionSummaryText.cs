@@ -63,7 +63,18 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
             FlightText.Number(mission.FlightTime.TotalSeconds, "0.0"),
             FlightText.Number(mission.BatteryUsedPercent, "0.0"),
             mission.HasLanded ? FlightText.Number(mission.DistanceFromHomeMetres, "0.00") + " m from home" : "not"));
+        if (mission.Energy is { IsKnown: true } energy)
+            WriteEnergy(energy);
     }
+
+    private void WriteEnergy(in EnergyStatus energy)
+        => Line(string.Format(
+            CultureInfo.InvariantCulture,
+            "energy: {0} % left (+- {1} %) of a battery with {2} % of its stated capacity (+- {3} %)",
+            FlightText.Number(energy.ChargeLeft * 100, "0"),
+            FlightText.Number(energy.ChargeLeftDeviation * 100, "0"),
+            FlightText.Number(energy.CapacityFraction * 100, "0"),
+            FlightText.Number(energy.CapacityFractionDeviation * 100, "0")));
 
     private void WriteScore(MissionScore score)
     {

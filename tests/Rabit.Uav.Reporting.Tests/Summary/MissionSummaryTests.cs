@@ -89,15 +89,28 @@ public sealed class MissionSummaryTests
     [Fact]
     public void Json_AreaNotSeen_SaysWhatIsRequired()
     {
-        using var written = new MemoryStream();
-        FlightRecord record = NotSeen();
-        SummaryJson.Write(written, new FlightSummary(record) { Mission = Of(record) });
-        written.Position = 0;
-        using JsonDocument json = JsonDocument.Parse(written);
+        using JsonDocument json = Json(NotSeen());
         JsonElement mission = json.RootElement.GetProperty("mission");
 
         Assert.Equal(98, mission.GetProperty("requiredCoveragePercent").GetDouble(), 3);
         Assert.Equal(2, mission.GetProperty("headlines").GetArrayLength());
+        Assert.Equal(JsonValueKind.Null, mission.GetProperty("energy").ValueKind);
+    }
+
+    [Fact]
+    public void Energy_Known_IsInTextAndJson()
+    {
+        FlightRecord record = MadeUpFlight.Record();
+        using var written = new StringWriter();
+        SummaryText.Write(written, new FlightSummary(record) { Mission = Of(record) });
+        using JsonDocument json = Json(record);
+        JsonElement energy = json.RootElement.GetProperty("mission").GetProperty("energy");
+
+        Assert.Contains(
+            "energy: 58 % left (+- 3 %) of a battery with 91 % of its stated capacity (+- 5 %)", written.ToString(),
+            StringComparison.Ordinal);
+        Assert.Equal(58, energy.GetProperty("leftPercent").GetDouble(), 3);
+        Assert.Equal(290, energy.GetProperty("planSeconds").GetDouble(), 3);
     }
 
     [Fact]
@@ -196,6 +209,7 @@ public sealed class MissionSummaryTests
         Assert.Empty(summary.Failures);
         Assert.Equal(0.64, summary.DistanceFromHomeMetres, 2);
         Assert.Equal(35, summary.BatteryUsedPercent, 3);
+        Assert.Equal(0.58, summary.Energy.ChargeLeft);
     }
 
     [Fact]
@@ -218,6 +232,13 @@ public sealed class MissionSummaryTests
     private static FlightRecord NotSeen(MissionFailures failures = MissionFailures.None) => Landed(
         result: Home with { RequiredCoverage = 0.98, Failures = MissionFailures.AreaNotSeen | failures },
         coverage: 0.934, hasCamera: true);
+
+    private static JsonDocument Json(FlightRecord record)
+    {
+        using var written = new MemoryStream();
+        SummaryJson.Write(written, new FlightSummary(record) { Mission = Of(record) });
+        return JsonDocument.Parse(written.ToArray());
+    }
 
     private static FlightRecord Landed(MissionResult result, double coverage = 1, bool hasCamera = false) => new()
     {
