@@ -27,7 +27,20 @@ internal sealed class LogFile(OutputPath path) : IDisposable
             _lost++;
     }
 
-    public void Dispose() => _stream?.Dispose();
+    public void Dispose()
+    {
+        try
+        {
+            _stream?.Dispose();
+        }
+        catch (IOException e)
+        {
+            // Mono keeps what could not be written, and tries it again.
+            _failure ??= path.CannotBeWritten(e);
+        }
+
+        _stream = null;
+    }
 
     private string? TryWrite(byte[] line)
     {
