@@ -103,7 +103,16 @@ internal sealed class PictureJudge
             return PictureQuality.MotionBlurred;
         if (isJudged && !isDirected && SharpnessOf(picture) < RequiredSharpness(isLearnt))
             return PictureQuality.Defocused;
-        return view.SmearMetres > view.NeededSamplingMetres ? PictureQuality.MotionBlurred : PictureQuality.Usable;
+        return IsSmeared(view) ? PictureQuality.MotionBlurred : PictureQuality.Usable;
+    }
+
+    // By a smear that is longer than the largest pixel that is fine enough, unless the pixels are so much smaller that a
+    // smeared one covers no more ground than that one. The detail of the picture need not show it.
+    private static bool IsSmeared(in PictureView view)
+    {
+        double needed = view.NeededSamplingMetres;
+        double covered = view.GroundSamplingMetres * (view.GroundSamplingMetres + view.SmearMetres);
+        return view.SmearMetres > needed && covered > needed * needed;
     }
 
     private double RequiredSharpness(bool isLearnt)

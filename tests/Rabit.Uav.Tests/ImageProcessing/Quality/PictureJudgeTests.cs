@@ -90,7 +90,10 @@ public class PictureJudgeTests
     [Theory]
     [InlineData(0.1, 0.01, PictureQuality.Usable)]
     [InlineData(0.16, 0.01, PictureQuality.TooCoarse)]
+    [InlineData(0.149, 0.1, PictureQuality.Usable)]
     [InlineData(0.1, 0.16, PictureQuality.MotionBlurred)]
+    [InlineData(0.077, 0.2, PictureQuality.Usable)]
+    [InlineData(0.077, 0.25, PictureQuality.MotionBlurred)]
     public void Judge_PixelsOrSmearTooLarge_IsNotUsable(double sampling, double smear, PictureQuality expected)
     {
         var view = new PictureView
