@@ -51,6 +51,7 @@ internal sealed class LogFile(OutputPath path) : IDisposable
             try
             {
                 _stream.Write(line, 0, line.Length);
+                _stream.Flush();   // Mono buffers eight bytes all the same
             }
             catch (IOException) when (_stream.CanSeek && !path.IsDevice)
             {

@@ -89,7 +89,9 @@ internal sealed class EnergyFlight
         mission.Fetch();
         return new EnergyFlight(drawn, mission.Value, world.Truth, log.ToString())
         {
-            AtReturn = atReturn ?? default, LeftAtReturn = leftAtReturn, DistanceAtReturn = distanceAtReturn,
+            AtReturn = atReturn ?? default,
+            LeftAtReturn = leftAtReturn,
+            DistanceAtReturn = distanceAtReturn,
         };
     }
 

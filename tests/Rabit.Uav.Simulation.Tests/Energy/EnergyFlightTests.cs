@@ -26,7 +26,11 @@ public sealed class EnergyFlightTests
     public void Search_AgedBatteryAndWindThatRises_LandsAtHomeWithFivePercentLeft()
         => EnergyTrialTests.Check(EnergyFlight.Fly(Far(SimulatedAutopilot.ArduPilot) with
         {
-            Speed = 12, Wind = 4, WindFrom = Angle.FromDegrees(180), RisesAt = TimeSpan.FromMinutes(3), Capacity = 0.8,
+            Speed = 12,
+            Wind = 4,
+            WindFrom = Angle.FromDegrees(180),
+            RisesAt = TimeSpan.FromMinutes(3),
+            Capacity = 0.8,
         }));
 
     [Fact]

@@ -36,7 +36,10 @@ public class NavigationTrackerTests
     {
         NavigationStatus status = Take(new EstimatorStatus
         {
-            Flags = (EstimatorStatusFlags)0x33F, VelRatio = velocity, PosHorizRatio = position, PosVertRatio = height,
+            Flags = (EstimatorStatusFlags)0x33F,
+            VelRatio = velocity,
+            PosHorizRatio = position,
+            PosVertRatio = height,
         });
         Assert.Equal(ratio, status.EstimatorRatio, 6);
     }

@@ -229,7 +229,9 @@ public class OtherCommanderTests
         px4.GiveAndRun(
             VehicleCommandKind.GoTo, with: c => c with
             {
-                Latitude = Angle.FromDegrees(40.102), Longitude = Angle.FromDegrees(5.7), HeightAboveHomeMetres = 30,
+                Latitude = Angle.FromDegrees(40.102),
+                Longitude = Angle.FromDegrees(5.7),
+                HeightAboveHomeMetres = 30,
             });
         px4.Run(1);
         Assert.Equal(Offboard, px4.Mode);

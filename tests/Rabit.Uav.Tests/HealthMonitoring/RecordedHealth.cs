@@ -85,7 +85,9 @@ internal static class RecordedHealth
                 {
                     _frames.Push(new LinkFrame
                     {
-                        Frame = frame, Index = record.Index, Time = _reactor.Now,
+                        Frame = frame,
+                        Index = record.Index,
+                        Time = _reactor.Now,
                         UtcMicroseconds = record.TimeMicroseconds,
                     });
                 }

@@ -31,7 +31,9 @@ public class MissionStartTests
         using var rig = new MissionRig(MissionRig.Mission(more));
         rig.Vehicle.Health = new HealthReport
         {
-            Level = HealthLevel.Warning, Reasons = reason, Text = "wind too strong (15 m/s)",
+            Level = HealthLevel.Warning,
+            Reasons = reason,
+            Text = "wind too strong (15 m/s)",
         };
         rig.Run(30);
         Assert.Equal(waits, rig.Status.Text == "waiting: wind too strong (15 m/s)");

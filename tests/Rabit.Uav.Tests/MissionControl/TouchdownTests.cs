@@ -58,7 +58,9 @@ public class TouchdownTests
         rig.Vehicle.Falls = true;
         rig.Vehicle.Health = new HealthReport
         {
-            Level = HealthLevel.Critical, Text = "battery 0 %", Advice = HealthAdvice.Land,
+            Level = HealthLevel.Critical,
+            Text = "battery 0 %",
+            Advice = HealthAdvice.Land,
         };
         rig.RunToEnd(60);
         rig.Run(2);
