@@ -106,8 +106,8 @@ internal sealed class PictureJudge
         return IsSmeared(view) ? PictureQuality.MotionBlurred : PictureQuality.Usable;
     }
 
-    // By a smear that is longer than the largest pixel that is fine enough, unless the pixels are so much smaller that a
-    // smeared one covers no more ground than that one. The detail of the picture need not show it.
+    // By a smear that is longer than the largest pixel that is fine enough, unless the pixels are so much smaller that
+    // a smeared one covers no more ground than that one. The detail of the picture need not show it.
     private static bool IsSmeared(in PictureView view)
     {
         double needed = view.NeededSamplingMetres;
