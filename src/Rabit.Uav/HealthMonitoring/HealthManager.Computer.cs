@@ -1,7 +1,5 @@
 using System;
 using Rabit.Core;
-using Rabit.Mavlink;
-using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
@@ -40,21 +38,5 @@ public sealed partial class HealthManager
 
         _groundStationRules.Evaluate(
             new GroundStationFacts(last, now, isReplayOver), subject: null, _options, now, _findings);
-    }
-
-    // With the heartbeat, and also while that is withheld: it is what is wrong with the computer that is of interest.
-    private void SendComputerStatus(TimeSpan now)
-    {
-        OwnAddress own = _ownAddress.Value;
-        if (_computer is null || !own.IsKnown)
-            return;
-        ComputerStatus known = new ComputerFacts(_next.Computer, now).Status;
-        OnboardComputerStatus message = OnboardComputerReport.Of(known, now, _options);
-        foreach (LinkWatch link in _links)
-            OnboardComputerReport.AddLink(ref message, link.Number, link.Url);
-        _outgoing.Push(new OutgoingFrame
-        {
-            Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0),
-        });
     }
 }

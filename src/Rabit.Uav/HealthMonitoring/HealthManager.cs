@@ -2,8 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
-using Rabit.Mavlink;
-using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;
@@ -27,9 +25,6 @@ public sealed partial class HealthManager : RabitManager
     // Mission Control posts it once a second.
     private static readonly TimeSpan MaxEnergyAge = TimeSpan.FromSeconds(5);
 
-    // The version of the protocol's messages that every HEARTBEAT carries (minimal.xml: <version>3</version>).
-    private const byte MavlinkMessagesVersion = 3;
-
     private readonly HealthOptions _options;
     private readonly ManagerWatch[] _managers;
     private readonly LinkWatch[] _links;
@@ -48,7 +43,6 @@ public sealed partial class HealthManager : RabitManager
     private HealthReport _next;
     private bool _isImagingStuck;
     private TimeSpan? _monitoredSince;
-    private TimeSpan _lastPost;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="options">Checked and read now; later changes have no effect.</param>
@@ -97,6 +91,7 @@ public sealed partial class HealthManager : RabitManager
             if (_next.SendsHeartbeat)
                 SendHeartbeat();
             SendComputerStatus(now);
+            SendEnergy(now);
         }
 
         SendTexts(now);
@@ -171,84 +166,5 @@ public sealed partial class HealthManager : RabitManager
         _advice.Update(_findings, isFlying);
         _next.Advice = _advice.Advice;
         _next.AdviceText = _advice.Text;
-    }
-
-    // The text is made only when a finding has changed: otherwise nothing is allocated.
-    private void UpdateReport()
-    {
-        if (AreEqual(_findings, _lastFindings) && _next.Level != HealthLevel.Unknown)
-            return;
-        _next.Level = HealthLevel.Good;
-        _next.Reasons = HealthReasons.None;
-        foreach (HealthFinding finding in _findings)
-        {
-            _next.Reasons |= finding.Reason;
-            if (finding.Level > _next.Level)
-                _next.Level = finding.Level;
-        }
-
-        _next.Text = HealthText.Of(_findings);
-        (_findings, _lastFindings) = (_lastFindings, _findings);
-    }
-
-    private static bool AreEqual(List<HealthFinding> a, List<HealthFinding> b)
-    {
-        if (a.Count != b.Count)
-            return false;
-        for (int i = 0; i < a.Count; i++)
-        {
-            if (!a[i].Equals(b[i]))
-                return false;
-        }
-
-        return true;
-    }
-
-    private void SendHeartbeat()
-    {
-        var heartbeat = new Heartbeat
-        {
-            Type = MavType.OnboardController,
-            Autopilot = MavAutopilot.Invalid,
-            SystemStatus = _next.Level == HealthLevel.Critical ? MavState.Critical : MavState.Active,
-            MavlinkVersion = MavlinkMessagesVersion,
-        };
-        OwnAddress own = _ownAddress.Value;
-        var frame = new OutgoingFrame
-        {
-            Frame = MavlinkFrame.Create(heartbeat, own.SystemId, own.ComponentId, sequence: 0)
-        };
-        if (_outgoing.Push(frame) != PushResult.Rejected)
-            _next.HeartbeatsSent++;
-    }
-
-    private void SendTexts(TimeSpan now)
-    {
-        OwnAddress own = _ownAddress.Value;
-        if (!own.IsKnown)
-            return;
-        IReadOnlyList<Statustext> chunks = _texts.NextChunks(_next, now);
-        for (int i = 0; i < chunks.Count; i++)
-            _outgoing.Push(
-                new OutgoingFrame
-                {
-                    Frame = MavlinkFrame.Create(chunks[i], own.SystemId, own.ComponentId, sequence: 0)
-                });
-    }
-
-    // At once when it has changed, else once a second, so that its age shows that we are alive.
-    private void PostReport(TimeSpan now)
-    {
-        ref HealthReport posted = ref _report.Value;
-        bool isChanged = posted.Level != _next.Level
-            || posted.Advice != _next.Advice
-            || posted.SendsHeartbeat != _next.SendsHeartbeat
-            || posted.HeartbeatsSent != _next.HeartbeatsSent
-            || !ReferenceEquals(posted.Text, _next.Text);
-        if (!isChanged && now - _lastPost < HeartbeatPeriod)
-            return;
-        posted = _next;
-        _report.Post();
-        _lastPost = now;
     }
 }

@@ -119,6 +119,12 @@ internal sealed class HealthRig : IDisposable
         _mission.Post();
     }
 
+    public void PostEnergy(EnergyStatus energy)
+    {
+        _mission.Value.Energy = energy;
+        _mission.Post();
+    }
+
     public void PostImaging(ImagingMode mode, TimeSpan? lastFrame, bool hasCamera = true, long detectorFailures = 0)
     {
         _imaging.Value = new ImagingStatus
