@@ -168,7 +168,7 @@ public sealed class ReplayTests : IDisposable
         foreach (string option in new[]
         {
             "--link", "--headless", "--summary", "--system-id", "tlog:FILE[?speed=10|max]", "--seed", "--targets",
-            "--realtime", "--mission", "--fly", "--camera", "--truth", "--report", "--log"
+            "--realtime", "--mission", "--fly", "--camera", "--truth", "--report", "--log", "--allow-partial-search",
         })
             Assert.Contains(process.Output, l => l.Contains(option));
     }

@@ -51,6 +51,32 @@ public sealed class SimulatedMissionTests : IDisposable
     }
 
     [Fact]
+    public void Plan_BatteryCannotFlyIt_IsRefusedByNameOfTheSwitchOrBegunWithIt()
+    {
+        // 1.2 km x 1.2 km in lanes of 12 m at 6 m/s: more than five hours.
+        File.WriteAllText(InFolder("large.json"), """
+            {
+              "name": "large",
+              "area": [[47.3972, 8.5446], [47.4080, 8.5446], [47.4080, 8.5605], [47.3972, 8.5605]],
+              "heightMetres": 40, "speedMetresPerSecond": 6, "laneSpacingMetres": 12,
+              "targets": ["red"]
+            }
+            """);
+        using ConsoleProcess refused = ConsoleProcess.RunIn(
+            _folder.Folder, out int exitCode, "--headless", "--mission", "large.json", "--report", "refused.html");
+        Assert.Equal(1, exitCode);
+        Assert.Contains(refused.Output, l => l.Contains("the plan takes ") && l.Contains("--allow-partial-search"));
+
+        using ConsoleProcess begun = ConsoleProcess.Start(
+            "--headless", "--mission", InFolder("large.json"), "--allow-partial-search", "--report",
+            InFolder("begun.html"));
+        Assert.Contains("the plan takes ", begun.WaitFor(": begun all the same, it returns in time"));
+        begun.WaitFor("take off");
+        begun.Signal(ConsoleProcess.Interrupt);
+        Assert.Equal(1, begun.WaitForEnd());
+    }
+
+    [Fact]
     public void Files_ThatAreThere_AreKeptUnderTheirDate()
     {
         File.WriteAllText(InFolder("s.json"), "the last flight");

@@ -36,10 +36,16 @@ internal static class OperatorArguments
         HelpName = "FILE",
     };
 
+    private static readonly Option<bool> AllowPartialSearch = new("--allow-partial-search")
+    {
+        Description = "Begins a mission that the battery cannot fly to its end: the vehicle returns in time, and "
+            + "--resume flies the rest later. As allowPartialSearch of the mission file.",
+    };
+
     private static readonly Option<string> OnStopOption = CreateOnStop();
 
     /// <summary>All of them.</summary>
-    public static IEnumerable<Option> All => [Hold, Return, Resume, Progress, OnStopOption];
+    public static IEnumerable<Option> All => [Hold, Return, Resume, Progress, AllowPartialSearch, OnStopOption];
 
     public static OperatorChoices Read(ParseResult result, bool flies) => new()
     {
@@ -47,6 +53,7 @@ internal static class OperatorArguments
             : result.GetValue(Return) ? OperatorCommand.Return : null,
         ResumeFile = result.GetValue(Resume),
         ProgressFile = result.GetValue(Progress) ?? (flies ? DefaultProgress : null),
+        AllowsPartialSearch = result.GetValue(AllowPartialSearch),
         OnStop = result.GetValue(OnStopOption) == "return" ? OnStop.Return : OnStop.Hold,
     };
 
@@ -61,7 +68,7 @@ internal static class OperatorArguments
                 yield return $"{name} commands a real vehicle: it goes with --link URL --mission FILE --fly.";
         }
 
-        foreach (string name in Given(result, Resume, Progress, OnStopOption))
+        foreach (string name in Given(result, Resume, Progress, AllowPartialSearch, OnStopOption))
         {
             if (!flies && !isSimulated)
                 yield return $"{name} goes with a mission that is flown: --mission FILE --fly.";

@@ -19,6 +19,9 @@ internal sealed class OperatorChoices
     /// <summary>Where the progress goes; null for nowhere.</summary>
     public string? ProgressFile { get; init; }
 
+    /// <summary>Whether a mission is begun that the battery cannot fly to its end.</summary>
+    public bool AllowsPartialSearch { get; init; }
+
     public OnStop OnStop { get; init; }
 
     /// <summary>Sets the options of Mission Control.</summary>
@@ -26,6 +29,7 @@ internal sealed class OperatorChoices
     public void ApplyTo(MissionControlOptions options)
     {
         options.OnStop = OnStop;
+        options.AllowsPartialSearch = AllowsPartialSearch;
         if (ResumeFile is { } resume)
             options.Resume = Read(resume);
 

@@ -64,6 +64,13 @@ public sealed class MissionControlOptions
     /// <summary>What is assumed of battery, power and wind before the flight has measured them.</summary>
     public EnergyOptions Energy { get; set; } = new();
 
+    /// <summary>
+    /// Whether a mission that the battery cannot fly to its end is begun, also where the mission does not say so
+    /// (<see cref="MissionPlan.AllowsPartialSearch"/>).
+    /// </summary>
+    /// <value>The default is false.</value>
+    public bool AllowsPartialSearch { get; set; }
+
     /// <summary>What is commanded when the program is stopped while Mission Control flies the vehicle.</summary>
     /// <value>The default is <see cref="OnStop.Hold"/>.</value>
     public OnStop OnStop { get; set; }

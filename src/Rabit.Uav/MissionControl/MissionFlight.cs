@@ -179,8 +179,12 @@ internal sealed class MissionFlight(
             at.Latitude.Radians, at.Longitude.Radians, at.AltitudeAmslMetres - HeightMetres));
         if (fault.Length > 0 || Energy.CheckPlan(this) is not { } shortage)
             return fault;
-        if (!Mission.AllowsPartialSearch)
-            return shortage + "; with allowPartialSearch it is begun, and returns in time";
+        if (!Mission.AllowsPartialSearch && !Options.AllowsPartialSearch)
+        {
+            return shortage + "; with allowPartialSearch of the mission, or --allow-partial-search, it is begun, and "
+                + "returns in time";
+        }
+
         Log(shortage + ": begun all the same, it returns in time");
         return string.Empty;
     }

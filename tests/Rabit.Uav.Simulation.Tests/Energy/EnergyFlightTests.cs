@@ -59,7 +59,8 @@ public sealed class EnergyFlightTests
         Assert.False(flight.Truth.HasFlown);
         Assert.Matches(
             @"^the plan takes [0-9.]+ min and [0-9.]+ % of the battery in a wind of 5\.0 m/s, with a reserve of "
-                + @"10\.0 %; [0-9.]+ % are left; with allowPartialSearch it is begun, and returns in time$",
+                + @"10\.0 %; [0-9.]+ % are left; with allowPartialSearch of the mission, or --allow-partial-search, "
+                + "it is begun, and returns in time$",
             flight.Mission.Text);
     }
 

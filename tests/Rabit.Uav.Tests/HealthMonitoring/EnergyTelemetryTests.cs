@@ -41,7 +41,8 @@ public sealed class EnergyTelemetryTests : IDisposable
             ],
             sent.Take(7).Select(m => (m.Name.ToString(), m.Value)));
         Assert.Equal(sent.Take(7).Select(m => m.Name), sent.Skip(7).Take(7).Select(m => m.Name));
-        Assert.All(sent.Skip(1).Zip(sent, (b, a) => b.TimeBootMs - a.TimeBootMs), ms => Assert.InRange(ms, 990u, 1010u));
+        Assert.All(
+            sent.Skip(1).Zip(sent, (b, a) => b.TimeBootMs - a.TimeBootMs), ms => Assert.InRange(ms, 990u, 1010u));
         Assert.All(
             _rig.Sink.Frames.Where(f => f.Frame.MessageId == NamedValueFloat.MavlinkId),
             f => Assert.Equal((1, 191), (f.Frame.SystemId, f.Frame.ComponentId)));
