@@ -2,6 +2,7 @@ using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Globalization;
 using System.Linq;
 using System.Threading.Tasks;
 using Xunit;
@@ -13,6 +14,9 @@ namespace Rabit.Uav.Simulation.Tests.Energy;
 public sealed class EnergyTrialTests(ITestOutputHelper output)
 {
     private const int Flights = 60;
+
+    // The uncertainties of the model were chosen with seeds 1 to 60: these have shown nothing before.
+    private const int FirstSeed = 1001;
     private const double MaxLandingDistance = 3;
     private const double MinLeft = 0.05;
     private const double MaxMeanLeft = 0.25;
@@ -21,7 +25,9 @@ public sealed class EnergyTrialTests(ITestOutputHelper output)
     public void Flights_OfSixtySeeds_LandAtHomeWithFivePercentLeft()
     {
         var clock = Stopwatch.StartNew();
-        EnergyFlight[] flights = Fly(Enumerable.Range(1, Flights).Select(
+        string? asked = Environment.GetEnvironmentVariable("RABIT_ENERGY_SEED");
+        int first = asked is null ? FirstSeed : int.Parse(asked, CultureInfo.InvariantCulture);
+        EnergyFlight[] flights = Fly(Enumerable.Range(first, Flights).Select(
             s => EnergyCase.Draw(s, s % 2 == 0 ? SimulatedAutopilot.Px4 : SimulatedAutopilot.ArduPilot)));
         foreach (EnergyFlight flight in flights)
             output.WriteLine(flight.ToString());
