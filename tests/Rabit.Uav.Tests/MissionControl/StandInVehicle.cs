@@ -90,6 +90,11 @@ internal sealed class StandInVehicle : RabitManager
 
     public double Battery { get; set; } = 0.9;
 
+    /// <summary>What else is reported; null for nothing.</summary>
+    public Describer? More { get; set; }
+
+    public delegate void Describer(ref VehicleState state);
+
     public GpsFixType Fix { get; set; } = GpsFixType.Type3dFix;
 
     /// <summary>Autopilot Interface hangs: nothing is taken and nothing posted; the vehicle flies on.</summary>
@@ -365,6 +370,7 @@ internal sealed class StandInVehicle : RabitManager
         state.GpsFix = Fix;
         state.BatteryTime = Now;
         state.BatteryRemaining = Battery;
+        More?.Invoke(ref state);
     }
 
     // What is not reported any more stays as it was.

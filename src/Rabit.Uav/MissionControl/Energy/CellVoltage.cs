@@ -43,10 +43,12 @@ internal static class CellVoltage
     }
 
     /// <summary>Standard deviation of a charge that a voltage gives, by the slope of the curve there.</summary>
-    public static double DeviationOf(double charge)
+    /// <param name="charge">0 to 1.</param>
+    /// <param name="moreVolts">Standard deviation of the voltage at rest, beside that of the curve.</param>
+    public static double DeviationOf(double charge, double moreVolts)
     {
         double slope = (35 * 1.031 * Math.Exp(-35 * charge)) + 0.2156
             + (charge * (-0.2356 + (charge * 0.9603)));
-        return Math.Max(MinDeviation, DeviationVolts / slope);
+        return Math.Max(MinDeviation, Math.Sqrt((DeviationVolts * DeviationVolts) + (moreVolts * moreVolts)) / slope);
     }
 }

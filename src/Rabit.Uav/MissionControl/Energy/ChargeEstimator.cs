@@ -38,23 +38,23 @@ internal sealed class ChargeEstimator(EnergyOptions options)
     private const double MinUsedForCapacity = 0.05;
     private const double JumpFraction = 0.05;
 
-    private const double MeanVoltsPerCell = 3.65;
-    private const double RestSeconds = 10;
-    private const int UnknownCells = 3;
-    private const double VoltsPerCellAtStart = 3.9;
+    // Reported once a second, by two messages: both may have one wrong count.
+    private static readonly TimeSpan JumpDwell = TimeSpan.FromSeconds(1);
+
     private const double MaxStepSeconds = 5;
 
-    private readonly InternalResistance _resistance = new();
+    private readonly RestVoltage _rest = new(options);
     private TimeSpan? _time;
     private TimeSpan? _failedSince;
-    private int _cells = options.Cells ?? 0;
-    private double _rest = double.NaN;
     private double _drawn;
     private bool _isAnchored;
     private bool _countsItself;
     private double _anchorRemaining;
     private double _anchorDrawn;
     private double _lastRemaining = double.NaN;
+    private double _jumpedTo = double.NaN;
+    private TimeSpan _jumpTime;
+    private bool _isUsedKnown;
     private double _used;
     private double _nextMeasurement;
     private double _start;
@@ -63,8 +63,10 @@ internal sealed class ChargeEstimator(EnergyOptions options)
     private double _covariance;
     private double _inverseVariance = InverseCapacityDeviation * InverseCapacityDeviation;
 
-    /// <summary>Whether it can be estimated at all.</summary>
-    public bool IsKnown => _isAnchored;
+    /// <summary>
+    /// Whether it can be estimated: not while neither the percentage nor what was drawn is reported.
+    /// </summary>
+    public bool IsKnown => _isAnchored && _isUsedKnown;
 
     /// <summary>What is left, 0 to 1 of the true capacity.</summary>
     public double Left { get; private set; } = double.NaN;
@@ -92,7 +94,7 @@ internal sealed class ChargeEstimator(EnergyOptions options)
         _time = time;
         if (vehicle.BatteryAmperes > 0)
             _drawn += vehicle.BatteryAmperes * seconds / 3600;
-        TakeVoltage(vehicle, time, seconds);
+        _rest.Update(vehicle, time, seconds);
         if (!_isAnchored)
             Begin(vehicle);
         if (_isAnchored)
@@ -108,37 +110,15 @@ internal sealed class ChargeEstimator(EnergyOptions options)
     /// <param name="joules">The energy.</param>
     /// <param name="watts">The power at which it is drawn.</param>
     public double FractionOf(double joules, double watts)
-        => joules / (3600 * Volts(watts) * StatedAmpereHours / _inverse);
+        => joules / (3600 * _rest.VoltsUnder(watts) * StatedAmpereHours / _inverse);
 
     /// <summary>The power that a loss of the autopilot's percentage means, watts.</summary>
     public double WattsOf(double remainingPerSecond)
-        => remainingPerSecond * 3600 * Volts(options.HoverWatts) * StatedAmpereHours;
-
-    // Under load, on the way home.
-    private double Volts(double watts)
-    {
-        int cells = _cells > 0 ? _cells : UnknownCells;
-        double open = MeanVoltsPerCell * cells;
-        double drop = _resistance.Ohms(cells) * watts / open;
-        return Math.Max(open / 2, open - drop);
-    }
-
-    private void TakeVoltage(in VehicleState vehicle, TimeSpan time, double seconds)
-    {
-        double volts = vehicle.BatteryVolts;
-        if (!(volts > 0))
-            return;
-        if (_cells == 0)
-            _cells = Math.Max(1, (int)Math.Round(volts / VoltsPerCellAtStart));
-        double amperes = double.IsNaN(vehicle.BatteryAmperes) ? 0 : vehicle.BatteryAmperes;
-        _resistance.Update(volts, amperes, _cells, time);
-        double rest = (volts + (amperes * _resistance.Ohms(_cells))) / _cells;
-        _rest = double.IsNaN(_rest) ? rest : _rest + ((rest - _rest) * seconds / (RestSeconds + seconds));
-    }
+        => remainingPerSecond * 3600 * _rest.VoltsUnder(options.HoverWatts) * StatedAmpereHours;
 
     private void Begin(in VehicleState vehicle)
     {
-        double ofVoltage = double.IsNaN(_rest) ? double.NaN : CellVoltage.ChargeOf(_rest);
+        double ofVoltage = _rest.Charge;
         double reported = vehicle.BatteryRemaining;
         if (double.IsNaN(reported) && (double.IsNaN(ofVoltage) || double.IsNaN(vehicle.BatteryAmperes)))
             return;
@@ -153,15 +133,19 @@ internal sealed class ChargeEstimator(EnergyOptions options)
         (_anchorRemaining, _anchorDrawn) = (vehicle.BatteryRemaining, Drawn(vehicle));
         (_start, _startVariance, _covariance) = (left, deviation * deviation, 0);
         (_used, _nextMeasurement, _lastRemaining) = (0, UsedPerMeasurement, vehicle.BatteryRemaining);
-        _isAnchored = true;
+        (_isAnchored, _jumpedTo) = (true, double.NaN);
     }
 
     private double Drawn(in VehicleState vehicle) => _countsItself ? _drawn : vehicle.BatteryConsumedAmpereHours;
 
     private void Count(in VehicleState vehicle)
     {
-        NoteJump(vehicle);
-        _used = Math.Max(_used, Used(vehicle));
+        if (!TakeRemaining(vehicle))
+            return;
+        double used = Used(vehicle);
+        _isUsedKnown = !double.IsNaN(used);
+        if (used > _used)
+            _used = used;
         if (_used >= _nextMeasurement)
         {
             _nextMeasurement = _used + UsedPerMeasurement;
@@ -171,25 +155,34 @@ internal sealed class ChargeEstimator(EnergyOptions options)
         SetLeft(vehicle);
     }
 
-    private void NoteJump(in VehicleState vehicle)
+    // A percentage that jumps is believed when it has stayed there for a second.
+    private bool TakeRemaining(in VehicleState vehicle)
     {
         double remaining = vehicle.BatteryRemaining;
         if (double.IsNaN(Left))
             Left = _start;
+        bool isJump = Math.Abs(remaining - _lastRemaining) > JumpFraction;
+        TimeSpan time = vehicle.BatteryTime!.Value;
+        if (isJump && !(Math.Abs(remaining - _jumpedTo) <= JumpFraction))
+            (_jumpedTo, _jumpTime) = (remaining, time);
+        if (isJump && time - _jumpTime < JumpDwell)
+            return false;
 
         // Another battery, or the autopilot has started again and takes it for full.
-        if (Math.Abs(remaining - _lastRemaining) > JumpFraction)
+        if (isJump)
             Anchor(vehicle, Math.Min(remaining, Left), VoltageStartDeviation);
         else if (double.IsNaN(vehicle.BatteryConsumedAmpereHours) != _countsItself)
             Anchor(vehicle, Left, LeftDeviation);
         if (!double.IsNaN(remaining))
             _lastRemaining = remaining;
+        _jumpedTo = double.NaN;
+        return true;
     }
 
     private void SetLeft(in VehicleState vehicle)
     {
         // A cell has failed: no curve is as wrong as that.
-        double ofVoltage = double.IsNaN(_rest) ? double.NaN : CellVoltage.ChargeOf(_rest);
+        double ofVoltage = _rest.Charge;
         double left = _start - (_used * _inverse);
         bool isFar = ofVoltage < left - FailedCell;
         _failedSince = isFar ? _failedSince ?? _time : null;
@@ -228,10 +221,10 @@ internal sealed class ChargeEstimator(EnergyOptions options)
 
     private void Measure()
     {
-        double measured = double.IsNaN(_rest) ? double.NaN : CellVoltage.ChargeOf(_rest);
+        double measured = _rest.Charge;
         if (!(measured <= CellVoltage.MaxCharge))
             return;
-        double deviation = CellVoltage.DeviationOf(measured);
+        double deviation = CellVoltage.DeviationOf(measured, _rest.LoadDeviationVolts);
         double ofStart = _startVariance - (_used * _covariance);
         double ofInverse = _covariance - (_used * _inverseVariance);
         double variance = ofStart - (_used * ofInverse) + (Correlated * deviation * deviation);

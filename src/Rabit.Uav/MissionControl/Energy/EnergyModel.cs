@@ -28,6 +28,9 @@ internal sealed class EnergyModel
     // Where the current is not reported: so many whole per cent say enough of the power.
     private const double MinFractionForPower = 0.02;
 
+    // More at once was not used: the percentage jumped.
+    private const double MaxFractionForPower = 0.05;
+
     // Reported once a second.
     private static readonly TimeSpan MaxBatteryAge = TimeSpan.FromSeconds(10);
 
@@ -105,7 +108,9 @@ internal sealed class EnergyModel
         if (double.IsNaN(watts))
         {
             double used = _sampleRemaining - vehicle.BatteryRemaining;
-            if (!(used >= MinFractionForPower))
+            if (double.IsNaN(_sampleRemaining) || Math.Abs(used) > MaxFractionForPower)
+                BeginSample(vehicle);
+            if (!(used >= MinFractionForPower && used <= MaxFractionForPower))
                 return;
             watts = _charge.WattsOf(used / _seconds);
         }
@@ -157,6 +162,7 @@ internal sealed class EnergyModel
             - (Deviations * Math.Sqrt((ofHome * ofHome) + (ofLeft * ofLeft)));
         (double landing, double landingSeconds) = WayHome.Landing(_power, flight.HeightMetres, _wind.Velocity.Length);
         double toLand = _charge.FractionOf(landing, landing / landingSeconds);
+        _status.IsKnown = !double.IsNaN(margin);
         _status.ChargeHome = home;
         _status.ChargeHomeDeviation = ofHome;
         _status.TimeHome = double.IsInfinity(seconds) ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);

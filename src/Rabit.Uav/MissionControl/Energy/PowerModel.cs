@@ -91,6 +91,10 @@ internal sealed class PowerModel
     /// <param name="seconds">How long: the noise of a longer one is smaller.</param>
     public void Update(double watts, double cubedAirspeed, double climbRate, double seconds)
     {
+        // One that is no number would leave none in the model, for good.
+        double sum = watts + cubedAirspeed + climbRate + seconds;
+        if (double.IsNaN(sum) || double.IsInfinity(sum))
+            return;
         SetTerms(0, climbRate);
         _terms[1] = cubedAirspeed / (SpeedUnit * SpeedUnit * SpeedUnit);
         double ofAirspeed = 3 * _values[1] / SpeedUnit * Math.Pow(_terms[1], 2.0 / 3) * AirspeedDeviation;

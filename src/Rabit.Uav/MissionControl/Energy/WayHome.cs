@@ -27,7 +27,7 @@ internal static class WayHome
     {
         double forward = (maxAirspeed * maxAirspeed) - (cross * cross);
         double possible = forward > 0 ? Math.Sqrt(forward) + Math.Min(0, along) : 0;
-        return possible < MinGroundSpeed ? 0 : Math.Min(commanded, possible);
+        return possible >= MinGroundSpeed ? Math.Min(commanded, possible) : 0;
     }
 
     /// <summary>Energy and time home, with the landing.</summary>

@@ -30,7 +30,8 @@ internal sealed class WindEstimate
         // On the ground autopilots report the wind of the flight before, or none.
         if (!isFlying)
             _time = null;
-        bool isRecent = isFlying && vehicle.WindTime is { } reported && now - reported <= MaxAge;
+        bool isRecent = isFlying && vehicle.WindTime is { } reported && now - reported <= MaxAge
+            && !double.IsNaN(vehicle.WindMetresPerSecond);
         if (!isRecent)
         {
             (IsMeasured, Velocity, Latest) = (false, default, default);
