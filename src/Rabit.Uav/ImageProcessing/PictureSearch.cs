@@ -87,7 +87,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         if (classes.IsEmpty)
             return NoClasses;
         _projection = _projector.At(pose, command);
-        if (!TryFindCorners(frame, pose, command) || !TryView(frame, pose, _wanted.MinSideMetres))
+        if (!TryFindCorners(frame, pose, command) || !TryView(frame, pose, command))
         {
             Quality = PictureQuality.NotGround;
             return NotGround;
@@ -131,30 +131,38 @@ internal sealed class PictureSearch : IGroundScaleSource
         return _detector.Run(input);
     }
 
-    // What the ground moves past during the exposure comes from speed and rotation.
-    private bool TryView(in CameraFrame frame, in Pose pose, double minSideMetres)
+    private bool TryView(in CameraFrame frame, in Pose pose, in ImagingCommand command)
     {
-        if (!_projection.TryProjectToGround(_camera.CentreX, _camera.CentreY, out GeodeticPosition centre)
-            || !_projection.TryScale(_camera.CentreX, _camera.CentreY, out GroundScale scale))
+        double column = _camera.CentreX;
+        double row = _camera.CentreY;
+        if (!_projection.TryProjectToGround(column, row, out GeodeticPosition centre)
+            || !_projection.TryScale(column, row, out GroundScale scale)
+            || !TrySmear(frame.Exposure, pose, command, centre, out double smear))
             return false;
-        double sampling = Math.Sqrt(scale.PixelArea);
-        double moved = pose.VelocityNed.Length + (Turning(pose.Rates) * sampling * _camera.FocalX);
         View = new PictureView
         {
             Centre = centre,
-            GroundSamplingMetres = sampling,
-            SmearMetres = frame.Exposure.TotalSeconds * moved,
+            GroundSamplingMetres = Math.Sqrt(scale.PixelArea),
+            SmearMetres = smear,
             NeededSamplingMetres = _minTargetPixels > 0
-                ? minSideMetres / _minTargetPixels
+                ? _wanted.MinSideMetres / _minTargetPixels
                 : double.PositiveInfinity,
         };
         return true;
     }
 
-    private static double Turning(BodyRates rates) => Math.Sqrt(
-        (rates.RollRadiansPerSecond * rates.RollRadiansPerSecond)
-        + (rates.PitchRadiansPerSecond * rates.PitchRadiansPerSecond)
-        + (rates.YawRadiansPerSecond * rates.YawRadiansPerSecond));
+    // The ground that the middle of the picture sees moves by the speed and by the rotation, which may cancel (over a
+    // point that the vehicle flies past) and has no part about the optical axis (turning above a point).
+    private bool TrySmear(
+        TimeSpan exposure, in Pose pose, in ImagingCommand command, GeodeticPosition centre, out double metres)
+    {
+        GroundProjection end = _projector.At(pose.After(exposure.TotalSeconds), command);
+        bool isGround = end.TryProjectToGround(_camera.CentreX, _camera.CentreY, out GeodeticPosition later);
+        metres = isGround
+            ? LocalNedFrame.IgnoringGeoid(centre).ToNed(later).HorizontalDistanceTo(NedPosition.Origin)
+            : double.PositiveInfinity;
+        return isGround;
+    }
 
     private bool TryFindCorners(in CameraFrame frame, in Pose pose, in ImagingCommand command)
     {

@@ -46,8 +46,10 @@ internal sealed class PictureJudge
     private const int PicturesToLearn = 8;
     private const double Forgetting = 1.0 / 32;
 
-    // Two pictures are compared when the ground has moved by twice the distance at which coarse detail is measured.
-    private const double MinPixelsMoved = 16;
+    // Two pictures are compared when the ground has moved by several times the distance at which coarse detail is
+    // measured: an attitude that is wrong by 1.5 degrees while the vehicle brakes and turns (seen in a nominal flight)
+    // moves the place by 20 pixels of a lens of 60 degrees and 640 pixels, although the picture has hardly moved.
+    private const double MinPixelsMoved = 32;
 
     // A frozen picture differs by the noise of two pictures at most, a new one by more than the coarse detail.
     private const double FrozenPartOfDetail = 0.25;

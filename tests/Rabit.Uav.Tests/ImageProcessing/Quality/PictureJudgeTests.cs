@@ -81,10 +81,13 @@ public class PictureJudgeTests
         double[] ground = Ground();
         Assert.Equal(PictureQuality.Usable, Judge(ground));
         Assert.Equal(PictureQuality.Usable, Judge(ground, metresOn: 0.5));
+
+        // 20 pixels in all: an attitude that is wrong by 1.5 degrees does that.
+        Assert.Equal(PictureQuality.Usable, Judge(ground, metresOn: 1.5));
         Assert.Equal(PictureQuality.Frozen, Judge(ground, metresOn: 3));
         Assert.Equal(PictureQuality.Frozen, Judge(ground, metresOn: 0));
         Assert.Equal(PictureQuality.Usable, Judge(Ground(), metresOn: 0));
-        Assert.Equal(PictureQuality.Usable, Judge(Ground(), metresOn: 3));
+        Assert.Equal(PictureQuality.Usable, Judge(Ground(), metresOn: 5));
     }
 
     [Theory]
@@ -121,7 +124,7 @@ public class PictureJudgeTests
             Assert.Equal(PictureQuality.Usable, Judge(Ground()));
     }
 
-    private PictureQuality Judge(double[] picture, double metresOn = 3)
+    private PictureQuality Judge(double[] picture, double metresOn = 5)
     {
         _north += metresOn;
         var view = new PictureView
