@@ -63,6 +63,6 @@ public struct ScriptedFault
             or ScriptedFaultKind.ComputerHot or ScriptedFaultKind.ComputerUnderVoltage or ScriptedFaultKind.DiskLow
             or ScriptedFaultKind.FixNotReported or ScriptedFaultKind.PositionZero or ScriptedFaultKind.PositionFrozen
             or ScriptedFaultKind.PositionJump or ScriptedFaultKind.EstimatorRatio or ScriptedFaultKind.BatteryUnknown
-            or ScriptedFaultKind.AttitudeSilent
+            or ScriptedFaultKind.AttitudeSilent or ScriptedFaultKind.LinkDelayed
             || PictureFaults.IsOfPictures(kind);
 }

@@ -16,6 +16,7 @@ internal static class ScriptedFaultChecks
     private const double MaxBlurPixels = 50;
     private const double MaxSecondsOff = 1_000_000;
     private const double MaxRatio = 1000;
+    private const double MaxDelaySeconds = 10;
 
     public static IEnumerable<string> FindFaults(SimulationOptions options)
     {
@@ -78,6 +79,9 @@ internal static class ScriptedFaultChecks
         ScriptedFaultKind.PicturesMotionBlurred => fault.Value is >= 0 and <= MaxBlurPixels,
         ScriptedFaultKind.PicturesCovered => fault.Value is >= 0 and <= 1,
         ScriptedFaultKind.PictureTimesOff => Math.Abs(fault.Value) <= MaxSecondsOff,
+        ScriptedFaultKind.TelemetryStale or ScriptedFaultKind.TimesyncWrong
+            => Math.Abs(fault.Value) <= MaxSecondsOff,
+        ScriptedFaultKind.LinkDelayed => fault.Value is >= 0 and <= MaxDelaySeconds,
         _ => true,
     };
 }

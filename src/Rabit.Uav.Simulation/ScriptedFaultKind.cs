@@ -182,4 +182,19 @@ public enum ScriptedFaultKind
     /// voltage and current either. For the duration, to the end of the run where that is zero.
     /// </summary>
     BatteryUnknown,
+
+    /// <summary>
+    /// The last position and the last attitude are sent once more, with a time since boot that is the value later,
+    /// seconds (earlier where it is negative): a datagram that the network repeated, or a wrong time.
+    /// </summary>
+    TelemetryStale,
+
+    /// <summary>The next answer to a TIMESYNC is wrong by the value, seconds.</summary>
+    TimesyncWrong,
+
+    /// <summary>
+    /// What the vehicle sends takes the value longer, seconds, for the duration; to the end of the run where that is
+    /// zero. What it receives does not.
+    /// </summary>
+    LinkDelayed,
 }

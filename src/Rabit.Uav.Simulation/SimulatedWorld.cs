@@ -98,7 +98,8 @@ public sealed class SimulatedWorld
             new SimulationRandom(Options.Seed, "telemetry latency"), Options.TelemetryLatency);
         return new SimulatedVehicleManager(
             VehicleManagerName, CreateVehicle(), delayed, _recorder, link,
-            signingKey is null ? null : new VehicleSigning(signingKey));
+            signingKey is null ? null : new VehicleSigning(signingKey),
+            new TelemetryFaults(Options.Faults));
     }
 
     /// <summary>

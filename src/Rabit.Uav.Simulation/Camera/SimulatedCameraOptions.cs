@@ -148,7 +148,7 @@ public sealed class SimulatedCameraOptions
         return copy;
     }
 
-    /// <summary>The same with the freezes that a script of faults has.</summary>
+    /// <summary>The same with the faults of the camera that a script has.</summary>
     internal SimulatedCameraOptions With(IEnumerable<ScriptedFault> faults)
     {
         var copy = (SimulatedCameraOptions)MemberwiseClone();

@@ -16,12 +16,15 @@ internal sealed class DelayedFrames(SimulationRandom random, TimeSpan latency)
     /// <summary>When the next one arrives; the far future where there is none.</summary>
     public TimeSpan NextDue => _frames.Count == 0 ? TimeSpan.MaxValue : _frames.Peek().Due;
 
-    public void Add(in MavlinkFrame frame, TimeSpan now)
+    /// <param name="frame">What is sent.</param>
+    /// <param name="now">When.</param>
+    /// <param name="more">How much longer than usual it takes.</param>
+    public void Add(in MavlinkFrame frame, TimeSpan now, TimeSpan more = default)
     {
         double jitter = Math.Min(MaxJitter, -Math.Log(1 - random.Uniform()) * JitterSeconds);
         if (latency == TimeSpan.Zero)
             jitter = 0;
-        TimeSpan due = now + latency + TimeSpan.FromTicks((long)(jitter * TimeSpan.TicksPerSecond));
+        TimeSpan due = now + latency + more + TimeSpan.FromTicks((long)(jitter * TimeSpan.TicksPerSecond));
         _lastDue = due > _lastDue ? due : _lastDue;
         _frames.Enqueue((_lastDue, frame));
     }

@@ -23,6 +23,7 @@ internal sealed class SimulatedVehicleManager : RabitManager
     private readonly BlockingWriter<MavlinkFrame> _writer;
     private readonly DelayedFrames _delayed;
     private readonly VehicleSigning? _signing;
+    private readonly TelemetryFaults _faults;
     private TimeSpan _stepped;
     private long _sent;
     private long _received;
@@ -36,12 +37,14 @@ internal sealed class SimulatedVehicleManager : RabitManager
     /// <param name="recorder">Keeps the truth.</param>
     /// <param name="link">Its telemetry.</param>
     /// <param name="signing">Null where the link is not signed.</param>
+    /// <param name="faults">What is wrong with its telemetry.</param>
     public SimulatedVehicleManager(
         string name, SimulatedVehicle vehicle, DelayedFrames delayed, TruthRecorder recorder, IByteLink link,
-        VehicleSigning? signing)
+        VehicleSigning? signing, TelemetryFaults faults)
         : base(name)
     {
         _signing = signing;
+        _faults = faults;
         _vehicle = vehicle;
         _delayed = delayed;
         _recorder = recorder;
@@ -105,7 +108,9 @@ internal sealed class SimulatedVehicleManager : RabitManager
     private void Take(TimeSpan now)
     {
         while (_vehicle.TryTakeFrame(out MavlinkFrame frame))
-            _delayed.Add(frame, now);
+            _delayed.Add(_faults.Pass(frame, now), now, _faults.DelayAt(now));
+        while (_faults.TryTakeStale(now, out MavlinkFrame stale))
+            _delayed.Add(stale, now, _faults.DelayAt(now));
     }
 
     private void Deliver(TimeSpan now)

@@ -84,7 +84,12 @@ public sealed partial class AutopilotManager
     private void PushPose(PoseSampleKind kind, TimeSpan arrival)
     {
         ref readonly VehicleState vehicle = ref _tracker.State;
-        var pose = new PoseSample { Kind = kind, Time = _clock.Map(_tracker.BootTimeMs, arrival) };
+        var pose = new PoseSample
+        {
+            Kind = kind,
+            Time = _clock.Map(_tracker.BootTimeMs, arrival),
+            TimeErrorSeconds = _clock.ErrorSecondsAt(arrival),
+        };
         if (kind == PoseSampleKind.Position)
         {
             pose.Position = vehicle.Position;

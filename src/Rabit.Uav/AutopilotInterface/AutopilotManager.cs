@@ -231,6 +231,8 @@ public sealed partial class AutopilotManager : RabitManager
         if (!_hasNewStatistics)
             return;
         _hasNewStatistics = false;
+        _statistics.Value.PoseTimeErrorSeconds = _clock.ErrorSecondsAt(Now);
+        _statistics.Value.RoundTripSeconds = _clock.RoundTripSeconds;
         _statistics.Post();
     }
 

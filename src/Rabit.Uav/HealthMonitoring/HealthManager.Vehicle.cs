@@ -13,6 +13,7 @@ public sealed partial class HealthManager
     private readonly HealthRuleSet<BatteryFacts> _batteryStateRules = new(HealthRules.OfBatteryState);
     private readonly HealthRuleSet<VehicleFacts> _energyRules = new(HealthRules.OfEnergy);
     private readonly HealthRuleSet<CameraFacts> _cameraRules = new(HealthRules.OfCamera);
+    private readonly HealthRuleSet<TargetFacts> _targetRules = new(HealthRules.OfTargets);
     private readonly WindGusts _gusts = new();
     private readonly PositionWatch _position = new();
     private readonly BatteryCellWatch _battery = new();
@@ -36,5 +37,7 @@ public sealed partial class HealthManager
         _batteryStateRules.Evaluate(battery, subject: null, _options, now, _findings);
         _energyRules.Evaluate(vehicle, subject: null, _options, now, _findings);
         _cameraRules.Evaluate(_camera.Update(now, _isImagingStuck, _options), subject: null, _options, now, _findings);
+        _targetRules.Evaluate(
+            new TargetFacts(_mission.Value, _autopilot.Value), subject: null, _options, now, _findings);
     }
 }

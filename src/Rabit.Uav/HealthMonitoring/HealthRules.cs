@@ -19,8 +19,7 @@ internal static partial class HealthRules
     public static IReadOnlyList<HealthRule> All =>
     [
         .. OfManagers, .. OfVehicle, .. OfPosition, .. OfBattery, .. OfBatteryState, .. OfEnergy, .. OfCamera,
-        .. OfLinks, .. OfGroundStation,
-        .. OfComputer,
+        .. OfTargets, .. OfLinks, .. OfGroundStation, .. OfComputer,
     ];
 
     /// <summary>The words of a reason; null where it has no row.</summary>

@@ -24,6 +24,7 @@ public sealed class ImageProcessingManager : RabitManager
     public const string ManagerName = "image processing";
 
     internal const string NoPose = "no pose for the time of the picture";
+    internal const string InTheFuture = "the time of the picture is in the future";
     internal const string PoseTooOld = "the picture is older than all known poses";
     internal const string PoseGap = "the poses around the time of the picture are too far apart";
     internal const string NoRoom = "too many pictures wait for their poses";
@@ -137,6 +138,14 @@ public sealed class ImageProcessingManager : RabitManager
                 frame.Dispose();
                 CountRefusal(
                     PictureQuality.RepeatedNumber, PictureQualityText.RefusalOf(PictureQuality.RepeatedNumber));
+                continue;
+            }
+
+            // Nothing was true later than it arrived: such a pose cannot come in time, and others need the room.
+            if (MiddleOf(frame) - now > _options.PoseTimeout + _options.MaxExtrapolation)
+            {
+                frame.Dispose();
+                CountRefusal(PictureQuality.NoPose, InTheFuture);
                 continue;
             }
 

@@ -73,8 +73,11 @@ public sealed class ImageProcessingOptions
     public Angle MinDepression { get; set; } = Angle.FromDegrees(5);
 
     /// <summary>How long a picture waits for a pose of its time.</summary>
-    /// <value>The default is 300 ms.</value>
-    public TimeSpan PoseTimeout { get; set; } = TimeSpan.FromMilliseconds(300);
+    /// <value>
+    /// The default is 1 s: a camera clock that is half a second fast, or a radio that takes as long, can then still be
+    /// found out by where the targets are.
+    /// </value>
+    public TimeSpan PoseTimeout { get; set; } = TimeSpan.FromSeconds(1);
 
     /// <summary>
     /// How far beyond the newest samples a pose is extrapolated, once a picture has waited long enough; its covariance
@@ -95,8 +98,8 @@ public sealed class ImageProcessingOptions
     /// How many pictures may wait for a pose; a further one drops the oldest. Each of them keeps a buffer of the
     /// camera's pool.
     /// </summary>
-    /// <value>The default is 2.</value>
-    public int FramesWaiting { get; set; } = 2;
+    /// <value>The default is 4: two pictures a second for the default of <see cref="PoseTimeout"/>.</value>
+    public int FramesWaiting { get; set; } = 4;
 
     /// <summary>Side of the part of a picture that is kept of each report, pixels.</summary>
     /// <value>The default is 48.</value>

@@ -29,6 +29,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     private readonly PoseHistory _poses;
     private readonly TimeSpan _maxExtrapolation;
     private readonly TargetReport[] _reports;
+    private readonly NedVector[] _byOffset = new NedVector[TargetSensitivity.Offsets];
     private GroundProjection _projection;   // of the middle row, while the detector runs
     private int _reportCount;
     private CameraObservation _observation;
@@ -207,8 +208,11 @@ internal sealed class PictureSearch : IGroundScaleSource
         GroundProjection projection = _projector.At(PoseOfRow(frame, row, middle), command);
         if (!projection.TryProjectToGround(column, row, out GeodeticPosition place)
             || !projection.TryCovariances(
-                column, row, detection.Covariance, out HorizontalCovariance random, out HorizontalCovariance systematic)
-            || !TrySide(detection, projection, out double side))
+                column, row, detection.Covariance,
+                out HorizontalCovariance random, out HorizontalCovariance systematic))
+            return;
+        FindPlacesByOffset(detection, TimeOfRow(frame, row), place, command);
+        if (!TrySide(detection, projection, out double side))
             return;
         _reports[_reportCount] = new TargetReport
         {
@@ -219,6 +223,7 @@ internal sealed class PictureSearch : IGroundScaleSource
             Position = place,
             Covariance = random,
             SystematicCovariance = systematic,
+            Sensitivity = projection.CreateSensitivity(ImmutableArray.Create(_byOffset)),
             Class = detection.Class,
             Score = detection.Score,
             SizeMetres = side,
@@ -226,6 +231,27 @@ internal sealed class PictureSearch : IGroundScaleSource
             CentreY = row,
         };
         _reportCount++;
+    }
+
+    // Where it would be if the time of the picture were wrong: with the poses of other times. The ground is taken to be
+    // level around it.
+    private void FindPlacesByOffset(
+        in TargetDetection detection, TimeSpan time, GeodeticPosition place, in ImagingCommand command)
+    {
+        var frame = LocalNedFrame.IgnoringGeoid(place);
+        for (int i = 0; i < TargetSensitivity.Offsets; i++)
+        {
+            double seconds = TargetSensitivity.OffsetOf(i);
+            TimeSpan exposed = time - TimeSpan.FromTicks((long)Math.Round(seconds * TimeSpan.TicksPerSecond));
+            _byOffset[i] = new NedVector(double.NaN, double.NaN, 0);
+            if (_poses.Extrapolate(exposed, _maxExtrapolation, out Pose pose)
+                    is not (PoseLookup.Known or PoseLookup.Extrapolated)
+                || !_projector.At(pose, command).TryProjectToLevel(
+                    detection.CentreX, detection.CentreY, place.AltitudeAmslMetres, out GeodeticPosition other))
+                continue;
+            NedPosition moved = frame.ToNed(other);
+            _byOffset[i] = new NedVector(moved.North, moved.East, 0);
+        }
     }
 
     private static bool TrySide(in TargetDetection detection, in GroundProjection projection, out double side)

@@ -26,6 +26,14 @@ public struct AutopilotStatistics
     /// <summary>How often the autopilot rebooted (its time since boot went down).</summary>
     public long Reboots { get; set; }
 
+    /// <summary>One standard deviation of the times of poses, seconds; see PoseSample.</summary>
+    public double PoseTimeErrorSeconds { get; set; }
+
+    /// <summary>
+    /// The shortest round trip of a request for the autopilot's time, seconds; 0 while none was answered.
+    /// </summary>
+    public double RoundTripSeconds { get; set; }
+
     /// <summary>The results of the requests for message rates.</summary>
     public RateRequestCounts RateRequests { get; set; }
 }

@@ -101,4 +101,13 @@ public enum HealthReasons
 
     /// <summary>What is left in the battery does not reach home, and is needed to land.</summary>
     HomeOutOfReach = 1073741824,
+
+    /// <summary>
+    /// The times of pictures and poses do not match, by what the reports of the same targets show, or may not, because
+    /// the link takes long.
+    /// </summary>
+    CameraClockOffset = 134217728,
+
+    /// <summary>Many targets are not seen again where they were: a symptom of wrong times or a wrong mount.</summary>
+    TargetsNotConfirmed = 268435456,
 }

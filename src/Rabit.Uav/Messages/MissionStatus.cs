@@ -49,6 +49,21 @@ public struct MissionStatus
     /// <summary>What is left in the battery, and what the way home takes.</summary>
     public EnergyStatus Energy { get; set; }
 
+    /// <summary>Tracks that were to be revisited and were not seen again.</summary>
+    public int RevisitsFailed { get; set; }
+
+    /// <summary>Tracks that were not revisited because the way or the time for that was used up.</summary>
+    public int RevisitsLeftOut { get; set; }
+
+    /// <summary>Tracks that are confirmed.</summary>
+    public int TracksConfirmed { get; set; }
+
+    /// <summary>Tracks that are tentative, or were confirmed and are lost.</summary>
+    public int TracksNotConfirmed { get; set; }
+
+    /// <summary>How far the times of the pictures are off those of the poses, as the targets show it.</summary>
+    public CameraClockEstimate CameraClock { get; set; }
+
     /// <summary>Whether the mission was accomplished, and why not.</summary>
     public MissionResult Result { get; set; }
 }

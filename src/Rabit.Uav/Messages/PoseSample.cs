@@ -17,6 +17,13 @@ public struct PoseSample
     /// </summary>
     public TimeSpan Time { get; set; }
 
+    /// <summary>
+    /// One standard deviation of <see cref="Time"/>, the same for all samples, seconds: what the two ways of the link
+    /// may differ by, which no exchange of times can show (half of the shortest round trip at most), and the error of
+    /// the estimate.
+    /// </summary>
+    public double TimeErrorSeconds { get; set; }
+
     /// <summary>Where the vehicle was. Of a position.</summary>
     public GeodeticPosition Position { get; set; }
 

@@ -39,6 +39,9 @@ public struct TargetReport
     /// </summary>
     public HorizontalCovariance SystematicCovariance { get; set; }
 
+    /// <summary>How the place moves for errors that stay the same; null where another vehicle saw it.</summary>
+    internal TargetSensitivity? Sensitivity { get; set; }
+
     /// <summary>Its class: a declared one, or that of another vehicle.</summary>
     public TargetClassName Class { get; set; }
 

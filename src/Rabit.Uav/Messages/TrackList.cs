@@ -18,6 +18,7 @@ public sealed class TrackList
     {
         Time = time;
         Tracks = (tracks ?? throw new ArgumentNullException(nameof(tracks))).ToImmutableArray();
+        ConfirmedCount = Tracks.Count(t => t.State == TrackState.Confirmed);
     }
 
     /// <summary>No tracks yet.</summary>
@@ -28,6 +29,12 @@ public sealed class TrackList
 
     /// <summary>The tracks, by id.</summary>
     public ImmutableArray<TargetTrack> Tracks { get; }
+
+    /// <summary>How far the times of the pictures are off, as the reports show it.</summary>
+    public CameraClockEstimate CameraClock { get; init; }
+
+    /// <summary>How many are confirmed.</summary>
+    public int ConfirmedCount { get; }
 
     /// <summary>Those that are confirmed.</summary>
     public IEnumerable<TargetTrack> Confirmed => Tracks.Where(t => t.State == TrackState.Confirmed);

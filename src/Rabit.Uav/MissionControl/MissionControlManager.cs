@@ -219,6 +219,11 @@ public sealed class MissionControlManager : RabitManager
             status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;
             status.Revisits = _flight.Revisits.Completed;
             status.Energy = _flight.Energy.Status;
+            status.RevisitsFailed = _flight.Revisits.Failed;
+            status.CameraClock = _flight.Tracks.CameraClock;
+            status.TracksConfirmed = _flight.Tracks.ConfirmedCount;
+            status.TracksNotConfirmed = _flight.Tracks.Tracks.Length - status.TracksConfirmed;
+            status.RevisitsLeftOut = _flight.Revisits.LeftOut;
             status.Result = _assessment.Assess(_flight, phase);
         }
         else

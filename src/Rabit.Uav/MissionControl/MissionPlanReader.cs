@@ -84,6 +84,7 @@ internal static class MissionPlanReader
                 IsEnabled = revisit.Flag("enabled") ?? true,
                 HeightMetres = revisit.Number("heightMetres"),
                 RadiusMetres = revisit.Number("radiusMetres") ?? 10,
+                MaxWayFraction = revisit.Number("maxWayFraction") ?? 1.0 / 3,
             },
             CameraPitch = Angle.FromDegrees(camera.Number("pitchDegrees") ?? -90),
             CameraYaw = Angle.FromDegrees(camera.Number("yawDegrees") ?? 0),

@@ -54,6 +54,7 @@ internal static class MissionPlanRules
         yield return ("obstacleHeightMetres", plan.ObstacleHeightMetres ?? 0, 0, 500);
         yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, 120);
         yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
+        yield return ("revisit.maxWayFraction", plan.Revisit.MaxWayFraction, 0, 10);
         yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitch), -90, -20);
         yield return ("camera.yawDegrees", ToDegrees(plan.CameraYaw), -180, 180);
         yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);

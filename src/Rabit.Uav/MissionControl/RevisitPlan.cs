@@ -13,4 +13,11 @@ public sealed class RevisitPlan
     /// Distance from the target at which the pass over it begins, across the lanes, metres; 0 to fly straight to it.
     /// </summary>
     public double RadiusMetres { get; init; } = 10;
+
+    /// <summary>
+    /// How much way all revisits together may take beside that of the search, as a fraction of the way along the lanes
+    /// and between them. Their time is limited too: to what the search would take for that way, and half a minute for
+    /// each revisit that was made. Targets beyond that are not revisited.
+    /// </summary>
+    public double MaxWayFraction { get; init; } = 1.0 / 3;
 }

@@ -16,9 +16,17 @@ internal sealed class Revisits
     private readonly HashSet<int> _known = [];
     private readonly HashSet<int> _finished = [];
     private ImmutableArray<int> _shownFinished;
+    private RevisitBudget? _budget;
+    private int _charged;
 
     /// <summary>How many targets were revisited.</summary>
     public int Completed { get; private set; }
+
+    /// <summary>How many targets were to be revisited and were not seen again.</summary>
+    public int Failed { get; private set; }
+
+    /// <summary>How many targets were not revisited for want of way or time.</summary>
+    public int LeftOut { get; private set; }
 
     /// <summary>Tracks that are not to be revisited any more. Made again only when there are others.</summary>
     public ImmutableArray<int> Finished
@@ -51,7 +59,7 @@ internal sealed class Revisits
             .Where(t => flight.Mission.IsTarget(t.Class))
             .OrderBy(t => PositionOf(t, flight).DistanceTo(here)).ThenBy(t => t.Id).FirstOrDefault() is { } track)
         {
-            string? why = WhyNot(track, flight);
+            string? why = WhyNot(track, flight) ?? WhyNoWay(track, flight);
             if (why is null)
                 return track;
             _finished.Add(track.Id);
@@ -74,13 +82,40 @@ internal sealed class Revisits
         return null;
     }
 
+    // From here over the target to the next lane, instead of straight to that. Charged once, when it is decided.
+    private string? WhyNoWay(TargetTrack track, MissionFlight flight)
+    {
+        if (track.Id == _charged)
+            return null;
+        _budget ??= new RevisitBudget(flight.Mission, flight.Plan!.Lanes);
+        PlanePoint target = PositionOf(track, flight);
+        PlanePoint next = flight.Route?.Current?.Start ?? flight.Position;
+        double detour = flight.Position.DistanceTo(target) + target.DistanceTo(next) - flight.Position.DistanceTo(next);
+        if (!_budget.Allows(detour))
+        {
+            LeftOut++;
+            return $"would take {MissionNumbers.Of(detour)} m more; of the {MissionNumbers.Of(_budget.LimitMetres)} m "
+                + $"for revisits {MissionNumbers.Of(_budget.UsedMetres)} m are used";
+        }
+
+        _charged = track.Id;
+        _budget.TakeWay(detour);
+        return null;
+    }
+
     /// <summary>Ends the revisit of a target.</summary>
     /// <param name="id">Its track.</param>
     /// <param name="wasObserved">Whether the target was observed.</param>
-    public void Finish(int id, bool wasObserved)
+    /// <param name="took">How long it took.</param>
+    public void Finish(int id, bool wasObserved, TimeSpan took)
     {
-        if (_finished.Add(id) && wasObserved)
+        _budget?.TakeTime(took);
+        if (!_finished.Add(id))
+            return;
+        if (wasObserved)
             Completed++;
+        else
+            Failed++;
     }
 
     public static TargetTrack? Find(MissionFlight flight, int id)

@@ -39,6 +39,7 @@ public sealed class SensorFusionManager : RabitManager
     private readonly ForeignReportGroups _groups;
     private readonly SeenReports _seen = new(RememberedReports);
     private readonly TargetTracker _tracker;
+    private readonly CameraClockMonitor _cameraClock = new();
     private readonly List<LocatedReport> _located = [];
     private readonly List<FusedTrack?> _updated = [];
     private SensorFusionCounters _counters = new();
@@ -132,6 +133,9 @@ public sealed class SensorFusionManager : RabitManager
         if (observation.Reports.Length > 0 || footprint.IsKnown)
             Track(isValid ? observation.Time : now, footprint);
         Share();
+        foreach (LocatedReport report in _located)
+            _cameraClock.Add(report);
+        _isChanged |= _cameraClock.Update();
         _located.Clear();
     }
 
@@ -176,6 +180,8 @@ public sealed class SensorFusionManager : RabitManager
             _isChanged = true;
         }
 
+        _cameraClock.Clear();
+
         _frame = LocalNedFrame.IgnoringGeoid(first);
     }
 
@@ -205,7 +211,10 @@ public sealed class SensorFusionManager : RabitManager
         _isChanged = false;
         if (_frame is not { } frame)
             return;
-        _tracks.Value = new TrackList(_newest, _tracker.Tracks.Select(t => t.ToMessage(frame)));
+        _tracks.Value = new TrackList(_newest, _tracker.Tracks.Select(t => t.ToMessage(frame)))
+        {
+            CameraClock = _cameraClock.Estimate,
+        };
         _tracks.PostStamped(_newest);
     }
 }

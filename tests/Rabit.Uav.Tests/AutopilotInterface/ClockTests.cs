@@ -167,6 +167,17 @@ public class ClockTests(ITestOutputHelper output)
         Assert.InRange(pose.Time.TotalSeconds - sentAt, -0.002, 0.002);
     }
 
+    // Which of the two ways takes longer cannot be seen: the times are off by up to half of the round trip.
+    [Fact]
+    public void Manager_TimeOfPoses_IsAsUncertainAsHalfTheRoundTrip()
+    {
+        using var copter = new ScriptedAutopilot(options: new AutopilotOptions { RequestedRates = [] });
+        AnswerTimesync(copter, seconds: 5);
+        double half = copter.Latency;
+        Assert.InRange(
+            copter.Rig.Peers.Poses.Last().TimeErrorSeconds, half / Math.Sqrt(3), (half / Math.Sqrt(3)) + 0.002);
+    }
+
     [Fact]
     public void Manager_EveryPositionAndAttitude_IsAPose()
     {

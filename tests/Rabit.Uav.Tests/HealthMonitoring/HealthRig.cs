@@ -119,6 +119,12 @@ internal sealed class HealthRig : IDisposable
         _mission.Post();
     }
 
+    public void PostMission(MissionStatus status)
+    {
+        _mission.Value = status;
+        _mission.Post();
+    }
+
     public void PostEnergy(EnergyStatus energy)
     {
         _mission.Value.Energy = energy;

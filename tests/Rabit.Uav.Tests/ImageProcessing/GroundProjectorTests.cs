@@ -202,6 +202,21 @@ public sealed class GroundProjectorTests
         Assert.InRange(common.HalfMajorAxis95Metres, 2.5, 4.5);
     }
 
+    // 0.2 s at 6 m/s, along the flight and nowhere else; the random covariance knows nothing of it.
+    [Fact]
+    public void Covariances_TimesOfPosesUncertain_AddSpeedTimesThatAlongTheFlight()
+    {
+        var view = new TestView { Velocity = new NedVector(6, 0, 0) };
+        Assert.True(view.Projection(new ErrorBudget())
+            .TryCovariances(320, 240, out HorizontalCovariance random, out HorizontalCovariance without));
+        view.TimeErrorSeconds = 0.2;
+        Assert.True(view.Projection(new ErrorBudget())
+            .TryCovariances(320, 240, out HorizontalCovariance same, out HorizontalCovariance with));
+        Assert.Equal(1.2 * 1.2, with.NorthNorth - without.NorthNorth, 1e-3);
+        Assert.Equal(0, with.EastEast - without.EastEast, 1e-6);
+        Assert.Equal(random.NorthNorth, same.NorthNorth);
+    }
+
     internal static double Gauss(Random random)
         => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
 

@@ -73,7 +73,7 @@ public sealed class ImageProcessingManagerTests
     {
         using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel);
         rig.Camera!.Add(0, 1, 1.1);
-        rig.Run(1.35);
+        rig.Run(2.05);
         Assert.Equal(5, rig.Camera.Pool.Free);
         rig.Run(0.1);
         Assert.Equal(6, rig.Camera.Pool.Free);
@@ -85,6 +85,22 @@ public sealed class ImageProcessingManagerTests
             (1L, 0L, 1L, ImageProcessingManager.NoPose),
             (status.Frames, status.Observations, status.FramesRefused, status.LastRefusal));
         Assert.Empty(rig.Sink.Observations);
+    }
+
+    // A pose of such a time cannot come soon enough: the picture gets no room that the others need.
+    [Fact]
+    public void Frame_TimeInTheFuture_IsRefusedAtOnceAndBlocksNoOther()
+    {
+        using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
+        rig.AddPoses(0, 3);
+        for (int i = 0; i < 12; i++)
+            rig.Camera!.Add(i, i % 3 == 2 ? 1 + (0.02 * i) : 61.0, 1.1 + (0.02 * i));
+        rig.Run(1.4);
+        Assert.Equal([2L, 5L, 8L, 11L], rig.Sink.Observations.Select(o => o.Number));
+        rig.AssertAllGivenBack();
+        ImagingStatus status = rig.Status;
+        Assert.Equal((12L, 8L, ImageProcessingManager.InTheFuture),
+            (status.Frames, status.FramesRefused, status.LastRefusal));
     }
 
     [Fact]
@@ -107,15 +123,15 @@ public sealed class ImageProcessingManagerTests
     public void Frames_MoreWaitThanMay_TheOldestLeave()
     {
         using ImagingRig rig = ImagingRig.Search(ImagingRig.Grass);
-        for (int i = 0; i < 5; i++)
+        for (int i = 0; i < 7; i++)
             rig.Camera!.Add(i, 1 + (0.02 * i), 1.1 + (0.02 * i));
         rig.Run(1.25);
         rig.AddPoses(0, 2);
         ImagingStatus status = rig.Status;
         Assert.Equal(
-            (5L, 2L, 3L, ImageProcessingManager.NoRoom),
+            (7L, 4L, 3L, ImageProcessingManager.NoRoom),
             (status.Frames, status.Observations, status.FramesRefused, status.LastRefusal));
-        Assert.Equal([3L, 4L], rig.Sink.Observations.Select(l => l.Number));
+        Assert.Equal([3L, 4L, 5L, 6L], rig.Sink.Observations.Select(l => l.Number));
         rig.AssertAllGivenBack();
     }
 

@@ -95,7 +95,7 @@ public sealed class RollingShutterTests
         using ImagingRig rig = Search(picture, Readout);
         AddPoses(rig, posesUntil);
         rig.Camera!.Add(0, Exposed, deliveredAt: 1.1);
-        rig.Run(2);
+        rig.Run(3);
         return Assert.Single(rig.Sink.Reports);
     }
 

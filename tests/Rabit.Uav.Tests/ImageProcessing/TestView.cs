@@ -40,6 +40,8 @@ internal sealed class TestView
 
     public BodyRates Rates { get; set; }
 
+    public double TimeErrorSeconds { get; set; }
+
     public double CameraPitch { get; set; } = -Math.PI / 2;
 
     public double CameraYaw { get; set; }
@@ -72,6 +74,7 @@ internal sealed class TestView
                 Position = Position,
                 Attitude = Rotation.FromEuler(Attitude),
                 VelocityNed = Velocity,
+                TimeErrorSeconds = TimeErrorSeconds,
                 Rates = Rates
             },
             Order);

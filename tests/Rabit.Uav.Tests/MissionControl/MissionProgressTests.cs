@@ -11,6 +11,9 @@ namespace Rabit.Uav.Tests.MissionControl;
 /// <summary>The progress of a mission on the disk, and a mission that is continued from there.</summary>
 public sealed class MissionProgressTests : IDisposable
 {
+    // The way to the target and back is more than a third of the four lanes.
+    private const string Revisit = ", \"revisit\": { \"maxWayFraction\": 0.5 }";
+
     private readonly string _folder = Path.Combine(
         Path.GetTempPath(), "rabit-progress-" + Guid.NewGuid().ToString("N"));
 
@@ -61,7 +64,7 @@ public sealed class MissionProgressTests : IDisposable
         }
 
         MissionProgress progress = MissionProgress.ReadFile(FilePath);
-        using var second = new MissionRig(MissionRig.Mission(), o => o.Resume = progress);
+        using var second = new MissionRig(Mission(), o => o.Resume = progress);
         second.Vehicle.Targets.Add((90, 45, DefaultTargetClasses.Red));
         // Put down a few metres from where it stood before.
         (second.Vehicle.North, second.Vehicle.East) = (1.5, -2);
@@ -82,7 +85,7 @@ public sealed class MissionProgressTests : IDisposable
         using (MissionRig rig = FlyToTheSecondLane())
             at = (rig.Vehicle.North, rig.Vehicle.East, rig.Vehicle.Height);
         using var second = new MissionRig(
-            MissionRig.Mission(), o => o.Resume = MissionProgress.ReadFile(FilePath));
+            Mission(), o => o.Resume = MissionProgress.ReadFile(FilePath));
         (second.Vehicle.North, second.Vehicle.East, second.Vehicle.Height) = at;
         second.Vehicle.IsArmed = true;
         second.Run(10);
@@ -104,7 +107,7 @@ public sealed class MissionProgressTests : IDisposable
         }
 
         using var second = new MissionRig(
-            MissionRig.Mission(), o => o.Resume = MissionProgress.ReadFile(FilePath));
+            Mission(), o => o.Resume = MissionProgress.ReadFile(FilePath));
         second.Vehicle.North = -70;
         second.Run(10);
         Assert.Equal(MissionPhase.Failed, second.Status.Phase);
@@ -121,7 +124,7 @@ public sealed class MissionProgressTests : IDisposable
         {
         }
 
-        MissionPlan other = MissionPlan.Parse(MissionRig.Text(more), name);
+        MissionPlan other = MissionPlan.Parse(MissionRig.Text(Revisit + more), name);
         ArgumentException refusal = Assert.Throws<ArgumentException>(() => new MissionControlManager(
             new MissionControlOptions { Mission = other, Resume = MissionProgress.ReadFile(FilePath) }));
         Assert.Contains(fault, refusal.Message, StringComparison.Ordinal);
@@ -190,10 +193,12 @@ public sealed class MissionProgressTests : IDisposable
     public void File_FolderIsGone_TheFlightGoesOnAndTheLogSaysSoOnce()
     {
         using var rig = new MissionRig(
-            MissionRig.Mission(), o => o.ProgressFile = Path.Combine(_folder, "missing", "p.json"));
+            Mission(), o => o.ProgressFile = Path.Combine(_folder, "missing", "p.json"));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(1, rig.Decisions.Count(d => d.Contains("progress file not written", StringComparison.Ordinal)));
     }
+
+    private static MissionPlan Mission() => MissionRig.Mission(Revisit);
 
     private static double InLanes(MissionRig rig)
     {
@@ -210,7 +215,7 @@ public sealed class MissionProgressTests : IDisposable
 
     private MissionRig FlyToTheSecondLane()
     {
-        var rig = new MissionRig(MissionRig.Mission(), o => o.ProgressFile = FilePath);
+        var rig = new MissionRig(Mission(), o => o.ProgressFile = FilePath);
         rig.Vehicle.Targets.Add((90, 45, DefaultTargetClasses.Red));
         rig.RunUntil(MissionPhase.Revisiting);
         rig.RunUntil(MissionPhase.Searching);

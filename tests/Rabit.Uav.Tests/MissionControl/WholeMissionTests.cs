@@ -165,6 +165,26 @@ public class WholeMissionTests(ITestOutputHelper output)
         Assert.Contains("track 77 is at the fence or outside", rig.Story, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("", 1)]
+    [InlineData(", \"revisit\": {\"maxWayFraction\": 2}", 3)]
+    [InlineData(", \"revisit\": {\"maxWayFraction\": 0}", 0)]
+    public void Revisit_WayIsUsedUp_TheRestIsLeftOutAndSaid(string more, int revisits)
+    {
+        using var rig = new MissionRig(MissionRig.Mission(more));
+        rig.Vehicle.Targets.AddRange([
+            (80, 0, DefaultTargetClasses.Red), (110, 5, DefaultTargetClasses.Blue),
+            (130, -5, DefaultTargetClasses.Yellow),
+        ]);
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.Equal(
+            (revisits, 3 - revisits, 0),
+            (rig.Status.Revisits, rig.Status.RevisitsLeftOut, rig.Status.RevisitsFailed));
+        Assert.Equal(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
+        Assert.Equal(
+            3 - revisits, rig.Decisions.Count(d => d.Contains("m for revisits", StringComparison.Ordinal)));
+    }
+
     [Fact]
     public void Revisit_OtherHeight_IsFlownThereAndTheLanesAtTheirs()
     {

@@ -14,6 +14,9 @@ internal sealed class AutopilotClock
     private const double WrapSeconds = 4_294_967.296;
     private const double SecondsPerNanosecond = 1e-9;
 
+    // Without answers the delay of the link is not measured; radios of 57600 baud take about that long.
+    private const double ErrorOfArrivalSeconds = 0.05;
+
     private readonly MavlinkTimesyncFilter _timesync = new();
     private readonly ArrivalFilter _arrival = new();
 
@@ -57,6 +60,25 @@ internal sealed class AutopilotClock
         _timesync.AddOneWay(arrival, UnwrappedSeconds(theirs, arrival));
         TimeSpan ours = _timesync.IsKnown(arrival) ? ByTimesync(theirs, arrival) : theirs + _arrival.Offset;
         return ours < arrival ? ours : arrival;
+    }
+
+    /// <summary>The shortest round trip of a request, seconds; 0 while none was answered.</summary>
+    public double RoundTripSeconds
+        => double.IsNaN(_timesync.ShortestRoundTripSeconds) ? 0 : _timesync.ShortestRoundTripSeconds;
+
+    /// <summary>One standard deviation of what is mapped, the same for all times, seconds.</summary>
+    /// <remarks>
+    /// One way may take all of the round trip and the other nothing, so that the offset is off by up to half of the
+    /// shortest round trip, anything in between being as likely: its standard deviation is that by the square root
+    /// of 3.
+    /// </remarks>
+    public double ErrorSecondsAt(TimeSpan now)
+    {
+        if (!_timesync.IsKnown(now))
+            return ErrorOfArrivalSeconds;
+        double ways = _timesync.ShortestRoundTripSeconds / 2;
+        double estimate = _timesync.OffsetErrorSecondsAt(now.TotalSeconds);
+        return Math.Sqrt((ways * ways / 3) + (estimate * estimate));
     }
 
     private TimeSpan ByTimesync(TimeSpan theirs, TimeSpan arrival)

@@ -67,6 +67,9 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
         return new HorizontalCovariance(nn, ne, ee);
     }
 
+    /// <summary>How the position moves for an error of one thing, metres; down is 0.</summary>
+    public NedVector By(ViewingParameter input) => new(_north[(int)input], _east[(int)input], 0);
+
     /// <summary>What two errors that are not independent add to that.</summary>
     public HorizontalCovariance CovarianceOfPair(ViewingParameter a, ViewingParameter b, double covariance)
     {

@@ -1,3 +1,4 @@
+using System.Collections.Immutable;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
@@ -102,7 +103,7 @@ internal readonly struct GroundProjection
         if (!TryComputeJacobian(column, row, ground))
             return false;
         random = _projector.Jacobian.Covariance(_projector.RandomErrors(_geometry.Pose.ExtrapolatedSeconds));
-        systematic = _projector.Jacobian.Covariance(_projector.SystematicErrors());
+        systematic = _projector.Jacobian.Covariance(_projector.SystematicErrors(_geometry.Pose.TimeErrorSeconds));
         return true;
     }
 
@@ -121,9 +122,33 @@ internal readonly struct GroundProjection
         random = jacobian.Covariance(_projector.RandomErrors(_geometry.Pose.ExtrapolatedSeconds, pixel));
         if (pixel.ColumnRow != 0)
             random += jacobian.CovarianceOfPair(ViewingParameter.Column, ViewingParameter.Row, pixel.ColumnRow);
-        systematic = jacobian.Covariance(_projector.SystematicErrors());
+        systematic = jacobian.Covariance(_projector.SystematicErrors(_geometry.Pose.TimeErrorSeconds));
         return true;
     }
+
+    /// <summary>Where a pixel's ray meets the level of an altitude; false where it does not.</summary>
+    public bool TryProjectToLevel(double column, double row, double altitudeAmslMetres, out GeodeticPosition place)
+    {
+        place = default;
+        double down = _geometry.Pose.Position.AltitudeAmslMetres - altitudeAmslMetres;
+        if (!_projector.Camera.TryUndistort(column, row, out double x, out double y)
+            || !_geometry.RayOf(_projector.Mount, x, y)
+                .TryIntersectLevel(down, _projector.MinDepression, out NedPosition ground))
+            return false;
+        place = ToGeodetic(ground);
+        return true;
+    }
+
+    /// <summary>How the place moves for errors that stay the same; of the pixel of the last covariances.</summary>
+    /// <param name="byOffset">The same for errors of the time.</param>
+    public TargetSensitivity CreateSensitivity(ImmutableArray<NedVector> byOffset) => new()
+    {
+        ByOffset = byOffset,
+        ByRoll = _projector.Jacobian.By(ViewingParameter.Roll),
+        ByPitch = _projector.Jacobian.By(ViewingParameter.Pitch),
+        ByHeading = _projector.Jacobian.By(ViewingParameter.Yaw),
+        ByGroundHeight = _projector.Jacobian.By(ViewingParameter.GroundHeight),
+    };
 
     private bool TryComputeJacobian(double column, double row, NedPosition ground)
     {

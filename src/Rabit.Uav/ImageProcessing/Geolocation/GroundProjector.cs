@@ -87,8 +87,19 @@ internal sealed class GroundProjector
         return _ofDetection;
     }
 
-    /// <summary>Standard deviations of the systematic errors, in the order of <see cref="ViewingParameter"/>.</summary>
-    public double[] SystematicErrors() => _systematic;
+    /// <summary>
+    /// Standard deviations of the systematic errors, in the order of <see cref="ViewingParameter"/>; valid until the
+    /// next call.
+    /// </summary>
+    /// <param name="timeErrorSeconds">
+    /// How far all times of the poses may be off, which no exchange of times can show: half of the difference of the
+    /// two ways of the link.
+    /// </param>
+    public double[] SystematicErrors(double timeErrorSeconds)
+    {
+        _systematic[(int)ViewingParameter.Time] = timeErrorSeconds;
+        return _systematic;
+    }
 
     private static double[] Random(ErrorBudget budget)
     {

@@ -1,5 +1,6 @@
 using System;
 using Rabit.Geodesy;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
@@ -20,6 +21,12 @@ internal struct Pose
 
     /// <summary>How far beyond the newest sample it was extrapolated, seconds; 0 for a pose between samples.</summary>
     public double ExtrapolatedSeconds { get; set; }
+
+    /// <summary>
+    /// One standard deviation of its time, the same for all poses of a flight, seconds; see
+    /// <see cref="PoseSample.TimeErrorSeconds"/>.
+    /// </summary>
+    public double TimeErrorSeconds { get; set; }
 
     /// <summary>What it was, or will be, at the same velocity and rates.</summary>
     public readonly Pose After(double seconds)

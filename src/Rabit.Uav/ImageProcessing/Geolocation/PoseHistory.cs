@@ -22,6 +22,7 @@ internal sealed class PoseHistory(TimeSpan maxGap)
     private readonly TimedRing<PositionSample> _positions = new(PositionsKept, MaxStep);
     private readonly TimedRing<AttitudeSample> _attitudes = new(AttitudesKept, MaxStep);
     private long _invalid;
+    private double _timeError;
 
     /// <summary>
     /// Samples that were not used: not a number, out of range, of a moment that was there already, too old, or with a
@@ -34,6 +35,8 @@ internal sealed class PoseHistory(TimeSpan maxGap)
 
     public void Add(in PoseSample sample)
     {
+        if (sample.TimeErrorSeconds >= 0 && sample.TimeErrorSeconds < MaxStep.TotalSeconds)
+            _timeError = sample.TimeErrorSeconds;
         if (sample.Kind == PoseSampleKind.Position && IsValid(sample.Position))
             _positions.Add(
                 sample.Time, new PositionSample { Position = sample.Position, VelocityNed = sample.VelocityNed });
@@ -54,6 +57,7 @@ internal sealed class PoseHistory(TimeSpan maxGap)
         if (position != PoseLookup.Known || attitude != PoseLookup.Known)
             return Worse(position, attitude);
         pose.Time = time;
+        pose.TimeErrorSeconds = _timeError;
         (pose.Position, pose.VelocityNed) = Between(positions);
         pose.Attitude = Rotation.Slerp(attitudes.Before.Attitude, attitudes.After.Attitude, attitudes.Part);
         pose.Rates = Between(attitudes.Before.Rates, attitudes.After.Rates, attitudes.Part);
@@ -86,6 +90,7 @@ internal sealed class PoseHistory(TimeSpan maxGap)
         pose.Rates = Between(attitude.Rates, attitude.Rates, 0);
         pose.Attitude = attitude.Attitude.After(pose.Rates, seconds);
         pose.Time = time;
+        pose.TimeErrorSeconds = _timeError;
         pose.ExtrapolatedSeconds = beyond.TotalSeconds;
         return PoseLookup.Extrapolated;
     }

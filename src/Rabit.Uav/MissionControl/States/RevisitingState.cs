@@ -21,11 +21,13 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     private TimeSpan? _overhead;
     private TimeSpan _limit;
     private double _height;
+    private TimeSpan _begun;
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
         _height = flight.Mission.Revisit.HeightMetres ?? flight.Mission.HeightMetres;
         _overhead = null;
+        _begun = flight.ActiveTime;
         _isAtStart = !(flight.Mission.Revisit.RadiusMetres > 0);
         TargetTrack track = flight.Revisits.Next(flight)!;
         _track = track.Id;
@@ -86,7 +88,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 
     private MissionStep Finish(MissionFlight flight, bool wasObserved, string text)
     {
-        flight.Revisits.Finish(_track, wasObserved);
+        flight.Revisits.Finish(_track, wasObserved, flight.ActiveTime - _begun);
         return new MissionStep(MissionEvent.Revisited, $"track {MissionNumbers.Of(_track)}: {text}");
     }
 }

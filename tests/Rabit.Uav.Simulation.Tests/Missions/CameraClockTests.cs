@@ -1,0 +1,161 @@
+using System;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Simulation.Tests.Missions;
+
+/// <summary>Times of pictures and poses that do not match, in flight: how it shows, and how the flight ends.</summary>
+public sealed class CameraClockTests(ITestOutputHelper output)
+{
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromMinutes(15);
+
+    // The vehicle's frames take 20 ms, ours nothing, so that the poses are half of that late.
+    private const double PosesLateSeconds = 0.01;
+    private const double FoundWithinSeconds = 0.02;
+
+    [Fact]
+    public void CameraClock_HalfASecondLate_IsFoundAndEndsTheSearch()
+    {
+        using SearchFlight flight = Make(0.5, seed: 3);
+        flight.Fly(TestTimeout);
+        output.WriteLine(flight.Log);
+
+        AssertFound(flight, 0.5);
+        Assert.Contains("times of pictures and poses", flight.Mission.Aborted, StringComparison.Ordinal);
+        Assert.Equal(MissionPhase.Done, flight.Mission.Phase);
+        Assert.Equal(MissionOutcome.Failed, flight.Mission.Result.Outcome);
+        Assert.False(flight.World.Truth.IsAirborne);
+    }
+
+    [Theory]
+    [Trait("Category", "Long")]
+    [InlineData(0.05)]
+    [InlineData(-0.05)]
+    [InlineData(0.1)]
+    [InlineData(-0.1)]
+    [InlineData(0.3)]
+    [InlineData(-0.3)]
+    [InlineData(0.5)]
+    [InlineData(-0.5)]
+    [InlineData(-1.5)]
+    public void CameraClock_Wrong_IsKnownToTwentyMillisecondsAfterTwoRevisits(double offset)
+    {
+        for (long seed = 1; seed <= 20; seed++)
+        {
+            using SearchFlight flight = Make(offset, seed);
+            flight.FlyUntil(
+                f => f.Mission.Revisits + f.Mission.RevisitsFailed >= 2 || f.Mission.Aborted is not null || f.IsOver,
+                TestTimeout);
+
+            // A large one may end the search before that, as soon as it is certain that it is too large.
+            if (flight.Mission.Aborted is null)
+                AssertFound(flight, offset);
+            flight.FlyUntil(f => f.IsOver, TestTimeout);
+            output.WriteLine($"seed {seed}: {flight.Mission.Aborted}");
+            if (Math.Abs(Math.Abs(offset) - 0.3) > 0.05)
+                Assert.Equal(Math.Abs(offset) > 0.3, flight.Mission.Aborted is not null);
+            flight.End();
+        }
+    }
+
+    // Both ways are taken to be alike, so that poses are half a second late, which no exchange of times can show; where
+    // the targets are does.
+    [Fact]
+    [Trait("Category", "Long")]
+    public void Link_OfOneSecondOneWay_IsReported()
+    {
+        SimulationOptions world = SearchFlight.SmallWorld();
+        world.TelemetryLatency = TimeSpan.FromSeconds(1);
+        using var flight = new SearchFlight(SearchFlight.SmallPlan(), world);
+        HealthReasons reasons = HealthReasons.None;
+        flight.FlyUntil(
+            f =>
+            {
+                reasons |= f.Health.Reasons;
+                return f.IsOver;
+            },
+            TestTimeout);
+        flight.End();
+        output.WriteLine(flight.Log);
+        Assert.NotEqual(HealthReasons.None, reasons & HealthReasons.CameraClockOffset);
+    }
+
+    [Theory]
+    [InlineData(SimulatedAutopilot.ArduPilot)]
+    [InlineData(SimulatedAutopilot.Px4)]
+    public void CameraClock_Right_IsNotReported(SimulatedAutopilot autopilot)
+    {
+        for (long seed = 1; seed <= 3; seed++)
+        {
+            using SearchFlight flight = Make(0, seed, autopilot);
+            AssertNotReported(flight, seed);
+        }
+    }
+
+    [Theory]
+    [Trait("Category", "Long")]
+    [InlineData(SimulatedAutopilot.ArduPilot)]
+    [InlineData(SimulatedAutopilot.Px4)]
+    public void CameraClock_RightInFortySeeds_IsNeverReported(SimulatedAutopilot autopilot)
+    {
+        for (long seed = 1; seed <= 40; seed++)
+        {
+            using SearchFlight flight = Make(0, seed, autopilot);
+            AssertNotReported(flight, seed);
+        }
+    }
+
+    // Long lanes over few targets: one direction for long, with turns at the end (seed 22 was a false alarm once).
+    [Fact]
+    [Trait("Category", "Long")]
+    public void CameraClock_RightOverTheBundledMission_IsNeverReported()
+    {
+        for (long seed = 1; seed <= 40; seed++)
+        {
+            using var flight = new SearchFlight(
+                SearchFlight.BundledPlan(), new SimulationOptions { Seed = seed });
+            AssertNotReported(flight, seed);
+        }
+    }
+
+    private void AssertNotReported(SearchFlight flight, long seed)
+    {
+        const HealthReasons Ours = HealthReasons.CameraClockOffset | HealthReasons.TargetsNotConfirmed;
+        HealthReasons reasons = HealthReasons.None;
+        flight.FlyUntil(
+            f =>
+            {
+                reasons |= f.Health.Reasons;
+                return f.IsOver;
+            },
+            TimeSpan.FromMinutes(30));
+        Assert.True((reasons & Ours) == HealthReasons.None, FormattableString.Invariant($"seed {seed}: {reasons}"));
+        AssertFound(flight, 0);
+        flight.End();
+        Assert.Equal(MissionOutcome.Accomplished, flight.Mission.Result.Outcome);
+    }
+
+    private void AssertFound(SearchFlight flight, double offset)
+    {
+        CameraClockEstimate clock = flight.Tracks.CameraClock;
+        output.WriteLine(FormattableString.Invariant(
+            $"{offset} s, at {flight.Reactor.Now.TotalSeconds:0} s after {flight.Mission.Revisits} revisits: {clock.OffsetSeconds:0.000} +- {clock.ErrorSeconds:0.000} s, {clock.Passes} passes of {clock.Targets} targets"));
+        Assert.True(clock.IsKnown);
+        Assert.Equal(offset - PosesLateSeconds, clock.OffsetSeconds, FoundWithinSeconds);
+    }
+
+    private static SearchFlight Make(
+        double offset, long seed, SimulatedAutopilot autopilot = SimulatedAutopilot.ArduPilot)
+    {
+        SimulationOptions world = SearchFlight.SmallWorld(new ScriptedFault
+        {
+            Kind = ScriptedFaultKind.PictureTimesOff, At = TimeSpan.FromSeconds(2), Value = offset,
+        });
+        (world.Seed, world.Autopilot, world.TargetCount) = (seed, autopilot, 4);
+        MissionPlan plan = MissionPlan.Parse(
+            SearchFlight.SmallMission.Replace("\"speedMetresPerSecond\": 5", "\"speedMetresPerSecond\": 6"), "small");
+        return new SearchFlight(plan, world);
+    }
+}
