@@ -23,7 +23,9 @@ public class AdviceTests
         rig.PostMission(MissionPhase.Searching);
         rig.Fly(2);
         rig.PostVehicle(remaining);
-        rig.Run(0.3);
+        rig.Run(1.5);
+        Assert.Equal(HealthAdvice.None, rig.Report.Advice);
+        rig.Run(1);
         Assert.Equal(expected, rig.Report.Advice);
         if (expected != HealthAdvice.None)
             Assert.Contains("battery", rig.Report.AdviceText!, StringComparison.Ordinal);
@@ -47,7 +49,7 @@ public class AdviceTests
         using var rig = new HealthRig();
         rig.PostMission(phase);
         rig.PostVehicle(remaining: 0.2);
-        rig.Run(1);
+        rig.Run(3);
         Assert.Equal(isAdvised ? HealthAdvice.ReturnToLaunch : HealthAdvice.None, rig.Report.Advice);
         Assert.Equal(HealthReasons.BatteryLow, rig.Report.Reasons & HealthReasons.BatteryLow);
     }
@@ -58,7 +60,7 @@ public class AdviceTests
         using var rig = new HealthRig();
         rig.PostMission(MissionPhase.Searching);
         rig.PostVehicle(remaining: 0.05);
-        rig.Run(0.3);
+        rig.Run(2.5);
         Assert.Equal((HealthAdvice.Land, "battery nearly empty (5 %)"), (rig.Report.Advice, rig.Report.AdviceText));
         rig.Fly(3);
         rig.PostVehicle(remaining: 0.2);
@@ -218,7 +220,7 @@ public class AdviceTests
         rig.PostMission(MissionPhase.Searching);
         rig.Fly(1);
         rig.PostVehicle(remaining: 0.2);
-        rig.Run(0.3);
+        rig.Run(2.5);
         Assert.Equal("Rabit: return to launch! battery low (20 %)", Texts(rig).Single().Text.ToString());
     }
 

@@ -13,11 +13,37 @@ public class BatteryRulesTests
     public void Charge_AtTheLimit_DoesNotComeAndGo()
     {
         using var vehicle = new FlownVehicle();
-        vehicle.Fly(1, Remaining(0.25));
+        vehicle.Fly(3, Remaining(0.25));
         vehicle.Fly(5, Remaining(0.28));
         Assert.Equal((HealthReasons.BatteryLow, "battery low (28 %)"), (vehicle.Report.Reasons, vehicle.Report.Text));
         vehicle.Fly(1, Remaining(0.29));
+        vehicle.Fly(1, Remaining(0.28));
+        Assert.Equal(HealthReasons.BatteryLow, vehicle.Report.Reasons);
+        vehicle.Fly(3, Remaining(0.29));
         Assert.Equal(HealthReasons.None, vehicle.Report.Reasons);
+    }
+
+    [Theory]
+    [InlineData(0.2)]
+    [InlineData(0)]
+    public void Charge_LowInOneReport_IsNoReason(double wrong)
+    {
+        using var vehicle = new FlownVehicle();
+        for (int i = 0; i < 10; i++)
+        {
+            vehicle.Fly(1, Remaining(wrong));
+            Assert.Equal(HealthReasons.None, vehicle.Report.Reasons);
+            vehicle.Fly(1);
+            Assert.Equal((HealthReasons.None, HealthAdvice.None), (vehicle.Report.Reasons, vehicle.Report.Advice));
+        }
+    }
+
+    [Fact]
+    public void Rules_OfTheBattery_HaveADwellEach()
+    {
+        Assert.All(HealthRules.OfBattery, r => Assert.NotEqual(TimeSpan.Zero, r.Dwell(new HealthOptions())));
+        Assert.All(HealthRules.OfBatteryState, r => Assert.NotEqual(TimeSpan.Zero, r.Dwell(new HealthOptions())));
+        Assert.All(HealthRules.OfEnergy, r => Assert.NotEqual(TimeSpan.Zero, r.Dwell(new HealthOptions())));
     }
 
     [Theory]

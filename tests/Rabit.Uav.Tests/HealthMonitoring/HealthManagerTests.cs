@@ -108,7 +108,7 @@ public class HealthManagerTests
         using var rig = new HealthRig();
         rig.PostLink(LinkState.Silent);
         rig.PostVehicle(remaining: 0.2, state: MavState.Emergency);
-        rig.Run(0.5);
+        rig.Run(2.5);
 
         Assert.Equal(HealthLevel.Critical, rig.Report.Level);
         Assert.Equal(
@@ -125,9 +125,9 @@ public class HealthManagerTests
         int reports = rig.Reports;
         rig.Run(10);
         Assert.InRange(rig.Reports - reports, 10, 13);
-        rig.PostVehicle(remaining: 0.05);
+        rig.PostVehicle(state: MavState.Emergency);
         rig.Run(0.5);
-        Assert.Equal(HealthReasons.BatteryCritical, rig.Report.Reasons & HealthReasons.BatteryCritical);
+        Assert.Equal(HealthReasons.AutopilotCritical, rig.Report.Reasons & HealthReasons.AutopilotCritical);
     }
 
     [Fact]

@@ -208,8 +208,9 @@ public class HealthRulesTests
         var facts = new VehicleFacts(state, requests, TimeSpan.FromSeconds(ageSeconds), isReplayOver);
         new HealthRuleSet<VehicleFacts>(HealthRules.OfVehicle)
             .Evaluate(facts, subject: null, Options, TimeSpan.Zero, findings);
-        new HealthRuleSet<VehicleFacts>(HealthRules.OfBattery)
-            .Evaluate(facts, subject: null, Options, TimeSpan.Zero, findings);
+        var battery = new HealthRuleSet<VehicleFacts>(HealthRules.OfBattery);
+        battery.Evaluate(facts, subject: null, Options, TimeSpan.Zero, []);
+        battery.Evaluate(facts, subject: null, Options, TimeSpan.FromSeconds(2), findings);
         new HealthRuleSet<BatteryFacts>(HealthRules.OfBatteryState)
             .Evaluate(
                 new BatteryCellWatch().Update(state, TimeSpan.FromSeconds(ageSeconds), Options), subject: null, Options,

@@ -59,7 +59,7 @@ public class HeartbeatTests
         using var rig = new HealthRig();
         rig.PostAddress();
         rig.PostLink();
-        rig.PostVehicle(remaining: 0.05);
+        rig.PostVehicle(state: MavState.Emergency);
         rig.Run(1.5);
 
         Assert.Equal(HealthLevel.Critical, rig.Report.Level);
