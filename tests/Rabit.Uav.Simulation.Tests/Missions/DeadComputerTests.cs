@@ -85,6 +85,39 @@ public sealed class DeadComputerTests
             flight.AssertHolds();
     }
 
+    // COM_OBL_RC_ACT 0 is POSCTL: without a pilot's sticks it holds, here for 3 min, until COM_LOW_BAT_ACT 3 acts.
+    // The checklist refuses it; here the operator overrides that.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Px4_ComOblRcActIsPositionAndNoPilot_HoldsUntilTheBatteryFailsafe(bool hasGroundStation)
+    {
+        SimulationOptions options = World(SimulatedAutopilot.Px4, new ScriptedFault
+        {
+            Kind = ScriptedFaultKind.BatteryTo,
+            At = TimeSpan.FromSeconds(DiesAt + 180),
+            Value = 0.069,
+        });
+        options.Parameters = new Dictionary<string, double>
+        {
+            ["COM_OF_LOSS_T"] = 1,
+            ["COM_OBL_RC_ACT"] = 0,
+            ["COM_LOW_BAT_ACT"] = 3,
+        };
+        using var flight = new Flight(options, hasGroundStation, "COM_OBL_RC_ACT");
+        flight.RunTo(DiesAt + 30);
+        Assert.Equal("POSCTL", flight.Truth.Mode);
+        TruePose holds = flight.Truth.Pose;
+
+        flight.RunTo(DiesAt + 179);
+        Assert.Equal("POSCTL", flight.Truth.Mode);
+        Assert.True(flight.Truth.IsAirborne);
+        Assert.InRange((flight.Truth.Pose.Position - holds.Position).Length, 0, 3);
+        flight.RunTo(DiesAt + 180 + 15);
+        Assert.Equal("AUTO.RTL", flight.Truth.Mode);
+        flight.AssertLandsAtHome();
+    }
+
     private static SimulationOptions World(SimulatedAutopilot autopilot, params ScriptedFault[] faults) => new()
     {
         Seed = 5,
@@ -110,7 +143,7 @@ public sealed class DeadComputerTests
         private readonly UavSystem _uav;
         private readonly RabitReactor _reactor;
 
-        public Flight(SimulationOptions options, bool hasGroundStation)
+        public Flight(SimulationOptions options, bool hasGroundStation, params string[] overrides)
         {
             var vehicle = new MemoryLinkPair("vehicle");
             var station = new MemoryLinkPair("ground station");
@@ -122,6 +155,7 @@ public sealed class DeadComputerTests
                 Time = new VirtualTime(options.Seed),
             };
             uavOptions.MissionControl.RequiresCamera = false;
+            uavOptions.Preflight.Overrides = overrides;
             options.TakePlacesFrom(uavOptions.Mission);
             _world = new SimulatedWorld(options);
             _uav = UavSystem.Open(uavOptions);
