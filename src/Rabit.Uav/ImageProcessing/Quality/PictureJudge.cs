@@ -35,7 +35,7 @@ internal sealed class PictureJudge
 
     // ...and for this lens over this ground, of what it had in the flight; one flight varies by 0.68 downwards. A blur
     // of 3 pixels is below in the simulation.
-    private const double MinSharpnessRatio = 0.45;
+    private const double MinSharpnessRatio = 0.5;
 
     // Directed by fine detail: 0 is the same in all directions; a blur along a line by 17 pixels gives 1.4 to 2.9
     // (1.23 in a flight). Furrows have it too, but then there is no less detail than before.
@@ -46,13 +46,13 @@ internal sealed class PictureJudge
     private const int PicturesToLearn = 8;
     private const double Forgetting = 1.0 / 32;
 
-    // Two pictures are compared when the ground has moved by several times the distance at which coarse detail is
-    // measured: an attitude that is wrong by 1.5 degrees while the vehicle brakes and turns (seen in a nominal flight)
-    // moves the place by 20 pixels of a lens of 60 degrees and 640 pixels, although the picture has hardly moved.
-    private const double MinPixelsMoved = 32;
+    // Two pictures are compared when the ground has moved by twice the distance at which coarse detail is measured.
+    private const double MinPixelsMoved = 16;
 
-    // A frozen picture differs by the noise of two pictures at most, a new one by more than the coarse detail.
-    private const double FrozenPartOfDetail = 0.25;
+    // A frozen picture differs by the noise of two pictures at most, which is part of the difference of neighbours. A
+    // new one differs by more than the coarse detail, but where a wrong attitude in a turn says that the place has
+    // moved and it has not, by an eighth of that only (seen in a nominal flight).
+    private const double FrozenPartOfDetail = 0.05;
 
     private readonly PictureMeter _meter = new();
     private GeodeticPosition? _reference;
