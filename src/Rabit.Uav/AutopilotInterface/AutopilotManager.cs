@@ -44,7 +44,7 @@ public sealed partial class AutopilotManager : RabitManager
         : base(ManagerName)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
-        _executor = new CommandExecutor(_options.MayCommand);
+        _executor = new CommandExecutor(_options.MayCommand, _options.MayCommandFixedWing);
         _tracker = new VehicleTracker(_options.SystemId, _options.HeartbeatTimeout);
         _frames = Receive<LinkFrame>(
             MessageNames.AutopilotFrames, FramesWaiting, QueueFullMode.Reject, wakeOnPush: true);

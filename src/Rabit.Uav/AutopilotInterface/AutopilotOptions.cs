@@ -49,6 +49,14 @@ public sealed class AutopilotOptions
     /// <value>The default is false: we observe.</value>
     public bool MayCommand { get; set; }
 
+    /// <summary>
+    /// Whether a fixed wing is commanded, too, within limits (docs/managers/autopilot-interface.md, "Fixed wings"): the
+    /// pilot takes off, gives it over in GUIDED (ArduPilot) or AUTO.LOITER (PX4), and lands. Each place is one
+    /// DO_REPOSITION, holding is a circle, and on PX4 a pilot's Hold cannot be seen: only another mode takes over.
+    /// </summary>
+    /// <value>The default is false: every command to a fixed wing is refused.</value>
+    public bool MayCommandFixedWing { get; set; }
+
     /// <summary>The messages that may be asked for by <see cref="RequestedRates"/>.</summary>
     /// <value>The default is <see cref="MavlinkDialect.All"/>.</value>
     public MavlinkDialect Dialect { get; set; } = MavlinkDialect.All;

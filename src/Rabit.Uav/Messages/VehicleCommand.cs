@@ -45,6 +45,12 @@ public struct VehicleCommand
     public double SpeedMetresPerSecond { get; set; }
 
     /// <summary>
+    /// Radius of the circle, clockwise, that a fixed wing flies about the position, metres, up to 1000; 0 leaves it to
+    /// the autopilot. Of <see cref="VehicleCommandKind.GoTo"/>; a multirotor does not read it.
+    /// </summary>
+    public double LoiterRadiusMetres { get; set; }
+
+    /// <summary>
     /// Heading to keep, clockwise from true north; <see cref="Angle.NaN"/> leaves it to the autopilot. Of GoTo and
     /// Velocity.
     /// </summary>

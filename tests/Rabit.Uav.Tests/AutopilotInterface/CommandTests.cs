@@ -213,8 +213,8 @@ public class CommandTests
 
     [Theory]
     [InlineData(MavAutopilot.Generic, MavType.Quadrotor, "Generic")]
-    [InlineData(MavAutopilot.Ardupilotmega, MavType.FixedWing, "FixedWing")]
-    [InlineData(MavAutopilot.Px4, MavType.FixedWing, "FixedWing")]
+    [InlineData(MavAutopilot.Ardupilotmega, MavType.FixedWing, "AutopilotOptions.MayCommandFixedWing")]
+    [InlineData(MavAutopilot.Px4, MavType.FixedWing, "--fixed-wing")]
     [InlineData(MavAutopilot.Px4, MavType.VtolFixedrotor, "VtolFixedrotor")]
     public void Command_VehicleThatIsNotCommanded_IsRefusedAndNothingSent(
         MavAutopilot make, MavType type, string expected)

@@ -10,12 +10,14 @@ internal static class CommandCheck
     // More than these is a mistake for what flies on batteries.
     private const double MaxMetres = 5000;
     private const double MaxMetresPerSecond = 60;
+    private const double MaxRadiusMetres = 1000;
 
     /// <summary>What is wrong, by the name of the property; null where nothing is.</summary>
     public static string? FindFault(in VehicleCommand command) => command.Kind switch
     {
         VehicleCommandKind.GoTo =>
-            FaultOfPlace(command) ?? FaultOfHeight(command) ?? FaultOfSpeed(command) ?? FaultOfYaw(command),
+            FaultOfPlace(command) ?? FaultOfHeight(command) ?? FaultOfSpeed(command) ?? FaultOfYaw(command)
+                ?? FaultOfRadius(command),
         VehicleCommandKind.TakeOff => FaultOfHeight(command),
         VehicleCommandKind.Velocity => FaultOfVelocity(command) ?? FaultOfYaw(command),
         VehicleCommandKind.SetMode => string.IsNullOrEmpty(command.Mode) ? "Mode is empty" : null,
@@ -49,6 +51,12 @@ internal static class CommandCheck
             ? null
             : FormattableString.Invariant(
                 $"SpeedMetresPerSecond is {command.SpeedMetresPerSecond}; it must be above 0 and at most {MaxMetresPerSecond}, or NaN");
+
+    private static string? FaultOfRadius(in VehicleCommand command)
+        => command.LoiterRadiusMetres is >= 0 and <= MaxRadiusMetres
+            ? null
+            : FormattableString.Invariant(
+                $"LoiterRadiusMetres is {command.LoiterRadiusMetres}; it must be 0 to {MaxRadiusMetres}");
 
     private static string? FaultOfYaw(in VehicleCommand command)
         => double.IsNaN(command.Yaw.Radians) ? null : FaultOfAngle(nameof(command.Yaw), command.Yaw, 360);

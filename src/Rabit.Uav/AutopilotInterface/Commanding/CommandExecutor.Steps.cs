@@ -38,7 +38,7 @@ internal sealed partial class CommandExecutor
             return false;
         }
 
-        _profile = VehicleProfile.For(vehicle, out string? refusal);
+        _profile = VehicleProfile.For(vehicle, mayCommandFixedWing, out string? refusal);
         refusal ??= _profile!.Plan(
             _command, new CommandContext(vehicle, now, _lastSpeed, _stream.IsInOffboard), _steps);
         if (refusal is not null)
@@ -58,6 +58,7 @@ internal sealed partial class CommandExecutor
     private void BeginStep(in VehicleState vehicle, TimeSpan now)
     {
         _isModeSeen = false;
+        _isTargetSeen = false;
         _reason = null;
         CommandStep step = _steps[_step];
         if (step.StartsVelocity)
@@ -98,6 +99,12 @@ internal sealed partial class CommandExecutor
         CommandStep step = _steps[_step];
         if (step.NeedsReport && _client!.NextDue <= now && !HasFreshReport(now))
             return GiveUpWaiting(vehicle, now);
+        if (step.OnlyInMode is { } only && vehicle.CustomMode != only)
+        {
+            Finish(VehicleCommandOutcome.Refused, $"{step.Request.Command} is not sent in {vehicle.Mode}", now);
+            return false;
+        }
+
         while (_client!.TryTakeFrame(now, out MavlinkFrame frame))
         {
             _guard.Begin(vehicle.CustomMode, now);
@@ -105,6 +112,7 @@ internal sealed partial class CommandExecutor
                 _guard.Ask(mode);
             AskForTarget(step, vehicle);
             _sent++;
+            _sentAt = now;
             _reportWantedAt = TimeSpan.MaxValue;
             Outbox.Frames.Enqueue(frame);
         }
@@ -116,7 +124,9 @@ internal sealed partial class CommandExecutor
         }
 
         // Reported is as good as acknowledged: the answer may be lost, and nothing is sent again.
-        if (!_isModeSeen || !step.IsModeAwaited)
+        if (_isTargetSeen)
+            EndTarget(step, now);
+        else if (!_isModeSeen || !step.IsModeAwaited)
             return false;
         _client.StopTracking(_handle, now);
         EndStep(vehicle, now);
@@ -274,7 +284,7 @@ internal sealed partial class CommandExecutor
             _lastSpeed = _command.SpeedMetresPerSecond;
         if (_isOurOwn && _command.Kind == VehicleCommandKind.Return)
             _validity.EndReturn();
-        if (_profile is Px4Profile && _command.Kind == VehicleCommandKind.Hold)
+        if (_profile is Px4Profile or FixedWingProfile && _command.Kind == VehicleCommandKind.Hold)
             _holdTarget.Begin(now);
         Finish(VehicleCommandOutcome.Accepted, text: null, now);
     }

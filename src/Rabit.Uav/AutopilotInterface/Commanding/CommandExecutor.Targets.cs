@@ -14,9 +14,14 @@ internal sealed partial class CommandExecutor
     // Reports of the mode before are not those of OFFBOARD.
     private static readonly TimeSpan OffboardSettlingTime = TimeSpan.FromSeconds(0.6);
 
+    // By then it would have been answered.
+    private static readonly TimeSpan TargetAnswerTime = TimeSpan.FromSeconds(0.3);
+
     private readonly TargetMonitor _targets = new();
     private readonly SetPointMonitor _setPoints = new();
     private readonly HoldTargetMonitor _holdTarget = new();
+    private TimeSpan _sentAt;
+    private bool _isTargetSeen;
 
     /// <summary>Takes the origin of the autopilot's local frame.</summary>
     public void TakeOrigin(in GpsGlobalOrigin origin) => _targets.TakeOrigin(origin);
@@ -44,7 +49,17 @@ internal sealed partial class CommandExecutor
         if (_guard.Authority.State != CommandAuthorityState.Ours)
             return;
         _holdTarget.TakeReport(target, time);
+        if (_phase == ExecutorPhase.Sending && _sent > 0 && time - _sentAt >= TargetAnswerTime)
+            _isTargetSeen = _profile is FixedWingProfile && FixedWingProfile.IsTarget(_steps[_step], target);
         RequestConfirmation();
+    }
+
+    // The target of a fixed wing is reported as it was sent.
+    private void EndTarget(in CommandStep step, TimeSpan now)
+    {
+        if (step.Mode is { } mode)
+            _guard.Acknowledge(mode, now);
+        AcknowledgeTarget(step.Request.Command, now);
     }
 
     // A mode that has changed reports other targets, too, before it is reported itself.
@@ -61,7 +76,7 @@ internal sealed partial class CommandExecutor
             return;
         if (_setPoints.ForeignSince < time && vehicle.CustomMode == Px4Modes.Offboard)
             TakeAway(OtherSetPoints, time);
-        else if (_holdTarget.ForeignSince < time && vehicle.CustomMode == Px4Modes.Loiter)
+        else if (_holdTarget.ForeignSince < time && vehicle.CustomMode == _profile?.CommandedMode)
             TakeAway(OtherTarget, time);
     }
 
@@ -83,7 +98,7 @@ internal sealed partial class CommandExecutor
     // With the mode the autopilot forgets its target.
     private void AskForTarget(in CommandStep step, in VehicleState vehicle)
     {
-        if (step.Mode is not null)
+        if (step.Mode is not null || _profile is FixedWingProfile)
         {
             _targets.Stop();
             _holdTarget.Stop();
@@ -97,7 +112,9 @@ internal sealed partial class CommandExecutor
 
     private void AcknowledgeTarget(MavCmd command, TimeSpan now)
     {
-        if (IsArdupilotTarget(command))
+        if (_profile is FixedWingProfile && command == MavCmd.DoReposition)
+            _holdTarget.Begin(now);
+        else if (IsArdupilotTarget(command))
             _targets.Acknowledge(now);
         else if (_profile is CopterProfile && command == MavCmd.NavTakeoff)
             _targets.BeginTakeOff(now);

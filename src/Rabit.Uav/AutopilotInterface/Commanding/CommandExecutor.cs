@@ -11,7 +11,7 @@ namespace Rabit.Uav.AutopilotInterface;
 /// one answer for each. It sends nothing unless we command, and nothing more once the command is taken away. A state
 /// machine: time, commands and frames come in; frames and answers go out by its <see cref="Outbox"/>.
 /// </summary>
-internal sealed partial class CommandExecutor(bool mayCommand)
+internal sealed partial class CommandExecutor(bool mayCommand, bool mayCommandFixedWing)
 {
     /// <summary>
     /// How long a report may take to show a mode whose command was accepted: three heartbeats, two of them lost.

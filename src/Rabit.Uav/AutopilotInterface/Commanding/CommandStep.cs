@@ -27,6 +27,9 @@ internal struct CommandStep
     /// </summary>
     public bool NeedsReport { get; set; }
 
+    /// <summary>The mode outside which it is not sent; null where it takes the mode itself, or needs none.</summary>
+    public uint? OnlyInMode { get; set; }
+
     /// <summary>Whether it starts the stream of velocities, which have no acknowledgement.</summary>
     public bool StartsVelocity { get; set; }
 

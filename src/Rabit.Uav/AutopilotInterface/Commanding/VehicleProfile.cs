@@ -27,21 +27,22 @@ internal abstract class VehicleProfile
     public abstract uint LandMode { get; }
 
     /// <summary>The profile of a vehicle; null where it is not commanded, and why.</summary>
-    public static VehicleProfile? For(in VehicleState vehicle, out string? refusal)
+    public static VehicleProfile? For(in VehicleState vehicle, bool mayCommandFixedWing, out string? refusal)
     {
-        refusal = null;
-        if (!ArdupilotModes.IsCopter(vehicle.VehicleType))
-        {
-            refusal = $"a {vehicle.VehicleType} is not commanded, only multirotors and helicopters are";
+        bool isFixedWing = FixedWingProfile.IsFixedWing(vehicle.VehicleType);
+        refusal = isFixedWing
+            ? mayCommandFixedWing ? null : FixedWingProfile.NotAllowed
+            : ArdupilotModes.IsCopter(vehicle.VehicleType)
+                ? null
+                : $"a {vehicle.VehicleType} is not commanded, only multirotors and helicopters are";
+        if (refusal is not null)
             return null;
-        }
-
         switch (vehicle.Autopilot)
         {
             case MavAutopilot.Ardupilotmega:
-                return CopterProfile.Instance;
+                return isFixedWing ? ArdupilotPlaneProfile.Instance : CopterProfile.Instance;
             case MavAutopilot.Px4:
-                return Px4Profile.Instance;
+                return isFixedWing ? Px4PlaneProfile.Instance : Px4Profile.Instance;
             default:
                 refusal = $"autopilot {vehicle.Autopilot} is not commanded, only ArduPilot and PX4 are";
                 return null;
@@ -70,7 +71,7 @@ internal abstract class VehicleProfile
     /// <param name="context">What is known of the vehicle.</param>
     /// <param name="steps">Where they are added.</param>
     /// <returns>Why it is not possible; null where it is.</returns>
-    public string? Plan(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
+    public virtual string? Plan(in VehicleCommand command, in CommandContext context, List<CommandStep> steps)
     {
         switch (command.Kind)
         {
