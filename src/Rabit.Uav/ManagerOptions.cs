@@ -55,6 +55,12 @@ internal static class ManagerOptions
                 + $"and {nameof(UavOptions.OpenLinks)}; leave them empty";
         }
 
+        if (options.MissionControl.FixedWing is not null && autopilot.Setup is { Writes: true })
+        {
+            yield return $"{OfAutopilot(nameof(autopilot.Setup))} writes failsafes or a fence, which are not known of "
+                + $"{nameof(UavOptions.MissionControl)}.{nameof(MissionControlOptions.FixedWing)}";
+        }
+
         if (autopilot.MayCommand && !options.MayCommand)
             yield return $"{OfAutopilot(nameof(autopilot.MayCommand))} is true, but {nameof(UavOptions.MayCommand)} is "
                 + "false";
@@ -99,6 +105,7 @@ internal static class ManagerOptions
             made.ComponentId = componentId;
         made.RequestsRates &= options.RequestsMessageRates && !options.IsReplay;
         made.MayCommand = options.MayCommand;
+        made.MayCommandFixedWing |= options.MissionControl.FixedWing is not null;
         made.Dialect = DialectOf(options);
         made.Setup = made.Setup.Copy();
         made.Setup.ReadsParameters |= ChecksBeforeFlight(options);

@@ -56,6 +56,8 @@ public sealed class BadInputTests : IDisposable
         "--fly needs --camera DIR: a search without pictures finds nothing; --without-detection flies all the same.")]
     [InlineData("--link udpin:127.0.0.1:14550 --mission a.json --fly --camera b --without-detection",
         "--without-detection does not go with --camera.")]
+    [InlineData("--fixed-wing 80", "--fixed-wing commands a real vehicle: it goes with --link URL --mission FILE --fly.")]
+    [InlineData("--fixed-wing 5", "--fixed-wing 5: it must be the radius of its circles, 20 to 400 m.")]
     [InlineData("--set-failsafes", "--set-failsafes goes with --mission FILE --fly.")]
     [InlineData("--link udpin:127.0.0.1:14550 --upload-fence", "--upload-fence goes with --mission FILE --fly.")]
     [InlineData("--link udpin:127.0.0.1:14550 --override disk", "--override goes with --mission FILE --fly.")]

@@ -1,5 +1,7 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Globalization;
 using System.Linq;
 using Rabit.Uav.MissionControl;
 
@@ -42,10 +44,21 @@ internal static class OperatorArguments
             + "--resume flies the rest later. As allowPartialSearch of the mission file.",
     };
 
+    private static readonly Option<double?> FixedWing = new("--fixed-wing")
+    {
+        Description = "Lets --fly command a fixed wing; METRES, 20 to 400, is the radius of its circles. Its pilot takes "
+            + "off, gives it over in the air (GUIDED of ArduPilot, AUTO.LOITER of PX4) and lands it. Each leg is one "
+            + "DO_REPOSITION, holding is a circle, targets are not revisited. On PX4 a pilot's Hold has no effect and "
+            + "cannot be seen: take another mode.",
+        HelpName = "METRES",
+        CustomParser = ParseRadius,
+    };
+
     private static readonly Option<string> OnStopOption = CreateOnStop();
 
     /// <summary>All of them.</summary>
-    public static IEnumerable<Option> All => [Hold, Return, Resume, Progress, AllowPartialSearch, OnStopOption];
+    public static IEnumerable<Option> All
+        => [Hold, Return, Resume, Progress, AllowPartialSearch, FixedWing, OnStopOption];
 
     public static OperatorChoices Read(ParseResult result, bool flies) => new()
     {
@@ -54,6 +67,7 @@ internal static class OperatorArguments
         ResumeFile = result.GetValue(Resume),
         ProgressFile = result.GetValue(Progress) ?? (flies ? DefaultProgress : null),
         AllowsPartialSearch = result.GetValue(AllowPartialSearch),
+        LoiterRadiusMetres = result.GetValue(FixedWing),
         OnStop = result.GetValue(OnStopOption) == "return" ? OnStop.Return : OnStop.Hold,
     };
 
@@ -62,7 +76,7 @@ internal static class OperatorArguments
     {
         if (result.GetValue(Hold) && result.GetValue(Return))
             yield return "--hold and --return exclude each other.";
-        foreach (string name in Given(result, Hold, Return))
+        foreach (string name in Given(result, Hold, Return, FixedWing))
         {
             if (!flies)
                 yield return $"{name} commands a real vehicle: it goes with --link URL --mission FILE --fly.";
@@ -77,6 +91,16 @@ internal static class OperatorArguments
 
     private static IEnumerable<string> Given(ParseResult result, params Option[] options)
         => options.Where(o => result.GetResult(o) is { Implicit: false }).Select(o => o.Name);
+
+    private static double? ParseRadius(ArgumentResult result)
+    {
+        string text = result.Tokens[0].Value;
+        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double radius)
+            && radius is >= 20 and <= 400)
+            return radius;
+        result.AddError($"--fixed-wing {text}: it must be the radius of its circles, 20 to 400 m.");
+        return null;
+    }
 
     private static Option<string> CreateOnStop()
     {

@@ -33,10 +33,13 @@ public sealed partial class AutopilotManager
         [EstimatorStatus.MavlinkId, WindCov.MavlinkId, PositionTargetGlobalInt.MavlinkId];
 
     // The checklist needs home beside the rest.
-    private IEnumerable<RequestedRate> RatesFor(MavAutopilot autopilot)
+    private IEnumerable<RequestedRate> RatesFor(in VehicleState vehicle)
     {
-        int[] denied = autopilot switch
+        // Plane reports its place by it, to the digit; Copter a wrong one.
+        bool isPlane = FixedWings.IsFixedWing(vehicle.VehicleType);
+        int[] denied = vehicle.Autopilot switch
         {
+            MavAutopilot.Ardupilotmega when isPlane => OfPx4.Where(m => m != PositionTargetGlobalInt.MavlinkId).ToArray(),
             MavAutopilot.Ardupilotmega => OfPx4,
             MavAutopilot.Px4 => OfArdupilot,
             _ => [],
@@ -51,7 +54,7 @@ public sealed partial class AutopilotManager
         if (!_options.Setup.ReadsParameters)
             return;
         OriginalsFile? store = _options.Setup.OriginalsFile is { } path ? new OriginalsFile(path) : null;
-        _setup = new AutopilotSetup(vehicle.Autopilot, sender, target, _options.Setup, store, Log);
+        _setup = new AutopilotSetup(vehicle, sender, target, _options.Setup, store, Log);
     }
 
     private void TakeSetupFrame(in LinkFrame frame)

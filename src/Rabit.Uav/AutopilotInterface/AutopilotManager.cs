@@ -173,7 +173,7 @@ public sealed partial class AutopilotManager : RabitManager
         var sender = new MavlinkSender(own.SystemId, own.ComponentId);
         _executor.Connect(sender, target);
         _rates = new MavlinkRateClient(
-            sender, target, RatesFor(vehicle.Autopilot).Select(r => (r.MessageId, r.Hertz)).ToArray());
+            sender, target, RatesFor(vehicle).Select(r => (r.MessageId, r.Hertz)).ToArray());
         MakeSetup(vehicle, sender, target);
     }
 

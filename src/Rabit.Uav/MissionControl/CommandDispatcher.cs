@@ -167,5 +167,6 @@ internal sealed class CommandDispatcher(Func<VehicleCommand, bool> push, Action<
             && a.Latitude.Equals(b.Latitude) && a.Longitude.Equals(b.Longitude)
             && a.HeightAboveHomeMetres.Equals(b.HeightAboveHomeMetres)
             && a.SpeedMetresPerSecond.Equals(b.SpeedMetresPerSecond) && a.Yaw.Equals(b.Yaw)
+            && a.LoiterRadiusMetres.Equals(b.LoiterRadiusMetres)
             && a.CameraPitch.Equals(b.CameraPitch) && a.CameraYaw.Equals(b.CameraYaw);
 }

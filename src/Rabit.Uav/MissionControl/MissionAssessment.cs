@@ -31,11 +31,13 @@ internal sealed class MissionAssessment
         bool isPlaceKnown = stop == MotorStop.None ? flight.Vehicle.PositionTime is not null
             : flight.Touchdown.IsPlaceKnown;
         double distance = isPlaceKnown ? flight.DistanceFromHomeMetres : double.NaN;
+        // A fixed wing is landed by its pilot, on his runway.
+        bool isOurLanding = !flight.IsFixedWing;
         bool isGivenUp = flight.Aborted is not null || phase == MissionPhase.Failed;
         MissionFailures failures = If(MissionFailures.GivenUp, hasFlown && isGivenUp)
             | If(MissionFailures.NotFlown, !hasFlown)
             | If(MissionFailures.NotLanded, hasFlown && !hasLanded)
-            | If(MissionFailures.AwayFromHome, hasLanded && !(distance <= MissionResult.MaxLandingDistanceMetres))
+            | If(MissionFailures.AwayFromHome, hasLanded && isOurLanding && !(distance <= MissionResult.MaxLandingDistanceMetres))
             | If(MissionFailures.OutsideFence, _outsideFenceMetres > 0)
             | If(MissionFailures.TakenOver, flight.IsTakenOver)
             | If(MissionFailures.AreaNotSeen, hasFlown && flight.Route?.Coverage.Fraction < flight.RequiredCoverage);

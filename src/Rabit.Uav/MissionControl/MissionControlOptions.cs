@@ -71,6 +71,14 @@ public sealed class MissionControlOptions
     /// <value>The default is false.</value>
     public bool AllowsPartialSearch { get; set; }
 
+    /// <summary>
+    /// Allows the mission to a fixed wing, within its limits: its pilot takes off and gives it over in the air, and
+    /// lands it (docs/managers/mission-control.md, "Fixed wings"). In a <see cref="UavSystem"/> it also sets
+    /// <see cref="AutopilotInterface.AutopilotOptions.MayCommandFixedWing"/>.
+    /// </summary>
+    /// <value>The default is null: a mission is refused to a fixed wing.</value>
+    public FixedWingOptions? FixedWing { get; set; }
+
     /// <summary>What is commanded when the program is stopped while Mission Control flies the vehicle.</summary>
     /// <value>The default is <see cref="OnStop.Hold"/>.</value>
     public OnStop OnStop { get; set; }
@@ -99,6 +107,7 @@ public sealed class MissionControlOptions
             throw new ArgumentException("Mission Control: " + string.Join("; ", faults) + ".", parameter);
         MissionControlOptions copy = Copy();
         copy.Energy = Energy.Copy();
+        copy.FixedWing = FixedWing?.Copy();
         return copy;
     }
 
@@ -118,6 +127,8 @@ public sealed class MissionControlOptions
             yield return $"{nameof(Energy)} is null; it may be left as it is";
         foreach (string fault in Energy?.FindFaults() ?? [])
             yield return $"{nameof(Energy)}: {fault}";
+        foreach (string fault in FixedWing?.FindFaults() ?? [])
+            yield return $"{nameof(FixedWing)}: {fault}";
         if (OnStop is not (OnStop.Hold or OnStop.Return))
             yield return $"{nameof(OnStop)} is {OnStop:D}, which is none of its values";
         if (ProgressFile is not null && string.IsNullOrWhiteSpace(ProgressFile))

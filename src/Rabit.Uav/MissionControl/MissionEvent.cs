@@ -9,6 +9,12 @@ internal enum MissionEvent
     /// <summary>The vehicle is connected, healthy, on the ground and has a position.</summary>
     Ready,
 
+    /// <summary>The pilot of a fixed wing has given it over, in the air.</summary>
+    GivenOver,
+
+    /// <summary>A fixed wing is back over home, where its pilot lands it.</summary>
+    OverHome,
+
     /// <summary>The vehicle is armed, and we command.</summary>
     Armed,
 

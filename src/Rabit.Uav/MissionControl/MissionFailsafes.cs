@@ -67,8 +67,7 @@ internal sealed class MissionFailsafes
         {
             flight.Text = "no position";
             if (flight.Now - lost > MaxTimeWithoutPosition && flight.IsFlying)
-                return new MissionStep(
-                    MissionEvent.LandNow, $"no position for {MissionNumbers.Seconds(MaxTimeWithoutPosition)}");
+                return flight.LandNow($"no position for {MissionNumbers.Seconds(MaxTimeWithoutPosition)}");
         }
 
         return MissionStep.Stay;
@@ -83,7 +82,7 @@ internal sealed class MissionFailsafes
         if (motors.What != MissionEvent.None)
             return motors;
         if (flight.Health.Advice == HealthAdvice.Land)
-            return new MissionStep(MissionEvent.LandNow, Advice(flight));
+            return flight.LandNow(Advice(flight));
         MissionStep step = CheckReturn(flight);
         if (step.What == MissionEvent.None && flight.Health.Advice == HealthAdvice.Hold)
             step = new MissionStep(MissionEvent.HealthHold, Advice(flight));

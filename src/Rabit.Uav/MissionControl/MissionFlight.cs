@@ -142,6 +142,9 @@ internal sealed class MissionFlight(
         ? "home is the autopilot's, the distance from it not known here"
         : MissionNumbers.Of(DistanceFromHomeMetres) + " m from home";
 
+    /// <summary>Whether the vehicle is a fixed wing: it is flown within limits.</summary>
+    public bool IsFixedWing => FixedWings.IsFixedWing(Vehicle.VehicleType);
+
     public double HeightMetres => Vehicle.HeightAboveHomeMetres;
 
     public double GroundSpeed => new PlanePoint(Vehicle.VelocityNed.North, Vehicle.VelocityNed.East).Length;
@@ -245,12 +248,17 @@ internal sealed class MissionFlight(
             HeightAboveHomeMetres = heightMetres,
             SpeedMetresPerSecond = Mission.SpeedMetresPerSecond,
             Yaw = Angle.FromRadians(yawRadians),
+            LoiterRadiusMetres = IsFixedWing ? Options.FixedWing?.LoiterRadiusMetres ?? 0 : 0,
         };
         (GoalPosition, GoalHeightMetres) = (to, heightMetres);
         if (!Commands.IsGoal(command))
             Commands.SetGoal(
                 command, $"go to {MissionNumbers.Of(to)}, height {MissionNumbers.Of(heightMetres)} m", RetryAfter);
     }
+
+    /// <summary>The step to a landing where it is; a fixed wing returns instead, and is landed by its pilot.</summary>
+    public MissionStep LandNow(string reason)
+        => new(IsFixedWing ? MissionEvent.ReturnToLaunch : MissionEvent.LandNow, reason);
 
     /// <summary>Sets a goal that has no parameters.</summary>
     public void SetGoal(VehicleCommandKind kind, string text, TimeSpan? retryAfter = null)

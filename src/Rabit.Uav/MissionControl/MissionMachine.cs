@@ -92,7 +92,9 @@ internal sealed class MissionMachine
             _flight.Log("the autopilot is connected again");
 
             // A vehicle that has taken off refuses to do so again.
-            if (Phase != MissionPhase.TakingOff || !_flight.IsFlying || !_flight.Commands.IsAccepted)
+            // A fixed wing is commanded once for each leg, and flies on to its place.
+            bool isUnderway = Phase == MissionPhase.TakingOff && _flight.IsFlying && _flight.Commands.IsAccepted;
+            if (!isUnderway && !_flight.IsFixedWing)
                 _flight.Commands.Resend();
         }
         else
@@ -110,7 +112,8 @@ internal sealed class MissionMachine
     }
 
     private bool IsOnLeg
-        => Phase is MissionPhase.InTransit or MissionPhase.Searching or MissionPhase.Revisiting;
+        => Phase is MissionPhase.InTransit or MissionPhase.Searching or MissionPhase.Revisiting
+            && !_flight.IsFixedWing;
 
     // The operator's hold takes the place of our own.
     private bool ChangesPhase(MissionStep step)
@@ -180,7 +183,8 @@ internal sealed class MissionMachine
     // itself.
     private void MakeSafe(MissionPhase from)
     {
-        bool isOurs = from != MissionPhase.WaitingForVehicle && _flight.Vehicle.IsArmed && !_flight.IsFlying;
+        bool isOurs = from != MissionPhase.WaitingForVehicle && _flight.Vehicle.IsArmed && !_flight.IsFlying
+            && !_flight.IsFixedWing;
         if (!isOurs || !_flight.IsConnected)
             return;
         _flight.SetGoal(VehicleCommandKind.Disarm, "disarm");

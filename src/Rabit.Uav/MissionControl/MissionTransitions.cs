@@ -26,6 +26,8 @@ internal static class MissionTransitions
         // As planned.
         (WaitingForVehicle, Ready) => Arming,
         (Arming, Armed) => TakingOff,
+        (WaitingForVehicle, GivenOver) => InTransit,
+        (Returning, OverHome) => HandedOver,
         (TakingOff, AtHeight) => InTransit,
         (InTransit, AtArea) => Searching,
         (Searching, TargetFound) => Revisiting,

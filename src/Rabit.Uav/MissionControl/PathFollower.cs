@@ -7,7 +7,7 @@ namespace Rabit.Uav.MissionControl;
 /// front of the vehicle, so that the cross-track error that wind causes is removed. A new point is commanded when the
 /// last one comes near, not in every tick.
 /// </summary>
-internal sealed class PathFollower
+internal sealed class PathFollower : ILaneFollower
 {
     /// <summary>Acceptance radius: within it a point is reached.</summary>
     public const double ArrivalMetres = 2;

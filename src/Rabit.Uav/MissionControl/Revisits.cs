@@ -51,7 +51,7 @@ internal sealed class Revisits
     /// <summary>The nearest target that is to be revisited; null when there is none.</summary>
     public TargetTrack? Next(MissionFlight flight)
     {
-        if (!flight.Mission.Revisit.IsEnabled)
+        if (!flight.Mission.Revisit.IsEnabled || flight.IsFixedWing)
             return null;
         PlanePoint here = flight.Position;
         while (flight.Tracks.Tracks

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Preflight;
 
@@ -12,6 +13,9 @@ internal static class ComputerLoss
     /// <returns>One sentence for each way in which the ground station is connected; empty for other makes.</returns>
     public static string Describe(PreflightFacts facts) => facts.Vehicle.Autopilot switch
     {
+        _ when FixedWings.IsFixedWing(facts.Vehicle.VehicleType)
+            => "it flies on to the place of its leg and circles there, until its pilot or a failsafe of its own acts, "
+                + "however the ground station is connected",
         MavAutopilot.Ardupilotmega => OfArdupilot(facts),
         MavAutopilot.Px4 => OfPx4(facts),
         _ => string.Empty,

@@ -37,10 +37,11 @@ internal sealed class ParameterRule : PreflightRule
             : base.HowToSet;
 
     /// <summary>The same as a line of one make of autopilot.</summary>
-    public ParameterRule For(MavAutopilot autopilot) => new()
+    public ParameterRule For(MavAutopilot autopilot, bool? isOfFixedWing) => new()
     {
         Name = Name,
         Autopilot = autopilot,
+        IsOfFixedWing = isOfFixedWing,
         Names = Names,
         Test = Test,
         Wanted = Wanted,

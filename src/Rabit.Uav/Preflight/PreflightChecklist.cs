@@ -15,12 +15,14 @@ internal static class PreflightChecklist
         if (facts.Vehicle.SystemId == 0)
             return PreflightReport.None;
         MavAutopilot autopilot = facts.Vehicle.Autopilot;
+        bool isFixedWing = FixedWings.IsFixedWing(facts.Vehicle.VehicleType);
         bool areParametersRead = facts.Parameters.IsComplete
-            || !PreflightRules.ParametersOf(autopilot).Any();
+            || !PreflightRules.ParametersOf(autopilot, isFixedWing).Any();
         return new PreflightReport
         {
             IsComplete = areParametersRead,
-            Lines = PreflightRules.Of(autopilot).Select(r => LineOf(r, facts, areParametersRead)).ToImmutableArray(),
+            Lines = PreflightRules.Of(autopilot, isFixedWing).Select(r => LineOf(r, facts, areParametersRead))
+                .ToImmutableArray(),
             WhenComputerFails = areParametersRead ? ComputerLoss.Describe(facts) : string.Empty,
         };
     }

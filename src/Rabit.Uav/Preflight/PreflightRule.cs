@@ -27,8 +27,12 @@ internal abstract class PreflightRule
     /// <summary>What to do where the line does not pass, as text.</summary>
     public virtual string HowToSet { get; init; } = string.Empty;
 
-    /// <summary>Whether it is a line for this make of autopilot.</summary>
-    public bool IsFor(MavAutopilot autopilot) => Autopilot is null || Autopilot == autopilot;
+    /// <summary>Whether only a fixed wing has the line, or only what is none; null for both.</summary>
+    public bool? IsOfFixedWing { get; init; }
+
+    /// <summary>Whether it is a line for this vehicle.</summary>
+    public bool IsFor(MavAutopilot autopilot, bool isFixedWing)
+        => (Autopilot is null || Autopilot == autopilot) && (IsOfFixedWing is null || IsOfFixedWing == isFixedWing);
 
     /// <summary>Judges what is known at present.</summary>
     public abstract PreflightJudgement Judge(PreflightFacts facts);

@@ -12,8 +12,9 @@ public static class PreflightRules
         () =>
         [
             .. VehicleRules.All,
-            .. For(MavAutopilot.Ardupilotmega, ReturnHeightRule.Ardupilot, ArdupilotRules.All),
-            .. For(MavAutopilot.Px4, ReturnHeightRule.Px4, Px4Rules.All),
+            .. For(MavAutopilot.Ardupilotmega, false, ReturnHeightRule.Ardupilot, ArdupilotRules.All),
+            VehicleRules.OfArdupilotPlane,
+            .. For(MavAutopilot.Px4, null, ReturnHeightRule.Px4, Px4Rules.All),
         ]);
 
     /// <summary>The rules, as documentation and help show them.</summary>
@@ -23,17 +24,17 @@ public static class PreflightRules
     public static IReadOnlyList<string> Names { get; } =
         [.. AllRules.Value.Select(r => r.Name).Distinct(StringComparer.Ordinal)];
 
-    internal static IEnumerable<PreflightRule> Of(MavAutopilot autopilot)
-        => AllRules.Value.Where(r => r.IsFor(autopilot));
+    internal static IEnumerable<PreflightRule> Of(MavAutopilot autopilot, bool isFixedWing = false)
+        => AllRules.Value.Where(r => r.IsFor(autopilot, isFixedWing));
 
-    internal static IEnumerable<ParameterRule> ParametersOf(MavAutopilot autopilot)
-        => AllRules.Value.OfType<ParameterRule>().Where(r => r.IsFor(autopilot));
+    internal static IEnumerable<ParameterRule> ParametersOf(MavAutopilot autopilot, bool isFixedWing = false)
+        => Of(autopilot, isFixedWing).OfType<ParameterRule>();
 
     private static IEnumerable<PreflightRule> For(
-        MavAutopilot autopilot, IReadOnlyList<(string Name, double Scale)> returnHeight,
+        MavAutopilot autopilot, bool? isOfFixedWing, IReadOnlyList<(string Name, double Scale)> returnHeight,
         IReadOnlyList<ParameterRule> rules)
         => new[] { ReturnHeightRule.Create(returnHeight) }.Concat(rules)
-            .Select(r => r.For(autopilot));
+            .Select(r => r.For(autopilot, isOfFixedWing));
 
     private static PreflightRuleInfo Describe(PreflightRule rule)
     {

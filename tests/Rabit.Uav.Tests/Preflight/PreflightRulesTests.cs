@@ -146,6 +146,23 @@ public sealed class PreflightRulesTests
             PreflightRules.ParametersOf(MavAutopilot.Ardupilotmega), r => Assert.Null(r.FindChange(facts)));
     }
 
+    // Copter's BATT_FS_LOW_ACT 2 is a return, Plane's a landing: nothing of it is judged, or written.
+    [Fact]
+    public void Judge_PlaneOfArdupilot_IsNotThatOfCopter()
+    {
+        PreflightFacts facts = PreflightCases.Facts();
+        facts.Vehicle = facts.Vehicle with { VehicleType = MavType.FixedWing };
+        string[] names = PreflightChecklist.Evaluate(facts).Lines.Select(l => l.Name).ToArray();
+        Assert.DoesNotContain("BATT_FS_LOW_ACT", names);
+        Assert.DoesNotContain("return-height", names);
+        Assert.Equal(
+            PreflightResult.Fail, PreflightChecklist.Evaluate(facts).Lines.Single(l => l.Name == "plane-failsafes").Result);
+        Assert.Contains("circles there", PreflightChecklist.Evaluate(facts).WhenComputerFails, StringComparison.Ordinal);
+
+        facts.Vehicle = facts.Vehicle with { VehicleType = MavType.Quadrotor };
+        Assert.DoesNotContain(PreflightChecklist.Evaluate(facts).Lines, l => l.Name == "plane-failsafes");
+    }
+
     [Fact]
     public void FindChange_WrittenValue_Passes()
     {

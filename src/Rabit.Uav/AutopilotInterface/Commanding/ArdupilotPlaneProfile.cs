@@ -6,13 +6,9 @@ namespace Rabit.Uav.AutopilotInterface;
 /// <summary>
 /// ArduPilot's Plane: places in GUIDED, without the flag that changes the mode: in another mode it then refuses them.
 /// </summary>
-internal sealed class ArdupilotPlaneProfile : FixedWingProfile
+internal sealed class ArdupilotPlaneProfile() : FixedWingProfile(MavAutopilot.Ardupilotmega)
 {
     public static ArdupilotPlaneProfile Instance { get; } = new();
-
-    public override uint CommandedMode => (uint)PlaneMode.Guided;
-
-    public override string CommandedModeName => "GUIDED";
 
     public override uint ReturnMode => (uint)PlaneMode.Rtl;
 

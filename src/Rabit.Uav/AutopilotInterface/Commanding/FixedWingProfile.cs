@@ -13,7 +13,7 @@ namespace Rabit.Uav.AutopilotInterface;
 /// The target stays in force until the next one. It counts as acknowledged when POSITION_TARGET_GLOBAL_INT shows it,
 /// so that a lost answer does not send it twice (recorded of ArduPlane: the place to the digit, within 0.05 s).
 /// </remarks>
-internal abstract class FixedWingProfile : VehicleProfile
+internal abstract class FixedWingProfile(MavAutopilot autopilot) : VehicleProfile
 {
     /// <summary>Why it is not commanded without the option.</summary>
     public const string NotAllowed = "a FixedWing is commanded with AutopilotOptions.MayCommandFixedWing only "
@@ -23,14 +23,12 @@ internal abstract class FixedWingProfile : VehicleProfile
     // Half a metre: a float of the wire or a rounding is less.
     private const int MaxShiftDegE7 = 45;
 
+    private readonly (uint Mode, string Name) _given = FixedWings.GivenMode(autopilot)!.Value;
+
+    public override uint CommandedMode => _given.Mode;
+
     // It is never landed by us: the base refuses the command before.
     public override uint LandMode => ReturnMode;
-
-    /// <summary>Whether it flies as an aeroplane does, and never as a copter.</summary>
-    public static bool IsFixedWing(MavType vehicle) => vehicle == MavType.FixedWing;
-
-    /// <summary>The name of <see cref="VehicleProfile.CommandedMode"/>, in which the pilot gives it over.</summary>
-    public abstract string CommandedModeName { get; }
 
     /// <summary>Whether a report shows the target of a step.</summary>
     public static bool IsTarget(in CommandStep step, in PositionTargetGlobalInt target)
@@ -64,7 +62,7 @@ internal abstract class FixedWingProfile : VehicleProfile
         }
 
         if (!isGiven)
-            return $"the vehicle is in {vehicle.Mode}: its pilot has not given it over, in {CommandedModeName}";
+            return $"the vehicle is in {vehicle.Mode}: its pilot has not given it over, in {_given.Name}";
         if (!context.IsPositionFresh)
             return "where the vehicle is is not known";
         CommandStep step = PlanPlace(command.Kind == VehicleCommandKind.GoTo ? command : Here(vehicle), context);

@@ -7,16 +7,12 @@ namespace Rabit.Uav.AutopilotInterface;
 /// PX4's fixed wings: places in AUTO.LOITER, with the flag that changes the mode, without which PX4 denies them; so only
 /// on the arrival of a report that shows AUTO.LOITER.
 /// </summary>
-internal sealed class Px4PlaneProfile : FixedWingProfile
+internal sealed class Px4PlaneProfile() : FixedWingProfile(MavAutopilot.Px4)
 {
     // MAV_DO_REPOSITION_FLAGS_CHANGE_MODE.
     private const float ChangesMode = 1;
 
     public static Px4PlaneProfile Instance { get; } = new();
-
-    public override uint CommandedMode => Px4Modes.Loiter;
-
-    public override string CommandedModeName => "AUTO.LOITER";
 
     public override uint ReturnMode => Px4Modes.Return;
 

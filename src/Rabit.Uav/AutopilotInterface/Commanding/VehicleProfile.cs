@@ -29,7 +29,7 @@ internal abstract class VehicleProfile
     /// <summary>The profile of a vehicle; null where it is not commanded, and why.</summary>
     public static VehicleProfile? For(in VehicleState vehicle, bool mayCommandFixedWing, out string? refusal)
     {
-        bool isFixedWing = FixedWingProfile.IsFixedWing(vehicle.VehicleType);
+        bool isFixedWing = FixedWings.IsFixedWing(vehicle.VehicleType);
         refusal = isFixedWing
             ? mayCommandFixedWing ? null : FixedWingProfile.NotAllowed
             : ArdupilotModes.IsCopter(vehicle.VehicleType)

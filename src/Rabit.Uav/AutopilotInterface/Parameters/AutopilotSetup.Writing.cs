@@ -90,7 +90,8 @@ internal sealed partial class AutopilotSetup
     }
 
     private static List<(string Name, double Value)> FindChanges(PreflightFacts facts)
-        => PreflightRules.ParametersOf(facts.Vehicle.Autopilot).Select(r => r.FindChange(facts))
+        => PreflightRules.ParametersOf(
+            facts.Vehicle.Autopilot, FixedWings.IsFixedWing(facts.Vehicle.VehicleType)).Select(r => r.FindChange(facts))
             .OfType<(string Name, double Value)>().ToList();
 
     // Home is where it stands: its altitude is that of the ground.

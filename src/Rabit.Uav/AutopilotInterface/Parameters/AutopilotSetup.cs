@@ -45,21 +45,23 @@ internal sealed partial class AutopilotSetup
     private AutopilotSetupState _state;
     private string? _text;
 
-    /// <param name="autopilot">The make, which decides what is read.</param>
+    /// <param name="vehicle">Its make and kind decide what is read.</param>
     /// <param name="sender">Gives the frames their source.</param>
     /// <param name="target">The autopilot.</param>
     /// <param name="options">What is to be written.</param>
     /// <param name="store">Keeps the originals; null where nothing is written.</param>
     /// <param name="log">Takes what people should know.</param>
     public AutopilotSetup(
-        MavAutopilot autopilot, MavlinkSender sender, MavlinkAddress target, AutopilotSetupOptions options,
+        in VehicleState vehicle, MavlinkSender sender, MavlinkAddress target, AutopilotSetupOptions options,
         IOriginalsStore? store, Action<string> log)
     {
         (_options, _store, _log) = (options, store, log);
+        MavAutopilot autopilot = vehicle.Autopilot;
         MavlinkParameterEncoding encoding = MavlinkParameter.EncodingOf(autopilot);
         _parameters = new MavlinkParameterClient(sender, target, encoding, ParameterTimes);
         _fence = new MavlinkMissionClient(sender, target);
-        IEnumerable<IReadOnlyList<string>> groups = PreflightRules.ParametersOf(autopilot)
+        IEnumerable<IReadOnlyList<string>> groups = PreflightRules.ParametersOf(
+                autopilot, FixedWings.IsFixedWing(vehicle.VehicleType))
             .Select(r => (IReadOnlyList<string>)r.Names.Select(n => n.Name).ToArray());
         IEnumerable<string> others = FenceParameters(autopilot).Select(p => p.Name)
             .Concat(ReturnSpeed.ParametersOf(autopilot));

@@ -72,6 +72,9 @@ internal sealed class EnergyModel
     /// <returns>Why not, with the figures; null where it can, or where the battery is not known.</returns>
     public string? CheckPlan(MissionFlight flight)
     {
+        // A fixed wing has no power of hovering to begin with.
+        if (flight.IsFixedWing)
+            return null;
         (double joules, double seconds) = PlanEnergy.Of(
             _power, flight.Route!, _mission, _options.AssumedWindMetresPerSecond, SpeedHome(flight),
             _options.MaxAirspeedMetresPerSecond, StartSeconds(flight));
@@ -129,7 +132,7 @@ internal sealed class EnergyModel
     private void Judge(MissionFlight flight, bool isFlying)
     {
         _status.IsKnown = _charge.IsKnown && flight.Plan is not null && flight.Vehicle.PositionTime is not null
-            && flight.Now - flight.Vehicle.BatteryTime <= MaxBatteryAge;
+            && flight.Now - flight.Vehicle.BatteryTime <= MaxBatteryAge && !flight.IsFixedWing;
         _status.Reserve = _mission.EnergyReserveFraction;
         (_status.ChargeLeft, _status.ChargeLeftDeviation) = (_charge.Left, _charge.LeftDeviation);
         (_status.CapacityFraction, _status.CapacityFractionDeviation)

@@ -60,6 +60,12 @@ internal sealed class HandedOverState() : MissionState(MissionPhase.HandedOver)
         }
     }
 
+    // Its modes are never taken but from our own return.
+    private static string? FindFaultOfFixedWing(MissionFlight flight, OperatorCommand command)
+        => command == OperatorCommand.Hold
+            ? FixedWingRules.FindNotGiven(flight)
+            : FixedWingRules.FindFault(flight) ?? FixedWingRules.FindMissing(flight);
+
     // As in flight: a hold or a resume against a reason to return would last for one tick. But a critical state may be
     // that of the failsafe that a hold ends.
     private static string? FindFault(MissionFlight flight, OperatorCommand command)
@@ -68,6 +74,8 @@ internal sealed class HandedOverState() : MissionState(MissionPhase.HandedOver)
             return null;
         if (flight.Health.Advice != HealthAdvice.None)
             return flight.Health.AdviceText ?? flight.Health.Text ?? "health advises against it";
+        if (flight.IsFixedWing && FindFaultOfFixedWing(flight, command) is { } fixedWing)
+            return fixedWing;
         if (command == OperatorCommand.Hold)
             return null;
         if (MissionGuards.FindCritical(flight) is { } critical)

@@ -40,6 +40,8 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 
         if (flight.Route!.Current is not { } lane)
             return new MissionStep(MissionEvent.AtArea, "all lanes are flown");
+        if (flight.IsFixedWing)
+            return new MissionStep(MissionEvent.AtArea, "to the circle before the first lane");
         if (_climbAt is { } at)
         {
             Climb(flight, at);

@@ -19,6 +19,11 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
     private const double StartSeconds = 120;
     private const double MinDescentRate = 0.3;
 
+    // RTL circles over home; what passes it is farther away again by then.
+    private const double OverHomeInRadii = 2.5;
+    private static readonly TimeSpan OverHomeTime = TimeSpan.FromSeconds(10);
+
+    private TimeSpan? _overHomeSince;
     private TimeSpan _limit;
     private TimeSpan _progressTime;
     private double _lastDistance;
@@ -34,6 +39,7 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
         (_progressTime, _lastDistance, _lastHeight) = (flight.ActiveTime, distance, flight.HeightMetres);
         _lastPosition = flight.Position;
         _wasSentAgain = false;
+        _overHomeSince = null;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
@@ -44,6 +50,8 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
             + (flight.Aborted is null ? string.Empty : "; " + flight.Aborted);
         if (flight.Vehicle.LandedState is MavLandedState.Landing or MavLandedState.OnGround || !flight.Vehicle.IsArmed)
             return new MissionStep(MissionEvent.Descending, flight.DistanceText);
+        if (flight.IsFixedWing)
+            return CircleOverHome(flight, distance);
         if (distance < OverHomeMetres && flight.Vehicle.VelocityNed.Down > SinkingMetresPerSecond)
             return new MissionStep(MissionEvent.Descending, flight.DistanceText);
         if (flight.Commands.Failures >= MaxFailures)
@@ -51,6 +59,18 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
         if (inPhase > _limit)
             return new MissionStep(MissionEvent.LandNow, $"not home within {MissionNumbers.Seconds(_limit)}");
         return CheckProgress(flight, distance, isStart: inPhase < Seconds(StartSeconds));
+    }
+
+    // Nothing is landed in its place: a fixed wing that does not come home is its pilot's. It may not be allowed, and be
+    // returned by the operator's word all the same.
+    private MissionStep CircleOverHome(MissionFlight flight, double distance)
+    {
+        double radius = (flight.Options.FixedWing ?? new FixedWingOptions()).LoiterRadiusMetres;
+        bool isOverHome = distance <= OverHomeInRadii * radius && flight.Commands.IsAccepted;
+        _overHomeSince = isOverHome ? _overHomeSince ?? flight.ActiveTime : null;
+        return flight.ActiveTime - _overHomeSince >= OverHomeTime
+            ? new MissionStep(MissionEvent.OverHome, "it circles over home until its pilot lands it")
+            : MissionStep.Stay;
     }
 
     private MissionStep CheckProgress(MissionFlight flight, double distance, bool isStart)

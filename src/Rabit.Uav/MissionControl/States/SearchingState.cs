@@ -7,16 +7,25 @@ namespace Rabit.Uav.MissionControl;
 /// Flies lane after lane; between two of them new targets are revisited; at the end the gaps in the coverage are flown
 /// over.
 /// </summary>
-internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
+internal sealed class SearchingState : MissionState
 {
     // The last pictures of a lane are still being processed.
     private static readonly TimeSpan ProcessingTime = TimeSpan.FromSeconds(1.5);
 
-    private readonly PathFollower _follower = new();
+    private readonly PathFollower _path = new();
+    private readonly FixedWingFollower _wing = new();
+    private ILaneFollower _follower;
     private TimeSpan? _laneEnd;
     private bool _isOnLane;
 
-    public override void Enter(MissionFlight flight, MissionEvent by, string reason) => _isOnLane = false;
+    public SearchingState()
+        : base(MissionPhase.Searching) => _follower = _path;
+
+    public override void Enter(MissionFlight flight, MissionEvent by, string reason)
+    {
+        _isOnLane = false;
+        _follower = flight.IsFixedWing ? _wing : _path;
+    }
 
     /// <summary>A lane that was interrupted is continued where it was left.</summary>
     public override void Leave(MissionFlight flight)
@@ -27,6 +36,8 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
+        if (flight.IsFixedWing && flight.Commands.Failures > 0)
+            return new MissionStep(MissionEvent.Hold, "the leg was not accepted: " + flight.Commands.LastFailure);
         if (flight.Commands.Failures >= MaxFailures)
             return ReturnToLaunch(flight.Commands.LastFailure);
         if (_laneEnd is { } end && flight.ActiveTime - end < ProcessingTime && flight.Route!.Current is null)
@@ -48,6 +59,8 @@ internal sealed class SearchingState() : MissionState(MissionPhase.Searching)
             $"searching: lane {MissionNumbers.Of(route.Flown + 1)} of {MissionNumbers.Of(route.Count)}, {Seen(route)}";
         bool isFlown = _follower.Tick(flight, out bool isLate);
         route.FlownMetresOfLeg = _follower.FlownMetres;
+        if (isLate && flight.IsFixedWing)
+            return new MissionStep(MissionEvent.Hold, "no progress along the leg");
         if (isLate)
             return ReturnToLaunch($"lane {MissionNumbers.Of(route.Flown + 1)} takes too long");
         if (!isFlown)

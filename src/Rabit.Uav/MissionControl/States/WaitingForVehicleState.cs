@@ -5,7 +5,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Waits until the vehicle is connected, healthy, on the ground and has a position, all of it for some time.
+/// Waits until the vehicle is connected, healthy, on the ground and has a position, all of it for some time. Of a fixed
+/// wing it then waits until its pilot has taken off and given it over.
 /// </summary>
 internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.WaitingForVehicle)
 {
@@ -14,9 +15,12 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
     private static readonly TimeSpan MaxGpsAge = TimeSpan.FromSeconds(5);
 
     private TimeSpan? _readySince;
+    private bool _isPilotAwaited;
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
+        if (_isPilotAwaited)
+            return AwaitPilot(flight);
         if (flight.IsFlying)
         {
             if (flight.Options.Resume is not null && flight.Plan is null)
@@ -26,6 +30,8 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
                 "the vehicle is already flying; it is commanded at the operator's word only");
         }
 
+        if (flight.IsConnected && flight.IsFixedWing && FixedWingRules.FindFault(flight) is { } notFlown)
+            return Impossible(notFlown);
         string? missing = FindMissing(flight);
         flight.Text = "waiting: " + (missing ?? "ready");
         if (missing is not null)
@@ -42,14 +48,36 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         string fault = flight.CreatePlan();
         if (fault.Length > 0)
             return Impossible(fault);
-        return new MissionStep(
-            MissionEvent.Ready,
-            $"{MissionNumbers.Of(flight.Route!.Count)} lanes over {MissionNumbers.Of(flight.Plan!.Area.Area)} m2"
+        if (!flight.IsFixedWing)
+            return new MissionStep(MissionEvent.Ready, PlanText(flight));
+        flight.MeasureGround();
+        flight.Log($"ready, {PlanText(flight)}: its pilot takes off; targets are not revisited");
+        (_isPilotAwaited, _readySince) = (true, null);
+        return MissionStep.Stay;
+    }
+
+    // A mode that is passed through gives nothing over.
+    private MissionStep AwaitPilot(MissionFlight flight)
+    {
+        string? missing = !flight.IsConnected ? "no autopilot connected"
+            : !flight.IsFlying ? "ready: its pilot takes off"
+            : FixedWingRules.FindMissing(flight)
+                ?? (flight.Health.Advice == HealthAdvice.None && flight.Health.Level != HealthLevel.Critical
+                    ? null
+                    : flight.Health.AdviceText ?? flight.Health.Text ?? "health advises against it");
+        flight.Text = "waiting: " + (missing ?? "given over");
+        _readySince = missing is null ? _readySince ?? flight.Now : null;
+        return flight.Now - _readySince >= MinReadyTime
+            ? new MissionStep(MissionEvent.GivenOver, $"its pilot gave it over in {flight.Vehicle.Mode}")
+            : MissionStep.Stay;
+    }
+
+    private static string PlanText(MissionFlight flight)
+        => $"{MissionNumbers.Of(flight.Route!.Count)} lanes over {MissionNumbers.Of(flight.Plan!.Area.Area)} m2"
                 + (flight.Options.Resume is null
                     ? string.Empty
                     : $", {MissionNumbers.Of(flight.Route.Flown)} of them flown already, "
-                        + MissionNumbers.Percent(flight.Route.Coverage.Fraction) + " seen"));
-    }
+                        + MissionNumbers.Percent(flight.Route.Coverage.Fraction) + " seen");
 
     private static string? FindMissing(MissionFlight flight)
     {

@@ -35,7 +35,7 @@ internal sealed class SetupRig
             BatteryVolts = 12.4,
         };
         _setup = new AutopilotSetup(
-            make, new MavlinkSender(1, 191), new MavlinkAddress(1, 1), options ?? new AutopilotSetupOptions(), store,
+            Vehicle, new MavlinkSender(1, 191), new MavlinkAddress(1, 1), options ?? new AutopilotSetupOptions(), store,
             Log.Add);
     }
 
