@@ -39,7 +39,8 @@ public sealed partial class AutopilotManager
         bool isPlane = FixedWings.IsFixedWing(vehicle.VehicleType);
         int[] denied = vehicle.Autopilot switch
         {
-            MavAutopilot.Ardupilotmega when isPlane => OfPx4.Where(m => m != PositionTargetGlobalInt.MavlinkId).ToArray(),
+            MavAutopilot.Ardupilotmega when isPlane
+                => OfPx4.Where(m => m != PositionTargetGlobalInt.MavlinkId).ToArray(),
             MavAutopilot.Ardupilotmega => OfPx4,
             MavAutopilot.Px4 => OfArdupilot,
             _ => [],

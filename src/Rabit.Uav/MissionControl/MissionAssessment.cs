@@ -37,7 +37,9 @@ internal sealed class MissionAssessment
         MissionFailures failures = If(MissionFailures.GivenUp, hasFlown && isGivenUp)
             | If(MissionFailures.NotFlown, !hasFlown)
             | If(MissionFailures.NotLanded, hasFlown && !hasLanded)
-            | If(MissionFailures.AwayFromHome, hasLanded && isOurLanding && !(distance <= MissionResult.MaxLandingDistanceMetres))
+            | If(
+                MissionFailures.AwayFromHome,
+                hasLanded && isOurLanding && !(distance <= MissionResult.MaxLandingDistanceMetres))
             | If(MissionFailures.OutsideFence, _outsideFenceMetres > 0)
             | If(MissionFailures.TakenOver, flight.IsTakenOver)
             | If(MissionFailures.AreaNotSeen, hasFlown && flight.Route?.Coverage.Fraction < flight.RequiredCoverage);

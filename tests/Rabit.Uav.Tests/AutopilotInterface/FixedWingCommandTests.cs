@@ -8,7 +8,9 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.AutopilotInterface;
 
-/// <summary>Commands to fixed wings: one DO_REPOSITION a place, in the mode that the pilot gave. Home lies at 100 m.</summary>
+/// <summary>
+/// Commands to fixed wings: one DO_REPOSITION a place, in the mode that the pilot gave. Home lies at 100 m.
+/// </summary>
 public class FixedWingCommandTests
 {
     private const uint Px4Loiter = 0x0304_0000;

@@ -7,7 +7,9 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.MissionControl;
 
-/// <summary>A mission of a fixed wing: by its pilot into the air and to the ground, one DO_REPOSITION each leg.</summary>
+/// <summary>
+/// A mission of a fixed wing: by its pilot into the air and to the ground, one DO_REPOSITION each leg.
+/// </summary>
 public class FixedWingMissionTests
 {
     public static readonly TheoryData<MavAutopilot> Makes = [MavAutopilot.Ardupilotmega, MavAutopilot.Px4];
@@ -190,7 +192,7 @@ public class FixedWingMissionTests
         Assert.True((rig.Status.Result.Failures & MissionFailures.GivenUp) != 0);
     }
 
-    // Its place is shown, but it circles elsewhere: what no mode and no target tells is seen by the missing progress.
+    // Its place is shown, but it circles elsewhere: what no mode and no target shows is seen by the missing progress.
     [Theory]
     [MemberData(nameof(Makes))]
     public void Leg_WithoutProgress_HoldsThenReturnsAndIsNotCommandedAgain(MavAutopilot make)
@@ -219,7 +221,8 @@ public class FixedWingMissionTests
         rig.RunWhile(() => rig.Status.LanesFlown == flown);
         rig.Run(1);
         Assert.Equal(MissionPhase.Holding, rig.Status.Phase);
-        Assert.Contains("the leg was not accepted: refused: DoReposition: Denied", rig.Status.Text, StringComparison.Ordinal);
+        Assert.Contains(
+            "the leg was not accepted: refused: DoReposition: Denied", rig.Status.Text, StringComparison.Ordinal);
         rig.Run(60);
         Assert.Equal(rig.Legs, places + 1);
         Assert.Equal(MissionPhase.HandedOver, rig.Status.Phase);

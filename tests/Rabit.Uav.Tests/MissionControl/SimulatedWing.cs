@@ -97,7 +97,7 @@ internal sealed class SimulatedWing : RabitManager
     /// <summary>What it answers to DO_REPOSITION where it does not obey; null obeys.</summary>
     public MavResult? RefusesPlaces { get; set; }
 
-    /// <summary>It circles where it is, and reports what it was told: a pilot's Hold that no message shows.</summary>
+    /// <summary>It acknowledges places and does not fly to them.</summary>
     public bool IgnoresPlaces { get; set; }
 
     /// <summary>Whether commands of any kind came that are the pilot's.</summary>

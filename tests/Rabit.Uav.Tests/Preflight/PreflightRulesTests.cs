@@ -152,12 +152,12 @@ public sealed class PreflightRulesTests
     {
         PreflightFacts facts = PreflightCases.Facts();
         facts.Vehicle = facts.Vehicle with { VehicleType = MavType.FixedWing };
-        string[] names = PreflightChecklist.Evaluate(facts).Lines.Select(l => l.Name).ToArray();
+        PreflightReport report = PreflightChecklist.Evaluate(facts);
+        string[] names = report.Lines.Select(l => l.Name).ToArray();
         Assert.DoesNotContain("BATT_FS_LOW_ACT", names);
         Assert.DoesNotContain("return-height", names);
-        Assert.Equal(
-            PreflightResult.Fail, PreflightChecklist.Evaluate(facts).Lines.Single(l => l.Name == "plane-failsafes").Result);
-        Assert.Contains("circles there", PreflightChecklist.Evaluate(facts).WhenComputerFails, StringComparison.Ordinal);
+        Assert.Equal(PreflightResult.Fail, report.Lines.Single(l => l.Name == "plane-failsafes").Result);
+        Assert.Contains("circles there", report.WhenComputerFails, StringComparison.Ordinal);
 
         facts.Vehicle = facts.Vehicle with { VehicleType = MavType.Quadrotor };
         Assert.DoesNotContain(PreflightChecklist.Evaluate(facts).Lines, l => l.Name == "plane-failsafes");

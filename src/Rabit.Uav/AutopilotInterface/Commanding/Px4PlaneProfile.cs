@@ -4,8 +4,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.AutopilotInterface;
 
 /// <summary>
-/// PX4's fixed wings: places in AUTO.LOITER, with the flag that changes the mode, without which PX4 denies them; so only
-/// on the arrival of a report that shows AUTO.LOITER.
+/// PX4's fixed wings: places in AUTO.LOITER, with the flag that changes the mode, without which PX4 denies them; so
+/// only on the arrival of a report that shows AUTO.LOITER.
 /// </summary>
 internal sealed class Px4PlaneProfile() : FixedWingProfile(MavAutopilot.Px4)
 {

@@ -61,8 +61,7 @@ internal sealed class ReturningState() : MissionState(MissionPhase.Returning)
         return CheckProgress(flight, distance, isStart: inPhase < Seconds(StartSeconds));
     }
 
-    // Nothing is landed in its place: a fixed wing that does not come home is its pilot's. It may not be allowed, and be
-    // returned by the operator's word all the same.
+    // It is never landed where it is: a fixed wing that does not return is its pilot's.
     private MissionStep CircleOverHome(MissionFlight flight, double distance)
     {
         double radius = (flight.Options.FixedWing ?? new FixedWingOptions()).LoiterRadiusMetres;
