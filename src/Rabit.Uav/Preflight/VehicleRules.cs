@@ -93,8 +93,11 @@ internal static class VehicleRules
     public static PreflightRule OfArdupilotPlane { get; } = new VehicleRule(
         static _ => PreflightJudgement.Fail("not judged: the parameters of Plane are not known here"))
     {
-        Name = "plane-failsafes", Autopilot = MavAutopilot.Ardupilotmega, IsOfFixedWing = true,
-        Pass = "never: the operator overrides it once he has checked them", Fail = "a fixed wing, always",
+        Name = "plane-failsafes",
+        Autopilot = MavAutopilot.Ardupilotmega,
+        IsOfFixedWing = true,
+        Pass = "never: the operator overrides it once he has checked them",
+        Fail = "a fixed wing, always",
         HowToSet = "check THR_FAILSAFE, FS_LONG_ACTN, FS_GCS_ENABL and BATT_FS_LOW_ACT, then override this line",
         Reason = "Plane has other names and values than Copter; its failsafes are its pilot's to check",
     };
