@@ -18,6 +18,8 @@ internal static class AbandonedReturn
             return "PX4: its own failsafe has acted";
         if (vehicle.Autopilot != MavAutopilot.Ardupilotmega)
             return $"the autopilot is {vehicle.Autopilot}, not ArduPilot";
+        if (!IsCopter(vehicle.VehicleType))
+            return $"a {vehicle.VehicleType} is no copter: its modes have other numbers";
         if (!vehicle.IsArmed)
             return "the vehicle is not armed";
         if (vehicle.SystemStatus is MavState.Critical or MavState.Emergency)
@@ -26,6 +28,12 @@ internal static class AbandonedReturn
             return $"its mode is {vehicle.Mode}: another commands it";
         return IsInAir(vehicle) ? null : "the vehicle is not in the air";
     }
+
+    // Copter's number of RTL is another mode of Plane, FBWB.
+    private static bool IsCopter(MavType vehicle)
+        => vehicle is MavType.Quadrotor or MavType.Coaxial or MavType.Helicopter or MavType.Hexarotor
+            or MavType.Octorotor or MavType.Tricopter or MavType.Dodecarotor or MavType.Decarotor
+            or MavType.GenericMultirotor;
 
     private static bool IsInAir(in VehicleState vehicle) => vehicle.LandedState switch
     {

@@ -37,6 +37,8 @@ public sealed class AbandonedReturnTests : IDisposable
             (Hovering() with { Autopilot = MavAutopilot.Px4, Mode = "OFFBOARD" },
                 "PX4: its own failsafe has acted"),
             (Hovering() with { Autopilot = MavAutopilot.Generic }, "the autopilot is Generic, not ArduPilot"),
+            (Hovering() with { VehicleType = MavType.FixedWing },
+                "a FixedWing is no copter: its modes have other numbers"),
             (Hovering() with { IsArmed = false }, "the vehicle is not armed"),
             (Hovering() with { SystemStatus = MavState.Critical }, "the autopilot is in a failsafe (Critical)"),
             (Hovering() with { SystemStatus = MavState.Emergency }, "the autopilot is in a failsafe (Emergency)"),
@@ -107,6 +109,7 @@ public sealed class AbandonedReturnTests : IDisposable
 
     private static VehicleState Hovering() => new()
     {
+        VehicleType = MavType.Quadrotor,
         Autopilot = MavAutopilot.Ardupilotmega,
         IsArmed = true,
         Mode = "GUIDED",
