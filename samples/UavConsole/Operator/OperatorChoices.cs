@@ -1,0 +1,91 @@
+using System;
+using System.IO;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+
+namespace UavConsole;
+
+/// <summary>What the operator asked for on the command line.</summary>
+internal sealed class OperatorChoices
+{
+    private bool _isGiven;
+
+    /// <summary>What a vehicle that flies already is commanded at the start; null for nothing.</summary>
+    public OperatorCommand? AtStart { get; init; }
+
+    /// <summary>Progress of an earlier flight; null for none.</summary>
+    public string? ResumeFile { get; init; }
+
+    /// <summary>Where the progress goes; null for nowhere.</summary>
+    public string? ProgressFile { get; init; }
+
+    /// <summary>Whether a mission is begun that the battery cannot fly to its end.</summary>
+    public bool AllowsPartialSearch { get; init; }
+
+    public OnStop OnStop { get; init; }
+
+    /// <summary>Radius of the circles of a fixed wing; null where none is commanded.</summary>
+    public double? LoiterRadiusMetres { get; init; }
+
+    /// <summary>Sets the options of Mission Control.</summary>
+    /// <exception cref="ArgumentException">A file cannot be read, or is damaged.</exception>
+    public void ApplyTo(MissionControlOptions options)
+    {
+        options.OnStop = OnStop;
+        if (LoiterRadiusMetres is { } radius)
+            options.FixedWing = new FixedWingOptions { LoiterRadiusMetres = radius };
+        options.AllowsPartialSearch = AllowsPartialSearch;
+        if (ResumeFile is { } resume)
+            options.Resume = Read(resume);
+
+        // A start that only brings a vehicle home leaves the progress of its mission as it is.
+        if (AtStart is null)
+            options.ProgressFile = ProgressFile;
+    }
+
+    /// <summary>Keeps the progress of another flight beside the new one; once nothing prevents the start.</summary>
+    /// <exception cref="ArgumentException">It cannot be kept.</exception>
+    public void KeepEarlierProgress()
+    {
+        bool isResumed = ResumeFile is { } from && ProgressFile is { } to
+            && string.Equals(Path.GetFullPath(from), Path.GetFullPath(to), StringComparison.Ordinal);
+        if (ProgressFile is { } progress && AtStart is null && !isResumed)
+            KeepTheOldOne(progress);
+    }
+
+    /// <summary>Gives the command of the start, once, when the vehicle turns out to fly already.</summary>
+    /// <param name="phase">The phase of the mission.</param>
+    /// <param name="missionControl">Takes the command.</param>
+    public void Update(MissionPhase phase, MissionControlManager missionControl)
+    {
+        if (_isGiven || AtStart is not { } command || phase != MissionPhase.HandedOver)
+            return;
+        _isGiven = true;
+        missionControl.Command(command, command == OperatorCommand.Hold ? "--hold" : "--return");
+    }
+
+    private static MissionProgress Read(string path)
+    {
+        try
+        {
+            return MissionProgress.ReadFile(path);
+        }
+        catch (Exception e)
+            when (e is MissionProgressException or IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            throw new ArgumentException("--resume: " + e.Message, nameof(path), e);
+        }
+    }
+
+    private static void KeepTheOldOne(string path)
+    {
+        try
+        {
+            DatedFile.Keep(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            throw new ArgumentException($"--progress {path} cannot be written: {e.Message}", nameof(path), e);
+        }
+    }
+}
