@@ -148,6 +148,21 @@ internal static class MatrixFaults
     public static readonly MatrixFault PictureTimesOff = Pictures(
         "camera clock 60 s late", ScriptedFaultKind.PictureTimesOff, 60);
 
+    public static readonly MatrixFault CameraClockLate = MatrixFault.Of(
+        "camera clock 0.5 s late", ScriptedFaultKind.PictureTimesOff, 0.5);
+
+    public static readonly MatrixFault CameraClockEarly = MatrixFault.Of(
+        "camera clock 0.5 s early", ScriptedFaultKind.PictureTimesOff, -0.5);
+
+    public static readonly MatrixFault CameraClockLittle = MatrixFault.Of(
+        "camera clock 0.1 s late", ScriptedFaultKind.PictureTimesOff, 0.1);
+
+    public static readonly MatrixFault TimesyncWrong = MatrixFault.Of(
+        "one answer to TIMESYNC wrong by 5 s", ScriptedFaultKind.TimesyncWrong, 5);
+
+    public static readonly MatrixFault LinkDelayed = MatrixFault.Of(
+        "telemetry 0.1 s later than before", ScriptedFaultKind.LinkDelayed, 0.1);
+
     public static readonly MatrixFault AttitudeSilent = Pictures(
         "no attitude any more", ScriptedFaultKind.AttitudeSilent);
 

@@ -41,7 +41,7 @@ internal sealed class MatrixFlight : IDisposable
         options.TelemetryLatency = latency ?? options.TelemetryLatency;
         LinkTap? tap = null;
         Flight = new SearchFlight(
-            SearchFlight.SmallPlan(), options, new VirtualTime(seed), others,
+            MatrixWorld.Mission(), options, new VirtualTime(seed), others,
             around: link => tap = new LinkTap(link, () => Flight!.Reactor.Now));
         Tap = tap!;
     }

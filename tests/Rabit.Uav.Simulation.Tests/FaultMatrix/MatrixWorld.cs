@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Uav.MissionControl;
+using Rabit.Uav.Simulation.Tests.Missions;
 
 namespace Rabit.Uav.Simulation.Tests.FaultMatrix;
 
@@ -33,6 +35,12 @@ internal static class MatrixWorld
         ["COM_LOW_BAT_ACT"] = 3,
         ["GF_ACTION"] = 3,
     };
+
+    /// <summary>The small search; over two lanes a revisit of each target takes more than a third of their way.</summary>
+    public static MissionPlan Mission() => MissionPlan.Parse(
+        SearchFlight.SmallMission.Replace(
+            "\"heightMetres\": 30", "\"revisit\": { \"maxWayFraction\": 2 }, \"heightMetres\": 30"),
+        "small");
 
     public static SimulationOptions Options(SimulatedAutopilot model, long seed, params ScriptedFault[] faults) => new()
     {
