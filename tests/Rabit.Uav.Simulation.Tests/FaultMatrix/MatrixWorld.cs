@@ -36,7 +36,7 @@ internal static class MatrixWorld
         ["GF_ACTION"] = 3,
     };
 
-    /// <summary>The small search; over two lanes a revisit of each target takes more than a third of their way.</summary>
+    /// <summary>The small search; a revisit over its two lanes takes more than a third of their way.</summary>
     public static MissionPlan Mission() => MissionPlan.Parse(
         SearchFlight.SmallMission.Replace(
             "\"heightMetres\": 30", "\"revisit\": { \"maxWayFraction\": 2 }, \"heightMetres\": 30"),
