@@ -155,7 +155,7 @@ internal sealed class ChargeEstimator(EnergyOptions options)
         SetLeft(vehicle);
     }
 
-    // A percentage that jumps is believed when it has stayed there for a second.
+    // A percentage that jumps counts when it has stayed there for a second.
     private bool TakeRemaining(in VehicleState vehicle)
     {
         double remaining = vehicle.BatteryRemaining;
