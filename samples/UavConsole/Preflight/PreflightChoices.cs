@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using Rabit.Uav;
 using Rabit.Uav.MissionControl;
 
@@ -28,25 +27,11 @@ internal sealed class PreflightChoices
         options.Preflight.Overrides = Overrides;
         if (isSimulated)
             return;
-        options.Preflight.FreeDiskBytes = FreeDiskBytes;
         options.Preflight.UtcNow = () => DateTimeOffset.UtcNow;
         options.MissionControl.RequiresCamera = !IsWithoutDetection;
         options.Autopilot.Setup.OriginalsFile = OriginalsFile;
         options.Autopilot.Setup.SetsFailsafes = SetsFailsafes;
         if (UploadsFence)
             options.Autopilot.Setup.Fence = mission.AutopilotFence;
-    }
-
-    // Reports, logs and summaries go below the working folder as a rule.
-    private static long? FreeDiskBytes()
-    {
-        try
-        {
-            return new DriveInfo(Path.GetFullPath(".")).AvailableFreeSpace;
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
-        {
-            return null;
-        }
     }
 }

@@ -96,7 +96,8 @@ public sealed partial class HealthManager : RabitManager
 
         SendTexts(now);
         PostReport(now);
-        _preflight?.Update(now, _vehicle.Value, _ownAddress.Value, _mission.Value.Phase);
+        ComputerStatus computer = new ComputerFacts(_next.Computer, now).Status;
+        _preflight?.Update(now, _vehicle.Value, _ownAddress.Value, computer, _mission.Value.Phase);
         WakeUpDelay = _schedule.UntilNext(now);
     }
 

@@ -20,12 +20,14 @@ internal sealed class PreflightWatch(
     private readonly PreflightFacts _facts = new(options);
     private TimeSpan? _lastEvaluation;
 
-    public void Update(TimeSpan now, in VehicleState vehicle, in OwnAddress own, MissionPhase phase)
+    public void Update(
+        TimeSpan now, in VehicleState vehicle, in OwnAddress own, in ComputerStatus computer, MissionPhase phase)
     {
         bool isBeforeFlight = phase is MissionPhase.NoMission or MissionPhase.WaitingForVehicle or MissionPhase.Arming;
         if (vehicle.IsArmed || !isBeforeFlight || now - _lastEvaluation < EvaluationPeriod)
             return;
         _lastEvaluation = now;
+        _facts.Computer = computer;
         FetchFacts(now, vehicle, own);
         PreflightReport report = PreflightChecklist.Evaluate(_facts);
         PreflightReport posted = publisher.Value;

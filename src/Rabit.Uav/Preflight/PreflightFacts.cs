@@ -18,6 +18,9 @@ internal sealed class PreflightFacts(PreflightOptions options)
 
     public AutopilotParameters Parameters { get; set; } = AutopilotParameters.None;
 
+    /// <summary>The companion computer; unknown where it was not looked at of late.</summary>
+    public ComputerStatus Computer { get; set; } = ComputerStatus.Unknown;
+
     public ImagingStatus Imaging { get; set; }
 
     /// <summary>Of all links.</summary>

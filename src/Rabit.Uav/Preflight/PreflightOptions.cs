@@ -11,7 +11,6 @@ namespace Rabit.Uav.Preflight;
 /// <code>
 /// var options = new UavOptions { Mission = mission, MayCommand = true };
 /// options.Preflight.Overrides = ["disk", "FS_THR_ENABLE"];
-/// options.Preflight.FreeDiskBytes = () =&gt; new DriveInfo("/home/pi").AvailableFreeSpace;
 /// </code>
 /// </example>
 public sealed class PreflightOptions
@@ -44,13 +43,8 @@ public sealed class PreflightOptions
     public double MaxHorizontalDilution { get; set; } = 1.4;
 
     /// <summary>
-    /// Returns the free bytes of the disk that the files of the flight are written to, null where they cannot be
-    /// determined. Called about once a second by Health Monitoring's thread; it must not block.
+    /// Free bytes of the disk of <see cref="HealthMonitoring.HealthOptions.DataDirectory"/> below which its line fails.
     /// </summary>
-    /// <value>The default is null: the line is unknown.</value>
-    public Func<long?>? FreeDiskBytes { get; set; }
-
-    /// <summary>Below this the line of the disk fails.</summary>
     /// <value>The default is 100 MB: the log, the report and its pictures of a long flight are some 20 MB.</value>
     public long MinFreeDiskBytes { get; set; } = 100_000_000;
 

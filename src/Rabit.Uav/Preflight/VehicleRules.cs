@@ -193,7 +193,7 @@ internal static class VehicleRules
 
     private static PreflightJudgement JudgeDisk(PreflightFacts facts)
     {
-        if (facts.Options.FreeDiskBytes?.Invoke() is not { } free)
+        if (facts.Computer.DiskFreeBytes is not { } free)
             return PreflightJudgement.Unknown("not determined");
         string text = Text("{0:0} MB free", Math.Floor(free / 1e8) * 100);
         return free >= facts.Options.MinFreeDiskBytes ? PreflightJudgement.Pass(text) : PreflightJudgement.Fail(text);

@@ -5,6 +5,7 @@ using Rabit.Core;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Preflight;
 using Xunit;
 
 namespace Rabit.Uav.Tests.HealthMonitoring;
@@ -80,6 +81,17 @@ public sealed class ComputerTests : IDisposable
         Assert.Equal(
             (HealthLevel.Warning, HealthAdvice.None, "memory low (87 % used); disk nearly full (900 MB free)"),
             (_rig.Report.Level, _rig.Report.Advice, _rig.Report.Text));
+    }
+
+    [Fact]
+    public void Disk_NearlyFullBeforeTheFlight_FailsTheChecklist()
+    {
+        Set((ref ComputerStatus s) => s.DiskFreeBytes = 5);
+        using var rig = new HealthRig(
+            new VirtualTime(1), new HealthOptions { Computer = _computer, Preflight = new PreflightOptions() });
+        rig.Fly(3);
+        PreflightLine line = rig.Preflight.Lines.Single(l => l.Name == "disk");
+        Assert.Equal((PreflightResult.Fail, "0 MB free"), (line.Result, line.Value));
     }
 
     // A disk that hangs holds up the look at it.

@@ -19,6 +19,7 @@ internal sealed class HealthRig : IDisposable
     private readonly MessagePublisher<OwnAddress> _ownAddress;
     private readonly MessagePublisher<LinkStatus> _link;
     private readonly MessageSubscriber<HealthReport> _report;
+    private readonly MessageSubscriber<PreflightReport> _preflight;
     private readonly MessagePublisher<MissionStatus> _mission;
     private readonly MessagePublisher<ImagingStatus> _imaging;
     private readonly MessagePublisher<NavigationStatus> _navigation;
@@ -49,6 +50,8 @@ internal sealed class HealthRig : IDisposable
         _navigation = Reactor.Workspace.Publish<NavigationStatus>(MessageNames.Navigation);
         _imaging = Reactor.Workspace.Publish<ImagingStatus>(MessageNames.Imaging);
         _report = Reactor.Workspace.Subscribe<HealthReport>(MessageNames.Health);
+        _preflight = Reactor.Workspace.Subscribe<PreflightReport>(MessageNames.Preflight);
+        Reactor.Workspace.Publish(MessageNames.AutopilotParameters, AutopilotParameters.None);
         Reactor.Start();
     }
 
@@ -62,6 +65,15 @@ internal sealed class HealthRig : IDisposable
         {
             _report.Fetch();
             return _report.Value;
+        }
+    }
+
+    public PreflightReport Preflight
+    {
+        get
+        {
+            _preflight.Fetch();
+            return _preflight.Value;
         }
     }
 

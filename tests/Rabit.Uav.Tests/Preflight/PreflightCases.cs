@@ -54,7 +54,6 @@ internal static class PreflightCases
         var made = new PreflightOptions
         {
             ObstacleHeightMetres = 20,
-            FreeDiskBytes = () => 1_000_000_000,
             UtcNow = () => DateTimeOffset.FromUnixTimeSeconds(1_700_000_000),
             MinBatteryFraction = 0.5,
         };
@@ -74,8 +73,16 @@ internal static class PreflightCases
             },
             Imaging = new ImagingStatus { HasCamera = true, LastFrameTime = Now },
             FramesIn = 1000,
+            Computer = Computer(1_000_000_000),
             Parameters = Parameters(make),
         };
+    }
+
+    public static ComputerStatus Computer(long? free)
+    {
+        ComputerStatus status = ComputerStatus.Unknown;
+        status.DiskFreeBytes = free;
+        return status;
     }
 
     public static AutopilotParameters Parameters(MavAutopilot make, params (string Name, double? Value)[] changes)

@@ -72,14 +72,16 @@ public sealed class PreflightChecklistTests
     [Fact]
     public void Judge_Disk_IsByWhatIsFree()
     {
-        Assert.Equal(
-            (PreflightResult.Fail, "0 MB free"), Result(PreflightCases.Facts(options: o => o.FreeDiskBytes = () => 5)));
-        Assert.Equal(
-            (PreflightResult.Unknown, "not determined"),
-            Result(PreflightCases.Facts(options: o => o.FreeDiskBytes = () => null)));
+        Assert.Equal((PreflightResult.Fail, "0 MB free"), Result(free: 5));
+        Assert.Equal((PreflightResult.Pass, "100 MB free"), Result(free: 100_000_000));
+        Assert.Equal((PreflightResult.Unknown, "not determined"), Result(free: null));
 
-        static (PreflightResult, string) Result(PreflightFacts facts)
-            => (facts.Line("disk").Result, facts.Line("disk").Value);
+        static (PreflightResult, string) Result(long? free)
+        {
+            PreflightFacts facts = PreflightCases.Facts();
+            facts.Computer = PreflightCases.Computer(free);
+            return (facts.Line("disk").Result, facts.Line("disk").Value);
+        }
     }
 
     [Fact]
