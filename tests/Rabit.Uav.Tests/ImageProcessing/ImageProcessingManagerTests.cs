@@ -73,7 +73,7 @@ public sealed class ImageProcessingManagerTests
     {
         using ImagingRig rig = ImagingRig.Search(ImagingRig.Panel);
         rig.Camera!.Add(0, 1, 1.1);
-        rig.Run(2.05);
+        rig.Run(1.7);
         Assert.Equal(5, rig.Camera.Pool.Free);
         rig.Run(0.1);
         Assert.Equal(6, rig.Camera.Pool.Free);
@@ -142,7 +142,7 @@ public sealed class ImageProcessingManagerTests
         rig.AddPoses(0, 9);
         foreach (int number in new[] { 2, 3, 7, 0, 1 })
         {
-            rig.Camera!.Add(number, 1, 0);
+            rig.Camera!.Add(number, 0.3, 0);
             rig.Run(0.1);
         }
 
