@@ -163,7 +163,7 @@ internal sealed class SimulatedVehicle : ILinkSink
     public void Send<T>(in T message)
         where T : struct, IMavlinkMessage
     {
-        if (IsBooting || (IsAttitude<T>() && _script.IsOn(ScriptedFaultKind.AttitudeSilent, _time)))
+        if (DoesNotSend<T>())
             return;
         var frame = MavlinkFrame.Create(message, Autopilot.SystemId, AutopilotAddress.ComponentId, _sequences[0]++);
         if (!_handlesSecondLink || !IsForSecondLink(frame))
@@ -174,7 +174,7 @@ internal sealed class SimulatedVehicle : ILinkSink
     public void Send<T>(int link, in T message)
         where T : struct, IMavlinkMessage
     {
-        if (IsBooting || link >= _outboxes.Length)
+        if (DoesNotSend<T>() || link >= _outboxes.Length)
             return;
         _outboxes[link].Enqueue(MavlinkFrame.Create(
             message, Autopilot.SystemId, AutopilotAddress.ComponentId, _sequences[link]++));
@@ -186,6 +186,9 @@ internal sealed class SimulatedVehicle : ILinkSink
         if (!IsBooting)
             _outboxes[0].Enqueue(frame);
     }
+
+    private bool DoesNotSend<T>()
+        => IsBooting || (IsAttitude<T>() && _script.IsOn(ScriptedFaultKind.AttitudeSilent, _time));
 
     private static bool IsAttitude<T>() => typeof(T) == typeof(Attitude) || typeof(T) == typeof(AttitudeQuaternion);
 

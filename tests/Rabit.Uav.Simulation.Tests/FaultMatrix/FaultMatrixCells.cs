@@ -128,7 +128,7 @@ internal static class FaultMatrixCells
         (GroundStationHidden20, null, "AAAAAAA", "Health Monitoring: hold after 10 s, until it is back"),
         (ManagerThrows, null, "RRRRRAA", "Health Monitoring: a manager faulted"),
         (Stop, null, "HHHHHKK", "Mission Control holds before the program ends; return and landing go on without us"),
-        (BatteryCritical, Px4, "RFFFFFA",
+        (BatteryCritical, Px4, "RFFFRFA",
             "8 % reaches home; where it is not down within 45 s it falls below 7 %, and COM_LOW_BAT_ACT 3 takes over: it returns too, also out of our return"),
         (BatteryAged, null, "RRRRRAA", "the voltage shows what the percentage does not: return"),
     ];
