@@ -7,10 +7,10 @@ namespace UavConsole;
 /// <summary>Keeps the file of an earlier run beside the new one: NAME.20261122-143000.EXT, by its change.</summary>
 internal static class DatedFile
 {
-    /// <summary>Moves a file aside, an empty one away; does nothing where there is none.</summary>
+    /// <summary>Moves a file aside, an empty one away; does nothing where there is none, nor to a device.</summary>
     public static void Keep(string path)
     {
-        if (!File.Exists(path))
+        if (!File.Exists(path) || OutputPath.IsOfDevice(path))
             return;
         if (new FileInfo(path).Length == 0)
         {

@@ -76,6 +76,8 @@ internal sealed class MissionMachine
             step = _failsafes.CheckConnection(_flight, out canAct);
         if (step.What == MissionEvent.None)
             step = Stop.Check(_flight, Phase);
+        if (step.What == MissionEvent.None && Stop.PreventsTakeOff)
+            return Stop.KeepOnGround(_flight, Phase);
         bool mayAct = canAct || Phase == MissionPhase.WaitingForVehicle
             || (Phase == MissionPhase.Landing && _flight.IsConnected);
         if (mayAct && !ChangesPhase(step))

@@ -109,11 +109,38 @@ public class MissionStopTests
     }
 
     [Fact]
-    public void Stop_InTheTakeOffBeforeItLiftsOff_SendsNothing()
+    public void Stop_InTheTakeOffBeforeItLiftsOff_StopsTheMotors()
     {
         using var rig = new MissionRig(MissionRig.Mission());
         Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff));
-        rig.Stop();
+        TimeSpan took = rig.Stop();
         Assert.Equal(0, rig.Vehicle.Count(VehicleCommandKind.Hold));
+        Assert.Equal(VehicleCommandKind.Disarm, rig.Vehicle.Commands.Last().Command.Kind);
+        Assert.Equal(MissionStopResult.None, rig.Status.StopResult);
+        Assert.InRange(took, TimeSpan.Zero, TimeSpan.FromSeconds(1.5));
+    }
+
+    [Fact]
+    public void Stop_BeforeItLiftsOffAndTheMotorsGoOn_SaysSo()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.Vehicle.Refuses = static c => c.Kind is VehicleCommandKind.Disarm or VehicleCommandKind.TakeOff
+            ? VehicleCommandOutcome.TimedOut
+            : null;
+        Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff));
+        rig.Stop();
+        Assert.Equal(MissionStopResult.NotVerified, rig.Status.StopResult);
+    }
+
+    [Fact]
+    public void Stop_ItLiftsOffMeanwhile_Holds()
+    {
+        using var rig = new MissionRig(MissionRig.Mission());
+        rig.Vehicle.Refuses = static c => c.Kind == VehicleCommandKind.Disarm ? VehicleCommandOutcome.Refused : null;
+        Assert.Equal(MissionPhase.TakingOff, rig.RunUntil(MissionPhase.TakingOff));
+        rig.Run(0.5);
+        rig.Stop();
+        Assert.Equal(VehicleCommandKind.Hold, rig.Vehicle.Commands.Last().Command.Kind);
+        Assert.Equal(MissionStopResult.Held, rig.Status.StopResult);
     }
 }
