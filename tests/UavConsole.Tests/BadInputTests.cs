@@ -69,6 +69,8 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--seed -1", "--seed -1: it must be a whole number, 0 or more.")]
     [InlineData("--seed x", "--seed x: it must be a whole number, 0 or more.")]
     [InlineData("--resume /nowhere/p.json", "--resume: Progress file '/nowhere/p.json': it cannot be read: ")]
+    [InlineData("--progress /nowhere/p.json", "--progress /nowhere/p.json cannot be written: ")]
+    [InlineData("--progress /dev/null", "--progress /dev/null cannot be written: it is a device.")]
     [InlineData("--link udpin:127.0.0.1:14550 --allow-partial-search",
         "--allow-partial-search goes with a mission that is flown: --mission FILE --fly.")]
     [InlineData("--targets 51", "--targets 51: it must be a number from 0 to 50.")]

@@ -43,13 +43,20 @@ internal sealed class OperatorChoices
             options.ProgressFile = ProgressFile;
     }
 
-    /// <summary>Keeps the progress of another flight beside the new one; once nothing prevents the start.</summary>
-    /// <exception cref="ArgumentException">It cannot be kept.</exception>
+    /// <summary>
+    /// Keeps a copy of the progress of another flight; once nothing prevents the start. The file itself stays until
+    /// this flight has progress of its own: a start that does not fly must not take it away from --resume and
+    /// --return-if-abandoned.
+    /// </summary>
+    /// <exception cref="ArgumentException">It cannot be kept, or the new one cannot be written.</exception>
     public void KeepEarlierProgress()
     {
         bool isResumed = ResumeFile is { } from && ProgressFile is { } to
             && string.Equals(Path.GetFullPath(from), Path.GetFullPath(to), StringComparison.Ordinal);
-        if (ProgressFile is { } progress && AtStart is null && !isResumed)
+        if (ProgressFile is not { } progress || AtStart is not null)
+            return;
+        OutputPath.CheckReplaced("--progress", progress);
+        if (!isResumed)
             KeepTheOldOne(progress);
     }
 
@@ -81,7 +88,7 @@ internal sealed class OperatorChoices
     {
         try
         {
-            DatedFile.Keep(path);
+            DatedFile.KeepCopy(path);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {

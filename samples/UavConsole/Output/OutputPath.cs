@@ -46,6 +46,15 @@ internal sealed class OutputPath
         }
     }
 
+    /// <summary>Checks the path of a file that is replaced by renaming, which a device is not.</summary>
+    /// <exception cref="ArgumentException">It cannot be written.</exception>
+    public static void CheckReplaced(string option, string path)
+    {
+        Check(option, path, []);
+        if (IsOfDevice(path))
+            throw new ArgumentException($"{option} {path} cannot be written: it is a device.", nameof(path));
+    }
+
     /// <summary>Why it cannot be written, for people.</summary>
     public string CannotBeWritten(Exception e) => $"{_option} {Path} cannot be written: {e.Message}";
 

@@ -41,6 +41,8 @@ internal sealed class RunFiles : IDisposable
             ("--progress", options.Operator.ProgressFile), ("--originals", options.Preflight.OriginalsFile),
             ("--summary", options.SummaryFile), ("--report", report), ("--log", options.LogFile),
         ]);
+        if (options.Preflight.SetsFailsafes || options.Preflight.UploadsFence)
+            OutputPath.CheckReplaced("--originals", options.Preflight.OriginalsFile);
         return new RunFiles(
             OutputPath.Check("--summary", options.SummaryFile, options.Links),
             OutputPath.Check("--report", report, options.Links),

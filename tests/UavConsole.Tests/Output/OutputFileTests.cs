@@ -49,6 +49,27 @@ public sealed class OutputFileTests : IDisposable
         Assert.Equal(2, Directory.GetFiles(_folder.Folder, "s.*").Length);
     }
 
+    [Fact]
+    public void KeepCopy_StartsThatDoNotFly_LeaveTheFileAndOneCopy()
+    {
+        File.WriteAllText(SummaryPath, "the last flight");
+
+        DatedFile.KeepCopy(SummaryPath);
+        DatedFile.KeepCopy(SummaryPath);
+
+        Assert.Equal("the last flight", File.ReadAllText(SummaryPath));
+        string kept = Assert.Single(Directory.GetFiles(_folder.Folder, "s.2*.json"));
+        Assert.Equal("the last flight", File.ReadAllText(kept));
+    }
+
+    [Fact]
+    public void Keep_Device_IsLeftAlone()
+    {
+        DatedFile.Keep("/dev/full");
+        DatedFile.KeepCopy("/dev/full");
+        Assert.True(File.Exists("/dev/full"));
+    }
+
     // A run that is killed leaves nothing half: what will be written is not there before.
     [Fact]
     public void Check_NothingThere_LeavesNothing()
