@@ -47,10 +47,10 @@ public sealed class MissionSummary
         HasLanded = mission.Result.HasLanded;
         DistanceFromHomeMetres = score?.DistanceFromHomeMetres ?? mission.Result.DistanceFromHomeMetres;
         OutsideFenceMetres = mission.Result.OutsideFenceMetres;
-        string[] notSeen = CoverageFailures(mission.Result).ToArray();
-        Failures = [.. notSeen, .. TargetFailures(score), .. FlightFailures(record)];
+        string[] first = [.. NotFlown(mission.Result), .. CoverageFailures(mission.Result)];
+        Failures = [.. first, .. TargetFailures(score), .. FlightFailures(record)];
         Remarks = [.. NothingFound(record)];
-        Headlines = [.. notSeen, .. Remarks];
+        Headlines = [.. first, .. Remarks];
     }
 
     /// <summary>Compared with the truth; null where it is not known.</summary>
@@ -111,8 +111,8 @@ public sealed class MissionSummary
     public IReadOnlyList<string> Failures { get; }
 
     /// <summary>
-    /// What is said before everything else, for people: that the area was not fully seen, that nothing was found. None
-    /// where neither holds.
+    /// What is said before everything else, for people: that it did not fly, that the area was not fully seen, that
+    /// nothing was found. None where none holds.
     /// </summary>
     public IReadOnlyList<string> Headlines { get; }
 
@@ -127,6 +127,12 @@ public sealed class MissionSummary
         if ((result.Failures & MissionFailures.AreaNotSeen) != 0)
             yield return $"the area was not fully seen: {FlightText.Number(CoveragePercent, "0.0")} % of it, "
                 + $"{FlightText.Number(RequiredCoveragePercent, "0.#")} % are required";
+    }
+
+    private IEnumerable<string> NotFlown(MissionResult result)
+    {
+        if (!result.HasFlown)
+            yield return "it did not fly" + (Text is { } why ? $" ({why})" : string.Empty);
     }
 
     private static IEnumerable<string> NothingFound(FlightRecord record)
@@ -157,8 +163,8 @@ public sealed class MissionSummary
         if ((result.Failures & MissionFailures.TakenOver) != 0)
             yield return record.Mission.TakenOver ?? "the mission was taken over";
         if (!result.HasFlown)
-            yield return "it did not fly" + (Text is { } why ? $" ({why})" : string.Empty);
-        else if (!HasLanded)
+            yield break;
+        if (!HasLanded)
             yield return $"it has not landed: it is armed, {Metres(record.Vehicle.HeightAboveHomeMetres)} high, in "
                 + $"mode {record.Vehicle.Mode ?? "not known"}; it is not commanded any more";
         else if (double.IsNaN(DistanceFromHomeMetres))

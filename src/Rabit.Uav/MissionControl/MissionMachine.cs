@@ -162,6 +162,9 @@ internal sealed class MissionMachine
             case MissionEvent.ReturnToLaunch or MissionEvent.LandNow or MissionEvent.AlreadyFlying:
                 _flight.Aborted ??= step.Reason;
                 break;
+            case MissionEvent.Hold when _flight.IsStopRequested:
+                _flight.Aborted ??= step.Reason;
+                break;
             case MissionEvent.OperatorHold or MissionEvent.OperatorReturn or MissionEvent.OperatorResume:
                 _flight.Operator.Take();
                 _flight.Aborted = step.What switch

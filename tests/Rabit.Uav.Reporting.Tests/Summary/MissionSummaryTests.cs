@@ -53,10 +53,14 @@ public sealed class MissionSummaryTests
     }
 
     [Fact]
-    public void Headlines_TargetsFoundOrNotFlown_AreNone()
+    public void Headlines_TargetsFound_AreNone() => Assert.Empty(Of(MadeUpFlight.Record()).Headlines);
+
+    [Fact]
+    public void Headlines_NotFlown_SaySoFirst()
     {
-        Assert.Empty(Of(MadeUpFlight.Record()).Headlines);
-        Assert.Empty(Of(Flown(new MissionResult { Failures = MissionFailures.NotFlown })).Headlines);
+        MissionSummary summary = Of(Flown(new MissionResult { Failures = MissionFailures.NotFlown }));
+        Assert.Equal(["it did not fly"], summary.Headlines);
+        Assert.Equal("it did not fly", summary.Failures[0]);
     }
 
     [Fact]

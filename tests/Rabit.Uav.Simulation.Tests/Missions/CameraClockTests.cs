@@ -167,7 +167,9 @@ public sealed class CameraClockTests(ITestOutputHelper output)
     {
         SimulationOptions world = SearchFlight.SmallWorld(new ScriptedFault
         {
-            Kind = ScriptedFaultKind.PictureTimesOff, At = TimeSpan.FromSeconds(2), Value = offset,
+            Kind = ScriptedFaultKind.PictureTimesOff,
+            At = TimeSpan.FromSeconds(2),
+            Value = offset,
         });
         (world.Seed, world.Autopilot, world.TargetCount) = (seed, autopilot, 4);
         MissionPlan plan = MissionPlan.Parse(

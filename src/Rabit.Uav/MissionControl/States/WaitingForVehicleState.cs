@@ -27,7 +27,7 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
                 flight.PlanInFlight();
             return new MissionStep(
                 MissionEvent.AlreadyFlying,
-                "the vehicle is already flying; it is commanded at the operator's word only");
+                "the vehicle is already flying; only the operator's hold or return commands it");
         }
 
         if (flight.IsConnected && flight.IsFixedWing && FixedWingRules.FindFault(flight) is { } notFlown)
