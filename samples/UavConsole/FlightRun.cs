@@ -55,7 +55,7 @@ internal static class FlightRun
         // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the
         // summary off. Ctrl-\ keeps its meaning.
         Console.CancelKeyPress += (_, e) => e.Cancel = e.SpecialKey == ConsoleSpecialKey.ControlC;
-        var output = new GuardedWriter(Console.Out);
+        var output = GuardedWriter.Create();
         Console.SetOut(output);
         var log = new RunLog(files.Log);
         FlightSummary summary = Show(flight, log, options);

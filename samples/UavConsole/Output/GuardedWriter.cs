@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
+using Microsoft.Win32.SafeHandles;
 
 namespace UavConsole;
 
@@ -10,6 +11,8 @@ namespace UavConsole;
 /// <param name="inner">Standard output.</param>
 internal sealed class GuardedWriter(TextWriter inner) : TextWriter
 {
+    private const int StandardOutputDescriptor = 1;
+
     private readonly object _gate = new();   // guards the two below
     private long _lost;
     private string? _failure;
@@ -26,6 +29,9 @@ internal sealed class GuardedWriter(TextWriter inner) : TextWriter
         }
     }
 
+    /// <summary>Guards standard output as it is now.</summary>
+    public static GuardedWriter Create() => new(OpenPipe() ?? Console.Out);
+
     public override void Write(char value) => Guard(() => inner.Write(value));
 
     public override void Write(char[] buffer, int index, int count)
@@ -36,6 +42,29 @@ internal sealed class GuardedWriter(TextWriter inner) : TextWriter
     public override void WriteLine(string? value) => Guard(() => inner.WriteLine(value));
 
     public override void Flush() => Guard(inner.Flush);
+
+    // The console's own stream does not say that nobody reads a pipe any more. A file goes on by the console's: its
+    // position may be shared with standard error.
+    private static TextWriter? OpenPipe()
+    {
+        if (Path.DirectorySeparatorChar != '/' || !Console.IsOutputRedirected)
+            return null;
+        try
+        {
+            var handle = new SafeFileHandle((IntPtr)StandardOutputDescriptor, ownsHandle: false);
+            var stream = new FileStream(handle, FileAccess.Write, bufferSize: 1);
+
+            // What cannot be written shall not be tried again by a finalizer.
+            GC.SuppressFinalize(stream);
+            return stream.CanSeek
+                ? null
+                : new StreamWriter(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true };
+        }
+        catch (Exception e) when (e is IOException or ArgumentException or UnauthorizedAccessException)
+        {
+            return null;
+        }
+    }
 
     private void Guard(Action write)
     {

@@ -27,8 +27,6 @@ internal sealed partial class AutopilotSetup
     {
         if (_store is null)
             return false;
-        if (!_hasLoaded)
-            Load(facts.Vehicle.SystemId);
         bool isOver = _hasFlown || isStopping || !_options.Writes;
         if (isOver)
             return TryQueueRestoring();

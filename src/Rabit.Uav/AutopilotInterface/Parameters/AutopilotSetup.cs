@@ -134,6 +134,8 @@ internal sealed partial class AutopilotSetup
             return;
         }
 
+        if (_store is not null && !_hasLoaded)
+            Load(vehicle.SystemId);
         RunSteps(facts.Now);
         MustRestore = _originals is not null && !(_hasRestored && _state == AutopilotSetupState.Failed);
         if (IsBusy)

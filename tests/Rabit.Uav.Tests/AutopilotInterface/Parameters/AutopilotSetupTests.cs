@@ -183,6 +183,30 @@ public sealed class AutopilotSetupTests
         Assert.Null(store.Kept);
     }
 
+    // A start that only brings a vehicle home ends soon after it is down.
+    [Fact]
+    public void Run_StartedAgainInFlight_DelaysTheEndAsSoonAsItIsOnTheGround()
+    {
+        var store = new MemoryOriginals();
+        SetupRig first = Writing(store);
+        first.Run(10);
+        var second = new SetupRig(
+            first.Server, new AutopilotSetupOptions { OriginalsFile = "originals.json" }, store);
+        VehicleState onGround = second.Vehicle;
+        second.Vehicle = onGround with { IsArmed = true, LandedState = MavLandedState.InAir };
+        second.Run(10);
+        Assert.False(second.MustRestore);
+
+        second.Vehicle = onGround;
+        second.IsStopping = true;
+        second.Run(0.1);
+        Assert.True(second.MustRestore);
+        second.Run(5);
+        Assert.False(second.MustRestore);
+        Assert.Equal(0, first.Server.Values["FS_GCS_ENABLE"].Value);
+        Assert.Null(store.Kept);
+    }
+
     [Fact]
     public void Run_StartedAgainToSetThemAgain_KeepsTheFirstOriginals()
     {

@@ -51,6 +51,8 @@ internal sealed class SetupRig
 
     public bool IsStopping { get; set; }
 
+    public bool MustRestore => _setup.MustRestore;
+
     public static ParameterServer Ardupilot()
     {
         var server = new ParameterServer(MavAutopilot.Ardupilotmega);
