@@ -45,7 +45,7 @@ internal sealed class GuardedWriter(TextWriter inner) : TextWriter
 
     // The console's own stream does not say that nobody reads a pipe any more. A file goes on by the console's: its
     // position may be shared with standard error.
-    private static TextWriter? OpenPipe()
+    private static StreamWriter? OpenPipe()
     {
         if (Path.DirectorySeparatorChar != '/' || !Console.IsOutputRedirected)
             return null;
@@ -55,7 +55,9 @@ internal sealed class GuardedWriter(TextWriter inner) : TextWriter
             var stream = new FileStream(handle, FileAccess.Write, bufferSize: 1);
 
             // What cannot be written shall not be tried again by a finalizer.
+#pragma warning disable CA1816   // It is not ours to dispose: the descriptor is the process's.
             GC.SuppressFinalize(stream);
+#pragma warning restore CA1816
             return stream.CanSeek
                 ? null
                 : new StreamWriter(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true };
