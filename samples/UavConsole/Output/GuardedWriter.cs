@@ -43,7 +43,7 @@ internal sealed class GuardedWriter(TextWriter inner) : TextWriter
 
     public override void Flush() => Guard(inner.Flush);
 
-    // The console's own stream does not say that nobody reads a pipe any more. A file goes on by the console's: its
+    // The console's own stream does not say that the reader of a pipe is gone. A file goes on by the console's: its
     // position may be shared with standard error.
     private static StreamWriter? OpenPipe()
     {
@@ -58,9 +58,8 @@ internal sealed class GuardedWriter(TextWriter inner) : TextWriter
 #pragma warning disable CA1816   // It is not ours to dispose: the descriptor is the process's.
             GC.SuppressFinalize(stream);
 #pragma warning restore CA1816
-            return stream.CanSeek
-                ? null
-                : new StreamWriter(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { AutoFlush = true };
+            var utf8 = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false);
+            return stream.CanSeek ? null : new StreamWriter(stream, utf8) { AutoFlush = true };
         }
         catch (Exception e) when (e is IOException or ArgumentException or UnauthorizedAccessException)
         {
