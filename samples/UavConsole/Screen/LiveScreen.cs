@@ -26,11 +26,13 @@ internal sealed class LiveScreen
     /// <param name="log">Its last entries are shown too.</param>
     /// <param name="showsMission">Whether a mission is flown.</param>
     /// <param name="notice">A line that always stands there; null for none.</param>
-    public LiveScreen(FlightMonitor monitor, RunLog log, bool showsMission = false, string? notice = null)
+    /// <param name="keys">What the keys do, for the last line; null where there are none.</param>
+    public LiveScreen(
+        FlightMonitor monitor, RunLog log, bool showsMission = false, string? notice = null, IKeyHints? keys = null)
     {
         (_monitor, _log) = (monitor, log);
         _vehicle = new VehicleView(monitor, notice);
-        _mission = showsMission ? new MissionView(monitor) : null;
+        _mission = showsMission ? new MissionView(monitor, keys) : null;
     }
 
     /// <summary>Whether the output is a terminal that supports the screen.</summary>

@@ -14,7 +14,7 @@ namespace UavConsole;
 /// The screen of a mission: the map, beside it how far it is, below it the managers and the last decisions. Fits 80
 /// by 24.
 /// </summary>
-internal sealed class MissionView(FlightMonitor monitor)
+internal sealed class MissionView(FlightMonitor monitor, IKeyHints? keys = null)
 {
     private const int PanelWidth = 38;
     private const int NotesShown = 3;
@@ -33,7 +33,7 @@ internal sealed class MissionView(FlightMonitor monitor)
     {
         // One line stays free for the cursor.
         int managerRows = ((monitor.Managers.Count + 1) / 2) + 1;
-        int mapRows = Math.Min(MaxMapHeight, Math.Max(8, height - managerRows - NotesShown - 2));
+        int mapRows = Math.Min(MaxMapHeight, Math.Max(8, height - managerRows - NotesShown - 2 - (keys is null ? 0 : 1)));
         int mapColumns = Math.Min(WidestMap, width - PanelWidth - 2);
         IReadOnlyList<string> left = IsChecklistShown()
             ? ChecklistPane.Draw(monitor.Preflight, mapColumns, mapRows)
@@ -48,6 +48,8 @@ internal sealed class MissionView(FlightMonitor monitor)
         lines.AddRange(
             last.Skip(last.Length - NotesShown)
                 .Select(n => $"[grey]{Markup.Escape(Text.Fit(FlightText.Printable(n), width))}[/]"));
+        if (keys is not null)
+            lines.Add($"[bold]{Markup.Escape(Text.Fit(FlightText.Printable(keys.Line), width))}[/]");
         return new Rows(lines.Select(l => new Markup(l).Overflow(Overflow.Crop)));
     }
 

@@ -85,6 +85,16 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         Assert.All(drawn.Split('\n'), l => Assert.InRange(l.TrimEnd('\r').Length, 0, 80));
     }
 
+    [Fact]
+    public void Draw_WithKeys_ShowsThemInTheLastLineAndStillFits()
+    {
+        string[] lines = Draw("lane 2 of 4", DefaultTargetClasses.Red, keys: new FixedHints("r return  h hold [x]"))
+            .Split('\n').Select(l => l.TrimEnd('\r', ' ')).Where(l => l.Length > 0).ToArray();
+
+        Assert.InRange(lines.Length, 20, 24);
+        Assert.Equal("r return  h hold [x]", lines.Last());
+    }
+
     private static PreflightReport Checklist(int passing) => new()
     {
         IsComplete = true,
@@ -100,7 +110,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
 
     private string Draw(
         string missionText, TargetClassName colour, MissionPhase phase = MissionPhase.Searching, bool isArmed = true,
-        PreflightReport? checklist = null)
+        PreflightReport? checklist = null, IKeyHints? keys = null)
     {
         var notes = new RunLog();
         var reactor = new RabitReactor(
@@ -123,7 +133,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         reactor.Workspace.Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
         reactor.Workspace.Publish(MessageNames.Preflight, checklist ?? PreflightReport.None);
         var monitor = new FlightMonitor(reactor, recorder, linkCount: 0);
-        var screen = new LiveScreen(monitor, notes, showsMission: true);
+        var screen = new LiveScreen(monitor, notes, showsMission: true, keys: keys);
         reactor.Start();
         foreach (Action post in _posts)
             post();
@@ -190,6 +200,11 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         console.Profile.Height = 24;
         console.Write(screen.Draw());
         return text.ToString();
+    }
+
+    private sealed class FixedHints(string line) : IKeyHints
+    {
+        public string Line => line;
     }
 
     private sealed class IdleManager(string name) : RabitManager(name)
