@@ -173,6 +173,22 @@ public readonly record struct MavlinkCommand
         Z = Z,
     };
 
+    internal static MavlinkCommand From(in CommandLong message) => Create(
+        new MavlinkAddress(message.TargetSystem, message.TargetComponent), message.Command, message.Param1,
+        message.Param2, message.Param3, message.Param4, message.Param5, message.Param6, message.Param7) with
+    {
+        Forms = MavlinkCommandForms.LongOnly,
+    };
+
+    internal static MavlinkCommand From(in CommandInt message) => AtLocation(
+        new MavlinkAddress(message.TargetSystem, message.TargetComponent), message.Command, message.Frame, message.X,
+        message.Y, message.Z, message.Param1, message.Param2, message.Param3, message.Param4) with
+    {
+        Forms = MavlinkCommandForms.IntOnly,
+        Param5 = message.X,
+        Param6 = message.Y,
+    };
+
     // The max integer is "not given", as NaN is for floats.
     private float ToFloat(int value)
         => value == int.MaxValue ? float.NaN : (float)(value * (IsLocal ? MetresPerUnit : DegreesPerUnit));

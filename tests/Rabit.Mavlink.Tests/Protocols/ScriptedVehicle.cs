@@ -31,4 +31,6 @@ internal abstract class ScriptedVehicle
 
     protected void Send<T>(in T message)
         where T : struct, IMavlinkMessage => _out.Enqueue(Sender.Create(message));
+
+    protected void Send(in MavlinkFrame frame) => _out.Enqueue(frame);
 }
