@@ -4,7 +4,7 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink.Protocols;
 
 /// <summary>
-/// One command that was received, from its first copy until nobody can send it again. Reused for one command after
+/// One command that was received, from its first copy until it can arrive no more. Reused for one command after
 /// another.
 /// </summary>
 internal sealed class CommandExecution(MavlinkCommandServerOptions options)
@@ -54,7 +54,8 @@ internal sealed class CommandExecution(MavlinkCommandServerOptions options)
     public TimeSpan Due => _isAnswerDue ? TimeSpan.Zero : IsOpen ? _progressDue : TimeSpan.MaxValue;
 
     public bool IsFree(TimeSpan now)
-        => _phase == Phase.Free || (_phase == Phase.Completed && !_isAnswerDue && !IsRemembered(now, isConfirmed: true));
+        => _phase == Phase.Free
+            || (_phase == Phase.Completed && !_isAnswerDue && !IsRemembered(now, isConfirmed: true));
 
     public void Begin(in MavlinkCommandRequest request, byte sequence)
     {

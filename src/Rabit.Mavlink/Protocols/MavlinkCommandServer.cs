@@ -118,8 +118,8 @@ public sealed partial class MavlinkCommandServer
     }
 
     /// <summary>
-    /// Takes the next request to cancel a command that is at work. Whoever obeys it completes the command with
-    /// <see cref="MavResult.Cancelled"/>; who does not goes on as before.
+    /// Takes the next request to cancel a command that is at work. To obey it, complete the command with
+    /// <see cref="MavResult.Cancelled"/>; otherwise go on as before.
     /// </summary>
     /// <param name="cancellation">The request.</param>
     /// <returns>Whether there is one.</returns>

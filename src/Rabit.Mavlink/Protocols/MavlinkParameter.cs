@@ -86,6 +86,27 @@ public readonly record struct MavlinkParameter(Text16 Name, MavParamType Type, u
     public static MavlinkParameterEncoding EncodingOf(MavAutopilot autopilot) =>
         autopilot == MavAutopilot.Ardupilotmega ? MavlinkParameterEncoding.CCast : MavlinkParameterEncoding.Bytewise;
 
+    /// <summary>Whether a type can hold a number, rounded where it is an integer type.</summary>
+    internal static bool Fits(double value, MavParamType type)
+    {
+        (double min, double max) = RangeOf(type);
+        double whole = Math.Round(value);
+        return min == max
+            ? !double.IsNaN(value) && Math.Abs(value) <= float.MaxValue
+            : whole >= min && whole <= max;
+    }
+
+    /// <summary>
+    /// Packs a value field; the float of the C-cast encoding holds large integers as nearly as it can.
+    /// </summary>
+    internal static uint EncodeNearest(double value, MavParamType type, MavlinkParameterEncoding encoding)
+    {
+        (double min, double max) = RangeOf(type);
+        return encoding == MavlinkParameterEncoding.CCast || min == max
+            ? FromFloat((float)value)
+            : unchecked((uint)(long)Math.Round(value));
+    }
+
     internal static float ToFloat(uint bits) => Unsafe.As<uint, float>(ref bits);
 
     internal static uint FromFloat(float value) => Unsafe.As<float, uint>(ref value);

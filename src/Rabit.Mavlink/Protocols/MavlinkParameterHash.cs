@@ -70,14 +70,14 @@ public static class MavlinkParameterHash
 
     private static bool Ends(string name, string with) => name.EndsWith(with, StringComparison.Ordinal);
 
-    private static uint Add(uint hash, string name)
+    internal static uint Add(uint hash, string name)
     {
         foreach (char character in name)
             hash = Add(hash, (byte)character);
         return hash;
     }
 
-    private static uint Add(uint hash, uint bits)
+    internal static uint Add(uint hash, uint bits)
     {
         for (int i = 0; i < ValueLength; i++)
             hash = Add(hash, (byte)(bits >> (i * BitsPerByte)));

@@ -29,7 +29,8 @@ public class MavlinkCommandServerTests
         Assert.True(_server.Complete(request.Handle, MavResult.Accepted, _now, 42));
         Assert.Equal(TimeSpan.Zero, _server.NextDue);
         CommandAck answer = Assert.Single(Answers());
-        Assert.Equal((MavCmd.DoChangeSpeed, MavResult.Accepted, 42), (answer.Command, answer.Result, answer.ResultParam2));
+        Assert.Equal(
+            (MavCmd.DoChangeSpeed, MavResult.Accepted, 42), (answer.Command, answer.Result, answer.ResultParam2));
         Assert.Equal((255, 190), (answer.TargetSystem, answer.TargetComponent));
         Assert.Equal(TimeSpan.MaxValue, _server.NextDue);
         Assert.False(_server.Complete(request.Handle, MavResult.Accepted, _now));

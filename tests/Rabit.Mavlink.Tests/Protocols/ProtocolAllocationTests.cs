@@ -106,6 +106,55 @@ public class ProtocolAllocationTests
         Assert.Equal(0, Allocated.By(work));
     }
 
+    [Fact]
+    public void CommandAndParameterServers_WholeExchanges_AllocateNothing()
+    {
+        var station = new MavlinkSender(255, 190);
+        var vehicle = new MavlinkSender(1, 1);
+        var commands = new MavlinkCommandServer(vehicle);
+        var list = new MavlinkParameterList();
+        for (int i = 0; i < 50; i++)
+            list.Add($"P{i}", MavParamType.Real32, i);
+        var parameters = new MavlinkParameterServer(
+            vehicle, list, MavlinkParameterEncoding.Bytewise, new MavlinkParameterServerOptions { SendsHash = true });
+        var name = new Text16("P7");
+        TimeSpan now = TimeSpan.FromSeconds(1);
+        int done = 0;
+        Action work = () =>
+        {
+            now += TimeSpan.FromSeconds(60);
+            for (byte copy = 0; copy < 3; copy++)
+            {
+                commands.Handle(
+                    station.Create(MavlinkCommand.Create(ScriptedVehicle.Address, MavCmd.NavLand).ToLong(copy)), now);
+                while (commands.TryTakeRequest(out MavlinkCommandRequest request))
+                    commands.Complete(request.Handle, MavResult.Accepted, now);
+                while (commands.TryTakeFrame(now, out _))
+                    done++;
+            }
+
+            parameters.Handle(station.Create(new ParamRequestList { TargetSystem = 1, TargetComponent = 1 }), now);
+            parameters.Handle(
+                station.Create(new ParamRequestRead { TargetSystem = 1, TargetComponent = 1, ParamIndex = 3 }), now);
+            parameters.Handle(station.Create(new ParamSet
+            {
+                TargetSystem = 1,
+                TargetComponent = 1,
+                ParamId = name,
+                ParamType = MavParamType.Real32,
+                ParamValue = done,
+            }), now);
+            for (; parameters.NextDue < TimeSpan.MaxValue; now += TimeSpan.FromSeconds(0.02))
+            {
+                while (parameters.TryTakeFrame(now, out _))
+                    done++;
+            }
+        };
+        work();
+        Assert.Equal(3 + 1 + 50 + 2, done);
+        Assert.Equal(0, Allocated.By(work));
+    }
+
     private static ParamValue Report(Text16 name, char last, float value)
     {
         name[11] = (byte)last;
