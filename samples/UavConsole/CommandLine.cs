@@ -135,7 +135,7 @@ internal static class CommandLine
             Log, SystemId, SignKey, TrustLink,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
-            .Concat(AbandonedArguments.All))
+            .Concat(ReportArguments.All).Concat(AbandonedArguments.All))
             command.Add(option);
         command.SetAction(result => FindFaults(result) is { Length: > 0 } faults ? Refuse(faults) : run(Read(result)));
         return command;
@@ -170,6 +170,7 @@ internal static class CommandLine
         TrustedLinks = result.GetValue(TrustLink) ?? [],
         Preflight = PreflightArguments.Read(result),
         Operator = OperatorArguments.Read(result, result.GetValue(Fly)),
+        Reporting = ReportArguments.Read(result),
         AbandonedStateFile = AbandonedArguments.Read(result),
         CommandLine = string.Join(" ", new[] { "UavConsole" }.Concat(result.Tokens.Select(t => t.Value))),
     };

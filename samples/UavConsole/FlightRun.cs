@@ -61,7 +61,10 @@ internal static class FlightRun
         FlightSummary summary = Show(flight, log, options);
         SummaryText.Write(Console.Out, summary);
         string?[] losses =
-            [WriteSummary(files, summary), WriteReport(files, summary), log.Loss, log.ViewLoss, output.Loss];
+        [
+            WriteSummary(files, summary), WriteReport(files, summary),
+            .. files.Exports.Select(file => WriteExport(file, summary)), log.Loss, log.ViewLoss, output.Loss,
+        ];
         foreach (string? loss in losses)
         {
             if (loss is not null)
@@ -89,6 +92,13 @@ internal static class FlightRun
         if (failure is null)
             Console.WriteLine("report: " + Path.GetFullPath(files.Report.Path));
         return failure;
+    }
+
+    private static string? WriteExport(WholeFile file, FlightSummary summary)
+    {
+        using var content = new MemoryStream();
+        ExportFormat.Find(file.Path)!(content, summary);
+        return file.Write(content.ToArray());
     }
 
     private static void WriteError(string text)

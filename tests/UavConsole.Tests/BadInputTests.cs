@@ -73,6 +73,10 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--progress /dev/null", "--progress /dev/null cannot be written: it is a device.")]
     [InlineData("--link udpin:127.0.0.1:14550 --allow-partial-search",
         "--allow-partial-search goes with a mission that is flown: --mission FILE --fly.")]
+    [InlineData("--export flight.gpx", "--export flight.gpx: its name must end in .geojson, .kml or .csv.")]
+    [InlineData("--export /nowhere/flight.kml", "--export /nowhere/flight.kml cannot be written: ")]
+    [InlineData("--export a.csv --export a.csv", "--export and --export are the same file a.csv.")]
+    [InlineData("--operator  ", "--operator: a name has 1 to 100 characters.")]
     [InlineData("--targets 51", "--targets 51: it must be a number from 0 to 50.")]
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)
         => AssertRefused(expected, arguments.Split(' '));

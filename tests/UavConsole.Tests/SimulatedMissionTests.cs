@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Xml.Linq;
 using Rabit.Uav.Tests.Communications;
 using Rabit.Uav.Tests;
 using Xunit;
@@ -17,7 +18,8 @@ public sealed class SimulatedMissionTests : IDisposable
     public void NoArguments_FliesTheSearchAndLeavesAReport()
     {
         using ConsoleProcess console = ConsoleProcess.RunIn(
-            _folder.Folder, out int exitCode, "--summary", "summary.json", "--log", "first.log");
+            _folder.Folder, out int exitCode, "--summary", "summary.json", "--log", "first.log", "--export",
+            "flight.geojson", "--export", "flight.kml", "--export", "flight.CSV");
 
         Assert.True(exitCode == 0, console.ToString());
         Assert.Empty(console.Errors);
@@ -29,6 +31,7 @@ public sealed class SimulatedMissionTests : IDisposable
         Assert.Contains("5 of 5 targets found", page);
         Assert.DoesNotContain("no picture", page);
         CheckSummary();
+        CheckExports();
 
         // The same seed is the same flight, to the byte of its log.
         using ConsoleProcess again = ConsoleProcess.RunIn(
@@ -148,6 +151,18 @@ public sealed class SimulatedMissionTests : IDisposable
     }
 
     public void Dispose() => _folder.Dispose();
+
+    private void CheckExports()
+    {
+        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(InFolder("flight.geojson")));
+        JsonElement[] features = [.. json.RootElement.GetProperty("features").EnumerateArray()];
+        Assert.Equal(
+            5, features.Count(f => f.GetProperty("properties").GetProperty("kind").GetString() == "ellipse95"));
+        XDocument kml = XDocument.Load(InFolder("flight.kml"));
+        Assert.Equal(6, kml.Descendants().Count(e => e.Name.LocalName == "name" && e.Value.Contains("ellipse"))
+            + kml.Descendants().Count(e => e.Name.LocalName == "name" && e.Value == "path"));
+        Assert.StartsWith("kind,number,", File.ReadAllText(InFolder("flight.CSV")), StringComparison.Ordinal);
+    }
 
     private void CheckSummary()
     {

@@ -6,16 +6,17 @@ using System.Linq;
 
 namespace UavConsole;
 
-/// <summary>The files that a run writes: summary, report, log.</summary>
+/// <summary>The files that a run writes: summary, report, log, exports.</summary>
 internal sealed class RunFiles : IDisposable
 {
     private const int MaxNameLength = 40;
 
-    private RunFiles(OutputPath? summary, OutputPath? report, OutputPath? log)
+    private RunFiles(OutputPath? summary, OutputPath? report, OutputPath? log, IEnumerable<OutputPath> exports)
     {
         Summary = summary is null ? null : new WholeFile(summary);
         Report = report is null ? null : new WholeFile(report);
         Log = log is null ? null : new LogFile(log);
+        Exports = [.. exports.Select(e => new WholeFile(e))];
     }
 
     /// <summary>Null where none is wanted.</summary>
@@ -26,6 +27,9 @@ internal sealed class RunFiles : IDisposable
 
     /// <summary>Null where none is wanted.</summary>
     public LogFile? Log { get; }
+
+    /// <summary>Files for maps and tables.</summary>
+    public IReadOnlyList<WholeFile> Exports { get; }
 
     /// <param name="options">What was asked for.</param>
     /// <param name="mission">The name of the mission that is flown; null for none.</param>
@@ -40,13 +44,15 @@ internal sealed class RunFiles : IDisposable
             ("--mission", options.MissionFile), ("--truth", options.TruthFile), ("--sign-key", options.SignKeyFile),
             ("--progress", options.Operator.ProgressFile), ("--originals", options.Preflight.OriginalsFile),
             ("--summary", options.SummaryFile), ("--report", report), ("--log", options.LogFile),
+            .. options.Reporting.Exports.Select(e => ("--export", (string?)e)),
         ]);
         if (options.Preflight.SetsFailsafes || options.Preflight.UploadsFence)
             OutputPath.CheckReplaced("--originals", options.Preflight.OriginalsFile);
         return new RunFiles(
             OutputPath.Check("--summary", options.SummaryFile, options.Links),
             OutputPath.Check("--report", report, options.Links),
-            OutputPath.Check("--log", options.LogFile, options.Links));
+            OutputPath.Check("--log", options.LogFile, options.Links),
+            options.Reporting.Exports.Select(e => OutputPath.Check("--export", e, options.Links)!).ToArray());
     }
 
     public void Dispose() => Log?.Dispose();
