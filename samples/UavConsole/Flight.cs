@@ -49,6 +49,9 @@ internal sealed class Flight : IDisposable
     /// <summary>The name of the mission that is flown; null where none is.</summary>
     public string? MissionName { get; private init; }
 
+    /// <summary>The file of the mission that is flown; null where none is.</summary>
+    public MissionFile? MissionFile { get; private init; }
+
     /// <summary>A line that the screen always shows; null for none.</summary>
     public string? Notice { get; private init; }
 
@@ -67,8 +70,9 @@ internal sealed class Flight : IDisposable
 
     private static Flight OpenSimulation(ConsoleOptions options)
     {
-        MissionPlan mission = ReadMission(
+        MissionFile file = ReadMission(
             options.MissionFile ?? Path.Combine(AppContext.BaseDirectory, BundledMission));
+        MissionPlan mission = file.Plan;
         var worldOptions = new SimulationOptions
         {
             Seed = options.Seed,
@@ -106,6 +110,7 @@ internal sealed class Flight : IDisposable
             // Panels of colours that the mission does not search for are not its targets.
             Truth = TargetTruth.Of(world, mission.Targets),
             MissionName = mission.Name,
+            MissionFile = file,
             TruePosition = () => world.PositionOf(world.Truth.Pose.Position with { Down = 0 }),
         };
     }
@@ -113,7 +118,8 @@ internal sealed class Flight : IDisposable
     private static Flight OpenLinks(ConsoleOptions options)
     {
         // Also where it is not flown: what is wrong with it is reported.
-        MissionPlan? mission = options.MissionFile is { } missionFile ? ReadMission(missionFile) : null;
+        MissionFile? file = options.MissionFile is { } missionFile ? ReadMission(missionFile) : null;
+        MissionPlan? mission = file?.Plan;
         TargetTruth? truth = options.TruthFile is { } truthFile ? ReadTruth(truthFile) : null;
         CameraFolder? folder = options.CameraFolder is { } cameraFolder ? OpenCamera(cameraFolder) : null;
         FolderCamera? camera = folder is null ? null : new FolderCamera(folder);
@@ -143,6 +149,7 @@ internal sealed class Flight : IDisposable
             Truth = truth,
             Camera = camera,
             MissionName = options.Flies ? mission!.Name : null,
+            MissionFile = options.Flies ? file : null,
             Notice = options.IsReplay || options.Flies
                 ? null
                 : "observing only: nothing is commanded; --mission FILE --fly flies",
@@ -210,11 +217,12 @@ internal sealed class Flight : IDisposable
         Mount = camera.Mount,
     };
 
-    private static MissionPlan ReadMission(string path)
+    private static MissionFile ReadMission(string path)
     {
         try
         {
-            return MissionPlan.Parse(ReadText(path), Path.GetFileName(path));
+            string text = ReadText(path);
+            return new MissionFile(Path.GetFileName(path), text, MissionPlan.Parse(text, Path.GetFileName(path)));
         }
         catch (Exception e)
             when (e is IOException or UnauthorizedAccessException or NotSupportedException or ArgumentException)

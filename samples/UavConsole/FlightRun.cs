@@ -171,6 +171,10 @@ internal static class FlightRun
             Source = flight.Source,
             CommandLine = options.CommandLine,
             Seed = options.IsSimulated ? options.Seed : null,
+            StartTime = StartOf(record, options),
+            OperatorName = options.Reporting.OperatorName,
+            MissionFile = flight.MissionFile?.Name ?? string.Empty,
+            MissionFileSha256 = flight.MissionFile?.Sha256 ?? string.Empty,
             Health = monitor.Health,
             Links = flight.Uav.Communications.SummariseLinks(),
             LinkStatus = monitor.Links,
@@ -182,6 +186,15 @@ internal static class FlightRun
             Events = log.Flight.ToArray(),
             EventCount = log.Flight.Count,
         };
+    }
+
+    // The frames of a live link have the time of our clock, those of a log that of its records.
+    private static DateTimeOffset? StartOf(FlightRecord record, ConsoleOptions options)
+    {
+        if (options.IsSimulated || record.Telemetry.FirstUtcMicroseconds is not { } first)
+            return null;
+        DateTimeOffset utc = new DateTimeOffset(1970, 1, 1, 0, 0, 0, TimeSpan.Zero).AddTicks(first * 10);
+        return options.IsReplay ? utc : utc.ToLocalTime();
     }
 
     // ArgumentException adds the parameter's name on a line or in brackets; a person needs the sentence alone.

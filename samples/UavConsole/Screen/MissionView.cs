@@ -33,7 +33,8 @@ internal sealed class MissionView(FlightMonitor monitor, IKeyHints? keys = null)
     {
         // One line stays free for the cursor.
         int managerRows = ((monitor.Managers.Count + 1) / 2) + 1;
-        int mapRows = Math.Min(MaxMapHeight, Math.Max(8, height - managerRows - NotesShown - 2 - (keys is null ? 0 : 1)));
+        int keyRows = keys is null ? 0 : 1;
+        int mapRows = Math.Min(MaxMapHeight, Math.Max(8, height - managerRows - NotesShown - 2 - keyRows));
         int mapColumns = Math.Min(WidestMap, width - PanelWidth - 2);
         IReadOnlyList<string> left = IsChecklistShown()
             ? ChecklistPane.Draw(monitor.Preflight, mapColumns, mapRows)

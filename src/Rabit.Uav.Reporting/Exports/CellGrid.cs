@@ -68,7 +68,8 @@ internal sealed class CellGrid(int columns, int rows)
             foreach ((int nextX, int nextY) in new[] { (x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1) })
             {
                 int next = (nextY * columns) + nextX;
-                if (nextX < 0 || nextY < 0 || nextX >= columns || nextY >= rows || !_isFilled[next] || _patch[next] != 0)
+                bool isInside = nextX >= 0 && nextY >= 0 && nextX < columns && nextY < rows;
+                if (!isInside || !_isFilled[next] || _patch[next] != 0)
                     continue;
                 _patch[next] = patch;
                 cells.Add(next);

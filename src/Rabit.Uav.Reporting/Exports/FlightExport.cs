@@ -19,7 +19,8 @@ public static class FlightExport
 {
     /// <summary>
     /// Writes GeoJSON (RFC 7946): a FeatureCollection; the property <c>kind</c> says what a feature is. Positions have
-    /// no third number, which in GeoJSON is a height above the ellipsoid: altitudes above mean sea level are properties.
+    /// no third number, which in GeoJSON is a height above the ellipsoid: altitudes above mean sea level are
+    /// properties.
     /// </summary>
     /// <param name="output">Where to; it is not closed.</param>
     /// <param name="summary">The flight.</param>

@@ -8,7 +8,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Reporting.Exports;
 
-/// <summary>GeoJSON, RFC 7946: longitude before latitude, rings closed, outlines counter-clockwise, holes clockwise.</summary>
+/// <summary>
+/// GeoJSON, RFC 7946: longitude before latitude, rings closed, outlines counter-clockwise, holes clockwise.
+/// </summary>
 internal sealed class GeoJsonExport
 {
     private readonly Utf8JsonWriter _json;

@@ -3,7 +3,9 @@ using Rabit.Geodesy;
 
 namespace Rabit.Uav.Reporting.Exports;
 
-/// <summary>A connected piece of the ground that was seen. Corners in order, the first not repeated. Immutable.</summary>
+/// <summary>
+/// A connected piece of the ground that was seen. Corners in order, the first not repeated. Immutable.
+/// </summary>
 internal sealed class SeenPatch(
     IReadOnlyList<GeodeticPosition> outline, IReadOnlyList<IReadOnlyList<GeodeticPosition>> holes)
 {

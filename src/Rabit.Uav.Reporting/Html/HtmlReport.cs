@@ -78,7 +78,9 @@ public sealed class HtmlReport
         _page.Open("header").Element("p", "Rabit mission report", "class", "eyebrow");
         if (_summary.Mission is not { } mission)
         {
-            _page.Element("h1", "A flight that was observed").Element("p", _summary.Source, "class", "lead").Close();
+            _page.Element("h1", "A flight that was observed").Element("p", _summary.Source, "class", "lead");
+            new ReportFacts(_page, _summary).Write();
+            _page.Close();
             return;
         }
 
@@ -95,10 +97,12 @@ public sealed class HtmlReport
         }
 
         foreach (string headline in mission.Remarks)
-            _page.Element("p", headline, "class", "aborted");
+            _page.Element("p", headline, "class", "nothing");
         if (mission.Aborted is { } aborted)
             _page.Element("p", "The search was given up before its end: " + aborted, "class", "aborted");
-        _page.Element("p", _summary.Source, "class", "lead").Close();
+        _page.Element("p", _summary.Source, "class", "lead");
+        new ReportFacts(_page, _summary).Write();
+        _page.Close();
     }
 
     private static string ResultText(MissionSummary mission)

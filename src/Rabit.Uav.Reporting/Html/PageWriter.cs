@@ -34,6 +34,10 @@ internal sealed class PageWriter
     public PageWriter Element(string name, string text, params string[] attributes)
         => Open(name, attributes).Text(text).Close();
 
+    /// <summary>A button that copies a text; the script of the page makes it work.</summary>
+    public PageWriter CopyButton(string text, string label)
+        => Element("button", "copy", "type", "button", "class", "copy", "data-copy", text, "aria-label", label);
+
     /// <summary>An element without content: a void one of HTML, or one of SVG.</summary>
     public PageWriter Empty(string name, params string[] attributes)
     {

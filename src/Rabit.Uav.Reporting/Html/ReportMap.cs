@@ -99,7 +99,7 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
             _ => "track tentative",
         };
         page.Open("g", "class", kind);
-        page.Element("title", $"track {FlightText.Number(track.Id)}: {TargetClassNames.Name(track.Class)}, "
+        page.Element("title", $"{FlightText.Number(track.Id)}: {TargetClassNames.Name(track.Class)}, "
             + $"{track.State.ToString().ToLowerInvariant()}, {FlightText.Number(track.Reports)} reports");
         page.Empty(
             "ellipse", "class", "ellipse", "cx", "0", "cy", "0",
@@ -155,7 +155,7 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
             "text", $"{FlightText.Number(metres)} m", "x", N((left + right) / 2), "y", N(y - 8), "text-anchor",
             "middle");
         page.Empty("path", "class", "north", "d", $"M{N(right - 8)} 52v-28l-6 9m6 -9l6 9");
-        page.Element("text", "N", "x", N(right - 8), "y", "70", "text-anchor", "middle");
+        page.Element("text", "N", "x", N(right - 8), "y", "74", "text-anchor", "middle");
         page.Close();
     }
 

@@ -19,29 +19,38 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
         TargetTrack[] shown = data.Record.Tracks.Tracks.Where(t => t.State != TrackState.Tentative).ToArray();
         if (score is null && shown.Length == 0)
             return;
-        page.Open("section").Element("h2", "Targets").Open("div", "class", "cards");
-        foreach (TargetScore target in score?.Targets ?? [])
-            WriteTarget(target);
-        foreach (TargetTrack track in shown.Where(t => score?.Targets.Any(s => s.Track == t) != true))
-            WriteTrackAlone(track, isFalse: score?.FalseTracks.Contains(track) == true);
+        page.Open("section").Element("h2", "Targets").Element(
+            "p", "The number of a target is that of its track: on the map, here, in the log and in the exports.",
+            "class", "note");
+        page.Open("div", "class", "cards");
+        foreach (TargetTrack track in shown.OrderBy(t => t.Id))
+        {
+            if (score?.Targets.FirstOrDefault(s => s.Track == track) is { } target)
+                WriteTarget(target, track);
+            else
+                WriteTrackAlone(track, isFalse: score?.FalseTracks.Contains(track) == true);
+        }
+
+        foreach (TargetScore missed in score?.Targets.Where(t => !t.IsFound) ?? [])
+            WriteMissed(missed);
         page.Close().Close();
     }
 
-    private void WriteTarget(TargetScore target)
+    private void WriteMissed(TargetScore target)
     {
-        Begin(target.IsFound ? "found" : "missed", target.Name, target.Class, target.IsFound ? "found" : "missed");
-        if (target.Track is not { } track)
-        {
-            page.Element("p", "There is no confirmed track of this class within 10 m.", "class", "note");
-            page.Open("dl");
-            Fact("really at", $"{FlightText.Degrees(target.Position.Latitude.Radians)}, "
-                + $"{FlightText.Degrees(target.Position.Longitude.Radians)}");
-            page.Close().Close();
-            return;
-        }
+        Begin("missed", target.Name, target.Class, "missed");
+        page.Element("p", "There is no confirmed track of this class within 10 m.", "class", "note");
+        page.Open("dl");
+        PlaceFacts("really at", target.Position);
+        page.Close().Close();
+    }
 
+    private void WriteTarget(TargetScore target, TargetTrack track)
+    {
+        Begin("found", FlightText.Number(track.Id), track.Class, "found");
         WritePictures(track, target);
         page.Open("dl");
+        Fact("is", target.Name);
         Fact("error", $"{FlightText.Number(target.ErrorMetres, "0.00")} m");
         Fact(
             "95 % ellipse",
@@ -55,7 +64,7 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
     private void WriteTrackAlone(TargetTrack track, bool isFalse)
     {
         string state = isFalse ? "false" : track.State.ToString().ToLowerInvariant();
-        Begin(isFalse ? "false" : "found", $"track {FlightText.Number(track.Id)}", track.Class, state);
+        Begin(isFalse ? "false" : "found", FlightText.Number(track.Id), track.Class, state);
         WritePictures(track, null);
         page.Open("dl");
         Fact("95 % ellipse", $"{Ellipse(track)} m");
@@ -73,13 +82,25 @@ internal sealed class ReportTargets(PageWriter page, FlightSummary data)
 
     private void TrackFacts(TargetTrack track)
     {
-        Fact("track", $"{FlightText.Number(track.Id)}: {FlightText.Number(track.Reports)} reports, "
-            + $"{FlightText.Number(track.Misses)} misses");
-        Fact("position", $"{FlightText.Degrees(track.Position.Latitude.Radians)}, "
-            + $"{FlightText.Degrees(track.Position.Longitude.Radians)}");
+        PlaceFacts("position", track.Position);
+        Fact("reports", $"{FlightText.Number(track.Reports)}, {FlightText.Number(track.Misses)} misses");
         Fact("seen", $"{FlightText.Clock(track.FirstSeen)} to {FlightText.Clock(track.LastSeen)}");
         Fact("size", $"{FlightText.Number(track.SizeMetres, "0.0")} m square");
     }
+
+    private void PlaceFacts(string name, GeodeticPosition position)
+    {
+        Copied(name, TargetPlace.Decimal(position));
+        if (TargetPlace.Mgrs(position) is { } mgrs)
+            Copied("MGRS", mgrs);
+        if (data.Record.Mission.Plan is { } plan)
+            Fact("from home", TargetPlace.From(plan.Home, position));
+    }
+
+    // Marked as a whole by one click, so that it can be copied without the script too.
+    private void Copied(string name, string value)
+        => page.Element("dt", name).Open("dd").Element("span", value, "class", "whole")
+            .CopyButton(value, $"copy {name}").Close();
 
     private void Fact(string name, string value, string kind = "")
         => page.Element("dt", name).Element("dd", value, "class", kind);

@@ -30,7 +30,7 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
             return;
         _start = _samples[0].Time.TotalSeconds;
         _end = Math.Max(_start + 1, _samples[_samples.Count - 1].Time.TotalSeconds);
-        double height = _y + (2 * (BandHeight + Gap)) + (4 * (ChartHeight + Gap)) + 34
+        double height = _y + (2 * (BandHeight + Gap)) + (5 * (ChartHeight + Gap)) + 34
             + (data.Record.Managers.Count * BandHeight) + 8;
         page.Open("section").Element("h2", "Time lines").Open("figure", "class", "card times");
         page.Open("div", "class", "wide").Open(
@@ -42,6 +42,7 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
         WriteChart("height", "m", s => s.HasPosition ? s.HeightAboveHomeMetres : double.NaN, 10, "c-height");
         WriteChart("speed", "m/s", s => s.HasPosition ? s.GroundSpeed : double.NaN, 2, "c-speed");
         WriteChart("battery", "%", s => s.BatteryRemaining * 100, 100, "c-battery");
+        WriteEnergy();
         WriteChart("coverage", "%", s => s.Coverage * 100, 100, "c-coverage");
         WriteHealth();
         WriteManagers();
@@ -104,14 +105,43 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
         _y += BandHeight + Gap;
     }
 
-    private void WriteChart(string name, string unit, Func<FlightSample, double> value, double minimum, string kind)
+    // Where the two lines meet it has to return.
+    private void WriteEnergy()
+    {
+        double top = _y;
+        WriteChart("energy left", "%", s => s.ChargeLeft * 100, 100, "c-battery");
+        _y = top;
+        WriteLine(s => Math.Min(1, s.ChargeNeeded) * 100, 100, "line c-needed");
+        page.Element(
+            "text", "dashed: way home and reserve", "x", N(Right - 6), "y", N(_y + 12), "text-anchor", "end", "class",
+            "hint");
+        _y += ChartHeight + Gap;
+    }
+
+    private void WriteLine(Func<FlightSample, double> value, double top, string kind)
+    {
+        (double T, double Value)[] points = Points(value);
+        if (points.Length > 1)
+            page.Empty("polyline", "class", kind, "points", Line(points, top));
+    }
+
+    private (double T, double Value)[] Points(Func<FlightSample, double> value)
     {
         int stride = Math.Max(1, _samples.Count / MaxPoints);
-        (double T, double Value)[] points = _samples
+        return _samples
             .Where((_, index) => index % stride == 0 || index == _samples.Count - 1)
             .Select(s => (s.Time.TotalSeconds, value(s)))
             .Where(p => !double.IsNaN(p.Item2) && !double.IsInfinity(p.Item2))
             .ToArray();
+    }
+
+    private string Line((double T, double Value)[] points, double top)
+        => string.Join(" ", points.Select(p => MapFrame.Point(
+            (X(p.T), _y + ChartHeight - (Math.Max(0, Math.Min(top, p.Value)) / top * ChartHeight)))));
+
+    private void WriteChart(string name, string unit, Func<FlightSample, double> value, double minimum, string kind)
+    {
+        (double T, double Value)[] points = Points(value);
         double top = RoundUp(Math.Max(minimum, points.Select(p => p.Value).DefaultIfEmpty(0).Max()));
         double bottom = _y + ChartHeight;
         Label(name, ChartHeight, $"0 to {FlightText.Number(top)} {unit}");
@@ -119,8 +149,7 @@ internal sealed class ReportTimeLines(PageWriter page, FlightSummary data)
             "rect", "class", "frame", "x", N(Left), "y", N(_y), "width", N(Right - Left), "height", N(ChartHeight));
         if (points.Length > 1)
         {
-            string line = string.Join(" ", points.Select(
-                p => MapFrame.Point((X(p.T), bottom - (Math.Max(0, Math.Min(top, p.Value)) / top * ChartHeight)))));
+            string line = Line(points, top);
             page.Empty(
                 "polygon", "class", "fill " + kind, "points",
                 $"{N(X(points[0].T))},{N(bottom)} {line} {N(X(points[points.Length - 1].T))},{N(bottom)}");

@@ -1,6 +1,29 @@
 (function () {
   "use strict";
   // No less-than sign and no ampersand in here: the page is well-formed XML too.
+  function copyByMark(text) {
+    var area = document.createElement("textarea");
+    area.value = text;
+    document.body.appendChild(area);
+    area.select();
+    var done = document.execCommand("copy");
+    area.remove();
+    return done;
+  }
+  function showCopied(button, done) {
+    button.textContent = done ? "copied" : "mark it and copy";
+    button.classList.toggle("done", done);
+    setTimeout(function () { button.textContent = "copy"; button.classList.remove("done"); }, 1500);
+  }
+  document.addEventListener("click", function (event) {
+    var text = event.target.dataset ? event.target.dataset.copy : undefined;
+    if (!text) { return; }
+    if (!navigator.clipboard) { showCopied(event.target, copyByMark(text)); return; }
+    navigator.clipboard.writeText(text).then(
+      function () { showCopied(event.target, true); },
+      function () { showCopied(event.target, copyByMark(text)); });
+  });
+
   var points = JSON.parse(document.getElementById("flight").textContent);
   var times = document.getElementById("times");
   var map = document.getElementById("map");
@@ -38,6 +61,7 @@
       + "   battery " + show(p[5], 0, " %") + "   coverage " + show(p[6], 1, " %");
   }
   times.addEventListener("pointermove", move);
+  times.addEventListener("pointerdown", move);
   times.addEventListener("pointerleave", function () {
     cursor.setAttribute("x1", -9);
     cursor.setAttribute("x2", -9);

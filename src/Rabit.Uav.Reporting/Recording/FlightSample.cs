@@ -28,6 +28,16 @@ public struct FlightSample
     /// <summary>Remaining charge, 0 to 1; NaN where it is not known.</summary>
     public double BatteryRemaining { get; set; }
 
+    /// <summary>
+    /// What is truly left in the battery, by the energy model of Mission Control, 0 to 1; NaN where it is not known.
+    /// </summary>
+    public double ChargeLeft { get; set; }
+
+    /// <summary>
+    /// What the way home and the reserve take, 0 to 1; NaN where it is not known.
+    /// </summary>
+    public double ChargeNeeded { get; set; }
+
     /// <summary>What Mission Control did.</summary>
     public MissionPhase Phase { get; set; }
 

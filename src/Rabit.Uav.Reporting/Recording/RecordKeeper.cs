@@ -156,6 +156,8 @@ internal sealed class RecordKeeper(IReadOnlyList<string> managerNames, Func<IRea
                 + (_vehicle.VelocityNed.East * _vehicle.VelocityNed.East)),
         Yaw = _vehicle.Attitude.Yaw,
         BatteryRemaining = _vehicle.BatteryTime is null ? double.NaN : _vehicle.BatteryRemaining,
+        ChargeLeft = _mission.Energy.IsKnown ? _mission.Energy.ChargeLeft : double.NaN,
+        ChargeNeeded = _mission.Energy.IsKnown ? _mission.Energy.ChargeHome + _mission.Energy.Reserve : double.NaN,
         Phase = _mission.Phase,
         Coverage = _mission.Coverage,
         Health = _health.Level,

@@ -17,6 +17,15 @@ internal sealed class SourceRecord
 
     public Heartbeat? LastHeartbeat { get; private set; }
 
+    /// <summary>Of its flight software; null before it reported it.</summary>
+    public string? Firmware { get; private set; }
+
+    public void Record(in AutopilotVersion version)
+    {
+        if (version.FlightSwVersion != 0)
+            Firmware = FirmwareText.Of(version.FlightSwVersion);
+    }
+
     public void Record(in GlobalPositionInt position) => Ranges = Ranges.With(position);
 
     public void Record(in LinkFrame frame, in Heartbeat heartbeat)

@@ -27,6 +27,12 @@ public sealed class TelemetryRecord
     /// <summary>The kind of vehicle by its last heartbeat; null when none was received.</summary>
     public MavType? VehicleType { get; internal init; }
 
+    /// <summary>
+    /// Version of the autopilot's flight software by AUTOPILOT_VERSION, which it sends when it is asked for it; null when
+    /// none was received.
+    /// </summary>
+    public string? Firmware { get; internal init; }
+
     /// <summary>MAVLink system id of the vehicle; 0 when none was received.</summary>
     public byte SystemId { get; internal init; }
 

@@ -43,6 +43,9 @@ internal sealed class TelemetryRecorder
             case GlobalPositionInt.MavlinkId when mavlink.TryDecode(out GlobalPositionInt position):
                 Source(mavlink)?.Record(position);
                 break;
+            case AutopilotVersion.MavlinkId when mavlink.TryDecode(out AutopilotVersion version):
+                Source(mavlink)?.Record(version);
+                break;
             case Statustext.MavlinkId when mavlink.TryDecode(out Statustext text):
                 _statusTexts.Add(new FlightStatusText(new FlightPlace(frame), text.Severity, text.Text.ToString()));
                 break;
@@ -60,6 +63,7 @@ internal sealed class TelemetryRecorder
         {
             Autopilot = vehicle?.LastHeartbeat?.Autopilot,
             VehicleType = vehicle?.LastHeartbeat?.Type,
+            Firmware = vehicle?.Firmware,
             SystemId = (byte)(_vehicle >> 8),
             ComponentId = (byte)_vehicle,
             Frames = _frames,

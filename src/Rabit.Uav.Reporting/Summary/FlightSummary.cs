@@ -59,6 +59,20 @@ public sealed class FlightSummary
     /// <summary>The command line of the program; empty for none.</summary>
     public string CommandLine { get; init; } = string.Empty;
 
+    /// <summary>
+    /// When the flight began, by a clock on the wall and with its offset from UTC; null for a simulated one.
+    /// </summary>
+    public DateTimeOffset? StartTime { get; init; }
+
+    /// <summary>Who was responsible for the flight; empty where that is not known.</summary>
+    public string OperatorName { get; init; } = string.Empty;
+
+    /// <summary>The file of the mission; empty for none.</summary>
+    public string MissionFile { get; init; } = string.Empty;
+
+    /// <summary>SHA-256 of the mission file, 64 hexadecimal digits; empty for none.</summary>
+    public string MissionFileSha256 { get; init; } = string.Empty;
+
     /// <summary>The seed of a simulated world; null for a real one.</summary>
     public long? Seed { get; init; }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Text.Json;
 using Rabit.Core;
@@ -48,6 +49,7 @@ public static class SummaryJson
         WriteCounts(json, "ownFrames", summary.OwnFrames);
         WriteCamera(json, summary.Camera);
         WriteRun(json, summary);
+        WriteCircumstances(json, summary);
         if (summary.Mission is { } mission)
             MissionSummaryJson.Write(json, summary, mission);
         else
@@ -86,11 +88,23 @@ public static class SummaryJson
     {
         json.WriteString("autopilot", telemetry.Autopilot?.ToString());
         json.WriteString("vehicleType", telemetry.VehicleType?.ToString());
+        json.WriteString("firmware", telemetry.Firmware);
         json.WriteNumber("systemId", telemetry.SystemId);
         json.WriteNumber("componentId", telemetry.ComponentId);
         WriteNumberOrNull(json, "firstUtcMicroseconds", telemetry.FirstUtcMicroseconds);
         WriteNumberOrNull(json, "lastUtcMicroseconds", telemetry.LastUtcMicroseconds);
     }
+
+    private static void WriteCircumstances(Utf8JsonWriter json, FlightSummary summary)
+    {
+        json.WriteString(
+            "startTime", summary.StartTime?.ToString("yyyy-MM-dd'T'HH:mm:sszzz", CultureInfo.InvariantCulture));
+        json.WriteString("operator", NullIfEmpty(summary.OperatorName));
+        json.WriteString("missionFile", NullIfEmpty(summary.MissionFile));
+        json.WriteString("missionFileSha256", NullIfEmpty(summary.MissionFileSha256));
+    }
+
+    private static string? NullIfEmpty(string text) => text.Length == 0 ? null : text;
 
     private static void WriteModeChanges(Utf8JsonWriter json, TelemetryRecord telemetry)
     {

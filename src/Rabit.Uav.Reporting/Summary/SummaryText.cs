@@ -77,7 +77,8 @@ public sealed class SummaryText
         }
 
         double seconds = ((flight.LastUtcMicroseconds - flight.FirstUtcMicroseconds) ?? 0) / 1e6;
-        Line($"{FlightText.Autopilot(autopilot)} {flight.VehicleType}, system {flight.SystemId}, component "
+        string firmware = flight.Firmware is { } version ? " " + version : string.Empty;
+        Line($"{FlightText.Autopilot(autopilot)}{firmware} {flight.VehicleType}, system {flight.SystemId}, component "
             + $"{flight.ComponentId}, "
             + seconds.ToString("0.0", CultureInfo.InvariantCulture) + " s");
         Line("mode changes:");

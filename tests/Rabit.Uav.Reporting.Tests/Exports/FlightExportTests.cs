@@ -47,7 +47,8 @@ public sealed class FlightExportTests
         Assert.InRange(polygons.Length, 9, 100);
         foreach (JsonElement polygon in polygons)
         {
-            double[][][] rings = [.. polygon.EnumerateArray().Select(r => r.EnumerateArray().Select(Numbers).ToArray())];
+            double[][][] rings =
+                [.. polygon.EnumerateArray().Select(r => r.EnumerateArray().Select(Numbers).ToArray())];
             Assert.All(rings, r => Assert.InRange(r.Length, 4, int.MaxValue));
             Assert.All(rings, r => Assert.Equal(r[0], r[r.Length - 1]));
             Assert.True(SignedArea(rings[0]) > 0);
