@@ -24,7 +24,9 @@ internal sealed class MissionFile(string name, string text, MissionPlan plan)
     private static string HashOf(string text)
     {
         using var sha = SHA256.Create();
+#pragma warning disable CA1850   // Mono has no HashData.
         byte[] hash = sha.ComputeHash(new UTF8Encoding(encoderShouldEmitUTF8Identifier: false).GetBytes(text));
+#pragma warning restore CA1850
         return string.Concat(hash.Select(b => b.ToString("x2", CultureInfo.InvariantCulture)));
     }
 }

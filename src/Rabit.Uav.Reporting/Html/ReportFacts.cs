@@ -49,9 +49,8 @@ internal sealed class ReportFacts(PageWriter page, FlightSummary data)
         page.Element("dt", "mission file").Open("dd").Text(data.MissionFile);
         if (data.MissionFileSha256.Length > HashDigitsShown)
         {
-            page.Element(
-                "small", " SHA-256 " + data.MissionFileSha256.Substring(0, HashDigitsShown) + "…", "title",
-                data.MissionFileSha256);
+            string beginning = data.MissionFileSha256.Substring(0, HashDigitsShown);
+            page.Element("small", $" SHA-256 {beginning}…", "title", data.MissionFileSha256);
             page.CopyButton(data.MissionFileSha256, "copy the SHA-256 of the mission file");
         }
 

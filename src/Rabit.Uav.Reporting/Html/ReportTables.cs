@@ -27,7 +27,7 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
             ? events
             : events.Take(MaxEvents / 2).Concat(events.Skip(events.Length - (MaxEvents / 2))).ToArray();
         page.Open("section").Element("h2", "Decisions and events");
-        page.Open("div", "class", "card scroll").Open("table", "class", "told");
+        page.Open("div", "class", "card scroll").Open("table", "class", "stacked");
         Head("#time", "by", "what");
         page.Open("tbody");
         foreach (FlightEvent e in shown)
@@ -61,7 +61,8 @@ internal sealed class ReportTables(PageWriter page, FlightSummary data)
 
     private void WriteHealth()
     {
-        page.Open("section").Element("h2", "Health and faults").Open("div", "class", "card scroll").Open("table", "class", "told");
+        page.Open("section").Element("h2", "Health and faults");
+        page.Open("div", "class", "card scroll").Open("table", "class", "stacked");
         Head("#time", "level", "what", "asked for");
         page.Open("tbody");
         foreach (HealthChange change in data.Record.HealthChanges)

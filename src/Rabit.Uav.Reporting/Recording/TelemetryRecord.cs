@@ -28,8 +28,8 @@ public sealed class TelemetryRecord
     public MavType? VehicleType { get; internal init; }
 
     /// <summary>
-    /// Version of the autopilot's flight software by AUTOPILOT_VERSION, which it sends when it is asked for it; null when
-    /// none was received.
+    /// Version of the autopilot's flight software by AUTOPILOT_VERSION, which it sends when it is asked for it; null
+    /// when none was received.
     /// </summary>
     public string? Firmware { get; internal init; }
 

@@ -67,10 +67,9 @@ public sealed class ReportFactsTests
                 MgrsPosition.From(first.Position.Point).ToString(),
             ],
             copied);
-        Assert.Contains(
-            FormattableString.Invariant(
-                $"{Math.Sqrt((ned.North * ned.North) + (ned.East * ned.East)):0} m at {Math.Atan2(ned.East, ned.North) * 180 / Math.PI:000}°"),
-            card.Value);
+        double metres = Math.Sqrt((ned.North * ned.North) + (ned.East * ned.East));
+        double bearing = Math.Atan2(ned.East, ned.North) * 180 / Math.PI;
+        Assert.Contains(FormattableString.Invariant($"{metres:0} m at {bearing:000}°"), card.Value);
     }
 
     [Fact]
@@ -95,7 +94,8 @@ public sealed class ReportFactsTests
 
         Assert.Contains(
             page.Descendants(Html + "p"),
-            p => (string?)p.Attribute("class") == "nothing" && p.Value.StartsWith("nothing ", StringComparison.Ordinal));
+            p => (string?)p.Attribute("class") == "nothing"
+                && p.Value.StartsWith("nothing ", StringComparison.Ordinal));
     }
 
     [Fact]
