@@ -214,7 +214,7 @@ public sealed class ImageProcessingManager : RabitManager
         _next.GroundSamplingMetres = _search.View.GroundSamplingMetres;
         if (refusal is not null)
         {
-            CountRefusal(_search.Quality, refusal);
+            CountRefusal(_search.Quality, refusal, _search.IsByTilt);
             return;
         }
 
@@ -242,19 +242,19 @@ public sealed class ImageProcessingManager : RabitManager
         CountRefusal(PictureQuality.NoPose, why);
     }
 
-    private void CountRefusal(PictureQuality quality, string why)
+    private void CountRefusal(PictureQuality quality, string why, bool isByTilt = false)
     {
         _next.FramesRefused++;
         _next.LastRefusal = why;
-        Count(quality);
+        Count(quality, isByTilt);
     }
 
-    private void Count(PictureQuality quality)
+    private void Count(PictureQuality quality, bool isByTilt = false)
     {
         PictureCounts counts = _next.Pictures;
         counts.Count(quality);
         _next.Pictures = counts;
-        _window.Add(quality, Now);
+        _window.Add(quality, Now, isByTilt);
     }
 
     // What was seen before says nothing of the next search.

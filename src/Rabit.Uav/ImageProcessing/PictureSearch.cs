@@ -61,6 +61,12 @@ internal sealed class PictureSearch : IGroundScaleSource
     /// <summary>What became of the last picture.</summary>
     public PictureQuality Quality { get; private set; }
 
+    /// <summary>
+    /// Whether the last picture could not be used because of the vehicle's tilt alone, as in a manoeuvre with a camera
+    /// that points forward: level, it would show the ground, fine enough.
+    /// </summary>
+    public bool IsByTilt { get; private set; }
+
     /// <summary>How the last picture that shows the ground was taken.</summary>
     public PictureView View { get; private set; }
 
@@ -69,6 +75,9 @@ internal sealed class PictureSearch : IGroundScaleSource
 
     /// <summary>Classes of the last command that are not declared; null if there are none.</summary>
     public string? UnknownClasses => _wanted.Unknown;
+
+    private double NeededSamplingMetres
+        => _minTargetPixels > 0 ? _wanted.MinSideMetres / _minTargetPixels : double.PositiveInfinity;
 
     /// <summary>Searches a picture.</summary>
     /// <param name="frame">The picture.</param>
@@ -79,7 +88,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     public string? Search(in CameraFrame frame, in Pose pose, in ImagingCommand command, byte systemId)
     {
         _reportCount = 0;
-        Quality = PictureQuality.NotSearched;
+        (Quality, IsByTilt) = (PictureQuality.NotSearched, false);
         if (frame.Width != _camera.Width || frame.Height != _camera.Height)
             return WrongSize;
         if (frame.Pixels.IsEmpty || frame.Pixels.Array.Length < frame.Width * frame.Height * 3)
@@ -90,7 +99,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         _projection = _projector.At(pose, command);
         if (!TryFindCorners(frame, pose, command) || !TryView(frame, pose, command))
         {
-            Quality = PictureQuality.NotGround;
+            (Quality, IsByTilt) = (PictureQuality.NotGround, IsFineWhenLevel(pose, command));
             return NotGround;
         }
 
@@ -98,6 +107,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         if (quality != PictureQuality.Usable)
         {
             Quality = quality;
+            IsByTilt = quality == PictureQuality.TooCoarse && IsFineWhenLevel(pose, command);
             return PictureQualityText.RefusalOf(quality);
         }
 
@@ -145,11 +155,23 @@ internal sealed class PictureSearch : IGroundScaleSource
             Centre = centre,
             GroundSamplingMetres = Math.Sqrt(scale.PixelArea),
             SmearMetres = smear,
-            NeededSamplingMetres = _minTargetPixels > 0
-                ? _wanted.MinSideMetres / _minTargetPixels
-                : double.PositiveInfinity,
+            NeededSamplingMetres = NeededSamplingMetres,
         };
         return true;
+    }
+
+    private bool IsFineWhenLevel(Pose pose, in ImagingCommand command)
+    {
+        pose.Attitude = Rotation.FromEuler(new EulerAngles(default, default, pose.Attitude.ToEuler().Yaw));
+        GroundProjection level = _projector.At(pose, command);
+        double right = _camera.Width - 1;
+        double bottom = _camera.Height - 1;
+        return level.TryProjectToGround(0, 0, out GeodeticPosition _)
+            && level.TryProjectToGround(right, 0, out GeodeticPosition _)
+            && level.TryProjectToGround(right, bottom, out GeodeticPosition _)
+            && level.TryProjectToGround(0, bottom, out GeodeticPosition _)
+            && level.TryScale(_camera.CentreX, _camera.CentreY, out GroundScale scale)
+            && !(Math.Sqrt(scale.PixelArea) > NeededSamplingMetres);
     }
 
     // The ground that the middle of the picture sees moves by the speed and by the rotation, which may cancel (over a

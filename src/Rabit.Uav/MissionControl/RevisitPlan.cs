@@ -10,7 +10,8 @@ public sealed class RevisitPlan
     public double? HeightMetres { get; init; }
 
     /// <summary>
-    /// Distance from the target at which the pass over it begins, across the lanes, metres; 0 to fly straight to it.
+    /// Distance from the target at which the pass over it begins and turns back, across the lanes, metres; 0 to fly
+    /// straight to it. Less, or in another direction, where the pass would leave the fence.
     /// </summary>
     public double RadiusMetres { get; init; } = 10;
 

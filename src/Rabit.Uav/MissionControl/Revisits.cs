@@ -10,9 +10,6 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>Which confirmed targets were revisited, and which are still to be. Each once.</summary>
 internal sealed class Revisits
 {
-    // The vehicle holds its position over a target to within a few metres.
-    private const double FenceReserveMetres = 5;
-
     private readonly HashSet<int> _known = [];
     private readonly HashSet<int> _finished = [];
     private ImmutableArray<int> _shownFinished;
@@ -71,8 +68,8 @@ internal sealed class Revisits
 
     private static string? WhyNot(TargetTrack track, MissionFlight flight)
     {
-        if (flight.Plan!.Fence.SignedDistance(PositionOf(track, flight)) < FenceReserveMetres)
-            return "is at the fence or outside";
+        if (RevisitPass.Plan(flight, PositionOf(track, flight)) is null)
+            return "cannot be seen from inside the fence";
         foreach (MissionProgressTarget earlier in flight.Options.Resume?.Targets ?? [])
         {
             if (earlier.IsRevisited && ProgressTargets.AreSame(earlier, track))

@@ -33,22 +33,25 @@ public sealed class CameraClockTests(ITestOutputHelper output)
 
     [Theory]
     [Trait("Category", "Long")]
-    [InlineData(0.05)]
-    [InlineData(-0.05)]
-    [InlineData(0.1)]
-    [InlineData(-0.1)]
-    [InlineData(0.3)]
-    [InlineData(-0.3)]
-    [InlineData(0.5)]
-    [InlineData(-0.5)]
-    [InlineData(-1.5)]
-    public void CameraClock_Wrong_IsKnownToTwentyMillisecondsAfterTwoRevisits(double offset)
+    [InlineData(SimulatedAutopilot.ArduPilot, 0.05)]
+    [InlineData(SimulatedAutopilot.ArduPilot, -0.05)]
+    [InlineData(SimulatedAutopilot.ArduPilot, 0.1)]
+    [InlineData(SimulatedAutopilot.ArduPilot, -0.1)]
+    [InlineData(SimulatedAutopilot.ArduPilot, 0.3)]
+    [InlineData(SimulatedAutopilot.ArduPilot, -0.3)]
+    [InlineData(SimulatedAutopilot.ArduPilot, 0.5)]
+    [InlineData(SimulatedAutopilot.ArduPilot, -0.5)]
+    [InlineData(SimulatedAutopilot.ArduPilot, -1.5)]
+    [InlineData(SimulatedAutopilot.Px4, 0.1)]
+    [InlineData(SimulatedAutopilot.Px4, -0.3)]
+    public void CameraClock_Wrong_IsKnownToTwentyMillisecondsAfterTwoRevisits(
+        SimulatedAutopilot autopilot, double offset)
     {
         const int Seeds = 20;
         var errors = new List<double>();
         for (long seed = 1; seed <= Seeds; seed++)
         {
-            using SearchFlight flight = Make(offset, seed);
+            using SearchFlight flight = Make(offset, seed, autopilot);
             flight.FlyUntil(
                 f => f.Mission.Revisits + f.Mission.RevisitsFailed >= 2 || f.Mission.Aborted is not null || f.IsOver,
                 TestTimeout);
@@ -67,7 +70,7 @@ public sealed class CameraClockTests(ITestOutputHelper output)
             return;
         double rms = Math.Sqrt(errors.Average(e => e * e));
         output.WriteLine(FormattableString.Invariant(
-            $"{offset} s: RMS {rms:0.0000} s, largest {errors.Max(Math.Abs):0.0000} s of {errors.Count}"));
+            $"{autopilot}, {offset} s: RMS {rms:0.0000} s, largest {errors.Max(Math.Abs):0.0000} s of {errors.Count}"));
         Assert.InRange(rms, 0, FoundWithinSeconds / 2);
         Assert.InRange(errors.Count(e => Math.Abs(e) <= FoundWithinSeconds), 0.95 * errors.Count, Seeds);
         Assert.InRange(errors.Max(Math.Abs), 0, 1.5 * FoundWithinSeconds);

@@ -145,6 +145,63 @@ public class WholeMissionTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void Revisit_NewTarget_IsPassedToTheOtherSideAndBack()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(", \"laneHeadingDegrees\": 90, \"targets\": [\"red\"]"));
+        var frame = LocalNedFrame.IgnoringGeoid(MissionRig.Home);
+        rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
+        rig.RunUntil(MissionPhase.Revisiting);
+        int before = rig.Vehicle.Commands.Count;
+        rig.RunUntil(MissionPhase.Searching);
+        double[] norths = rig.Vehicle.Commands.Skip(before).Where(c => c.Command.Kind == VehicleCommandKind.GoTo)
+            .Select(c => frame.ToNed(GeodeticPosition.FromRadians(
+                c.Command.Latitude.Radians, c.Command.Longitude.Radians, MissionRig.Home.AltitudeAmslMetres)).North)
+            .Take(3).ToArray();
+        Assert.Equal(3, norths.Length);
+        Assert.Equal(20, Math.Abs(norths[0] - norths[1]), 1.0);
+        Assert.Equal(norths[2], (norths[0] + norths[1]) / 2, 0.01);
+        Assert.Equal(80, norths[2], 1.5);
+    }
+
+    // At -45 degrees the optical axis meets the ground as far ahead as the vehicle is high; at 90 degrees to the right.
+    [Theory]
+    [InlineData(-90, 0)]
+    [InlineData(-45, 0)]
+    [InlineData(-45, 90)]
+    [InlineData(-60, -120)]
+    public void Revisit_CameraPointsElsewhere_PutsTheTargetIntoTheMiddleOfThePicture(double pitch, double yaw)
+    {
+        string camera = FormattableString.Invariant(
+            $", \"camera\": {{\"pitchDegrees\": {pitch}, \"yawDegrees\": {yaw}}}, \"targets\": [\"red\"]");
+        using var rig = new MissionRig(MissionRig.Mission(camera));
+        rig.Vehicle.Targets.Add((100, 0, DefaultTargetClasses.Red));
+        rig.RunUntil(MissionPhase.Revisiting);
+        rig.RunUntil(MissionPhase.Searching);
+        double ahead = rig.Vehicle.Height / Math.Tan(-pitch * Math.PI / 180);
+        double heading = rig.Vehicle.Yaw + (yaw * Math.PI / 180);
+        Assert.Equal(100, rig.Vehicle.North + (ahead * Math.Cos(heading)), 3.5);
+        Assert.Equal(0, rig.Vehicle.East + (ahead * Math.Sin(heading)), 3.5);
+    }
+
+    [Fact]
+    public void Revisit_PassWouldLeaveTheFence_IsFlownFromAnotherDirection()
+    {
+        using var rig = new MissionRig(MissionRig.Mission(
+            ", \"laneHeadingDegrees\": 90, \"revisit\": {\"radiusMetres\": 60}, \"targets\": [\"red\"]"));
+        rig.Vehicle.Targets.Add((148, 0, DefaultTargetClasses.Red));
+        bool isOutside = false;
+        rig.RunUntil(MissionPhase.Revisiting);
+        while (rig.Status.Phase == MissionPhase.Revisiting)
+        {
+            rig.Run(0.5);
+            isOutside |= rig.Vehicle.North > 150 + 30;
+        }
+
+        Assert.False(isOutside);
+        Assert.Equal(1, rig.Status.Revisits);
+    }
+
+    [Fact]
     public void Revisit_SwitchedOff_IsNotMade()
     {
         using var rig = new MissionRig(MissionRig.Mission(", \"revisit\": {\"enabled\": false}"));
@@ -162,7 +219,7 @@ public class WholeMissionTests(ITestOutputHelper output)
         rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(1, rig.Status.Revisits);
-        Assert.Contains("track 77 is at the fence or outside", rig.Story, StringComparison.Ordinal);
+        Assert.Contains("track 77 cannot be seen from inside the fence", rig.Story, StringComparison.Ordinal);
     }
 
     [Theory]

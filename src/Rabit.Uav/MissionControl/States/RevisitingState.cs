@@ -4,20 +4,21 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Revisits one confirmed target: flies over it across the lanes, so that the camera observes it from another
-/// direction, until there are a few more reports of it.
+/// Revisits one confirmed target: flies over it across the lanes and back, so that the camera observes it from other
+/// directions, until there are a few more reports of it.
 /// </summary>
 internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 {
     private const int MinReports = 4;
 
-    private static readonly TimeSpan MinHold = TimeSpan.FromSeconds(3);
+    private static readonly TimeSpan MinHold = TimeSpan.FromSeconds(2);
     private static readonly TimeSpan MaxHold = TimeSpan.FromSeconds(10);
 
     private int _track;
     private int _reportsBefore;
-    private LaneSegment _pass;
+    private RevisitPass _pass = null!; // planned when the phase is entered
     private bool _isAtStart;
+    private bool _isThrough;
     private TimeSpan? _overhead;
     private TimeSpan _limit;
     private double _height;
@@ -28,11 +29,11 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         _height = flight.Mission.Revisit.HeightMetres ?? flight.Mission.HeightMetres;
         _overhead = null;
         _begun = flight.ActiveTime;
-        _isAtStart = !(flight.Mission.Revisit.RadiusMetres > 0);
         TargetTrack track = flight.Revisits.Next(flight)!;
-        _track = track.Id;
-        _pass = PassOver(flight, Revisits.PositionOf(track, flight));
-        _limit = PathFollower.TimeLimit(flight, flight.Position.DistanceTo(_pass.Start) + _pass.Length) + MaxHold;
+        (_track, _reportsBefore) = (track.Id, track.Reports);
+        _pass = RevisitPass.Plan(flight, Revisits.PositionOf(track, flight))!;
+        _isAtStart = _isThrough = !_pass.IsThrough;
+        _limit = PathFollower.TimeLimit(flight, _pass.LengthFrom(flight.Position)) + MaxHold;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
@@ -47,39 +48,36 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         return Fly(flight, track);
     }
 
-    // From the side of the target on which the vehicle is.
-    private static LaneSegment PassOver(MissionFlight flight, PlanePoint target)
-    {
-        PlanePoint across = PlanePoint.Towards(flight.Plan!.HeadingRadians + (Math.PI / 2));
-        double side = across.Dot(target - flight.Position) >= 0 ? 1 : -1;
-        double radius = Math.Max(1, flight.Mission.Revisit.RadiusMetres);
-        return new LaneSegment(target - (radius * side * across), target);
-    }
-
     private MissionStep Fly(MissionFlight flight, TargetTrack track)
     {
         if (!_isAtStart)
         {
-            flight.SetGoalPosition(_pass.Start, _height, _pass.HeadingRadians);
-            _isAtStart = PathFollower.HasArrived(flight, _pass.Start, _height);
+            _isAtStart = FlyTo(flight, _pass.Start);
+            _reportsBefore = track.Reports;
             return MissionStep.Stay;
         }
 
-        flight.SetGoalPosition(_pass.End, _height, _pass.HeadingRadians);
-        if (_overhead is null)
+        if (!_isThrough)
         {
-            if (!PathFollower.HasArrived(flight, _pass.End, _height))
-                return MissionStep.Stay;
-            _overhead = flight.ActiveTime;
-            _reportsBefore = track.Reports;
+            _isThrough = FlyTo(flight, _pass.Beyond);
+            return MissionStep.Stay;
         }
 
+        if (!FlyTo(flight, _pass.Overhead) && _overhead is null)
+            return MissionStep.Stay;
+        _overhead ??= flight.ActiveTime;
         TimeSpan held = flight.ActiveTime - _overhead.Value;
         int reports = track.Reports - _reportsBefore;
         bool isEnough = held >= MinHold && reports >= MinReports;
         return isEnough || held >= MaxHold
             ? Finish(flight, wasObserved: reports > 0, Accuracy(track, reports))
             : MissionStep.Stay;
+    }
+
+    private bool FlyTo(MissionFlight flight, PlanePoint place)
+    {
+        flight.SetGoalPosition(place, _height, _pass.HeadingRadians);
+        return PathFollower.HasArrived(flight, place, _height);
     }
 
     private static string Accuracy(TargetTrack track, int reports)

@@ -45,6 +45,21 @@ public class PictureWindowTests
         Assert.Null(_window.UsableShare);
     }
 
+    // A manoeuvre is no fault of the camera; a tilt that lasts is.
+    [Theory]
+    [InlineData(4.5, 1.0)]
+    [InlineData(8.0, 0.0)]
+    public void Add_TiltedAway_CountsOnlyAfterSomeSeconds(double seconds, double usable)
+    {
+        for (int i = 0; i < 10; i++)
+            _window.Add(PictureQuality.Usable, TimeSpan.FromSeconds(i / 5.0));
+        double now = 2;
+        for (; now <= 2 + seconds; now += 0.2)
+            _window.Add(PictureQuality.NotGround, TimeSpan.FromSeconds(now), isByTilt: true);
+        _window.Update(TimeSpan.FromSeconds(now));
+        Assert.Equal(usable, _window.UsableShare);
+    }
+
     [Fact]
     public void Clear_ForgetsAll()
     {
