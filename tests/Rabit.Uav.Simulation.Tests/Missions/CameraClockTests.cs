@@ -58,6 +58,8 @@ public sealed class CameraClockTests(ITestOutputHelper output)
 
             // A large one may end the search before that, as soon as it is certain that it is too large.
             if (flight.Mission.Aborted is null)
+                AssertKnown(flight, offset);
+            if (flight.Mission.Aborted is null && flight.Mission.Revisits >= 2)
                 errors.Add(ErrorOf(flight, offset));
             flight.FlyUntil(f => f.IsOver, TestTimeout);
             output.WriteLine(FormattableString.Invariant($"seed {seed}: {flight.Mission.Aborted}"));
@@ -72,8 +74,7 @@ public sealed class CameraClockTests(ITestOutputHelper output)
         output.WriteLine(FormattableString.Invariant(
             $"{autopilot}, {offset} s: RMS {rms:0.0000} s, largest {errors.Max(Math.Abs):0.0000} s of {errors.Count}"));
         Assert.InRange(rms, 0, FoundWithinSeconds / 2);
-        Assert.InRange(errors.Count(e => Math.Abs(e) <= FoundWithinSeconds), 0.95 * errors.Count, Seeds);
-        Assert.InRange(errors.Max(Math.Abs), 0, 1.5 * FoundWithinSeconds);
+        Assert.InRange(errors.Max(Math.Abs), 0, FoundWithinSeconds);
     }
 
     // Both ways are taken to be alike, so that poses are half a second late, which no exchange of times can show; where
@@ -148,9 +149,19 @@ public sealed class CameraClockTests(ITestOutputHelper output)
             },
             TimeSpan.FromMinutes(30));
         Assert.True((reasons & Ours) == HealthReasons.None, FormattableString.Invariant($"seed {seed}: {reasons}"));
-        AssertFound(flight, 0);
+        AssertKnown(flight, 0);
         flight.End();
         Assert.Equal(MissionOutcome.Accomplished, flight.Mission.Result.Outcome);
+    }
+
+    // With one revisit only, because there is one target, or way for one: by what it states.
+    private void AssertKnown(SearchFlight flight, double offset)
+    {
+        double error = Math.Abs(ErrorOf(flight, offset));
+        double limit = flight.Mission.Revisits >= 2
+            ? FoundWithinSeconds
+            : 3 * flight.Tracks.CameraClock.ErrorSeconds;
+        Assert.InRange(error, 0, limit);
     }
 
     private void AssertFound(SearchFlight flight, double offset)
