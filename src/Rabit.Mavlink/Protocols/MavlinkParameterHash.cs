@@ -84,7 +84,7 @@ public static class MavlinkParameterHash
         return hash;
     }
 
-    private static uint Add(uint hash, byte value)
+    internal static uint Add(uint hash, byte value)
     {
         hash ^= value;
         for (int bit = 0; bit < BitsPerByte; bit++)
