@@ -119,7 +119,7 @@ public sealed partial class MavlinkMissionServer
             return;
         }
 
-        MissionPlan plan = PlanOf(type);
+        StoredMissionItems plan = PlanOf(type);
         int place = FindDownload(source, type);
         if (place >= 0 && _downloads[place].Version != plan.Version)
         {

@@ -32,7 +32,7 @@ public sealed partial class MavlinkMissionServer
     private MissionItemInt ItemOf(in MissionReply reply)
     {
         // The number was checked when it was requested; the items may have been changed since.
-        MissionPlan plan = _plans[(int)reply.Type];
+        StoredMissionItems plan = _plans[(int)reply.Type];
         MissionItemInt item = reply.Sequence < plan.Count ? plan.Items[reply.Sequence] : default;
         item.TargetSystem = reply.Target.SystemId;
         item.TargetComponent = reply.Target.ComponentId;

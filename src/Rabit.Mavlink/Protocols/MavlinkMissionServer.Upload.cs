@@ -108,7 +108,7 @@ public sealed partial class MavlinkMissionServer
             return;
         MavlinkAddress source = _uploader!.Value;
         _uploader = null;
-        MissionPlan plan = PlanOf(_uploadType);
+        StoredMissionItems plan = PlanOf(_uploadType);
         MavMissionResult result =
             _rules?.CheckItems(_uploadType, plan.Incoming(_uploadCount)) ?? MavMissionResult.Accepted;
         if (result == MavMissionResult.Accepted)
@@ -124,7 +124,7 @@ public sealed partial class MavlinkMissionServer
 
     private void Changed(MavMissionType type, MavlinkAddress source, bool isSigned)
     {
-        MissionPlan plan = _plans[(int)type];
+        StoredMissionItems plan = _plans[(int)type];
         plan.Change = new MavlinkMissionChange(type, plan.Count, source, isSigned, plan.Id);
         if (type == MavMissionType.Mission)
         {

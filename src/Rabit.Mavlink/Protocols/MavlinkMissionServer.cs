@@ -37,7 +37,7 @@ public sealed partial class MavlinkMissionServer
     private readonly MavlinkSender _sender;
     private readonly IMavlinkMissionRules? _rules;
     private readonly MavlinkMissionServerOptions _options;
-    private readonly MissionPlan[] _plans = [new(), new(), new()];
+    private readonly StoredMissionItems[] _plans = [new(), new(), new()];
     private readonly MissionReply[] _replies;
     private int _firstReply;
     private int _replyCount;
@@ -125,7 +125,7 @@ public sealed partial class MavlinkMissionServer
     /// <returns>Whether there is one.</returns>
     public bool TryTakeChange(out MavlinkMissionChange change)
     {
-        foreach (MissionPlan plan in _plans)
+        foreach (StoredMissionItems plan in _plans)
         {
             if (plan.Change is not { } found)
                 continue;
@@ -197,7 +197,7 @@ public sealed partial class MavlinkMissionServer
         return true;
     }
 
-    private MissionPlan PlanOf(MavMissionType type) => (uint)type < TypeCount
+    private StoredMissionItems PlanOf(MavMissionType type) => (uint)type < TypeCount
         ? _plans[(int)type]
         : throw new ArgumentOutOfRangeException(nameof(type), type, "Mission, fence or rally points.");
 

@@ -76,6 +76,7 @@ public class MavlinkMissionServerTests
         Item(_station, MavMissionType.Fence, 0);
         Item(_station, MavMissionType.Fence, 1);
         Assert.Equal([7, 8], _server.Items(MavMissionType.Fence).ToArray().Select(item => item.X));
+        Take();
         Upload(_other, MavMissionType.Fence, 1);
         Assert.Equal(1, _server.Items(MavMissionType.Fence).Length);
     }
@@ -225,9 +226,13 @@ public class MavlinkMissionServerTests
     [Fact]
     public void Handle_ForOthers_IsIgnored()
     {
-        foreach ((byte system, byte component) in new[] { ((byte)1, (byte)1), ((byte)1, (byte)0), ((byte)2, (byte)191) })
+        foreach (int address in new[] { 0x0101, 0x0100, 0x02BF })
         {
-            var list = new MissionRequestList { TargetSystem = system, TargetComponent = component };
+            var list = new MissionRequestList
+            {
+                TargetSystem = (byte)(address >> 8),
+                TargetComponent = (byte)address,
+            };
             _server.Handle(_station.Create(list), _now);
         }
 
@@ -306,10 +311,10 @@ public class MavlinkMissionServerTests
     private void Handle<T>(MavlinkSender from, T message)
         where T : struct, IMavlinkMessage
     {
-        // Every mission message has its target in fields of these names.
+        // Every mission message has its target under these names.
         object boxed = message;
-        typeof(T).GetField("TargetSystem")!.SetValue(boxed, (byte)1);
-        typeof(T).GetField("TargetComponent")!.SetValue(boxed, (byte)191);
+        typeof(T).GetProperty("TargetSystem")!.SetValue(boxed, (byte)1);
+        typeof(T).GetProperty("TargetComponent")!.SetValue(boxed, (byte)191);
         _server.Handle(from.Create((T)boxed), _now);
     }
 

@@ -26,7 +26,9 @@ public class RecordedMissionServerTests
             for (int i = transfer.GetProperty("first_record").GetInt32(); i <= last; i++)
             {
                 (System.TimeSpan at, MavlinkFrame frame) = recording.Frames[i];
-                if (frame.ComponentId != 191 || frame.MessageId == MissionAck.MavlinkId)
+                bool isRequest = frame.MessageId is MissionCount.MavlinkId or MissionItemInt.MavlinkId
+                    or MissionRequestList.MavlinkId or MissionRequestInt.MavlinkId or MissionClearAll.MavlinkId;
+                if (frame.ComponentId != 191 || !isRequest)
                     continue;
                 server.Handle(frame, at);
                 List<string> sent = [];
@@ -42,8 +44,8 @@ public class RecordedMissionServerTests
         Assert.Equal(3 * (1 + 1) + (2 * (32 + 5 + 3)) + 3, compared);
     }
 
-    // What matters of an answer. ArduPilot's item 0 is home as it knows it; PX4 1.14 sends its first request as
-    // MISSION_REQUEST, and fences and rally points without their type.
+    // What matters of an answer. ArduPilot's item 0 is home as it knows it, and it keeps centimetres; PX4 1.14 sends
+    // its first request as MISSION_REQUEST, and fences and rally points without their type.
     private static string LineOf(MavlinkFrame frame)
     {
         if (frame.TryDecode(out MissionRequestInt request))
@@ -58,6 +60,6 @@ public class RecordedMissionServerTests
             return "";
         return item.Seq == 0 && item.Command == MavCmd.NavWaypoint
             ? $"item 0 {item.TargetComponent}"
-            : $"item {item.Seq} {item.Command} {item.X} {item.Y} {item.Z} {item.TargetComponent}";
+            : $"item {item.Seq} {item.Command} {item.X} {item.Y} {item.Z:F0} {item.TargetComponent}";
     }
 }

@@ -4,7 +4,7 @@ using Rabit.Mavlink.Messages;
 namespace Rabit.Mavlink.Protocols;
 
 /// <summary>The stored items of one type, and those of an upload until it is complete.</summary>
-internal sealed class MissionPlan
+internal sealed class StoredMissionItems
 {
     private MissionItemInt[] _items = [];
     private MissionItemInt[] _incoming = [];
