@@ -57,13 +57,19 @@ internal static class AbsentManagers
             {
                 Publishes = [MessageNames.Tracks],
                 Sends = [MessageNames.OutgoingTargetReports],
-                Receives = [MessageNames.CameraObservations, MessageNames.TargetReports],
+                Receives =
+                [
+                    MessageNames.CameraObservations, MessageNames.TargetReports, MessageNames.TrackDecisions,
+                ],
             },
             UavManagers.MissionControl => new AbsentManager(MissionControlManager.ManagerName, reason)
             {
                 Publishes = [MessageNames.Mission, MessageNames.ImagingCommand],
-                Sends = [MessageNames.VehicleCommands],
-                Receives = [MessageNames.SearchedGround, MessageNames.VehicleCommandResults],
+                Sends = [MessageNames.VehicleCommands, MessageNames.TrackDecisions],
+                Receives =
+                [
+                    MessageNames.SearchedGround, MessageNames.VehicleCommandResults, MessageNames.OperatorRequests,
+                ],
             },
             _ => new AbsentManager(HealthManager.ManagerName, reason)
             {

@@ -47,12 +47,14 @@ public sealed class LeftOutManagerTests
                 + "it.",
             "Queue 'outgoing target reports' has no sender, but 'communications' receives it: LEFTOUT, would send to "
                 + "it.",
-            "Queue 'target reports' has no receiver, but 'communications' sends to it: LEFTOUT, would receive it."] },
+            "Queue 'target reports' has no receiver, but 'communications' sends to it: LEFTOUT, would receive it.",
+            "Queue 'track decisions' has no receiver, but 'mission control' sends to it: LEFTOUT, would receive it."] },
         { UavManagers.MissionControl, [
             "'image processing' subscribes to message 'imaging command', but it has no publisher: LEFTOUT, would "
                 + "publish it.",
             "'health' subscribes to message 'mission', but it has no publisher: LEFTOUT, would publish it.",
             "Queue 'searched ground' has no receiver, but 'image processing' sends to it: LEFTOUT, would receive it.",
+            "Queue 'track decisions' has no sender, but 'sensor fusion' receives it: LEFTOUT, would send to it.",
             "Queue 'vehicle command results' has no receiver, but 'autopilot' sends to it: LEFTOUT, would receive it.",
             "Queue 'vehicle commands' has no sender, but 'autopilot' receives it: LEFTOUT, would send to it."] },
         { UavManagers.HealthMonitoring, [

@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Linq;
+using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 
 namespace UavConsole;

@@ -68,7 +68,8 @@ internal sealed class OperatorChoices
         if (_isGiven || AtStart is not { } command || phase != MissionPhase.HandedOver)
             return;
         _isGiven = true;
-        missionControl.Command(command, command == OperatorCommand.Hold ? "--hold" : "--return");
+        missionControl.Give(new OperatorRequest(
+            command, "command line", command == OperatorCommand.Hold ? "--hold" : "--return"));
     }
 
     private static MissionProgress Read(string path)

@@ -132,6 +132,7 @@ internal static class MissionSummaryJson
             json.WriteStartObject();
             json.WriteNumber("id", track.Id);
             json.WriteString("state", track.State.ToString());
+            json.WriteString("decision", track.Decision.ToString());
             json.WriteString("class", TargetClassNames.Name(track.Class));
             WritePosition(json, track.Position);
             WriteEllipse(json, track.Covariance);

@@ -26,6 +26,7 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
             WriteScore(score);
         else
             WriteTracks();
+        WriteOperatorDecisions();
         WriteFlight();
         string title = mission.Plan is { } plan ? $"mission {plan.Name}" : "mission not started" + WaitedFor();
         Line($"{title}: {(mission.HasPassed ? "ACCOMPLISHED" : "FAILED")}");
@@ -104,6 +105,12 @@ internal sealed class MissionSummaryText(TextWriter output, FlightSummary summar
         Line($"targets: {FlightText.Number(tracks.Length)} confirmed; their true positions are not known");
         foreach (TargetTrack track in tracks)
             Line("  " + Describe(track));
+    }
+
+    private void WriteOperatorDecisions()
+    {
+        foreach (TargetTrack track in summary.Record.Tracks.Tracks.Where(t => t.Decision != TargetDecision.None))
+            Line($"  {track.Decision.ToString().ToLowerInvariant()} by the operator: {Describe(track)}");
     }
 
     private void WriteDecisions()

@@ -69,6 +69,16 @@ public static class MessageNames
     public const string VehicleCommandResults = "vehicle command results";
 
     /// <summary>
+    /// Queue of <see cref="OperatorRequest"/>: from managers that an operator commands by, to Mission Control.
+    /// </summary>
+    public const string OperatorRequests = "operator requests";
+
+    /// <summary>
+    /// Queue of <see cref="TrackDecision"/>: the operator's decisions, from Mission Control to Sensor Fusion.
+    /// </summary>
+    public const string TrackDecisions = "track decisions";
+
+    /// <summary>
     /// Queue of <see cref="TargetReport"/>: reports of other vehicles, from Communications to Sensor Fusion.
     /// </summary>
     public const string TargetReports = "target reports";

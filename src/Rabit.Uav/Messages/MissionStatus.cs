@@ -40,6 +40,9 @@ public struct MissionStatus
     /// <summary>How many legs of the search have been flown.</summary>
     public int LanesFlown { get; set; }
 
+    /// <summary>How many of them were left out at the operator's command.</summary>
+    public int LanesSkipped { get; set; }
+
     /// <summary>Fraction of the area that the camera has seen, 0 to 1.</summary>
     public double Coverage { get; set; }
 
@@ -57,6 +60,9 @@ public struct MissionStatus
 
     /// <summary>Tracks that are confirmed.</summary>
     public int TracksConfirmed { get; set; }
+
+    /// <summary>Tracks that the operator rejected.</summary>
+    public int TracksRejected { get; set; }
 
     /// <summary>Tracks that are tentative, or were confirmed and are lost.</summary>
     public int TracksNotConfirmed { get; set; }

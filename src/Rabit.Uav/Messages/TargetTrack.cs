@@ -12,6 +12,9 @@ public sealed class TargetTrack
     /// <summary>Tentative, confirmed or lost.</summary>
     public TrackState State { get; init; }
 
+    /// <summary>What the operator said about it.</summary>
+    public TargetDecision Decision { get; init; }
+
     /// <summary>Its class.</summary>
     public TargetClassName Class { get; init; }
 

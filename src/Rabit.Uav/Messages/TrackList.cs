@@ -18,6 +18,7 @@ public sealed class TrackList
     {
         Time = time;
         Tracks = (tracks ?? throw new ArgumentNullException(nameof(tracks))).ToImmutableArray();
+        RejectedCount = Tracks.Count(t => t.State == TrackState.Rejected);
         ConfirmedCount = Tracks.Count(t => t.State == TrackState.Confirmed);
     }
 
@@ -35,6 +36,9 @@ public sealed class TrackList
 
     /// <summary>How many are confirmed.</summary>
     public int ConfirmedCount { get; }
+
+    /// <summary>How many the operator rejected.</summary>
+    public int RejectedCount { get; }
 
     /// <summary>Those that are confirmed.</summary>
     public IEnumerable<TargetTrack> Confirmed => Tracks.Where(t => t.State == TrackState.Confirmed);

@@ -11,4 +11,7 @@ public enum TrackState
 
     /// <summary>Was confirmed, and is not seen any more where it should be.</summary>
     Lost,
+
+    /// <summary>The operator rejected it: it is no target.</summary>
+    Rejected,
 }

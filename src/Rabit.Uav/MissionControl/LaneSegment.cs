@@ -10,4 +10,13 @@ internal readonly struct LaneSegment(PlanePoint start, PlanePoint end)
     public double Length => Start.DistanceTo(End);
 
     public double HeadingRadians => (End - Start).HeadingRadians;
+
+    /// <summary>Distance of a point from the segment.</summary>
+    public double DistanceTo(PlanePoint point)
+    {
+        PlanePoint way = End - Start;
+        double squared = way.Dot(way);
+        double along = squared > 0 ? System.Math.Max(0, System.Math.Min(1, (point - Start).Dot(way) / squared)) : 0;
+        return point.DistanceTo(Start + (along * way));
+    }
 }

@@ -8,7 +8,7 @@ namespace Rabit.Uav.MissionControl;
 /// Flies the mission: waits for the vehicle, arms it, takes off, flies the lanes over the area, revisits what was
 /// found, returns to launch and lands. Without a mission it observes and commands nothing.
 /// </summary>
-public sealed class MissionControlManager : RabitManager
+public sealed partial class MissionControlManager : RabitManager, IMissionOperator
 {
     /// <summary>The name of the manager.</summary>
     public const string ManagerName = "mission control";
@@ -25,7 +25,9 @@ public sealed class MissionControlManager : RabitManager
     private readonly MessageSubscriber<PreflightReport>? _preflight;
     private readonly QueueReceiver<VehicleCommandResult> _results;
     private readonly QueueReceiver<CameraObservation> _searchedGround;
+    private readonly QueueReceiver<OperatorRequest> _requests;
     private readonly QueueSender<VehicleCommand> _commands;
+    private readonly QueueSender<TrackDecision> _decisions;
     private readonly MessagePublisher<ImagingCommand> _imagingCommand;
     private readonly MessagePublisher<MissionStatus> _status;
     private readonly MissionFlight? _flight;
@@ -59,14 +61,17 @@ public sealed class MissionControlManager : RabitManager
         _results = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _searchedGround = Receive<CameraObservation>(
             MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
+        _requests = Receive<OperatorRequest>(MessageNames.OperatorRequests);
         _commands = Send<VehicleCommand>(MessageNames.VehicleCommands);
+        _decisions = Send<TrackDecision>(MessageNames.TrackDecisions);
         _imagingCommand = Publish<ImagingCommand>(MessageNames.ImagingCommand);
         _status = Publish<MissionStatus>(MessageNames.Mission);
         WakeUpDelay = TickPeriod;
         if (copy.Mission is null)
             return;
         var dispatcher = new CommandDispatcher(command => _commands.Push(command) != PushResult.Rejected, Log);
-        _flight = new MissionFlight(copy.Mission, copy, dispatcher, Log);
+        _flight = new MissionFlight(
+            copy.Mission, copy, dispatcher, Log, new OperatorActions(d => _decisions.Push(d) != PushResult.Rejected));
         _machine = new MissionMachine(_flight);
         if (copy.ProgressFile is { } path)
         {
@@ -74,26 +79,6 @@ public sealed class MissionControlManager : RabitManager
             _progress = new ProgressKeeper(
                 _flight, target, AttachWriter("progress", target, ProgressKeeper.Snapshots));
         }
-    }
-
-    /// <summary>
-    /// Commands the vehicle in the operator's name. Before take-off hold and return give the mission up on the ground.
-    /// After a takeover each of them also gives control back to Mission Control, which takes the command of the vehicle
-    /// first. A command that changes nothing, is against a reason to return, or is not possible within 10 s is refused,
-    /// and the log says why; only a return waits for a lost link. Returns at once; the newest command counts. Does
-    /// nothing where there is no mission. Any thread.
-    /// </summary>
-    /// <param name="command">What to do.</param>
-    /// <param name="reason">Why, as text for the status and the log.</param>
-    /// <exception cref="ArgumentException">The command is none of its values, or there is no reason.</exception>
-    public void Command(OperatorCommand command, string reason)
-    {
-        if (command is not (OperatorCommand.Hold or OperatorCommand.Return or OperatorCommand.Resume))
-            throw new ArgumentException($"The command is {command:D}, which is none of its values.", nameof(command));
-        if (string.IsNullOrWhiteSpace(reason))
-            throw new ArgumentException("The operator's command needs a reason.", nameof(reason));
-        _flight?.Operator.Give(new OperatorRequest(command, reason));
-        WakeUp();
     }
 
     /// <summary>
@@ -137,8 +122,10 @@ public sealed class MissionControlManager : RabitManager
     /// <summary>Where the stop did not wait for us, or not long enough, the status says so.</summary>
     protected override void Shutdown()
     {
-        if (_machine is null)
+        if (_flight is null || _machine is null)
             return;
+        _flight.OperatorActions.Close(_flight);
+        _flight.Operator.Close();
         _machine.Stop.End(_machine.Phase);
         PostStatus(_machine.Phase);
     }
@@ -159,6 +146,8 @@ public sealed class MissionControlManager : RabitManager
             flight.Energy.Parameters = _parameters.Value;
         if (_preflight?.Fetch() == true)
             flight.Preflight = _preflight.Value;
+        while (_requests.TryPop(out OperatorRequest? request))
+            Give(request);
         while (_results.TryPop(out VehicleCommandResult result))
             flight.Commands.Apply(result, flight.Now);
         while (_searchedGround.TryPop(out CameraObservation observation))
@@ -177,6 +166,8 @@ public sealed class MissionControlManager : RabitManager
             // Without a mission there is no command to which it belongs.
         }
 
+        while (_requests.TryPop(out OperatorRequest? request))
+            Give(request);
         while (_searchedGround.TryPop(out _))
         {
             // Without a mission there is no area to cover.
@@ -216,13 +207,16 @@ public sealed class MissionControlManager : RabitManager
             status.StopResult = _machine.Stop.Result;
             status.Plan = _flight.Plan?.Message;
             status.LanesFlown = _flight.Route?.Flown ?? 0;
+            status.LanesSkipped = _flight.Route?.Skipped ?? 0;
             status.Coverage = _flight.Route?.Coverage.Fraction ?? 0;
             status.Revisits = _flight.Revisits.Completed;
             status.Energy = _flight.Energy.Status;
             status.RevisitsFailed = _flight.Revisits.Failed;
             status.CameraClock = _flight.Tracks.CameraClock;
             status.TracksConfirmed = _flight.Tracks.ConfirmedCount;
-            status.TracksNotConfirmed = _flight.Tracks.Tracks.Length - status.TracksConfirmed;
+            status.TracksRejected = _flight.Tracks.RejectedCount;
+            status.TracksNotConfirmed =
+                _flight.Tracks.Tracks.Length - status.TracksConfirmed - status.TracksRejected;
             status.RevisitsLeftOut = _flight.Revisits.LeftOut;
             status.Result = _assessment.Assess(_flight, phase);
         }

@@ -61,7 +61,16 @@ internal enum MissionEvent
     OperatorReturn,
 
     /// <summary>The operator commanded to continue the mission.</summary>
-    OperatorResume,
+    OperatorContinue,
+
+    /// <summary>The operator commanded to land at the present position.</summary>
+    OperatorLand,
+
+    /// <summary>The operator commanded to leave out a lane.</summary>
+    OperatorSkip,
+
+    /// <summary>The operator commanded to revisit a target or a place.</summary>
+    OperatorRevisit,
 
     /// <summary>The vehicle flies already before we commanded it.</summary>
     AlreadyFlying,

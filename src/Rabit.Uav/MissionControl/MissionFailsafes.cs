@@ -89,11 +89,12 @@ internal sealed class MissionFailsafes
         if (flight.Operator.Pending is not { } request)
             return step;
 
-        // A hold or a resume against a reason to return would last for one tick, and a resume against one to hold.
-        bool agrees = step.What == MissionEvent.None || request.Command == OperatorCommand.Return
+        // A hold or a continue against a reason to return would last for one tick, and a continue against one to hold.
+        bool agrees = step.What == MissionEvent.None
+            || request.Command is OperatorCommand.Return or OperatorCommand.Land
             || (step.What == MissionEvent.HealthHold && request.Command == OperatorCommand.Hold);
         if (agrees)
-            return request.ToStep();
+            return OperatorRules.ToStep(request);
         flight.Operator.Refuse(step.Reason);
         return step;
     }
@@ -122,13 +123,14 @@ internal sealed class MissionFailsafes
     {
         if (phase == MissionPhase.WaitingForVehicle && flight.IsFlying)
             return MissionStep.Stay;
-        if (flight.Operator.Pending is { Command: not OperatorCommand.Resume } request)
+        if (flight.Operator.Pending
+            is { Command: OperatorCommand.Hold or OperatorCommand.Return or OperatorCommand.Land } request)
         {
-            flight.Operator.Take();
+            flight.Operator.Accept("given up before take-off");
             return new MissionStep(MissionEvent.Impossible, "given up before take-off: " + request.Reason);
         }
 
-        flight.Operator.Refuse("nothing was interrupted");
+        flight.Operator.Refuse("it has not taken off");
         if (phase == MissionPhase.WaitingForVehicle)
             return MissionStep.Stay;
         if (MissionGuards.FindCritical(flight) is { } critical)

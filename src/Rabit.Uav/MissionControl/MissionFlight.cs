@@ -8,7 +8,8 @@ namespace Rabit.Uav.MissionControl;
 
 /// <summary>What the phases of a mission share: the inputs, the plan and the progress.</summary>
 internal sealed class MissionFlight(
-    MissionPlan mission, MissionControlOptions options, CommandDispatcher commands, Action<string> log)
+    MissionPlan mission, MissionControlOptions options, CommandDispatcher commands, Action<string> log,
+    OperatorActions operatorActions)
 {
     // Below this a vehicle that reports no landed state is taken to be on the ground.
     private const double OnGroundHeightMetres = 2;
@@ -26,7 +27,8 @@ internal sealed class MissionFlight(
 
     private LocalNedFrame? _startFrame;
 
-    public MissionPlan Mission { get; } = mission;
+    /// <summary>The mission as it is now: the operator may have changed it since the start.</summary>
+    public MissionPlan Mission { get; private set; } = mission;
 
     public MissionControlOptions Options { get; } = options;
 
@@ -39,6 +41,11 @@ internal sealed class MissionFlight(
 
     /// <summary>What the operator commanded.</summary>
     public OperatorRequests Operator { get; } = new(log);
+
+    public OperatorActions OperatorActions { get; } = operatorActions;
+
+    /// <summary>The command of the operator that led to the phase; null where none did.</summary>
+    public OperatorRequest? Ordered { get; set; }
 
     /// <summary>The time of this tick.</summary>
     public TimeSpan Now { get; set; }
@@ -167,6 +174,22 @@ internal sealed class MissionFlight(
     public double RequiredCoverage => Options.RequiresCamera ? Mission.RequiredCoverage : 0;
 
     public void Log(string text) => log(text);
+
+    /// <summary>Flies on with other values.</summary>
+    public void ChangeMission(MissionPlan mission)
+    {
+        Mission = mission;
+        Energy.Mission = mission;
+    }
+
+    /// <summary>Leaves out what remains of the leg to fly now.</summary>
+    public void SkipLane()
+    {
+        if (Route?.Current is null)
+            return;
+        Log($"lane {MissionNumbers.Of(Route.Flown + 1)} of {MissionNumbers.Of(Route.Count)} left out");
+        Route.SkipLeg();
+    }
 
     /// <summary>
     /// How much of an interrupted lane is flown again: what the last pictures before showed may not have been seen.

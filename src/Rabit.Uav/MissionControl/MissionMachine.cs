@@ -47,11 +47,9 @@ internal sealed class MissionMachine
     {
         bool isOurs = Phase != MissionPhase.HandedOver;
         _flight.Operator.Update(_flight.Now, keepsReturn: isOurs);
+        _flight.OperatorActions.Update(_flight, Phase, IsOver);
         if (IsOver)
-        {
-            _flight.Operator.Refuse("the mission is over");
             return;
-        }
 
         MissionStep step = isOurs ? Step() : _state.Tick(_flight, _flight.Now - Since);
         if (!isOurs)
@@ -107,7 +105,7 @@ internal sealed class MissionMachine
         MissionStep step = _failsafes.Check(_flight, Phase);
         if (ChangesPhase(step))
             return step;
-        if (step.What is MissionEvent.OperatorHold or MissionEvent.OperatorReturn or MissionEvent.OperatorResume)
+        if (OperatorRules.IsCommand(step.What))
             _flight.Operator.Refuse($"nothing changes in phase {Phase}");
         step = _state.Tick(_flight, _flight.ActiveTime - _activeSince);
         return step.What == MissionEvent.None && IsOnLeg ? _progress.Check(_flight) : step;
@@ -117,10 +115,11 @@ internal sealed class MissionMachine
         => Phase is MissionPhase.InTransit or MissionPhase.Searching or MissionPhase.Revisiting
             && !_flight.IsFixedWing;
 
-    // The operator's hold takes the place of our own.
+    // The operator's hold takes the place of our own; the way to another lane begins again.
     private bool ChangesPhase(MissionStep step)
         => MissionTransitions.After(Phase, step.What) != Phase
-            || (Phase == MissionPhase.Holding && step.What == MissionEvent.OperatorHold);
+            || (Phase == MissionPhase.Holding && step.What == MissionEvent.OperatorHold)
+            || (Phase == MissionPhase.InTransit && step.What == MissionEvent.OperatorSkip);
 
     private bool Go(MissionStep step)
     {
@@ -165,15 +164,15 @@ internal sealed class MissionMachine
             case MissionEvent.Hold when _flight.IsStopRequested:
                 _flight.Aborted ??= step.Reason;
                 break;
-            case MissionEvent.OperatorHold or MissionEvent.OperatorReturn or MissionEvent.OperatorResume:
-                _flight.Operator.Take();
-                _flight.Aborted = step.What switch
+            case var what when OperatorRules.IsCommand(what):
+                _flight.Ordered = _flight.Operator.Accept();
+                _flight.Aborted = what switch
                 {
-                    MissionEvent.OperatorReturn => _flight.Aborted ?? step.Reason,
-                    MissionEvent.OperatorResume => null,
+                    MissionEvent.OperatorReturn or MissionEvent.OperatorLand => _flight.Aborted ?? step.Reason,
+                    MissionEvent.OperatorContinue or MissionEvent.OperatorRevisit => null,
                     _ => _flight.Aborted,
                 };
-                _flight.IsTakenOver &= step.What != MissionEvent.OperatorResume;
+                _flight.IsTakenOver &= what is not (MissionEvent.OperatorContinue or MissionEvent.OperatorRevisit);
                 break;
             case MissionEvent.TakenOver:
                 _flight.TakenOver = step.Reason;

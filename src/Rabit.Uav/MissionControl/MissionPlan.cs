@@ -31,6 +31,8 @@ public sealed partial class MissionPlan
 {
     internal const double DefaultRequiredCoverage = 0.98;
 
+    private double _speed;
+
     /// <summary>Name of the mission.</summary>
     public string Name { get; init; } = "search";
 
@@ -41,7 +43,11 @@ public sealed partial class MissionPlan
     public double HeightMetres { get; init; }
 
     /// <summary>Ground speed, metres per second, 0.5 to 20.</summary>
-    public double SpeedMetresPerSecond { get; init; }
+    public double SpeedMetresPerSecond
+    {
+        get => _speed;
+        init => _speed = value;
+    }
 
     /// <summary>Maximum distance between lanes, metres, 2 to 200; below the width of a picture on the ground.</summary>
     public double LaneSpacingMetres { get; init; }

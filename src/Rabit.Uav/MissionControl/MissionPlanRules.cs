@@ -16,6 +16,8 @@ internal static class MissionPlanRules
 
     private const double MinAreaSquareMetres = 100;
     private const int MaxCorners = 50;
+    private const double MinSpeed = 0.5;
+    private const double MaxSpeed = 20;
 
     /// <summary>
     /// A lane ends up to half a spacing outside the area, and the vehicle overshoots and drifts.
@@ -28,6 +30,13 @@ internal static class MissionPlanRules
     public static IEnumerable<string> FindFaults(MissionPlan plan)
         => AreaFaults(plan).Concat(NumberFaults(plan)).Concat(FenceFaults(plan)).Concat(HomeFaults(plan))
             .Concat(LimitFaults(plan));
+
+    /// <summary>Why a speed is none of a mission; null where it is.</summary>
+    public static string? FindFaultOfSpeed(double metresPerSecond)
+        => metresPerSecond >= MinSpeed && metresPerSecond <= MaxSpeed
+            ? null
+            : FormattableString.Invariant(
+                $"speedMetresPerSecond is {metresPerSecond}; it must be {MinSpeed} to {MaxSpeed}");
 
     private static IEnumerable<string> NumberFaults(MissionPlan plan)
     {
@@ -46,7 +55,7 @@ internal static class MissionPlanRules
     private static IEnumerable<(string Path, double Value, double Min, double Max)> Ranges(MissionPlan plan)
     {
         yield return ("heightMetres", plan.HeightMetres, 5, 120);
-        yield return ("speedMetresPerSecond", plan.SpeedMetresPerSecond, 0.5, 20);
+        yield return ("speedMetresPerSecond", plan.SpeedMetresPerSecond, MinSpeed, MaxSpeed);
         yield return ("laneSpacingMetres", plan.LaneSpacingMetres, 2, 200);
         yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeading ?? Angle.Zero), -360, 360);
         yield return ("fenceMarginMetres", plan.FenceMarginMetres, 0, 500);

@@ -26,7 +26,7 @@ internal sealed class PathFollower : ILaneFollower
 
     private LaneSegment _segment;
     private double _height;
-    private double _lookaheadMetres;
+    private double _speed;
     private double _targetMetres;
     private TimeSpan _until;
     private bool _isOnSegment;
@@ -37,11 +37,9 @@ internal sealed class PathFollower : ILaneFollower
     /// <summary>Begins a segment.</summary>
     public void Begin(MissionFlight flight, LaneSegment segment, double heightMetres)
     {
-        double speed = flight.Mission.SpeedMetresPerSecond;
         _segment = segment;
         _height = heightMetres;
-        double brakingMetres = speed * speed / (2 * BrakingMetresPerSecondSquared);
-        _lookaheadMetres = Math.Max(Math.Max(MinLookaheadMetres, LookaheadSeconds * speed), brakingMetres);
+        _speed = flight.Mission.SpeedMetresPerSecond;
         (_targetMetres, FlownMetres) = (0, 0);
         _isOnSegment = false;
         _until = flight.ActiveTime + TimeLimit(flight, flight.Position.DistanceTo(segment.Start) + segment.Length);
@@ -50,6 +48,20 @@ internal sealed class PathFollower : ILaneFollower
     /// <summary>Time-out for a path of some length.</summary>
     public static TimeSpan TimeLimit(MissionFlight flight, double metres)
         => TimeSpan.FromSeconds(TimeReserveSeconds + (TimeFactor * metres / flight.Mission.SpeedMetresPerSecond));
+
+    /// <summary>
+    /// More time for the way that a leg may still have, where the operator has made the vehicle slower.
+    /// </summary>
+    /// <param name="flight">The state of the mission.</param>
+    /// <param name="speed">The speed of the time-out so far; now that of the mission.</param>
+    public static TimeSpan MoreTime(MissionFlight flight, ref double speed)
+    {
+        double before = speed;
+        speed = flight.Mission.SpeedMetresPerSecond;
+        return speed < before
+            ? TimeSpan.FromSeconds(TimeFactor * FlightPlan.MaxAreaDistanceMetres * ((1 / speed) - (1 / before)))
+            : TimeSpan.Zero;
+    }
 
     /// <summary>Whether the vehicle is at a point and has stopped.</summary>
     public static bool HasArrived(MissionFlight flight, PlanePoint at, double heightMetres)
@@ -62,6 +74,7 @@ internal sealed class PathFollower : ILaneFollower
     /// <returns>Whether the segment is flown.</returns>
     public bool Tick(MissionFlight flight, out bool isLate)
     {
+        _until += MoreTime(flight, ref _speed);
         isLate = flight.ActiveTime > _until;
         if (!_isOnSegment)
         {
@@ -76,9 +89,16 @@ internal sealed class PathFollower : ILaneFollower
         FlownMetres = Math.Max(FlownMetres, flown);
         if (flown >= _segment.Length - ArrivalMetres)
             return true;
-        while (_targetMetres < _segment.Length && _targetMetres < flown + _lookaheadMetres)
-            _targetMetres = Math.Min(_segment.Length, _targetMetres + (_lookaheadMetres / 2));
+        double lookahead = Lookahead(_speed);
+        while (_targetMetres < _segment.Length && _targetMetres < flown + lookahead)
+            _targetMetres = Math.Min(_segment.Length, _targetMetres + (lookahead / 2));
         flight.SetGoalPosition(_segment.Start + (_targetMetres * along), _height, _segment.HeadingRadians);
         return false;
+    }
+
+    private static double Lookahead(double speed)
+    {
+        double brakingMetres = speed * speed / (2 * BrakingMetresPerSecondSquared);
+        return Math.Max(Math.Max(MinLookaheadMetres, LookaheadSeconds * speed), brakingMetres);
     }
 }

@@ -16,6 +16,7 @@ internal sealed class SearchRoute
     private readonly FlightPlan _plan;
     private readonly double _spacingMetres;
     private readonly List<LaneSegment> _legs;
+    private readonly List<LaneSegment> _skipped = [];
     private ImmutableArray<LaneSegment> _shownLegs;
 
     public SearchRoute(FlightPlan plan, double spacingMetres)
@@ -41,6 +42,9 @@ internal sealed class SearchRoute
     /// <summary>How many have been flown.</summary>
     public int Flown { get; private set; }
 
+    /// <summary>How many of those that count as flown were left out at the operator's command.</summary>
+    public int Skipped => _skipped.Count;
+
     /// <summary>How often legs over what was missed were added.</summary>
     public int GapPasses { get; private set; }
 
@@ -54,6 +58,15 @@ internal sealed class SearchRoute
     {
         Flown++;
         FlownMetresOfLeg = 0;
+    }
+
+    /// <summary>The leg to fly now is left out: neither it nor gaps of it are flown.</summary>
+    public void SkipLeg()
+    {
+        if (Current is not { } leg)
+            return;
+        _skipped.Add(leg);
+        FinishLeg();
     }
 
     /// <summary>The leg to fly now is left: what was flown of it is cut off.</summary>
@@ -86,7 +99,8 @@ internal sealed class SearchRoute
     public int AddGapLegs(PlanePoint from)
     {
         List<LaneSegment> legs = GapPlanner.Plan(
-            Coverage.Unseen(), Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
+            Coverage.Unseen().Where(c => !IsSkipped(c)),
+            Coverage.CellMetres, _spacingMetres, _plan.HeadingRadians, from);
         _legs.AddRange(legs);
         _shownLegs = default;
         GapPasses++;
@@ -105,6 +119,10 @@ internal sealed class SearchRoute
         else
             ObservationsRefused++;
     }
+
+    // The operator may have seen something in the way of it.
+    private bool IsSkipped(PlanePoint cell)
+        => _skipped.Any(s => s.DistanceTo(cell) <= (_spacingMetres / 2) + Coverage.CellMetres);
 
     // Convex, and of a size that is possible from the heights of a mission; comparisons with NaN are false.
     private static bool IsPicture(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)

@@ -28,6 +28,9 @@ internal sealed class FusedTrack
 
     public TrackState State { get; set; }
 
+    /// <summary>What the operator said about it, which the state follows.</summary>
+    public TargetDecision Decision { get; private set; }
+
     public PlanarFilter Filter { get; private set; }
 
     /// <summary>The time of the filter: that of its newest report.</summary>
@@ -110,14 +113,24 @@ internal sealed class FusedTrack
         if (other._bestScore > _bestScore)
             (_bestScore, BestPictureNumber, BestReportIndex) =
                 (other._bestScore, other.BestPictureNumber, other.BestReportIndex);
-        if (other.State == TrackState.Confirmed)
+        if (Decision == TargetDecision.None && other.Decision != TargetDecision.None)
+            Decide(other.Decision);
+        else if (other.State == TrackState.Confirmed && Decision == TargetDecision.None)
             State = TrackState.Confirmed;
+    }
+
+    /// <summary>The operator's decision: from now on the state is by it alone.</summary>
+    public void Decide(TargetDecision decision)
+    {
+        Decision = decision;
+        State = decision == TargetDecision.Confirmed ? TrackState.Confirmed : TrackState.Rejected;
     }
 
     public TargetTrack ToMessage(in LocalNedFrame frame) => new()
     {
         Id = Id,
         State = State,
+        Decision = Decision,
         Class = Class,
         Position = frame.ToGeodetic(new NedPosition(Filter.North, Filter.East, Down)),
         VelocityNed = new NedVector(Filter.NorthRate, Filter.EastRate, 0),

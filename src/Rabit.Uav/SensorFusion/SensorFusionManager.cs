@@ -33,6 +33,7 @@ public sealed class SensorFusionManager : RabitManager
     private readonly SensorFusionOptions _options;
     private readonly QueueReceiver<CameraObservation> _observations;
     private readonly QueueReceiver<TargetReport> _foreignReports;
+    private readonly QueueReceiver<TrackDecision> _decisions;
     private readonly QueueSender<Envelope<TargetReport>>? _outgoing;
     private readonly MessagePublisher<TrackList> _tracks;
     private readonly FusionStatistics _statistics = new();
@@ -58,6 +59,7 @@ public sealed class SensorFusionManager : RabitManager
         _tracker = new TargetTracker(_options, _statistics);
         _observations = Receive<CameraObservation>(MessageNames.CameraObservations, QueueCapacity);
         _foreignReports = Receive<TargetReport>(MessageNames.TargetReports, QueueCapacity);
+        _decisions = Receive<TrackDecision>(MessageNames.TrackDecisions);
         if (_options.SharesReports)
             _outgoing = Send<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
         _tracks = Publish(MessageNames.Tracks, TrackList.None);
@@ -73,6 +75,8 @@ public sealed class SensorFusionManager : RabitManager
         TimeSpan now = Now;
 
         bool hasNews = PopForeignReports(now);
+        while (_decisions.TryPop(out TrackDecision decision))
+            _isChanged |= _tracker.Decide(decision);
         while (_observations.TryPop(out CameraObservation observation))
         {
             Update(observation, now);

@@ -35,6 +35,18 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         _tracks.Clear();
     }
 
+    /// <summary>Keeps the operator's decision on a track.</summary>
+    /// <returns>Whether there is such a track.</returns>
+    public bool Decide(in TrackDecision decision)
+    {
+        int id = decision.TrackId;
+        if (decision.Decision == TargetDecision.None || _tracks.Find(t => t.Id == id) is not { } track)
+            return false;
+        track.Decide(decision.Decision);
+        HasConfirmed |= track.State == TrackState.Confirmed;
+        return true;
+    }
+
     /// <summary>Updates the tracks by one observation.</summary>
     /// <param name="reports">All its reports, valid and each new.</param>
     /// <param name="time">Its time.</param>
@@ -132,6 +144,8 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
 
     private void Confirm(FusedTrack track)
     {
+        if (track.Decision != TargetDecision.None)
+            return;
         if (track.State == TrackState.Confirmed || track.History.HitsInLast(options.ConfirmOutOf) < options.ConfirmHits)
             return;
         track.State = TrackState.Confirmed;
@@ -150,7 +164,8 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         track.Misses++;
         track.MissesInARow++;
         track.History.Add(isHit: false);
-        if (track.State == TrackState.Confirmed && track.MissesInARow >= options.LostAfterMisses)
+        bool isDecided = track.Decision != TargetDecision.None;
+        if (!isDecided && track.State == TrackState.Confirmed && track.MissesInARow >= options.LostAfterMisses)
             track.State = TrackState.Lost;
         return true;
     }

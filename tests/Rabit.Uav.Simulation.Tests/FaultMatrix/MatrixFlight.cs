@@ -102,7 +102,7 @@ internal sealed class MatrixFlight : IDisposable
         if (_holdAt is { } holdAt)
         {
             FlyUntil(holdAt);
-            Flight.Control.Command(OperatorCommand.Hold, "the matrix");
+            Flight.Control.Hold("test", "the matrix");
         }
 
         FlyUntil(_at - TimeSpan.FromMilliseconds(10));
@@ -122,7 +122,7 @@ internal sealed class MatrixFlight : IDisposable
             {
                 resumeAt = null;
                 if (Mission.Phase == MissionPhase.Holding)
-                    Flight.Control.Command(OperatorCommand.Resume, "the matrix");
+                    Flight.Control.ContinueMission("test", "the matrix");
             }
 
             Hangs = Now > MaxTime;

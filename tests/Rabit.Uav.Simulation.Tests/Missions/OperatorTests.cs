@@ -28,7 +28,7 @@ public sealed class OperatorTests(ITestOutputHelper output)
         TimeSpan over = flight.Reactor.Now;
         flight.FlyUntil(f => f.Reactor.Now > over + TimeSpan.FromSeconds(10), TestTimeout);
         Assert.Equal(5u, flight.World.Truth.CustomMode);
-        flight.Control.Command(OperatorCommand.Resume, "the pilot gives it back");
+        flight.Control.ContinueMission("test", "the pilot gives it back");
         flight.FlyUntil(f => f.Mission.Phase != MissionPhase.HandedOver, TestTimeout);
         flight.FlyUntil(f => f.IsOver, TestTimeout);
         flight.End();
@@ -45,11 +45,11 @@ public sealed class OperatorTests(ITestOutputHelper output)
     {
         using var flight = new SearchFlight(SearchFlight.SmallPlan(), SearchFlight.SmallWorld());
         flight.FlyUntil(f => f.Reactor.Now > InTheLanes, TestTimeout);
-        flight.Control.Command(OperatorCommand.Hold, "test");
+        flight.Control.Hold("test", "test");
         flight.FlyUntil(f => f.Reactor.Now > InTheLanes + TimeSpan.FromSeconds(30), TestTimeout);
         Assert.Equal(MissionPhase.Holding, flight.Mission.Phase);
         Assert.True(SpeedOf(flight) < 1, $"{SpeedOf(flight)} m/s in the hold");
-        flight.Control.Command(OperatorCommand.Resume, "test");
+        flight.Control.ContinueMission("test", "test");
         flight.FlyUntil(f => f.IsOver, TestTimeout);
         flight.End();
         output.WriteLine(flight.Log);

@@ -132,7 +132,7 @@ public class FixedWingMissionTests
     [InlineData(MavAutopilot.Ardupilotmega, (uint)PlaneMode.FlyByWireA)]
     [InlineData(MavAutopilot.Px4, Posctl)]
     [InlineData(MavAutopilot.Px4, SimulatedWing.Px4Return)]
-    public void Takeover_OnALane_IsForThePilotUntilTheOperatorResumes(MavAutopilot make, uint mode)
+    public void Takeover_OnALane_IsForThePilotUntilTheOperatorContinues(MavAutopilot make, uint mode)
     {
         using WingRig rig = OnLane(make);
         rig.Wing.SetMode(mode);
@@ -140,7 +140,7 @@ public class FixedWingMissionTests
         Assert.Equal((MissionPhase.HandedOver, true), (rig.Status.Phase, rig.Status.TakenOver is not null));
         (int places, int modes) = (rig.Wing.Places.Count, rig.Wing.ModeCommands.Count);
         rig.Run(30);
-        rig.Manager.Command(OperatorCommand.Resume, "test");   // not in the pilot's mode
+        rig.Manager.ContinueMission("test", "test");   // not in the pilot's mode
         rig.Run(30);
         Assert.Contains("its pilot gives it over in", rig.Story, StringComparison.Ordinal);
         rig.Wing.GiveOver();
@@ -148,7 +148,7 @@ public class FixedWingMissionTests
         Assert.Equal(MissionPhase.HandedOver, rig.Status.Phase);
         Assert.Equal((places, modes), (rig.Wing.Places.Count, rig.Wing.ModeCommands.Count));
 
-        rig.Manager.Command(OperatorCommand.Resume, "test");
+        rig.Manager.ContinueMission("test", "test");
         Assert.Equal(MissionPhase.Searching, rig.RunUntil(MissionPhase.Searching, 20));
         Assert.Equal(MissionPhase.HandedOver, rig.RunUntil(MissionPhase.HandedOver, 1500));
         Assert.InRange(rig.Status.Coverage, 0.98, 1);
@@ -163,13 +163,13 @@ public class FixedWingMissionTests
         using WingRig rig = OnLane(make);
         int before = rig.Wing.Places.Count;
         (double north, double east) = (rig.Wing.North, rig.Wing.East);
-        rig.Manager.Command(OperatorCommand.Hold, "a walker");
+        rig.Manager.Hold("test", "a walker");
         rig.Run(60);
         Assert.Equal((MissionPhase.Holding, before + 1), (rig.Status.Phase, rig.Wing.Places.Count));
         Assert.InRange(Math.Abs(rig.Wing.North - north), 0, 130);
         Assert.InRange(Math.Abs(rig.Wing.East - east), 0, 130);
 
-        rig.Manager.Command(OperatorCommand.Resume, "clear");
+        rig.Manager.ContinueMission("test", "clear");
         Assert.Equal(MissionPhase.HandedOver, rig.RunUntil(MissionPhase.HandedOver, 1500));
         Assert.Equal(rig.Legs + 1, rig.Wing.Places.Count);
         Assert.InRange(rig.Status.Coverage, 0.98, 1);
@@ -182,7 +182,7 @@ public class FixedWingMissionTests
     {
         using WingRig rig = OnLane(make);
         int places = rig.Wing.Places.Count;
-        rig.Manager.Command(OperatorCommand.Return, "enough");
+        rig.Manager.ReturnToLaunch("test", "enough");
         Assert.Equal(MissionPhase.HandedOver, rig.RunUntil(MissionPhase.HandedOver, 200));
         rig.Run(300);
         Assert.Equal((places, 1), (rig.Wing.Places.Count, rig.Wing.ModeCommands.Count));

@@ -76,17 +76,17 @@ public class HealthHoldTests
     {
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
         if (isFirst)
-            rig.Manager.Command(OperatorCommand.Hold, "a walker");
+            rig.Manager.Hold("test", "a walker");
         rig.Run(3);
         rig.Vehicle.Health = Hold;
         rig.Run(3);
         if (!isFirst)
-            rig.Manager.Command(OperatorCommand.Hold, "a walker");
+            rig.Manager.Hold("test", "a walker");
         rig.Run(3);
         rig.Vehicle.Health = Good;
         rig.Run(30);
         Assert.Equal((MissionPhase.Holding, "holding: a walker"), (rig.Status.Phase, rig.Status.Text));
-        rig.Manager.Command(OperatorCommand.Resume, "clear");
+        rig.Manager.ContinueMission("test", "clear");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
     }
 
@@ -96,11 +96,11 @@ public class HealthHoldTests
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
         rig.Vehicle.Health = Hold;
         rig.Run(3);
-        rig.Manager.Command(OperatorCommand.Resume, "test");
+        rig.Manager.ContinueMission("test", "test");
         rig.Run(3);
         Assert.Equal(MissionPhase.Holding, rig.Status.Phase);
-        Assert.Contains("resume refused: health: pictures unusable", rig.Story, StringComparison.Ordinal);
-        rig.Manager.Command(OperatorCommand.Return, "enough");
+        Assert.Contains("continue refused: health: pictures unusable", rig.Story, StringComparison.Ordinal);
+        rig.Manager.ReturnToLaunch("test", "enough");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
     }
 

@@ -42,13 +42,13 @@ public class LegProgressTests
     }
 
     [Fact]
-    public void NoProgress_OperatorResumesInTheHold_TheMissionGoesOn()
+    public void NoProgress_OperatorContinuesInTheHold_TheMissionGoesOn()
     {
         using MissionRig rig = InALane(8);
         rig.Vehicle.CanMove = false;
         Assert.Equal(MissionPhase.Holding, rig.RunUntil(MissionPhase.Holding, 15));
         rig.Vehicle.CanMove = true;
-        rig.Manager.Command(OperatorCommand.Resume, "it was the wind");
+        rig.Manager.ContinueMission("test", "it was the wind");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
     }
@@ -59,7 +59,7 @@ public class LegProgressTests
         using MissionRig rig = InALane(8);
         rig.Vehicle.CanMove = false;
         Assert.Equal(MissionPhase.Holding, rig.RunUntil(MissionPhase.Holding, 15));
-        rig.Manager.Command(OperatorCommand.Hold, "wait");
+        rig.Manager.Hold("test", "wait");
         rig.Run(60);
         Assert.Equal((MissionPhase.Holding, "holding: wait"), (rig.Status.Phase, rig.Status.Text));
     }

@@ -29,9 +29,9 @@ public class MissionAbortTests(ITestOutputHelper output)
     public void OperatorReturn_InTheAir_ReturnsToLaunch(MissionPhase phase)
     {
         using MissionRig rig = MissionRig.In(phase);
-        rig.Manager.Command(OperatorCommand.Return, "asked to");
+        rig.Manager.ReturnToLaunch("test", "asked to");
         Assert.Equal(MissionPhase.Returning, rig.RunUntil(MissionPhase.Returning, 1));
-        rig.Manager.Command(OperatorCommand.Return, "a second time");
+        rig.Manager.ReturnToLaunch("test", "a second time");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal("asked to", rig.Status.Aborted);
         Assert.InRange(rig.Vehicle.North, -2, 2);
@@ -43,7 +43,7 @@ public class MissionAbortTests(ITestOutputHelper output)
     public void OperatorReturn_BeforeTakeOff_StaysOnTheGround(MissionPhase phase)
     {
         using MissionRig rig = MissionRig.In(phase);
-        rig.Manager.Command(OperatorCommand.Return, "asked to");
+        rig.Manager.ReturnToLaunch("test", "asked to");
         rig.Run(30);
         Assert.Equal(MissionPhase.Failed, rig.Status.Phase);
         Assert.Equal(0, rig.Vehicle.Height);

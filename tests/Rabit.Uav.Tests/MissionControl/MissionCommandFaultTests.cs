@@ -87,7 +87,7 @@ public class MissionCommandFaultTests
     {
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
         rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.Return ? VehicleCommandOutcome.Refused : null;
-        rig.Manager.Command(OperatorCommand.Return, "asked to");
+        rig.Manager.ReturnToLaunch("test", "asked to");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(3, rig.Vehicle.Count(VehicleCommandKind.Return));
         Assert.Equal(1, rig.Vehicle.Count(VehicleCommandKind.Land));

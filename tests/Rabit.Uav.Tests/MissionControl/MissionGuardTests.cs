@@ -15,9 +15,9 @@ public class MissionGuardTests
     {
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
         rig.Run(20);
-        rig.Manager.Command(OperatorCommand.Hold, "test");
+        rig.Manager.Hold("test", "test");
         rig.Run(30);
-        rig.Manager.Command(OperatorCommand.Resume, "test");
+        rig.Manager.ContinueMission("test", "test");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
 
         TimeSpan[] times = rig.Vehicle.Commands.Concat(rig.Vehicle.Renewals).Select(c => c.Time).OrderBy(t => t)

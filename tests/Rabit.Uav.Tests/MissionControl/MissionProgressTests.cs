@@ -92,7 +92,7 @@ public sealed class MissionProgressTests : IDisposable
         Assert.Equal(MissionPhase.HandedOver, second.Status.Phase);
         Assert.Empty(second.Vehicle.Commands);
 
-        second.Manager.Command(OperatorCommand.Resume, "the program was started again");
+        second.Manager.ContinueMission("test", "the program was started again");
         second.Run(2);
         Assert.Equal(MissionPhase.Done, second.RunToEnd());
         Assert.InRange(second.Status.Coverage, 0.985, 1);

@@ -102,7 +102,7 @@ public class MissionResultTests
     {
         using var rig = new MissionRig(MissionRig.Mission());
         rig.RunUntil(MissionPhase.Searching);
-        rig.Manager.Command(OperatorCommand.Return, "asked to");
+        rig.Manager.ReturnToLaunch("test", "asked to");
         rig.RunToEnd();
 
         Assert.Equal(

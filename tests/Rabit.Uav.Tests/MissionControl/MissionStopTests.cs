@@ -35,7 +35,7 @@ public class MissionStopTests
     public void Stop_InAHold_SendsNothingMore()
     {
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
-        rig.Manager.Command(OperatorCommand.Hold, "test");
+        rig.Manager.Hold("test", "test");
         rig.Run(5);
         rig.Stop();
         Assert.Equal(1, rig.Vehicle.Count(VehicleCommandKind.Hold));

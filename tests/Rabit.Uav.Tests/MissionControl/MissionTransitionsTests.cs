@@ -13,7 +13,7 @@ public class MissionTransitionsTests
         [MissionPhase.NoMission, MissionPhase.Done, MissionPhase.Failed];
 
     private static readonly MissionEvent[] Operators =
-        [MissionEvent.OperatorHold, MissionEvent.OperatorReturn, MissionEvent.OperatorResume];
+        [.. EnumValues.Of<MissionEvent>().Where(OperatorRules.IsCommand)];
 
     private static readonly MissionPhase[] All = EnumValues.Of<MissionPhase>();
 

@@ -6,7 +6,7 @@ using Xunit;
 
 namespace Rabit.Uav.Tests.MissionControl;
 
-/// <summary>The operator's commands: hold, return, resume; and control, which only he gives back.</summary>
+/// <summary>The operator's commands: hold, return, continue; and control, which only he gives back.</summary>
 public class OperatorCommandTests
 {
     public static readonly TheoryData<MissionPhase> AllFlown
@@ -19,7 +19,7 @@ public class OperatorCommandTests
     {
         using MissionRig rig = MissionRig.In(phase);
         rig.Run(2);
-        rig.Manager.Command(OperatorCommand.Hold, "a walker");
+        rig.Manager.Hold("test", "a walker");
         rig.Run(4);
         (double north, double east, double height) = (rig.Vehicle.North, rig.Vehicle.East, rig.Vehicle.Height);
         rig.Run(60);
@@ -29,7 +29,7 @@ public class OperatorCommandTests
         Assert.Equal(
             (north, east, height), (rig.Vehicle.North, rig.Vehicle.East, rig.Vehicle.Height));
 
-        rig.Manager.Command(OperatorCommand.Resume, "clear");
+        rig.Manager.ContinueMission("test", "clear");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
         Assert.InRange(rig.Status.Coverage, 0.985, 1);
@@ -44,12 +44,12 @@ public class OperatorCommandTests
         while (rig.Status.LanesFlown < 1)
             rig.Run(0.5);
         rig.Run(12);
-        rig.Manager.Command(OperatorCommand.Hold, "test");
+        rig.Manager.Hold("test", "test");
         rig.Run(5);
         int held = rig.Vehicle.Path.Count;
         double east = rig.Vehicle.East;
         int lanes = rig.Status.LanesFlown;
-        rig.Manager.Command(OperatorCommand.Resume, "test");
+        rig.Manager.ContinueMission("test", "test");
         while (rig.Status.LanesFlown == lanes)
             rig.Run(0.5);
 
@@ -85,7 +85,7 @@ public class OperatorCommandTests
         rig.Run(20);
         int before = rig.Vehicle.Commands.Count;
         double seen = rig.Status.Coverage;
-        rig.Manager.Command(OperatorCommand.Resume, "the pilot gives it back");
+        rig.Manager.ContinueMission("test", "the pilot gives it back");
         rig.Run(3);
 
         Assert.Equal(VehicleCommandKind.TakeControl, rig.Vehicle.Commands[before].Command.Kind);
@@ -104,7 +104,7 @@ public class OperatorCommandTests
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
         rig.Vehicle.TakeOver("mode LOITER");
         rig.Run(5);
-        rig.Manager.Command(OperatorCommand.Return, "enough");
+        rig.Manager.ReturnToLaunch("test", "enough");
         rig.Run(2);
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.Equal(
@@ -124,11 +124,12 @@ public class OperatorCommandTests
         rig.Run(30);
         Assert.Equal(commands, rig.Vehicle.Commands.Count);
         Assert.Equal("the autopilot's failsafe took over: mode RTL", rig.Status.Text);
-        rig.Manager.Command(OperatorCommand.Resume, "against the failsafe");
+        rig.Manager.ContinueMission("test", "against the failsafe");
         rig.Run(2);
         Assert.Equal(commands, rig.Vehicle.Commands.Count);
-        Assert.Contains("resume refused: the autopilot reports a critical state", rig.Story, StringComparison.Ordinal);
-        rig.Manager.Command(OperatorCommand.Hold, "look first");
+        Assert.Contains("continue refused: the autopilot reports a critical state", rig.Story,
+            StringComparison.Ordinal);
+        rig.Manager.Hold("test", "look first");
         rig.Run(2);
         Assert.Equal(MissionPhase.Holding, rig.Status.Phase);
     }
@@ -143,7 +144,7 @@ public class OperatorCommandTests
         rig.Vehicle.SystemStatus = Rabit.Mavlink.Messages.MavState.Critical;
         rig.Vehicle.TakeOver("mode AUTO.RTL", TakeoverCause.Failsafe);
         rig.Run(5);
-        rig.Manager.Command(OperatorCommand.Hold, "look first");
+        rig.Manager.Hold("test", "look first");
         rig.Run(2);
         Assert.Equal(MissionPhase.Holding, rig.Status.Phase);
         if (ends)
@@ -159,7 +160,7 @@ public class OperatorCommandTests
         rig.Vehicle.TakeOver("mode LOITER");
         rig.Run(2);
         rig.Vehicle.Refuses = c => c.Kind == VehicleCommandKind.TakeControl ? VehicleCommandOutcome.Refused : null;
-        rig.Manager.Command(OperatorCommand.Resume, "test");
+        rig.Manager.ContinueMission("test", "test");
         rig.Run(30);
         Assert.Equal(MissionPhase.HandedOver, rig.Status.Phase);
         Assert.Equal(3, rig.Vehicle.Count(VehicleCommandKind.TakeControl));
@@ -174,11 +175,11 @@ public class OperatorCommandTests
         (rig.Vehicle.Height, rig.Vehicle.IsArmed) = (0, false);
         rig.Run(2);
         int commands = rig.Vehicle.Commands.Count;
-        rig.Manager.Command(OperatorCommand.Resume, "test");
+        rig.Manager.ContinueMission("test", "test");
         rig.Vehicle.IsArmed = true;
         rig.Run(5);
         Assert.Equal(commands, rig.Vehicle.Commands.Count);
-        Assert.Contains("operator's resume refused: the mission is over", rig.Story, StringComparison.Ordinal);
+        Assert.Contains("operator test's continue refused: the mission is over", rig.Story, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -187,7 +188,7 @@ public class OperatorCommandTests
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
         rig.Vehicle.Health = new HealthReport { Text = "battery low (20 %)", Advice = HealthAdvice.ReturnToLaunch };
         rig.RunUntil(MissionPhase.Returning, 5);
-        rig.Manager.Command(OperatorCommand.Hold, "test");
+        rig.Manager.Hold("test", "test");
         rig.Run(3);
         Assert.Equal(MissionPhase.Returning, rig.Status.Phase);
         Assert.Contains("hold refused: health: battery low (20 %)", rig.Story, StringComparison.Ordinal);
@@ -197,7 +198,7 @@ public class OperatorCommandTests
     public void Hold_BatteryGetsLow_ReturnsAllTheSame()
     {
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
-        rig.Manager.Command(OperatorCommand.Hold, "test");
+        rig.Manager.Hold("test", "test");
         rig.Run(30);
         rig.Vehicle.Health = new HealthReport { Text = "battery low (20 %)", Advice = HealthAdvice.ReturnToLaunch };
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
@@ -207,16 +208,16 @@ public class OperatorCommandTests
     public void Resume_DuringALinkLoss_IsDroppedAfterTenSeconds()
     {
         using MissionRig rig = MissionRig.In(MissionPhase.Searching);
-        rig.Manager.Command(OperatorCommand.Hold, "test");
+        rig.Manager.Hold("test", "test");
         rig.Run(5);
         rig.Vehicle.IsConnected = false;
         rig.Run(6);
-        rig.Manager.Command(OperatorCommand.Resume, "test");
+        rig.Manager.ContinueMission("test", "test");
         rig.Run(15);
         rig.Vehicle.IsConnected = true;
         rig.Run(5);
         Assert.Equal(MissionPhase.Holding, rig.Status.Phase);
-        Assert.Contains("resume refused: not possible within 10.0 s", rig.Story, StringComparison.Ordinal);
+        Assert.Contains("continue refused: not possible within 10.0 s", rig.Story, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -228,11 +229,11 @@ public class OperatorCommandTests
         (rig.Vehicle.IsArmed, rig.Vehicle.Height, rig.Vehicle.North) = (true, 30, 80);
         rig.Run(5);
         Assert.Equal(MissionPhase.HandedOver, rig.Status.Phase);
-        rig.Manager.Command(command, "after a restart");
+        rig.Manager.Give(new OperatorRequest(command, "test", "after a restart"));
         rig.Run(2);
         Assert.Equal(phase, rig.Status.Phase);
         Assert.Equal(VehicleCommandKind.TakeControl, rig.Vehicle.Commands[0].Command.Kind);
-        rig.Manager.Command(OperatorCommand.Return, "home");
+        rig.Manager.ReturnToLaunch("test", "home");
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         Assert.NotEqual(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
         Assert.Equal(
@@ -249,21 +250,21 @@ public class OperatorCommandTests
         using var rig = new MissionRig(MissionRig.Mission());
         (rig.Vehicle.IsArmed, rig.Vehicle.Height) = (true, 30);
         rig.Run(5);
-        rig.Manager.Command(OperatorCommand.Resume, "test");
+        rig.Manager.ContinueMission("test", "test");
         rig.Run(5);
         Assert.Empty(rig.Vehicle.Commands);
-        Assert.Contains("operator's resume refused", rig.Story, StringComparison.Ordinal);
+        Assert.Contains("operator test's continue refused", rig.Story, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Command_NoReasonOrNoCommand_IsRefusedByName()
     {
         using var rig = new MissionRig(null);
-        Assert.Throws<ArgumentException>(() => rig.Manager.Command(OperatorCommand.Hold, " "));
+        Assert.Throws<ArgumentException>(() => rig.Manager.Hold("test", " "));
         Assert.Contains(
-            "9", Assert.Throws<ArgumentException>(() => rig.Manager.Command((OperatorCommand)9, "x")).Message,
+            "99", Assert.Throws<ArgumentException>(() => new OperatorRequest((OperatorCommand)99, "x", "x")).Message,
             StringComparison.Ordinal);
-        rig.Manager.Command(OperatorCommand.Hold, "no mission");
+        rig.Manager.Hold("test", "no mission");
         rig.Run(1);
         Assert.Equal(MissionPhase.NoMission, rig.Status.Phase);
     }

@@ -18,6 +18,7 @@ internal sealed class StandInVehicle : RabitManager
     private const double Acceleration = 2.5;
 
     private readonly QueueReceiver<VehicleCommand> _commands;
+    private readonly QueueReceiver<TrackDecision> _decisions;
     private readonly QueueSender<VehicleCommandResult> _results;
     private readonly QueueSender<CameraObservation> _searched;
     private readonly MessagePublisher<VehicleState> _vehicle;
@@ -42,6 +43,7 @@ internal sealed class StandInVehicle : RabitManager
     {
         _frame = LocalNedFrame.IgnoringGeoid(home);
         _commands = Receive<VehicleCommand>(MessageNames.VehicleCommands);
+        _decisions = Receive<TrackDecision>(MessageNames.TrackDecisions);
         _results = Send<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _searched = Send<CameraObservation>(MessageNames.SearchedGround);
         _vehicle = Publish<VehicleState>(MessageNames.VehicleState);
@@ -118,6 +120,11 @@ internal sealed class StandInVehicle : RabitManager
 
     public List<TargetTrack> Tracks { get; } = [];
 
+    /// <summary>What the operator said, by track.</summary>
+    public Dictionary<int, TargetDecision> Decisions { get; } = [];
+
+    public bool IgnoresDecisions { get; set; }
+
     public List<(TimeSpan Time, VehicleCommand Command)> Commands { get; } = [];
 
     public List<(double North, double East, double Height)> Path { get; } = [];
@@ -153,6 +160,8 @@ internal sealed class StandInVehicle : RabitManager
                 Answer(command);
         }
 
+        while (_decisions.TryPop(out TrackDecision decision))
+            Decide(decision);
         Move();
         Path.Add((North, East, Height));
         TakePicture();
@@ -312,13 +321,34 @@ internal sealed class StandInVehicle : RabitManager
         => new()
         {
             Id = id,
-            State = state ?? (reports >= 3 ? TrackState.Confirmed : TrackState.Tentative),
+            State = state ?? StateOf(id, reports),
+            Decision = Decisions.TryGetValue(id, out TargetDecision decision) ? decision : TargetDecision.None,
             Class = colour,
             Position = _frame.ToGeodetic(new NedPosition(n, e, 0)),
             Covariance = new HorizontalCovariance(1, 0, 1),
             Time = Now,
             Reports = reports,
         };
+
+    private void Decide(TrackDecision decision)
+    {
+        if (IgnoresDecisions)
+            return;
+        Decisions[decision.TrackId] = decision.Decision;
+        for (int i = 0; i < Tracks.Count; i++)
+        {
+            NedPosition at = _frame.ToNed(Tracks[i].Position);
+            if (Tracks[i].Id == decision.TrackId)
+                Tracks[i] = MakeTrack(Tracks[i].Id, at.North, at.East, Tracks[i].Class, Tracks[i].Reports);
+        }
+
+        PostTracks();
+    }
+
+    private TrackState StateOf(int id, int reports)
+        => !Decisions.TryGetValue(id, out TargetDecision decision)
+            ? reports >= 3 ? TrackState.Confirmed : TrackState.Tentative
+            : decision == TargetDecision.Rejected ? TrackState.Rejected : TrackState.Confirmed;
 
     private void PostTracks()
     {

@@ -296,7 +296,7 @@ public class WholeMissionTests(ITestOutputHelper output)
     {
         using var rig = new MissionRig(null);
         rig.Run(60);
-        rig.Manager.Command(OperatorCommand.Return, "nothing to abort");
+        rig.Manager.ReturnToLaunch("test", "nothing to abort");
         rig.Run(10);
         Assert.Equal(MissionPhase.NoMission, rig.Status.Phase);
         Assert.Empty(rig.Vehicle.Commands);

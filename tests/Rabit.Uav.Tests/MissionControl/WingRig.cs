@@ -36,6 +36,7 @@ internal sealed class WingRig : IDisposable
         };
         _status = _reactor.Workspace.Subscribe<MissionStatus>(MessageNames.Mission);
         _authority = _reactor.Workspace.Subscribe<CommandAuthority>(MessageNames.CommandAuthority);
+        _reactor.Workspace.Receive<TrackDecision>(MessageNames.TrackDecisions);
         _reactor.Start();
     }
 

@@ -16,6 +16,7 @@ internal sealed class FusionRig : IDisposable
     private readonly RabitReactor _reactor;
     private readonly QueueSender<TargetReport> _reports;
     private readonly QueueSender<CameraObservation> _observations;
+    private readonly QueueSender<TrackDecision> _decisions;
     private readonly MessageSubscriber<TrackList> _tracks;
     private readonly OutgoingReports _sentReports = new();
     private long _number;
@@ -31,6 +32,7 @@ internal sealed class FusionRig : IDisposable
         };
         _reports = _reactor.Workspace.Send<TargetReport>(MessageNames.TargetReports);
         _observations = _reactor.Workspace.Send<CameraObservation>(MessageNames.CameraObservations);
+        _decisions = _reactor.Workspace.Send<TrackDecision>(MessageNames.TrackDecisions);
         _tracks = _reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks);
         _reactor.Start();
     }
@@ -108,6 +110,13 @@ internal sealed class FusionRig : IDisposable
 
     /// <summary>An observation that is wrong in itself.</summary>
     public void Push(CameraObservation observation) => _observations.Push(observation);
+
+    /// <summary>The operator's decision.</summary>
+    public void Decide(int trackId, TargetDecision decision)
+    {
+        _decisions.Push(new TrackDecision { TrackId = trackId, Decision = decision });
+        Run(0.1);
+    }
 
     /// <summary>A report of another vehicle.</summary>
     public void Push(TargetReport report) => _reports.Push(report);

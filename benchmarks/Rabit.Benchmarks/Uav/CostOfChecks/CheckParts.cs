@@ -115,7 +115,8 @@ internal sealed class CheckParts(MeasuredSearch flight)
     {
         var options = new MissionControlOptions { Mission = MeasuredSearch.Plan };
         var mission = new MissionFlight(
-            MeasuredSearch.Plan, options, new CommandDispatcher(_ => true, _ => { }), _ => { });
+            MeasuredSearch.Plan, options, new CommandDispatcher(_ => true, _ => { }), _ => { },
+            new OperatorActions(_ => true));
         ReadMessages ready = flight.Samples.First(s => s.Mission.Plan is not null);
         (mission.Now, mission.Vehicle, mission.VehicleReportTime) = (ready.Time, ready.Vehicle, ready.Time);
         return mission.CreatePlan() is { Length: > 0 } why

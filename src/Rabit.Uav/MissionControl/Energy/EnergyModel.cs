@@ -35,7 +35,6 @@ internal sealed class EnergyModel
     private static readonly TimeSpan MaxBatteryAge = TimeSpan.FromSeconds(10);
 
     private readonly EnergyOptions _options;
-    private readonly MissionPlan _mission;
     private readonly ChargeEstimator _charge;
     private readonly PowerModel _power;
     private readonly WindEstimate _wind = new();
@@ -48,12 +47,15 @@ internal sealed class EnergyModel
 
     public EnergyModel(EnergyOptions options, MissionPlan mission)
     {
-        (_options, _mission) = (options, mission);
+        (_options, Mission) = (options, mission);
         _charge = new ChargeEstimator(options);
         _power = new PowerModel(options);
     }
 
     public ref readonly EnergyStatus Status => ref _status;
+
+    /// <summary>The mission as it is now.</summary>
+    public MissionPlan Mission { get; set; }
 
     /// <summary>Parameters of the autopilot, for the speed of its return.</summary>
     public AutopilotParameters Parameters { get; set; } = AutopilotParameters.None;
@@ -76,18 +78,18 @@ internal sealed class EnergyModel
         if (flight.IsFixedWing)
             return null;
         (double joules, double seconds) = PlanEnergy.Of(
-            _power, flight.Route!, _mission, _options.AssumedWindMetresPerSecond, SpeedHome(flight),
+            _power, flight.Route!, Mission, _options.AssumedWindMetresPerSecond, SpeedHome(flight),
             _options.MaxAirspeedMetresPerSecond, StartSeconds(flight));
         bool isEndless = double.IsInfinity(joules);
         _status.PlanCharge = _charge.FractionOf(joules, joules / seconds);
         _status.PlanTime = isEndless ? TimeSpan.MaxValue : TimeSpan.FromSeconds(seconds);
-        if (!_charge.IsKnown || _status.PlanCharge + _mission.EnergyReserveFraction <= _charge.Left)
+        if (!_charge.IsKnown || _status.PlanCharge + Mission.EnergyReserveFraction <= _charge.Left)
             return null;
         string wind = $"in a wind of {MissionNumbers.Of(_options.AssumedWindMetresPerSecond)} m/s";
         return isEndless
             ? $"the plan cannot be flown {wind}: the way home would be against it"
             : $"the plan takes {MissionNumbers.Of(seconds / 60)} min and {MissionNumbers.Percent(_status.PlanCharge)} of "
-                + $"the battery {wind}, with a reserve of {MissionNumbers.Percent(_mission.EnergyReserveFraction)}; "
+                + $"the battery {wind}, with a reserve of {MissionNumbers.Percent(Mission.EnergyReserveFraction)}; "
                 + $"{MissionNumbers.Percent(_charge.Left)} are left";
     }
 
@@ -133,12 +135,12 @@ internal sealed class EnergyModel
     {
         _status.IsKnown = _charge.IsKnown && flight.Plan is not null && flight.Vehicle.PositionTime is not null
             && flight.Now - flight.Vehicle.BatteryTime <= MaxBatteryAge && !flight.IsFixedWing;
-        _status.Reserve = _mission.EnergyReserveFraction;
+        _status.Reserve = Mission.EnergyReserveFraction;
         (_status.ChargeLeft, _status.ChargeLeftDeviation) = (_charge.Left, _charge.LeftDeviation);
         (_status.CapacityFraction, _status.CapacityFractionDeviation)
             = (_charge.CapacityFraction, _charge.CapacityFractionDeviation);
         _status.HoverWatts = _power.HoverWatts;
-        _status.CruiseWatts = _power.Watts(_mission.SpeedMetresPerSecond);
+        _status.CruiseWatts = _power.Watts(Mission.SpeedMetresPerSecond);
         _status.ClimbWattsPerMetrePerSecond = _power.ClimbWattsPerMetrePerSecond;
         _status.IsWindMeasured = _wind.IsMeasured;
         if (_status.IsKnown)
@@ -161,7 +163,7 @@ internal sealed class EnergyModel
             ? 0
             : Math.Sqrt((ofWind * ofWind) + (ofPower * ofPower) + (ofCapacity * ofCapacity));
         double ofLeft = _charge.LeftDeviation;
-        double margin = _charge.Left - home - _mission.EnergyReserveFraction
+        double margin = _charge.Left - home - Mission.EnergyReserveFraction
             - (Deviations * Math.Sqrt((ofHome * ofHome) + (ofLeft * ofLeft)));
         (double landing, double landingSeconds) = WayHome.Landing(_power, flight.HeightMetres, _wind.Velocity.Length);
         double toLand = _charge.FractionOf(landing, landing / landingSeconds);
@@ -190,7 +192,7 @@ internal sealed class EnergyModel
     {
         if (flight.Commands.GoalKind == VehicleCommandKind.Return)
             return 0;
-        double speed = _mission.SpeedMetresPerSecond;
+        double speed = Mission.SpeedMetresPerSecond;
         double braking = speed / BrakingMetresPerSecondSquared;
         return flight.Vehicle.Autopilot == MavAutopilot.Px4
             ? Math.Min(braking + (speed * braking / 2 / Px4BackSpeed), MaxStartSeconds)

@@ -9,15 +9,20 @@ namespace Rabit.Uav.MissionControl;
 /// </summary>
 internal sealed class HandedOverState() : MissionState(MissionPhase.HandedOver)
 {
-    private OperatorRequest? _asked;
+    // The autopilot is asked up to three times, and its answers may be lost.
+    private static readonly TimeSpan MaxTakeTime = TimeSpan.FromSeconds(20);
+
     private bool _isOver;
+    private TimeSpan _asked;
 
     /// <summary>Whether the motors are off: then nothing can be resumed.</summary>
     public override bool IsOver => _isOver;
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
-        _asked = null;
+        // What was asked for before is no answer to who took the command.
+        if (by == MissionEvent.TakenOver)
+            flight.Operator.RefuseAll("the command was taken away");
         flight.Commands.Clear();
     }
 
@@ -26,13 +31,16 @@ internal sealed class HandedOverState() : MissionState(MissionPhase.HandedOver)
         _isOver = flight.IsConnected && !flight.Vehicle.IsArmed;
         if (flight.Operator.Pending is not null && flight.IsConnected)
             Take(flight);
-        if (_asked is null)
+        if (flight.Operator.InHand is not { } asked)
             return MissionStep.Stay;
-        if (!flight.IsConnected || _isOver || flight.Commands.Failures >= MaxFailures)
+        if (!flight.IsConnected || _isOver || flight.Commands.Failures >= MaxFailures
+            || flight.Now - _asked > MaxTakeTime)
         {
-            flight.Log($"operator's {_asked.Name}: the command of the vehicle was not taken, "
-                + (flight.IsConnected ? flight.Commands.LastFailure : "no autopilot connected"));
-            _asked = null;
+            string why = !flight.IsConnected ? "no autopilot connected"
+                : _isOver ? "the motors are off"
+                : flight.Commands.Failures > 0 ? flight.Commands.LastFailure
+                : "the autopilot does not answer";
+            flight.Operator.RefuseInHand("the command of the vehicle was not taken, " + why);
             flight.Commands.Clear();
             return MissionStep.Stay;
         }
@@ -41,7 +49,7 @@ internal sealed class HandedOverState() : MissionState(MissionPhase.HandedOver)
         bool isOurs = flight.Commands.IsAccepted && flight.Authority.State == CommandAuthorityState.Ours;
         if (isOurs)
             flight.ControlGivenTime = flight.Now;
-        return isOurs ? _asked.ToStep() : MissionStep.Stay;
+        return isOurs ? OperatorRules.ToStep(asked) : MissionStep.Stay;
     }
 
     private void Take(MissionFlight flight)
@@ -56,7 +64,8 @@ internal sealed class HandedOverState() : MissionState(MissionPhase.HandedOver)
         }
         else
         {
-            _asked = flight.Operator.Take();
+            flight.Operator.Begin();
+            _asked = flight.Now;
         }
     }
 

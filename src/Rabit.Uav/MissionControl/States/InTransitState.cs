@@ -12,17 +12,21 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 
     private bool _isCameraPointed;
     private TimeSpan _limit;
+    private double _speed;
     private PlanePoint? _climbAt;
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
+        if (by == MissionEvent.OperatorSkip)
+            flight.SkipLane();
         _isCameraPointed = !flight.Mission.HasGimbal;
         double distance = flight.Route!.Current is { } lane ? flight.Position.DistanceTo(lane.Start) : 0;
         double climb = flight.Mission.HeightMetres - flight.HeightMetres;
+        _speed = flight.Mission.SpeedMetresPerSecond;
         _limit = PathFollower.TimeLimit(flight, distance) + Seconds(Math.Max(0, climb) / MinClimbRate);
 
         // A mission that continues may have been left low: what lies in the way is flown over.
-        bool isLow = by is MissionEvent.OperatorResume or MissionEvent.HealthHoldOver && climb > LowMetres;
+        bool isLow = by is MissionEvent.OperatorContinue or MissionEvent.HealthHoldOver && climb > LowMetres;
         _climbAt = isLow ? flight.Position : null;
     }
 
@@ -30,6 +34,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
     {
         if (flight.Commands.Failures >= MaxFailures)
             return ReturnToLaunch(flight.Commands.LastFailure);
+        _limit += PathFollower.MoreTime(flight, ref _speed);
         if (inPhase > _limit)
             return ReturnToLaunch($"not at the area within {MissionNumbers.Seconds(_limit)}");
         if (!_isCameraPointed)

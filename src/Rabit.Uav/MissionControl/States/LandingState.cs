@@ -22,7 +22,7 @@ internal sealed class LandingState() : MissionState(MissionPhase.Landing)
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
-        _isOurLanding = by == MissionEvent.LandNow;
+        _isOurLanding = by is MissionEvent.LandNow or MissionEvent.OperatorLand;
         _limit = Seconds(TimeReserveSeconds + (Math.Max(0, flight.HeightMetres) / MinDescentRate));
         _onGround = null;
     }

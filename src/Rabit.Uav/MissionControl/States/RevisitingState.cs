@@ -14,7 +14,9 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     private static readonly TimeSpan MinHold = TimeSpan.FromSeconds(2);
     private static readonly TimeSpan MaxHold = TimeSpan.FromSeconds(10);
 
-    private int _track;
+    private OperatorRequest? _order; // null for a revisit of our own
+    private int _track; // 0 for a place
+    private double _speed;
     private int _reportsBefore;
     private RevisitPass _pass = null!; // planned when the phase is entered
     private bool _isAtStart;
@@ -29,10 +31,15 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         _height = flight.Mission.Revisit.HeightMetres ?? flight.Mission.HeightMetres;
         _overhead = null;
         _begun = flight.ActiveTime;
-        TargetTrack track = flight.Revisits.Next(flight)!;
-        (_track, _reportsBefore) = (track.Id, track.Reports);
-        _pass = RevisitPass.Plan(flight, Revisits.PositionOf(track, flight))!;
+        _order = by == MissionEvent.OperatorRevisit ? flight.Ordered : null;
+        TargetTrack? track = _order is null ? flight.Revisits.Next(flight) : Revisits.Find(flight, _order.TrackId);
+        (_track, _reportsBefore) = (track?.Id ?? 0, track?.Reports ?? 0);
+        PlanePoint target = track is null
+            ? OperatorFaults.PlaceOf(flight.Plan!, _order!.Place)
+            : Revisits.PositionOf(track, flight);
+        _pass = RevisitPass.Plan(flight, target)!;
         _isAtStart = _isThrough = !_pass.IsThrough;
+        _speed = flight.Mission.SpeedMetresPerSecond;
         _limit = PathFollower.TimeLimit(flight, _pass.LengthFrom(flight.Position)) + MaxHold;
     }
 
@@ -40,20 +47,26 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     {
         if (flight.Commands.Failures >= MaxFailures)
             return ReturnToLaunch(flight.Commands.LastFailure);
-        if (Revisits.Find(flight, _track) is not { State: TrackState.Confirmed } track)
+        _limit += PathFollower.MoreTime(flight, ref _speed);
+        TargetTrack? track = Revisits.Find(flight, _track);
+        bool isWanted = track?.State == TrackState.Confirmed
+            || (_order is not null && (_track == 0 || track is { State: not TrackState.Rejected }));
+        if (!isWanted)
             return Finish(flight, wasObserved: _overhead is not null, "no longer confirmed");
         if (inPhase > _limit)
             return Finish(flight, wasObserved: false, "not reached in time");
-        flight.Text = $"revisiting track {MissionNumbers.Of(_track)}, {Revisits.Name(track)}";
+        flight.Text = track is null
+            ? "revisiting a place"
+            : $"revisiting track {MissionNumbers.Of(_track)}, {Revisits.Name(track)}";
         return Fly(flight, track);
     }
 
-    private MissionStep Fly(MissionFlight flight, TargetTrack track)
+    private MissionStep Fly(MissionFlight flight, TargetTrack? track)
     {
         if (!_isAtStart)
         {
             _isAtStart = FlyTo(flight, _pass.Start);
-            _reportsBefore = track.Reports;
+            _reportsBefore = track?.Reports ?? 0;
             return MissionStep.Stay;
         }
 
@@ -67,10 +80,10 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
             return MissionStep.Stay;
         _overhead ??= flight.ActiveTime;
         TimeSpan held = flight.ActiveTime - _overhead.Value;
-        int reports = track.Reports - _reportsBefore;
+        int reports = (track?.Reports ?? 0) - _reportsBefore;
         bool isEnough = held >= MinHold && reports >= MinReports;
         return isEnough || held >= MaxHold
-            ? Finish(flight, wasObserved: reports > 0, Accuracy(track, reports))
+            ? Finish(flight, wasObserved: reports > 0, track is null ? "flown over" : Accuracy(track, reports))
             : MissionStep.Stay;
     }
 
@@ -86,6 +99,8 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 
     private MissionStep Finish(MissionFlight flight, bool wasObserved, string text)
     {
+        if (_track == 0)
+            return new MissionStep(MissionEvent.Revisited, "place: " + text);
         flight.Revisits.Finish(_track, wasObserved, flight.ActiveTime - _begun);
         return new MissionStep(MissionEvent.Revisited, $"track {MissionNumbers.Of(_track)}: {text}");
     }
