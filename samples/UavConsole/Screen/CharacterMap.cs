@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Reporting;
 
 namespace UavConsole;
 
@@ -16,6 +17,8 @@ internal sealed class CharacterMap
     private const string PlainArrows = "^^>vvv<^";
     private const double MinSideMetres = 20;
     private const int EllipseSteps = 48;
+    private const int MinColumnsForScale = 20;
+    private const int MinRowsForScale = 6;
 
     private readonly MapModel _model;
     private readonly int _columns;
@@ -40,13 +43,21 @@ internal sealed class CharacterMap
     /// <param name="columns">Characters across, at least 1.</param>
     /// <param name="rows">Lines, at least 1.</param>
     /// <param name="isUnicode">Without it plain characters are enough for the terminal.</param>
-    public static MapPicture Draw(MapModel model, int columns, int rows, bool isUnicode = true)
+    /// <param name="isAnnotated">
+    /// Whether tracks have their numbers, and a scale and an arrow to the north are drawn.
+    /// </param>
+    public static MapPicture Draw(
+        MapModel model, int columns, int rows, bool isUnicode = true, bool isAnnotated = false)
     {
         var map = new CharacterMap(model, Math.Max(1, columns), Math.Max(1, rows), isUnicode);
         map.Fit();
         map.DrawLines();
         map.TakeCanvas();
         map.DrawMarks();
+        if (isAnnotated)
+            map.DrawNumbers();
+        if (isAnnotated && columns >= MinColumnsForScale && rows >= MinRowsForScale)
+            map.DrawScale();
         return new MapPicture(map._characters, map._inks);
     }
 
@@ -132,6 +143,45 @@ internal sealed class CharacterMap
             Mark(vehicle, Arrow(), MapInk.Vehicle);
     }
 
+    private void DrawNumbers()
+    {
+        foreach (MapTrack track in _model.Tracks.Where(t => t.Track.State != TrackState.Tentative))
+        {
+            string number = FlightText.Number(track.Track.Id);
+            if (CellOf(track.Position) is { } cell && IsFree(cell.Column + 1, cell.Row, number.Length))
+                Write(cell.Column + 1, cell.Row, number);
+        }
+    }
+
+    private bool IsFree(int column, int row, int length)
+        => column + length <= _columns
+            && Enumerable.Range(column, length).All(c => _inks[row][c] < MapInk.Home);
+
+    // In the corners below left and above right; a mark that stands there stays.
+    private void DrawScale()
+    {
+        double metresPerColumn = _metresPerDot * BrailleCanvas.DotsAcross;
+        double most = metresPerColumn * _columns / 4;
+        double power = Math.Pow(10, Math.Floor(Math.Log10(most)));
+        double metres = new[] { 5.0, 2.0, 1.0 }.Select(f => f * power).First(m => m <= most);
+        int length = Math.Max(2, (int)Math.Round(metres / metresPerColumn));
+        string bar = _isUnicode ? "├" + new string('─', length - 2) + "┤" : "|" + new string('-', length - 2) + "|";
+        Write(0, _rows - 1, $"{bar} {FlightText.Number(metres)} m");
+        Write(_columns - 1, 0, _isUnicode ? "▲" : "^");
+        Write(_columns - 1, 1, "N");
+    }
+
+    private void Write(int column, int row, string text)
+    {
+        for (int index = 0; index < text.Length && column + index < _columns; index++)
+        {
+            if (_inks[row][column + index] >= MapInk.Home)
+                continue;
+            _characters[row][column + index] = text[index];
+            _inks[row][column + index] = MapInk.Frame;
+        }
+    }
+
     private char Arrow()
     {
         string arrows = _isUnicode ? Arrows : PlainArrows;
@@ -154,15 +204,21 @@ internal sealed class CharacterMap
 
     private void Mark(NedPosition at, char character, MapInk ink)
     {
-        if (!IsUsable(at))
+        if (CellOf(at) is not { } cell)
             return;
+        _characters[cell.Row][cell.Column] = character;
+        _inks[cell.Row][cell.Column] = ink;
+    }
+
+    // Null outside the map.
+    private (int Column, int Row)? CellOf(NedPosition at)
+    {
+        if (!IsUsable(at))
+            return null;
         (double x, double y) = ToDots(at);
         int column = (int)Math.Floor((Math.Round(x) + 0.5) / BrailleCanvas.DotsAcross);
         int row = (int)Math.Floor((Math.Round(y) + 0.5) / BrailleCanvas.DotsDown);
-        if (column < 0 || row < 0 || column >= _columns || row >= _rows)
-            return;
-        _characters[row][column] = character;
-        _inks[row][column] = ink;
+        return column < 0 || row < 0 || column >= _columns || row >= _rows ? null : (column, row);
     }
 
     private void Line(NedPosition from, NedPosition to, MapInk ink, int every = 1)

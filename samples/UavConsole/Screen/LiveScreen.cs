@@ -7,13 +7,14 @@ using Spectre.Console;
 namespace UavConsole;
 
 /// <summary>
-/// The view for a terminal: a mission with its map, or a flight that is watched, several times a second.
+/// The view for a terminal: a mission with its map, or a flight that is watched, several times a second, in the size
+/// that the terminal has at the moment.
 /// </summary>
 internal sealed class LiveScreen
 {
-    private const int MinWidth = 80;
-    private const int MinHeight = 24;
-    private const int NotesKept = 20;
+    private const int DefaultWidth = 80;
+    private const int DefaultHeight = 24;
+    private const int NotesKept = 60;
     private static readonly TimeSpan RefreshEvery = TimeSpan.FromMilliseconds(150);
 
     private readonly FlightMonitor _monitor;
@@ -41,31 +42,37 @@ internal sealed class LiveScreen
             && AnsiConsole.Profile.Capabilities.Interactive;
 
     public void ShowUntilEnd(Task run)
-        => AnsiConsole.Live(DrawFitting()).Overflow(VerticalOverflow.Crop).Start(context =>
+    {
+        ScreenTerminal terminal = ScreenTerminal.OfConsole();
+        var painter = new ScreenPainter(terminal);
+        painter.Begin();
+        try
         {
             bool hasEnded = false;
             while (!hasEnded)
             {
                 hasEnded = run.Wait(RefreshEvery);
                 _monitor.Refresh();
-                context.UpdateTarget(DrawFitting());
+                painter.Paint((columns, rows) => Draw(columns, rows, terminal.IsUnicode));
             }
-        });
+        }
+        finally
+        {
+            painter.End((columns, rows) => Draw(columns, rows, terminal.IsUnicode));
+        }
+    }
 
     /// <param name="width">Columns of the terminal.</param>
     /// <param name="height">Its lines.</param>
     /// <param name="isUnicode">Whether it knows more than ASCII.</param>
-    internal Rows Draw(int width = MinWidth, int height = MinHeight, bool isUnicode = true)
+    internal Rows Draw(int width = DefaultWidth, int height = DefaultHeight, bool isUnicode = true)
     {
         foreach (RabitLogEntry entry in _log.TakeAll())
             _notes.Enqueue(entry.ToString());
         while (_notes.Count > NotesKept)
             _notes.Dequeue();
         return _mission is null
-            ? _vehicle.Draw(_notes)
-            : _mission.Draw(_notes, Math.Max(MinWidth, width), Math.Max(MinHeight, height), isUnicode);
+            ? _vehicle.Draw(_notes, width)
+            : _mission.Draw(_notes, width, height, isUnicode);
     }
-
-    private Rows DrawFitting()
-        => Draw(AnsiConsole.Profile.Width, AnsiConsole.Profile.Height, AnsiConsole.Profile.Capabilities.Unicode);
 }

@@ -41,4 +41,7 @@ internal enum MapInk
 
     /// <summary>The vehicle.</summary>
     Vehicle,
+
+    /// <summary>Scale and north.</summary>
+    Frame,
 }

@@ -19,10 +19,13 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
     private const int NotesShown = 2;
     private const int MaxLinkNameLength = 40;
     private const int BarWidth = 60;
+    private const int MinWidth = 80;
 
     // Fits 80 by 24: one row for each manager and link where they are few, and every text on one line.
-    public Rows Draw(IEnumerable<string> notes)
+    public Rows Draw(IEnumerable<string> notes, int width)
     {
+        if (width < MinWidth)
+            return DrawNarrow(notes, width);
         var rows = new List<IRenderable> { Managers(), Vehicle() };
         rows.AddRange(Links());
         if (notice is not null)
@@ -31,6 +34,26 @@ internal sealed class VehicleView(FlightMonitor monitor, string? notice)
         if (monitor.Progress is { } progress)
             rows.Add(new Markup(Bar(progress)));
         return new Rows(rows);
+    }
+
+    // Plain lines, without the table of the managers; what is longer is cut off.
+    private Rows DrawNarrow(IEnumerable<string> notes, int width)
+    {
+        VehicleState vehicle = monitor.Vehicle;
+        List<string> lines =
+        [
+            Text.Vehicle(vehicle), "mode " + Text.Flight(vehicle), "health " + FlightText.Health(monitor.Health),
+            "battery " + Text.Battery(vehicle), "GPS " + Text.Gps(vehicle), Text.Position(vehicle),
+            .. monitor.Links.Select(l => $"link {ShortName(l.Url)} {Text.Link(l)}"),
+            .. monitor.Texts.Take(TextsShown).Reverse().Select(Text.Of),
+            .. notes.Reverse().Take(NotesShown).Reverse(),
+        ];
+        if (notice is not null)
+            lines.Insert(0, notice);
+        if (monitor.Progress is { } progress)
+            lines.Add(FlightText.Number(progress * 100, "0") + " % of the log");
+        return new Rows(lines.Select(
+            l => new Markup(Plain(Text.Fit(FlightText.Printable(l), width).TrimEnd())).Overflow(Overflow.Crop)));
     }
 
     private Table Managers()

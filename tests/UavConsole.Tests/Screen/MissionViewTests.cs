@@ -16,14 +16,6 @@ namespace UavConsole.Tests;
 /// <summary>The screen of a mission on a terminal of 80 by 24, without a terminal.</summary>
 public sealed class MissionViewTests(ITestOutputHelper output)
 {
-    private static readonly string[] ManagerNames =
-    [
-        "communications", "autopilot", "image processing", "sensor fusion", "mission control", "health",
-        "simulated vehicle"
-    ];
-
-    private readonly List<Action> _posts = [];
-
     [Fact]
     public void Draw_InTheMiddleOfASearch_FitsAndShowsAll()
     {
@@ -35,7 +27,7 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         string all = string.Join("\n", lines);
         foreach (string expected in new[]
         {
-            "search of a meadow", "searching", "lane 2 of 4", "62.0%", "1 of 4 flown", "1 confirmed", "1 red ±2.4 m",
+            "search of a meadow", "searching", "lane 2 of 4", "62.0%", "1 of 4 flown", "1 confirmed", "1 red 47.39740 8.54505 ±2.4", "next     lane 3 of 4",
             "GUIDED, armed", "87%", "Good", "H", "R", "sensor fusion", "Ended, 3 runs"
         })
             Assert.Contains(expected, all);
@@ -112,79 +104,10 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         string missionText, TargetClassName colour, MissionPhase phase = MissionPhase.Searching, bool isArmed = true,
         PreflightReport? checklist = null, IKeyHints? keys = null)
     {
-        var notes = new RunLog();
-        var reactor = new RabitReactor(
-            new ReactorOptions { Time = new VirtualTime(1), Log = notes.Add, StopsOnSignals = false });
-        foreach (string name in ManagerNames)
-            reactor.Add(new IdleManager(name));
-        var recorder = new FlightRecorderManager(new FlightRecorderOptions { ManagerNames = ManagerNames });
-        reactor.Add(recorder);
-        Post(reactor.Workspace, MessageNames.VehicleState, Vehicle() with { IsArmed = isArmed });
-        Post(reactor.Workspace, MessageNames.Health, new HealthReport { Level = HealthLevel.Good });
-        Post(reactor.Workspace, MessageNames.Mission, new MissionStatus
-        {
-            Phase = phase,
-            Plan = MadeUpSite.Plan,
-            Coverage = 0.62,
-            LanesFlown = 1,
-            Text = missionText,
-        });
-        Post(reactor.Workspace, MessageNames.Tracks, new TrackList(TimeSpan.Zero, [Track(colour)]));
-        reactor.Workspace.Publish(MessageNames.StatusTexts, RecentItems<StatusText>.None);
-        reactor.Workspace.Publish(MessageNames.Preflight, checklist ?? PreflightReport.None);
-        var monitor = new FlightMonitor(reactor, recorder, linkCount: 0);
-        var screen = new LiveScreen(monitor, notes, showsMission: true, keys: keys);
-        reactor.Start();
-        foreach (Action post in _posts)
-            post();
-        reactor.RunFor(TimeSpan.FromSeconds(2));
-        monitor.Refresh();
-        reactor.Stop();
-        reactor.Finish();
-        string drawn = Draw(screen);
+        string drawn = Draw(new MissionScreen().Open(missionText, colour, phase, isArmed, checklist, keys));
         output.WriteLine(drawn);
         return drawn;
     }
-
-    private void Post<T>(RabitWorkspace workspace, string name, T value)
-    {
-        MessagePublisher<T> publisher = value is TrackList
-            ? workspace.Publish(name, value)
-            : workspace.Publish<T>(name);
-        _posts.Add(() =>
-        {
-            publisher.Value = value;
-            publisher.Post();
-        });
-    }
-
-    private static VehicleState Vehicle() => new()
-    {
-        SystemId = 1,
-        ComponentId = 1,
-        IsConnected = true,
-        IsArmed = true,
-        Mode = "GUIDED",
-        PositionTime = TimeSpan.Zero,
-        Position = MadeUpSite.Frame.ToGeodetic(new NedPosition(65, 90, -40)),
-        HeightAboveHomeMetres = 40.2,
-        VelocityNed = new NedVector(0, -6, 0),
-        Attitude = EulerAngles.FromRadians(0, 0, -Math.PI / 2),
-        BatteryTime = TimeSpan.Zero,
-        BatteryRemaining = 0.87,
-        BatteryVolts = 15.9,
-        BatteryAmperes = 14,
-    };
-
-    private static TargetTrack Track(TargetClassName colour) => new()
-    {
-        Id = 1,
-        Class = colour,
-        State = TrackState.Confirmed,
-        Reports = 12,
-        Covariance = new HorizontalCovariance(1, 0, 1),
-        Position = MadeUpSite.Frame.ToGeodetic(new NedPosition(48, 60, 0)),
-    };
 
     private static string Draw(LiveScreen screen)
     {
@@ -200,15 +123,5 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         console.Profile.Height = 24;
         console.Write(screen.Draw());
         return text.ToString();
-    }
-
-    private sealed class FixedHints(string line) : IKeyHints
-    {
-        public string Line => line;
-    }
-
-    private sealed class IdleManager(string name) : RabitManager(name)
-    {
-        protected override void ExecuteUnitOfWork() => Log("a note");
     }
 }
