@@ -61,18 +61,20 @@ internal static class CommandLine
 
     private static readonly Option<bool> Fly = new("--fly")
     {
-        Description = "Commands the vehicle at the other end of --link: arms it and flies --mission."
+        Description = "Commands the vehicle at the other end of --link: arms it and flies --mission; needs both, and "
+            + "--camera or --without-detection."
     };
 
     private static readonly Option<string> Camera = new("--camera")
     {
-        Description = "A camera for --link: a folder of pictures with their times, also a growing one.",
+        Description = "A camera for a live --link, which it needs: a folder of pictures with their times, also a "
+            + "growing one.",
         HelpName = "DIR"
     };
 
     private static readonly Option<string> TruthOption = new("--truth")
     {
-        Description = "Where the targets really are, to score those found over --link.",
+        Description = "Where the targets really are, to score those found over --link; needs --fly.",
         HelpName = "FILE"
     };
 

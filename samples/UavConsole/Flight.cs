@@ -219,6 +219,14 @@ internal sealed class Flight : IDisposable
 
     private static MissionFile ReadMission(string path)
     {
+        MissionFile file = ParseMission(path);
+        return file.FindFaultOfHome() is { } fault
+            ? throw new ArgumentException($"--mission {path}: {fault}", nameof(path))
+            : file;
+    }
+
+    private static MissionFile ParseMission(string path)
+    {
         try
         {
             string text = ReadText(path);

@@ -125,9 +125,14 @@ internal static class FlightRun
             ImageChips = () => flight.Uav.ImageProcessing.ImageChips,
         });
         reactor.Add(recorder);
+        var fixedWing = new FixedWingNotice(options.Operator, text => log.Note(reactor.Now, text));
         var monitor = new FlightMonitor(reactor, recorder, flight.Uav.LinkCount)
         {
-            Refreshed = record => options.Operator.Update(record.Mission.Phase, flight.Uav.MissionControl),
+            Refreshed = record =>
+            {
+                options.Operator.Update(record.Mission.Phase, flight.Uav.MissionControl);
+                fixedWing.Check(record.Vehicle);
+            },
         };
         Console.WriteLine(flight.Source);
         if (flight.Notice is not null)

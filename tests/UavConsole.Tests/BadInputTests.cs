@@ -82,6 +82,18 @@ public sealed class BadInputTests : IDisposable
         => AssertRefused(expected, arguments.Split(' '));
 
     [Fact]
+    public void Mission_HomeFarFromTheArea_IsSaidBeforeTheStart()
+    {
+        string mission = Path.Combine(_log.Folder, "far.json");
+        string folder = Path.GetDirectoryName(typeof(BadInputTests).Assembly.Location)!;
+        File.WriteAllText(
+            mission,
+            File.ReadAllText(Path.Combine(folder, "missions", "search.json")).Replace("47.396970", "46.396970"));
+
+        AssertRefused($"--mission {mission}: home is 111.2 km from the area; the limit is 5 km.", "--mission", mission);
+    }
+
+    [Fact]
     public void Link_EmptyFile_SaysSo() => AssertRefused($"link {_log.Url}: the file is empty", "--link", _log.Url);
 
     [Fact]

@@ -17,12 +17,13 @@ internal static class OperatorArguments
     private static readonly Option<bool> Hold = new("--hold")
     {
         Description = "Takes the command of a vehicle that is flying already at the start, and has it hold its "
-            + "position.",
+            + "position; needs --fly.",
     };
 
     private static readonly Option<bool> Return = new("--return")
     {
-        Description = "Takes the command of a vehicle that is flying already at the start, and has it return and land.",
+        Description = "Takes the command of a vehicle that is flying already at the start, and has it return and "
+            + "land; needs --fly.",
     };
 
     private static readonly Option<string> Resume = new("--resume")

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Rabit.Core;
 using Rabit.Uav.Reporting;
@@ -14,7 +15,7 @@ internal sealed class RunLog(LogFile? file = null)
     private const int MaxKept = 200;
 
     private readonly object _gate = new();   // guards all below, and the file
-    private readonly Queue<RabitLogEntry> _entries = new();
+    private readonly Queue<string> _lines = new();
     private string? _viewLoss;
 
     /// <summary>What the report shows.</summary>
@@ -54,21 +55,35 @@ internal sealed class RunLog(LogFile? file = null)
         lock (_gate)
         {
             Flight.Add(entry);
-            file?.WriteLine(FlightText.Printable(entry.ToString()));
-            _entries.Enqueue(entry);
-            if (_entries.Count > MaxKept)
-                _entries.Dequeue();
+            Keep(entry.ToString());
         }
     }
 
-    /// <summary>Takes out the last entries for the view, oldest first.</summary>
-    public IReadOnlyList<RabitLogEntry> TakeAll()
+    /// <summary>Adds a line of the program's own, for the file and the view.</summary>
+    /// <param name="time">By the clock of the run.</param>
+    /// <param name="text">What it says.</param>
+    public void Note(TimeSpan time, string text)
+    {
+        lock (_gate)
+            Keep(FlightText.TimeStamp(time) + "UavConsole: " + text);
+    }
+
+    /// <summary>Takes out the last lines for the view, oldest first.</summary>
+    public IReadOnlyList<string> TakeAll()
     {
         lock (_gate)
         {
-            RabitLogEntry[] entries = _entries.ToArray();
-            _entries.Clear();
-            return entries;
+            string[] lines = _lines.ToArray();
+            _lines.Clear();
+            return lines;
         }
+    }
+
+    private void Keep(string line)
+    {
+        file?.WriteLine(FlightText.Printable(line));
+        _lines.Enqueue(line);
+        if (_lines.Count > MaxKept)
+            _lines.Dequeue();
     }
 }

@@ -20,19 +20,19 @@ internal static class PreflightArguments
     private static readonly Option<bool> SetFailsafes = new("--set-failsafes")
     {
         Description = "Sets the autopilot's failsafe parameters that do not pass the checklist, and writes its own "
-            + "values back after the flight, on the ground.",
+            + "values back after the flight, on the ground; needs --fly.",
     };
 
     private static readonly Option<bool> UploadFence = new("--upload-fence")
     {
         Description = "Uploads the mission's area and a margin as the autopilot's fence; the fence that it has is "
-            + "written back after the flight.",
+            + "written back after the flight; needs --fly.",
     };
 
     private static readonly Option<string> Originals = new("--originals")
     {
         Description = "Where the autopilot's own values are kept until they are written back. "
-            + $"{DefaultOriginals} without it.",
+            + $"{DefaultOriginals} without it; needs --fly.",
         HelpName = "FILE",
     };
 

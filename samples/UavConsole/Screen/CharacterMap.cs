@@ -165,7 +165,9 @@ internal sealed class CharacterMap
         double power = Math.Pow(10, Math.Floor(Math.Log10(most)));
         double metres = new[] { 5.0, 2.0, 1.0 }.Select(f => f * power).First(m => m <= most);
         int length = Math.Max(2, (int)Math.Round(metres / metresPerColumn));
-        string bar = _isUnicode ? "├" + new string('─', length - 2) + "┤" : "|" + new string('-', length - 2) + "|";
+        string bar = _isUnicode
+            ? "├" + new string('─', length - 2) + "┤"
+            : "|" + new string('-', length - 2) + "|";
         Write(0, _rows - 1, $"{bar} {FlightText.Number(metres)} m");
         Write(_columns - 1, 0, _isUnicode ? "▲" : "^");
         Write(_columns - 1, 1, "N");

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Threading.Tasks;
-using Rabit.Core;
 using Spectre.Console;
 
 namespace UavConsole;
@@ -67,8 +66,8 @@ internal sealed class LiveScreen
     /// <param name="isUnicode">Whether it knows more than ASCII.</param>
     internal Rows Draw(int width = DefaultWidth, int height = DefaultHeight, bool isUnicode = true)
     {
-        foreach (RabitLogEntry entry in _log.TakeAll())
-            _notes.Enqueue(entry.ToString());
+        foreach (string line in _log.TakeAll())
+            _notes.Enqueue(line);
         while (_notes.Count > NotesKept)
             _notes.Dequeue();
         return _mission is null

@@ -15,6 +15,8 @@ namespace UavConsole;
 /// </summary>
 internal sealed class MissionView(FlightMonitor monitor, IKeyHints? keys = null)
 {
+    private const string Blank = " ";   // markup without a character is no line
+
     public Rows Draw(IReadOnlyCollection<string> notes, int width, int height, bool isUnicode)
     {
         var layout = new ScreenLayout(width, height, monitor.Managers.Count, keys is not null);
@@ -70,7 +72,7 @@ internal sealed class MissionView(FlightMonitor monitor, IKeyHints? keys = null)
         IReadOnlyList<string> lines = IsChecklistShown() && layout.PanelRows >= 3
             ? ChecklistPane.Draw(monitor.Preflight, layout.PanelWidth, layout.PanelRows)
             : new MissionPanel(monitor, layout.PanelWidth).Draw(layout.PanelRows);
-        return lines.Concat(Enumerable.Repeat(string.Empty, layout.PanelRows - lines.Count));
+        return lines.Concat(Enumerable.Repeat(Blank, layout.PanelRows - lines.Count));
     }
 
     // Two lines, for a small screen: who does not work is first, and red.
@@ -99,7 +101,7 @@ internal sealed class MissionView(FlightMonitor monitor, IKeyHints? keys = null)
         }
 
         lines.Add(line.ToString());
-        return lines.Concat([string.Empty, string.Empty]).Take(2);
+        return lines.Concat([Blank, Blank]).Take(2);
     }
 
     // Two managers on a line, so that the map has room.

@@ -1,7 +1,6 @@
 using System;
 using System.Linq;
 using System.Threading.Tasks;
-using Rabit.Core;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Reporting;
 
@@ -38,8 +37,8 @@ internal sealed class PlainLines(FlightMonitor monitor, RunLog log, bool showsMi
     /// </param>
     private void ShowNews(bool withFigures)
     {
-        foreach (RabitLogEntry entry in log.TakeAll())
-            Console.WriteLine(entry);
+        foreach (string line in log.TakeAll())
+            Console.WriteLine(line);
         _preflight.Show(monitor.Preflight);
 
         HealthReport health = monitor.Health;

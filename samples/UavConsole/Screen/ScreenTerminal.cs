@@ -4,7 +4,7 @@ using Spectre.Console;
 
 namespace UavConsole;
 
-/// <summary>The terminal that the screen is drawn on.</summary>
+/// <summary>The terminal of the screen.</summary>
 /// <param name="output">What is written there goes to it.</param>
 /// <param name="size">Columns and lines as they are now: they change when a window is resized.</param>
 /// <param name="colours">What colours it has.</param>

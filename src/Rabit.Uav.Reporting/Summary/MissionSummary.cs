@@ -22,7 +22,7 @@ public sealed class MissionSummary
     /// <param name="record">The flight.</param>
     /// <param name="score">
     /// Null where the truth is not known. Where it is, a mission that was given up after all its targets were found and
-    /// as much of the area was seen as is required has passed.
+    /// as much of the area was seen as is required has passed, where a coverage is required at all.
     /// </param>
     public MissionSummary(FlightRecord record, MissionScore? score)
     {
@@ -158,7 +158,9 @@ public sealed class MissionSummary
     private IEnumerable<string> FlightFailures(FlightRecord record)
     {
         MissionResult result = record.Mission.Result;
-        if (Score is null && (result.Failures & MissionFailures.GivenUp) != 0)
+        // Without a required coverage nothing else says that the search was complete.
+        bool isComplete = Score is not null && RequiredCoveragePercent > 0;
+        if (!isComplete && (result.Failures & MissionFailures.GivenUp) != 0)
             yield return "the search was given up before its end: " + Aborted;
         if ((result.Failures & MissionFailures.TakenOver) != 0)
             yield return record.Mission.TakenOver ?? "the mission was taken over";

@@ -194,6 +194,29 @@ public sealed class MissionSummaryTests
             }).HasPassed);
     }
 
+    // With all its targets found it has passed only where a coverage was required, and reached.
+    [Theory]
+    [InlineData(0, "the search was given up before its end: the wind")]
+    [InlineData(0.9, null)]
+    public void Failures_GivenUpAndTruthKnown_DependOnTheRequiredCoverage(double required, string? expected)
+    {
+        var result = new MissionResult
+        {
+            HasFlown = true,
+            HasLanded = true,
+            Failures = MissionFailures.GivenUp,
+            RequiredCoverage = required,
+        };
+        var record = new FlightRecord
+        {
+            Mission = new MissionStatus { Plan = MadeUpSite.Plan, Result = result, Aborted = "the wind" },
+        };
+
+        Assert.Equal(
+            expected is null ? [] : [expected],
+            new MissionSummary(record, new MissionScore { DistanceFromHomeMetres = 0.4 }).Failures);
+    }
+
     [Fact]
     public void Failures_TargetMissedAndFalseTrack_NamesBoth()
     {

@@ -27,7 +27,8 @@ public sealed class MissionViewTests(ITestOutputHelper output)
         string all = string.Join("\n", lines);
         foreach (string expected in new[]
         {
-            "search of a meadow", "searching", "lane 2 of 4", "62.0%", "1 of 4 flown", "1 confirmed", "1 red 47.39740 8.54505 ±2.4", "next     lane 3 of 4",
+            "search of a meadow", "searching", "lane 2 of 4", "62.0%", "1 of 4 flown", "1 confirmed",
+            "1 red 47.39740 8.54505 ±2.4", "next     lane 3 of 4",
             "GUIDED, armed", "87%", "Good", "H", "R", "sensor fusion", "Ended, 3 runs"
         })
             Assert.Contains(expected, all);

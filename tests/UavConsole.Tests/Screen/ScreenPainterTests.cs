@@ -3,7 +3,6 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Rabit.Uav.Messages;
 using Spectre.Console;
-using Spectre.Console.Rendering;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -26,9 +25,9 @@ public sealed class ScreenPainterTests(ITestOutputHelper output)
         string all = string.Join("\n", lines);
         foreach (string expected in new[]
         {
-            "searching", "lane 2 of 4", "next     lane 3 of 4", "Good", "62.0%", "1 of 4 flown", "87%", "GUIDED, armed",
-            "111 m away at 234°", "5.0 m/s from 270°; 14 sats", "96 % usable", "3 confirmed", "1 red", "2 red", "3 red",
-            "47.3974", "communications: ",
+            "searching", "lane 2 of 4", "next     lane 3 of 4", "Good", "62.0%", "1 of 4 flown", "87%",
+            "GUIDED, armed", "111 m away at 234°", "5.0 m/s from 270°; 14 sats", "96 % usable", "3 confirmed",
+            "1 red", "2 red", "3 red", "47.3974", "communications: ",
         })
             Assert.Contains(expected, all);
         Assert.Equal(Keys, lines[rows - 1]);
@@ -159,5 +158,5 @@ public sealed class ScreenPainterTests(ITestOutputHelper output)
         => new MissionScreen().Open(
             "searching: lane 2 of 4", DefaultTargetClasses.Red, keys: new FixedHints(Keys), targets: targets);
 
-    private static IRenderable Words(params string[] lines) => new Rows(lines.Select(l => new Markup(l)));
+    private static Rows Words(params string[] lines) => new Rows(lines.Select(l => new Markup(l)));
 }

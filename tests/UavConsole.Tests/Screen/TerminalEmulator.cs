@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
@@ -103,8 +102,8 @@ internal sealed class TerminalEmulator(int columns, int rows) : TextWriter
     {
         if (kind == 'm')
             return;
-        IReadOnlyList<string> numbers = sequence.Trim('[', 'H').Split(';');
-        if (kind != 'H' || numbers.Count != 2)
+        string[] numbers = sequence.Trim('[', 'H').Split(';');
+        if (kind != 'H' || numbers.Length != 2)
             throw new InvalidOperationException($"Sequence {sequence}.");
         _cursor = (int.Parse(numbers[1], System.Globalization.CultureInfo.InvariantCulture) - 1,
             Math.Min(int.Parse(numbers[0], System.Globalization.CultureInfo.InvariantCulture), _page.Length) - 1);

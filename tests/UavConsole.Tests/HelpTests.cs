@@ -1,0 +1,32 @@
+using System.CommandLine;
+using System.Linq;
+using Xunit;
+
+namespace UavConsole.Tests;
+
+/// <summary>What --help says of each option.</summary>
+public sealed class HelpTests
+{
+    [Theory]
+    [InlineData("--fly", "--link")]
+    [InlineData("--fly", "--mission")]
+    [InlineData("--camera", "--link")]
+    [InlineData("--truth", "--fly")]
+    [InlineData("--hold", "--fly")]
+    [InlineData("--return", "--fly")]
+    [InlineData("--fixed-wing", "--fly")]
+    [InlineData("--set-failsafes", "--fly")]
+    [InlineData("--upload-fence", "--fly")]
+    [InlineData("--originals", "--fly")]
+    [InlineData("--without-detection", "--fly")]
+    [InlineData("--trust-link", "--sign-key")]
+    public void Description_OptionThatNeedsAnother_NamesIt(string option, string needed)
+        => Assert.Contains(
+            needed, CommandLine.Create(_ => 0).Options.Single(o => o.Name == option).Description);
+
+    [Fact]
+    public void Description_EveryOption_IsASentence()
+        => Assert.All(
+            CommandLine.Create(_ => 0).Options.Where(o => o.Name is not "--help" and not "--version"),
+            (Option o) => Assert.EndsWith(".", o.Description));
+}
