@@ -88,6 +88,7 @@ internal static class ManagerOptions
         made.Signing = SigningOf(options);
         made.Dialect = DialectOf(options);
         made.Subscriptions = SubscriptionsOf(options);
+        made.SendsTargets ??= options.Has(UavManagers.SensorFusion);
         made.VehicleMessageRoutes =
         [
             new VehicleMessageRoute<TargetReport>(

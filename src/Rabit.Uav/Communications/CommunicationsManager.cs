@@ -13,7 +13,7 @@ namespace Rabit.Uav.Communications;
 /// The post office between aircraft and ground: it owns the links, delivers frames that are for us to Autopilot
 /// Interface and to subscriptions, forwards the others unchanged by MAVLink's address rules, and sends the frames of
 /// the other managers. It reads addresses, never meaning, but for which link a ground station's heartbeats come over.
-/// It reports our position to ground and others, and carries typed messages between vehicles.
+/// It reports our position and the targets to ground and others, and carries typed messages between vehicles.
 /// </summary>
 public sealed partial class CommunicationsManager : RabitManager
 {
@@ -53,6 +53,9 @@ public sealed partial class CommunicationsManager : RabitManager
         _outgoing = Receive<OutgoingFrame>(MessageNames.OutgoingFrames, OutgoingCapacity, QueueFullMode.DropOldest);
         _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
         _position = new OwnPosition(_options.Links.Count > 0 ? _options.PositionRateHz : 0);
+        _tracks = _options.SendsTargets == true && _options.Links.Count > 0
+            ? Subscribe<TrackList>(MessageNames.Tracks)
+            : null;
         _channels = _options.VehicleMessageRoutes.Select(route => route.Open(this)).ToArray();
         _subscriptions = OpenSubscriptions();
         _droppedIn = new long[_options.Count];
@@ -85,6 +88,7 @@ public sealed partial class CommunicationsManager : RabitManager
             TakeFrames(port);
         SendOwnFrames();
         SendPosition();
+        SendTargets();
         SendVehicleMessages();
 
         if (Now >= _nextStatus)
@@ -162,7 +166,7 @@ public sealed partial class CommunicationsManager : RabitManager
             port.CountReceived(frame);
             if (!IsAccepted(port, frame.Frame))
                 continue;
-            port.NoteGroundStation(frame);
+            port.NoteHeartbeat(frame);
             Route(frame, port.IsRecorded);
         }
 

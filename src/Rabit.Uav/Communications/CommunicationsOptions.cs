@@ -44,6 +44,24 @@ public sealed class CommunicationsOptions
     /// </value>
     public double PositionRateHz { get; set; } = 1;
 
+    /// <summary>
+    /// Whether the confirmed targets are sent to all live links: each in its turn as CAMERA_TRACKING_GEO_STATUS, one a
+    /// second, and each once as STATUSTEXT with its coordinates.
+    /// </summary>
+    /// <value>
+    /// The default is null: where Sensor Fusion is part of a <see cref="UavSystem"/>. With true some manager must publish
+    /// <see cref="Messages.MessageNames.Tracks"/>.
+    /// </value>
+    public bool? SendsTargets { get; set; }
+
+    /// <summary>
+    /// Whether the targets are also sent as ADSB_VEHICLE, which ground stations draw on their map, to links with a
+    /// ground station and no autopilot: an autopilot would evade them. They are no traffic: only where nobody takes
+    /// them for such.
+    /// </summary>
+    /// <value>The default is false. True sends nothing where the targets are not sent.</value>
+    public bool SendsTargetsAsTraffic { get; set; }
+
     /// <summary>What types of messages are exchanged with other vehicles, each by a codec of its own.</summary>
     /// <value>The default is none.</value>
     public IReadOnlyList<VehicleMessageRoute> VehicleMessageRoutes { get; set; } = Array.Empty<VehicleMessageRoute>();

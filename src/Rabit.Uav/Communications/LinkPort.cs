@@ -26,6 +26,7 @@ internal sealed class LinkPort(
     private long _rejectedOut;
     private TimeSpan? _lastFrameTime;
     private TimeSpan? _groundStationTime;
+    private bool _leadsToAutopilot;
     private MavlinkSignatureCounters _signatures;
     private long _reportedRejections;
 
@@ -41,14 +42,21 @@ internal sealed class LinkPort(
     public void CountReceived(in LinkFrame frame) => _lastFrameTime = frame.Time;
 
     /// <summary>
-    /// Notes the heartbeat of a ground station. The one message that is looked into here, since its loss concerns the
-    /// link, and counts also where Autopilot Interface hangs.
+    /// Notes who is at the other end, by heartbeats. The one message that is looked into here, since the loss of a
+    /// ground station concerns the link, and counts also where Autopilot Interface hangs.
     /// </summary>
-    public void NoteGroundStation(in LinkFrame frame)
+    public void NoteHeartbeat(in LinkFrame frame)
     {
-        if (frame.IsChecked && frame.Frame.TryDecode(out Heartbeat heartbeat) && heartbeat.Type == MavType.Gcs)
+        if (!frame.IsChecked || !frame.Frame.TryDecode(out Heartbeat heartbeat))
+            return;
+        if (heartbeat.Type == MavType.Gcs)
             _groundStationTime = frame.Time;
+        _leadsToAutopilot |= heartbeat.Autopilot != MavAutopilot.Invalid && heartbeat.Type != MavType.Gcs;
     }
+
+    /// <summary>Whether a ground station, and no autopilot, is at the other end.</summary>
+    /// <param name="since">Its last heartbeat is not older.</param>
+    public bool IsToGroundStation(TimeSpan since) => _groundStationTime >= since && !_leadsToAutopilot;
 
     public void CountSignature(MavlinkSignatureResult result) => _signatures = _signatures.With(result);
 
