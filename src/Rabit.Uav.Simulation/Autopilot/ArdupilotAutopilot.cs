@@ -18,7 +18,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
     private readonly WorldFrame _frame;
     private readonly ulong _uid;
     private readonly Gimbal _mount;
-    private readonly FenceService _fence;
+    private readonly MissionService _missions;
     private readonly CommandHandler _commands;
     private readonly ParameterService _parameters;
     private readonly StreamSchedule _streams = new();
@@ -51,11 +51,18 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         _telemetry = new TelemetrySender(_controller, frame, uid, sink);
         _sendMessage = _telemetry.Send;
         _parameters = new ParameterService(_store, sink);
-        _fence = new FenceService(frame, sink) { Stored = UseFence };
         var targets = new TargetReader(_controller, _telemetry, frame);
+        _missions = new MissionService(frame, _address, _telemetry, sink)
+        {
+            FenceStored = UseFence,
+            MissionStored = _controller.Auto.Rewind,
+            CurrentSet = _controller.JumpTo,
+        };
+        (_controller.Auto.Mission, _controller.Auto.Places, _controller.Auto.Say) =
+            (_missions, targets.TryReadPlace, Say);
         _commands = new CommandHandler(_controller, targets, _streams, _telemetry, mount, sink, Say);
         _dispatcher = new FrameDispatcher(
-            _controller, _commands, targets, _parameters, _fence, _streams, _address, sink);
+            _controller, _commands, targets, _parameters, _missions, _streams, _address, sink);
         _controller.Armed = SetHome;
         _controller.ModeChanged = () => _telemetry.Send(Heartbeat.MavlinkId);
         _controller.Failsafes.Fence.BreachBegan = () => _telemetry.Send(FenceStatus.MavlinkId);
@@ -85,7 +92,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         {
             _consumedBefore = _consumed,
         };
-        next._fence.Restore(_fence);
+        next._missions.Restore(_missions);
         if (staysArmed && !_controller.Situation.IsLanded)
             next._controller.StayArmed(_controller);
         return next;
@@ -144,7 +151,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
 
         _streams.Send(time, _sendMessage);
         _parameters.Step();
-        _fence.Step(time);
+        _missions.Step(time, _controller.IsAuto);
     }
 
     private void Feel(in VehicleSenses senses)
@@ -176,12 +183,12 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         _telemetry.Send(GpsGlobalOrigin.MavlinkId);
     }
 
-    private void UseFence(FenceShapes shapes)
+    private void UseFence(FenceShapes shapes, int items)
     {
         _controller.Failsafes.Fence.Shapes = shapes;
-        if (_store.Fence.Total.Value.Equals(_fence.Items.Count))
+        if (_store.Fence.Total.Value.Equals(items))
             return;
-        _store.Fence.Total.Set(_fence.Items.Count);
+        _store.Fence.Total.Set(items);
         _parameters.Send(_store.Fence.Total);
         Say(MavSeverity.Debug, "Fence Indexed OK");
     }

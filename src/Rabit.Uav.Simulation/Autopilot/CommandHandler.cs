@@ -71,6 +71,8 @@ internal sealed class CommandHandler(
             case MavCmd.NavReturnToLaunch: return Result(controller.TrySetMode((uint)CopterMode.Rtl));
             case MavCmd.NavLand: return Result(controller.TrySetMode((uint)CopterMode.Land));
             case MavCmd.NavLoiterUnlim: return Result(controller.TrySetMode((uint)CopterMode.Loiter));
+            case MavCmd.MissionStart: return Result(controller.TryStartMission());
+            case MavCmd.DoSetMissionCurrent: return SetCurrent(WholeNumber(command.Param1));
             case MavCmd.DoReposition: return Reposition(command);
             case MavCmd.DoChangeSpeed: return ChangeSpeed(command.Param1, command.Param2);
             case MavCmd.ConditionYaw: return Turn(command.Param1, command.Param3, command.Param4);
@@ -79,6 +81,14 @@ internal sealed class CommandHandler(
             case MavCmd.DoGimbalManagerPitchyaw: return PointCamera(command.Param1, command.Param2);
             default: return ExecuteRequest(command);
         }
+    }
+
+    private MavResult SetCurrent(uint sequence)
+    {
+        if (sequence > int.MaxValue || controller.Auto.Mission?.TrySetCurrent((int)sequence) != true)
+            return MavResult.Failed;
+        controller.JumpTo((int)sequence);
+        return MavResult.Accepted;
     }
 
     private MavResult ExecuteRequest(in CommandInt command)

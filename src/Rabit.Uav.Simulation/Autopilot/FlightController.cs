@@ -44,6 +44,8 @@ internal sealed class FlightController
 
     public GuidedFlight Guided { get; } = new();
 
+    public AutoFlight Auto { get; } = new();
+
     public CopterMode Mode { get; private set; }
 
     public bool IsArmed { get; private set; }
@@ -63,6 +65,8 @@ internal sealed class FlightController
     public bool IsReadyToArm => _checks.HasPassed;
 
     public bool IsGuided => Mode == CopterMode.Guided;
+
+    public bool IsAuto => Mode == CopterMode.Auto && IsArmed;
 
     /// <summary>Where RTL flies to now; null in other modes and while it lands.</summary>
     public NedVector? ReturnTarget => Mode == CopterMode.Rtl ? _return.Target : null;
@@ -107,7 +111,7 @@ internal sealed class FlightController
 
         // On the ground any mode may be taken; arming checks again.
         string? refusal = !IsArmed ? null
-            : mode == CopterMode.Auto ? "init failed"
+            : mode == CopterMode.Auto && !Auto.HasMission ? "init failed"
             : CopterModes.NeedsPosition(mode) && !HasPosition ? "requires position" : null;
         if (refusal is not null)
         {
@@ -171,6 +175,18 @@ internal sealed class FlightController
         return true;
     }
 
+    /// <summary>MISSION_START: armed, in AUTO or into it.</summary>
+    public bool TryStartMission()
+    {
+        if (!IsArmed || !Auto.HasMission || !TrySetMode((uint)CopterMode.Auto))
+            return false;
+        Auto.Start(Situation);
+        return true;
+    }
+
+    /// <summary>Another item of the mission is the current one.</summary>
+    public void JumpTo(int sequence) => Auto.JumpTo(Situation, sequence, IsAuto);
+
     /// <summary>The command for the next step.</summary>
     public MotionCommand Step(in VehicleSenses senses)
     {
@@ -206,6 +222,7 @@ internal sealed class FlightController
         _flight = mode switch
         {
             CopterMode.Guided => Guided,
+            CopterMode.Auto => Auto,
             CopterMode.Rtl => _return,
             CopterMode.Land => _land,
             _ => _hold,

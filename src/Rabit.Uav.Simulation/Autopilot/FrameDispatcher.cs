@@ -13,7 +13,7 @@ internal sealed class FrameDispatcher(
     CommandHandler commands,
     TargetReader targets,
     ParameterService parameters,
-    FenceService fence,
+    MissionService missions,
     StreamSchedule streams,
     AutopilotAddress address,
     IFrameSink sink)
@@ -56,38 +56,11 @@ internal sealed class FrameDispatcher(
             case ParamSet.MavlinkId: frame.TryDecode(out ParamSet set); parameters.Handle(set); break;
             case RequestDataStream.MavlinkId: frame.TryDecode(out RequestDataStream stream); Handle(stream); break;
             case Timesync.MavlinkId: frame.TryDecode(out Timesync sync); Handle(sync, sender, bootNanoseconds); break;
-            default: HandleFence(frame, sender); break;
+            default: missions.Handle(frame, Now); break;
         }
     }
 
     private TimeSpan Now => controller.Situation.Time;
-
-    private void HandleFence(in MavlinkFrame frame, Sender sender)
-    {
-        switch (frame.MessageId)
-        {
-            case MissionRequestList.MavlinkId:
-                frame.TryDecode(out MissionRequestList list);
-                fence.Handle(list, sender);
-                break;
-            case MissionRequestInt.MavlinkId:
-                frame.TryDecode(out MissionRequestInt request);
-                fence.HandleRequest(request.Seq, request.MissionType, sender);
-                break;
-            case MissionCount.MavlinkId:
-                frame.TryDecode(out MissionCount count);
-                fence.Handle(count, sender, Now);
-                break;
-            case MissionItemInt.MavlinkId:
-                frame.TryDecode(out MissionItemInt item);
-                fence.Handle(item, sender, Now);
-                break;
-            case MissionClearAll.MavlinkId:
-                frame.TryDecode(out MissionClearAll clear);
-                fence.Handle(clear, sender);
-                break;
-        }
-    }
 
     private bool IsForUs(in MavlinkFrame frame)
     {

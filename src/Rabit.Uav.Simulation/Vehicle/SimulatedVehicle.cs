@@ -180,6 +180,13 @@ internal sealed class SimulatedVehicle : ILinkSink
             message, Autopilot.SystemId, AutopilotAddress.ComponentId, _sequences[link]++));
     }
 
+    /// <summary>Sends a frame that a protocol server made.</summary>
+    public void SendNumbered(in MavlinkFrame frame)
+    {
+        if (!IsBooting && (!_handlesSecondLink || !IsForSecondLink(frame)))
+            _outboxes[0].Enqueue(frame.WithSequence(_sequences[0]++));
+    }
+
     /// <summary>Passes on a frame of the second link as it is.</summary>
     public void Forward(in MavlinkFrame frame)
     {

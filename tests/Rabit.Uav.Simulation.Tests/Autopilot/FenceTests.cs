@@ -49,10 +49,9 @@ public class FenceTests
     }
 
     [Fact]
-    public void Upload_OfAMission_IsUnsupported()
+    public void Upload_OfMoreThanFits_IsRefused()
     {
         using var ground = new Ground();
-        Assert.Equal(MavMissionResult.Unsupported, Offer(ground, 3, MavMissionType.Mission));
         Assert.Equal(MavMissionResult.NoSpace, Offer(ground, 85, MavMissionType.Fence));
     }
 
