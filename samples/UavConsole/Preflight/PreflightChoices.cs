@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Uav;
 using Rabit.Uav.MissionControl;
 
@@ -32,6 +33,10 @@ internal sealed class PreflightChoices
         options.Autopilot.Setup.OriginalsFile = OriginalsFile;
         options.Autopilot.Setup.SetsFailsafes = SetsFailsafes;
         if (UploadsFence)
+        {
             options.Autopilot.Setup.Fence = mission.AutopilotFence;
+            options.Autopilot.Setup.KeepOuts = mission.KeepOuts.Select(k => k.ToArray()).ToArray();
+        }
+
     }
 }

@@ -29,6 +29,10 @@ public sealed class AutopilotSetupOptions
     /// <value>The default is null: the autopilot's fence is not touched.</value>
     public Func<GeodeticPosition, IReadOnlyList<GeodeticPosition>>? Fence { get; set; }
 
+    /// <summary>The polygons that the fence excludes, in order; they are uploaded with it.</summary>
+    /// <value>The default is empty.</value>
+    public IReadOnlyList<IReadOnlyList<GeodeticPosition>> KeepOuts { get; set; } = [];
+
     /// <summary>
     /// The file that keeps the autopilot's own values and fence from before the first write until they are written
     /// back. Needed where something is to be written; where it exists at the start, it is written back.

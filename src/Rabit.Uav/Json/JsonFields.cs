@@ -169,6 +169,9 @@ internal sealed class JsonFields
         return default(JsonElement?);
     }
 
+    /// <summary>A value of any kind; null where there is none.</summary>
+    public JsonElement? Any(string name) => Has(name) ? _values[name] : default(JsonElement?);
+
     /// <summary>The properties of an object in here; none where it is not there.</summary>
     public JsonFields Object(string name)
     {

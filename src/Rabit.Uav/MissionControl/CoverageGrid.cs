@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Rabit.Uav.MissionControl;
 
@@ -18,7 +19,7 @@ internal sealed class CoverageGrid
     private readonly bool[] _isArea;
     private readonly bool[] _isSeen;
 
-    public CoverageGrid(PlanePolygon area)
+    public CoverageGrid(PlanePolygon area, IReadOnlyList<PlanePolygon>? keepOuts = null)
     {
         double north = double.NegativeInfinity;
         double east = double.NegativeInfinity;
@@ -36,7 +37,8 @@ internal sealed class CoverageGrid
         _isSeen = new bool[_rows * _columns];
         for (int i = 0; i < _isArea.Length; i++)
         {
-            _isArea[i] = area.Contains(CentreOf(i));
+            PlanePoint centre = CentreOf(i);
+            _isArea[i] = area.Contains(centre) && !(keepOuts ?? []).Any(k => k.Contains(centre));
             Cells += _isArea[i] ? 1 : 0;
         }
     }
@@ -52,6 +54,17 @@ internal sealed class CoverageGrid
 
     /// <summary>How much of the area has been seen, 0 to 1.</summary>
     public double Fraction => Cells == 0 ? 1 : (double)SeenCells / Cells;
+
+    /// <summary>Whether a point belongs to the area and has not been seen.</summary>
+    public bool IsUnseen(PlanePoint at)
+    {
+        int row = (int)Math.Floor((at.North - _south) / CellMetres);
+        int column = (int)Math.Floor((at.East - _west) / CellMetres);
+        if (row < 0 || row >= _rows || column < 0 || column >= _columns)
+            return false;
+        int cell = (row * _columns) + column;
+        return _isArea[cell] && !_isSeen[cell];
+    }
 
     /// <summary>Centres of the cells that have not been seen.</summary>
     public IEnumerable<PlanePoint> Unseen()

@@ -18,13 +18,39 @@ internal sealed class FlightPlan
     private const double MaxAltitudeDifferenceMetres = 50;
     private const int MaxLanes = 2000;
 
-    private FlightPlan(MissionPlan mission, LocalNedFrame frame, IReadOnlyList<LaneSegment>? lanes)
+    // Of the vehicle from a keep-out: what it drifts and overshoots.
+    private const double ClearanceMetres = MissionPlanRules.FenceReserveMetres;
+
+    // Nearer than this a path around a keep-out is not looked for.
+    private const double MinClearanceMetres = 0.5;
+
+    // By so much the vehicle may be nearer to a keep-out, where a path begins.
+    private const double SlackMetres = 2;
+
+    private readonly SearchRegion _airspace;
+    private readonly SearchRegion _lastResort;
+
+    private FlightPlan(MissionPlan mission, LocalNedFrame frame, IReadOnlyList<LaneSegment>? lanes, bool isFixedWing)
     {
         Frame = frame;
-        Area = new PlanePolygon(mission.Area.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
-        Fence = PlanePolygon.HullOf(Area.Corners.Concat([default])).Grown(mission.FenceMarginMetres);
-        HeadingRadians = mission.LaneHeading?.Radians ?? LanePlanner.BestHeading(Area, mission.LaneSpacingMetres);
-        Lanes = lanes ?? LanePlanner.Plan(Area, mission.LaneSpacingMetres, HeadingRadians, from: default);
+        Area = ToPlane(mission.Area, frame);
+        KeepOuts = mission.KeepOuts.IsDefault ? [] : mission.KeepOuts.Select(k => ToPlane(k, frame)).ToArray();
+        Fence = FenceOutline.Of(Area, default, mission.FenceMarginMetres);
+        _airspace = new SearchRegion(
+            FenceOutline.Of(Area, default, mission.FenceMarginMetres - ClearanceMetres), KeepOuts, ClearanceMetres,
+            SlackMetres, SlackMetres);
+        _lastResort = new SearchRegion(Fence, KeepOuts, ClearanceMetres, 0, ClearanceMetres - MinClearanceMetres);
+
+        // On a convex area plain lanes have fewer corners, at each of which a multirotor stops.
+        lanes ??= isFixedWing || (KeepOuts.Count == 0 && FenceOutline.IsNearlyConvex(Area))
+            ? LanePlanner.Plan(
+                Area, mission.LaneSpacingMetres, mission.LaneHeading?.Radians, from: default)
+            : SearchPlanner.Plan(
+                Area, KeepOuts, ClearanceMetres, mission.LaneSpacingMetres, mission.LaneHeading?.Radians,
+                from: default)?.Legs;
+        Lanes = lanes ?? [];
+        HeadingRadians = mission.LaneHeading?.Radians
+            ?? Lanes.OrderByDescending(l => l.Length).Select(l => l.HeadingRadians).FirstOrDefault();
         Message = ToMessage(mission);
     }
 
@@ -33,13 +59,16 @@ internal sealed class FlightPlan
 
     public PlanePolygon Area { get; }
 
+    /// <summary>Where it may not fly; of the area they are not searched.</summary>
+    public IReadOnlyList<PlanePolygon> KeepOuts { get; }
+
     /// <summary>
-    /// The geofence, which the vehicle may not leave; convex, so that every straight path between two points in it is
-    /// in it.
+    /// The geofence, which the vehicle may not leave. Where it is not convex, a straight path may leave it:
+    /// <see cref="PathBetween"/>.
     /// </summary>
     public PlanePolygon Fence { get; }
 
-    /// <summary>Direction of the lanes, radians clockwise from true north.</summary>
+    /// <summary>Direction of the lanes, of the longest where they differ, radians clockwise from true north.</summary>
     public double HeadingRadians { get; }
 
     public IReadOnlyList<LaneSegment> Lanes { get; }
@@ -52,14 +81,19 @@ internal sealed class FlightPlan
     /// <param name="home">Position of the vehicle; its altitude is that of the ground.</param>
     /// <param name="fault">Why the mission cannot be flown from there; empty where it can.</param>
     /// <param name="lanes">Lanes that were planned before; null to plan them.</param>
+    /// <param name="isFixedWing">Whether the lanes are those of a fixed wing: parallel, and all of a length.</param>
     public static FlightPlan? Create(
-        MissionPlan mission, GeodeticPosition home, out string fault, IReadOnlyList<LaneSegment>? lanes = null)
+        MissionPlan mission, GeodeticPosition home, out string fault, IReadOnlyList<LaneSegment>? lanes = null,
+        bool isFixedWing = false)
     {
         var frame = LocalNedFrame.IgnoringGeoid(home);
         fault = FindFault(mission, frame) ?? string.Empty;
         if (fault.Length > 0)
             return null;
-        var plan = new FlightPlan(mission, frame, lanes);
+        var plan = new FlightPlan(mission, frame, lanes, isFixedWing);
+        fault = plan.FindKeepOutFault(isFixedWing) ?? string.Empty;
+        if (fault.Length > 0)
+            return null;
         double far = plan.Lanes.Max(l => Math.Max(l.Start.Length, l.End.Length)) + MissionPlanRules.FenceReserveMetres;
         if (far > mission.MaxDistanceMetres)
         {
@@ -71,6 +105,64 @@ internal sealed class FlightPlan
             fault = $"it has {MissionNumbers.Of(plan.Lanes.Count)} lanes; the limit is {MissionNumbers.Of(MaxLanes)}";
         return fault.Length > 0 ? null : plan;
     }
+
+    /// <summary>
+    /// The points between two others on the shortest path that stays in the fence and clear of the keep-outs; none
+    /// where it is straight, or where there is no such path.
+    /// </summary>
+    public IReadOnlyList<PlanePoint> PathBetween(PlanePoint a, PlanePoint b)
+        => _airspace.PathBetween(a, b) ?? _lastResort.PathBetween(a, b) ?? [];
+
+    /// <summary>Legs in the order and the directions in which the way from a place is shortest.</summary>
+    public IReadOnlyList<LaneSegment> Ordered(IReadOnlyList<LaneSegment> legs, PlanePoint from)
+        => LaneOrder.Find(_airspace, legs.Select(l => (l.Start, l.End)).ToArray(), from)
+            ?.Select(o => o.IsReversed ? new LaneSegment(legs[o.Lane].End, legs[o.Lane].Start) : legs[o.Lane]).ToArray()
+            ?? legs;
+
+    /// <summary>Length of the way from a place along legs, with the straight ways between them.</summary>
+    public static double WayAlong(IReadOnlyList<LaneSegment> legs, PlanePoint from)
+    {
+        double sum = 0;
+        foreach (LaneSegment leg in legs)
+        {
+            sum += from.DistanceTo(leg.Start) + leg.Length;
+            from = leg.End;
+        }
+
+        return sum;
+    }
+
+    /// <summary>
+    /// How far a place is inside the fence and outside the keep-outs, metres; below zero elsewhere.
+    /// </summary>
+    public double InsideMetres(PlanePoint at)
+    {
+        double inside = Fence.SignedDistance(at);
+        foreach (PlanePolygon keepOut in KeepOuts)
+            inside = Math.Min(inside, -keepOut.SignedDistance(at));
+        return inside;
+    }
+
+    private string? FindKeepOutFault(bool isFixedWing)
+    {
+        if (KeepOuts.Count > 0 && isFixedWing)
+            return "a fixed wing flies no area with keepOuts: its circles would enter them";
+        for (int i = 0; i < KeepOuts.Count; i++)
+        {
+            if (KeepOuts[i].SignedDistance(default) > -ClearanceMetres)
+                return $"keepOuts[{MissionNumbers.Of(i)}] contains home, or is within "
+                    + $"{MissionNumbers.Of(ClearanceMetres)} m of it";
+        }
+
+        if (Lanes.Count == 0)
+            return "the keepOuts cut the area in two, or leave nothing of it";
+        return KeepOuts.Count > 0 && _airspace.PathBetween(default, Lanes[0].Start) is null
+            ? "the keepOuts leave no way from home to the area"
+            : null;
+    }
+
+    private static PlanePolygon ToPlane(ImmutableArray<GeodeticPosition> corners, LocalNedFrame frame)
+        => new(corners.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
 
     private static string? FindFault(MissionPlan mission, LocalNedFrame frame)
     {

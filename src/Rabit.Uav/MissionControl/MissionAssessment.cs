@@ -20,7 +20,7 @@ internal sealed class MissionAssessment
         if (flight.Vehicle.IsArmed)
             _maxHeightMetres = Math.Max(_maxHeightMetres, flight.HeightMetres);
         if (flight.Plan is { } plan)
-            _outsideFenceMetres = Math.Max(_outsideFenceMetres, -plan.Fence.SignedDistance(flight.Position));
+            _outsideFenceMetres = Math.Max(_outsideFenceMetres, -plan.InsideMetres(flight.Position));
     }
 
     public MissionResult Assess(MissionFlight flight, MissionPhase phase)

@@ -82,6 +82,11 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
     }
 
     /// <summary>
+    /// The state of the mission, for the thread of the manager; null without a mission.
+    /// </summary>
+    internal MissionFlight? Flight => _flight;
+
+    /// <summary>
     /// Plans once as if home were in the area, and discards the plan: the real one, made in a unit of work when home is
     /// known, then finds its code compiled. On a small computer compiling alone takes longer than a unit of work may.
     /// </summary>

@@ -232,7 +232,7 @@ internal sealed class MissionFlight(
     {
         if (Options.Resume is not { } progress)
         {
-            Plan = FlightPlan.Create(Mission, home, out string fault);
+            Plan = FlightPlan.Create(Mission, home, out string fault, isFixedWing: IsFixedWing);
             Route = Plan is null ? null : new SearchRoute(Plan, Mission.LaneSpacingMetres);
             return fault;
         }
@@ -247,13 +247,47 @@ internal sealed class MissionFlight(
 
         Plan = FlightPlan.Create(
             Mission, home, out string faultOfPlan,
-            progress.Legs.Select(l => new LaneSegment(l.Start + earlier, l.End + earlier)).ToArray());
+            progress.Legs.Select(l => new LaneSegment(l.Start + earlier, l.End + earlier)).ToArray(), IsFixedWing);
         if (Plan is null)
             return faultOfPlan;
         Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
         Route.Resume(progress, earlier, OverlapMetres);
         bool isComplete = Route.Current is null && Route.Coverage.Fraction >= CoverageGoal;
         return isComplete ? "the progress is that of a search that is complete" : string.Empty;
+    }
+
+    /// <summary>
+    /// Goes on with another mission from here: what was seen of its area already is not flown over again. In a phase
+    /// that flies legs the next unit of work begins the first leg of the new plan.
+    /// </summary>
+    /// <param name="mission">The mission; its home is not looked at.</param>
+    /// <returns>Why that cannot be; null where it was done.</returns>
+    public string? Replan(MissionPlan mission)
+    {
+        if (Plan is null || Route is null)
+            return "there is no plan yet";
+        if (MissionPlanRules.FindFaults(mission).FirstOrDefault() is { } wrong)
+            return wrong;
+        FlightPlan? plan = FlightPlan.Create(mission, Plan.Frame.Origin, out string fault, isFixedWing: IsFixedWing);
+        if (plan is null)
+            return fault;
+        if (IsFlying && plan.InsideMetres(Position) < 0)
+        {
+            return plan.Fence.SignedDistance(Position) < 0 ? "the vehicle is outside the new fence"
+                : "the vehicle is inside a keep-out";
+        }
+
+        var route = new SearchRoute(plan, mission.LaneSpacingMetres);
+        route.Coverage.Mark(Route.Coverage.ToCells(CoverageCells.None), default);
+        if (!IsFixedWing)
+        {
+            route.LeaveOutSeen(OverlapMetres);
+            route.Reorder(Position);
+        }
+
+        (Mission, Plan, Route) = (mission, plan, route);
+        Energy.Mission = mission;
+        return null;
     }
 
     /// <summary>Measures the altitude of the ground with the vehicle that stands on it.</summary>

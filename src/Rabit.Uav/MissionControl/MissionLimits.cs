@@ -25,7 +25,7 @@ internal sealed class MissionLimits
     private static bool IsOutside(MissionFlight flight)
         => flight.HeightMetres > flight.Mission.MaxHeightMetres
             || (flight.Plan is { } plan
-                && (plan.Fence.SignedDistance(flight.Position) < 0
+                && (plan.InsideMetres(flight.Position) < 0
                     || flight.DistanceFromHomeMetres > flight.Mission.MaxDistanceMetres));
 
     private static string Describe(MissionFlight flight)
@@ -42,6 +42,8 @@ internal sealed class MissionLimits
                 + $"{MissionNumbers.Of(flight.Mission.MaxDistanceMetres.Value)} m";
         }
 
-        return $"{MissionNumbers.Of(-flight.Plan!.Fence.SignedDistance(flight.Position))} m outside the fence";
+        if (flight.Plan!.Fence.SignedDistance(flight.Position) > 0)
+            return $"{MissionNumbers.Of(-flight.Plan.InsideMetres(flight.Position))} m inside a keep-out";
+        return $"{MissionNumbers.Of(-flight.Plan.Fence.SignedDistance(flight.Position))} m outside the fence";
     }
 }

@@ -22,12 +22,13 @@ public sealed partial class MissionPlan
     /// <returns>The corners in order; none where the mission cannot be flown from there.</returns>
     public IReadOnlyList<GeodeticPosition> AutopilotFence(GeodeticPosition home)
     {
-        if (FlightPlan.Create(this, home, out _) is not { } plan)
+        // With a lane of no meaning: the fence does not depend on them.
+        if (FlightPlan.Create(this, home, out _, [new LaneSegment(default, default)]) is not { } plan)
             return [];
         double speed = SpeedMetresPerSecond;
         double reserve = (speed * speed / (2 * DecelerationMetresPerSecondSquared)) + (ReactionSeconds * speed)
             + PositionErrorMetres;
-        return plan.Fence.Grown(reserve).Corners
+        return FenceOutline.Of(plan.Area, default, FenceMarginMetres + reserve).Corners
             .Select(c => plan.Frame.ToGeodetic(new NedPosition(c.North, c.East, 0))).ToArray();
     }
 }

@@ -39,6 +39,12 @@ public sealed partial class MissionPlan
     /// <summary>Corners of the area to search, in order, the first not repeated; altitudes are not used.</summary>
     public ImmutableArray<GeodeticPosition> Area { get; init; } = [];
 
+    /// <summary>
+    /// Polygons that the vehicle does not enter and that are not searched, each with its corners in order, the first
+    /// not repeated; altitudes are not used.
+    /// </summary>
+    public ImmutableArray<ImmutableArray<GeodeticPosition>> KeepOuts { get; init; } = [];
+
     /// <summary>Height of the search above home, metres, 5 to 120.</summary>
     public double HeightMetres { get; init; }
 
@@ -65,7 +71,10 @@ public sealed partial class MissionPlan
     /// <summary>Where the vehicle is expected at the start; null where that is not checked.</summary>
     public MissionHome? Home { get; init; }
 
-    /// <summary>Margin of the geofence around the convex hull of area and home, metres.</summary>
+    /// <summary>
+    /// Margin of the geofence around the area and the way to it from home, metres; around a convex area it is that
+    /// around the convex hull of area and home.
+    /// </summary>
     public double FenceMarginMetres { get; init; } = 40;
 
     /// <summary>How each confirmed target is revisited.</summary>

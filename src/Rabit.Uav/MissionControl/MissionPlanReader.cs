@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Collections.Immutable;
-using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Rabit.Geodesy;
@@ -68,10 +67,12 @@ internal static class MissionPlanReader
         JsonFields revisit = fields.Object("revisit");
         fields.Renamed(("secondLook", "revisit"));
         limits.Renamed(("minBatteryToStart", "minBatteryFractionAtStart"));
+        string title = fields.Text("name") ?? name;
+        ImmutableArray<ImmutableArray<GeodeticPosition>> area = ReadArea(fields);
         var plan = new MissionPlan
         {
-            Name = fields.Text("name") ?? name,
-            Area = ReadArea(fields),
+            Name = title,
+            Area = area.IsEmpty ? [] : area[0],
             HeightMetres = fields.Number("heightMetres") ?? fields.Missing("heightMetres"),
             SpeedMetresPerSecond = fields.Number("speedMetresPerSecond") ?? fields.Missing("speedMetresPerSecond"),
             LaneSpacingMetres = fields.Number("laneSpacingMetres") ?? fields.Missing("laneSpacingMetres"),
@@ -98,6 +99,7 @@ internal static class MissionPlanReader
             MaxHeightMetres = limits.Number("maxHeightMetres"),
             MaxDistanceMetres = limits.Number("maxDistanceMetres"),
             GroundStationLost = ReadGroundStationLost(fields),
+            KeepOuts = ReadKeepOuts(fields, area.Skip(1)),
         };
         camera.RefuseOthers();
         limits.RefuseOthers();
@@ -119,40 +121,34 @@ internal static class MissionPlanReader
         };
     }
 
-    private static ImmutableArray<GeodeticPosition> ReadArea(JsonFields fields)
+    private static ImmutableArray<ImmutableArray<GeodeticPosition>> ReadArea(JsonFields fields)
     {
-        if (fields.Array("area") is not { } corners)
-        {
-            fields.Missing("area");
-            return [];
-        }
-
-        var area = ImmutableArray.CreateBuilder<GeodeticPosition>();
-        int index = 0;
-        foreach (JsonElement corner in corners.EnumerateArray())
-        {
-            if (ReadCorner(corner) is { } position)
-                area.Add(position);
-            else
-                fields.Blame(Item("area", index), corner, "must be [latitude, longitude] in degrees");
-            index++;
-        }
-
-        return area.ToImmutable();
+        if (fields.Any("area") is { } area)
+            return MissionPolygonReader.Read(fields, "area", area);
+        fields.Missing("area");
+        return [];
     }
 
-    private static string Item(string list, int index)
-        => string.Format(CultureInfo.InvariantCulture, "{0}[{1}]", list, index);
-
-    private static GeodeticPosition? ReadCorner(JsonElement corner)
+    // The holes of the area are keep-outs like the others.
+    private static ImmutableArray<ImmutableArray<GeodeticPosition>> ReadKeepOuts(
+        JsonFields fields, IEnumerable<ImmutableArray<GeodeticPosition>> holes)
     {
-        if (corner.ValueKind != JsonValueKind.Array || corner.GetArrayLength() != 2)
-            return null;
-        return corner[0].ValueKind == JsonValueKind.Number && corner[1].ValueKind == JsonValueKind.Number
-            && corner[0].TryGetDouble(out double latitude) && corner[1].TryGetDouble(out double longitude)
-            && Math.Abs(latitude) <= 90 && Math.Abs(longitude) <= 180
-            ? GeodeticPosition.FromDegrees(latitude, longitude, 0)
-            : null;
+        var keepOuts = new List<ImmutableArray<GeodeticPosition>>();
+        if (fields.Array("keepOuts") is { } polygons)
+        {
+            int index = 0;
+            foreach (JsonElement polygon in polygons.EnumerateArray())
+            {
+                string path = MissionPolygonReader.Item("keepOuts", index++);
+                ImmutableArray<ImmutableArray<GeodeticPosition>> rings = MissionPolygonReader.Read(
+                    fields, path, polygon);
+                if (rings.Length > 1)
+                    fields.Blame(path, polygon, "must have no holes");
+                keepOuts.AddRange(rings.Take(1));
+            }
+        }
+
+        return keepOuts.Concat(holes).ToImmutableArray();
     }
 
     private static ImmutableArray<TargetClassName> ReadTargets(JsonFields fields)
@@ -166,7 +162,8 @@ internal static class MissionPlanReader
             if (name.ValueKind != JsonValueKind.String
                 || !TargetClassName.TryParse(name.GetString(), out TargetClassName target))
                 fields.Blame(
-                    Item("targets", index), name, "must be the name of a target class: " + TargetClassName.Rule);
+                    MissionPolygonReader.Item("targets", index), name,
+                    "must be the name of a target class: " + TargetClassName.Rule);
             else if (!targets.Contains(target))
                 targets.Add(target);
             index++;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -15,9 +16,14 @@ internal static class MissionPlanRules
     public const double MaxAreaSquareMetres = 4e6;
 
     private const double MinAreaSquareMetres = 100;
+    private const double MinKeepOutSquareMetres = 1;
     private const int MaxCorners = 50;
     private const double MinSpeed = 0.5;
     private const double MaxSpeed = 20;
+    private const int MaxKeepOuts = 10;
+
+    // With the corners of the fence they fit into the store of an autopilot.
+    private const int MaxKeepOutCorners = 50;
 
     /// <summary>
     /// A lane ends up to half a spacing outside the area, and the vehicle overshoots and drifts.
@@ -28,8 +34,8 @@ internal static class MissionPlanRules
     private const double HeightReserveMetres = 2;
 
     public static IEnumerable<string> FindFaults(MissionPlan plan)
-        => AreaFaults(plan).Concat(NumberFaults(plan)).Concat(FenceFaults(plan)).Concat(HomeFaults(plan))
-            .Concat(LimitFaults(plan));
+        => PolygonFaults("area", plan.Area, MinAreaSquareMetres, plan.Area).Concat(KeepOutFaults(plan))
+            .Concat(NumberFaults(plan)).Concat(FenceFaults(plan)).Concat(HomeFaults(plan)).Concat(LimitFaults(plan));
 
     /// <summary>Why a speed is none of a mission; null where it is.</summary>
     public static string? FindFaultOfSpeed(double metresPerSecond)
@@ -116,62 +122,84 @@ internal static class MissionPlanRules
                 $"home.groundAltitudeAmslMetres is {altitude}; it must be -500 to 9000");
     }
 
-    private static IEnumerable<string> AreaFaults(MissionPlan plan)
+    private static IEnumerable<string> KeepOutFaults(MissionPlan plan)
     {
-        if (plan.Area.IsDefault || plan.Area.Length < 3 || plan.Area.Length > MaxCorners)
+        if (plan.KeepOuts.IsDefaultOrEmpty || plan.Area.IsDefaultOrEmpty)
+            yield break;
+        int corners = plan.KeepOuts.Sum(k => k.IsDefault ? 0 : k.Length);
+        if (plan.KeepOuts.Length > MaxKeepOuts || corners > MaxKeepOutCorners)
         {
-            int count = plan.Area.IsDefault ? 0 : plan.Area.Length;
-            yield return FormattableString.Invariant($"area has {count} corners; it must have 3 to {MaxCorners}");
+            yield return FormattableString.Invariant(
+                $"there are {plan.KeepOuts.Length} keepOuts with {corners} corners; the limits are {MaxKeepOuts} and {MaxKeepOutCorners}");
             yield break;
         }
 
-        for (int i = 0; i < plan.Area.Length; i++)
+        for (int i = 0; i < plan.KeepOuts.Length; i++)
         {
-            if (!IsPosition(plan.Area[i].Latitude.Radians, plan.Area[i].Longitude.Radians))
+            string path = FormattableString.Invariant($"keepOuts[{i}]");
+            foreach (string fault in PolygonFaults(path, plan.KeepOuts[i], MinKeepOutSquareMetres, plan.Area))
+                yield return fault;
+        }
+    }
+
+    private static IEnumerable<string> PolygonFaults(
+        string path, ImmutableArray<GeodeticPosition> corners, double minArea, ImmutableArray<GeodeticPosition> area)
+    {
+        if (corners.IsDefault || corners.Length < 3 || corners.Length > MaxCorners)
+        {
+            int count = corners.IsDefault ? 0 : corners.Length;
+            yield return FormattableString.Invariant($"{path} has {count} corners; it must have 3 to {MaxCorners}");
+            yield break;
+        }
+
+        for (int i = 0; i < corners.Length; i++)
+        {
+            if (!IsPosition(corners[i].Latitude.Radians, corners[i].Longitude.Radians))
             {
                 yield return FormattableString.Invariant(
-                    $"area[{i}] is not a position: latitude must be -90 to 90, longitude -180 to 180 degrees");
+                    $"{path}[{i}] is not a position: latitude must be -90 to 90, longitude -180 to 180 degrees");
                 yield break;
             }
         }
 
-        var frame = LocalNedFrame.IgnoringGeoid(plan.Area[0]);
-        var area = new PlanePolygon(plan.Area.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
-        foreach (string fault in ShapeFaults(area))
+        var frame = LocalNedFrame.IgnoringGeoid(area[0]);
+        var polygon = new PlanePolygon(
+            corners.Select(c => frame.ToNed(c)).Select(n => new PlanePoint(n.North, n.East)));
+        foreach (string fault in ShapeFaults(path, polygon, minArea))
             yield return fault;
     }
 
-    private static IEnumerable<string> ShapeFaults(PlanePolygon area)
+    private static IEnumerable<string> ShapeFaults(string path, PlanePolygon polygon, double minArea)
     {
         // The local plane is an approximation: so far from its origin it lies a metre above the ellipsoid.
         const double MaxCornerDistance = 5000;
-        int far = Enumerable.Range(0, area.Corners.Count)
-            .FirstOrDefault(i => area.Corners[i].Length > MaxCornerDistance);
-        if (far > 0)
+        for (int i = 0; i < polygon.Corners.Count; i++)
         {
-            yield return FormattableString.Invariant(
-                $"area[{far}] is {area.Corners[far].Length:0} m from area[0]; corners must be within {MaxCornerDistance} m of it");
-            yield break;
-        }
-
-        for (int i = 0; i < area.Corners.Count; i++)
-        {
-            if (area.Corners[i].DistanceTo(area.After(i)) >= 0.5)
+            if (polygon.Corners[i].Length <= MaxCornerDistance)
                 continue;
             yield return FormattableString.Invariant(
-                $"area[{i}] and area[{(i + 1) % area.Corners.Count}] are the same position; the first corner is not repeated");
+                $"{path}[{i}] is {polygon.Corners[i].Length:0} m from area[0]; corners must be within {MaxCornerDistance} m of it");
             yield break;
         }
 
-        if (area.FindCrossing() is { } edges)
+        for (int i = 0; i < polygon.Corners.Count; i++)
         {
+            if (polygon.Corners[i].DistanceTo(polygon.After(i)) >= 0.5)
+                continue;
             yield return FormattableString.Invariant(
-                $"area crosses itself: the edges after area[{edges.First}] and area[{edges.Second}] intersect");
+                $"{path}[{i}] and {path}[{(i + 1) % polygon.Corners.Count}] are the same position; the first corner is not repeated");
+            yield break;
         }
-        else if (!(area.Area >= MinAreaSquareMetres && area.Area <= MaxAreaSquareMetres))
+
+        if (polygon.FindCrossing() is { } edges)
         {
             yield return FormattableString.Invariant(
-                $"area has {area.Area:0} m2; it must have {MinAreaSquareMetres} to {MaxAreaSquareMetres}");
+                $"{path} crosses itself: the edges after {path}[{edges.First}] and {path}[{edges.Second}] intersect");
+        }
+        else if (!(polygon.Area >= minArea && polygon.Area <= MaxAreaSquareMetres))
+        {
+            yield return FormattableString.Invariant(
+                $"{path} has {polygon.Area:0} m2; it must have {minArea} to {MaxAreaSquareMetres}");
         }
     }
 

@@ -12,6 +12,9 @@ internal sealed class PathFollower : ILaneFollower
     /// <summary>Acceptance radius: within it a point is reached.</summary>
     public const double ArrivalMetres = 2;
 
+    // It drifts while it brakes.
+    private const double CornerMetres = 0.5;
+
     // Slower than this the vehicle has stopped.
     private const double StoppedMetresPerSecond = 1.5;
 
@@ -24,6 +27,7 @@ internal sealed class PathFollower : ILaneFollower
     private const double TimeFactor = 3;
     private const double TimeReserveSeconds = 60;
 
+    private readonly TransitPath _transit = new();
     private LaneSegment _segment;
     private double _height;
     private double _speed;
@@ -41,8 +45,12 @@ internal sealed class PathFollower : ILaneFollower
         _height = heightMetres;
         _speed = flight.Mission.SpeedMetresPerSecond;
         (_targetMetres, FlownMetres) = (0, 0);
-        _isOnSegment = false;
-        _until = flight.ActiveTime + TimeLimit(flight, flight.Position.DistanceTo(segment.Start) + segment.Length);
+
+        // From a leg to the one that begins where it ended it does not stop.
+        _isOnSegment = flight.Position.DistanceTo(segment.Start) <= ArrivalMetres + CornerMetres
+            && Math.Abs(flight.HeightMetres - heightMetres) <= ArrivalMetres;
+        _transit.Begin(flight, segment.Start);
+        _until = flight.ActiveTime + TimeLimit(flight, _transit.Length + segment.Length);
     }
 
     /// <summary>Time-out for a path of some length.</summary>
@@ -78,7 +86,7 @@ internal sealed class PathFollower : ILaneFollower
         isLate = flight.ActiveTime > _until;
         if (!_isOnSegment)
         {
-            flight.SetGoalPosition(_segment.Start, _height, _segment.HeadingRadians);
+            flight.SetGoalPosition(_transit.Next(flight), _height, _segment.HeadingRadians);
             _isOnSegment = HasArrived(flight, _segment.Start, _height);
             if (!_isOnSegment)
                 return false;

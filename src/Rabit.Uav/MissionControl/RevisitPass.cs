@@ -71,5 +71,5 @@ internal sealed class RevisitPass
     }
 
     private bool IsInside(MissionFlight flight)
-        => new[] { Start, Overhead, Beyond }.All(p => flight.Plan!.Fence.SignedDistance(p) >= FenceReserveMetres);
+        => new[] { Start, Overhead, Beyond }.All(p => flight.Plan!.InsideMetres(p) >= FenceReserveMetres);
 }

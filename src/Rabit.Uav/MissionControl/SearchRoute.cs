@@ -13,6 +13,9 @@ internal sealed class SearchRoute
     // A leg has a direction as long as its ends are apart by more than the acceptance radius of each.
     private const double MinLegMetres = 5;
 
+    // For less the order is kept.
+    private const double MinGainMetres = 5;
+
     private readonly FlightPlan _plan;
     private readonly double _spacingMetres;
     private readonly List<LaneSegment> _legs;
@@ -24,7 +27,7 @@ internal sealed class SearchRoute
         _plan = plan;
         _spacingMetres = spacingMetres;
         _legs = plan.Lanes.ToList();
-        Coverage = new CoverageGrid(plan.Area);
+        Coverage = new CoverageGrid(plan.Area, plan.KeepOuts);
     }
 
     public CoverageGrid Coverage { get; }
@@ -92,6 +95,62 @@ internal sealed class SearchRoute
         (Flown, FlownMetresOfLeg, GapPasses) = (progress.LanesFlown, progress.FlownMetresOfLeg, progress.GapPasses);
         InterruptLeg(overlapMetres);
         Coverage.Mark(progress.Cells, home);
+    }
+
+    /// <summary>Leaves out the parts of the legs next to which everything was seen already.</summary>
+    /// <param name="overlapMetres">How much of what was seen is flown over again.</param>
+    public void LeaveOutSeen(double overlapMetres)
+    {
+        for (int i = _legs.Count - 1; i >= Flown; i--)
+        {
+            LaneSegment leg = _legs[i];
+            _legs.RemoveAt(i);
+            _legs.InsertRange(i, UnseenOf(leg, overlapMetres));
+        }
+
+        _shownLegs = default;
+    }
+
+    private IEnumerable<LaneSegment> UnseenOf(LaneSegment leg, double overlapMetres)
+    {
+        PlanePoint along = (1 / leg.Length) * (leg.End - leg.Start);
+        var right = new PlanePoint(-along.East, along.North);
+        var unseen = new List<(double From, double To)>();
+        double half = _spacingMetres / 2;
+        double step = Coverage.CellMetres;
+        for (double at = 0; at <= leg.Length; at += step)
+        {
+            for (double side = -half + (step / 2); side < half; side += step)
+            {
+                if (!Coverage.IsUnseen(leg.Start + (at * along) + (side * right)))
+                    continue;
+                unseen.Add((at, at));
+                break;
+            }
+        }
+
+        foreach ((double from, double to) in LanePlanner.Join(unseen, gap: 2 * _spacingMetres))
+        {
+            double first = Math.Max(0, from - overlapMetres);
+            double last = Math.Min(leg.Length, Math.Max(to + overlapMetres, first + MinLegMetres));
+            yield return new LaneSegment(leg.Start + (first * along), leg.Start + (last * along));
+        }
+    }
+
+    /// <summary>
+    /// Chooses order and direction of the legs that remain again, where that makes the way from here shorter.
+    /// </summary>
+    public void Reorder(PlanePoint from)
+    {
+        List<LaneSegment> rest = _legs.GetRange(Flown, _legs.Count - Flown);
+        if (rest.Count == 0 || FlownMetresOfLeg > 0)
+            return;
+        IReadOnlyList<LaneSegment> ordered = _plan.Ordered(rest, from);
+        if (!(FlightPlan.WayAlong(ordered, from) < FlightPlan.WayAlong(rest, from) - MinGainMetres))
+            return;
+        _legs.RemoveRange(Flown, rest.Count);
+        _legs.AddRange(ordered);
+        _shownLegs = default;
     }
 
     /// <summary>Adds legs over what has not been seen.</summary>

@@ -65,7 +65,7 @@ public sealed class MissionProgressTests : IDisposable
 
         MissionProgress progress = MissionProgress.ReadFile(FilePath);
         using var second = new MissionRig(Mission(), o => o.Resume = progress);
-        second.Vehicle.Targets.Add((90, 45, DefaultTargetClasses.Red));
+        second.Vehicle.Targets.Add((90, 5, DefaultTargetClasses.Red));
         // Put down a few metres from where it stood before.
         (second.Vehicle.North, second.Vehicle.East) = (1.5, -2);
         Assert.Equal(MissionPhase.Done, second.RunToEnd());
@@ -216,10 +216,10 @@ public sealed class MissionProgressTests : IDisposable
     private MissionRig FlyToTheSecondLane()
     {
         var rig = new MissionRig(Mission(), o => o.ProgressFile = FilePath);
-        rig.Vehicle.Targets.Add((90, 45, DefaultTargetClasses.Red));
+        rig.Vehicle.Targets.Add((90, 5, DefaultTargetClasses.Red));
         rig.RunUntil(MissionPhase.Revisiting);
         rig.RunUntil(MissionPhase.Searching);
-        rig.Run(22);
+        rig.Run(20);
         return rig;
     }
 }

@@ -72,6 +72,12 @@ internal sealed partial class AutopilotSetup
         IReadOnlyList<FenceItem>? ours = _options.Fence is { } make
             ? FencePolygon.ToItems(make(GroundOf(facts.Vehicle)))
             : null;
+        if (ours is { Count: >= MinCorners })
+        {
+            ours = ours.Concat(_options.KeepOuts.SelectMany(
+                k => FencePolygon.ToItems(k, MavCmd.NavFencePolygonVertexExclusion))).ToArray();
+        }
+
         if (ours is { Count: < MinCorners })
             _faults.Add("the mission cannot be flown from here: there is no fence to upload");
         _steps.Enqueue(new LocalStep(() =>

@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using System.Linq;
 using System.Text;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -18,6 +19,8 @@ internal static class MissionFingerprint
         text.Append(plan.Name).Append('\n');
         foreach (GeodeticPosition corner in plan.Area)
             Add(text, corner.Latitude.Radians, corner.Longitude.Radians);
+        foreach (GeodeticPosition corner in plan.KeepOuts.IsDefault ? [] : plan.KeepOuts.SelectMany(k => k))
+            Add(text, corner.Latitude.Radians, corner.Longitude.Radians, 1);
         Add(
             text, plan.HeightMetres, plan.SpeedMetresPerSecond, plan.LaneSpacingMetres,
             plan.LaneHeading?.Radians ?? double.NaN, plan.FenceMarginMetres, plan.CameraPitch.Radians,

@@ -10,6 +10,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
     private const double LowMetres = 7;
     private const double MinClimbRate = 0.7;
 
+    private readonly TransitPath _path = new();
     private bool _isCameraPointed;
     private TimeSpan _limit;
     private double _speed;
@@ -20,10 +21,12 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         if (by == MissionEvent.OperatorSkip)
             flight.SkipLane();
         _isCameraPointed = !flight.Mission.HasGimbal;
-        double distance = flight.Route!.Current is { } lane ? flight.Position.DistanceTo(lane.Start) : 0;
+        if (!flight.IsFixedWing)
+            flight.Route!.Reorder(flight.Position);
+        _path.Begin(flight, flight.Route!.Current?.Start ?? flight.Position);
         double climb = flight.Mission.HeightMetres - flight.HeightMetres;
         _speed = flight.Mission.SpeedMetresPerSecond;
-        _limit = PathFollower.TimeLimit(flight, distance) + Seconds(Math.Max(0, climb) / MinClimbRate);
+        _limit = PathFollower.TimeLimit(flight, _path.Length) + Seconds(Math.Max(0, climb) / MinClimbRate);
 
         // A mission that continues may have been left low: what lies in the way is flown over.
         bool isLow = by is MissionEvent.OperatorContinue or MissionEvent.HealthHoldOver && climb > LowMetres;
@@ -53,7 +56,9 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
             return MissionStep.Stay;
         }
 
-        flight.SetGoalPosition(lane.Start, flight.Mission.HeightMetres, lane.HeadingRadians);
+        if (_path.To.DistanceTo(lane.Start) > 0)
+            _path.Begin(flight, lane.Start);
+        flight.SetGoalPosition(_path.Next(flight), flight.Mission.HeightMetres, lane.HeadingRadians);
         flight.Text = $"to the area: {MissionNumbers.Of(flight.Position.DistanceTo(lane.Start))} m to go";
         return PathFollower.HasArrived(flight, lane.Start, flight.Mission.HeightMetres)
             ? new MissionStep(MissionEvent.AtArea, "at the first lane")

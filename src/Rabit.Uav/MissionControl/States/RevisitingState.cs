@@ -14,6 +14,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
     private static readonly TimeSpan MinHold = TimeSpan.FromSeconds(2);
     private static readonly TimeSpan MaxHold = TimeSpan.FromSeconds(10);
 
+    private readonly TransitPath _transit = new();
     private OperatorRequest? _order; // null for a revisit of our own
     private int _track; // 0 for a place
     private double _speed;
@@ -89,7 +90,9 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
 
     private bool FlyTo(MissionFlight flight, PlanePoint place)
     {
-        flight.SetGoalPosition(place, _height, _pass.HeadingRadians);
+        if (_transit.To.DistanceTo(place) > 0)
+            _transit.Begin(flight, place);
+        flight.SetGoalPosition(_transit.Next(flight), _height, _pass.HeadingRadians);
         return PathFollower.HasArrived(flight, place, _height);
     }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
@@ -16,6 +17,8 @@ internal sealed class SearchingState : MissionState
     private readonly FixedWingFollower _wing = new();
     private ILaneFollower _follower;
     private TimeSpan? _laneEnd;
+    private SearchRoute? _route;
+    private PlanePoint? _around;
     private bool _isOnLane;
 
     public SearchingState()
@@ -23,19 +26,23 @@ internal sealed class SearchingState : MissionState
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
-        _isOnLane = false;
+        (_isOnLane, _around) = (false, null);
         _follower = flight.IsFixedWing ? _wing : _path;
+        if (!flight.IsFixedWing)
+            flight.Route!.Reorder(flight.Position);
     }
 
     /// <summary>A lane that was interrupted is continued where it was left.</summary>
     public override void Leave(MissionFlight flight)
     {
-        if (_isOnLane)
+        if (_isOnLane && ReferenceEquals(_route, flight.Route))
             flight.Route!.InterruptLeg(flight.OverlapMetres);
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
+        if (!ReferenceEquals(_route, flight.Route))
+            (_route, _isOnLane) = (flight.Route, false);
         if (flight.IsFixedWing && flight.Commands.Failures > 0)
             return new MissionStep(MissionEvent.Hold, "the leg was not accepted: " + flight.Commands.LastFailure);
         if (flight.Commands.Failures >= MaxFailures)
@@ -46,7 +53,23 @@ internal sealed class SearchingState : MissionState
             return new MissionStep(MissionEvent.TargetFound, $"track {MissionNumbers.Of(track.Id)}");
         if (flight.Route!.Current is { } lane)
             return Fly(flight, lane);
-        return Finish(flight);
+        MissionStep step = Finish(flight);
+        return step.What == MissionEvent.Searched && IsKeepOutOnTheWayHome(flight) ? MissionStep.Stay : step;
+    }
+
+    // The autopilot's return is straight.
+    private bool IsKeepOutOnTheWayHome(MissionFlight flight)
+    {
+        if (_around is { } corner && !PathFollower.HasArrived(flight, corner, flight.Mission.HeightMetres))
+            return true;
+        IReadOnlyList<PlanePoint> path = flight.Plan!.PathBetween(flight.Position, default);
+        if (flight.Plan.KeepOuts.Count == 0 || path.Count == 0)
+            return false;
+        PlanePoint next = path[0];
+        _around = next;
+        flight.Text = "around the keep-outs, to return";
+        flight.SetGoalPosition(next, flight.Mission.HeightMetres, (next - flight.Position).HeadingRadians);
+        return true;
     }
 
     private MissionStep Fly(MissionFlight flight, LaneSegment lane)

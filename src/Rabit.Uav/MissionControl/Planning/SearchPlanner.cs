@@ -1,0 +1,129 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>
+/// Plans the legs that cover a region, and their order: parallel lanes in several directions, and rings in a convex
+/// area; the shortest ways are shortened further. Deterministic, in bounded time.
+/// </summary>
+internal static class SearchPlanner
+{
+    // Planned a little narrower than the sweep: what is covered is only sampled.
+    public const double SweepMargin = 0.985;
+
+    // How far outside a concave area the way may go, in sweeps, and how much of it.
+    private const double ReachInSweeps = 0.25;
+    private const double MaxOutside = 0.05;
+    private const double MuchShorter = 0.85;
+
+    private const double HeadingStepRadians = Math.PI / 18;
+    private const int MaxHeadings = 6;
+    private const int MaxTrimmed = 3;
+    private const int MaxShortened = 2;
+
+    // Pictures that the headings that are tried may have together, and the effort of the shortening.
+    private const double MaxSquares = 2500;
+    private const long MaxEffort = 6_000_000;
+
+    /// <summary>The way; null where a part cannot be reached from the rest.</summary>
+    /// <param name="outer">The outer border.</param>
+    /// <param name="keepOuts">Where it may not fly.</param>
+    /// <param name="clearance">Distance from these, metres.</param>
+    /// <param name="sweep">Width of the ground that is seen, half of it on either side of the way, metres.</param>
+    /// <param name="heading">Direction of the lanes, radians; null for the one with the shortest way.</param>
+    /// <param name="from">Where the vehicle is; null where the way may begin anywhere.</param>
+    public static SearchWay? Plan(
+        PlanePolygon outer, IReadOnlyList<PlanePolygon> keepOuts, double clearance, double sweep, double? heading,
+        PlanePoint? from)
+    {
+        var region = new SearchRegion(outer, keepOuts, clearance);
+        SearchWay? inside = Plan(region, sweep, heading, from);
+        if (region.IsConvex)
+            return inside;
+        var wider = new SearchRegion(outer, keepOuts, clearance, ReachInSweeps * sweep);
+        SearchWay? reaching = Plan(wider, sweep, heading, from);
+        if (inside is null || reaching is null)
+            return inside ?? reaching;
+        double limit = OutsideFraction(outer, reaching.Corners) <= MaxOutside ? 1 : MuchShorter;
+        return reaching.Length < limit * inside.Length ? reaching : inside;
+    }
+
+    private static SearchWay? Plan(SearchRegion region, double sweep, double? heading, PlanePoint? from)
+    {
+        int headings = (int)Math.Max(1, Math.Min(MaxHeadings, MaxSquares / (region.Outer.Area / sweep / sweep)));
+        var patterns = new List<(List<List<PlanePoint>> Lanes, double Heading, double Width)>();
+        foreach (double h in heading is { } given ? [given] : Headings(region, sweep).Take(headings))
+        {
+            List<List<PlanePoint>> lanes = LaneCutter.Cut(region, sweep, h, out double strip);
+            patterns.Add((lanes, h, Math.Max(SweepMargin * sweep, strip)));
+        }
+
+        if (heading is null && region.IsConvex)
+        {
+            double width = SweepMargin * sweep;
+            patterns.Add((ContourCutter.Cut(region.Outer, width, isEven: true), 0, width));
+            patterns.Add((ContourCutter.Cut(region.Outer, width, isEven: false), 0, width));
+        }
+
+        return patterns.Select(p => Draft.Of(region, sweep, p.Width, p.Lanes, p.Heading, from)).OfType<Draft>()
+            .OrderBy(d => Cost(d.Way)).Take(MaxTrimmed).Select(d => d.Trimmed())
+            .OrderBy(d => Cost(d.Way)).Take(Math.Min(headings, MaxShortened))
+            .Select(d => d.Shortened(MaxEffort)).OrderBy(d => Cost(d.Way)).FirstOrDefault()?.ToWay();
+
+        double Cost(List<PlanePoint> way) => Length(way, from) + (WayShortener.CornerCost * sweep * way.Count);
+    }
+
+    /// <summary>Length of a way, with the straight way to its start.</summary>
+    private static double Length(List<PlanePoint> way, PlanePoint? from)
+    {
+        double sum = from is { } start ? start.DistanceTo(way[0]) : 0;
+        for (int i = 0; i + 1 < way.Count; i++)
+            sum += way[i].DistanceTo(way[i + 1]);
+        return sum;
+    }
+
+    /// <summary>How much of a way is outside an area.</summary>
+    public static double OutsideFraction(PlanePolygon area, IReadOnlyList<PlanePoint> way)
+    {
+        double outside = 0;
+        double length = 0;
+        for (int i = 0; i + 1 < way.Count; i++)
+        {
+            List<double> cuts = area.CrossingsOf(way[i], way[i + 1]);
+            length += way[i].DistanceTo(way[i + 1]);
+            for (int k = 0; k + 1 < cuts.Count; k++)
+            {
+                PlanePoint middle = way[i] + ((cuts[k] + cuts[k + 1]) / 2 * (way[i + 1] - way[i]));
+                if (area.SignedDistance(middle) < -0.01)
+                    outside += (cuts[k + 1] - cuts[k]) * way[i].DistanceTo(way[i + 1]);
+            }
+        }
+
+        return outside / Math.Max(1, length);
+    }
+
+    // Those of the edges and some more, the most promising first.
+    private static IEnumerable<double> Headings(SearchRegion region, double spacing)
+        => region.KeepOuts.Concat([region.Outer])
+            .SelectMany(p => Enumerable.Range(0, p.Corners.Count)
+                .Select(i => (p.After(i) - p.Corners[i]).HeadingRadians))
+            .Concat(Enumerable.Range(0, (int)(Math.PI / HeadingStepRadians)).Select(i => i * HeadingStepRadians))
+            .Select(h => h - (Math.Floor(h / Math.PI) * Math.PI))
+            .GroupBy(h => Math.Round(h, 2)).Select(g => g.First())
+            .OrderBy(h => Estimate(region, spacing, h));
+
+    private static double Estimate(SearchRegion region, double spacing, double heading)
+    {
+        List<List<PlanePoint>> lanes = LaneCutter.Cut(region, spacing, heading, out _);
+        double sum = spacing * lanes.Count;
+        foreach (List<PlanePoint> lane in lanes)
+        {
+            for (int i = 0; i + 1 < lane.Count; i++)
+                sum += lane[i].DistanceTo(lane[i + 1]);
+        }
+
+        return sum;
+    }
+}
