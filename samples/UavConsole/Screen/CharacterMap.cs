@@ -157,7 +157,7 @@ internal sealed class CharacterMap
         => column + length <= _columns
             && Enumerable.Range(column, length).All(c => _inks[row][c] < MapInk.Home);
 
-    // In the corners below left and above right; a mark that stands there stays.
+    // In the corners below left, or right where something is left, and above right; a mark that stands there stays.
     private void DrawScale()
     {
         double metresPerColumn = _metresPerDot * BrailleCanvas.DotsAcross;
@@ -168,7 +168,9 @@ internal sealed class CharacterMap
         string bar = _isUnicode
             ? "├" + new string('─', length - 2) + "┤"
             : "|" + new string('-', length - 2) + "|";
-        Write(0, _rows - 1, $"{bar} {FlightText.Number(metres)} m");
+        string text = $"{bar} {FlightText.Number(metres)} m";
+        bool isLeftEmpty = _characters[_rows - 1].Take(text.Length).All(c => c == ' ');
+        Write(isLeftEmpty ? 0 : Math.Max(0, _columns - text.Length), _rows - 1, text);
         Write(_columns - 1, 0, _isUnicode ? "▲" : "^");
         Write(_columns - 1, 1, "N");
     }
