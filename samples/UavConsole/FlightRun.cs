@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Text;
@@ -126,12 +127,21 @@ internal static class FlightRun
         });
         reactor.Add(recorder);
         var fixedWing = new FixedWingNotice(options.Operator, text => log.Note(reactor.Now, text));
+        var clock = Stopwatch.StartNew();
+        OperatorKeys? keys = options.IsHeadless || !KeyReader.IsPossible
+            ? null
+            : new OperatorKeys(options.FliesMission ? flight.Uav.MissionControl : null, () => reactor.Stop("key q"));
+        Bell? bell = options.Operator.HasBell && !Console.IsOutputRedirected
+            ? new Bell(() => Console.Write('\a'))
+            : null;
         var monitor = new FlightMonitor(reactor, recorder, flight.Uav.LinkCount)
         {
-            Refreshed = record =>
+            Refreshed = (record, health) =>
             {
                 options.Operator.Update(record.Mission.Phase, flight.Uav.MissionControl);
                 fixedWing.Check(record.Vehicle);
+                keys?.Update(clock.Elapsed);
+                bell?.Update(record.Mission, health.Advice);
             },
         };
         Console.WriteLine(flight.Source);
@@ -139,7 +149,10 @@ internal static class FlightRun
             Console.WriteLine(flight.Notice);
 
         Task<ReactorResult> run = reactor.RunAsync();
-        ShowUntilEnd(run, flight, monitor, log, options);
+        if (keys is not null)
+            KeyReader.Start(keys, clock);
+        ShowUntilEnd(run, flight, monitor, log, options, keys);
+        keys?.Close();
         ReactorResult result = run.GetAwaiter().GetResult();
         monitor.Refresh();
         return Summarise(flight, monitor, result, log, options);
@@ -147,14 +160,14 @@ internal static class FlightRun
 
     // A terminal that has closed ends the view, not the flight: a vehicle in the air is to be held first.
     private static void ShowUntilEnd(
-        Task run, Flight flight, FlightMonitor monitor, RunLog log, ConsoleOptions options)
+        Task run, Flight flight, FlightMonitor monitor, RunLog log, ConsoleOptions options, IKeyHints? keys)
     {
         try
         {
             if (options.IsHeadless)
                 new PlainLines(monitor, log, options.FliesMission).ShowUntilEnd(run);
             else
-                new LiveScreen(monitor, log, options.FliesMission, flight.Notice).ShowUntilEnd(run);
+                new LiveScreen(monitor, log, options.FliesMission, flight.Notice, keys).ShowUntilEnd(run);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ObjectDisposedException)
         {

@@ -66,10 +66,7 @@ internal static class AbsentManagers
             {
                 Publishes = [MessageNames.Mission, MessageNames.ImagingCommand],
                 Sends = [MessageNames.VehicleCommands, MessageNames.TrackDecisions],
-                Receives =
-                [
-                    MessageNames.SearchedGround, MessageNames.VehicleCommandResults, MessageNames.OperatorRequests,
-                ],
+                Receives = [MessageNames.SearchedGround, MessageNames.VehicleCommandResults],
             },
             _ => new AbsentManager(HealthManager.ManagerName, reason)
             {

@@ -56,11 +56,16 @@ internal static class OperatorArguments
         CustomParser = ParseRadius,
     };
 
+    private static readonly Option<bool> BellOption = new("--bell")
+    {
+        Description = "Rings the bell of the terminal at each target that is confirmed, and at a failsafe.",
+    };
+
     private static readonly Option<string> OnStopOption = CreateOnStop();
 
     /// <summary>All of them.</summary>
     public static IEnumerable<Option> All
-        => [Hold, Return, Resume, Progress, AllowPartialSearch, FixedWing, OnStopOption];
+        => [Hold, Return, Resume, Progress, AllowPartialSearch, FixedWing, OnStopOption, BellOption];
 
     public static OperatorChoices Read(ParseResult result, bool flies) => new()
     {
@@ -70,6 +75,7 @@ internal static class OperatorArguments
         ProgressFile = result.GetValue(Progress) ?? (flies ? DefaultProgress : null),
         AllowsPartialSearch = result.GetValue(AllowPartialSearch),
         LoiterRadiusMetres = result.GetValue(FixedWing),
+        HasBell = result.GetValue(BellOption),
         OnStop = result.GetValue(OnStopOption) == "return" ? OnStop.Return : OnStop.Hold,
     };
 

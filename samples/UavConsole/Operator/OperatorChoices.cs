@@ -24,6 +24,9 @@ internal sealed class OperatorChoices
 
     public OnStop OnStop { get; init; }
 
+    /// <summary>Whether a bell rings at a target and at a failsafe.</summary>
+    public bool HasBell { get; init; }
+
     /// <summary>Radius of the circles of a fixed wing; null where none is commanded.</summary>
     public double? LoiterRadiusMetres { get; init; }
 

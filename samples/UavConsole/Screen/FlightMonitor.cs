@@ -57,8 +57,8 @@ internal sealed class FlightMonitor
 
     public IReadOnlyList<ManagerStatus> Managers { get; private set; } = [];
 
-    /// <summary>Called with what the recorder has kept, at each refresh.</summary>
-    public Action<FlightRecord> Refreshed { get; init; } = _ => { };
+    /// <summary>Called with what the recorder has kept and the health, at each refresh.</summary>
+    public Action<FlightRecord, HealthReport> Refreshed { get; init; } = (_, _) => { };
 
     /// <summary>What the recorder has kept.</summary>
     public FlightRecord Record { get; private set; } = FlightRecord.Empty;
@@ -101,7 +101,7 @@ internal sealed class FlightMonitor
         Preflight = Latest(_preflight) ?? PreflightReport.None;
         Links = _links.ConvertAll(Latest);
         Managers = _managers.ConvertAll(Latest);
-        Refreshed(Record);
+        Refreshed(Record, Health);
     }
 
     private static T Latest<T>(MessageSubscriber<T> subscriber)

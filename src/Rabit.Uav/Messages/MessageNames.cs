@@ -69,11 +69,6 @@ public static class MessageNames
     public const string VehicleCommandResults = "vehicle command results";
 
     /// <summary>
-    /// Queue of <see cref="OperatorRequest"/>: from managers that an operator commands by, to Mission Control.
-    /// </summary>
-    public const string OperatorRequests = "operator requests";
-
-    /// <summary>
     /// Queue of <see cref="TrackDecision"/>: the operator's decisions, from Mission Control to Sensor Fusion.
     /// </summary>
     public const string TrackDecisions = "track decisions";

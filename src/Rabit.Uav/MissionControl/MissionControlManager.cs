@@ -25,7 +25,6 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
     private readonly MessageSubscriber<PreflightReport>? _preflight;
     private readonly QueueReceiver<VehicleCommandResult> _results;
     private readonly QueueReceiver<CameraObservation> _searchedGround;
-    private readonly QueueReceiver<OperatorRequest> _requests;
     private readonly QueueSender<VehicleCommand> _commands;
     private readonly QueueSender<TrackDecision> _decisions;
     private readonly MessagePublisher<ImagingCommand> _imagingCommand;
@@ -61,7 +60,6 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         _results = Receive<VehicleCommandResult>(MessageNames.VehicleCommandResults);
         _searchedGround = Receive<CameraObservation>(
             MessageNames.SearchedGround, whenFull: QueueFullMode.DropOldest, wakeOnPush: false);
-        _requests = Receive<OperatorRequest>(MessageNames.OperatorRequests);
         _commands = Send<VehicleCommand>(MessageNames.VehicleCommands);
         _decisions = Send<TrackDecision>(MessageNames.TrackDecisions);
         _imagingCommand = Publish<ImagingCommand>(MessageNames.ImagingCommand);
@@ -151,8 +149,6 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
             flight.Energy.Parameters = _parameters.Value;
         if (_preflight?.Fetch() == true)
             flight.Preflight = _preflight.Value;
-        while (_requests.TryPop(out OperatorRequest? request))
-            Give(request);
         while (_results.TryPop(out VehicleCommandResult result))
             flight.Commands.Apply(result, flight.Now);
         while (_searchedGround.TryPop(out CameraObservation observation))
@@ -171,8 +167,6 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
             // Without a mission there is no command to which it belongs.
         }
 
-        while (_requests.TryPop(out OperatorRequest? request))
-            Give(request);
         while (_searchedGround.TryPop(out _))
         {
             // Without a mission there is no area to cover.
