@@ -41,6 +41,22 @@ public class TelemetryRecorderTests
         Assert.Equal((-1, 40), Pair(flight.HeightAboveHomeMillimetres));
     }
 
+    [Theory]
+    [InlineData(0x040507FFu, "4.5.7")]
+    [InlineData(0x040600C0u, "4.6.0 release candidate")]
+    [InlineData(0x010F0080u, "1.15.0 beta")]
+    [InlineData(0x010F0040u, "1.15.0 alpha")]
+    [InlineData(0x01100000u, "1.16.0 development")]
+    [InlineData(0u, null)]
+    public void Firmware_VersionOfTheVehicle_IsThatOfItsFlightSoftware(uint version, string? expected)
+    {
+        Record(Copter());
+        Record(new AutopilotVersion { FlightSwVersion = version });
+        Record(new AutopilotVersion { FlightSwVersion = 0x09090900 }, system: 2);
+
+        Assert.Equal(expected, ToRecord().Firmware);
+    }
+
     [Fact]
     public void ModeChanges_EveryChangeOfModeFlagsOrStatus_IsAnEntry()
     {
