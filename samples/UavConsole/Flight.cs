@@ -139,6 +139,7 @@ internal sealed class Flight : IDisposable
         {
             options.Preflight.ApplyTo(uavOptions, mission!, isSimulated: false);
             options.Operator.ApplyTo(uavOptions.MissionControl);
+            uavOptions.GroundCommands = options.Operator.GroundCommands;
         }
 
         UavSystem uav = UavSystem.Open(uavOptions);

@@ -6,6 +6,7 @@ using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
+using Rabit.Uav.GroundControl;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
@@ -76,7 +77,13 @@ internal static class ManagerOptions
         : options.Autopilot.Dialect;
 
     public static IReadOnlyList<MavlinkSubscription> SubscriptionsOf(UavOptions options)
-        => options.Subscriptions.Concat(options.Communications.Subscriptions).ToArray();
+        => options.Subscriptions.Concat(options.Communications.Subscriptions)
+            .Concat(HasGroundCommands(options) ? [GroundCommandManager.CreateSubscription()] : [])
+            .ToArray();
+
+    public static bool HasGroundCommands(UavOptions options)
+        => options.GroundCommands is not null && options.Has(UavManagers.Communications)
+            && options.Has(UavManagers.MissionControl);
 
     public static CommunicationsOptions ForCommunications(
         UavOptions options, IReadOnlyList<IByteLink> links, IReadOnlyList<RecordedFile> files)

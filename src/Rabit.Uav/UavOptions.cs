@@ -5,6 +5,7 @@ using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
+using Rabit.Uav.GroundControl;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Links;
@@ -109,6 +110,13 @@ public sealed class UavOptions
 
     /// <summary>How Mission Control works: goals, time-outs, whether a mission needs a camera.</summary>
     public MissionControlOptions MissionControl { get; set; } = new();
+
+    /// <summary>
+    /// Who may command the mission by MAVLink commands that are addressed to our component, as a ground station sends
+    /// them. Not without Communications and Mission Control.
+    /// </summary>
+    /// <value>The default is null: such commands are not received.</value>
+    public GroundCommandOptions? GroundCommands { get; set; }
 
     /// <summary>How long links that are opened may wait.</summary>
     public LinkOptions LinkOptions { get; set; } = LinkOptions.Default;

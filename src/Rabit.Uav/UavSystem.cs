@@ -5,6 +5,7 @@ using System.Linq;
 using Rabit.Core;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
+using Rabit.Uav.GroundControl;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Links;
@@ -39,6 +40,7 @@ public sealed class UavSystem : IDisposable
     private readonly ImageProcessingManager? _imageProcessing;
     private readonly SensorFusionManager? _sensorFusion;
     private readonly MissionControlManager? _missionControl;
+    private readonly GroundCommandManager? _groundCommands;
     private readonly HealthManager? _health;
 
     private UavSystem(UavOptions options)
@@ -58,6 +60,8 @@ public sealed class UavSystem : IDisposable
                 _sensorFusion = new SensorFusionManager(options.Fusion);
             if (options.Has(UavManagers.MissionControl))
                 _missionControl = new MissionControlManager(ManagerOptions.ForMissionControl(options));
+            if (ManagerOptions.HasGroundCommands(options))
+                _groundCommands = new GroundCommandManager(_missionControl!, options.GroundCommands!);
             if (options.MayCommand)
                 CarryOnAfterFaults();
             if (options.Has(UavManagers.HealthMonitoring))
@@ -165,7 +169,10 @@ public sealed class UavSystem : IDisposable
 
     // In the order of their start. Health Monitoring, which watches them, comes after them all.
     private IEnumerable<RabitManager> Managers()
-        => new RabitManager?[] { _communications, _autopilot, _imageProcessing, _sensorFusion, _missionControl }
+        => new RabitManager?[]
+            {
+                _communications, _autopilot, _imageProcessing, _sensorFusion, _missionControl, _groundCommands,
+            }
             .OfType<RabitManager>().Concat(_options.OtherManagers);
 
     private static T Made<T>(T? manager, UavManagers which)

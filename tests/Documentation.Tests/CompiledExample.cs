@@ -31,6 +31,7 @@ internal static class CompiledExample
         global using Rabit.Uav.AutopilotInterface;
         global using Rabit.Uav.CameraGeometry;
         global using Rabit.Uav.Communications;
+        global using Rabit.Uav.GroundControl;
         global using Rabit.Uav.HealthMonitoring;
         global using Rabit.Uav.ImageProcessing;
         global using Rabit.Uav.ImageProcessing.Geolocation;

@@ -12,6 +12,8 @@ using Rabit.Uav.Tests.Communications;
 using Rabit.Uav.Tests.HealthMonitoring;
 using Rabit.Uav.Tests.ImageProcessing;
 using Rabit.Uav.Tests.MissionControl;
+using Rabit.Uav.GroundControl;
+using Rabit.Mavlink.Messages;
 using Xunit;
 
 namespace Rabit.Uav.Tests;
@@ -178,6 +180,17 @@ public sealed class UavPartsTests
         Assert.Same(options.OpenLinks, made.Links);
         Assert.Empty(options.Communications.Links);
         Assert.Equal(42001, Assert.Single(made.VehicleMessageRoutes).PayloadType);
+    }
+
+    [Theory]
+    [InlineData(UavManagers.None, true)]
+    [InlineData(UavManagers.MissionControl, false)]
+    public void GroundCommands_WithMissionControl_AreReceived(UavManagers without, bool expected)
+    {
+        UavOptions options = Options();
+        (options.GroundCommands, options.Without) = (new GroundCommandOptions(), without);
+        Assert.Equal(
+            expected, ManagerOptions.SubscriptionsOf(options).Any(s => s.MessageIds.Contains(CommandLong.MavlinkId)));
     }
 
     [Fact]

@@ -61,11 +61,28 @@ internal static class OperatorArguments
         Description = "Rings the bell of the terminal at each target that is confirmed, and at a failsafe.",
     };
 
+    private static readonly Option<string> Commanders = new("--commanders")
+    {
+        Description = "System ids of the ground stations that may command the mission by MAVLink commands to our "
+            + "component: ID[,ID] or none. Goes with --fly.",
+        HelpName = "IDS",
+        DefaultValueFactory = _ => "255",
+    };
+
+    private static readonly Option<bool> SignedCommands = new("--signed-commands")
+    {
+        Description = "Obeys MAVLink commands to our component only where they are signed (--sign-key).",
+    };
+
     private static readonly Option<string> OnStopOption = CreateOnStop();
 
     /// <summary>All of them.</summary>
     public static IEnumerable<Option> All
-        => [Hold, Return, Resume, Progress, AllowPartialSearch, FixedWing, OnStopOption, BellOption];
+        =>
+        [
+            Hold, Return, Resume, Progress, AllowPartialSearch, FixedWing, OnStopOption, BellOption, Commanders,
+            SignedCommands,
+        ];
 
     public static OperatorChoices Read(ParseResult result, bool flies) => new()
     {
@@ -76,6 +93,8 @@ internal static class OperatorArguments
         AllowsPartialSearch = result.GetValue(AllowPartialSearch),
         LoiterRadiusMetres = result.GetValue(FixedWing),
         HasBell = result.GetValue(BellOption),
+        Commanders = flies && TryReadIds(result.GetValue(Commanders)!, out byte[] ids) ? ids : [],
+        OnlySigned = result.GetValue(SignedCommands),
         OnStop = result.GetValue(OnStopOption) == "return" ? OnStop.Return : OnStop.Hold,
     };
 
@@ -90,6 +109,15 @@ internal static class OperatorArguments
                 yield return $"{name} commands a real vehicle: it goes with --link URL --mission FILE --fly.";
         }
 
+        if (!TryReadIds(result.GetValue(Commanders)!, out _))
+            yield return $"--commanders {result.GetValue(Commanders)}: it must be system ids, 1 to 255, with commas "
+                + "between them, or none.";
+        foreach (string name in Given(result, Commanders, SignedCommands))
+        {
+            if (!flies)
+                yield return $"{name} goes with a mission that is flown: --mission FILE --fly.";
+        }
+
         foreach (string name in Given(result, Resume, Progress, AllowPartialSearch, OnStopOption))
         {
             if (!flies && !isSimulated)
@@ -99,6 +127,22 @@ internal static class OperatorArguments
 
     private static IEnumerable<string> Given(ParseResult result, params Option[] options)
         => options.Where(o => result.GetResult(o) is { Implicit: false }).Select(o => o.Name);
+
+    private static bool TryReadIds(string text, out byte[] ids)
+    {
+        ids = [];
+        if (text == "none")
+            return true;
+        string[] parts = text.Split(',');
+        ids = new byte[parts.Length];
+        for (int i = 0; i < parts.Length; i++)
+        {
+            if (!byte.TryParse(parts[i], NumberStyles.None, CultureInfo.InvariantCulture, out ids[i]) || ids[i] == 0)
+                return false;
+        }
+
+        return true;
+    }
 
     private static double? ParseRadius(ArgumentResult result)
     {

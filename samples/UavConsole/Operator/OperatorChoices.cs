@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using Rabit.Uav.GroundControl;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 
@@ -27,8 +29,18 @@ internal sealed class OperatorChoices
     /// <summary>Whether a bell rings at a target and at a failsafe.</summary>
     public bool HasBell { get; init; }
 
+    /// <summary>System ids of those who may command the mission by MAVLink; empty where there are none.</summary>
+    public IReadOnlyList<byte> Commanders { get; init; } = [];
+
+    /// <summary>Whether their commands must be signed.</summary>
+    public bool OnlySigned { get; init; }
+
     /// <summary>Radius of the circles of a fixed wing; null where none is commanded.</summary>
     public double? LoiterRadiusMetres { get; init; }
+
+    /// <summary>Who may command the mission by MAVLink; null where there is none.</summary>
+    public GroundCommandOptions? GroundCommands
+        => Commanders.Count == 0 ? null : new GroundCommandOptions { SystemIds = Commanders, OnlySigned = OnlySigned };
 
     /// <summary>Sets the options of Mission Control.</summary>
     /// <exception cref="ArgumentException">A file cannot be read, or is damaged.</exception>

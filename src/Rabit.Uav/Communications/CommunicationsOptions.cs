@@ -49,15 +49,15 @@ public sealed class CommunicationsOptions
     /// second, and each once as STATUSTEXT with its coordinates.
     /// </summary>
     /// <value>
-    /// The default is null: where Sensor Fusion is part of a <see cref="UavSystem"/>. With true some manager must publish
-    /// <see cref="Messages.MessageNames.Tracks"/>.
+    /// The default is null: where Sensor Fusion is part of a <see cref="UavSystem"/>. With true some manager must
+    /// publish <see cref="Messages.MessageNames.Tracks"/>.
     /// </value>
     public bool? SendsTargets { get; set; }
 
     /// <summary>
     /// Whether the targets are also sent as ADSB_VEHICLE, which ground stations draw on their map, to links with a
-    /// ground station and no autopilot: an autopilot would evade them. They are no traffic: only where nobody takes
-    /// them for such.
+    /// ground station and no autopilot: an autopilot would evade them. They are no traffic: only where
+    /// all who see that map know it.
     /// </summary>
     /// <value>The default is false. True sends nothing where the targets are not sent.</value>
     public bool SendsTargetsAsTraffic { get; set; }

@@ -17,10 +17,8 @@ namespace Rabit.Uav.GroundControl;
 /// </summary>
 /// <example>
 /// <code>
-/// options.Subscriptions = [GroundCommandManager.CreateSubscription()];
+/// options.GroundCommands = new GroundCommandOptions { SystemIds = [255] };
 /// using UavSystem uav = UavSystem.Open(options);
-/// RabitReactor reactor = uav.CreateReactor(new ReactorOptions());
-/// reactor.Add(new GroundCommandManager(uav.MissionControl, new GroundCommandOptions()));
 /// </code>
 /// </example>
 public sealed class GroundCommandManager : RabitManager

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Rabit.Mavlink.Messages;
-using Rabit.Uav.Communications;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.HealthMonitoring;

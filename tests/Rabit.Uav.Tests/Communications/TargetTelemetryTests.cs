@@ -82,7 +82,9 @@ public sealed class TargetTelemetryTests : IDisposable
         Publish(Track(12));
         rig.Run(TimeSpan.FromSeconds(1));
         AdsbVehicle traffic = Decoded<AdsbVehicle>(rig, 0)[0];
-        Assert.Equal((0xF0_100Cu, "TGT012", 488_000), (traffic.IcaoAddress, traffic.Callsign.ToString(), traffic.Altitude));
+        Assert.Equal(
+            (0xF0_100Cu, "TGT012", 488_000),
+            (traffic.IcaoAddress, traffic.Callsign.ToString(), traffic.Altitude));
     }
 
     private CommunicationsRig Rig(int links = 1, Action<CommunicationsOptions>? configure = null)

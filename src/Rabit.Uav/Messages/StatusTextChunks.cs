@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using Rabit.Mavlink.Messages;
 
-namespace Rabit.Uav.Communications;
+namespace Rabit.Uav.Messages;
 
 /// <summary>Cuts texts for ground stations into STATUSTEXT messages of 50 characters. For one thread.</summary>
 internal sealed class StatusTextChunks
