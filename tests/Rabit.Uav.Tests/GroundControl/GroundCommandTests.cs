@@ -30,7 +30,9 @@ public sealed class GroundCommandTests : IDisposable
         var manager = new GroundCommandManager(_flight.Manager, new GroundCommandOptions());
         _reactor = new RabitReactor(new ReactorOptions
         {
-            Time = new VirtualTime(1), StopsOnSignals = false, Log = e => _log.Add(e.ToString()),
+            Time = new VirtualTime(1),
+            StopsOnSignals = false,
+            Log = e => _log.Add(e.ToString()),
         })
         {
             manager,
@@ -141,8 +143,11 @@ public sealed class GroundCommandTests : IDisposable
             Push(MavlinkFrame.Create(
                 new CommandInt
                 {
-                    Command = MavCmd.DoSetRoiLocation, TargetSystem = 1, TargetComponent = Us,
-                    X = (int)(Latitude * 1e7), Y = (int)(Longitude * 1e7),
+                    Command = MavCmd.DoSetRoiLocation,
+                    TargetSystem = 1,
+                    TargetComponent = Us,
+                    X = (int)(Latitude * 1e7),
+                    Y = (int)(Longitude * 1e7),
                 },
                 Station, 190, _sequence++));
         }
@@ -151,8 +156,11 @@ public sealed class GroundCommandTests : IDisposable
             Push(MavlinkFrame.Create(
                 new CommandLong
                 {
-                    Command = MavCmd.DoSetRoiLocation, TargetSystem = 1, TargetComponent = Us,
-                    Param5 = (float)Latitude, Param6 = (float)Longitude,
+                    Command = MavCmd.DoSetRoiLocation,
+                    TargetSystem = 1,
+                    TargetComponent = Us,
+                    Param5 = (float)Latitude,
+                    Param6 = (float)Longitude,
                 },
                 Station, 190, _sequence++));
         }
@@ -173,7 +181,11 @@ public sealed class GroundCommandTests : IDisposable
         => Push(MavlinkFrame.Create(
             new CommandLong
             {
-                Command = command, TargetSystem = 1, TargetComponent = component, Param1 = p1, Param2 = p2,
+                Command = command,
+                TargetSystem = 1,
+                TargetComponent = component,
+                Param1 = p1,
+                Param2 = p2,
             },
             from, 190, _sequence++));
 
