@@ -199,7 +199,7 @@ internal sealed class CharacterMap
     private static char LetterOf(TargetTrack track) => track.State switch
     {
         TrackState.Tentative => '?',
-        TrackState.Lost => 'x',
+        TrackState.Lost or TrackState.Rejected => 'x',
         _ => TargetLetters.Letter(track.Class),
     };
 

@@ -121,7 +121,12 @@ internal sealed class MissionPanel(FlightMonitor monitor, int width)
         track.Position.Longitude.Degrees,
         track.Covariance.HalfMajorAxis95Metres,
         track.Reports,
-        track.State == TrackState.Lost ? " lost" : string.Empty);
+        track.State switch
+        {
+            TrackState.Lost => " lost",
+            TrackState.Rejected => " rejected",
+            _ => string.Empty,
+        });
 
     private string Field(string name, string text, string style)
         => $"[grey]{name,-NameWidth}[/][{style}]"

@@ -96,6 +96,7 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
         {
             TrackState.Confirmed => isFalse ? "track false" : "track",
             TrackState.Lost => "track lost",
+            TrackState.Rejected => "track rejected",
             _ => "track tentative",
         };
         page.Open("g", "class", kind);

@@ -8,6 +8,7 @@ using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Communications;
+using Rabit.Uav.GroundControl;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
@@ -49,7 +50,7 @@ internal sealed class SearchFlight : IDisposable
     public SearchFlight(
         MissionPlan plan, SimulationOptions options, VirtualTime time, RabitManager[] others,
         MavlinkSigningKey? key = null, MavlinkSigningKey? vehicleKey = null, OnStop onStop = OnStop.Hold,
-        Func<IByteLink, IByteLink>? around = null)
+        Func<IByteLink, IByteLink>? around = null, IByteLink? groundStation = null)
     {
         options.TakePlacesFrom(plan);
         World = new SimulatedWorld(options);
@@ -59,7 +60,12 @@ internal sealed class SearchFlight : IDisposable
         _uav = UavSystem.Open(new UavOptions
         {
             MissionControl = new MissionControlOptions { OnStop = onStop },
-            OpenLinks = [around is null ? link.A : around(link.A)],
+            OpenLinks =
+            [
+                around is null ? link.A : around(link.A),
+                .. groundStation is null ? [] : new[] { groundStation },
+            ],
+            GroundCommands = groundStation is null ? null : new GroundCommandOptions(),
             Mission = plan,
             MayCommand = true,
             Camera = Camera,

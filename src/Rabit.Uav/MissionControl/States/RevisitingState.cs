@@ -40,6 +40,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
             : Revisits.PositionOf(track, flight);
         _pass = RevisitPass.Plan(flight, target)!;
         _isAtStart = _isThrough = !_pass.IsThrough;
+        _transit.Begin(flight, _pass.IsThrough ? _pass.Start : _pass.Overhead);
         _speed = flight.Mission.SpeedMetresPerSecond;
         _limit = PathFollower.TimeLimit(flight, _pass.LengthFrom(flight.Position)) + MaxHold;
     }

@@ -1,0 +1,113 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Core;
+using Rabit.Links;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Simulation.Tests.Missions;
+
+/// <summary>A ground station on a second link commands the mission, with all managers and both autopilots.</summary>
+public sealed class GroundCommandFlightTests : IDisposable
+{
+    private const byte Station = 255;
+    private const byte Computer = 191;
+
+    private static readonly TimeSpan TestTimeout = TimeSpan.FromMinutes(10);
+
+    private readonly ITestOutputHelper _output;
+    private readonly MemoryLinkPair _link = new("ground station", 4 * 1024 * 1024);
+    private readonly MavlinkFrameReader _reader = new(MavlinkDialect.All);
+    private readonly byte[] _buffer = new byte[64 * 1024];
+    private byte _sequence;
+
+    public GroundCommandFlightTests(ITestOutputHelper output) => _output = output;
+
+    public void Dispose()
+    {
+        _link.A.Dispose();
+        _link.B.Dispose();
+    }
+
+    [Theory]
+    [InlineData(SimulatedAutopilot.ArduPilot)]
+    [InlineData(SimulatedAutopilot.Px4)]
+    public void Commands_OfAGroundStation_HoldContinueChangeSpeedAndReturn(SimulatedAutopilot autopilot)
+    {
+        SimulationOptions world = SearchFlight.SmallWorld();
+        world.Autopilot = autopilot;
+        using var flight = new SearchFlight(
+            SearchFlight.SmallPlan(), world, new VirtualTime(world.Seed), [], groundStation: _link.A);
+        flight.FlyUntil(f => f.Mission.Phase == MissionPhase.Searching, TestTimeout);
+
+        // To the autopilot and to all components: not ours.
+        Send(MavCmd.DoPauseContinue, 0, component: 0);
+        Assert.DoesNotContain(AnswersAfter(flight, seconds: 3), a => a.Component == Computer);
+        Assert.NotEqual(MissionPhase.Holding, flight.Mission.Phase);
+
+        Assert.Equal(MavResult.Accepted, Command(flight, MavCmd.DoPauseContinue, 0));
+        Assert.Equal(MissionPhase.Holding, flight.Mission.Phase);
+        Assert.Equal(MavResult.Accepted, Command(flight, MavCmd.DoPauseContinue, 1));
+        flight.FlyUntil(f => f.Mission.Phase == MissionPhase.Searching, TestTimeout);
+        Assert.Equal(MavResult.Accepted, Command(flight, MavCmd.DoChangeSpeed, 1, 3));
+        Assert.Equal(MavResult.Failed, Command(flight, MavCmd.DoChangeSpeed, 1, 300));
+        Assert.Equal(MavResult.Unsupported, Command(flight, MavCmd.DoSetServo, 1, 2));
+        Assert.Equal(MavResult.Accepted, Command(flight, MavCmd.NavReturnToLaunch, 0));
+        flight.FlyUntil(f => f.IsOver, TestTimeout);
+        flight.End();
+        _output.WriteLine(flight.Log);
+
+        Assert.Equal(MissionPhase.Done, flight.Mission.Phase);
+        Assert.False(flight.World.Truth.IsAirborne);
+        Assert.Contains("operator system 255 component 190", flight.Log, StringComparison.Ordinal);
+    }
+
+    private void Send(MavCmd command, float p1, float p2 = 0, byte component = Computer)
+    {
+        var message = new CommandLong
+        {
+            TargetSystem = 1,
+            TargetComponent = component,
+            Command = command,
+            Param1 = p1,
+            Param2 = p2,
+        };
+        int length = MavlinkFrame.Create(message, Station, 190, _sequence++).WriteTo(_buffer);
+        _link.B.Write(_buffer, 0, length);
+    }
+
+    private MavResult Command(SearchFlight flight, MavCmd command, float p1, float p2 = 0)
+    {
+        Send(command, p1, p2);
+        MavResult? result = null;
+        foreach ((byte component, CommandAck ack) in AnswersAfter(flight, seconds: 5))
+        {
+            if (component == Computer && ack.Command == command && ack.Result != MavResult.InProgress)
+                result = ack.Result;
+        }
+
+        return result ?? throw new Xunit.Sdk.XunitException($"{command} is not answered");
+    }
+
+    private List<(byte Component, CommandAck Ack)> AnswersAfter(SearchFlight flight, double seconds)
+    {
+        TimeSpan until = flight.Reactor.Now + TimeSpan.FromSeconds(seconds);
+        flight.FlyUntil(f => f.Reactor.Now >= until, TestTimeout);
+        var answers = new List<(byte Component, CommandAck Ack)>();
+        while (_link.B.Read(_buffer) is { Count: > 0 } read)
+        {
+            var rest = new ReadOnlySpan<byte>(_buffer, 0, read.Count);
+            while (_reader.TryRead(ref rest, out MavlinkFrame frame, out _))
+            {
+                if (frame.TryDecode(out CommandAck ack))
+                    answers.Add((frame.ComponentId, ack));
+            }
+        }
+
+        return answers;
+    }
+}
