@@ -24,7 +24,7 @@ internal sealed class OperatorKeys(IMissionOperator? mission, Action quit) : IKe
     private static readonly TimeSpan NumberKept = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan AnswerShown = TimeSpan.FromSeconds(6);
 
-    private readonly Lock _gate = new();
+    private readonly object _gate = new();
     private (char Key, TimeSpan At)? _waiting;
     private TimeSpan? _lastKey;
     private (char Key, TimeSpan At)? _first;
