@@ -93,8 +93,10 @@ internal sealed class MissionMachine
 
             // A vehicle that has taken off refuses to do so again.
             // A fixed wing is commanded once for each leg, and flies on to its place.
+            // One that has landed meanwhile is not sent home once more.
             bool isUnderway = Phase == MissionPhase.TakingOff && _flight.IsFlying && _flight.Commands.IsAccepted;
-            if (!isUnderway && !_flight.IsFixedWing)
+            bool isDown = Phase is MissionPhase.Returning or MissionPhase.Landing && !_flight.Vehicle.IsArmed;
+            if (!isUnderway && !isDown && !_flight.IsFixedWing)
                 _flight.Commands.Resend();
         }
         else

@@ -86,17 +86,22 @@ internal sealed class TouchdownWatch
 
     private void Decide(MissionFlight flight, bool isFresh)
     {
-        if (_stoppedAt is null)
-            IsPlaceKnown = isFresh && flight.Vehicle.HasValidHorizontalPosition;
+        bool isFirst = _stoppedAt is null;
         _stoppedAt ??= flight.Now;
         bool isWitnessed = _stoppedAt - _armedAt <= MaxAge;
-        bool mayFall = flight.Now - _stoppedAt < DecisionTime;
+        bool isUndecided = flight.Now - _stoppedAt < DecisionTime;
+
+        // After a lost connection the heartbeat says that it is disarmed before the position comes; it stands where it
+        // landed.
+        if (isFirst || (!isWitnessed && !IsPlaceKnown))
+            IsPlaceKnown = isFresh && flight.Vehicle.HasValidHorizontalPosition;
+        bool waitsForPlace = !isWitnessed && !IsPlaceKnown && isUndecided;
         double landedHeight = IsLandedStateReported(flight) ? OnGroundHeightMetres : LandedHeightMetres;
         bool isHigh = isFresh && flight.HeightMetres > landedHeight;
         Stop = _fellAt is not null ? MotorStop.Fallen
-            : _wasOnGround ? MotorStop.Landed
+            : _wasOnGround && !waitsForPlace ? MotorStop.Landed
             : isHigh ? (isWitnessed ? MotorStop.Fallen : MotorStop.Unknown)
-            : mayFall ? MotorStop.Undecided
+            : isUndecided ? MotorStop.Undecided
             : isFresh ? MotorStop.Landed
             : MotorStop.Unknown;
         Text = Stop == MotorStop.Unknown ? "the motors stopped, and neither landed state nor height says where"

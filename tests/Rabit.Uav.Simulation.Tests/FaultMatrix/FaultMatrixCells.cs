@@ -62,7 +62,7 @@ internal static class FaultMatrixCells
         (BatteryLow, null, "RRRRRAA",
             "Health Monitoring: the way home, the reserve and the doubt after a jump of the charge take all of it"),
         (BatteryCritical, Ardu, "RRRRRAA", "Health Monitoring: 8 % reaches home, which is near: it does not land in a field"),
-        (BatteryBelowCritical, Px4, "FFFFFFF", "PX4 holds, then returns at 7 %, also out of a return or a landing"),
+        (BatteryBelowCritical, Px4, "FFFFFFF", "PX4 holds, then returns at 7 %; at 5 %, seconds later, it lands where it is, also out of our return"),
         (VoltageLow, Ardu, "FFFFFAA", "BATT_FS_LOW_ACT returns; our own return goes on"),
         (VoltageCritical, Ardu, "FFFFFLA", "BATT_FS_CRT_ACT lands; LAND is also how a return ends"),
         (BatteryUnknown, null, "AAAAAAA", "an unknown battery is no reason to return: the autopilot's failsafe watches it"),

@@ -39,7 +39,7 @@ internal static class MatrixFaults
         "battery truly at 15 %, reported as before", ScriptedFaultKind.BatteryTrueTo, 0.15);
 
     public static readonly MatrixFault BatteryBelowCritical = MatrixFault.Of(
-        "battery at 6 %, below the autopilot's critical level", ScriptedFaultKind.BatteryTo, 0.06);
+        "battery at 5.5 %, below the autopilot's critical level", ScriptedFaultKind.BatteryTo, 0.055);
 
     public static readonly MatrixFault VoltageLow = MatrixFault.Of(
         "battery voltage low", ScriptedFaultKind.BatteryVolts, 9.8);

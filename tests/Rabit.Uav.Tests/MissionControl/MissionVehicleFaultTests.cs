@@ -72,6 +72,28 @@ public class MissionVehicleFaultTests
     }
 
     [Fact]
+    public void Vehicle_LandedWhileLost_WaitsForItsPositionAndSendsNothing()
+    {
+        using MissionRig rig = MissionRig.In(MissionPhase.Landing);
+        rig.Vehicle.IsConnected = false;
+        rig.Run(20);
+        (rig.Vehicle.Height, rig.Vehicle.IsArmed) = (0, false);
+        int commands = rig.Vehicle.Commands.Count;
+        rig.Run(20);
+
+        // The heartbeat says that it is disarmed before the position comes.
+        (rig.Vehicle.IsConnected, rig.Vehicle.HasPosition) = (true, false);
+        rig.Run(0.5);
+        rig.Vehicle.HasPosition = true;
+        rig.Run(3);
+
+        Assert.Equal((MissionPhase.Done, MissionOutcome.Accomplished), (rig.Status.Phase, rig.Status.Result.Outcome));
+        Assert.StartsWith("landed ", rig.Status.Text!, StringComparison.Ordinal);
+        Assert.EndsWith(" m from home", rig.Status.Text!, StringComparison.Ordinal);
+        Assert.Equal(commands, rig.Vehicle.Commands.Count);
+    }
+
+    [Fact]
     public void Vehicle_LostBeforeTakeOffForGood_EndsAsFailed()
     {
         using MissionRig rig = MissionRig.In(MissionPhase.Arming);
