@@ -1,0 +1,104 @@
+using System;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+
+namespace Rabit.Uav.Tests.MissionControl;
+
+/// <summary>Its camera sees the ground below it, and its Sensor Fusion makes tracks of the targets there.</summary>
+internal sealed partial class StandInVehicle
+{
+    // A picture of 0.9 by 0.68 of the height to each side, twice a second.
+    private void TakePicture()
+    {
+        _imagingCommand.Fetch();
+        Imaging = _imagingCommand.Value;
+        if (!CameraSees || _imagingCommand.Value.Mode != ImagingMode.Search || Now < _nextPicture)
+            return;
+        _nextPicture = Now + TimeSpan.FromSeconds(0.5);
+        var observation = new CameraObservation
+        {
+            SourceSystemId = 1,
+            Number = ++_picture,
+            Time = Now,
+            TopLeft = Corner(0.45, -0.6),
+            TopRight = Corner(0.45, 0.6),
+            BottomRight = Corner(-0.45, 0.6),
+            BottomLeft = Corner(-0.45, -0.6),
+        };
+        Observations.Add(observation);
+        _searched.Push(observation);
+        SeeTargets();
+    }
+
+    private GeodeticPosition Corner(double forward, double right)
+    {
+        double n = Height * ((forward * Math.Cos(Yaw)) - (right * Math.Sin(Yaw)));
+        double e = Height * ((forward * Math.Sin(Yaw)) + (right * Math.Cos(Yaw)));
+        return _frame.ToGeodetic(new NedPosition(North + n, East + e, 0));
+    }
+
+    private void SeeTargets()
+    {
+        bool isNews = false;
+        for (int i = 0; i < Targets.Count; i++)
+        {
+            (double n, double e, TargetClassName colour) = Targets[i];
+            double forward = ((n - North) * Math.Cos(Yaw)) + ((e - East) * Math.Sin(Yaw));
+            double right = ((e - East) * Math.Cos(Yaw)) - ((n - North) * Math.Sin(Yaw));
+            if (Math.Abs(forward) > 0.45 * Height || Math.Abs(right) > 0.6 * Height)
+                continue;
+            isNews = true;
+            int at = Tracks.FindIndex(t => t.Id == i + 1);
+            int reports = at < 0 ? 1 : Tracks[at].Reports + 1;
+            TargetTrack track = MakeTrack(i + 1, n, e, colour, reports);
+            if (at < 0)
+                Tracks.Add(track);
+            else
+                Tracks[at] = track;
+        }
+
+        if (isNews)
+            PostTracks();
+    }
+
+    public TargetTrack MakeTrack(
+        int id, double n, double e, TargetClassName colour, int reports, TrackState? state = null)
+        => new()
+        {
+            Id = id,
+            State = state ?? StateOf(id, reports),
+            Decision = Decisions.TryGetValue(id, out TargetDecision decision) ? decision : TargetDecision.None,
+            Class = colour,
+            Position = _frame.ToGeodetic(new NedPosition(n, e, 0)),
+            Covariance = new HorizontalCovariance(1, 0, 1),
+            Time = Now,
+            Reports = reports,
+        };
+
+    private void Decide(TrackDecision decision)
+    {
+        if (IgnoresDecisions)
+            return;
+        Decisions[decision.TrackId] = decision.Decision;
+        for (int i = 0; i < Tracks.Count; i++)
+        {
+            NedPosition at = _frame.ToNed(Tracks[i].Position);
+            if (Tracks[i].Id == decision.TrackId)
+                Tracks[i] = MakeTrack(Tracks[i].Id, at.North, at.East, Tracks[i].Class, Tracks[i].Reports);
+        }
+
+        PostTracks();
+    }
+
+    private TrackState StateOf(int id, int reports)
+        => !Decisions.TryGetValue(id, out TargetDecision decision)
+            ? reports >= 3 ? TrackState.Confirmed : TrackState.Tentative
+            : decision == TargetDecision.Rejected ? TrackState.Rejected : TrackState.Confirmed;
+
+    private void PostTracks()
+    {
+        _tracks.Value = new TrackList(Now, Tracks.OrderBy(t => t.Id));
+        _tracks.Post();
+    }
+}
