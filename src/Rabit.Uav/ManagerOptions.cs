@@ -125,6 +125,7 @@ internal static class ManagerOptions
         MissionControlOptions made = options.MissionControl.Copy();
         made.Mission = MissionOf(options);
         made.RequiresPreflight |= ChecksBeforeFlight(options);
+        made.FindsFaultOfChange = changed => UavOptionsCheck.FindGapBetweenLanes(changed, options);
         return made;
     }
 

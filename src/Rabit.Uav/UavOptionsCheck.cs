@@ -109,18 +109,20 @@ internal static class UavOptionsCheck
                 yield return $"target {name} of the mission is no target class; there are {declared}";
         }
 
-        if (mission is not null && options.Camera is not null && options.Has(UavManagers.ImageProcessing)
-            && FindGapBetweenLanes(mission, imaging) is { } gap)
+        if (mission is not null && FindGapBetweenLanes(mission, options) is { } gap)
             yield return gap;
         if (imaging.Detector is not null && options.Camera is null)
             yield return $"there is a {nameof(imaging.Detector)}, but no {nameof(options.Camera)} whose pictures it "
                 + "could search";
     }
 
+    /// <summary>Whether ground between the lanes would not be seen; null where that is not so.</summary>
     // What is wrong with the values by themselves is reported with them.
-    private static string? FindGapBetweenLanes(MissionPlan mission, ImageProcessingOptions imaging)
+    public static string? FindGapBetweenLanes(MissionPlan mission, UavOptions options)
     {
-        bool isKnown = imaging.Camera?.FindFaults().Any() == false && imaging.Mount?.FindFaults().Any() == false
+        ImageProcessingOptions imaging = options.Imaging;
+        bool isKnown = options.Camera is not null && options.Has(UavManagers.ImageProcessing)
+            && imaging.Camera?.FindFaults().Any() == false && imaging.Mount?.FindFaults().Any() == false
             && !MissionPlanRules.FindFaults(mission).Any();
         if (!isKnown)
             return null;

@@ -11,9 +11,10 @@ using Rabit.Uav.MissionControl;
 namespace Rabit.Uav.GroundControl;
 
 /// <summary>
-/// Receives the MAVLink commands that ground stations address to our component, gives them to Mission Control, and
-/// acknowledges them by its answers. What is addressed to all components, or to the autopilot, is neither executed nor
-/// acknowledged.
+/// Receives what ground stations address to our component, gives it to Mission Control, and answers by its answers:
+/// commands, the values of the mission as parameters, a fence as another area to search (docs/ground-stations.md). What
+/// is addressed to all components, or to the autopilot, is neither executed nor acknowledged; a list of parameters that
+/// is asked of all is sent.
 /// </summary>
 /// <example>
 /// <code>
@@ -27,19 +28,20 @@ public sealed class GroundCommandManager : RabitManager
     public const string ManagerName = "ground commands";
 
     private const string Queue = "ground commands";
-    private const int QueueCapacity = 64;
+    private const int QueueCapacity = 256;
 
     // Answers of Mission Control come with its ticks.
     private static readonly TimeSpan TickPeriod = TimeSpan.FromMilliseconds(100);
     private static readonly TimeSpan FrameValidity = TimeSpan.FromSeconds(2);
 
     private readonly IMissionOperator _mission;
-    private readonly GroundCommandOptions _options;
+    private readonly Authority _authority;
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly QueueReceiver<LinkFrame> _frames;
     private readonly QueueSender<OutgoingFrame> _outgoing;
     private readonly List<(int Handle, OperatorRequest Request)> _atWork = [];
-    private MavlinkCommandServer? _server;
+    private readonly StatusTextChunks _texts = new();
+    private Servers? _servers;
 
     /// <summary>Makes the manager.</summary>
     /// <param name="mission">Takes the commands.</param>
@@ -49,7 +51,7 @@ public sealed class GroundCommandManager : RabitManager
         : base(ManagerName)
     {
         _mission = mission ?? throw new ArgumentNullException(nameof(mission));
-        _options = (options ?? throw new ArgumentNullException(nameof(options))).Copy();
+        _authority = new Authority((options ?? throw new ArgumentNullException(nameof(options))).Copy());
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _frames = Receive<LinkFrame>(Queue, QueueCapacity, QueueFullMode.DropOldest, wakeOnPush: true);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
@@ -59,31 +61,48 @@ public sealed class GroundCommandManager : RabitManager
     /// <summary>The frames that it needs, for <see cref="UavOptions.Subscriptions"/>.</summary>
     public static MavlinkSubscription CreateSubscription() => new(Queue)
     {
-        MessageIds = [CommandLong.MavlinkId, CommandInt.MavlinkId, CommandCancel.MavlinkId],
+        MessageIds =
+        [
+            CommandLong.MavlinkId, CommandInt.MavlinkId, CommandCancel.MavlinkId, .. GroundParameters.MessageIds,
+            .. GroundAreas.MessageIds,
+        ],
     };
 
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
     {
-        if (_server is null && _ownAddress.Fetch() && _ownAddress.Value.IsKnown)
-            _server = new MavlinkCommandServer(
-                new MavlinkSender(_ownAddress.Value.SystemId, _ownAddress.Value.ComponentId));
+        if (_servers is null && _ownAddress.Fetch() && _ownAddress.Value.IsKnown)
+        {
+            var sender = new MavlinkSender(_ownAddress.Value.SystemId, _ownAddress.Value.ComponentId);
+            _servers = new Servers(
+                sender, new MavlinkCommandServer(sender), new GroundParameters(_mission, _authority, sender),
+                new GroundAreas(_mission, _authority, sender, Announce));
+        }
+
         while (_frames.TryPop(out LinkFrame frame))
-            _server?.Handle(frame.Frame, Now);
-        if (_server is not { } server)
+            _servers?.Handle(frame.Frame, Now);
+        if (_servers is not { } servers)
             return;
-        while (server.TryTakeRequest(out MavlinkCommandRequest request))
-            Begin(server, request);
-        Answer(server);
-        while (server.TryTakeFrame(Now, out MavlinkFrame answer))
-            _outgoing.Push(new OutgoingFrame { Frame = answer, ValidUntil = Now + FrameValidity });
+        while (servers.Commands.TryTakeRequest(out MavlinkCommandRequest request))
+            Begin(servers, request);
+        Answer(servers.Commands);
+        servers.Parameters.Update(Now);
+        servers.Areas.Update();
+        while (servers.TryTakeFrame(Now, out MavlinkFrame answer))
+            Send(answer);
     }
 
-    private void Begin(MavlinkCommandServer server, in MavlinkCommandRequest request)
+    private void Begin(Servers servers, in MavlinkCommandRequest request)
     {
-        string by = FormattableString.Invariant(
-            $"system {request.Source.SystemId} component {request.Source.ComponentId}");
-        if (FindDenial(request) is { } denial)
+        string by = Authority.NameOf(request.Source);
+        MavlinkCommandServer server = servers.Commands;
+        if (OwnVersion.IsWanted(request.Command.Command, request.Command.Param1))
+        {
+            // What we serve is no secret.
+            server.Complete(request.Handle, MavResult.Accepted, Now);
+            Send(servers.Sender.Create(OwnVersion.Create(servesFiles: false)));
+        }
+        else if (_authority.FindDenial(request.Source, request.IsSigned) is { } denial)
         {
             Log($"{request.Command.Command} of {by} denied: {denial}");
             server.Complete(request.Handle, MavResult.Denied, Now);
@@ -100,13 +119,6 @@ public sealed class GroundCommandManager : RabitManager
         }
     }
 
-    private string? FindDenial(in MavlinkCommandRequest request)
-    {
-        if (!_options.SystemIds.Contains(request.Source.SystemId))
-            return "it may not command";
-        return _options.OnlySigned && !request.IsSigned ? "it is not signed" : null;
-    }
-
     private void Answer(MavlinkCommandServer server)
     {
         for (int i = 0; i < _atWork.Count; i++)
@@ -114,9 +126,40 @@ public sealed class GroundCommandManager : RabitManager
             (int handle, OperatorRequest request) = _atWork[i];
             if (request.Outcome == OperatorOutcome.InProgress)
                 continue;
-            MavResult result = request.Outcome == OperatorOutcome.Accepted ? MavResult.Accepted : MavResult.Failed;
-            server.Complete(handle, result, Now);
+            bool isAccepted = request.Outcome == OperatorOutcome.Accepted;
+            server.Complete(handle, isAccepted ? MavResult.Accepted : MavResult.Failed, Now);
+            if (!isAccepted)
+                Announce($"{request.Name} refused: {request.Answer}");
             _atWork.RemoveAt(i--);
         }
+    }
+
+    // An acknowledgement has no room for the reason.
+    private void Announce(string text)
+    {
+        Log(text);
+        foreach (Statustext part in _texts.Of("Rabit: " + text, MavSeverity.Warning))
+            Send(_servers!.Sender.Create(part));
+    }
+
+    private void Send(in MavlinkFrame frame)
+        => _outgoing.Push(new OutgoingFrame { Frame = frame, ValidUntil = Now + FrameValidity });
+
+    private sealed record Servers(
+        MavlinkSender Sender, MavlinkCommandServer Commands, GroundParameters Parameters, GroundAreas Areas)
+    {
+        public void Handle(in MavlinkFrame frame, TimeSpan now)
+        {
+            Commands.Handle(frame, now);
+            Parameters.Handle(frame, now);
+
+            // What the autopilot sends us of missions belongs to a transfer that we asked it for.
+            if (frame.SystemId != Sender.SystemId || frame.ComponentId != (byte)MavComponent.Autopilot1)
+                Areas.Handle(frame, now);
+        }
+
+        public bool TryTakeFrame(TimeSpan now, out MavlinkFrame frame)
+            => Commands.TryTakeFrame(now, out frame) || Parameters.TryTakeFrame(now, out frame)
+                || Areas.TryTakeFrame(now, out frame);
     }
 }

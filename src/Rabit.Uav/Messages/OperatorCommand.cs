@@ -37,4 +37,13 @@ public enum OperatorCommand
 
     /// <summary>Fly at another speed from now on.</summary>
     ChangeSpeed,
+
+    /// <summary>Set a value of the mission, from the next leg on.</summary>
+    ChangeParameter,
+
+    /// <summary>
+    /// Offer another area, with its keep-outs: the next <see cref="Continue"/>, in whatever phase, takes it over.
+    /// Without corners: withdraw what was offered.
+    /// </summary>
+    OfferArea,
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Immutable;
 using System.Globalization;
 using System.Threading;
 using Rabit.Geodesy;
@@ -30,7 +31,7 @@ public sealed class OperatorRequest
     /// </exception>
     public OperatorRequest(OperatorCommand command, string by, string reason)
     {
-        if (command is < OperatorCommand.Hold or > OperatorCommand.ChangeSpeed)
+        if (command is < OperatorCommand.Hold or > OperatorCommand.OfferArea)
             throw new ArgumentException($"The command is {command:D}, which is none of its values.", nameof(command));
         if (string.IsNullOrWhiteSpace(by))
             throw new ArgumentException("The operator's command needs a name of who gives it.", nameof(by));
@@ -57,6 +58,18 @@ public sealed class OperatorRequest
     /// <summary>The speed to fly at, over ground.</summary>
     public double SpeedMetresPerSecond { get; init; }
 
+    /// <summary>The value to set.</summary>
+    public MissionParameter Parameter { get; init; }
+
+    /// <summary>What it is set to.</summary>
+    public double Value { get; init; }
+
+    /// <summary>Corners of the area that is offered; altitudes are not used.</summary>
+    public ImmutableArray<GeodeticPosition> Area { get; init; } = [];
+
+    /// <summary>The keep-outs of that area.</summary>
+    public ImmutableArray<ImmutableArray<GeodeticPosition>> KeepOuts { get; init; } = [];
+
     /// <summary>What became of it.</summary>
     public OperatorOutcome Outcome => Volatile.Read(ref _answer)?.Outcome ?? OperatorOutcome.InProgress;
 
@@ -74,6 +87,11 @@ public sealed class OperatorRequest
             Place.Longitude.Degrees),
         OperatorCommand.ChangeSpeed
             => string.Format(CultureInfo.InvariantCulture, "change speed to {0:0.0#} m/s", SpeedMetresPerSecond),
+        OperatorCommand.ChangeParameter
+            => string.Format(CultureInfo.InvariantCulture, "set {0} to {1:0.####}", Parameter, Value),
+        OperatorCommand.OfferArea => Area.IsDefaultOrEmpty ? "withdraw the area" : string.Format(
+            CultureInfo.InvariantCulture, "offer an area of {0} corners with {1} keep-outs", Area.Length,
+            KeepOuts.IsDefault ? 0 : KeepOuts.Length),
         _ => Verb,
     };
 

@@ -1,3 +1,4 @@
+using System.Collections.Immutable;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
@@ -63,6 +64,40 @@ public interface IMissionOperator
     /// <param name="by">Who commands, for the log.</param>
     /// <param name="reason">Why, as text for the status and the log.</param>
     OperatorRequest ChangeSpeed(double metresPerSecond, string by, string reason);
+
+    /// <summary>Sets a value of the mission, from the next leg on.</summary>
+    /// <param name="parameter">Which one.</param>
+    /// <param name="value">What it is set to.</param>
+    /// <param name="by">Who commands, for the log.</param>
+    /// <param name="reason">Why, as text for the status and the log.</param>
+    OperatorRequest ChangeParameter(MissionParameter parameter, double value, string by, string reason);
+
+    /// <summary>
+    /// Offers another area, in place of one that was offered before: the next <see cref="ContinueMission"/>, in
+    /// whatever phase, takes it over, and what was seen of it already is not flown again.
+    /// </summary>
+    /// <param name="area">Its corners in order; none to withdraw what was offered.</param>
+    /// <param name="keepOuts">Its keep-outs, all of them.</param>
+    /// <param name="by">Who commands, for the log.</param>
+    /// <param name="reason">Why, as text for the status and the log.</param>
+    OperatorRequest OfferArea(
+        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts, string by,
+        string reason);
+
+    /// <summary>
+    /// The mission with all changes that were accepted, those that hold from the next leg on included; null without
+    /// one. Any thread.
+    /// </summary>
+    MissionPlan? Mission { get; }
+
+    /// <summary>
+    /// Plans an area on trial, which may take a second. Any thread; the answer is that of the moment.
+    /// </summary>
+    /// <param name="area">Its corners in order.</param>
+    /// <param name="keepOuts">Its keep-outs, all of them.</param>
+    /// <returns>Why <see cref="OfferArea"/> would be refused; null where it would not.</returns>
+    string? FindFaultOfArea(
+        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts);
 
     /// <summary>Gives a request that was made elsewhere.</summary>
     /// <param name="request">Not given before.</param>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Immutable;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
@@ -44,6 +45,24 @@ public sealed partial class MissionControlManager
     /// <inheritdoc/>
     public OperatorRequest ChangeSpeed(double metresPerSecond, string by, string reason)
         => Given(new(OperatorCommand.ChangeSpeed, by, reason) { SpeedMetresPerSecond = metresPerSecond });
+
+    /// <inheritdoc/>
+    public OperatorRequest ChangeParameter(MissionParameter parameter, double value, string by, string reason)
+        => Given(new(OperatorCommand.ChangeParameter, by, reason) { Parameter = parameter, Value = value });
+
+    /// <inheritdoc/>
+    public OperatorRequest OfferArea(
+        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts, string by,
+        string reason)
+        => Given(new(OperatorCommand.OfferArea, by, reason) { Area = area, KeepOuts = keepOuts });
+
+    /// <inheritdoc/>
+    public MissionPlan? Mission => _flight?.Changes.Mission;
+
+    /// <inheritdoc/>
+    public string? FindFaultOfArea(
+        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts)
+        => _flight is null ? "there is no mission" : _flight.Changes.FindFaultOfArea(area, keepOuts);
 
     /// <inheritdoc/>
     /// <exception cref="ArgumentNullException">There is none.</exception>

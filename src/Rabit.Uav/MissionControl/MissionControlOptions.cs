@@ -97,6 +97,12 @@ public sealed class MissionControlOptions
     /// <value>The default is null: it is not written.</value>
     public string? ProgressFile { get; set; }
 
+    /// <summary>
+    /// What else a mission that is changed in flight must be: what the system has checked of it at the start. Gives
+    /// what is wrong; null where nothing is.
+    /// </summary>
+    internal Func<MissionPlan, string?>? FindsFaultOfChange { get; set; }
+
     /// <exception cref="ArgumentException">
     /// Options are out of their range, or the mission cannot be flown; the text names all faults.
     /// </exception>

@@ -26,6 +26,7 @@ internal sealed class MissionFlight(
     private static readonly TimeSpan MaxPositionAge = TimeSpan.FromSeconds(2);
 
     private LocalNedFrame? _startFrame;
+    private MissionChanges? _changes;
 
     /// <summary>The mission as it is now: the operator may have changed it since the start.</summary>
     public MissionPlan Mission { get; private set; } = mission;
@@ -43,6 +44,9 @@ internal sealed class MissionFlight(
     public OperatorRequests Operator { get; } = new(log);
 
     public OperatorActions OperatorActions { get; } = operatorActions;
+
+    /// <summary>What the operator has changed of the mission and is not flown yet.</summary>
+    public MissionChanges Changes => _changes ??= new MissionChanges(this);
 
     /// <summary>The command of the operator that led to the phase; null where none did.</summary>
     public OperatorRequest? Ordered { get; set; }
@@ -278,7 +282,7 @@ internal sealed class MissionFlight(
         }
 
         var route = new SearchRoute(plan, mission.LaneSpacingMetres);
-        route.Coverage.Mark(Route.Coverage.ToCells(CoverageCells.None), default);
+        route.GoOnFrom(Route);
         if (!IsFixedWing)
         {
             route.LeaveOutSeen(OverlapMetres);

@@ -1,12 +1,71 @@
+using System;
+using System.Collections.Immutable;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+
 namespace Rabit.Uav.MissionControl;
 
 // What the operator can change in flight.
 public sealed partial class MissionPlan
 {
-    internal MissionPlan WithSpeed(double metresPerSecond)
+    /// <summary>Makes a mission whose values are set with it.</summary>
+    public MissionPlan()
     {
-        var changed = (MissionPlan)MemberwiseClone();
-        changed._speed = metresPerSecond;
-        return changed;
     }
+
+    private MissionPlan(MissionPlan other)
+    {
+        (Name, Area, KeepOuts) = (other.Name, other.Area, other.KeepOuts);
+        (HeightMetres, _speed, LaneSpacingMetres) = (other.HeightMetres, other._speed, other.LaneSpacingMetres);
+        (LaneHeading, Targets, Home) = (other.LaneHeading, other.Targets, other.Home);
+        (FenceMarginMetres, RequiredCoverage) = (other.FenceMarginMetres, other.RequiredCoverage);
+        Revisit = other.Revisit;
+        (CameraPitch, CameraYaw, HasGimbal) = (other.CameraPitch, other.CameraYaw, other.HasGimbal);
+        MinBatteryFractionAtStart = other.MinBatteryFractionAtStart;
+        EnergyReserveFraction = other.EnergyReserveFraction;
+        (AllowsPartialSearch, AllowUnknownBattery) = (other.AllowsPartialSearch, other.AllowUnknownBattery);
+        (MaxHeightMetres, MaxDistanceMetres) = (other.MaxHeightMetres, other.MaxDistanceMetres);
+        (ObstacleHeightMetres, GroundStationLost) = (other.ObstacleHeightMetres, other.GroundStationLost);
+    }
+
+    internal MissionPlan WithSpeed(double metresPerSecond)
+        => new(this) { SpeedMetresPerSecond = metresPerSecond };
+
+    /// <summary>The same with another area and other keep-outs.</summary>
+    internal MissionPlan WithArea(
+        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts)
+        => new(this) { Area = area, KeepOuts = keepOuts.IsDefault ? [] : keepOuts };
+
+    /// <summary>One of its values, as a number; <see cref="With"/> sets it.</summary>
+    internal double Get(MissionParameter parameter) => parameter switch
+    {
+        MissionParameter.Height => HeightMetres,
+        MissionParameter.Speed => SpeedMetresPerSecond,
+        MissionParameter.LaneSpacing => LaneSpacingMetres,
+        MissionParameter.Revisits => Revisit.IsEnabled ? 1 : 0,
+        MissionParameter.RevisitHeight => Revisit.HeightMetres ?? 0,
+        MissionParameter.RevisitRadius => Revisit.RadiusMetres,
+        MissionParameter.BatteryAtStart => MinBatteryFractionAtStart,
+        MissionParameter.EnergyReserve => EnergyReserveFraction,
+        MissionParameter.RequiredCoverage => RequiredCoverage,
+        _ => throw new ArgumentOutOfRangeException(nameof(parameter), parameter, "It is none of the values."),
+    };
+
+    /// <summary>The same with another value, which is not checked.</summary>
+    internal MissionPlan With(MissionParameter parameter, double value) => parameter switch
+    {
+        MissionParameter.Height => new(this) { HeightMetres = value },
+        MissionParameter.Speed => WithSpeed(value),
+        MissionParameter.LaneSpacing => new(this) { LaneSpacingMetres = value },
+        MissionParameter.Revisits => new(this) { Revisit = Revisit.With(isEnabled: value > 0.5) },
+        MissionParameter.RevisitHeight => new(this)
+        {
+            Revisit = Revisit.With(heightMetres: value.Equals(0) ? null : value),
+        },
+        MissionParameter.RevisitRadius => new(this) { Revisit = Revisit.With(radiusMetres: value) },
+        MissionParameter.BatteryAtStart => new(this) { MinBatteryFractionAtStart = value },
+        MissionParameter.EnergyReserve => new(this) { EnergyReserveFraction = value },
+        MissionParameter.RequiredCoverage => new(this) { RequiredCoverage = value },
+        _ => throw new ArgumentOutOfRangeException(nameof(parameter), parameter, "It is none of the values."),
+    };
 }

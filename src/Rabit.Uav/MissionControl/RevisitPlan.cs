@@ -21,4 +21,28 @@ public sealed class RevisitPlan
     /// each revisit that was made. Targets beyond that are not revisited.
     /// </summary>
     public double MaxWayFraction { get; init; } = 1.0 / 3;
+
+    internal RevisitPlan With(bool isEnabled) => new()
+    {
+        IsEnabled = isEnabled,
+        HeightMetres = HeightMetres,
+        RadiusMetres = RadiusMetres,
+        MaxWayFraction = MaxWayFraction,
+    };
+
+    internal RevisitPlan With(double? heightMetres) => new()
+    {
+        IsEnabled = IsEnabled,
+        HeightMetres = heightMetres,
+        RadiusMetres = RadiusMetres,
+        MaxWayFraction = MaxWayFraction,
+    };
+
+    internal RevisitPlan With(double radiusMetres) => new()
+    {
+        IsEnabled = IsEnabled,
+        HeightMetres = HeightMetres,
+        RadiusMetres = radiusMetres,
+        MaxWayFraction = MaxWayFraction,
+    };
 }

@@ -19,7 +19,7 @@ internal sealed class SearchRoute
     private readonly FlightPlan _plan;
     private readonly double _spacingMetres;
     private readonly List<LaneSegment> _legs;
-    private readonly List<LaneSegment> _skipped = [];
+    private readonly List<(LaneSegment Leg, double HalfMetres)> _skipped = [];
     private ImmutableArray<LaneSegment> _shownLegs;
 
     public SearchRoute(FlightPlan plan, double spacingMetres)
@@ -68,7 +68,7 @@ internal sealed class SearchRoute
     {
         if (Current is not { } leg)
             return;
-        _skipped.Add(leg);
+        _skipped.Add((leg, _spacingMetres / 2));
         FinishLeg();
     }
 
@@ -97,6 +97,19 @@ internal sealed class SearchRoute
         Coverage.Mark(progress.Cells, home);
     }
 
+    /// <summary>
+    /// Goes on from the route of another plan: what was flown, seen and left out on it stays so; what was flown of its
+    /// present leg counts by what was seen.
+    /// </summary>
+    public void GoOnFrom(SearchRoute earlier)
+    {
+        _legs.InsertRange(0, earlier._legs.Take(earlier.Flown));
+        Flown = earlier.Flown;
+        _skipped.AddRange(earlier._skipped);
+        Coverage.Mark(earlier.Coverage.ToCells(CoverageCells.None), default);
+        _shownLegs = default;
+    }
+
     /// <summary>Leaves out the parts of the legs next to which everything was seen already.</summary>
     /// <param name="overlapMetres">How much of what was seen is flown over again.</param>
     public void LeaveOutSeen(double overlapMetres)
@@ -122,7 +135,8 @@ internal sealed class SearchRoute
         {
             for (double side = -half + (step / 2); side < half; side += step)
             {
-                if (!Coverage.IsUnseen(leg.Start + (at * along) + (side * right)))
+                PlanePoint cell = leg.Start + (at * along) + (side * right);
+                if (!Coverage.IsUnseen(cell) || IsSkipped(cell))
                     continue;
                 unseen.Add((at, at));
                 break;
@@ -181,7 +195,7 @@ internal sealed class SearchRoute
 
     // The operator may have seen something in the way of it.
     private bool IsSkipped(PlanePoint cell)
-        => _skipped.Any(s => s.DistanceTo(cell) <= (_spacingMetres / 2) + Coverage.CellMetres);
+        => _skipped.Any(s => s.Leg.DistanceTo(cell) <= s.HalfMetres + Coverage.CellMetres);
 
     // Convex, and of a size that is possible from the heights of a mission; comparisons with NaN are false.
     private static bool IsPicture(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d)

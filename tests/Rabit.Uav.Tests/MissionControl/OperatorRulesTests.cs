@@ -9,21 +9,21 @@ namespace Rabit.Uav.Tests.MissionControl;
 public class OperatorRulesTests
 {
     // y: not refused by the table. In the order of the commands: hold, return, continue, land, skip lane, revisit,
-    // revisit place, confirm, reject, change speed.
+    // revisit place, confirm, reject, change speed, change parameter, offer area.
     [Theory]
-    [InlineData(MissionPhase.NoMission, "..........")]
-    [InlineData(MissionPhase.WaitingForVehicle, "yy.y...yyy")]
-    [InlineData(MissionPhase.Arming, "yy.y...yyy")]
-    [InlineData(MissionPhase.TakingOff, "yy.yy..yyy")]
-    [InlineData(MissionPhase.InTransit, "yy.yyyyyyy")]
-    [InlineData(MissionPhase.Searching, "yy.yyyyyyy")]
-    [InlineData(MissionPhase.Revisiting, "yy.yy..yyy")]
-    [InlineData(MissionPhase.Holding, "yyyyyyyyyy")]
-    [InlineData(MissionPhase.Returning, "y..y...yy.")]
-    [InlineData(MissionPhase.Landing, "y......yy.")]
-    [InlineData(MissionPhase.HandedOver, "yyy....yy.")]
-    [InlineData(MissionPhase.Done, ".......yy.")]
-    [InlineData(MissionPhase.Failed, ".......yy.")]
+    [InlineData(MissionPhase.NoMission, "............")]
+    [InlineData(MissionPhase.WaitingForVehicle, "yy.y...yyyyy")]
+    [InlineData(MissionPhase.Arming, "yy.y...yyyyy")]
+    [InlineData(MissionPhase.TakingOff, "yy.yy..yyyyy")]
+    [InlineData(MissionPhase.InTransit, "yy.yyyyyyyyy")]
+    [InlineData(MissionPhase.Searching, "yy.yyyyyyyyy")]
+    [InlineData(MissionPhase.Revisiting, "yy.yy..yyyyy")]
+    [InlineData(MissionPhase.Holding, "yyyyyyyyyyyy")]
+    [InlineData(MissionPhase.Returning, "y..y...yy.yy")]
+    [InlineData(MissionPhase.Landing, "y......yy.yy")]
+    [InlineData(MissionPhase.HandedOver, "yyy....yy.yy")]
+    [InlineData(MissionPhase.Done, ".......yy...")]
+    [InlineData(MissionPhase.Failed, ".......yy...")]
     public void Table_EachPhaseAndCommand_IsAsDocumented(MissionPhase phase, string expected)
         => Assert.Equal(
             expected,

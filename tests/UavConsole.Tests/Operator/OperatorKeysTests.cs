@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -219,6 +220,20 @@ public sealed class OperatorKeysTests
 
         public OperatorRequest ChangeSpeed(double metresPerSecond, string by, string reason)
             => throw new InvalidOperationException("There is no key for it.");
+
+        public OperatorRequest ChangeParameter(MissionParameter parameter, double value, string by, string reason)
+            => throw new InvalidOperationException("There is no key for it.");
+
+        public OperatorRequest OfferArea(
+            ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts, string by,
+            string reason)
+            => throw new InvalidOperationException("There is no key for it.");
+
+        public string? FindFaultOfArea(
+            ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts)
+            => throw new InvalidOperationException("There is no key for it.");
+
+        public MissionPlan? Mission => null;
 
         public void Give(OperatorRequest request) => Add(request);
 

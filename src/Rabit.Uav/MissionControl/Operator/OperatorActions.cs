@@ -25,9 +25,18 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
         while (flight.Operator.Pending is { } request)
         {
             bool isDecision = request.Command is OperatorCommand.Confirm or OperatorCommand.Reject;
+            bool takesArea = request.Command == OperatorCommand.Continue && flight.Changes.IsAreaOffered && !isOver;
+            if (takesArea && OperatorRules.OnlyTakesArea(phase))
+            {
+                TakeArea(flight, request);
+                continue;
+            }
+
             string? refusal = isOver && !isDecision
                 ? "the mission is over"
                 : OperatorRules.FindRefusal(phase, request.Command) ?? OperatorFaults.Find(flight, phase, request);
+            if (takesArea && refusal is null)
+                refusal = flight.Changes.TakeArea();
             if (refusal is not null)
                 flight.Operator.Refuse(refusal);
             else if (OperatorRules.ChangesPhase(phase, request.Command))
@@ -47,18 +56,41 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
         _decided.Clear();
     }
 
+    private static void TakeArea(MissionFlight flight, OperatorRequest request)
+    {
+        string? refusal = OperatorFaults.Find(flight, MissionPhase.Searching, request) ?? flight.Changes.TakeArea();
+        if (refusal is null)
+            flight.Operator.Accept("over the new area");
+        else
+            flight.Operator.Refuse(refusal);
+    }
+
     private static void Do(MissionFlight flight, OperatorRequest request)
     {
-        if (request.Command == OperatorCommand.SkipLane)
+        string text = string.Empty;
+        string? refusal = null;
+        switch (request.Command)
         {
-            flight.SkipLane();
-        }
-        else
-        {
-            flight.ChangeMission(flight.Mission.WithSpeed(request.SpeedMetresPerSecond));
+            case OperatorCommand.SkipLane:
+                flight.SkipLane();
+                break;
+            case OperatorCommand.ChangeParameter:
+                refusal = flight.Changes.Set(request.Parameter, request.Value);
+                text = "from the next leg on";
+                break;
+            case OperatorCommand.OfferArea:
+                refusal = flight.Changes.Offer(request.Area, request.KeepOuts);
+                text = flight.Changes.IsAreaOffered ? "the next continue takes it over" : string.Empty;
+                break;
+            default:
+                flight.Changes.SetSpeedNow(request.SpeedMetresPerSecond);
+                break;
         }
 
-        flight.Operator.Accept();
+        if (refusal is null)
+            flight.Operator.Accept(text);
+        else
+            flight.Operator.Refuse(refusal);
     }
 
     private static TargetDecision DecisionOf(OperatorRequest request)

@@ -16,6 +16,7 @@ internal static class OperatorRules
         (NoMission, _) => "there is no mission",
         (_, Confirm or Reject) => null,
         (Done or Failed, _) => "the mission is over",
+        (_, ChangeParameter or OfferArea) => null,
         (HandedOver, OperatorCommand.Hold or Return or Continue) => null,
         (HandedOver, _) => "the command is not ours: hold, return or continue takes it",
 
@@ -36,10 +37,16 @@ internal static class OperatorRules
         _ => null,
     };
 
+    /// <summary>
+    /// Whether a continue takes over an area that was offered, in a phase in which there is nothing else to continue.
+    /// </summary>
+    public static bool OnlyTakesArea(MissionPhase phase)
+        => phase is WaitingForVehicle or Arming or TakingOff or InTransit or Searching or Revisiting;
+
     /// <summary>Whether a command, once it is allowed, leads to another phase or begins the same one again.</summary>
     public static bool ChangesPhase(MissionPhase phase, OperatorCommand command) => command switch
     {
-        Confirm or Reject or ChangeSpeed => false,
+        Confirm or Reject or ChangeSpeed or ChangeParameter or OfferArea => false,
         SkipLane => phase is InTransit or Searching,
         _ => true,
     };

@@ -18,6 +18,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
+        flight.Changes.BeginLeg();
         if (by == MissionEvent.OperatorSkip)
             flight.SkipLane();
         _isCameraPointed = !flight.Mission.HasGimbal;

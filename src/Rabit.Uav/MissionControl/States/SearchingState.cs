@@ -41,6 +41,13 @@ internal sealed class SearchingState : MissionState
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
+        if (!_isOnLane && flight.Changes.AreDue)
+        {
+            if (flight.Changes.NeedPlan && _laneEnd is { } last && flight.ActiveTime - last < ProcessingTime)
+                return MissionStep.Stay;
+            flight.Changes.BeginLeg();
+        }
+
         if (!ReferenceEquals(_route, flight.Route))
             (_route, _isOnLane) = (flight.Route, false);
         if (flight.IsFixedWing && flight.Commands.Failures > 0)

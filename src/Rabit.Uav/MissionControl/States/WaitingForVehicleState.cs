@@ -19,6 +19,7 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
+        flight.Changes.BeginLeg();
         if (_isPilotAwaited)
             return AwaitPilot(flight);
         if (flight.IsFlying)
@@ -90,6 +91,9 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         if (flight.Options.RequiresPreflight && flight.Preflight.FindRefusal() is { } refusal)
             return refusal;
 
+        if (FindShortage(flight) is { } shortage)
+            return shortage;
+
         // Where there is a checklist it judges these, and the operator may override a line of it.
         if (!flight.Options.RequiresPreflight && FindMissingOfVehicle(flight) is { } missing)
             return missing;
@@ -117,12 +121,19 @@ internal sealed class WaitingForVehicleState() : MissionState(MissionPhase.Waiti
         bool isKnown = vehicle.BatteryTime is not null && !double.IsNaN(vehicle.BatteryRemaining);
         if (!isKnown && !flight.Mission.AllowUnknownBattery)
             return "the charge of the battery is not known (limits.allowUnknownBattery of the mission)";
-        if (vehicle.BatteryRemaining < flight.Mission.MinBatteryFractionAtStart)
-        {
-            return $"battery {MissionNumbers.Percent(vehicle.BatteryRemaining)}; "
-                + $"{MissionNumbers.Percent(flight.Mission.MinBatteryFractionAtStart)} are needed";
-        }
-
         return flight.Options.RequiresCamera && !flight.Imaging.HasCamera ? "no camera" : null;
+    }
+
+    // Of a checklist that is what the mission file says; the operator may have asked for more since. Comparisons with
+    // NaN are false.
+    private static string? FindShortage(MissionFlight flight)
+    {
+        double remaining = flight.Vehicle.BatteryRemaining;
+        double needed = flight.Mission.MinBatteryFractionAtStart;
+        bool isChecked = flight.Options.RequiresPreflight
+            && needed <= (flight.Options.Mission ?? flight.Mission).MinBatteryFractionAtStart;
+        return !isChecked && remaining < needed
+            ? $"battery {MissionNumbers.Percent(remaining)}; {MissionNumbers.Percent(needed)} are needed"
+            : null;
     }
 }
