@@ -38,7 +38,7 @@ internal static class VehicleRun
                 ? CameraFolder.Create(path, world.CameraModel, world.CameraMount)
                 : null;
             using MavlinkSigningKey? key = options.SignKeyFile is { } keyFile ? SigningKeyFile.Read(keyFile) : null;
-            using IByteLink link = LinkFactory.Open(options.Link);
+            using IByteLink link = ReopeningLink.Open(options.Link);
             truthFile?.Write(world);
             int exitCode = Fly(world.CreateVehicle(link, key), world, folder, options);
             truthFile?.Write(world);

@@ -1,6 +1,7 @@
 using System;
 using System.Net;
 using System.Net.Sockets;
+using System.Threading;
 
 namespace Rabit.Links;
 
@@ -12,18 +13,23 @@ internal static class HostAddresses
     /// programs listen on IPv4. Waits for the system's name service as long as that takes.
     /// </summary>
     /// <exception cref="LinkException">The name is not known.</exception>
-    public static IPAddress[] Find(string url, string host)
+    /// <remarks>A stop ends the wait; the look-up itself, which cannot be ended, is left to itself.</remarks>
+    public static IPAddress[] Find(string url, string host, LinkStop stop)
     {
         if (IPAddress.TryParse(host, out IPAddress? literal)) return [literal];
 
         IPAddress[] found;
         try
         {
-            found = Dns.GetHostAddresses(host);
+            IAsyncResult lookUp = Dns.BeginGetHostAddresses(host, null, null);
+            if (!stop.WaitFor(lookUp.AsyncWaitHandle, Timeout.InfiniteTimeSpan))
+                throw new LinkException(url, LinkLifetime.UnblockedReason, linkEnded: true, mayPass: true);
+            found = Dns.EndGetHostAddresses(lookUp);
         }
         catch (SocketException e)
         {
-            throw new LinkException(url, SocketFaults.Describe(e.SocketErrorCode), linkEnded: true, e);
+            throw new LinkException(url, SocketFaults.Describe(e.SocketErrorCode), linkEnded: true, e,
+                mayPass: e.SocketErrorCode == SocketError.TryAgain);
         }
         catch (ArgumentException e)
         {

@@ -10,6 +10,7 @@ namespace Rabit.Links;
 /// <remarks>
 /// A link is opened by its class or by <see cref="LinkFactory"/>, which throw a <see cref="LinkException"/> when that
 /// fails. What goes wrong later and passes (a peer that is not up yet) is counted; what does not pass ends the link.
+/// <see cref="ReopeningLink"/> opens such a link again and again, and ends only at a stop.
 /// </remarks>
 /// <example>
 /// Two ends in memory; every other link is used alike.
@@ -38,17 +39,30 @@ public interface IByteLink : IDisposable
     /// </summary>
     LinkCounters Counters { get; }
 
+    /// <summary>Where the link is in its life. From any thread.</summary>
+    ByteLinkState State { get; }
+
+    /// <summary>
+    /// What went wrong last, one line without the URL; null while nothing did. It stays when the link has recovered.
+    /// From any thread.
+    /// </summary>
+    string? LastFault { get; }
+
     /// <summary>
     /// Fills <paramref name="buffer"/> from its start with bytes that have arrived, in their order. One thread at a
-    /// time. A link that blocks waits for at least one byte, the end of the link, <see cref="Unblock"/> or
-    /// <see cref="IDisposable.Dispose"/>. Nothing is lost if the buffer is smaller than what has arrived: the rest
-    /// comes with the next read.
+    /// time. A link that blocks waits for at least one byte, the end of the link, the time-out,
+    /// <see cref="Unblock"/> or <see cref="IDisposable.Dispose"/>. Nothing is lost if the buffer is smaller than what
+    /// has arrived: the rest comes with the next read.
     /// </summary>
     /// <param name="buffer">Where the bytes go; not empty. The link does not keep it.</param>
+    /// <param name="timeoutMilliseconds">
+    /// After what time without a byte a link that blocks says <see cref="LinkReadKind.NothingYet"/>; at least 1, or
+    /// <see cref="System.Threading.Timeout.Infinite"/>.
+    /// </param>
     /// <returns>How many bytes came, or that there are none yet, or that none will ever come and why.</returns>
     /// <exception cref="LinkException">The link broke. Every later read says that it has ended.</exception>
     /// <exception cref="ObjectDisposedException">The link was disposed before the call.</exception>
-    LinkRead Read(byte[] buffer);
+    LinkRead Read(byte[] buffer, int timeoutMilliseconds = System.Threading.Timeout.Infinite);
 
     /// <summary>
     /// Sends bytes. From any thread; the bytes of one call stay together. Waits at most the write time-out of the link

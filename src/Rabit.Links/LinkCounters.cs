@@ -12,8 +12,16 @@ public readonly struct LinkCounters
     /// <param name="bytesDropped">See <see cref="BytesDropped"/>.</param>
     /// <param name="writesDropped">See <see cref="WritesDropped"/>.</param>
     /// <param name="transientFaults">See <see cref="TransientFaults"/>.</param>
-    public LinkCounters(long bytesRead, long bytesWritten, long bytesDropped, long writesDropped, long transientFaults)
+    /// <param name="openings">See <see cref="Openings"/>.</param>
+    /// <param name="peersForgotten">See <see cref="PeersForgotten"/>.</param>
+    /// <param name="peersDisplaced">See <see cref="PeersDisplaced"/>.</param>
+    public LinkCounters(
+        long bytesRead, long bytesWritten, long bytesDropped, long writesDropped, long transientFaults,
+        long openings = 1, long peersForgotten = 0, long peersDisplaced = 0)
     {
+        Openings = openings;
+        PeersForgotten = peersForgotten;
+        PeersDisplaced = peersDisplaced;
         BytesRead = bytesRead;
         BytesWritten = bytesWritten;
         BytesDropped = bytesDropped;
@@ -37,6 +45,21 @@ public readonly struct LinkCounters
     /// Faults that passed without ending the link, for example a host that answered that the port is closed.
     /// </summary>
     public long TransientFaults { get; }
+
+    /// <summary>How many times it was opened.</summary>
+    public long Openings { get; }
+
+    /// <summary>Peers of a link with many that were forgotten, because nothing came of them any more.</summary>
+    public long PeersForgotten { get; }
+
+    /// <summary>Peers of a link with many that had to give way to new ones, because there were too many.</summary>
+    public long PeersDisplaced { get; }
+
+    /// <summary>What two parts of one link's life come to.</summary>
+    internal LinkCounters Plus(in LinkCounters other) => new(
+        BytesRead + other.BytesRead, BytesWritten + other.BytesWritten, BytesDropped + other.BytesDropped,
+        WritesDropped + other.WritesDropped, TransientFaults + other.TransientFaults, Openings + other.Openings,
+        PeersForgotten + other.PeersForgotten, PeersDisplaced + other.PeersDisplaced);
 
     /// <summary>For logs, one line.</summary>
     public override string ToString() =>

@@ -13,12 +13,15 @@ public sealed class LinkException : Exception
     /// <param name="reason">What went wrong, one line without the URL.</param>
     /// <param name="linkEnded">See <see cref="LinkEnded"/>.</param>
     /// <param name="innerException">What the operating system or the runtime said, if anything.</param>
-    public LinkException(string url, string reason, bool linkEnded, Exception? innerException = null)
+    /// <param name="mayPass">See <see cref="MayPass"/>.</param>
+    public LinkException(
+        string url, string reason, bool linkEnded, Exception? innerException = null, bool mayPass = false)
         : base($"link {url}: {reason}", innerException)
     {
         Url = url;
         Reason = reason;
         LinkEnded = linkEnded;
+        MayPass = mayPass;
     }
 
     /// <summary>The link, see <see cref="IByteLink.Url"/>.</summary>
@@ -32,4 +35,10 @@ public sealed class LinkException : Exception
     /// succeed.
     /// </summary>
     public bool LinkEnded { get; }
+
+    /// <summary>
+    /// Whether a link that could not be opened may well be there later: a server that is not up yet, a device that is
+    /// not plugged in. False for what a user must put right first: a missing permission, a port in use.
+    /// </summary>
+    public bool MayPass { get; }
 }

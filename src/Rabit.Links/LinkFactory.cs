@@ -12,7 +12,8 @@ namespace Rabit.Links;
 public static class LinkFactory
 {
     /// <summary>
-    /// Opens a live link. May wait: for a host to take a connection, and for the system to look up its name.
+    /// Opens a live link, once: when it ends it is over. <see cref="ReopeningLink"/> opens it again.
+    /// May wait: for a host to take a connection, and for the system to look up its name.
     /// </summary>
     /// <param name="url">Any kind but <see cref="LinkKind.RecordedFile"/>.</param>
     /// <param name="options">How long to wait; the defaults if left out.</param>
@@ -22,11 +23,16 @@ public static class LinkFactory
     public static IByteLink Open(LinkUrl url, LinkOptions? options = null)
     {
         if (url is null) throw new ArgumentNullException(nameof(url));
+        return Open(url, options, new LinkStop());
+    }
+
+    internal static IByteLink Open(LinkUrl url, LinkOptions? options, LinkStop stop)
+    {
         return url.Kind switch
         {
-            LinkKind.UdpListen => UdpListenLink.Open(url.Host!, url.Port, options),
-            LinkKind.UdpSend => UdpSendLink.Open(url.Host!, url.Port, options),
-            LinkKind.TcpClient => TcpClientLink.Open(url.Host!, url.Port, options),
+            LinkKind.UdpListen => UdpListenLink.Open(url.Host!, url.Port, options, stop),
+            LinkKind.UdpSend => UdpSendLink.Open(url.Host!, url.Port, options, stop),
+            LinkKind.TcpClient => TcpClientLink.Open(url.Host!, url.Port, options, stop),
             LinkKind.Serial => SerialLink.Open(url.Path!, url.BaudRate, options),
             _ =>
                 throw new ArgumentException(

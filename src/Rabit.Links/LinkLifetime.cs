@@ -7,7 +7,7 @@ namespace Rabit.Links;
 /// What every link keeps beside its device: its name, whether and why it has ended, whether it was disposed, and its
 /// counters. Any thread; each field is changed by an interlocked operation and never changes back.
 /// </summary>
-internal sealed class LinkLifetime(string url)
+internal sealed class LinkLifetime(string url, int openings = 1)
 {
     public const string UnblockedReason = "it was closed on this side";
 
@@ -29,7 +29,13 @@ internal sealed class LinkLifetime(string url)
         Interlocked.Read(ref _bytesWritten),
         Interlocked.Read(ref _bytesDropped),
         Interlocked.Read(ref _writesDropped),
-        Interlocked.Read(ref _transientFaults));
+        Interlocked.Read(ref _transientFaults),
+        openings);
+
+    public ByteLinkState State => EndReason is null ? ByteLinkState.Open : ByteLinkState.Closed;
+
+    /// <summary>What went wrong; that this side closed it is no fault.</summary>
+    public string? LastFault => EndReason is { } reason && reason != UnblockedReason ? reason : null;
 
     /// <summary>Ends the link. True for the one call that did.</summary>
     public bool TryEnd(string reason) => Interlocked.CompareExchange(ref _endReason, reason, null) is null;
@@ -38,10 +44,10 @@ internal sealed class LinkLifetime(string url)
     public bool TryDispose() => Interlocked.Exchange(ref _disposed, 1) == 0;
 
     /// <summary>Counts bytes that a read hands out.</summary>
-    public LinkRead Arrived(int count)
+    public LinkRead Arrived(int count, int peer = 0)
     {
         Interlocked.Add(ref _bytesRead, count);
-        return LinkRead.Bytes(count);
+        return LinkRead.Bytes(count, peer);
     }
 
     public void Sent(int count) => Interlocked.Add(ref _bytesWritten, count);
@@ -55,9 +61,10 @@ internal sealed class LinkLifetime(string url)
     public void TransientFault() => Interlocked.Increment(ref _transientFaults);
 
     /// <summary>Checks what is wrong with a call of Read whatever the link.</summary>
-    public void CheckRead(byte[] buffer)
+    public void CheckRead(byte[] buffer, int timeoutMilliseconds)
     {
         ThrowIfDisposed();
+        if (timeoutMilliseconds is < 1 and not Timeout.Infinite) ThrowBadTimeout(timeoutMilliseconds);
         if (buffer is null) ThrowNoBuffer(nameof(buffer));
         if (buffer!.Length == 0) ThrowEmptyBuffer(nameof(buffer));
     }
@@ -94,6 +101,9 @@ internal sealed class LinkLifetime(string url)
 
     private void ThrowEmptyBuffer(string parameter)
         => throw new ArgumentException($"link {Url}: cannot read into an empty buffer", parameter);
+
+    private void ThrowBadTimeout(int milliseconds) => throw new ArgumentOutOfRangeException(
+        nameof(milliseconds), milliseconds, $"link {Url}: a time-out is at least 1 ms, or Timeout.Infinite");
 
     private void ThrowBadRange(int offset, int count, int length) => throw new ArgumentOutOfRangeException(
         nameof(count), $"link {Url}: offset {offset} and count {count} do not lie in a buffer of {length} bytes");

@@ -12,15 +12,27 @@ namespace Rabit.Links;
 public sealed class LinkOptions
 {
     private static readonly TimeSpan Longest = TimeSpan.FromHours(1);
+    private static readonly TimeSpan LongestReopenDelay = TimeSpan.FromSeconds(2);
 
     /// <summary>Chooses the limits; what is left out has its default.</summary>
     /// <param name="connectTimeout">See <see cref="ConnectTimeout"/>; 1 ms to 1 h.</param>
     /// <param name="writeTimeout">See <see cref="WriteTimeout"/>; 1 ms to 1 h.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A limit is shorter than 1 ms or longer than 1 h.</exception>
-    public LinkOptions(TimeSpan? connectTimeout = null, TimeSpan? writeTimeout = null)
+    /// <param name="firstReopenDelay">See <see cref="FirstReopenDelay"/>; 1 ms to the longest.</param>
+    /// <param name="maxReopenDelay">See <see cref="MaxReopenDelay"/>; 1 ms to 2 s.</param>
+    /// <param name="clock">See <see cref="Clock"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A limit is out of its range.</exception>
+    public LinkOptions(
+        TimeSpan? connectTimeout = null, TimeSpan? writeTimeout = null, TimeSpan? firstReopenDelay = null,
+        TimeSpan? maxReopenDelay = null, TimeProvider? clock = null)
     {
-        ConnectTimeout = Checked(connectTimeout ?? TimeSpan.FromSeconds(5), nameof(connectTimeout));
-        WriteTimeout = Checked(writeTimeout ?? TimeSpan.FromSeconds(1), nameof(writeTimeout));
+        ConnectTimeout = Checked(connectTimeout ?? TimeSpan.FromSeconds(5), Longest, nameof(connectTimeout));
+        WriteTimeout = Checked(writeTimeout ?? TimeSpan.FromSeconds(1), Longest, nameof(writeTimeout));
+        MaxReopenDelay = Checked(maxReopenDelay ?? LongestReopenDelay, LongestReopenDelay, nameof(maxReopenDelay));
+        TimeSpan first = TimeSpan.FromMilliseconds(100);
+        FirstReopenDelay = Checked(
+            firstReopenDelay ?? (first < MaxReopenDelay ? first : MaxReopenDelay), MaxReopenDelay,
+            nameof(firstReopenDelay));
+        Clock = clock ?? TimeProvider.System;
     }
 
     /// <summary>The defaults.</summary>
@@ -32,12 +44,29 @@ public sealed class LinkOptions
     /// <summary>How long one write may wait for room on the way out. Default 1 s.</summary>
     public TimeSpan WriteTimeout { get; }
 
+    /// <summary>
+    /// After what time a <see cref="ReopeningLink"/> that broke is tried again first; it doubles with every failure in
+    /// a row. Default 100 ms.
+    /// </summary>
+    public TimeSpan FirstReopenDelay { get; }
+
+    /// <summary>Where the doubling ends. Default 2 s.</summary>
+    public TimeSpan MaxReopenDelay { get; }
+
+    /// <summary>
+    /// What a <see cref="ReopeningLink"/> counts its delays by: the system's, or that of a virtual time for links that
+    /// do not block.
+    /// </summary>
+    public TimeProvider Clock { get; }
+
     internal int WriteTimeoutMilliseconds => (int)Math.Ceiling(WriteTimeout.TotalMilliseconds);
 
-    private static TimeSpan Checked(TimeSpan limit, string name)
+    private static TimeSpan Checked(TimeSpan limit, TimeSpan longest, string name)
     {
-        if (limit < TimeSpan.FromMilliseconds(1) || limit > Longest)
-            throw new ArgumentOutOfRangeException(name, limit, "a time-out of a link is 1 ms to 1 h");
+        if (limit < TimeSpan.FromMilliseconds(1) || limit > longest)
+            throw new ArgumentOutOfRangeException(
+                name, limit,
+                FormattableString.Invariant($"a time of a link is 1 ms to {(longest == Longest ? "1 h" : $"{longest.TotalSeconds:0.###} s")}"));
         return limit;
     }
 }

@@ -57,6 +57,9 @@ public sealed class LinkUrl
     /// </summary>
     public double Speed { get; }
 
+    /// <summary>Whether what is written to it goes out, and comes in, in datagrams.</summary>
+    public bool IsDatagram => Kind is LinkKind.UdpListen or LinkKind.UdpSend;
+
     /// <summary>Reads the name of a link.</summary>
     /// <param name="text">For example <c>udpin:0.0.0.0:14550</c>. The case of the scheme does not matter.</param>
     /// <exception cref="FormatException">

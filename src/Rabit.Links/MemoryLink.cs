@@ -23,11 +23,15 @@ internal sealed class MemoryLink(string url, int capacityBytes) : IByteLink
 
     public LinkCounters Counters => _state.Counters;
 
+    public ByteLinkState State => _state.State;
+
+    public string? LastFault => _state.LastFault;
+
     public void ConnectTo(MemoryLink peer) => _peer = peer;
 
-    public LinkRead Read(byte[] buffer)
+    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
     {
-        _state.CheckRead(buffer);
+        _state.CheckRead(buffer, timeoutMilliseconds);
         lock (_gate)
         {
             if (_state.EndReason is { } reason) return LinkRead.Ended(reason);

@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 
 namespace Rabit.Links;
 
@@ -41,6 +42,12 @@ public sealed class SerialLink : IByteLink
     /// <inheritdoc/>
     public LinkCounters Counters => _state.Counters;
 
+    /// <inheritdoc/>
+    public ByteLinkState State => _state.State;
+
+    /// <inheritdoc/>
+    public string? LastFault => _state.LastFault;
+
     /// <summary>Opens a serial line.</summary>
     /// <param name="device">
     /// Path of the device, for example <c>/dev/ttyAMA0</c>, <c>/dev/serial0</c> or one of <c>/dev/serial/by-id</c>.
@@ -64,20 +71,21 @@ public sealed class SerialLink : IByteLink
             throw new PlatformNotSupportedException(
                 $"link {url}: serial links work on Linux only; elsewhere use udpin, udpout or tcp");
 
-        SerialDevice opened = SerialDevice.TryOpen(device, baudRate, out string fault)
-            ?? throw new LinkException(url, $"cannot open: {fault}", linkEnded: true);
+        SerialDevice opened = SerialDevice.TryOpen(device, baudRate, out string fault, out int errno)
+            ?? throw new LinkException(
+                url, $"cannot open: {fault}", linkEnded: true, mayPass: Errno.MayPass(errno));
         return new SerialLink(opened, new LinkLifetime(url), (options ?? LinkOptions.Default).WriteTimeoutMilliseconds);
     }
 
     /// <inheritdoc/>
-    public LinkRead Read(byte[] buffer)
+    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
     {
-        _state.CheckRead(buffer);
+        _state.CheckRead(buffer, timeoutMilliseconds);
         bool held = false;
         try
         {
             _device.DangerousAddRef(ref held);
-            return ReadHeld(buffer);
+            return ReadHeld(buffer, timeoutMilliseconds);
         }
         finally
         {
@@ -118,22 +126,24 @@ public sealed class SerialLink : IByteLink
         _device.Dispose();
     }
 
-    private LinkRead ReadHeld(byte[] buffer)
+    private LinkRead ReadHeld(byte[] buffer, int timeoutMilliseconds)
     {
+        var left = new Deadline(timeoutMilliseconds);
         while (true)
         {
-            _device.WaitReadable();
+            _device.WaitReadable(left.Milliseconds);
             if (_state.EndReason is { } reason) return LinkRead.Ended(reason);
             int count = _device.Read(buffer, out int errno);
             if (count > 0) return _state.Arrived(count);
             if (count == 0 || Errno.IsUnplugged(errno)) End(UnpluggedReason);
             else if (errno is not (Errno.TryAgain or Errno.Interrupted)) throw Broken(Errno.Describe(errno));
+            else if (left.HasPassed) return LinkRead.NothingYet;
         }
     }
 
     private void WriteHeld(byte[] buffer, int offset, int count)
     {
-        long deadline = 0; // set at the first wait: most writes need none
+        Deadline? deadline = null; // set at the first wait: most writes need none
         int left = count;
         while (left > 0)
         {
@@ -157,14 +167,11 @@ public sealed class SerialLink : IByteLink
     }
 
     // A wait may return early, so it is counted against a deadline, which a garbage collection does not move.
-    private bool WaitForRoom(ref long deadline)
+    private bool WaitForRoom(ref Deadline? deadline)
     {
-        TimeProvider clock = TimeProvider.System;
-        long now = clock.GetTimestamp();
-        if (deadline == 0) deadline = now + (clock.TimestampFrequency * _writeTimeoutMilliseconds / 1000);
-        long left = deadline - now;
-        if (left <= 0) return false;
-        _device.WaitWritable((int)((left * 1000 / clock.TimestampFrequency) + 1));
+        Deadline set = deadline ??= new Deadline(_writeTimeoutMilliseconds);
+        if (set.HasPassed) return false;
+        _device.WaitWritable(set.Milliseconds);
         return true;
     }
 

@@ -1,4 +1,6 @@
+using System;
 using System.Net.Sockets;
+using System.Threading;
 
 namespace Rabit.Links;
 
@@ -22,6 +24,28 @@ internal static class SocketFaults
         => error is SocketError.ConnectionReset or SocketError.ConnectionAborted
             or SocketError.Shutdown or SocketError.NotConnected or SocketError.Disconnecting
             or SocketError.NetworkReset;
+
+    /// <summary>What a receive with a time-out says when nothing came; it depends on the runtime.</summary>
+    public static bool IsTimeout(SocketError error)
+        => error is SocketError.TimedOut or SocketError.WouldBlock or SocketError.TryAgain;
+
+    /// <summary>
+    /// Sets after what time a receive gives up. The present value is kept beside the socket: asking the socket, or
+    /// setting it each time, would be a call of the system for every read.
+    /// </summary>
+    public static void SetReadTimeout(this Socket socket, int milliseconds, ref int present)
+    {
+        if (milliseconds == present) return;
+        try
+        {
+            socket.ReceiveTimeout = milliseconds == Timeout.Infinite ? 0 : milliseconds;
+            present = milliseconds;
+        }
+        catch (Exception e) when (e is SocketException or ObjectDisposedException)
+        {
+            // Closed, or broken: the receive that follows says so.
+        }
+    }
 
     /// <summary>A few words for the errors a user meets; the name of the error for the rest.</summary>
     public static string Describe(SocketError error) => error switch

@@ -1,6 +1,7 @@
 using System;
 using System.Net;
 using System.Net.Sockets;
+using System.Threading;
 
 namespace Rabit.Links;
 
@@ -22,6 +23,7 @@ public sealed class TcpClientLink : IByteLink
     private readonly LinkLifetime _state;
     private readonly int _writeTimeoutMilliseconds;
     private readonly object _writeGate = new(); // keeps the bytes of one write together
+    private int _readTimeout = Timeout.Infinite; // that of the socket; reader's thread
 
     private TcpClientLink(Socket socket, LinkLifetime state, int writeTimeoutMilliseconds)
     {
@@ -39,6 +41,12 @@ public sealed class TcpClientLink : IByteLink
     /// <inheritdoc/>
     public LinkCounters Counters => _state.Counters;
 
+    /// <inheritdoc/>
+    public ByteLinkState State => _state.State;
+
+    /// <inheritdoc/>
+    public string? LastFault => _state.LastFault;
+
     /// <summary>Connects. Tries each address of the host, IPv4 first, until one takes the connection.</summary>
     /// <param name="host">Name or address of the server.</param>
     /// <param name="port">Its port, 1 to 65535.</param>
@@ -47,19 +55,23 @@ public sealed class TcpClientLink : IByteLink
     /// The host is unknown, refuses, does not answer in time, or the like; of several addresses the last one's fault.
     /// </exception>
     public static TcpClientLink Open(string host, int port, LinkOptions? options = null)
+        => Open(host, port, options, new LinkStop());
+
+    internal static TcpClientLink Open(string host, int port, LinkOptions? options, LinkStop stop)
     {
         if (host is null) throw new ArgumentNullException(nameof(host));
         if (port is < 1 or > 65535) throw new ArgumentOutOfRangeException(nameof(port), port, "a port is 1 to 65535");
         string url = LinkUrl.ForHost(LinkKind.TcpClient, host, port).ToString();
         options ??= LinkOptions.Default;
-        Socket socket = TcpConnector.Connect(url, HostAddresses.Find(url, host), port, options);
+        Socket socket = TcpConnector.Connect(url, HostAddresses.Find(url, host, stop), port, options, stop);
         return new TcpClientLink(socket, new LinkLifetime(url), options.WriteTimeoutMilliseconds);
     }
 
     /// <inheritdoc/>
-    public LinkRead Read(byte[] buffer)
+    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
     {
-        _state.CheckRead(buffer);
+        _state.CheckRead(buffer, timeoutMilliseconds);
+        _socket.SetReadTimeout(timeoutMilliseconds, ref _readTimeout);
         while (true)
         {
             if (_state.EndReason is { } reason) return LinkRead.Ended(reason);
@@ -67,6 +79,8 @@ public sealed class TcpClientLink : IByteLink
             if (_state.EndReason is not null) continue;
             if (error == SocketError.Success && count > 0) return _state.Arrived(count);
             if (error == SocketError.Success) End("the remote end closed the connection");
+            else if (timeoutMilliseconds != Timeout.Infinite && SocketFaults.IsTimeout(error))
+                return LinkRead.NothingYet;
             else if (SocketFaults.PeerGone(error)) End(SocketFaults.Describe(error));
             else if (error is not (SocketError.Interrupted or SocketError.WouldBlock))
                 throw Broken("cannot read", error);

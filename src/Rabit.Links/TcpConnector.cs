@@ -7,7 +7,7 @@ namespace Rabit.Links;
 /// <summary>Connects to a TCP server within a time limit.</summary>
 internal static class TcpConnector
 {
-    public static Socket Connect(string url, IPAddress[] addresses, int port, LinkOptions options)
+    public static Socket Connect(string url, IPAddress[] addresses, int port, LinkOptions options, LinkStop stop)
     {
         LinkException? fault = null;
         foreach (IPAddress address in addresses)
@@ -21,15 +21,16 @@ internal static class TcpConnector
                     NoDelay = true,
                     SendTimeout = options.WriteTimeoutMilliseconds,
                 };
-                if (TryConnect(socket, new IPEndPoint(address, port), options.ConnectTimeout)) return socket;
+                if (TryConnect(socket, new IPEndPoint(address, port), options.ConnectTimeout, stop)) return socket;
                 fault = new LinkException(
                     url, $"the host does not answer within {options.ConnectTimeout.TotalSeconds:0.###} s",
-                    linkEnded: true);
+                    linkEnded: true, mayPass: true);
             }
             catch (SocketException e)
             {
                 fault = new LinkException(
-                    url, $"cannot connect: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
+                    url, $"cannot connect: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e,
+                    mayPass: true);
             }
 
             socket?.Dispose();
@@ -39,10 +40,10 @@ internal static class TcpConnector
     }
 
     // A blocking Connect waits for minutes and cannot be given a limit that both runtimes keep.
-    private static bool TryConnect(Socket socket, IPEndPoint server, TimeSpan limit)
+    private static bool TryConnect(Socket socket, IPEndPoint server, TimeSpan limit, LinkStop stop)
     {
         IAsyncResult attempt = socket.BeginConnect(server, null, null);
-        if (!attempt.AsyncWaitHandle.WaitOne(limit)) return false;
+        if (!stop.WaitFor(attempt.AsyncWaitHandle, limit)) return false;
         socket.EndConnect(attempt);
         return true;
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Net;
 using System.Net.Sockets;
+using System.Threading;
 
 namespace Rabit.Links;
 
@@ -44,6 +45,12 @@ public sealed class UdpListenLink : IByteLink
     /// <inheritdoc/>
     public LinkCounters Counters => _state.Counters;
 
+    /// <inheritdoc/>
+    public ByteLinkState State => _state.State;
+
+    /// <inheritdoc/>
+    public string? LastFault => _state.LastFault;
+
     /// <summary>Opens a link.</summary>
     /// <param name="address">
     /// The address of this computer to listen on, or a name for it; <c>0.0.0.0</c> is all of them for IPv4.
@@ -54,11 +61,14 @@ public sealed class UdpListenLink : IByteLink
     /// The port is in use, this computer does not have the address, or the like.
     /// </exception>
     public static UdpListenLink Open(string address, int port, LinkOptions? options = null)
+        => Open(address, port, options, new LinkStop());
+
+    internal static UdpListenLink Open(string address, int port, LinkOptions? options, LinkStop stop)
     {
         if (address is null) throw new ArgumentNullException(nameof(address));
         if (port is < 0 or > 65535) throw new ArgumentOutOfRangeException(nameof(port), port, "a port is 0 to 65535");
         string url = LinkUrl.ForHost(LinkKind.UdpListen, address, port).ToString();
-        IPAddress own = HostAddresses.Find(url, address)[0];
+        IPAddress own = HostAddresses.Find(url, address, stop)[0];
 
         Socket? socket = null;
         try
@@ -81,7 +91,8 @@ public sealed class UdpListenLink : IByteLink
     }
 
     /// <inheritdoc/>
-    public LinkRead Read(byte[] buffer) => _socket.Read(buffer);
+    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
+        => _socket.Read(buffer, timeoutMilliseconds);
 
     /// <inheritdoc/>
     public void Write(byte[] buffer, int offset, int count)

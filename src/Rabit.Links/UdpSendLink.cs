@@ -1,6 +1,7 @@
 using System;
 using System.Net;
 using System.Net.Sockets;
+using System.Threading;
 
 namespace Rabit.Links;
 
@@ -29,6 +30,12 @@ public sealed class UdpSendLink : IByteLink
     /// <inheritdoc/>
     public LinkCounters Counters => _state.Counters;
 
+    /// <inheritdoc/>
+    public ByteLinkState State => _state.State;
+
+    /// <inheritdoc/>
+    public string? LastFault => _state.LastFault;
+
     /// <summary>
     /// Opens a link. Nothing is sent yet, so whether the peer is there does not matter; its name must be known.
     /// </summary>
@@ -37,11 +44,14 @@ public sealed class UdpSendLink : IByteLink
     /// <param name="options">How long a write may wait; the defaults if left out.</param>
     /// <exception cref="LinkException">The host is unknown, the network cannot be reached, or the like.</exception>
     public static UdpSendLink Open(string host, int port, LinkOptions? options = null)
+        => Open(host, port, options, new LinkStop());
+
+    internal static UdpSendLink Open(string host, int port, LinkOptions? options, LinkStop stop)
     {
         if (host is null) throw new ArgumentNullException(nameof(host));
         if (port is < 1 or > 65535) throw new ArgumentOutOfRangeException(nameof(port), port, "a port is 1 to 65535");
         string url = LinkUrl.ForHost(LinkKind.UdpSend, host, port).ToString();
-        IPAddress peer = HostAddresses.Find(url, host)[0];
+        IPAddress peer = HostAddresses.Find(url, host, stop)[0];
 
         Socket? socket = null;
         try
@@ -57,12 +67,14 @@ public sealed class UdpSendLink : IByteLink
         {
             socket?.Dispose();
             throw new LinkException(
-                url, $"cannot send: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e);
+                url, $"cannot send: {SocketFaults.Describe(e.SocketErrorCode)}", linkEnded: true, e,
+                mayPass: true);
         }
     }
 
     /// <inheritdoc/>
-    public LinkRead Read(byte[] buffer) => _socket.Read(buffer);
+    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
+        => _socket.Read(buffer, timeoutMilliseconds);
 
     /// <inheritdoc/>
     public void Write(byte[] buffer, int offset, int count)

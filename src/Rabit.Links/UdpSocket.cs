@@ -1,5 +1,6 @@
 using System;
 using System.Net.Sockets;
+using System.Threading;
 
 namespace Rabit.Links;
 
@@ -20,10 +21,12 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
     private readonly byte[] _datagram = new byte[MaxDatagram]; // reader's thread, as the two indices
     private int _next;
     private int _end;
+    private int _timeout = Timeout.Infinite; // that of the socket
 
-    public LinkRead Read(byte[] buffer)
+    public LinkRead Read(byte[] buffer, int timeoutMilliseconds)
     {
-        state.CheckRead(buffer);
+        state.CheckRead(buffer, timeoutMilliseconds);
+        socket.SetReadTimeout(timeoutMilliseconds, ref _timeout);
         while (true)
         {
             if (state.EndReason is { } reason) return LinkRead.Ended(reason);
@@ -31,6 +34,7 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
 
             SocketError error = Receive();
             if (error == SocketError.Success || state.EndReason is not null) continue;
+            if (SocketFaults.IsTimeout(error) && timeoutMilliseconds != Timeout.Infinite) return LinkRead.NothingYet;
             if (!SocketFaults.PassesOnUdp(error)) throw Broken("cannot read", error);
             state.TransientFault();
         }

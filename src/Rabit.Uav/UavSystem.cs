@@ -116,7 +116,10 @@ public sealed class UavSystem : IDisposable
     /// <exception cref="ArgumentException">
     /// Options are out of their range or do not go together; the text names all of them.
     /// </exception>
-    /// <exception cref="LinkException">A link cannot be opened; the text names it and says why.</exception>
+    /// <exception cref="LinkException">
+    /// A link cannot be opened, and waiting would not help; the text names it and says why. What may pass, a server
+    /// that is not up or a device that is not plugged in, is tried again during the run, as is a link that breaks.
+    /// </exception>
     public static UavSystem Open(UavOptions options)
     {
         if (options is null)
@@ -189,7 +192,7 @@ public sealed class UavSystem : IDisposable
             if (url.Kind == LinkKind.RecordedFile)
                 _files.Add(RecordedFile.Open(url, ManagerOptions.DialectOf(_options)));
             else
-                _links.Add(LinkFactory.Open(url, _options.LinkOptions));
+                _links.Add(ReopeningLink.Open(url, _options.LinkOptions));
         }
     }
 

@@ -154,6 +154,49 @@ public abstract class ByteLinkContract
     }
 
     [Fact]
+    public void Read_TimeoutPasses_SaysSoAndLosesNothing()
+    {
+        using LinkTestBed bed = Open();
+        byte[] buffer = new byte[10];
+        var watch = Stopwatch.StartNew();
+
+        for (int i = 0; i < 3; i++) Assert.Equal(LinkReadKind.NothingYet, bed.Link.Read(buffer, 30).Kind);
+        TimeSpan waited = watch.Elapsed;
+        bed.PeerSends(1, 2);
+        LinkRead read = bed.Link.Read(buffer, 10_000);
+        while (read.Kind == LinkReadKind.NothingYet) read = bed.Link.Read(buffer, 10_000);
+
+        Assert.Equal(2, read.Count);
+        if (bed.Link.Blocks) Assert.InRange(waited, TimeSpan.FromMilliseconds(80), LinkTestBed.TestTimeout);
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(-2)]
+    public void Read_BadTimeout_NamesTheLink(int milliseconds)
+    {
+        using LinkTestBed bed = Open();
+
+        Assert.Contains(
+            bed.Link.Url,
+            Assert.Throws<ArgumentOutOfRangeException>(() => bed.Link.Read(new byte[1], milliseconds)).Message,
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void State_OpenThenUnblocked_SaysSoWithoutAFault()
+    {
+        using LinkTestBed bed = Open();
+        Assert.Equal((ByteLinkState.Open, 1L), (bed.Link.State, bed.Link.Counters.Openings));
+
+        string? fault = bed.Link.LastFault; // of a link that was not there at first
+
+        bed.Link.Unblock();
+
+        Assert.Equal((ByteLinkState.Closed, fault), (bed.Link.State, bed.Link.LastFault));
+    }
+
+    [Fact]
     public void Dispose_WhileReadWaits_EndsIt()
     {
         using LinkTestBed bed = Open();

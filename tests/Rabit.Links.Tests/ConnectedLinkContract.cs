@@ -20,6 +20,7 @@ public abstract class ConnectedLinkContract : ByteLinkContract
 
         Assert.Equal(PeerGoneReason, collector.WaitForEnd().Reason);
         Assert.Equal(PeerGoneReason, bed.Link.Read(new byte[1]).Reason);
+        Assert.Equal((ByteLinkState.Closed, PeerGoneReason), (bed.Link.State, bed.Link.LastFault));
     }
 
     [Fact]

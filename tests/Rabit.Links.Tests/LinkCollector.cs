@@ -75,7 +75,12 @@ internal sealed class LinkCollector
     private bool ReadOnce()
     {
         LinkRead read = _link.Read(_buffer);
-        if (read.Kind == LinkReadKind.NothingYet) return _readable.WaitOne();
+        if (read.Kind == LinkReadKind.NothingYet)
+        {
+            _readable.WaitOne(read.RetryAfter ?? Timeout.InfiniteTimeSpan);
+            return true;
+        }
+
         _end = read;
         if (read.Kind == LinkReadKind.Ended) return false;
         lock (_gate)

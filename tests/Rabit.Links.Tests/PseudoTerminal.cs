@@ -28,6 +28,13 @@ internal sealed unsafe class PseudoTerminal : IDisposable
     /// <summary>The device to open.</summary>
     public string Path { get; }
 
+    /// <summary>Gives the device a second name.</summary>
+    public void LinkTo(string name)
+    {
+        if (symlink(Path, name) != 0)
+            throw new InvalidOperationException($"no link {name}, errno {Marshal.GetLastWin32Error()}");
+    }
+
     public void Write(byte[] bytes)
     {
         fixed (byte* start = bytes)
@@ -83,6 +90,9 @@ internal sealed unsafe class PseudoTerminal : IDisposable
 
     [DllImport("libc", SetLastError = true)]
     private static extern int grantpt(int master);
+
+    [DllImport("libc", SetLastError = true, CharSet = CharSet.Ansi)]
+    private static extern int symlink(string target, string name);
 
     [DllImport("libc", SetLastError = true)]
     private static extern int unlockpt(int master);

@@ -2,7 +2,10 @@ using System;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using System.Net;
+using System.Net.Sockets;
 using System.Text.Json;
+using System.Threading.Tasks;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Links;
@@ -49,6 +52,25 @@ public sealed class LiveLinkTests : IDisposable
         console.Signal(ConsoleProcess.Interrupt);
         Assert.Equal(0, console.WaitForEnd());
         Assert.Contains("no autopilot detected yet", string.Join("\n", console.Output));
+    }
+
+    [Fact]
+    public void Link_HostRefusesClosesAndComesBack_IsSaidAndConnectedAgain()
+    {
+        int port = FreePort.Tcp();
+        using ConsoleProcess console = ConsoleProcess.Start("--headless", "--link", $"tcp:127.0.0.1:{port}");
+        console.WaitFor($"link tcp:127.0.0.1:{port} is not open, and is tried again");
+
+        using (TcpClient connected = Accept(port))
+        {
+            byte[] heartbeat = Frames.Heartbeat();
+            connected.GetStream().Write(heartbeat, 0, heartbeat.Length);
+            console.WaitFor("autopilot: autopilot Ardupilotmega of a Quadrotor, system 1, component 1");
+        }
+
+        using TcpClient again = Accept(port);
+        console.Signal(ConsoleProcess.Interrupt);
+        Assert.Equal(0, console.WaitForEnd());
     }
 
     [Theory]
@@ -116,6 +138,17 @@ public sealed class LiveLinkTests : IDisposable
     }
 
     public void Dispose() => _folder.Dispose();
+
+    private static TcpClient Accept(int port)
+    {
+        var server = new TcpListener(IPAddress.Loopback, port);
+        server.Server.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, true);
+        server.Start();
+        Task<TcpClient> accept = server.AcceptTcpClientAsync();
+        Assert.True(accept.Wait(TimeSpan.FromSeconds(20)), "no connection");
+        server.Stop();
+        return accept.Result;
+    }
 
     private ConsoleProcess Start()
     {

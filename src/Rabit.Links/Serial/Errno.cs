@@ -26,6 +26,10 @@ internal static class Errno
     /// <summary>What the kernel answers once the device is gone.</summary>
     public static bool IsUnplugged(int errno) => errno is InputOutput or NoDeviceOrAddress or NoDevice;
 
+    /// <summary>Whether a device that could not be opened may be there, or free, later.</summary>
+    public static bool MayPass(int errno)
+        => errno is NoEntry or NotDirectory or Busy or TryAgain || IsUnplugged(errno);
+
     public static string Describe(int errno) => errno switch
     {
         NoEntry or NotDirectory => "there is no such device",

@@ -1,7 +1,6 @@
 using System;
 using System.Runtime.InteropServices;
 using System.Text;
-using System.Threading;
 
 namespace Rabit.Links;
 
@@ -29,13 +28,15 @@ internal sealed unsafe class SerialDevice : SafeHandle
     public override bool IsInvalid => handle == IntPtr.Zero;
 
     /// <summary>Opens and sets a terminal. Null, with the reason, if that cannot be done.</summary>
-    public static SerialDevice? TryOpen(string path, int baudRate, out string fault)
+    public static SerialDevice? TryOpen(string path, int baudRate, out string fault, out int errno)
     {
         fault = "";
+        errno = 0;
         int terminal = OpenTerminal(path);
         if (terminal < 0)
         {
-            fault = Errno.Describe(Marshal.GetLastWin32Error());
+            errno = Marshal.GetLastWin32Error();
+            fault = Errno.Describe(errno);
             return null;
         }
 
@@ -72,10 +73,10 @@ internal sealed unsafe class SerialDevice : SafeHandle
     }
 
     /// <summary>
-    /// Waits until the line can be read (or has hung up), or <see cref="Wake"/> was called. Also returns early for no
-    /// reason: under Mono nearly every garbage collection interrupts a poll.
+    /// Waits until the line can be read (or has hung up), the time is up, or <see cref="Wake"/> was called. Also
+    /// returns early for no reason: under Mono nearly every garbage collection interrupts a poll.
     /// </summary>
-    public void WaitReadable() => Wait(Libc.PollIn, Timeout.Infinite);
+    public void WaitReadable(int timeoutMilliseconds) => Wait(Libc.PollIn, timeoutMilliseconds);
 
     /// <summary>
     /// Waits until the line takes bytes (or has hung up), the time is up, <see cref="Wake"/> was called, or for no

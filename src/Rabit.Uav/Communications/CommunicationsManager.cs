@@ -123,6 +123,7 @@ public sealed partial class CommunicationsManager : RabitManager
             () => source.BytesLost,
             () => source.IncompatibleFrames,
             target,
+            link,
             file: null,
             new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond)));
         _router.SetLink(number, MavlinkLinkRules.Live);
@@ -145,6 +146,7 @@ public sealed partial class CommunicationsManager : RabitManager
             () => file.BytesLost,
             () => file.IncompatibleFrames,
             target: null,
+            link: null,
             file,
             new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond)));
 

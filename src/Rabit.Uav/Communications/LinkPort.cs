@@ -1,5 +1,6 @@
 using System;
 using Rabit.Core;
+using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
@@ -19,6 +20,7 @@ internal sealed class LinkPort(
     Func<long> bytesLost,
     Func<long> incompatibleFrames,
     MavlinkLinkTarget? target,
+    IByteLink? link,
     RecordedFile? file,
     TunnelRateLimiter rateLimiter)
 {
@@ -99,7 +101,7 @@ internal sealed class LinkPort(
         {
             State = StateAt(now, silentAfter, fault),
             Url = url,
-            Fault = fault?.Message,
+            Fault = fault?.Message ?? (IsOpening ? link!.LastFault : null),
             LastFrameTime = _lastFrameTime,
             GroundStationTime = _groundStationTime,
             FramesIn = tally.Frames,
@@ -109,6 +111,7 @@ internal sealed class LinkPort(
             FramesDroppedIn = droppedIn + incoming.Dropped + incoming.Rejected + DiscardedIn,
             FramesDroppedOut = _rejectedOut + lostOut,
             Signatures = _signatures,
+            Openings = link?.Counters.Openings ?? 0,
             Progress = file?.Progress ?? double.NaN,
         };
         status.Post();
@@ -130,6 +133,8 @@ internal sealed class LinkPort(
         return outgoing.Dropped + target!.Lost + (writer.State == DeviceState.Faulted ? outgoing.Resident : 0);
     }
 
+    private bool IsOpening => link?.State is ByteLinkState.Opening or ByteLinkState.WaitingToReopen;
+
     private bool IsUnconnected(BlockingWriter<MavlinkFrame> writer)
         => Reader.State == DeviceState.Ended || writer.State is DeviceState.Faulted or DeviceState.Ended;
 
@@ -139,6 +144,8 @@ internal sealed class LinkPort(
             return LinkState.Failed;
         if (HasEnded)
             return LinkState.Ended;
+        if (IsOpening)
+            return LinkState.Opening;
         if (_lastFrameTime is not { } last)
             return LinkState.Waiting;
         return now - last > silentAfter ? LinkState.Silent : LinkState.Receiving;

@@ -9,8 +9,8 @@ namespace Rabit.Uav.Communications;
 
 /// <summary>
 /// Makes MAVLink frames of the bytes of a live link: the source of a manager's reader. Frames that cannot be checked
-/// are delivered too; see <see cref="LinkFrame.IsChecked"/>. Allocates nothing per frame. Used by one reader, whose
-/// thread calls it.
+/// are delivered too; see <see cref="LinkFrame.IsChecked"/>. What a false header holds back is delivered after a short
+/// silence. Allocates nothing per frame. Used by one reader, whose thread calls it.
 /// </summary>
 /// <example>
 /// In the constructor of a manager, and in its unit of work:
@@ -29,7 +29,8 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
     private readonly IByteLink _link;
     private readonly int _number;
     private readonly FrameStatistics? _statistics;
-    private readonly MavlinkFrameReader _frames;
+    private readonly PeerFrames _peers;
+    private MavlinkFrameReader? _frames; // of the peer whose bytes are in the buffer
     private readonly byte[] _buffer = new byte[BufferLength];
     private ReaderContext? _context;
     private int _start;
@@ -39,6 +40,7 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
     private long _index;
     private long _bytesLost;
     private long _incompatibleFrames;
+    private bool _isFlushing;
     private bool _hasEnded;
 
     /// <summary>Makes the source.</summary>
@@ -47,19 +49,34 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
     /// </param>
     /// <param name="number">What <see cref="LinkFrame.Link"/> says.</param>
     /// <param name="dialect">The messages that are checked; null for <see cref="MavlinkDialect.All"/>.</param>
+    /// <param name="flushAfter">
+    /// After what silence what looks like the beginning of a frame is taken for noise; null for
+    /// <see cref="DatagramFlush"/> on links whose URL says that they carry datagrams, else <see cref="StreamFlush"/>.
+    /// </param>
     /// <exception cref="ArgumentNullException">No link.</exception>
-    public MavlinkLinkSource(IByteLink link, int number = 0, MavlinkDialect? dialect = null)
-        : this(link, number, dialect ?? MavlinkDialect.All, statistics: null)
+    /// <exception cref="ArgumentOutOfRangeException">The silence is not above zero.</exception>
+    public MavlinkLinkSource(
+        IByteLink link, int number = 0, MavlinkDialect? dialect = null, TimeSpan? flushAfter = null)
+        : this(link, number, dialect ?? MavlinkDialect.All, statistics: null, flushAfter)
     {
     }
 
-    internal MavlinkLinkSource(IByteLink link, int number, MavlinkDialect dialect, FrameStatistics? statistics)
+    internal MavlinkLinkSource(
+        IByteLink link, int number, MavlinkDialect dialect, FrameStatistics? statistics, TimeSpan? flushAfter = null)
     {
+        if (flushAfter <= TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(flushAfter), flushAfter, "the silence must be above zero");
         _link = link ?? throw new ArgumentNullException(nameof(link));
         _number = number;
         _statistics = statistics;
-        _frames = new MavlinkFrameReader(dialect);
+        _peers = new PeerFrames(dialect, flushAfter ?? DefaultFlush(link));
     }
+
+    /// <summary>The silence after which a byte stream is flushed: 100 ms.</summary>
+    public static TimeSpan StreamFlush { get; } = TimeSpan.FromMilliseconds(100);
+
+    /// <summary>The silence after which a link of datagrams is flushed: 20 ms.</summary>
+    public static TimeSpan DatagramFlush { get; } = TimeSpan.FromMilliseconds(20);
 
     /// <inheritdoc/>
     public bool Blocks => _link.Blocks;
@@ -99,15 +116,12 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
             }
 
             value = default;
-            Interlocked.Exchange(ref _bytesLost, _frames.Counters.SkippedBytes);
-            Interlocked.Exchange(ref _incompatibleFrames, _frames.Counters.IncompatibleFrames);
+            Interlocked.Exchange(ref _bytesLost, _peers.SkippedBytes);
+            Interlocked.Exchange(ref _incompatibleFrames, _peers.IncompatibleFrames);
             if (_hasEnded)
                 return ReaderStep.Ended;
-
-            LinkRead read = _link.Read(_buffer);
-            if (read.Kind == LinkReadKind.NothingYet)
-                return ReaderStep.WaitForSignal;
-            Accept(read);
+            if (!TryReadLink(out ReaderStep wait))
+                return wait;
         }
     }
 
@@ -117,6 +131,31 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
     /// <inheritdoc/>
     public void Close() => _link.SetReadableCallback(null);
 
+    // False where there is nothing to do before the step that it gives. Bytes come first: what is flushed has been
+    // silent up to now, however late this thread is.
+    private bool TryReadLink(out ReaderStep wait)
+    {
+        TimeSpan flush = _peers.NextFlush;
+        LinkRead read = _link.Read(_buffer, flush == TimeSpan.MaxValue ? Timeout.Infinite : Milliseconds(flush));
+        wait = default;
+        if (read.Kind != LinkReadKind.NothingYet)
+        {
+            Accept(read);
+            return true;
+        }
+
+        TimeSpan now = _context!.Now;
+        _isFlushing = flush <= now;
+        if (_isFlushing || _link.Blocks)
+            return true;
+        TimeSpan due = read.RetryAfter is { } delay && now + delay < flush ? now + delay : flush;
+        wait = due == TimeSpan.MaxValue ? ReaderStep.WaitForSignal : ReaderStep.WaitUntil(due);
+        return false;
+    }
+
+    private int Milliseconds(TimeSpan due)
+        => Math.Max(1, (int)Math.Ceiling((due - _context!.Now).TotalMilliseconds));
+
     private void Accept(LinkRead read)
     {
         _start = 0;
@@ -125,16 +164,32 @@ public sealed class MavlinkLinkSource : IReaderSource<LinkFrame>
         if (_hasEnded)
             return;
         _time = _context!.Now;
+        _frames = _peers.Of(read, _time);
         _utcMicroseconds = (_context.Clock.GetUtcNow() - DateTimeOffset.FromUnixTimeSeconds(0)).Ticks / 10;
     }
 
     // Where no more bytes come, what was held back as the beginning of a longer frame is searched for frames too.
     private bool TryTakeFrame(out MavlinkFrame frame, out MavlinkFrameInfo info)
     {
+        frame = default;
+        info = default;
+        if (_frames is null)
+            return false;
+        if (_hasEnded)
+            return _peers.TryFlush(TimeSpan.MaxValue, out frame, out info);
+        if (_isFlushing)
+        {
+            _isFlushing = _peers.TryFlush(_context!.Now, out frame, out info);
+            return _isFlushing;
+        }
+
         var rest = new ReadOnlySpan<byte>(_buffer, _start, _count);
         bool taken = _frames.TryRead(ref rest, out frame, out info);
         _start += _count - rest.Length;
         _count = rest.Length;
-        return taken || (_hasEnded && _frames.TryFlush(out frame, out info));
+        return taken;
     }
+
+    private static TimeSpan DefaultFlush(IByteLink link)
+        => LinkUrl.TryParse(link.Url, out LinkUrl? url, out _) && url.IsDatagram ? DatagramFlush : StreamFlush;
 }

@@ -10,13 +10,14 @@ internal static partial class HealthRules
     [
         new(HealthReasons.LinkDown, HealthLevel.Critical, HealthAdvice.None)
         {
-            When = static (in LinkFacts l, HealthOptions _) => l.State == LinkState.Failed
+            When = static (in LinkFacts l, HealthOptions _) => l.State is LinkState.Failed or LinkState.Opening
                 || (l.State == LinkState.Ended && !l.IsRecorded),
             Figure = static (in LinkFacts l) => (long)l.State,
             Text = static f => f.Figure == (long)LinkState.Failed
                 ? (FormattableString)$"link {f.Subject} failed"
+                : f.Figure == (long)LinkState.Opening ? (FormattableString)$"link {f.Subject} is not open, and is tried again"
                 : $"link {f.Subject} was closed by the other end",
-            Condition = static _ => "it failed, or the peer closed it; a log that ends is no fault",
+            Condition = static _ => "it failed, it cannot be opened, or the peer closed it; a log that ends is no fault",
             End = static _ => "it is open again",
             Why = "where it is the autopilot's, AutopilotLost follows",
         },

@@ -30,7 +30,7 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
         ref readonly LinkStatus value = ref status.Value;
 
         // Until a link has received its first frame it has no peer that could lose what is sent.
-        if (value.State == LinkState.Waiting)
+        if (value.State == LinkState.Waiting || (value.State == LinkState.Opening && value.LastFrameTime is null))
             _droppedBeforeFirstFrame = value.FramesDroppedOut;
         long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedBeforeFirstFrame;
         bool drops = _dropped.Update(dropped, now, options.RecentWindow);

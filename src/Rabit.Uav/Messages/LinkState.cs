@@ -17,4 +17,7 @@ public enum LinkState
 
     /// <summary>It failed; see the log of the run.</summary>
     Failed,
+
+    /// <summary>It is not open, or not any more, and is tried again and again.</summary>
+    Opening,
 }

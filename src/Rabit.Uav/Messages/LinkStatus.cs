@@ -14,7 +14,7 @@ public struct LinkStatus
     /// <summary>The URL it was opened by.</summary>
     public string? Url { get; set; }
 
-    /// <summary>What ended it, where it failed.</summary>
+    /// <summary>What ended it, where it failed; what keeps it from being open, where it is tried again.</summary>
     public string? Fault { get; set; }
 
     /// <summary>When the last frame came in, by the clock of the run; null before the first.</summary>
@@ -50,6 +50,9 @@ public struct LinkStatus
     /// count in <see cref="FramesIn"/>, and go nowhere.
     /// </summary>
     public MavlinkSignatureCounters Signatures { get; set; }
+
+    /// <summary>How many times it was opened; above 1 where it was away and came back. 0 for a recorded log.</summary>
+    public long Openings { get; set; }
 
     /// <summary>How much of a recorded log has been read, 0 to 1; NaN for a live link.</summary>
     public double Progress { get; set; }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
@@ -35,9 +36,13 @@ internal sealed class LinkTap(IByteLink link, Func<TimeSpan> now) : IByteLink
 
     public LinkCounters Counters => link.Counters;
 
-    public LinkRead Read(byte[] buffer)
+    public ByteLinkState State => link.State;
+
+    public string? LastFault => link.LastFault;
+
+    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
     {
-        LinkRead read = link.Read(buffer);
+        LinkRead read = link.Read(buffer, timeoutMilliseconds);
         if (read.Kind is LinkReadKind.NothingYet or LinkReadKind.Ended)
             return read;
         var bytes = new ReadOnlySpan<byte>(buffer, 0, read.Count);

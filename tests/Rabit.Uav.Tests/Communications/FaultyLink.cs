@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 using Rabit.Links;
 
 namespace Rabit.Uav.Tests.Communications;
@@ -33,7 +34,11 @@ internal sealed class FaultyLink : IByteLink
         _readable?.Invoke();
     }
 
-    public LinkRead Read(byte[] buffer)
+    public ByteLinkState State => ByteLinkState.Open;
+
+    public string? LastFault => null;
+
+    public LinkRead Read(byte[] buffer, int timeoutMilliseconds = Timeout.Infinite)
     {
         if (ReadFault is not null)
             throw ReadFault;
