@@ -240,7 +240,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         {
             _isOnGrid = false;
             _grid = default;
-            _due = Times.Later(_lastEnd, manager.WakeUpDelay);
+            _due = Times.LaterOrNever(_lastEnd, manager.WakeUpDelay);
             return 0;
         }
 

@@ -42,6 +42,8 @@ namespace Rabit.Core;
 /// </example>
 public abstract partial class RabitManager
 {
+    private const string StatusSuffix = "/status";
+
     private readonly EndpointOwner _owner;
     private TimeSpan _wakeUpDelay = TimeSpan.FromSeconds(1);
     private TimeSpan? _period;
@@ -54,7 +56,7 @@ public abstract partial class RabitManager
     /// Names the manager. Derived constructors record what it posts, fetches, sends and receives; nothing runs yet.
     /// </summary>
     /// <param name="name">Unique within its reactor; also the name of its thread.</param>
-    /// <exception cref="ArgumentException">The name is empty.</exception>
+    /// <exception cref="ArgumentException">The name is empty or has a line break.</exception>
     protected RabitManager(string name)
     {
         Name = Require.Name(name, nameof(name), "A manager");
@@ -72,17 +74,17 @@ public abstract partial class RabitManager
 
     /// <summary>
     /// How long the manager sleeps before its timer wakes it, from the moment it goes to sleep. 1 s by default. The
-    /// unit of work may change it at any time; the change holds from the next sleep. It cannot be switched off, but it
-    /// can be made long.
+    /// unit of work may change it at any time; the change holds from the next sleep.
+    /// <see cref="Timeout.InfiniteTimeSpan"/> for no timer: only events wake the manager then.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">Zero or negative.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">Zero or negative, and not infinite.</exception>
     public TimeSpan WakeUpDelay
     {
         get => _wakeUpDelay;
         protected set
         {
             // Units of work set it too: the text is made only where it is needed.
-            if (value <= TimeSpan.Zero)
+            if (value <= TimeSpan.Zero && value != Timeout.InfiniteTimeSpan)
                 Require.Positive(value, nameof(value), $"The wake-up delay of manager '{Name}'");
             _wakeUpDelay = value;
         }
@@ -179,7 +181,7 @@ public abstract partial class RabitManager
 
     /// <summary>The name of the message by which a manager reports its <see cref="ManagerStatus"/>.</summary>
     /// <param name="managerName">The manager.</param>
-    public static string StatusMessageName(string managerName) => managerName + "/status";
+    public static string StatusMessageName(string managerName) => managerName + StatusSuffix;
 
     /// <summary>
     /// Wakes the manager: a unit of work that starts after this call sees what the caller did before it. Any thread,
@@ -212,6 +214,8 @@ public abstract partial class RabitManager
 
     /// <summary>Whether the manager is in a reactor that has started: it serves no other one.</summary>
     internal bool IsAttached => _run is not null;
+
+    internal static bool IsStatusMessageName(string name) => name.EndsWith(StatusSuffix, StringComparison.Ordinal);
 
     internal void Attach(ManagerRun run)
     {

@@ -23,7 +23,7 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
     // Who must run on the thread that uses this endpoint: null outside managers.
     private readonly EndpointOwner? _mustRun = owner.IsManager ? owner : null;
 
-    private List<Action<MessageStamp>>? _handlers;
+    private List<PostTarget>? _handlers;   // until it is wired
     private LocalCopy<T>? _copy;
 
     /// <summary>The value before the first post, where this endpoint states one.</summary>
@@ -45,12 +45,15 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         return copy!;
     }
 
-    public void AddHandler(Action<MessageStamp> handler)
+    /// <returns>Disposed, it ends.</returns>
+    public IDisposable AddHandler(Action<MessageStamp> handler)
     {
+        var target = new PostTarget(Owner, wakeUp: null, handler);
         if (Shared is null)
-            (_handlers ??= []).Add(handler);
+            (_handlers ??= []).Add(target);
         else
-            Shared.AddTarget(new PostTarget(Owner, wakeUp: null, handler));
+            Shared.AddTarget(target);
+        return target;
     }
 
     public override string? FindFaultOfInitial()
@@ -116,7 +119,8 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
             Shared.AddTarget(new PostTarget(Owner, Owner.WakeUp, handler: null));
         if (_handlers is null)
             return;
-        foreach (Action<MessageStamp> handler in _handlers)
-            Shared.AddTarget(new PostTarget(Owner, wakeUp: null, handler));
+        foreach (PostTarget target in _handlers)
+            Shared.AddTarget(target);
+        _handlers = null;
     }
 }

@@ -63,7 +63,8 @@ public sealed class MessageSubscriber<T>
     }
 
     /// <summary>
-    /// How long ago the fetched value was true; <see cref="TimeSpan.MaxValue"/> before anything was fetched.
+    /// How long ago the fetched value was true; <see cref="TimeSpan.MaxValue"/> before anything was fetched. Negative
+    /// where its poster gave a time that has not come yet.
     /// </summary>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
     public TimeSpan Age
@@ -77,7 +78,8 @@ public sealed class MessageSubscriber<T>
 
     /// <summary>Whether the fetched value is there and not too old to act on. It does not fetch.</summary>
     /// <param name="maxAge">
-    /// How old it may be, by its stamp. A value that is true at this very moment has the age zero.
+    /// How old it may be, by its stamp. A value that is true at this very moment has the age zero; one whose stamp lies
+    /// in the future is not fresh: nothing is known of its age.
     /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The age is negative.</exception>
     /// <exception cref="InvalidOperationException">See <see cref="Value"/>.</exception>
@@ -86,7 +88,8 @@ public sealed class MessageSubscriber<T>
         if (maxAge < TimeSpan.Zero)
             throw new ArgumentOutOfRangeException(
                 nameof(maxAge), maxAge, $"The maximum age of message '{Name}' cannot be negative.");
-        return Age <= maxAge && Stamp.Version != 0;
+        TimeSpan age = Age;
+        return age >= TimeSpan.Zero && age <= maxAge && Stamp.Version != 0;
     }
 
     /// <summary>Copies the global to the local copy if it is newer.</summary>
@@ -150,5 +153,10 @@ public sealed class MessageSubscriber<T>
     /// that throws is reported.
     /// </summary>
     /// <param name="handler">Given the stamp of the post.</param>
-    public void OnPost(Action<MessageStamp> handler) => _binding.AddHandler(Require.NotNull(handler, nameof(handler)));
+    /// <returns>
+    /// The subscription; dispose it, on any thread, to end it. Until then the message keeps the handler, and what the
+    /// handler holds. A post that is under way on another thread at that moment may still call it once.
+    /// </returns>
+    public IDisposable OnPost(Action<MessageStamp> handler)
+        => _binding.AddHandler(Require.NotNull(handler, nameof(handler)));
 }

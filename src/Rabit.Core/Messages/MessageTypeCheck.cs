@@ -9,7 +9,8 @@ namespace Rabit.Core.Messages;
 
 /// <summary>
 /// Refuses a message type that would let two managers share something that one of them can change (contract 2.5): its
-/// copies must be independent all the way down.
+/// copies must be independent all the way down. Of the type of a queue it says the same, but for what is handed over
+/// with the value.
 /// </summary>
 internal static class MessageTypeCheck
 {
@@ -36,10 +37,24 @@ internal static class MessageTypeCheck
             : $"{name} copies itself but is not sealed: of a derived one a post would lose what it adds.";
     }
 
-    private static string? FindFault(Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
+    /// <summary>
+    /// How sender and receiver of a queue could share something that one of them can change; null where they cannot.
+    /// </summary>
+    /// <param name="type">The type of the queue.</param>
+    /// <param name="trusted">Types that the user vouches for.</param>
+    public static string? FindFaultInQueue(Type type, IReadOnlyCollection<Type> trusted)
+        => FindFault(type, TypeNames.Of(type), [], trusted, IsHandedOver);
+
+    // Who disposes it owns it, and the queue disposes what it drops.
+    private static bool IsHandedOver(Type type)
+        => typeof(IDisposable).IsAssignableFrom(type) || type.IsDefined(typeof(HandedOverAttribute), inherit: false);
+
+    private static string? FindFault(
+        Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted,
+        Func<Type, bool>? isExempt = null)
     {
         if (type.IsPrimitive || type.IsEnum || TrustedTypes.Contains(type.FullName ?? string.Empty)
-            || !visited.Add(type))
+            || !visited.Add(type) || isExempt?.Invoke(type) == true)
             return null;
         if (type == typeof(BufferLease))
             return $"{path} is a {nameof(BufferLease)}: a buffer has one owner at a time, and travels by queue.";
@@ -50,7 +65,7 @@ internal static class MessageTypeCheck
 
         // Trust in a generic type says nothing of what it is made of.
         if (IsImmutableCollection(type) || IsVouchedFor(type, trusted))
-            return FindFaultInArguments(type, path, visited, trusted);
+            return FindFaultInArguments(type, path, visited, trusted, isExempt);
         if (type.IsArray)
             return $"{path} is an array ({TypeNames.Of(type)}), which copies would share; use an immutable collection.";
         if (typeof(Delegate).IsAssignableFrom(type))
@@ -60,7 +75,7 @@ internal static class MessageTypeCheck
         if (!type.IsValueType && !type.IsSealed)
             return $"{path} is of class {TypeNames.Of(type)}, which is not sealed: "
                 + "a derived one may hold something mutable.";
-        return FindFaultInFields(type, path, visited, trusted);
+        return FindFaultInFields(type, path, visited, trusted, isExempt);
     }
 
     [UnconditionalSuppressMessage("Trimming", "IL2070",
@@ -68,7 +83,7 @@ internal static class MessageTypeCheck
     [UnconditionalSuppressMessage("Trimming", "IL2075",
         Justification = "A field that trimming removed holds nothing that could be shared.")]
     private static string? FindFaultInFields(
-        Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
+        Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted, Func<Type, bool>? isExempt)
     {
         const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic
             | BindingFlags.DeclaredOnly;
@@ -82,7 +97,7 @@ internal static class MessageTypeCheck
                 if (!type.IsValueType && !field.IsInitOnly)
                     return $"{fieldPath} can be changed, and {TypeNames.Of(type)} is a class, which copies would "
                         + "share; make it readonly or use a struct.";
-                if (FindFault(field.FieldType, fieldPath, visited, trusted) is { } why)
+                if (FindFault(field.FieldType, fieldPath, visited, trusted, isExempt) is { } why)
                     return why;
             }
         }
@@ -91,11 +106,11 @@ internal static class MessageTypeCheck
     }
 
     private static string? FindFaultInArguments(
-        Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted)
+        Type type, string path, HashSet<Type> visited, IReadOnlyCollection<Type> trusted, Func<Type, bool>? isExempt)
     {
         foreach (Type argument in type.GetGenericArguments())
         {
-            if (FindFault(argument, $"{path}<{TypeNames.Of(argument)}>", visited, trusted) is { } why)
+            if (FindFault(argument, $"{path}<{TypeNames.Of(argument)}>", visited, trusted, isExempt) is { } why)
                 return why;
         }
 

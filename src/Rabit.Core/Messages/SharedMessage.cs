@@ -34,10 +34,8 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
     {
         lock (_targetsGate)
         {
-            var targets = new PostTarget[_targets.Length + 1];
-            Array.Copy(_targets, targets, _targets.Length);
-            targets[_targets.Length] = target;
-            Volatile.Write(ref _targets, targets);
+            if (target.TryJoin(TakeOut))
+                Volatile.Write(ref _targets, [.. _targets, target]);
         }
     }
 
@@ -69,7 +67,7 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
                 continue;
             if (target.WakeUp is { } sleeper)
                 Wake(sleeper, now);
-            if (target.Handler is { } handler)
+            if (target.Handler is { } handler && !target.HasEnded)
             {
                 Call(handler, target, copy.Stamp);
                 now = null;   // it took its time
@@ -108,6 +106,12 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
     /// poster at a time.
     /// </summary>
     protected void Announce(int version) => Volatile.Write(ref _version, version);
+
+    private void TakeOut(PostTarget target)
+    {
+        lock (_targetsGate)
+            Volatile.Write(ref _targets, Array.FindAll(_targets, t => t != target));
+    }
 
     private static void Wake(WakeUpEvent sleeper, TimeSpan? now)
     {

@@ -27,7 +27,8 @@ internal struct RingPositions
     [FieldOffset(Apart)]
     private int _tail;
 
-    // Where the head was when a sender last looked; it may have moved on. Written and read by senders.
+    // Where the head was when a sender last looked; it may have moved on. Written by senders, by compare-and-swap, and
+    // only forward.
     [FieldOffset(Apart + 4)]
     private int _seenHead;
 
@@ -185,17 +186,22 @@ internal struct RingPositions
     public QueueCounters Counters<TSync>(int capacity)
         where TSync : struct, ISyncPoints
     {
-        // Half wraps before the head: they may be one behind it, which the head's top bit shows.
-        int half = unchecked((int)((uint)_start >> 31) + default(TSync).VolatileRead(ref _halfWraps));
-        int head = default(TSync).VolatileRead(ref _head);
-        int tail = default(TSync).VolatileRead(ref _tail);
+        int half, head, tail;
+        do
+        {
+            // Half wraps before the head: they may be one behind it, which the head's top bit shows.
+            half = unchecked((int)((uint)_start >> 31) + default(TSync).VolatileRead(ref _halfWraps));
+            head = default(TSync).VolatileRead(ref _head);
+            tail = default(TSync).VolatileRead(ref _tail);
+        }
+        while (default(TSync).VolatileRead(ref _head) != head);   // else there were pops between the looks
+
         if ((half & 1) != (int)((uint)head >> 31))
             half++;
         long popped = ((long)(half >> 1) << 32) + (uint)head - (uint)_start;
 
-        // There may have been pops and pushes between the two looks; at the instant of the first there was no more than
-        // fits in.
-        int resident = Math.Min(unchecked(tail - head) & Distance, capacity);
+        // Once the queue is closed the tail is out of reach.
+        int resident = unchecked(tail - head) & Distance;
         int last = default(TSync).VolatileRead(ref _lastHighWater);
         int highWater = Math.Max(resident, last >= 0 ? last : default(TSync).VolatileRead(ref _fastPathLimit));
         return new QueueCounters(
@@ -211,8 +217,7 @@ internal struct RingPositions
         {
             int fastPathLimit = default(TSync).VolatileRead(ref _fastPathLimit);
             int tail = default(TSync).VolatileRead(ref _tail);
-            int head = default(TSync).VolatileRead(ref _head);
-            default(TSync).VolatileWrite(ref _seenHead, head);
+            int head = LookAtHead<TSync>();
 
             // After the tail, so it may be ahead of it; then the compare-and-swap fails.
             int resident = Math.Max(unchecked(tail - head), 0);
@@ -238,8 +243,7 @@ internal struct RingPositions
         where TSync : struct, ISyncPoints
     {
         int fastPathLimit = default(TSync).VolatileRead(ref _fastPathLimit);
-        int head = default(TSync).VolatileRead(ref _head);
-        default(TSync).VolatileWrite(ref _seenHead, head);
+        int head = LookAtHead<TSync>();
         int resident = unchecked(tail - head);
         int count = IsClosed<TSync>() ? 0 : Math.Min(wanted, capacity - resident);
         if (count < wanted)
@@ -247,6 +251,18 @@ internal struct RingPositions
         if (count > 0)
             RaiseHighWater<TSync>(resident + count, fastPathLimit);
         return count;
+    }
+
+    // Keeps what it finds, unless another sender has looked meanwhile: it may have found more, and one that is held up
+    // here while half of the range goes by must not bring back an old head, with which the queue would look empty.
+    private int LookAtHead<TSync>()
+        where TSync : struct, ISyncPoints
+    {
+        int seen = default(TSync).VolatileRead(ref _seenHead);
+        int head = default(TSync).VolatileRead(ref _head);
+        if (head != seen)
+            default(TSync).CompareExchange(ref _seenHead, head, seen);
+        return head;
     }
 
     private bool IsClosed<TSync>()

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Core.Managers;
 using Rabit.Core.Reactors;
 
 namespace Rabit.Core;
@@ -12,6 +13,31 @@ public sealed partial class RabitReactor
     /// </summary>
     /// <param name="reason">For the result.</param>
     public void Stop(string reason = "asked to stop") => RequestStop(reason, StopUrgency.EndsDelay);
+
+    /// <summary>
+    /// Stops a run that was started and not finished, and waits until all managers have ended, each within its time
+    /// limit; the result is lost. A run that <see cref="Run"/> or <see cref="RunAsync"/> finishes is asked to stop and
+    /// not waited for, and so is one that is disposed in the code of one of its managers. For the thread that would
+    /// call <see cref="Finish"/>. A second call has no effect.
+    /// </summary>
+    public void Dispose()
+    {
+        bool mustEnd;
+        lock (_gate)
+        {
+            if (_isDisposed)
+                return;
+            _isDisposed = true;
+            if (!_hasStarted)
+                return;
+            mustEnd = _isWired && !_isFinished && !_isRunAsAWhole && RunningOwn() is null;
+            _isFinished |= mustEnd;
+        }
+
+        RequestStop("disposed", StopUrgency.AtOnce);
+        if (mustEnd)
+            End();
+    }
 
     // A terminal that closes sends SIGHUP more than once; a person or a service manager that asks twice means it.
     private void StopOnSignal(string signal)
@@ -33,5 +59,19 @@ public sealed partial class RabitReactor
     {
         _engine.RunUntil(end);
         _stop.CheckLimit();
+    }
+
+    // Which manager of this reactor runs on this thread.
+    private RabitManager? RunningOwn()
+    {
+        if (RunningManager.Current is not { } current)
+            return null;
+        foreach (RabitManager manager in _managers)
+        {
+            if (manager.Owner == current)
+                return manager;
+        }
+
+        return null;
     }
 }

@@ -15,7 +15,8 @@ namespace Rabit.Core;
 
 /// <summary>
 /// Runs managers: checks their wiring, starts them in order, waits until all have started up, lets them work until the
-/// run is stopped, stops them in reverse order, and returns how each ended. For one run.
+/// run is stopped, stops them in reverse order, and returns how each ended. For one run. Disposed, it stops: a test that
+/// fails between <see cref="Start"/> and <see cref="Finish"/> leaves no threads behind.
 /// </summary>
 /// <example>
 /// <code>
@@ -24,7 +25,7 @@ namespace Rabit.Core;
 /// Environment.Exit(result.ExitCode);
 /// </code>
 /// </example>
-public sealed partial class RabitReactor : IEnumerable<RabitManager>
+public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposable
 {
     private const string Source = "reactor";
 
@@ -37,8 +38,10 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
     private readonly List<ManagerActivity> _activities = [];   // filled by Start, then read only
     private ReactorSupervision? _supervision;                  // written by Start before _isWired, then read only
 
-    // Guards the five fields below: a stop comes from any thread.
+    // Guards the seven fields below: a stop comes from any thread.
     private readonly object _gate = new();
+    private bool _isDisposed;
+    private bool _isRunAsAWhole;   // by Run, which finishes what it starts
     private bool _hasStarted;
     private bool _isWired;
     private bool _isFinished;
@@ -126,6 +129,8 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
         using StopSignals? signals = _options.StopsOnSignals
             ? new StopSignals(StopOnSignal, note => _log.Write(RabitLogKind.Note, Source, note))
             : null;
+        lock (_gate)
+            _isRunAsAWhole = true;
         Start();
         return Finish();
     }
@@ -172,6 +177,8 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
     {
         lock (_gate)
         {
+            if (_isDisposed)
+                throw new ObjectDisposedException(nameof(RabitReactor));
             if (_hasStarted)
                 throw new InvalidOperationException(
                     "The reactor was started before; make a new one with new managers.");
@@ -200,7 +207,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
     /// False when the run is stopped: continue with <see cref="Finish"/>. True while managers delay the stop.
     /// </returns>
     /// <exception cref="ArgumentOutOfRangeException">Negative: time does not go back.</exception>
-    /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
+    /// <exception cref="InvalidOperationException">See <see cref="Finish"/>.</exception>
     public bool RunFor(TimeSpan duration)
     {
         if (duration < TimeSpan.Zero)
@@ -215,10 +222,22 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
     /// The second half of <see cref="Run"/>: waits for a stop, stops all managers in reverse order, and returns how
     /// each ended.
     /// </summary>
-    /// <exception cref="InvalidOperationException">The reactor has not started, or has finished.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The reactor has not started, or has finished, or one of its managers calls this in its own code.
+    /// </exception>
     public ReactorResult Finish()
     {
         RequireRunning(finishing: true);
+        return End();
+    }
+
+    /// <summary>The managers, in the order of their start.</summary>
+    public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+
+    private ReactorResult End()
+    {
         RunUntil(TimeSpan.MaxValue);
         TimeSpan duration = _clock.Now;
         string reason = _stopReason ?? string.Empty;
@@ -241,18 +260,13 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
         };
     }
 
-    /// <summary>The managers, in the order of their start.</summary>
-    public IEnumerator<RabitManager> GetEnumerator() => _managers.GetEnumerator();
-
-    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
-
     private ReactorSupervision Supervision => _supervision!;
 
     private void Prepare()
     {
         if (_managers.Find(m => m.IsAttached) is { } taken)
             throw new InvalidOperationException($"Manager '{taken.Name}' is in another reactor that has started.");
-        Workspace.Wire(_managers, _options.Time, _clock, _log);
+        Workspace.Wire(_managers, _options, _clock, _log);
         foreach (string note in Workspace.Notes)
             _log.Write(RabitLogKind.Note, Source, note);
 
@@ -314,6 +328,10 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>
 
     private void RequireRunning(bool finishing)
     {
+        if (RunningOwn() is { } manager)
+            throw new InvalidOperationException(
+                $"Manager '{manager.Name}' cannot run or finish its own reactor: it would wait for itself. To stop the "
+                    + "system a manager calls StopSystem, or Stop of its reactor, and returns.");
         lock (_gate)
         {
             if (!_isWired || _isFinished)

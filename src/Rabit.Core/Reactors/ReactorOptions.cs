@@ -74,6 +74,13 @@ public sealed class ReactorOptions
     /// <value>The default is true.</value>
     public bool StopsOnSignals { get; set; } = true;
 
+    /// <summary>
+    /// Whether a queue of a type that sender and receiver could share and change, such as a list, is a fault of the
+    /// wiring. See <see cref="HandedOverAttribute"/>.
+    /// </summary>
+    /// <value>The default is false: it is a note in the log.</value>
+    public bool RefusesMutableQueueTypes { get; set; }
+
     internal ReactorOptions Copy() => (ReactorOptions)MemberwiseClone();
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>

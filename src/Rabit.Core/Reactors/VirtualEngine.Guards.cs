@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.Linq;
+using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
 
 namespace Rabit.Core.Reactors;
@@ -42,6 +43,20 @@ internal sealed partial class VirtualEngine
         LastResort.End(slot.Activity, unexpected, _context.Fail);
         slot.HasEnded = true;
     }
+
+    // A run that waits for a stop, at full speed, may wait in vain.
+    private TimeSpan LimitOf(TimeSpan end)
+        => end == TimeSpan.MaxValue && _pacer.IsUnlimited
+            ? Times.Later(_context.Clock.Now, _time.MaxDuration)
+            : TimeSpan.MaxValue;
+
+    private void FailWithoutStop()
+        => _context.Fail(new InvalidOperationException(string.Format(
+            CultureInfo.InvariantCulture,
+            "Nobody has stopped the run for {0} of virtual time ({1}.{2}). Is a call of Stop or StopSystem missing?",
+            _time.MaxDuration,
+            nameof(VirtualTime),
+            nameof(VirtualTime.MaxDuration))));
 
     private bool TryCountRun()
     {

@@ -71,6 +71,7 @@ internal sealed partial class VirtualEngine : ReactorEngine
     {
         _time.CloseManagers();
         _events?.WriteOutsideChanges();
+        TimeSpan limit = LimitOf(end);
         while (!IsStopRequested())
         {
             TimeSpan now = _context.Clock.Now;
@@ -85,6 +86,10 @@ internal sealed partial class VirtualEngine : ReactorEngine
             else if (next == TimeSpan.MaxValue && until == TimeSpan.MaxValue)
             {
                 WaitForOutside(TimeSpan.MaxValue);
+            }
+            else if (next <= until && next > limit)
+            {
+                FailWithoutStop();
             }
             else if (next <= until)
             {

@@ -31,6 +31,7 @@ public sealed class VirtualTime : RabitTime
     private readonly Dictionary<string, UnitOfWorkDurations> _durations = new(StringComparer.Ordinal);
     private double _pace = double.PositiveInfinity;
     private int _maxRunsPerInstant = 10_000;
+    private TimeSpan _maxDuration = TimeSpan.FromDays(1);
     private bool _isUsed;
     private bool _hasManagers;
 
@@ -81,6 +82,19 @@ public sealed class VirtualTime : RabitTime
             ? value
             : throw new ArgumentOutOfRangeException(
                 nameof(value), value, "At least one run must be allowed at an instant.");
+    }
+
+    /// <summary>
+    /// How long, in virtual time, <see cref="RabitReactor.Run"/> and <see cref="RabitReactor.Finish"/> let the managers
+    /// work before the run stops with an error: where nobody stops it, it would go on forever. A day by default;
+    /// <see cref="TimeSpan.MaxValue"/> for no limit. <see cref="RabitReactor.RunFor"/> has its own, and a run that is
+    /// held back by <see cref="Pace"/> has none.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not above zero.</exception>
+    public TimeSpan MaxDuration
+    {
+        get => _maxDuration;
+        set => _maxDuration = Require.Positive(value, nameof(value), "The longest run in virtual time");
     }
 
     /// <summary>

@@ -60,8 +60,8 @@ public sealed class RabitWorkspace
     }
 
     /// <summary>
-    /// Vouches for a type that is not one's own, and cannot carry <see cref="TrustedImmutableAttribute"/>: messages of
-    /// this workspace may hold it as they hold a string. Before the start only; any thread.
+    /// Vouches for a type that is not one's own, and cannot carry <see cref="TrustedImmutableAttribute"/>: messages and
+    /// queues of this workspace may hold it as they hold a string. Before the start only; any thread.
     /// </summary>
     /// <param name="type">
     /// The type; <c>typeof(Matrix&lt;&gt;)</c> for all of a generic one, whose arguments are still checked.
@@ -199,12 +199,17 @@ public sealed class RabitWorkspace
 
     /// <summary>Checks what all managers declared and ties their endpoints together.</summary>
     /// <exception cref="RabitWiringException">It does not fit together.</exception>
-    internal void Wire(IReadOnlyList<RabitManager> managers, RabitTime time, RunClock clock, RabitLog log)
+    internal void Wire(IReadOnlyList<RabitManager> managers, ReactorOptions options, RunClock clock, RabitLog log)
     {
         lock (_gate)
         {
             var wiring = new WiringGraph(managers, _outsideDeclarations);
-            IReadOnlyList<string> faults = WiringCheck.FindFaults(wiring, time, _trusted, _absent);
+            List<string> faults = WiringCheck.FindFaults(wiring, options.Time, _trusted, _absent);
+            List<string> shared = WiringCheck.FindSharedValues(wiring, _trusted);
+            if (options.RefusesMutableQueueTypes)
+                faults.AddRange(shared);
+            else
+                wiring.Notes.AddRange(shared);
             if (faults.Count > 0)
                 throw new RabitWiringException(faults);
 
@@ -309,7 +314,9 @@ public sealed class RabitWorkspace
         if (!_messages.TryGetValue(binding.Name, out IConnector? connector))
         {
             string known = string.Join(", ", _messages.Keys.OrderBy(n => n, StringComparer.Ordinal));
-            throw new InvalidOperationException($"There is no message '{binding.Name}'; there are: {known}.");
+            throw new InvalidOperationException(
+                $"There is no message '{binding.Name}'; there are: {known}."
+                    + NameSuggestion.For(binding.Name, _messages.Keys, _queues.Select(q => q.Name), "queue"));
         }
 
         if (connector is not SharedMessage<T>)

@@ -12,7 +12,7 @@ internal static class WiringCheck
     // All places of a queue are there from the start. More than this is a mistake, or a wish for an unbounded queue.
     private const int MaxCapacity = 1 << 24;
 
-    public static IReadOnlyList<string> FindFaults(
+    public static List<string> FindFaults(
         WiringGraph wiring, RabitTime time, IReadOnlyCollection<Type> trusted, IReadOnlyList<AbsentManager> absent)
     {
         var faults = new List<string>();
@@ -24,16 +24,17 @@ internal static class WiringCheck
             .Select(g => $"{g.Count()} managers are named '{g.Key}'."));
 
         foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Messages.Values)
-            CheckMessage(endpoints, trusted, absent, faults);
+            CheckMessage(wiring, endpoints, trusted, absent, faults);
         foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
-            CheckQueue(endpoints, absent, faults);
+            CheckQueue(wiring, endpoints, absent, faults);
 
         if (time is VirtualTime modelled)
         {
             faults.AddRange(modelled.ModelledManagers
                 .Where(name => !wiring.Managers.Any(m => string.Equals(m.Name, name, StringComparison.Ordinal)))
                 .Select(name => $"Virtual time models the units of work of manager '{name}', "
-                    + "which is not in the reactor."));
+                    + "which is not in the reactor."
+                    + NameSuggestion.For(name, wiring.Managers.Select(m => m.Name), [], string.Empty)));
         }
 
         if (!time.AllowsBlocking)
@@ -47,8 +48,22 @@ internal static class WiringCheck
         return faults;
     }
 
+    /// <summary>Queues whose values sender and receiver could share and change; a line each.</summary>
+    public static List<string> FindSharedValues(WiringGraph wiring, IReadOnlyCollection<Type> trusted)
+    {
+        var found = new List<string>();
+        foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
+        {
+            if (MessageTypeCheck.FindFaultInQueue(endpoints[0].ValueType, trusted) is { } why)
+                found.Add($"queue '{endpoints[0].Name}': {why} Whoever pushes it must touch it no more: see "
+                    + $"{nameof(HandedOverAttribute)}.");
+        }
+
+        return found;
+    }
+
     private static void CheckMessage(
-        IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyCollection<Type> trusted,
+        WiringGraph wiring, IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyCollection<Type> trusted,
         IReadOnlyList<AbsentManager> absent, List<string> faults)
     {
         string name = endpoints[0].Name;
@@ -59,9 +74,13 @@ internal static class WiringCheck
         List<EndpointDeclaration> needing = endpoints.Where(e => !e.IsOptional).ToList();
         if (publishers.Count == 0 && needing.Count > 0)
             faults.Add($"{Verb(needing, "subscribes", "subscribe")} to message '{name}', but it has no publisher"
-                + AbsenceText.OfPublisher(absent, name));
+                + AbsenceText.OfPublisher(absent, name)
+                + NameSuggestion.For(name, Published(wiring), wiring.Queues.Keys, "queue"));
 
-        if (publishers.Count > 1 && !publishers.All(p => p.IsShared))
+        if (publishers.Find(p => !p.IsBuiltIn) is { } own && RabitManager.IsStatusMessageName(name))
+            faults.Add($"'{own.Owner.Name}' publishes '{name}', but names like this one are those of the status of a "
+                + "manager.");
+        else if (publishers.Count > 1 && !publishers.All(p => p.IsShared || p.IsBuiltIn))
             faults.Add($"Message '{name}' has {publishers.Count} publishers ({Owners(publishers)}); "
                 + "all of them must allow others.");
         if (publishers.Count(p => p.StatesInitial) > 1 && !publishers.All(p => p.IsShared))
@@ -77,8 +96,14 @@ internal static class WiringCheck
                 endpoints.Select(e => e.FindFaultOfInitial()).OfType<string>().Select(f => $"Message '{name}': {f}"));
     }
 
+    private static IEnumerable<string> Published(WiringGraph wiring)
+        => wiring.Messages.Values.Where(m => m.Any(e => e.Role == EndpointRole.Publish)).Select(m => m[0].Name);
+
+    private static IEnumerable<string> Received(WiringGraph wiring)
+        => wiring.Queues.Values.Where(q => q.Any(e => e.Role == EndpointRole.Receive)).Select(q => q[0].Name);
+
     private static void CheckQueue(
-        IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyList<AbsentManager> absent, List<string> faults)
+        WiringGraph wiring, IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyList<AbsentManager> absent, List<string> faults)
     {
         string name = endpoints[0].Name;
         if (!HaveOneType(endpoints, $"Queue '{name}'", faults))
@@ -88,7 +113,8 @@ internal static class WiringCheck
         List<EndpointDeclaration> senders = endpoints.Where(e => e.Role == EndpointRole.Send).ToList();
         if (receivers.Count == 0)
             faults.Add($"Queue '{name}' has no receiver, but {Verb(senders, "sends", "send")} to it"
-                + AbsenceText.OfReceiver(absent, name));
+                + AbsenceText.OfReceiver(absent, name)
+                + NameSuggestion.For(name, Received(wiring), wiring.Messages.Keys, "message"));
         if (senders.Count == 0 && AbsenceText.OfSender(absent, name) is { } why)
             faults.Add($"Queue '{name}' has no sender, but {Verb(receivers, "receives", "receive")} it{why}");
         if (receivers.Count > 1)
@@ -122,11 +148,15 @@ internal static class WiringCheck
         List<IGrouping<Type, EndpointDeclaration>> types = endpoints.GroupBy(e => e.ValueType).ToList();
         if (types.Count == 1)
             return true;
+        bool isAmbiguous = types.GroupBy(t => TypeNames.Of(t.Key), StringComparer.Ordinal).Any(g => g.Count() > 1);
         faults.Add(
             $"{what} has {types.Count} types: "
-                + string.Join("; ", types.Select(t => $"{TypeNames.Of(t.Key)} for {Owners(t)}")) + ".");
+                + string.Join("; ", types.Select(t => $"{NameOf(t.Key, isAmbiguous)} for {Owners(t)}")) + ".");
         return false;
     }
+
+    private static string NameOf(Type type, bool isAmbiguous)
+        => isAmbiguous ? TypeNames.WithNamespace(type) : TypeNames.Of(type);
 
     private static string Verb(IReadOnlyList<EndpointDeclaration> endpoints, string one, string several)
     {

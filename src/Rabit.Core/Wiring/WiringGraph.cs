@@ -27,6 +27,9 @@ internal sealed class WiringGraph
 
     public IReadOnlyDictionary<string, IReadOnlyList<EndpointDeclaration>> Queues => _queues;
 
+    /// <summary>What the check found odd, beside what <see cref="WiringText.Notes"/> finds by itself.</summary>
+    public List<string> Notes { get; } = [];
+
     private void Add(IEnumerable<EndpointDeclaration> declarations)
     {
         foreach (EndpointDeclaration declaration in declarations)

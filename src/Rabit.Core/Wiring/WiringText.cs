@@ -51,6 +51,9 @@ internal static class WiringText
         foreach (IReadOnlyList<EndpointDeclaration> endpoints
             in wiring.Queues.Values.Where(q => q.All(e => e.Role == EndpointRole.Receive)))
             yield return $"no sender for queue '{endpoints[0].Name}' of '{endpoints[0].Owner.Name}'";
+
+        foreach (string note in wiring.Notes)
+            yield return note;
     }
 
     private static bool IsUnreadStatus(IReadOnlyList<EndpointDeclaration> endpoints) => endpoints.All(e => e.IsBuiltIn);

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using System.Threading;
+using Rabit.Core.Tests.Contracts;
 using Rabit.Tests.Shared;
 using Xunit;
 
@@ -181,7 +182,7 @@ public sealed class BufferPoolTests
             thread.Start();
         start.Set();
         foreach (Thread thread in threads)
-            Assert.True(thread.Join(TimeSpan.FromSeconds(60)));
+            Assert.True(thread.Join(Patience.Limit));
 
         Assert.Equal(0, clashes);
         Assert.True(got > 0);

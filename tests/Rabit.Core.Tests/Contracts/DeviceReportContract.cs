@@ -12,7 +12,7 @@ namespace Rabit.Core.Tests.Contracts;
 public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
 {
     // Only a test that fails waits this long.
-    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
+    private static TimeSpan TestTimeout => Patience.Limit;
 
     [Fact, Trait("Clause", "1.8")]
     public void Reader_FailsAndIsOpenAgain_WakesItsManagerEachTimeAndIsReported()

@@ -312,6 +312,21 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
     }
 
     [Fact, Trait("Clause", "2.3")]
+    public void IsFresh_StampInTheFuture_IsFalse()
+    {
+        using MessagePair pair = Connect();
+        pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(pair.Poster.Time + TimeSpan.FromDays(365)));
+
+        pair.Run.On(pair.Fetcher, () =>
+        {
+            Assert.True(pair.Subscriber.Fetch());
+            Assert.True(pair.Subscriber.Age < TimeSpan.Zero);
+            Assert.False(pair.Subscriber.IsFresh(TimeSpan.FromSeconds(1)));
+            Assert.False(pair.Subscriber.IsFresh(TimeSpan.MaxValue));
+        });
+    }
+
+    [Fact, Trait("Clause", "2.3")]
     public void IsFresh_AgainstAMaximumAge_GoesByTheStampOfWhatWasFetched()
     {
         using MessagePair pair = Connect();
@@ -328,10 +343,13 @@ public abstract class MessageContract(TimeKind kind) : ContractTests(kind)
                 () => pair.Subscriber.IsFresh(TimeSpan.FromTicks(-1))).Message;
             Assert.Contains("'sample'", message, StringComparison.Ordinal);
         });
-        pair.Run.On(pair.Poster, () => pair.Publisher.PostStamped(pair.Poster.Time + TimeSpan.FromHours(1)));
+        if (Kind.HasThreads)
+            return;
+
+        // Where the clock stands still a value has the age zero.
+        pair.Run.On(pair.Poster, pair.Publisher.Post);
         pair.Run.On(pair.Fetcher, () =>
         {
-            Assert.False(pair.Subscriber.IsFresh(TimeSpan.Zero));
             Assert.True(pair.Subscriber.Fetch());
             Assert.True(pair.Subscriber.IsFresh(TimeSpan.Zero));
         });

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.CompilerServices;
 using System.Threading;
 using Xunit;
 
@@ -46,7 +47,7 @@ public abstract class PostHandlerContract(TimeKind kind) : ContractTests(kind)
             var thread = new Thread(
                 () => fetched = outside.ForceFetch() && pair.Run.Reactor.Workspace.Subscribe<Sample>("sample").Fetch());
             thread.Start();
-            Assert.True(thread.Join(TimeSpan.FromSeconds(20)));
+            Assert.True(thread.Join(Patience.Limit));
         });
 
         pair.Run.On(pair.Poster, pair.Publisher.Post);
@@ -107,6 +108,70 @@ public abstract class PostHandlerContract(TimeKind kind) : ContractTests(kind)
         RabitLogEntry entry = Assert.Single(run.Log, e => e.Kind == RabitLogKind.Fault);
         Assert.Contains("'fetcher'", entry.Text, StringComparison.Ordinal);
         Assert.Contains("'poster'", entry.Text, StringComparison.Ordinal);
+    }
+
+    [Fact, Trait("Clause", "2.6")]
+    public void Subscription_Disposed_IsCalledNoMore()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager poster = run.Add("poster");
+        MessagePublisher<Sample> publisher = poster.Publish<Sample>("sample");
+        MessageSubscriber<Sample> early = run.Reactor.Workspace.Subscribe<Sample>("sample");
+        early.OnPost(_ => run.Board.Write("ended before the start")).Dispose();
+        IDisposable first = early.OnPost(_ => run.Board.Write("first"));
+        early.OnPost(_ => run.Board.Write("second"));
+
+        run.StartAndSettle();
+        IDisposable late = run.Reactor.Workspace.Subscribe<Sample>("sample").OnPost(_ => run.Board.Write("late"));
+        run.On(poster, publisher.Post);
+        first.Dispose();
+        first.Dispose();
+        late.Dispose();
+        run.On(poster, publisher.Post);
+
+        Assert.Equal(["first", "second", "late", "second"], run.Board.Entries);
+    }
+
+    [Fact, Trait("Clause", "2.6")]
+    public void Subscription_DisposedByItsHandler_IsCalledOnce()
+    {
+        using MessagePair pair = Connect();
+        IDisposable? subscription = null;
+        subscription = pair.Run.Reactor.Workspace.Subscribe<Sample>("sample").OnPost(_ =>
+        {
+            pair.Run.Board.Write("called");
+            subscription!.Dispose();
+        });
+
+        for (int i = 0; i < 3; i++)
+            pair.Run.On(pair.Poster, pair.Publisher.Post);
+
+        Assert.Equal(["called"], pair.Run.Board.Entries);
+    }
+
+    [Fact, Trait("Clause", "2.6")]
+    public void Subscriptions_ThatHaveEnded_AreNotKept()
+    {
+        using MessagePair pair = Connect();
+        var kept = new List<WeakReference>();
+        Subscribe(pair.Run.Reactor.Workspace, kept);
+
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        GC.Collect();
+
+        Assert.True(kept.FindAll(k => k.IsAlive).Count <= 1);   // a conservative collector may see one on a stack
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Subscribe(RabitWorkspace workspace, List<WeakReference> kept)
+    {
+        for (int i = 0; i < 100; i++)
+        {
+            byte[] held = new byte[10];
+            kept.Add(new WeakReference(held));
+            workspace.Subscribe<Sample>("sample").OnPost(_ => held[0]++).Dispose();
+        }
     }
 
     private MessagePair Connect() => new(NewRun());

@@ -13,7 +13,7 @@ namespace Rabit.Core.Tests.Contracts;
 public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
 {
     // Only a test that fails waits this long.
-    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
+    private static TimeSpan TestTimeout => Patience.Limit;
     private static readonly TimeSpan Limit = TimeSpan.FromMilliseconds(30);
 
     [Fact, Trait("Clause", "3.1")]

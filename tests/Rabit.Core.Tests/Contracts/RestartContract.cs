@@ -235,7 +235,7 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
             if (Kind.HasThreads)
                 Assert.True(
                     System.Threading.SpinWait.SpinUntil(
-                        () => faulty.WakeUpEvent.StopRequested, TimeSpan.FromSeconds(20)));
+                        () => faulty.WakeUpEvent.StopRequested, Patience.Limit));
         };
 
         run.Start();
@@ -265,7 +265,7 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         manager.OnStartup = () =>
         {
             if (manager.Startups == 2)
-                Assert.True(mayStartAgain.Wait(TimeSpan.FromSeconds(20)));
+                Assert.True(mayStartAgain.Wait(Patience.Limit));
         };
         return mayStartAgain;
     }

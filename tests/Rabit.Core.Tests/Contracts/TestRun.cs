@@ -24,7 +24,7 @@ internal sealed class TestRun : IDisposable
             Time = kind.Create(),
             Log = Write,
             StopsOnSignals = false,
-            StopTimeout = TimeSpan.FromSeconds(20),
+            StopTimeout = Patience.Limit,
         };
         configure?.Invoke(options);
         Reactor = new RabitReactor(options);

@@ -1,6 +1,4 @@
 using System;
-using System.Diagnostics;
-using System.Threading;
 
 namespace Rabit.Core.Tests.Contracts;
 
@@ -23,26 +21,20 @@ public abstract class TimeKind
 
     private sealed class RealKind : TimeKind
     {
-        // Only a test that fails waits this long.
-        private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
-
-        // For conditions that change without a pulse, such as the state of a device.
-        private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(20);
-
         public override bool HasThreads => true;
 
         public override RabitTime Create() => new RealTime();
 
         internal override bool TryReach(RabitReactor reactor, TestBoard board, Func<bool> condition)
         {
-            var waited = Stopwatch.StartNew();
+            // In turns: some conditions change without a pulse, such as the state of a device.
+            var patience = new Patience();
             lock (board.Gate)
             {
                 while (!condition())
                 {
-                    if (waited.Elapsed > TestTimeout)
+                    if (!patience.TryWait(board.Gate))
                         return false;
-                    Monitor.Wait(board.Gate, PollPeriod);
                 }
             }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using Xunit;
 
 namespace Rabit.Core.Tests.Contracts;
@@ -38,6 +39,24 @@ public abstract class TimerContract(TimeKind kind) : ContractTests(kind)
         run.Finish();
 
         Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Request], manager.Causes);
+    }
+
+    [Fact, Trait("Clause", "1.3")]
+    public void WakeUpDelay_Infinite_LeavesTheManagerToEvents()
+    {
+        using TestRun run = NewRun();
+        ScriptedManager manager = run.Add("m");
+        manager.WakeUpDelay = Timeout.InfiniteTimeSpan;
+
+        run.StartAndSettle();
+        run.OnAndSettle(manager, () => { });
+        run.Reactor.RunFor(TimeSpan.FromMilliseconds(20));
+        Assert.Equal(Timeout.InfiniteTimeSpan, run.StatusOf(manager).WakeUpDelay);
+        run.On(manager, () => manager.WakeUpDelay = TimeSpan.FromMilliseconds(5));
+        run.Until(() => manager.Causes[manager.Causes.Count - 1] == WakeUpCauses.Timer, "the timer wakes it again");
+        run.Finish();
+
+        Assert.Equal([WakeUpCauses.Start, WakeUpCauses.Request, WakeUpCauses.Request], manager.Causes.Take(3));
     }
 
     [Fact, Trait("Clause", "1.3")]

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Messages;
+using Rabit.Core.Tests.Contracts;
 using Rabit.Core.WakeUp;
 using Rabit.Core.Wiring;
 using Xunit;
@@ -28,7 +29,7 @@ public sealed class MessageStressTests
     private static readonly TimeSpan MinTime = TimeSpan.FromMilliseconds(150);
 
     // Only a test that fails takes this long.
-    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(60);
+    private static TimeSpan TestTimeout => Patience.Limit + Patience.Limit;
 
     public static TheoryData<int, int> Ways() => new() { { 1, 4 }, { 1, 1 }, { 1, 0 }, { 2, 4 }, { 2, 0 } };
 

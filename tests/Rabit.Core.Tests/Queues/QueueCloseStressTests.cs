@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using Rabit.Core.Queues;
+using Rabit.Core.Tests.Contracts;
 using Rabit.Core.WakeUp;
 using Xunit;
 
@@ -14,7 +15,7 @@ namespace Rabit.Core.Tests.Queues;
 [Trait("Category", "Stress")]
 public sealed class QueueCloseStressTests
 {
-    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(60);
+    private static TimeSpan TestTimeout => Patience.Limit + Patience.Limit;
 
     public static IEnumerable<object[]> Kinds()
         =>

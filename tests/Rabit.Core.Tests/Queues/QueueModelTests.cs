@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Rabit.Core.Queues;
+using Rabit.Core.Tests.Contracts;
 using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
 using Xunit;
@@ -192,7 +193,7 @@ public sealed class QueueModelTests
         }
 
         Assert.Equal(0, model.Waiting);
-        Assert.True(Task.WaitAll(pending.ToArray<Task>(), TimeSpan.FromSeconds(20)));
+        Assert.True(Task.WaitAll(pending.ToArray<Task>(), Patience.Limit));
         Assert.All(pending, push => Assert.Equal(PushResult.Queued, push.Result));
     }
 }

@@ -112,7 +112,7 @@ public sealed class StopDelayTests
             throw new InvalidOperationException("boom");
         };
         Task<ReactorResult> running = reactor.RunAsync();
-        Assert.True(sleeps.Wait(TimeSpan.FromSeconds(20)));
+        Assert.True(sleeps.Wait(Patience.Limit));
 
         reactor.Stop();
 

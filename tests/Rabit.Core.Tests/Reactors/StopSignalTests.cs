@@ -37,12 +37,12 @@ public sealed class StopSignalTests
         ReactorResult? result = null;
         var thread = new Thread(() => result = reactor.Run());
         thread.Start();
-        Assert.True(isRunning.Wait(TimeSpan.FromSeconds(20)));
+        Assert.True(isRunning.Wait(Patience.Limit));
 
         Assert.Equal(0, Signals.Send(Signals.OwnProcess, first));
-        Assert.True(isAsked.Wait(TimeSpan.FromSeconds(20)));
+        Assert.True(isAsked.Wait(Patience.Limit));
         Assert.Equal(0, Signals.Send(Signals.OwnProcess, second));
-        bool ended = thread.Join(TimeSpan.FromSeconds(20));
+        bool ended = thread.Join(Patience.Limit);
         reactor.Stop("no signal came");
 
         Assert.True(ended);
@@ -58,10 +58,10 @@ public sealed class StopSignalTests
         ReactorResult? result = null;
         var thread = new Thread(() => result = reactor.Run());
         thread.Start();
-        Assert.True(isRunning.Wait(TimeSpan.FromSeconds(20)));
+        Assert.True(isRunning.Wait(Patience.Limit));
 
         Assert.Equal(0, Signals.Send(Signals.OwnProcess, signal));
-        bool ended = thread.Join(TimeSpan.FromSeconds(20));
+        bool ended = thread.Join(Patience.Limit);
         reactor.Stop("no signal came");
 
         Assert.True(ended);

@@ -72,12 +72,45 @@ public sealed class VirtualTimeTests
     }
 
     [Fact, Trait("Clause", "5.2")]
+    public void Finish_NobodyStopsTheRun_EndsItWithAnErrorAtItsLimit()
+    {
+        using TestRun run = NewRun(new VirtualTime { MaxDuration = TimeSpan.FromHours(5) });
+        run.Add("m");
+
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromHours(30));   // has its own limit
+        ReactorResult result = run.FinishByItself();
+
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("05:00:00", result.Failure!.Message, StringComparison.Ordinal);
+        Assert.Contains("MaxDuration", result.Failure.Message, StringComparison.Ordinal);
+        Assert.InRange(result.Duration, TimeSpan.FromHours(34), TimeSpan.FromHours(35));
+    }
+
+    [Fact, Trait("Clause", "5.2")]
+    public void MaxDuration_ByDefault_IsADay()
+    {
+        using TestRun run = NewRun(new VirtualTime());
+        ScriptedManager manager = run.Add("m");
+        manager.OnUnit = () =>
+        {
+            if (manager.Time >= TimeSpan.FromHours(23))
+                manager.StopAll("done");
+        };
+        run.Start();
+        Assert.Equal(0, run.FinishByItself().ExitCode);
+
+        Assert.Equal(TimeSpan.FromDays(1), new VirtualTime().MaxDuration);
+    }
+
+    [Fact, Trait("Clause", "5.2")]
     public void Settings_OutOfRange_AreRefused()
     {
         var time = new VirtualTime();
         Assert.Throws<ArgumentOutOfRangeException>(() => time.Pace = 0);
         Assert.Throws<ArgumentOutOfRangeException>(() => time.Pace = double.NaN);
         Assert.Throws<ArgumentOutOfRangeException>(() => time.MaxRunsPerInstant = 0);
+        Assert.Throws<ArgumentOutOfRangeException>(() => time.MaxDuration = TimeSpan.Zero);
         var error = Assert.Throws<ArgumentOutOfRangeException>(
             () => time.SetUnitOfWorkDuration("slow", TimeSpan.FromTicks(-1)));
         Assert.Contains("'slow'", error.Message, StringComparison.Ordinal);

@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Runtime.CompilerServices;
 using System.Threading;
+using Rabit.Core.Tests.Contracts;
 using Xunit;
 
 namespace Rabit.Core.Tests.Reactors;
@@ -22,8 +23,7 @@ public sealed class WorkspaceStressTests
     // Linux keeps 15 characters of a thread's name.
     private const string Prefix = "hundred";
 
-    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(60);
-    private static readonly TimeSpan PollPeriod = TimeSpan.FromMilliseconds(20);
+    private static TimeSpan TestTimeout => Patience.Limit + Patience.Limit;
 
     [Theory, Trait("Clause", "4.1"), Trait("Clause", "4.3")]
     [InlineData(WaitEngine.Event)]
@@ -114,13 +114,9 @@ public sealed class WorkspaceStressTests
 
     private static void WaitUntil(Func<bool> condition, Func<string> fault)
     {
-        var waited = Stopwatch.StartNew();
-        using var never = new ManualResetEventSlim();
+        var patience = new Patience();
         while (!condition())
-        {
-            Assert.True(waited.Elapsed < TestTimeout, fault());
-            never.Wait(PollPeriod);
-        }
+            Assert.True(patience.TryWait(), fault());
     }
 
     /// <summary>Passes a number to the other one, which passes it back, one higher.</summary>

@@ -118,7 +118,7 @@ internal sealed class HostilePlaces
             called.Set();
             fail();
         });
-        manager.OnUnit = Once(() => called.Wait(TimeSpan.FromSeconds(20)));
+        manager.OnUnit = Once(() => called.Wait(Patience.Limit));
     }
 
     private sealed class Value(Action fail) : IDisposable

@@ -77,13 +77,13 @@ public sealed class LateWakerTests
                 }
             });
             _thread.Start();
-            Assert.True(_isHeld.Wait(TimeSpan.FromSeconds(20)));
+            Assert.True(_isHeld.Wait(Patience.Limit));
         }
 
         public Exception? End()
         {
             _release.Set();
-            Assert.True(_thread!.Join(TimeSpan.FromSeconds(20)));
+            Assert.True(_thread!.Join(Patience.Limit));
             return _thrown;
         }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.Threading;
+using Rabit.Core.Tests.Contracts;
 using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
 using Xunit;
@@ -12,7 +13,7 @@ namespace Rabit.Core.Tests.WakeUp;
 /// </summary>
 public abstract class WaitSignalContract
 {
-    private static readonly TimeSpan TestTimeout = TimeSpan.FromSeconds(20);
+    private static TimeSpan TestTimeout => Patience.Limit;
 
     private readonly RunClock _clock = new(TimeProvider.System);
 

@@ -130,7 +130,7 @@ public sealed class WakeStressTests
             {
                 while (_seen < value)
                 {
-                    if (!Monitor.Wait(this, TimeSpan.FromSeconds(20)))
+                    if (!Monitor.Wait(this, Patience.Limit))
                         return false;
                 }
             }

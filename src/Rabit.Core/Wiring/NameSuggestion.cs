@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Rabit.Core.Wiring;
+
+/// <summary>Ends the text about a name that is not there: with the one that was meant, perhaps.</summary>
+internal static class NameSuggestion
+{
+    // Two slips of the pen, and no more than one in three letters.
+    private const int MaxSlips = 2;
+    private const int LettersPerSlip = 3;
+
+    /// <param name="name">The name that is not there.</param>
+    /// <param name="names">Those that are there.</param>
+    /// <param name="others">The names of the other kind: of queues where a message is missing.</param>
+    /// <param name="otherKind">What those name.</param>
+    /// <returns>A sentence with a space before it, or nothing.</returns>
+    public static string For(string name, IEnumerable<string> names, IEnumerable<string> others, string otherKind)
+    {
+        if (others.Contains(name, StringComparer.Ordinal))
+            return $" There is a {otherKind} '{name}'.";
+        return Nearest(name, names) is { } nearest ? $" Did you mean '{nearest}'?" : string.Empty;
+    }
+
+    private static string? Nearest(string name, IEnumerable<string> names)
+    {
+        int fewest = Math.Min(MaxSlips, name.Length / LettersPerSlip) + 1;
+        string? nearest = null;
+        foreach (string other in names)
+        {
+            if (string.Equals(other, name, StringComparison.Ordinal))
+                continue;
+            int slips = string.Equals(other, name, StringComparison.OrdinalIgnoreCase) ? 0 : SlipsBetween(name, other);
+            if (slips >= fewest)
+                continue;
+            fewest = slips;
+            nearest = other;
+        }
+
+        return nearest;
+    }
+
+    /// <summary>The edit distance of Levenshtein, with a swap of two neighbours as one edit.</summary>
+    private static int SlipsBetween(string a, string b)
+    {
+        int[,] slips = new int[a.Length + 1, b.Length + 1];
+        for (int i = 0; i <= a.Length; i++)
+        {
+            for (int j = 0; j <= b.Length; j++)
+            {
+                if (i == 0 || j == 0)
+                {
+                    slips[i, j] = i + j;
+                    continue;
+                }
+
+                int replaced = slips[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+                int fewest = Math.Min(replaced, Math.Min(slips[i - 1, j], slips[i, j - 1]) + 1);
+                bool isSwapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+                slips[i, j] = isSwapped ? Math.Min(fewest, slips[i - 2, j - 2] + 1) : fewest;
+            }
+        }
+
+        return slips[a.Length, b.Length];
+    }
+}

@@ -1,0 +1,52 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Threading;
+
+namespace Rabit.Core.Tests.Contracts;
+
+/// <summary>
+/// How long a test waits for what must come; only one that fails waits to the end. On a machine that is busy with other
+/// things the run gets its share of the processors only, and the test waits as much longer.
+/// </summary>
+internal sealed class Patience
+{
+    private const int MaxTurns = 1000;
+
+    // What a process gets where so many want to run: beyond that nothing is waited for.
+    private const double MaxShares = 50;
+
+    private static readonly TimeSpan OnAnIdleMachine = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan Turn = TimeSpan.FromMilliseconds(20);
+    private readonly ManualResetEventSlim _never = new();
+    private int _turns;
+
+    /// <summary>For a wait in one piece.</summary>
+    public static TimeSpan Limit => TimeSpan.FromTicks((long)(OnAnIdleMachine.Ticks * Shares()));
+
+    /// <summary>Waits a turn under a lock, or less, where a pulse ends it, which takes no patience.</summary>
+    /// <returns>False when the patience is over.</returns>
+    public bool TryWait(object gate) => Monitor.Wait(gate, Turn) || TakeTurn();
+
+    /// <summary>Waits a turn.</summary>
+    /// <returns>False when the patience is over.</returns>
+    public bool TryWait()
+    {
+        _never.Wait(Turn);
+        return TakeTurn();
+    }
+
+    private bool TakeTurn() => ++_turns < MaxTurns * Shares();
+
+    // Who wants to run, on average and just now, for each processor; 1 where the system does not say.
+    private static double Shares()
+    {
+        const string Load = "/proc/loadavg";   // "0.20 0.18 0.12 1/80 11206"
+        if (!File.Exists(Load))
+            return 1;
+        string[] words = File.ReadAllText(Load).Split(' ', '/');
+        double average = double.Parse(words[0], CultureInfo.InvariantCulture);
+        double running = double.Parse(words[3], CultureInfo.InvariantCulture);
+        return Math.Min(Math.Max(1, Math.Max(average, running) / Environment.ProcessorCount), MaxShares);
+    }
+}
