@@ -15,8 +15,8 @@ namespace Rabit.Core;
 
 /// <summary>
 /// Runs managers: checks their wiring, starts them in order, waits until all have started up, lets them work until the
-/// run is stopped, stops them in reverse order, and returns how each ended. For one run. Disposed, it stops: a test that
-/// fails between <see cref="Start"/> and <see cref="Finish"/> leaves no threads behind.
+/// run is stopped, stops them in reverse order, and returns how each ended. For one run. Disposed, it stops: a test
+/// that fails between <see cref="Start"/> and <see cref="Finish"/> leaves no threads behind.
 /// </summary>
 /// <example>
 /// <code>

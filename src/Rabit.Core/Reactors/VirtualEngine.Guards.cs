@@ -53,7 +53,7 @@ internal sealed partial class VirtualEngine
     private void FailWithoutStop()
         => _context.Fail(new InvalidOperationException(string.Format(
             CultureInfo.InvariantCulture,
-            "Nobody has stopped the run for {0} of virtual time ({1}.{2}). Is a call of Stop or StopSystem missing?",
+            "The run was not stopped within {0} of virtual time ({1}.{2}). Is a call of Stop or StopSystem missing?",
             _time.MaxDuration,
             nameof(VirtualTime),
             nameof(VirtualTime.MaxDuration))));

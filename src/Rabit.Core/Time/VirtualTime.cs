@@ -86,7 +86,7 @@ public sealed class VirtualTime : RabitTime
 
     /// <summary>
     /// How long, in virtual time, <see cref="RabitReactor.Run"/> and <see cref="RabitReactor.Finish"/> let the managers
-    /// work before the run stops with an error: where nobody stops it, it would go on forever. A day by default;
+    /// work before the run stops with an error: one that is never stopped would continue forever. A day by default;
     /// <see cref="TimeSpan.MaxValue"/> for no limit. <see cref="RabitReactor.RunFor"/> has its own, and a run that is
     /// held back by <see cref="Pace"/> has none.
     /// </summary>

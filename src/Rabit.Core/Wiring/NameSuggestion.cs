@@ -7,9 +7,9 @@ namespace Rabit.Core.Wiring;
 /// <summary>Ends the text about a name that is not there: with the one that was meant, perhaps.</summary>
 internal static class NameSuggestion
 {
-    // Two slips of the pen, and no more than one in three letters.
-    private const int MaxSlips = 2;
-    private const int LettersPerSlip = 3;
+    // Two mistyped characters, and no more than one in three.
+    private const int MaxEdits = 2;
+    private const int CharactersPerEdit = 3;
 
     /// <param name="name">The name that is not there.</param>
     /// <param name="names">Those that are there.</param>
@@ -25,16 +25,16 @@ internal static class NameSuggestion
 
     private static string? Nearest(string name, IEnumerable<string> names)
     {
-        int fewest = Math.Min(MaxSlips, name.Length / LettersPerSlip) + 1;
+        int fewest = Math.Min(MaxEdits, name.Length / CharactersPerEdit) + 1;
         string? nearest = null;
         foreach (string other in names)
         {
             if (string.Equals(other, name, StringComparison.Ordinal))
                 continue;
-            int slips = string.Equals(other, name, StringComparison.OrdinalIgnoreCase) ? 0 : SlipsBetween(name, other);
-            if (slips >= fewest)
+            int edits = string.Equals(other, name, StringComparison.OrdinalIgnoreCase) ? 0 : EditsBetween(name, other);
+            if (edits >= fewest)
                 continue;
-            fewest = slips;
+            fewest = edits;
             nearest = other;
         }
 
@@ -42,26 +42,26 @@ internal static class NameSuggestion
     }
 
     /// <summary>The edit distance of Levenshtein, with a swap of two neighbours as one edit.</summary>
-    private static int SlipsBetween(string a, string b)
+    private static int EditsBetween(string a, string b)
     {
-        int[,] slips = new int[a.Length + 1, b.Length + 1];
+        int[,] edits = new int[a.Length + 1, b.Length + 1];
         for (int i = 0; i <= a.Length; i++)
         {
             for (int j = 0; j <= b.Length; j++)
             {
                 if (i == 0 || j == 0)
                 {
-                    slips[i, j] = i + j;
+                    edits[i, j] = i + j;
                     continue;
                 }
 
-                int replaced = slips[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-                int fewest = Math.Min(replaced, Math.Min(slips[i - 1, j], slips[i, j - 1]) + 1);
+                int replaced = edits[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+                int fewest = Math.Min(replaced, Math.Min(edits[i - 1, j], edits[i, j - 1]) + 1);
                 bool isSwapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-                slips[i, j] = isSwapped ? Math.Min(fewest, slips[i - 2, j - 2] + 1) : fewest;
+                edits[i, j] = isSwapped ? Math.Min(fewest, edits[i - 2, j - 2] + 1) : fewest;
             }
         }
 
-        return slips[a.Length, b.Length];
+        return edits[a.Length, b.Length];
     }
 }

@@ -55,7 +55,7 @@ internal static class WiringCheck
         foreach (IReadOnlyList<EndpointDeclaration> endpoints in wiring.Queues.Values)
         {
             if (MessageTypeCheck.FindFaultInQueue(endpoints[0].ValueType, trusted) is { } why)
-                found.Add($"queue '{endpoints[0].Name}': {why} Whoever pushes it must touch it no more: see "
+                found.Add($"queue '{endpoints[0].Name}': {why} Its sender must not touch what it has pushed: see "
                     + $"{nameof(HandedOverAttribute)}.");
         }
 
@@ -103,7 +103,8 @@ internal static class WiringCheck
         => wiring.Queues.Values.Where(q => q.Any(e => e.Role == EndpointRole.Receive)).Select(q => q[0].Name);
 
     private static void CheckQueue(
-        WiringGraph wiring, IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyList<AbsentManager> absent, List<string> faults)
+        WiringGraph wiring, IReadOnlyList<EndpointDeclaration> endpoints, IReadOnlyList<AbsentManager> absent,
+        List<string> faults)
     {
         string name = endpoints[0].Name;
         if (!HaveOneType(endpoints, $"Queue '{name}'", faults))

@@ -182,7 +182,7 @@ public sealed class BufferPoolTests
             thread.Start();
         start.Set();
         foreach (Thread thread in threads)
-            Assert.True(thread.Join(Patience.Limit));
+            Assert.True(thread.Join(TestTimeout.Limit));
 
         Assert.Equal(0, clashes);
         Assert.True(got > 0);

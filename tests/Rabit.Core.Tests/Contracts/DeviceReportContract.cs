@@ -12,7 +12,7 @@ namespace Rabit.Core.Tests.Contracts;
 public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
 {
     // Only a test that fails waits this long.
-    private static TimeSpan TestTimeout => Patience.Limit;
+    private static TimeSpan MaxWait => TestTimeout.Limit;
 
     [Fact, Trait("Clause", "1.8")]
     public void Reader_FailsAndIsOpenAgain_WakesItsManagerEachTimeAndIsReported()
@@ -35,7 +35,7 @@ public abstract class DeviceReportContract(TimeKind kind) : ContractTests(kind)
             hasFailed = true;
             throw new IOException("unplugged");
         };
-        source.OnOpen = () => Assert.True(++opens == 1 || woken.Wait(TestTimeout));
+        source.OnOpen = () => Assert.True(++opens == 1 || woken.Wait(MaxWait));
         manager.AttachReader(
             "line", source,
             reconnect: ReconnectPolicy.After(TimeSpan.FromMilliseconds(2), TimeSpan.FromMilliseconds(2)));

@@ -47,7 +47,7 @@ public abstract class PostHandlerContract(TimeKind kind) : ContractTests(kind)
             var thread = new Thread(
                 () => fetched = outside.ForceFetch() && pair.Run.Reactor.Workspace.Subscribe<Sample>("sample").Fetch());
             thread.Start();
-            Assert.True(thread.Join(Patience.Limit));
+            Assert.True(thread.Join(TestTimeout.Limit));
         });
 
         pair.Run.On(pair.Poster, pair.Publisher.Post);

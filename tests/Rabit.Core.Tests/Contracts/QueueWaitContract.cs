@@ -13,7 +13,7 @@ namespace Rabit.Core.Tests.Contracts;
 public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
 {
     // Only a test that fails waits this long.
-    private static TimeSpan TestTimeout => Patience.Limit;
+    private static TimeSpan MaxWait => TestTimeout.Limit;
     private static readonly TimeSpan Limit = TimeSpan.FromMilliseconds(30);
 
     [Fact, Trait("Clause", "3.1")]
@@ -199,7 +199,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
 
         Task feeding = Feed();
         var waited = Stopwatch.StartNew();
-        while (!feeding.IsCompleted && waited.Elapsed < TestTimeout)
+        while (!feeding.IsCompleted && waited.Elapsed < MaxWait)
             run.Reactor.RunFor(TimeSpan.FromMilliseconds(1));
         Assert.True(feeding.IsCompleted);
         await feeding;
@@ -353,7 +353,7 @@ public abstract class QueueWaitContract(TimeKind kind) : ContractTests(kind)
 
     private static async Task<TResult> InTime<TResult>(Task<TResult> task)
     {
-        Assert.Same(task, await Task.WhenAny(task, Task.Delay(TestTimeout)).ConfigureAwait(false));
+        Assert.Same(task, await Task.WhenAny(task, Task.Delay(MaxWait)).ConfigureAwait(false));
         return await task.ConfigureAwait(false);
     }
 

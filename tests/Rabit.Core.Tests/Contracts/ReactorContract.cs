@@ -26,7 +26,7 @@ public abstract class ReactorContract(TimeKind kind) : ContractTests(kind)
             thread.Start();
         }
 
-        Assert.All(threads, thread => Assert.True(thread.Join(Patience.Limit)));
+        Assert.All(threads, thread => Assert.True(thread.Join(TestTimeout.Limit)));
         Assert.Equal([0, 1, 2, 3], seen);
 
         int RunOne(int number)

@@ -235,7 +235,7 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
             if (Kind.HasThreads)
                 Assert.True(
                     System.Threading.SpinWait.SpinUntil(
-                        () => faulty.WakeUpEvent.StopRequested, Patience.Limit));
+                        () => faulty.WakeUpEvent.StopRequested, TestTimeout.Limit));
         };
 
         run.Start();
@@ -265,7 +265,7 @@ public abstract class RestartContract(TimeKind kind) : ContractTests(kind)
         manager.OnStartup = () =>
         {
             if (manager.Startups == 2)
-                Assert.True(mayStartAgain.Wait(Patience.Limit));
+                Assert.True(mayStartAgain.Wait(TestTimeout.Limit));
         };
         return mayStartAgain;
     }

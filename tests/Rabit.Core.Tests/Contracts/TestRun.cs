@@ -24,7 +24,7 @@ internal sealed class TestRun : IDisposable
             Time = kind.Create(),
             Log = Write,
             StopsOnSignals = false,
-            StopTimeout = Patience.Limit,
+            StopTimeout = TestTimeout.Limit,
         };
         configure?.Invoke(options);
         Reactor = new RabitReactor(options);

@@ -28,12 +28,12 @@ public abstract class TimeKind
         internal override bool TryReach(RabitReactor reactor, TestBoard board, Func<bool> condition)
         {
             // In turns: some conditions change without a pulse, such as the state of a device.
-            var patience = new Patience();
+            var timeout = new TestTimeout();
             lock (board.Gate)
             {
                 while (!condition())
                 {
-                    if (!patience.TryWait(board.Gate))
+                    if (!timeout.TryWait(board.Gate))
                         return false;
                 }
             }

@@ -22,7 +22,7 @@ public sealed class DeviceThreadTests
         BlockingReader<int> reader = manager.AttachReader("line", source);
 
         run.StartAndSettle();
-        Assert.True(source.Blocked.Wait(Patience.Limit));
+        Assert.True(source.Blocked.Wait(TestTimeout.Limit));
         run.OnAndSettle(manager, () => { });
         ReactorResult result = run.Finish();
 
@@ -40,7 +40,7 @@ public sealed class DeviceThreadTests
         manager.AttachReader("line", source);
 
         run.StartAndSettle();
-        Assert.True(source.Blocked.Wait(Patience.Limit));
+        Assert.True(source.Blocked.Wait(TestTimeout.Limit));
         ReactorResult result = run.Finish();
         source.Release();
 
@@ -99,7 +99,7 @@ public sealed class DeviceThreadTests
 
         run.StartAndSettle();
         run.On(manager, () => Push(writer, 3));
-        Assert.True(target.Blocked.Wait(Patience.Limit));
+        Assert.True(target.Blocked.Wait(TestTimeout.Limit));
         run.OnAndSettle(manager, () => Push(writer, 2));
 
         // The writer goes on only when its manager has shut down: what is left is written during the stop.
@@ -123,7 +123,7 @@ public sealed class DeviceThreadTests
 
         run.StartAndSettle();
         run.OnAndSettle(manager, () => Push(writer, 4));
-        Assert.True(target.Blocked.Wait(Patience.Limit));
+        Assert.True(target.Blocked.Wait(TestTimeout.Limit));
         ReactorResult result = run.Finish();
 
         Assert.Equal(ManagerOutcome.Ended, result.Managers[0].Outcome);

@@ -15,7 +15,7 @@ namespace Rabit.Core.Tests.Queues;
 [Trait("Category", "Stress")]
 public sealed class QueueCloseStressTests
 {
-    private static TimeSpan TestTimeout => Patience.Limit + Patience.Limit;
+    private static TimeSpan MaxWait => TestTimeout.Limit + TestTimeout.Limit;
 
     public static IEnumerable<object[]> Kinds()
         =>
@@ -46,13 +46,13 @@ public sealed class QueueCloseStressTests
             }))];
             foreach (Thread thread in threads)
                 thread.Start();
-            Assert.True(begun.Wait(TestTimeout));
+            Assert.True(begun.Wait(MaxWait));
             Thread.SpinWait(50 * (round % 20));
 
             queue.Close();
             QueueCounters reported = queue.Counters;
             hasEnded.Set();
-            Assert.All(threads, thread => Assert.True(thread.Join(TestTimeout)));
+            Assert.All(threads, thread => Assert.True(thread.Join(MaxWait)));
 
             Assert.Equal(accepted.Sum(), reported.Pushed);
             Assert.Equal(reported.Pushed, queue.Counters.Pushed);
@@ -81,12 +81,12 @@ public sealed class QueueCloseStressTests
                 }
             });
             thread.Start();
-            Assert.True(receiver.HasWorked.Wait(TestTimeout));
+            Assert.True(receiver.HasWorked.Wait(MaxWait));
 
             reactor.Stop();
             QueueCounters reported = reactor.Finish().Queues.Single(q => q.Name == "numbers").Counters;
             Volatile.Write(ref hasEnded, true);
-            Assert.True(thread.Join(TestTimeout));
+            Assert.True(thread.Join(MaxWait));
 
             Assert.Equal(accepted, reported.Popped + reported.Dropped + reported.Resident);
             Assert.Equal(receiver.Popped, reported.Popped);

@@ -193,7 +193,7 @@ public sealed class QueueModelTests
         }
 
         Assert.Equal(0, model.Waiting);
-        Assert.True(Task.WaitAll(pending.ToArray<Task>(), Patience.Limit));
+        Assert.True(Task.WaitAll(pending.ToArray<Task>(), TestTimeout.Limit));
         Assert.All(pending, push => Assert.Equal(PushResult.Queued, push.Result));
     }
 }

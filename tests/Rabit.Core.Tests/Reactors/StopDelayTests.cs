@@ -112,7 +112,7 @@ public sealed class StopDelayTests
             throw new InvalidOperationException("boom");
         };
         Task<ReactorResult> running = reactor.RunAsync();
-        Assert.True(sleeps.Wait(Patience.Limit));
+        Assert.True(sleeps.Wait(TestTimeout.Limit));
 
         reactor.Stop();
 

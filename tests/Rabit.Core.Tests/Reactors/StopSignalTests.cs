@@ -37,12 +37,12 @@ public sealed class StopSignalTests
         ReactorResult? result = null;
         var thread = new Thread(() => result = reactor.Run());
         thread.Start();
-        Assert.True(isRunning.Wait(Patience.Limit));
+        Assert.True(isRunning.Wait(TestTimeout.Limit));
 
         Assert.Equal(0, Signals.Send(Signals.OwnProcess, first));
-        Assert.True(isAsked.Wait(Patience.Limit));
+        Assert.True(isAsked.Wait(TestTimeout.Limit));
         Assert.Equal(0, Signals.Send(Signals.OwnProcess, second));
-        bool ended = thread.Join(Patience.Limit);
+        bool ended = thread.Join(TestTimeout.Limit);
         reactor.Stop("no signal came");
 
         Assert.True(ended);
@@ -58,10 +58,10 @@ public sealed class StopSignalTests
         ReactorResult? result = null;
         var thread = new Thread(() => result = reactor.Run());
         thread.Start();
-        Assert.True(isRunning.Wait(Patience.Limit));
+        Assert.True(isRunning.Wait(TestTimeout.Limit));
 
         Assert.Equal(0, Signals.Send(Signals.OwnProcess, signal));
-        bool ended = thread.Join(Patience.Limit);
+        bool ended = thread.Join(TestTimeout.Limit);
         reactor.Stop("no signal came");
 
         Assert.True(ended);

@@ -72,7 +72,7 @@ public sealed class VirtualTimeTests
     }
 
     [Fact, Trait("Clause", "5.2")]
-    public void Finish_NobodyStopsTheRun_EndsItWithAnErrorAtItsLimit()
+    public void Finish_RunThatIsNeverStopped_EndsItWithAnErrorAtItsLimit()
     {
         using TestRun run = NewRun(new VirtualTime { MaxDuration = TimeSpan.FromHours(5) });
         run.Add("m");

@@ -23,7 +23,7 @@ public sealed class WorkspaceStressTests
     // Linux keeps 15 characters of a thread's name.
     private const string Prefix = "hundred";
 
-    private static TimeSpan TestTimeout => Patience.Limit + Patience.Limit;
+    private static TimeSpan MaxWait => TestTimeout.Limit + TestTimeout.Limit;
 
     [Theory, Trait("Clause", "4.1"), Trait("Clause", "4.3")]
     [InlineData(WaitEngine.Event)]
@@ -56,10 +56,10 @@ public sealed class WorkspaceStressTests
         Thread[] threads = [.. Enumerable.Range(0, Workspaces).Select(number => new Thread(() => RunOne(number)))];
         foreach (Thread thread in threads)
             thread.Start();
-        Assert.True(allRun.Wait(TestTimeout), $"{allRun.CurrentCount} workspaces do not come to their end");
+        Assert.True(allRun.Wait(MaxWait), $"{allRun.CurrentCount} workspaces do not come to their end");
         int threadsAlive = ThreadsAlive();
         mayStop.Set();
-        Assert.All(threads, thread => Assert.True(thread.Join(TestTimeout), "a workspace does not stop"));
+        Assert.All(threads, thread => Assert.True(thread.Join(MaxWait), "a workspace does not stop"));
         Assert.Empty(failures);
         return threadsAlive;
 
@@ -72,9 +72,9 @@ public sealed class WorkspaceStressTests
             reactor.Add(ping);
             reactor.Add(pong);
             reactor.Start();
-            bool isDone = ping.Done.Wait(TestTimeout) && pong.Done.Wait(TestTimeout);
+            bool isDone = ping.Done.Wait(MaxWait) && pong.Done.Wait(MaxWait);
             allRun.Signal();
-            mayStop.Wait(TestTimeout);
+            mayStop.Wait(MaxWait);
             reactor.Stop();
             ReactorResult result = reactor.Finish();
             lock (failures)
@@ -114,9 +114,9 @@ public sealed class WorkspaceStressTests
 
     private static void WaitUntil(Func<bool> condition, Func<string> fault)
     {
-        var patience = new Patience();
+        var timeout = new TestTimeout();
         while (!condition())
-            Assert.True(patience.TryWait(), fault());
+            Assert.True(timeout.TryWait(), fault());
     }
 
     /// <summary>Passes a number to the other one, which passes it back, one higher.</summary>

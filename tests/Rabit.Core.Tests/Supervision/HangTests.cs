@@ -74,7 +74,7 @@ public sealed class HangTests
         finish.Start();
         run.Until(() => manager.WakeUpEvent.StopRequested, "the stop reaches the manager");
         release.Set();
-        Assert.True(finish.Join(Patience.Limit));
+        Assert.True(finish.Join(TestTimeout.Limit));
 
         Assert.Equal(["begins", "ends", "shutdown"], run.Board.Entries);
     }
@@ -113,7 +113,7 @@ public sealed class HangTests
             stopper.Start();
             run.Start();
             ReactorResult result = run.FinishByItself();
-            Assert.True(stopper.Join(Patience.Limit));
+            Assert.True(stopper.Join(TestTimeout.Limit));
             notStarted += result.Managers.Count(m => m.Outcome == ManagerOutcome.NotStarted);
         }
 

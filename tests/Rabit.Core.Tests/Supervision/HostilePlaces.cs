@@ -118,7 +118,7 @@ internal sealed class HostilePlaces
             called.Set();
             fail();
         });
-        manager.OnUnit = Once(() => called.Wait(Patience.Limit));
+        manager.OnUnit = Once(() => called.Wait(TestTimeout.Limit));
     }
 
     private sealed class Value(Action fail) : IDisposable

@@ -111,7 +111,7 @@ public sealed class InterruptTests : InterruptingTests
         run.On(manager, () => { });
         run.Reactor.Stop("enough");
 
-        Assert.True(thread.Join(Patience.Limit));
+        Assert.True(thread.Join(TestTimeout.Limit));
         Assert.Equal(("enough", 0), (result!.StopReason, result.ExitCode));
     }
 

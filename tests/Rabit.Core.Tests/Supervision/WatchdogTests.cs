@@ -38,7 +38,7 @@ public sealed class WatchdogTests
         {
             manager.Doing = "asking the camera";
             clock.Timestamp += PastTheLimit.Ticks;
-            Assert.True(found.Wait(Patience.Limit));
+            Assert.True(found.Wait(TestTimeout.Limit));
             MessageSubscriber<ManagerStatus> status = run.Reactor.Workspace.SubscribeToStatus("m");
             status.Fetch();
             seen = status.Value;
@@ -50,7 +50,7 @@ public sealed class WatchdogTests
 
         ManagerHang hang = Assert.Single(hangs);
         Assert.Equal(("m", stage, "asking the camera"), (hang.Manager, hang.Stage, hang.Doing));
-        Assert.InRange(hang.Duration, TimeSpan.FromMilliseconds(20), Patience.Limit);
+        Assert.InRange(hang.Duration, TimeSpan.FromMilliseconds(20), TestTimeout.Limit);
         Assert.Equal((ManagerState.Hanging, 1, hang.Since), (seen.State, seen.Hangs, seen.HangingSince));
         Assert.Contains("asking the camera", seen.LastHang, StringComparison.Ordinal);
 
@@ -110,7 +110,7 @@ public sealed class WatchdogTests
             run.OnAndSettle(manager, () =>
             {
                 clock.Timestamp += PastTheLimit.Ticks;
-                Assert.True(found.WaitOne(Patience.Limit));
+                Assert.True(found.WaitOne(TestTimeout.Limit));
             });
             ManagerStatus status = run.StatusOf(manager);
             Assert.Equal((ManagerState.Running, (long)round), (status.State, status.Hangs));
@@ -130,7 +130,7 @@ public sealed class WatchdogTests
 
         run.StartAndSettle();
         for (int i = 0; i < 2; i++)
-            run.OnAndSettle(manager, () => Assert.True(found.WaitOne(Patience.Limit)));
+            run.OnAndSettle(manager, () => Assert.True(found.WaitOne(TestTimeout.Limit)));
         run.Finish();
 
         Assert.Contains(
@@ -154,10 +154,10 @@ public sealed class WatchdogTests
                 if (found.IsSet)
                     return;
                 clock.Timestamp += PastTheLimit.Ticks;
-                Assert.True(found.Wait(Patience.Limit));
+                Assert.True(found.Wait(TestTimeout.Limit));
             };
             watched.WakeUp();
-            Assert.True(found.Wait(Patience.Limit));
+            Assert.True(found.Wait(TestTimeout.Limit));
         };
 
         run.StartAndSettle();
@@ -173,7 +173,7 @@ public sealed class WatchdogTests
         using var run = new TestRun(TimeKind.Real, options =>
         {
             options.TotalStopTimeout = TimeSpan.FromMilliseconds(50);
-            options.StopTimeout = Patience.Limit;
+            options.StopTimeout = TestTimeout.Limit;
         });
         ScriptedManager first = run.Add("first");
         ScriptedManager second = run.Add("second");

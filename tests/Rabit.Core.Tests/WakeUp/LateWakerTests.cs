@@ -77,13 +77,13 @@ public sealed class LateWakerTests
                 }
             });
             _thread.Start();
-            Assert.True(_isHeld.Wait(Patience.Limit));
+            Assert.True(_isHeld.Wait(TestTimeout.Limit));
         }
 
         public Exception? End()
         {
             _release.Set();
-            Assert.True(_thread!.Join(Patience.Limit));
+            Assert.True(_thread!.Join(TestTimeout.Limit));
             return _thrown;
         }
 

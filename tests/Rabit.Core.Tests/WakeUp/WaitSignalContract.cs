@@ -13,7 +13,7 @@ namespace Rabit.Core.Tests.WakeUp;
 /// </summary>
 public abstract class WaitSignalContract
 {
-    private static TimeSpan TestTimeout => Patience.Limit;
+    private static TimeSpan MaxWait => TestTimeout.Limit;
 
     private readonly RunClock _clock = new(TimeProvider.System);
 
@@ -92,7 +92,7 @@ public abstract class WaitSignalContract
         Volatile.Write(ref isSet, true);
         signal.Set();
 
-        Assert.True(sleeper.Join(TestTimeout), "the sleeper sleeps on");
+        Assert.True(sleeper.Join(MaxWait), "the sleeper sleeps on");
     }
 
     [Fact]
@@ -108,7 +108,7 @@ public abstract class WaitSignalContract
             for (int round = 1; round <= Rounds; round++)
             {
                 while (Volatile.Read(ref pings) < round)
-                    ping.Wait(_clock.Now + TestTimeout);
+                    ping.Wait(_clock.Now + MaxWait);
                 Volatile.Write(ref pongs, round);
                 pong.Set();
             }
@@ -122,12 +122,12 @@ public abstract class WaitSignalContract
             var waited = Stopwatch.StartNew();
             while (Volatile.Read(ref pongs) < round)
             {
-                Assert.True(waited.Elapsed < TestTimeout, $"a signal was lost in round {round}");
-                pong.Wait(_clock.Now + TestTimeout);
+                Assert.True(waited.Elapsed < MaxWait, $"a signal was lost in round {round}");
+                pong.Wait(_clock.Now + MaxWait);
             }
         }
 
-        Assert.True(other.Join(TestTimeout));
+        Assert.True(other.Join(MaxWait));
     }
 
     [Fact]

@@ -130,7 +130,7 @@ public sealed class WakeStressTests
             {
                 while (_seen < value)
                 {
-                    if (!Monitor.Wait(this, Patience.Limit))
+                    if (!Monitor.Wait(this, TestTimeout.Limit))
                         return false;
                 }
             }

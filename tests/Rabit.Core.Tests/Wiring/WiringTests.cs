@@ -128,7 +128,7 @@ public sealed class WiringTests
     }
 
     [Fact, Trait("Clause", "4.2")]
-    public void Faults_TypesNamedAlike_AreToldApartByTheirNamespaces()
+    public void Faults_TypesNamedAlike_AreNamedWithTheirNamespaces()
     {
         using TestRun run = NewRun();
         run.Add("a").Publish<Near.Count>("counts");

@@ -9,7 +9,7 @@ namespace Rabit.Core.Tests.Contracts;
 /// How long a test waits for what must come; only one that fails waits to the end. On a machine that is busy with other
 /// things the run gets its share of the processors only, and the test waits as much longer.
 /// </summary>
-internal sealed class Patience
+internal sealed class TestTimeout
 {
     private const int MaxTurns = 1000;
 
@@ -24,12 +24,12 @@ internal sealed class Patience
     /// <summary>For a wait in one piece.</summary>
     public static TimeSpan Limit => TimeSpan.FromTicks((long)(OnAnIdleMachine.Ticks * Shares()));
 
-    /// <summary>Waits a turn under a lock, or less, where a pulse ends it, which takes no patience.</summary>
-    /// <returns>False when the patience is over.</returns>
+    /// <summary>Waits a turn under a lock, or less, where a pulse ends it, which costs no turn.</summary>
+    /// <returns>False when the time is over.</returns>
     public bool TryWait(object gate) => Monitor.Wait(gate, Turn) || TakeTurn();
 
     /// <summary>Waits a turn.</summary>
-    /// <returns>False when the patience is over.</returns>
+    /// <returns>False when the time is over.</returns>
     public bool TryWait()
     {
         _never.Wait(Turn);
