@@ -29,7 +29,7 @@ internal static class Allocated
     /// <remarks>
     /// A collection in between, which any test beside this one may cause, closes this thread's allocation buffer and
     /// counts what was left of it. Such a measurement says nothing and is made again. A background collection closes
-    /// the buffers once more in its midst, when no count shows it; so bytes are believed when three measurements without
+    /// the buffers once more in its midst, when no count shows it; so bytes count when three measurements without
     /// a counted collection have them: what the work itself allocates, it allocates each time.
     /// </remarks>
     /// <param name="work">The work; it may be done several times.</param>
@@ -37,8 +37,8 @@ internal static class Allocated
     public static long By(Action work, Action? prepare = null)
     {
         long least = long.MaxValue;
-        int believed = 0;
-        for (int attempt = 0; attempt < 20 && believed < 3 && least > 0; attempt++)
+        int confirmed = 0;
+        for (int attempt = 0; attempt < 20 && confirmed < 3 && least > 0; attempt++)
         {
             prepare?.Invoke();
             int collections = GC.CollectionCount(0);
@@ -47,7 +47,7 @@ internal static class Allocated
             long allocated = (CountBytes?.Invoke() ?? 0) - before;
             least = Math.Min(least, allocated);
             if (GC.CollectionCount(0) == collections)
-                believed++;
+                confirmed++;
         }
 
         return least;
