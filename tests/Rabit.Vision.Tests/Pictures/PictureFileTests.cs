@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Rabit.Vision.Tests.Jpeg;
 using Xunit;
 
 namespace Rabit.Vision.Tests.Pictures;
@@ -55,8 +56,12 @@ public sealed class PictureFileTests : IDisposable
     [InlineData("P6\n# no end", "header")]
     [InlineData("P6", "header")]
     [InlineData("", "empty")]
-    [InlineData("P5\n2 1\n255\n  ", "only PNG and binary PPM")]
-    [InlineData("hello", "only PNG and binary PPM")]
+    [InlineData("P5\n2 1\n255\n1", "cut off")]
+    [InlineData("P5\n2 1\n256\n123", "cut off")]
+    [InlineData("P5\n2 1\n65536\n1234", "65535")]
+    [InlineData("P5\n2 1\n0\n1234", "its largest value is 0")]
+    [InlineData("P4\n2 1\n  ", "only JPEG, PNG and binary PPM")]
+    [InlineData("hello", "only JPEG, PNG and binary PPM")]
     public void Load_WrongText_SaysWhy(string file, string reason)
     {
         string path = Write("x.ppm", Encoding.ASCII.GetBytes(file));
@@ -67,14 +72,35 @@ public sealed class PictureFileTests : IDisposable
         Assert.Contains(reason, fault.Message, StringComparison.Ordinal);
     }
 
-    [Fact]
-    public void Load_Jpeg_SaysWhatIsRead()
+    [Theory]
+    [InlineData("P5 2 2 255 ", new byte[] { 0, 7, 200, 255 }, new byte[] { 0, 7, 200, 255 })]
+    [InlineData("P5 2 2 100 ", new byte[] { 0, 50, 100, 120 }, new byte[] { 0, 128, 255, 255 })]
+    [InlineData("P5 2 2 65535 ", new byte[] { 0, 0, 1, 0, 128, 0, 255, 255 }, new byte[] { 0, 1, 128, 255 })]
+    [InlineData("P5 2 2 16383 ", new byte[] { 0, 0, 32, 0, 63, 255, 255, 255 }, new byte[] { 0, 128, 255, 255 })]
+    public void Load_Pgm_GivesGreyOf8Bits(string header, byte[] content, byte[] grey)
     {
-        string path = Write("x.png", [0xFF, 0xD8, 0xFF, 0xE0, 0, 16]);
+        RgbPicture picture = PictureFile.Load(Write("x", Encoding.ASCII.GetBytes(header).Concat(content).ToArray()));
+
+        Assert.Equal((2, 2), (picture.Width, picture.Height));
+        Assert.Equal(grey.SelectMany(g => new[] { g, g, g }), picture.Pixels);
+    }
+
+    [Fact]
+    public void Load_Jpeg_ByItsFirstBytes()
+    {
+        string path = Write("x.png", JpegFiles.Read("420.jpg"));
+
+        Assert.Equal(JpegPicture.Decode(JpegFiles.Read("420.jpg"), "x").Pixels, PictureFile.Load(path).Pixels);
+    }
+
+    [Fact]
+    public void Load_JpegThatIsNotRead_NamesFileAndReason()
+    {
+        string path = Write("x.jpg", JpegFiles.Read("progressive.jpg"));
 
         PictureException fault = Assert.Throws<PictureException>(() => PictureFile.Load(path));
 
-        Assert.Equal(path + ": that is a JPEG; only PNG and binary PPM (P6) are read", fault.Message);
+        Assert.StartsWith(path + ": it is a progressive JPEG", fault.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -103,13 +129,29 @@ public sealed class PictureFileTests : IDisposable
     public void LoadInto_OtherSize_SaysWhich()
     {
         string path = Write("x.png", Convert.FromBase64String(SamplePictures.Rgb));
-        byte[]? buffer = null;
 
         PictureException fault = Assert.Throws<PictureException>(
-            () => PictureFile.LoadInto(path, 4, 4, new byte[48], ref buffer));
+            () => new PictureReader().LoadInto(path, 4, 4, new byte[48]));
 
         Assert.Contains("4 x 5 pixels", fault.Message, StringComparison.Ordinal);
         Assert.Contains("4 x 4", fault.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void LoadInto_KindsInTurn_GivesEach()
+    {
+        var reader = new PictureReader();
+        RgbPicture jpeg = JpegPicture.Decode(JpegFiles.Read("grey.jpg"), "x");
+        string[] paths =
+            [Write("a.jpg", JpegFiles.Read("grey.jpg")), _folder.File("a.png"), _folder.File("a.ppm"), _folder.File("b.png")];
+        foreach (string path in paths.Skip(1))
+            PictureFile.Save(path, jpeg);
+        foreach (string path in paths)
+        {
+            byte[] pixels = new byte[jpeg.Pixels.Length];
+            reader.LoadInto(path, 61, 43, pixels);
+            Assert.Equal(jpeg.Pixels, pixels);
+        }
     }
 
     private string Write(string name, byte[] bytes)

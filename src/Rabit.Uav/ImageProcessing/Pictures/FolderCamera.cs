@@ -31,7 +31,7 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
     private readonly BufferPool _pool;
     private readonly List<ListedPicture> _pending = [];   // the next is the last
     private readonly List<string> _nameless = [];
-    private byte[]? _fileBuffer;
+    private readonly PictureReader _reader = new();
     private ReaderContext? _context;
     private long _openedUtc;
     private long _lastUtc = long.MinValue;
@@ -151,9 +151,8 @@ public sealed class FolderCamera : IReaderSource<CameraFrame>
 
         try
         {
-            PictureFile.LoadInto(
-                Path.Combine(_folder.Path, picture.File), _folder.Camera.Width, _folder.Camera.Height, lease.Array,
-                ref _fileBuffer);
+            _reader.LoadInto(
+                Path.Combine(_folder.Path, picture.File), _folder.Camera.Width, _folder.Camera.Height, lease.Array);
         }
         catch (PictureException e)
         {

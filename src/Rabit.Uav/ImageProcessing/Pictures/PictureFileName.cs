@@ -15,7 +15,7 @@ internal readonly struct PictureFileName(long number, long startUtcMicroseconds,
     private const long LastMicrosecond = 253_402_300_799_999_999;
     private const long MaxExposure = 3_600_000_000;
 
-    private static readonly string[] PictureEndings = [".png", ".ppm", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"];
+    private static readonly string[] PictureEndings = [".png", ".ppm", ".pgm", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"];
 
     public long Number { get; } = number;
 

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using Rabit.Tests.Shared;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Vision;
 using Rabit.Vision.Tests.Pictures;
@@ -77,20 +78,38 @@ public sealed class FolderCameraTests : IDisposable
     {
         string damaged = _rig.Write(1, At(1));
         File.WriteAllBytes(_rig.PathOf(damaged), File.ReadAllBytes(_rig.PathOf(damaged)).Take(50).ToArray());
-        File.WriteAllBytes(_rig.PathOf("f000002_" + Micros(2) + "_e2000.jpg"), [0xFF, 0xD8, 0xFF, 0xE0]);
+        File.WriteAllBytes(_rig.PathOf("f000002_" + Micros(2) + "_e2000.jpg"), [0xFF, 0xD8, 0xFF, 0xC2, 0, 2]);
         PictureFile.Save(_rig.PathOf("f000003_" + Micros(3) + "_e2000.ppm"), SamplePictures.Random(5, 4, seed: 1));
         PictureFile.Save(_rig.PathOf("f000004_" + Micros(4) + "_e0.ppm"), SamplePictures.Random(4, 5, seed: 1));
 
         _rig.RunFor(At(1.5));
         Assert.Contains("cut off", _rig.Camera.LastRefusal, StringComparison.Ordinal);
         _rig.RunFor(At(1));
-        Assert.Contains("JPEG", _rig.Camera.LastRefusal, StringComparison.Ordinal);
+        Assert.Contains("_e2000.jpg: it is a progressive JPEG", _rig.Camera.LastRefusal, StringComparison.Ordinal);
         _rig.RunFor(At(1));
         Assert.Contains("5 x 4 pixels", _rig.Camera.LastRefusal, StringComparison.Ordinal);
         _rig.RunFor(At(1));
 
         Assert.Equal([4], _rig.Taken.Select(t => t.Frame.Number));
         Assert.Equal(3, _rig.Camera.PicturesRefused);
+    }
+
+    [Fact]
+    public void Read_JpegAndGrey_GivesTheirPixels()
+    {
+        string jpeg = Path.Combine(Repository.Root, "tests", "data", "jpeg", "420-4x5.jpg");
+        File.Copy(jpeg, _rig.PathOf("f000001_" + Micros(1) + "_e2000.jpg"));
+        byte[] grey = Enumerable.Range(0, 40).Select(at => (byte)(at % 2 == 0 ? at * 6 : 255)).ToArray();
+        File.WriteAllBytes(
+            _rig.PathOf("f000002_" + Micros(2) + "_e2000.pgm"),
+            System.Text.Encoding.ASCII.GetBytes("P5\n4 5\n65535\n").Concat(grey).ToArray());
+
+        _rig.RunFor(At(3));
+
+        Assert.Equal([1, 2], _rig.Taken.Select(t => t.Frame.Number));
+        Assert.Equal(PictureFile.Load(jpeg).Pixels, _rig.Taken[0].Pixels);
+        Assert.Equal([1, 1, 1, 13, 13, 13], _rig.Taken[1].Pixels.Take(6));
+        Assert.Equal(0, _rig.Camera.PicturesRefused);
     }
 
     [Fact]

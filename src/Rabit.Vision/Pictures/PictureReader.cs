@@ -1,0 +1,128 @@
+using System;
+using System.IO;
+
+namespace Rabit.Vision;
+
+/// <summary>
+/// Reads pictures out of files, one after the other, with the same memory: JPEG (see <see cref="JpegDecoder"/>), PNG,
+/// binary PPM (P6) and binary PGM (P5, 8 and 16 bits, made 8 bits by its largest value). What a file is, its first
+/// bytes say, not its name. One thread.
+/// </summary>
+/// <example>
+/// <code>
+/// var reader = new PictureReader();
+/// byte[] pixels = new byte[640 * 480 * 3];
+/// foreach (string path in Directory.GetFiles("pictures"))
+///     reader.LoadInto(path, 640, 480, pixels);
+/// </code>
+/// </example>
+public sealed class PictureReader
+{
+    // Larger than any picture that is read here: nothing is gained by packing pixels into more bytes than they have.
+    private const long MaxFileBytes = 256L * 1024 * 1024;
+    private const string WhatIsRead = "only JPEG, PNG and binary PPM (P6) and PGM (P5) are";
+
+    private byte[] _file = [];
+    private JpegDecoder? _jpeg;
+    private PngDecoder? _png;
+    private PnmDecoder? _pnm;
+
+    /// <summary>Reads a picture.</summary>
+    /// <param name="path">The file.</param>
+    /// <exception cref="PictureException">
+    /// There is no such file, it may not be read, it is of a kind that is not read, or damaged.
+    /// </exception>
+    public RgbPicture Load(string path)
+    {
+        (int width, int height) = Open(path);
+        byte[] pixels = new byte[width * height * 3];
+        Decode(pixels);
+        return new RgbPicture(width, height, pixels);
+    }
+
+    /// <summary>Reads a picture of a known size.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="width">Columns it must have.</param>
+    /// <param name="height">Rows it must have.</param>
+    /// <param name="pixels">Takes red, green and blue.</param>
+    /// <exception cref="PictureException">As for <see cref="Load"/>, or another size.</exception>
+    public void LoadInto(string path, int width, int height, byte[] pixels)
+    {
+        PixelBuffer.Check(pixels, width, height);
+        (int itsWidth, int itsHeight) = Open(path);
+        if (itsWidth != width || itsHeight != height)
+            throw new PictureException(
+                path, $"it is {itsWidth} x {itsHeight} pixels; those of its camera are {width} x {height}");
+        Decode(pixels);
+    }
+
+    private void Decode(byte[] pixels)
+    {
+        if (_png is not null)
+            _png.Decode(pixels);
+        else if (_pnm is not null)
+            _pnm.Decode(pixels);
+        else
+            _jpeg!.Decode(pixels);
+    }
+
+    private (int Width, int Height) Open(string path)
+    {
+        int length = ReadAll(path);
+        (_png, _pnm) = (null, null);
+        if (length == 0)
+            throw new PictureException(path, "the file is empty");
+        if (length >= 2 && _file[0] == 'P' && _file[1] is (byte)'5' or (byte)'6')
+        {
+            _pnm = new PnmDecoder(_file, length, path);
+            return (_pnm.Width, _pnm.Height);
+        }
+
+        if (length >= 2 && _file[0] == 0xFF && _file[1] == JpegMarker.Start)
+        {
+            _jpeg ??= new JpegDecoder();
+            _jpeg.Open(_file, 0, length, path);
+            return (_jpeg.Width, _jpeg.Height);
+        }
+
+        if (_file[0] != PngPicture.Signature[0])
+            throw new PictureException(path, "that is no picture that is read here; " + WhatIsRead);
+        _png = new PngDecoder(_file, length, path);
+        return (_png.Width, _png.Height);
+    }
+
+    private int ReadAll(string path)
+    {
+        try
+        {
+            // Without a buffer of its own: the file goes into ours at once.
+            using var file = new FileStream(
+                path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
+            if (file.Length > MaxFileBytes)
+                throw new PictureException(path, $"it has {file.Length} bytes; at most {MaxFileBytes} are read");
+            int length = (int)file.Length;
+            if (_file.Length < length)
+                _file = new byte[length];
+            int filled = 0;
+            while (filled < length)
+            {
+                int read = file.Read(_file, filled, length - filled);
+                if (read <= 0)
+                    break;
+                filled += read;
+            }
+
+            return filled;
+        }
+        catch (Exception e) when (PictureFile.IsFileFault(e))
+        {
+            string reason = e switch
+            {
+                FileNotFoundException or DirectoryNotFoundException => "no such file",
+                UnauthorizedAccessException => Directory.Exists(path) ? "that is a folder" : "no permission to read it",
+                _ => "it cannot be read: " + e.Message,
+            };
+            throw new PictureException(path, reason, e);
+        }
+    }
+}
