@@ -5,8 +5,19 @@ namespace Rabit.Mavlink;
 /// </summary>
 public readonly struct MavlinkSequenceStatistics
 {
-    internal MavlinkSequenceStatistics(
-        byte systemId, byte componentId, byte lastSequence, long frames, long missing, long outOfOrder)
+    // How far back a late frame is still taken off what is missing: links that reorder do so within a few frames.
+    private const int Window = 64;
+
+    // Bit n: the number n before the newest one has arrived, or is older than the first.
+    private readonly ulong _arrived;
+
+    internal MavlinkSequenceStatistics(byte systemId, byte componentId, byte firstSequence)
+        : this(systemId, componentId, firstSequence, frames: 1, missing: 0, outOfOrder: 0, ulong.MaxValue)
+    {
+    }
+
+    private MavlinkSequenceStatistics(
+        byte systemId, byte componentId, byte lastSequence, long frames, long missing, long outOfOrder, ulong arrived)
     {
         SystemId = systemId;
         ComponentId = componentId;
@@ -14,6 +25,7 @@ public readonly struct MavlinkSequenceStatistics
         Frames = frames;
         Missing = missing;
         OutOfOrder = outOfOrder;
+        _arrived = arrived;
     }
 
     /// <summary>System id of the sender.</summary>
@@ -29,9 +41,9 @@ public readonly struct MavlinkSequenceStatistics
     public long Frames { get; }
 
     /// <summary>
-    /// Sequence numbers that were jumped over: a step of n+1 instead of 1 adds n. Of more than 127 lost in a row the
-    /// count is wrong, since the number has 8 bits, and a frame that arrives late after all is not taken off again: it
-    /// is in <see cref="OutOfOrder"/>.
+    /// Sequence numbers that were jumped over and did not arrive since: a step of n+1 instead of 1 adds n, one of them
+    /// that arrives late, within 64 numbers, takes one off. Of more than 127 lost in a row the count is wrong, since
+    /// the number has 8 bits.
     /// </summary>
     public long Missing { get; }
 
@@ -44,8 +56,17 @@ public readonly struct MavlinkSequenceStatistics
     {
         // Ahead by 1 to 128 is a step forward, anything else is behind: the shorter way round the circle of 256.
         int step = (byte)(sequence - LastSequence);
-        return step is >= 1 and <= 128
-            ? new MavlinkSequenceStatistics(SystemId, ComponentId, sequence, Frames + 1, Missing + step - 1, OutOfOrder)
-            : new MavlinkSequenceStatistics(SystemId, ComponentId, LastSequence, Frames + 1, Missing, OutOfOrder + 1);
+        if (step is >= 1 and <= 128)
+        {
+            ulong arrived = (step < Window ? _arrived << step : 0) | 1;
+            return new MavlinkSequenceStatistics(
+                SystemId, ComponentId, sequence, Frames + 1, Missing + step - 1, OutOfOrder, arrived);
+        }
+
+        int back = (byte)(LastSequence - sequence);
+        bool wasMissing = back < Window && (_arrived & (1UL << back)) == 0;
+        return new MavlinkSequenceStatistics(
+            SystemId, ComponentId, LastSequence, Frames + 1, wasMissing ? Missing - 1 : Missing, OutOfOrder + 1,
+            wasMissing ? _arrived | (1UL << back) : _arrived);
     }
 }

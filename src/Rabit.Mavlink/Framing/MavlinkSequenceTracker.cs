@@ -70,7 +70,7 @@ public sealed class MavlinkSequenceTracker
 
     private void Add(int key, in MavlinkFrame frame)
     {
-        _sources[Count] = new MavlinkSequenceStatistics(frame.SystemId, frame.ComponentId, frame.Sequence, 1, 0, 0);
+        _sources[Count] = new MavlinkSequenceStatistics(frame.SystemId, frame.ComponentId, frame.Sequence);
         _indexBySource.Add(key, Count);
     }
 

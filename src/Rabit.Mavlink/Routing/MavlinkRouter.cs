@@ -1,4 +1,5 @@
 using System;
+using Rabit.Mavlink.Messages;
 using Rabit.Mavlink.Routing;
 
 namespace Rabit.Mavlink;
@@ -49,6 +50,7 @@ public sealed class MavlinkRouter
     private ulong _links;
     private ulong _sendLinks;
     private ulong _forwardFromLinks;
+    private ulong _radioStatusLinks;
 
     private long _delivered;
     private long _forwarded;
@@ -77,6 +79,12 @@ public sealed class MavlinkRouter
         _table = new RouteTable(maxSources);
     }
 
+    /// <summary>
+    /// Whether frames whose id is not known, so that their address cannot be read, are forwarded as broadcasts.
+    /// </summary>
+    /// <value>The default is true, as the guide has it: the others may know them.</value>
+    public bool ForwardsUnknownMessages { get; set; } = true;
+
     /// <summary>The decisions so far.</summary>
     public MavlinkRouterCounters Counters
         => new(_delivered, _forwarded, _unknownTargets, _ourOwn, _linkLocal, _sourcesRefused);
@@ -102,6 +110,13 @@ public sealed class MavlinkRouter
         _systemId = systemId;
         _componentId = componentId;
     }
+
+    /// <summary>
+    /// Says to which links RADIO_STATUS and RADIO are forwarded: those with a ground station that shows the state of
+    /// all radios. Never one with a vehicle: an autopilot would take it for the state of its own radio, and slow down.
+    /// </summary>
+    /// <param name="links">Bit n is link n; 0, as at first, for none.</param>
+    public void SetRadioStatusLinks(ulong links) => _radioStatusLinks = links;
 
     /// <summary>
     /// Makes us another component of our system beside that of our own address: a payload or a gimbal that this
@@ -143,7 +158,10 @@ public sealed class MavlinkRouter
         _table.ForgetLinks(bit);
     }
 
-    /// <summary>Forgets where a system was seen, as the guide requires after its reboot.</summary>
+    /// <summary>
+    /// Forgets where a system was seen. <see cref="Route(int, in MavlinkFrame, in MavlinkFrameInfo)"/> does so for a
+    /// component whose SYSTEM_TIME shows that it was started again, as the guide requires.
+    /// </summary>
     /// <param name="systemId">The system.</param>
     public void ForgetSystem(byte systemId)
     {
@@ -203,12 +221,31 @@ public sealed class MavlinkRouter
         }
 
         if (isChecked)
+        {
+            CheckRestart(frame);
             Learn(frame, bit);
+        }
+
         MavlinkRoute route = isChecked
             ? RouteByAddress(frame.MessageId, targetSystem, targetComponent)
             : RouteUnchecked(frame.MessageId);
         ulong allowed = (_forwardFromLinks & bit) != 0 ? _sendLinks & ~bit : 0;
         return Count(new MavlinkRoute(route.Reason, route.DeliverLocally, route.ForwardTo & allowed));
+    }
+
+    /// <summary>
+    /// Learns from a received frame that is not routed where its sender is: from a copy, which came over another link.
+    /// </summary>
+    /// <param name="link">The link it was received on.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="isChecked">Whether its id is known and its checksum right; else nothing is learned.</param>
+    /// <exception cref="ArgumentOutOfRangeException">No such link number.</exception>
+    public void Learn(int link, in MavlinkFrame frame, bool isChecked)
+    {
+        ulong bit = Bit(link);
+        bool isOurs = _systemId != 0 && frame.SystemId == _systemId && IsOwnComponent(frame.ComponentId);
+        if (isChecked && !isOurs)
+            Learn(frame, bit);
     }
 
     /// <summary>
@@ -238,7 +275,7 @@ public sealed class MavlinkRouter
     {
         bool isForUs = system == 0 || (system == _systemId && (component == 0 || IsOwnComponent(component)));
         if (IsLinkLocal(messageId))
-            return new MavlinkRoute(MavlinkRouteReason.LinkLocal, isForUs, 0);
+            return new MavlinkRoute(MavlinkRouteReason.LinkLocal, isForUs, RadioLinks(messageId));
         if (system == 0)
             return new MavlinkRoute(MavlinkRouteReason.Broadcast, isForUs, ulong.MaxValue);
         if (isForUs && component != 0)
@@ -251,13 +288,28 @@ public sealed class MavlinkRouter
         return new MavlinkRoute(reason, isForUs, links);
     }
 
-    private static MavlinkRoute RouteUnchecked(int messageId) => IsLinkLocal(messageId)
-        ? new MavlinkRoute(MavlinkRouteReason.LinkLocal, deliverLocally: false, 0)
-        : new MavlinkRoute(MavlinkRouteReason.UnknownMessage, deliverLocally: false, ulong.MaxValue);
+    private MavlinkRoute RouteUnchecked(int messageId) => IsLinkLocal(messageId)
+        ? new MavlinkRoute(MavlinkRouteReason.LinkLocal, deliverLocally: false, RadioLinks(messageId))
+        : new MavlinkRoute(
+            MavlinkRouteReason.UnknownMessage, deliverLocally: false, ForwardsUnknownMessages ? ulong.MaxValue : 0);
 
     // Within our own system the component decides; another system sorts that out itself.
     private ulong LinksTowards(byte system, byte component)
         => LinksOf(system, system == _systemId ? component : (byte)0);
+
+    private ulong RadioLinks(int messageId) => messageId is RadioStatus or Radio ? _radioStatusLinks : 0;
+
+    // A component whose time since boot goes back was started again, perhaps on another link (guide, "Routing"). Each
+    // component has a time of its own, a companion another one than its autopilot; frames that overtake each other set
+    // it back by less than a second.
+    private void CheckRestart(in MavlinkFrame frame)
+    {
+        if (frame.MessageId != SystemTime.MavlinkId || !frame.TryDecode(out SystemTime time))
+            return;
+        if (_table.IsRestarted(frame.SystemId, frame.ComponentId, time.TimeBootMs))
+            _table.Forget(frame.SystemId, frame.ComponentId);
+        _table.NoteBootTime(frame.SystemId, frame.ComponentId, time.TimeBootMs);
+    }
 
     private static bool IsLinkLocal(int messageId) => messageId is SetupSigning or RadioStatus or Radio;
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace Rabit.Mavlink.Routing;
@@ -5,16 +6,20 @@ namespace Rabit.Mavlink.Routing;
 /// <summary>Which component was seen on which links. Bounded; allocates nothing after it was made.</summary>
 internal sealed class RouteTable
 {
+    private const int RestartMs = 1000;
+
     private readonly int _capacity;
     private readonly Dictionary<int, ulong> _linksByComponent;
     private readonly int[] _components;
     private readonly ulong[] _linksBySystem = new ulong[256];
+    private readonly Dictionary<int, uint> _bootTimeMs;
 
     public RouteTable(int capacity)
     {
         _capacity = capacity;
         _linksByComponent = new Dictionary<int, ulong>(capacity);
         _components = new int[capacity];
+        _bootTimeMs = new Dictionary<int, uint>(capacity);
     }
 
     public int Count => _linksByComponent.Count;
@@ -47,6 +52,38 @@ internal sealed class RouteTable
 
     /// <summary>Forgets where a system was seen.</summary>
     public void ForgetSystem(byte systemId) => Keep(systemId, 0);
+
+    /// <summary>Whether a time since boot of a component is a second or more before the one that it had.</summary>
+    public bool IsRestarted(byte systemId, byte componentId, uint bootTimeMs)
+        => _bootTimeMs.TryGetValue(Key(systemId, componentId), out uint before)
+            && before - (long)bootTimeMs >= RestartMs;
+
+    /// <summary>Notes the time since boot of a component, where there is room for it.</summary>
+    public void NoteBootTime(byte systemId, byte componentId, uint bootTimeMs)
+    {
+        int key = Key(systemId, componentId);
+        if (_bootTimeMs.ContainsKey(key) || _bootTimeMs.Count < _capacity)
+            _bootTimeMs[key] = bootTimeMs;
+    }
+
+    /// <summary>Forgets where a component was seen.</summary>
+    public void Forget(byte systemId, byte componentId)
+    {
+        int key = Key(systemId, componentId);
+        if (!_linksByComponent.Remove(key))
+            return;
+        int last = Count;
+        int at = Array.IndexOf(_components, key, 0, last + 1);
+        _components[at] = _components[last];
+        ulong links = 0;
+        for (int i = 0; i < last; i++)
+        {
+            if (_components[i] >> 8 == systemId)
+                links |= _linksByComponent[_components[i]];
+        }
+
+        _linksBySystem[systemId] = links;
+    }
 
     // System 0 is every system.
     private void Keep(byte systemId, ulong mask)

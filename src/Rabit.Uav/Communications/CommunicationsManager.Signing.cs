@@ -34,9 +34,6 @@ public sealed partial class CommunicationsManager
         return result.IsAccepted();
     }
 
-    private void Send(LinkPort port, in MavlinkFrame frame, byte crcExtra)
-        => port.Send(_signing is null ? frame : _signing.Sign(frame, crcExtra, port.Number));
-
     private void ReportSigning()
     {
         if (_signing is null)

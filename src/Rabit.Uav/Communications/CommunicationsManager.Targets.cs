@@ -31,13 +31,6 @@ public sealed partial class CommunicationsManager
     {
         MavlinkFrame frame = MavlinkFrame.Create(traffic, own.SystemId, own.ComponentId, sequence: 0);
         _options.Dialect.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
-        MavlinkFrame? numbered = null;
-        foreach (LinkPort port in _ports)
-        {
-            if (!port.IsToGroundStation(Now - _options.SilentAfter))
-                continue;
-            numbered ??= Numbered(frame, message);
-            Send(port, numbered.Value, message.CrcExtra);
-        }
+        SendOwn(LinksToGroundStations(), frame, message.CrcExtra);
     }
 }

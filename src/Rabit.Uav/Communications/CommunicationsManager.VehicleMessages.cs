@@ -40,8 +40,7 @@ public sealed partial class CommunicationsManager
     private void SendOwn(in MavlinkFrame frame)
     {
         _options.Dialect.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
-        MavlinkFrame numbered = Numbered(frame, message);
-        SendOwn(_router.RouteOwn(numbered, message), numbered, message.CrcExtra);
+        SendOwn(_router.RouteOwn(frame, message), frame, message.CrcExtra);
     }
 
     private void SendVehicleMessages()
@@ -70,10 +69,11 @@ public sealed partial class CommunicationsManager
         if (links == 0)
             channel.CountUnsendable();
 
-        MavlinkFrame? numbered = null;
+        ulong sent = 0;
         foreach (LinkPort port in _ports)
         {
-            if ((links & (1UL << port.Number)) == 0)
+            ulong link = 1UL << port.Number;
+            if ((links & link) == 0)
                 continue;
             if (!port.TryTakeRate(frame, Now))
             {
@@ -81,10 +81,12 @@ public sealed partial class CommunicationsManager
                 continue;
             }
 
-            numbered ??= Numbered(frame, message);
-            Send(port, numbered.Value, message.CrcExtra);
+            sent |= link;
             channel.CountSent();
         }
+
+        if (sent != 0)
+            SendOwn(sent, frame, message.CrcExtra);
     }
 
     /// <returns>

@@ -32,7 +32,6 @@ public sealed partial class CommunicationsManager : RabitManager
     private readonly List<LinkPort> _ports = [];
     private readonly long[] _droppedIn;
     private readonly FrameStatistics _own;
-    private readonly Dictionary<int, byte> _sequences = [];
     private long _expired;
     private TimeSpan _nextStatus;
     private readonly DropReport _ownDrops = new();
@@ -44,6 +43,7 @@ public sealed partial class CommunicationsManager : RabitManager
         : base(ManagerName)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).Validate(nameof(options));
+        _router.ForwardsUnknownMessages = _options.ForwardsUnknownMessages;
         _own = new FrameStatistics(_options.Dialect);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress, wakeOnPost: true);
 
@@ -104,13 +104,14 @@ public sealed partial class CommunicationsManager : RabitManager
         SendOwnFrames();
         PostStatus();
         LogDrops(isEnd: true);
+        ReportAddresses(isEnd: true);
         _signing?.Save();
     }
 
     private void AddLink(IByteLink link)
     {
         int number = _ports.Count;
-        var tally = new FrameStatistics(_options.Dialect);
+        var tally = new FrameStatistics(_options.Dialect, isWire: link is SerialLink);
         var source = new MavlinkLinkSource(link, number, _options.Dialect, tally);
         var target = new MavlinkLinkTarget(link);
         _ports.Add(new LinkPort(
@@ -169,7 +170,10 @@ public sealed partial class CommunicationsManager : RabitManager
             if (!IsAccepted(port, frame.Frame))
                 continue;
             port.NoteHeartbeat(frame);
-            Route(frame, port.IsRecorded);
+            if (IsToBeRouted(port, frame.Frame))
+                Route(frame, port.IsRecorded);
+            else
+                _router.Learn(port.Number, frame.Frame, frame.IsChecked);
         }
 
         // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which
@@ -226,24 +230,8 @@ public sealed partial class CommunicationsManager : RabitManager
                 continue;
             }
 
-            MavlinkFrame frame = Numbered(outgoing.Frame, message);
-            SendOwn(_router.RouteOwn(frame, message), frame, message.CrcExtra);
+            SendOwn(_router.RouteOwn(outgoing.Frame, message), outgoing.Frame, message.CrcExtra);
         }
-    }
-
-    private MavlinkFrame Numbered(in MavlinkFrame frame, in MavlinkMessageInfo message)
-    {
-        MavlinkFrame numbered = frame.WithSequence(NextSequence(frame), message.CrcExtra);
-        _own.Count(numbered, isChecked: true);
-        return numbered;
-    }
-
-    private byte NextSequence(in MavlinkFrame frame)
-    {
-        int source = (frame.SystemId << 8) | frame.ComponentId;
-        _sequences.TryGetValue(source, out byte sequence);
-        _sequences[source] = unchecked((byte)(sequence + 1));
-        return sequence;
     }
 
     private void Forward(ulong links, in MavlinkFrame frame)
@@ -264,16 +252,29 @@ public sealed partial class CommunicationsManager : RabitManager
             if ((links & (1UL << port.Number)) != 0)
                 Send(port, frame, crcExtra);
         }
+
+        _own.Count(frame, isChecked: true);
+    }
+
+    // What is sent over one link is numbered on its own: what went to the others would look like a loss there. What
+    // comes back is known by what was sent.
+    private void Send(LinkPort port, in MavlinkFrame frame, byte crcExtra)
+    {
+        MavlinkFrame numbered = frame.WithSequence(port.NextSequence(frame), crcExtra);
+        _copies.Remember(numbered, Now);
+        port.Send(_signing is null ? numbered : _signing.Sign(numbered, crcExtra, port.Number));
     }
 
     private void PostStatus()
     {
         _nextStatus = Now + StatusPeriod;
+        ForwardRadioStatus();
         foreach (LinkPort port in _ports)
             port.PostStatus(Now, _options.SilentAfter, _droppedIn[port.Number]);
 
         LogDrops(isEnd: false);
         ReportSigning();
+        ReportAddresses(isEnd: false);
     }
 
     private void LogDrops(bool isEnd)

@@ -75,6 +75,20 @@ public sealed class CommunicationsOptions
     /// </value>
     public int VehicleMessageBytesPerSecond { get; set; } = 1000;
 
+    /// <summary>
+    /// Whether frames whose message is in no dialect of ours, so that their address cannot be read, are forwarded to
+    /// all links.
+    /// </summary>
+    /// <value>The default is true: the others may know them (MAVLink guide, "Routing").</value>
+    public bool ForwardsUnknownMessages { get; set; } = true;
+
+    /// <summary>
+    /// Whether RADIO_STATUS of a radio is forwarded to links with a ground station and no vehicle, which shows it. An
+    /// autopilot would take it for the state of its own radio.
+    /// </summary>
+    /// <value>The default is false.</value>
+    public bool ForwardsRadioStatus { get; set; }
+
     /// <summary>Which live links are signed, and how; null for none.</summary>
     /// <value>The default is null.</value>
     public SigningOptions? Signing { get; set; }

@@ -9,16 +9,23 @@ namespace Rabit.Uav.Communications;
 /// guards all of it. Allocates only for a message or source that is new.
 /// </summary>
 /// <param name="dialect">Names the messages.</param>
-internal sealed class FrameStatistics(MavlinkDialect dialect)
+/// <param name="isWire">
+/// Whether what is at the other end is one device: an autopilot there is no router that keeps frames of its own.
+/// </param>
+internal sealed class FrameStatistics(MavlinkDialect dialect, bool isWire = false)
 {
     // A hostile stream may make up as many sources and ids as it likes, unknown ids most easily of all: those may not
     // take the places of frames that were checked. What does not fit is counted together.
     private const int MaxUncheckedKinds = 1024;
     private const int MaxKinds = 8192;
 
+    // MAV_COMP_ID_AUTOPILOT1.
+    private const byte AutopilotComponent = 1;
+
     private readonly object _gate = new();
     private readonly Dictionary<long, long> _counts = [];
     private readonly MavlinkSequenceTracker _sequences = new();
+    private long _missing;
     private int _uncheckedKinds;
     private long _frames;
     private long _notListed;
@@ -42,17 +49,16 @@ internal sealed class FrameStatistics(MavlinkDialect dialect)
         }
     }
 
+    /// <summary>
+    /// Frames that never came, of senders whose frames nothing in between may keep: a router passes on what is
+    /// addressed to others only to them (MAVLink guide, "Packet loss").
+    /// </summary>
     public long Missing
     {
         get
         {
             lock (_gate)
-            {
-                long missing = 0;
-                for (int index = 0; index < _sequences.Count; index++)
-                    missing += _sequences[index].Missing;
-                return missing;
-            }
+                return _missing;
         }
     }
 
@@ -62,7 +68,7 @@ internal sealed class FrameStatistics(MavlinkDialect dialect)
         {
             _frames++;
             if (isChecked)
-                _sequences.Track(frame);
+                Track(frame);
             long key = KeyOf(frame);
             if (_counts.TryGetValue(key, out long count))
                 _counts[key] = count + 1;
@@ -84,6 +90,16 @@ internal sealed class FrameStatistics(MavlinkDialect dialect)
         lock (_gate)
             return Enumerable.Range(0, _sequences.Count).Select(i => _sequences[i])
                 .OrderBy(s => (s.SystemId << 8) | s.ComponentId).ToArray();
+    }
+
+    private void Track(in MavlinkFrame frame)
+    {
+        _sequences.TryGet(frame.SystemId, frame.ComponentId, out MavlinkSequenceStatistics before);
+        _sequences.Track(frame);
+        _sequences.TryGet(frame.SystemId, frame.ComponentId, out MavlinkSequenceStatistics now);
+        bool isDirect = _sequences.Count == 1 || (isWire && frame.ComponentId == AutopilotComponent);
+        if (isDirect)
+            _missing += now.Missing - before.Missing;
     }
 
     private bool HasRoom(bool isChecked)

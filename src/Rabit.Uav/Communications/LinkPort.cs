@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
@@ -31,6 +32,10 @@ internal sealed class LinkPort(
     private bool _leadsToAutopilot;
     private MavlinkSignatureCounters _signatures;
     private long _reportedRejections;
+    private long _duplicates;
+
+    // By sender (system, component).
+    private readonly Dictionary<int, byte> _sequences = [];
 
     public int Number { get; } = number;
 
@@ -40,6 +45,28 @@ internal sealed class LinkPort(
     public bool IsRecorded => file is not null;
 
     public bool HasEnded => Reader.State is DeviceState.Ended or DeviceState.Faulted;
+
+    /// <summary>See <see cref="LinkStatus.AddressConflicts"/>.</summary>
+    public long AddressConflicts { get; private set; }
+
+    /// <summary>When they are logged.</summary>
+    public DropReport ConflictReport { get; } = new();
+
+    public void CountAddressConflict() => AddressConflicts++;
+
+    public void CountDuplicate() => _duplicates++;
+
+    /// <summary>Whether its last frame is older than that.</summary>
+    public bool IsSilent(TimeSpan since) => !(_lastFrameTime >= since);
+
+    /// <summary>The number of the next frame that a sender of ours sends over this link.</summary>
+    public byte NextSequence(in MavlinkFrame frame)
+    {
+        int sender = (frame.SystemId << 8) | frame.ComponentId;
+        _sequences.TryGetValue(sender, out byte sequence);
+        _sequences[sender] = unchecked((byte)(sequence + 1));
+        return sequence;
+    }
 
     public void CountReceived(in LinkFrame frame) => _lastFrameTime = frame.Time;
 
@@ -110,6 +137,8 @@ internal sealed class LinkPort(
             BytesLost = bytesLost(),
             FramesDroppedIn = droppedIn + incoming.Dropped + incoming.Rejected + DiscardedIn,
             FramesDroppedOut = _rejectedOut + lostOut,
+            FramesDuplicate = _duplicates,
+            AddressConflicts = AddressConflicts,
             Signatures = _signatures,
             Openings = link?.Counters.Openings ?? 0,
             Progress = file?.Progress ?? double.NaN,

@@ -31,7 +31,11 @@ public struct LinkStatus
     /// <summary>Frames that were sent or forwarded to it.</summary>
     public long FramesOut { get; set; }
 
-    /// <summary>Frames that never came, by the gaps in the sequence numbers of their sources.</summary>
+    /// <summary>
+    /// Frames that never came, by the gaps in the sequence numbers of their senders; late ones are no loss. Counted for
+    /// senders whose frames nothing in between may keep: the only one on the link, and the autopilot at the other end
+    /// of a wire.
+    /// </summary>
     public long FramesMissing { get; set; }
 
     /// <summary>Bytes that came in and belong to no frame.</summary>
@@ -44,6 +48,18 @@ public struct LinkStatus
     /// Frames that were to go out and did not: there was no room, no connected receiver, or the link had ended.
     /// </summary>
     public long FramesDroppedOut { get; set; }
+
+    /// <summary>
+    /// Frames that had come in a moment before already, over this or another link, or were our own come back: they went
+    /// no further.
+    /// </summary>
+    public long FramesDuplicate { get; set; }
+
+    /// <summary>
+    /// Frames with our own address that we did not send, and such with that of our autopilot while that comes in over
+    /// another link. The first go nowhere, the others are used.
+    /// </summary>
+    public long AddressConflicts { get; set; }
 
     /// <summary>
     /// The results of verifying the signatures of the frames that came in, where the link is signed. Rejected ones

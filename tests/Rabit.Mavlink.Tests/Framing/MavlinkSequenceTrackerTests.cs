@@ -16,7 +16,12 @@ public class MavlinkSequenceTrackerTests
     [InlineData("0 128", 127, 0)]
     [InlineData("0 129", 0, 1)]
     [InlineData("5 5", 0, 1)]
-    [InlineData("5 8 6 9", 2, 1)]
+    [InlineData("5 8 6 9", 1, 1)]
+    [InlineData("5 8 6 7 9", 0, 2)]
+    [InlineData("5 8 6 6 9", 1, 2)]
+    [InlineData("5 70 6", 64, 1)]
+    [InlineData("5 68 6", 61, 1)]
+    [InlineData("254 1 255 0 2", 0, 2)]
     [InlineData("1 0 2", 0, 1)]
     public void Track_Sequence_CountsGapsAndDisorder(string sequence, long missing, long outOfOrder)
     {

@@ -146,6 +146,78 @@ public class MavlinkRouterTests
     }
 
     [Fact]
+    public void Route_RadioStatusWithLinksForIt_GoesToTheseAndNeverBack()
+    {
+        _router.SetRadioStatusLinks((1UL << Ground) | (1UL << Quiet) | (1UL << Log));
+
+        MavlinkRoute route = _router.Route(
+            Quiet, MavlinkFrame.Create(default(RadioStatus), 51, 68, 0), Wire.Info<RadioStatus>(), isChecked: true);
+
+        Assert.Equal((MavlinkRouteReason.LinkLocal, "1"), (route.Reason, Links(route.ForwardTo)));
+    }
+
+    [Fact]
+    public void Route_UnknownIdNotToBeForwarded_GoesNowhere()
+    {
+        _router.ForwardsUnknownMessages = false;
+
+        MavlinkRoute route = _router.Route(
+            Ground, MavlinkFrame.Create(default(Heartbeat), 255, 190, 0), default, isChecked: false);
+
+        Assert.Equal((MavlinkRouteReason.UnknownMessage, 0UL), (route.Reason, route.ForwardTo));
+    }
+
+    [Theory]
+    [InlineData(60_000u, 5_000u, "4")]
+    [InlineData(60_000u, 59_500u, "2 4")]
+    [InlineData(60_000u, 61_000u, "2 4")]
+    public void Route_SystemTimeThatGoesBack_ForgetsWhereTheComponentWas(uint before, uint after, string links)
+    {
+        Receive(Other, 2, 100);
+        SendTime(Other, 2, before);
+
+        SendTime(Quiet, 2, after);
+
+        Assert.Equal(links, Links(_router.LinksOf(2, 1)));
+        Assert.Equal("2", Links(_router.LinksOf(2, 100)));
+        Assert.Equal("2 4", Links(_router.LinksOf(2, 0)));
+    }
+
+    [Fact]
+    public void Route_SystemTimesOfTwoComponents_AreTheirOwn()
+    {
+        SendTime(Other, 1, 60_000, component: 100);
+        SendTime(Autopilot, 1, 5_000);
+        SendTime(Other, 1, 61_000, component: 100);
+        SendTime(Autopilot, 1, 6_000);
+
+        Assert.Equal(("0", "2"), (Links(_router.LinksOf(1, 1)), Links(_router.LinksOf(1, 100))));
+    }
+
+    [Fact]
+    public void Route_MoreThanTwentyComponents_EachIsFound()
+    {
+        for (int component = 1; component <= 200; component++)
+            Receive(component % 2 == 0 ? Other : Quiet, 1, (byte)(component == 191 ? 250 : component));
+
+        for (int component = 2; component <= 190; component++)
+            Assert.Equal(component % 2 == 0 ? 1UL << Other : 1UL << Quiet, _router.LinksOf(1, (byte)component) & ~(1UL << Autopilot));
+    }
+
+    [Fact]
+    public void Learn_CopyOverAnotherLink_IsLearnedAndNotCounted()
+    {
+        MavlinkRouterCounters before = _router.Counters;
+        _router.Learn(Quiet, MavlinkFrame.Create(default(Heartbeat), 2, 1, 0), isChecked: true);
+        _router.Learn(Quiet, MavlinkFrame.Create(default(Heartbeat), 77, 1, 0), isChecked: false);
+        _router.Learn(Quiet, MavlinkFrame.Create(default(Heartbeat), 1, 191, 0), isChecked: true);
+
+        Assert.Equal(("2 4", "", ""), (
+            Links(_router.LinksOf(2, 1)), Links(_router.LinksOf(77, 1)), Links(_router.LinksOf(1, 191))));
+        Assert.Equal(before.Delivered, _router.Counters.Delivered);
+    }
+
+    [Fact]
     public void Route_LinkLocalIdThatTheDialectLacks_NeverLeavesItsLink()
     {
         MavlinkFrame frame = MavlinkFrame.Create(new SetupSigning(), 255, 190, 0);
@@ -279,6 +351,10 @@ public class MavlinkRouterTests
         _router.Route(
             link, MavlinkFrame.Create(default(Heartbeat), system, component, 0), Wire.Info<Heartbeat>(),
             isChecked: true);
+
+    private void SendTime(int link, byte system, uint bootTimeMs, byte component = 1) => _router.Route(
+        link, MavlinkFrame.Create(new SystemTime { TimeBootMs = bootTimeMs }, system, component, 0),
+        Wire.Info<SystemTime>(), isChecked: true);
 
     private void AssertLinkLocal<T>(T message, bool isLocal)
         where T : struct, IMavlinkMessage

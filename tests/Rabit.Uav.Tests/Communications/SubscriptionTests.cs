@@ -48,7 +48,7 @@ public sealed class SubscriptionTests
 
         rig.Send(
             0, Frames.Heartbeat(), Frames.Of(new DistanceSensor()), Frames.Of(new Attitude()),
-            Frames.Raw(Frames.UnknownId, [1, 2]), Frames.Heartbeat());
+            Frames.Raw(Frames.UnknownId, [1, 2]), Frames.Heartbeat(sequence: 4));
 
         Assert.Equal((1, 2L), (first.Taken.Count, first.Undecoded));
         Assert.Equal((1, 0L), (second.Taken.Count, second.Undecoded));

@@ -113,7 +113,8 @@ public sealed class VehicleMessageTests
         rig.Rig.Send(
             0, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 1), system: 5));
         rig.Rig.Send(
-            1, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 0), system: 6));
+            1, FrameOf(Report(picture: 1, index: 0), system: 5, sequence: 7),
+            FrameOf(Report(picture: 1, index: 0), system: 6));
         Assert.Equal((3, 1L), (rig.Reports.Count, rig.Counts.Duplicates));
         rig.Rig.Run(TimeSpan.FromSeconds(11));
         rig.Rig.Send(0, FrameOf(Report(picture: 1, index: 0), system: 5));   // it has restarted
@@ -208,7 +209,8 @@ public sealed class VehicleMessageTests
         CentreY = 17.25,
     };
 
-    private static byte[] FrameOf(in TargetReport report, byte system, byte component = 191, byte target = 0)
+    private static byte[] FrameOf(
+        in TargetReport report, byte system, byte component = 191, byte target = 0, byte sequence = 0)
     {
         var codec = new TargetReportCodec();
         var buffer = new byte[128];
@@ -222,6 +224,7 @@ public sealed class VehicleMessageTests
                 Payload = new ByteArray128(buffer.AsSpan(0, length)),
             },
             system,
-            component);
+            component,
+            sequence);
     }
 }
