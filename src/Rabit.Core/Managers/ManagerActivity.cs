@@ -175,7 +175,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         Exception? thrown = null;
         try
         {
-            Call(stage, wakes.Causes);
+            Call(stage, wakes.Causes, wokenAt ?? begin);
         }
         catch (Exception e)
         {
@@ -196,7 +196,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         return thrown is null;
     }
 
-    private void Call(ManagerStage stage, WakeUpCauses causes)
+    private void Call(ManagerStage stage, WakeUpCauses causes, TimeSpan due)
     {
         switch (stage)
         {
@@ -204,7 +204,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
                 manager.RunStartup();
                 break;
             case ManagerStage.UnitOfWork:
-                manager.RunUnitOfWork(causes);
+                manager.RunUnitOfWork(causes, due, ModelledDuration);
                 break;
             case ManagerStage.Shutdown:
                 manager.RunShutdown();
@@ -231,6 +231,8 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         }
 
         status.MissedDeadlines += SetTimer(begin);
+        if (manager.TakeLate())
+            status.LateUnitsOfWork++;
     }
 
     /// <returns>The deadlines that have passed.</returns>

@@ -62,6 +62,11 @@ public struct ManagerStatus
     /// </summary>
     public long MissedDeadlines { get; internal set; }
 
+    /// <summary>
+    /// Units of work that ended later than <see cref="RabitManager.UnitOfWorkDeadline"/> allows.
+    /// </summary>
+    public long LateUnitsOfWork { get; internal set; }
+
     /// <summary>The wake-up delay or the period that holds now.</summary>
     public TimeSpan WakeUpDelay { get; internal set; }
 

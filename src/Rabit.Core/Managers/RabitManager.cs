@@ -228,12 +228,14 @@ public abstract partial class RabitManager
 
     internal void RunStartup() => Startup();
 
-    internal void RunUnitOfWork(WakeUpCauses causes)
+    internal void RunUnitOfWork(WakeUpCauses causes, TimeSpan due, TimeSpan modelledDuration)
     {
         WakeUpCauses = causes;
         try
         {
             ExecuteUnitOfWork();
+            if (_unitOfWorkDeadline is { } deadline)
+                CheckDeadline(deadline, due, modelledDuration);
         }
         finally
         {

@@ -45,6 +45,15 @@ internal sealed class MessageBinding<T>(EndpointOwner owner, EndpointRole role, 
         return copy!;
     }
 
+    /// <summary>Async code resumes on any thread, so it cannot use the endpoint of a manager.</summary>
+    public void DemandOutside()
+    {
+        if (!Owner.IsOutside)
+            throw new InvalidOperationException(
+                $"The endpoint of message '{Name}' belongs to '{Owner.Name}': async code gets an endpoint of its own "
+                    + "from the workspace.");
+    }
+
     /// <returns>Disposed, it ends.</returns>
     public IDisposable AddHandler(Action<MessageStamp> handler)
     {

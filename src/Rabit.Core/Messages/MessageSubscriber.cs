@@ -1,5 +1,8 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.CompilerServices;
+using System.Threading;
+using System.Threading.Tasks;
 using Rabit.Core.Messages;
 
 namespace Rabit.Core;
@@ -145,6 +148,48 @@ public sealed class MessageSubscriber<T>
     {
         LocalCopy<T> copy = _binding.Copy();
         return _binding.Shared!.Fetch(copy) != 0;
+    }
+
+    /// <summary>
+    /// Waits for news without a thread, for async code outside managers: <see cref="Fetch()"/> follows. Posts that come
+    /// before that merge, as wake-ups do.
+    /// </summary>
+    /// <param name="cancellationToken">Ends the wait; the task is cancelled then.</param>
+    /// <returns>True when there is news; false when the run is over and there is none.</returns>
+    /// <exception cref="InvalidOperationException">
+    /// The endpoint belongs to a manager, which sleeps until a post wakes it instead, or nothing is wired yet.
+    /// </exception>
+    public Task<bool> WaitForNewsAsync(CancellationToken cancellationToken = default)
+    {
+        _binding.DemandOutside();
+        LocalCopy<T> copy = _binding.Copy();
+        return _binding.Shared!.WaitForNewsAsync(copy, _binding.Owner, cancellationToken);
+    }
+
+    /// <summary>
+    /// The values as they are posted, for async code outside managers: the latest one each time, so that a reader that
+    /// is slower than the posts skips some. It begins with the value that was posted last, if it was not fetched yet,
+    /// and ends with the run.
+    /// </summary>
+    /// <param name="cancellationToken">Ends the wait for the next one with an exception.</param>
+    /// <remarks>
+    /// For an <c>await foreach</c>. It holds on to the message only while it waits. The instance of a class that copies
+    /// itself is valid until the next one.
+    /// </remarks>
+    /// <exception cref="InvalidOperationException">See <see cref="WaitForNewsAsync"/>.</exception>
+    public IAsyncEnumerable<T> ReadAllAsync(CancellationToken cancellationToken = default)
+    {
+        _binding.DemandOutside();
+        return ReadAll(cancellationToken);
+    }
+
+    private async IAsyncEnumerable<T> ReadAll([EnumeratorCancellation] CancellationToken cancellationToken)
+    {
+        while (await WaitForNewsAsync(cancellationToken).ConfigureAwait(false))
+        {
+            if (Fetch(out T value))
+                yield return value;
+        }
     }
 
     /// <summary>

@@ -19,6 +19,12 @@ internal static class OptimisticRead
     /// <summary>No store after it is seen before one that precedes it.</summary>
     public static void StoreBarrier() => Volatile.WriteBarrier();
 
+    /// <summary>
+    /// Orders stores before loads on this thread and on all others, so that a poster on the hot path needs no fence of
+    /// its own.
+    /// </summary>
+    public static void FenceAllThreads() => Interlocked.MemoryBarrierProcessWide();
+
     /// <summary>No load after it is made before one that precedes it.</summary>
     public static void LoadBarrier() => Volatile.ReadBarrier();
 }

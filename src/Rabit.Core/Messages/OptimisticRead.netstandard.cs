@@ -17,6 +17,9 @@ internal static class OptimisticRead
     /// <summary>No store after it is seen before one that precedes it.</summary>
     public static void StoreBarrier() => Interlocked.MemoryBarrier();
 
+    /// <summary>Orders stores before loads on this thread; the lock does so on that of a poster.</summary>
+    public static void FenceAllThreads() => Interlocked.MemoryBarrier();
+
     /// <summary>No load after it is made before one that precedes it.</summary>
     public static void LoadBarrier() => Interlocked.MemoryBarrier();
 }

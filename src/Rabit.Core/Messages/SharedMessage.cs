@@ -1,5 +1,7 @@
 using System;
+using System.Diagnostics.CodeAnalysis;
 using System.Threading;
+using System.Threading.Tasks;
 using Rabit.Core.Diagnostics;
 using Rabit.Core.Time;
 using Rabit.Core.WakeUp;
@@ -15,9 +17,12 @@ namespace Rabit.Core.Messages;
 /// The version is all that a fetch without news looks at: one volatile read. It is 32 bits wide, because wider reads
 /// are not atomic on 32-bit boards. How the value is kept whole is for the derived classes.
 /// </remarks>
+[SuppressMessage("Reliability", "CA1001:Types that own disposable fields should be disposable",
+    Justification = "A source of cancellation without a timer or a wait handle holds nothing that must be released.")]
 internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) : IConnector
 {
     private readonly object _targetsGate = new();
+    private readonly CancellationTokenSource _closed = new();
     // written by one poster at a time, which the derived class sees to; read by all; 0: nothing posted yet
     private int _version = firstVersion;
     private PostTarget[] _targets = []; // replaced whole under _targetsGate, read by posters
@@ -38,6 +43,33 @@ internal abstract class SharedMessage<T>(MessagePlace place, int firstVersion) :
                 Volatile.Write(ref _targets, [.. _targets, target]);
         }
     }
+
+    /// <summary>
+    /// Waits until a local copy is no longer the latest; for async code outside managers. It is a target of posts while
+    /// it waits and no longer.
+    /// </summary>
+    /// <remarks>
+    /// The race it closes: a poster reads the targets before this one is among them, and the waiter reads the version
+    /// before that of the post is there. Each does one of the two and then looks at the other; between them both need a
+    /// full fence, which the waiter makes for both.
+    /// </remarks>
+    /// <returns>False when the run is over and there is no news.</returns>
+    public async Task<bool> WaitForNewsAsync(LocalCopy<T> copy, EndpointOwner owner, CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        var news = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        using var target = new PostTarget(owner, wakeUp: null, _ => news.TrySetResult(true));
+        AddTarget(target);
+        OptimisticRead.FenceAllThreads();
+        if (Version != copy.SeenVersion)
+            return true;
+        using (_closed.Token.Register(() => news.TrySetResult(false)))
+        using (cancellation.Register(() => news.TrySetCanceled(cancellation)))
+            return await news.Task.ConfigureAwait(false) || Version != copy.SeenVersion;
+    }
+
+    /// <summary>The run is over: nothing waits for news any more.</summary>
+    public void Close() => _closed.Cancel();
 
     /// <summary>Copies a value that the owner of a local copy gives to that local copy.</summary>
     public virtual void Assign(LocalCopy<T> copy, in T value) => copy.Value = value;

@@ -7,12 +7,6 @@ internal interface IMessageQueue : IConnector
 {
     QueueCounters Counters { get; }
 
-    /// <summary>
-    /// The run is over: nothing more is taken in, and waiting senders and receivers are released. A push that is under
-    /// way is either rejected, or in the counters that are read after this.
-    /// </summary>
-    void Close();
-
-    /// <summary>After <see cref="Close"/>: returns what is left and must be returned.</summary>
+    /// <summary>After <see cref="IConnector.Close"/>: returns what is left and must be returned.</summary>
     void DisposeRest();
 }

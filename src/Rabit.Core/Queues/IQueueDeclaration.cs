@@ -10,4 +10,10 @@ internal interface IQueueDeclaration
     QueueFullMode FullMode { get; }
 
     TimeSpan? MaxWait { get; }
+
+    /// <summary>Whether a sender holds a value that the queue rejected.</summary>
+    bool IsHolding { get; }
+
+    /// <summary>When the run is over: disposes such a value, where its type is disposable.</summary>
+    void DisposeHeld();
 }

@@ -33,6 +33,12 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
 
     public MessageQueue<T>? Queue { get; private set; }
 
+    /// <inheritdoc/>
+    public bool IsHolding { get; private set; }
+
+    /// <summary>The value that a sender holds because the queue was full.</summary>
+    public T Held { get; private set; } = default!;
+
     public override bool IsWired => Queue is not null;
 
     /// <summary>The queue, after the check that the owner may use it.</summary>
@@ -47,6 +53,28 @@ internal sealed class QueueBinding<T>(EndpointOwner owner, EndpointRole role, st
 
     /// <summary>The queue, for code that may wait for it.</summary>
     public LockedQueue<T> UseWaiting() => (LockedQueue<T>)Use();
+
+    public void Hold(in T value)
+    {
+        Held = value;
+        IsHolding = true;
+    }
+
+    public void ForgetHeld()
+    {
+        Held = default!;
+        IsHolding = false;
+    }
+
+    /// <inheritdoc/>
+    public void DisposeHeld()
+    {
+        if (!IsHolding)
+            return;
+        if (Discarded<T>.Matters)
+            Discarded<T>.Dispose(Held, Name, log: null);
+        ForgetHeld();
+    }
 
     /// <summary>Async code will use the endpoint as a channel.</summary>
     /// <exception cref="InvalidOperationException">It belongs to a manager, or is wired already.</exception>

@@ -69,6 +69,68 @@ public sealed class QueueSender<T>
         return queue.PushFrom(values);
     }
 
+    /// <summary>Whether a value is held that the queue rejected; see <see cref="TryPushOrHold"/>.</summary>
+    /// <exception cref="InvalidOperationException">See <see cref="Counters"/>.</exception>
+    public bool IsHolding
+    {
+        get
+        {
+            _binding.Use();
+            return _binding.IsHolding;
+        }
+    }
+
+    /// <summary>
+    /// As <see cref="Push"/>, and holds a value that the queue rejects, for <see cref="TryPushHeld"/> in a later unit
+    /// of work: the pop that makes room wakes this manager. So a full queue holds its senders back and loses nothing. A
+    /// value that is still held at the end of the run is in <see cref="ReactorResult.Queues"/>.
+    /// </summary>
+    /// <param name="value">The value.</param>
+    /// <returns>True when it is in the queue; false when it is held: take in nothing more for now.</returns>
+    /// <exception cref="InvalidOperationException">
+    /// A value is held already, or the endpoint was declared without <c>wakeOnPop</c>, or see <see cref="Push"/>.
+    /// </exception>
+    /// <example>
+    /// <code>
+    /// if (!_out.TryPushHeld())
+    ///     return;                                // still full: the next pop wakes us
+    /// while (_in.TryPop(out Order order))
+    /// {
+    ///     if (!_out.TryPushOrHold(order))
+    ///         return;
+    /// }
+    /// </code>
+    /// </example>
+    public bool TryPushOrHold(in T value)
+    {
+        _binding.Use();
+        if (!_binding.Wakes)
+            throw new InvalidOperationException(
+                $"A value for queue '{Name}' cannot be held: no pop would wake '{_binding.Owner.Name}' when there is "
+                    + "room. Declare the endpoint with wakeOnPop: true.");
+        if (_binding.IsHolding)
+            throw new InvalidOperationException(
+                $"'{_binding.Owner.Name}' holds a value for queue '{Name}' already: TryPushHeld comes first.");
+        if (Push(value) != PushResult.Rejected)
+            return true;
+        _binding.Hold(value);
+        return false;
+    }
+
+    /// <summary>Pushes the value that is held, if there is one.</summary>
+    /// <returns>True when none is held any more.</returns>
+    /// <remarks>Each attempt in vain is one that was rejected in the counters of the queue.</remarks>
+    /// <exception cref="InvalidOperationException">See <see cref="Push"/>.</exception>
+    public bool TryPushHeld()
+    {
+        if (!IsHolding)
+            return true;
+        if (Push(_binding.Held) == PushResult.Rejected)
+            return false;
+        _binding.ForgetHeld();
+        return true;
+    }
+
     /// <summary>
     /// As <see cref="Push"/>, and where the queue makes its senders wait it waits for room, as long as the queue
     /// allows. For code outside managers, one push after the other: those that wait are put in in their order. A push

@@ -296,7 +296,7 @@ public sealed partial class RabitReactor : IEnumerable<RabitManager>, IDisposabl
         if (Workspace.TimeKeeper is { } timeKeeper)
             _engine.TryEnd(timeKeeper, _options.StopTimeout, TimeSpan.MaxValue);
         IReadOnlyList<QueueResult> queues = Workspace.CloseQueues();
-        foreach (QueueResult queue in queues.Where(q => q.Counters.Resident > 0))
+        foreach (QueueResult queue in queues.Where(q => q.Counters.Resident > 0 || q.Held > 0))
             _log.Write(RabitLogKind.Note, queue.Name, queue.ToString());
         return queues;
     }

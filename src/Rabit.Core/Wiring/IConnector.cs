@@ -7,4 +7,10 @@ namespace Rabit.Core.Wiring;
 internal interface IConnector
 {
     string Name { get; }
+
+    /// <summary>
+    /// The run is over: all that wait are released, and a queue takes nothing more in. A push that is under way is
+    /// either rejected, or in the counters that are read after this.
+    /// </summary>
+    void Close();
 }

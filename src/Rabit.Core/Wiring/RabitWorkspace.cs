@@ -247,9 +247,17 @@ public sealed class RabitWorkspace
             // In this order, or a value that is pushed in between would be neither rejected nor reported.
             foreach (IMessageQueue queue in _queues)
                 queue.Close();
-            List<QueueResult> results = _queues.ConvertAll(queue => new QueueResult(queue.Name, queue.Counters));
+            List<QueueResult> results = _queues.ConvertAll(
+                queue => new QueueResult(queue.Name, queue.Counters, SendersOf(queue.Name).Count(s => s.IsHolding)));
             foreach (IMessageQueue queue in _queues)
+            {
                 queue.DisposeRest();
+                foreach (IQueueDeclaration sender in SendersOf(queue.Name))
+                    sender.DisposeHeld();
+            }
+
+            foreach (IConnector message in _messages.Values)
+                message.Close();
             return results;
         }
     }
@@ -262,6 +270,9 @@ public sealed class RabitWorkspace
         lock (_gate)
             return _pools.Distinct().Select(p => p.FindLeak()).OfType<string>().ToList();
     }
+
+    private IEnumerable<IQueueDeclaration> SendersOf(string queue)
+        => _wiring!.Queues[queue].Where(e => e.Role == EndpointRole.Send).Cast<IQueueDeclaration>();
 
     private IMessageQueue BindQueue(IReadOnlyList<EndpointDeclaration> endpoints, RunClock clock, RabitLog log)
     {

@@ -50,6 +50,14 @@ internal sealed class ScriptedManager : RabitManager
         set => base.Period = value;
     }
 
+    public new TimeSpan? UnitOfWorkDeadline
+    {
+        get => base.UnitOfWorkDeadline;
+        set => base.UnitOfWorkDeadline = value;
+    }
+
+    public Action<TimeSpan>? OnLate { get; set; }
+
     public new string? Doing
     {
         get => base.Doing;
@@ -164,6 +172,8 @@ internal sealed class ScriptedManager : RabitManager
         _board.Changed();
         OnUnit?.Invoke();
     }
+
+    protected override void OnLateUnitOfWork(TimeSpan responseTime) => OnLate?.Invoke(responseTime);
 
     protected override void Shutdown()
     {

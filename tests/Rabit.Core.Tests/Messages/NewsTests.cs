@@ -1,0 +1,118 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using System.Threading.Tasks;
+using Rabit.Core.Tests.Contracts;
+using Xunit;
+
+namespace Rabit.Core.Tests.Messages;
+
+/// <summary>Contract 2.6: async code outside managers that waits for news.</summary>
+public sealed class NewsTests : IDisposable
+{
+    private readonly RabitReactor _reactor;
+    private readonly MessagePublisher<int> _publisher;
+    private readonly MessageSubscriber<int> _subscriber;
+
+    public NewsTests()
+    {
+        _reactor = new RabitReactor(new ReactorOptions { StopsOnSignals = false })
+        {
+            new ScriptedManager("m", new TestBoard()),
+        };
+        _publisher = _reactor.Workspace.Publish<int>("height");
+        _subscriber = _reactor.Workspace.Subscribe<int>("height");
+    }
+
+    public void Dispose() => _reactor.Dispose();
+
+    [Fact, Trait("Clause", "2.6")]
+    public async Task WaitForNews_PostedBeforeOrAfter_ComesBackWithIt()
+    {
+        _reactor.Start();
+        _publisher.Post(1);
+        Assert.True(await _subscriber.WaitForNewsAsync());
+        Assert.True(_subscriber.Fetch(out int value));
+        Assert.Equal(1, value);
+
+        Task<bool> news = _subscriber.WaitForNewsAsync();
+        Assert.False(news.IsCompleted);
+        _publisher.Post(2);
+        Assert.True(await news);
+    }
+
+    [Fact, Trait("Clause", "2.6")]
+    public async Task WaitForNews_TheRunEnds_ComesBackWithout()
+    {
+        _reactor.Start();
+        Task<bool> news = _subscriber.WaitForNewsAsync();
+        _reactor.Stop();
+        _reactor.Finish();
+
+        Assert.False(await news);
+        Assert.False(await _subscriber.WaitForNewsAsync());
+    }
+
+    [Fact, Trait("Clause", "2.6")]
+    public async Task WaitForNews_Cancelled_IsCancelledAndMayWaitAgain()
+    {
+        _reactor.Start();
+        using var source = new CancellationTokenSource();
+        Task<bool> news = _subscriber.WaitForNewsAsync(source.Token);
+        source.Cancel();
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => news);
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => _subscriber.WaitForNewsAsync(source.Token));
+
+        news = _subscriber.WaitForNewsAsync();
+        _publisher.Post(3);
+        Assert.True(await news);
+    }
+
+    [Fact, Trait("Clause", "2.6")]
+    public async Task ReadAll_WhileValuesArePosted_GivesTheLastOneAndEndsWithTheRun()
+    {
+        const int Posts = 20_000;
+        var got = new List<int>();
+        _reactor.Start();
+        Task reading = Read();
+        for (int i = 1; i <= Posts; i++)
+            _publisher.Post(i);
+        var timeout = new TestTimeout();
+        while (Last() != Posts)
+            Assert.True(timeout.TryWait(), $"the last post was lost: {Last()}");
+        _reactor.Stop();
+        _reactor.Finish();
+        await reading;
+
+        for (int i = 1; i < got.Count; i++)
+            Assert.True(got[i] > got[i - 1]);
+
+        async Task Read()
+        {
+            await foreach (int value in _subscriber.ReadAllAsync())
+            {
+                lock (got)
+                    got.Add(value);
+            }
+        }
+
+        int Last()
+        {
+            lock (got)
+                return got.Count == 0 ? 0 : got[got.Count - 1];
+        }
+    }
+
+    [Fact, Trait("Clause", "2.6"), Trait("Clause", "2.8")]
+    public void WaitForNews_OfAManagersEndpoint_IsAnErrorThatSaysSo()
+    {
+        using var run = new TestRun(TimeKind.Virtual);
+        ScriptedManager manager = run.Add("pilot");
+        MessageSubscriber<int> subscriber = manager.Subscribe<int>("height", optional: true);
+        run.StartAndSettle();
+
+        string text = Assert.Throws<InvalidOperationException>(() => { _ = subscriber.WaitForNewsAsync(); }).Message;
+        Assert.Contains("'pilot'", text, StringComparison.Ordinal);
+        Assert.Throws<InvalidOperationException>(() => subscriber.ReadAllAsync());
+    }
+}
