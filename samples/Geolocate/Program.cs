@@ -10,6 +10,7 @@ internal static class Program
 {
     private const string Usage = """
         usage: Geolocate camera.json [request.json] [--pixel U V] [--telemetry log.csv|log.tlog --time SECONDS] [--terrain grid.asc] [--json]
+               Geolocate photo.jpg --pixel U,V [--terrain grid.asc] [--json] [what the photo does not say]
 
         camera.json    the camera and its mount, as docs/camera-folder.md describes them
         request.json   what is asked; - reads it from the standard input:
@@ -23,6 +24,13 @@ internal static class Program
         --time         middle of the exposure (of the top row) by the clock of the telemetry; of a .tlog seconds since the autopilot
                        started, or since 1970 by the stamps of the log
         --terrain      heights of the ground, an ARC/INFO ASCII grid in degrees
+        photo.jpg      a photo of a drone, whose EXIF and XMP say where it was and how its camera was turned. What they do not say, or say wrong:
+                         --latitude, --longitude   of the camera, degrees
+                         --altitude                of the camera above mean sea level, metres
+                         --height                  of the camera above the ground, metres; or --ground-altitude above mean sea level
+                         --camera-roll, --camera-pitch, --camera-yaw   of the camera against horizon and north, degrees; pitch -90 is straight down
+                         --focal-length, --sensor-width   millimetres; or --focal-length-35mm
+                         --turned                  the pixels were turned by half a turn after the photo was taken
         --json         JSON out: status "ok" with place, covariances and ellipse, or "refused" with reason and text
 
         Ends with 0 for a place, 2 for a refusal, 1 for bad input.

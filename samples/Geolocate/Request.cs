@@ -27,6 +27,8 @@ internal sealed class Request
     /// <exception cref="PictureException">The file describes no camera.</exception>
     public static Request Read(CommandLine line, TextReader input)
     {
+        if (line.IsPhoto)
+            return OfPhoto(line);
         CameraFolder camera = CameraFolder.OpenFile(line.Camera);
         RequestFields request = Fields(line.Request, input);
         var options = new ImageProcessingOptions { Camera = camera.Camera, Mount = camera.Mount };
@@ -43,6 +45,16 @@ internal sealed class Request
     }
 
     public GeolocationResult Locate() => _locator.Locate(_time, _command, _column, _row);
+
+    private static Request OfPhoto(CommandLine line)
+    {
+        var photo = new Photo(PhotoMetadata.Read(File.ReadAllBytes(line.Camera), line.Camera), line);
+        TerrainGrid? terrain = line.Terrain is null ? null : TerrainOf(line.Terrain);
+        PixelGeolocator locator = photo.MakeLocator(terrain, out ImagingCommand command);
+        (double column, double row) = photo.Stored(
+            line.Pixel ?? throw new FormatException("--pixel is missing: column and row of the photo."));
+        return new Request(locator, default, command, column, row);
+    }
 
     private static double TimeOf(CommandLine line)
     {

@@ -5,6 +5,7 @@ using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Geodesy.Tests;
 using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Tests.Geometry;
@@ -60,8 +61,10 @@ public sealed class GroundProjectorTests
         foreach (JsonElement c in Vectors.Geolocation.Each("covariance"))
         {
             JsonElement view = flat[c.Number("flat_case")];
+
+            // The vectors have no error of the focal length, which comes last.
             double[] sigmas = columns.Select(n => c.GetProperty("sigma").Number(n)
-                * (n.EndsWith("_deg", StringComparison.Ordinal) ? Vectors.Degree : 1)).ToArray();
+                * (n.EndsWith("_deg", StringComparison.Ordinal) ? Vectors.Degree : 1)).Append(0).ToArray();
             var jacobian = new GroundJacobian(
                 CameraVectors.Camera(view.GetProperty("cam").GetInt32()),
                 CameraVectors.Mount(view.GetProperty("mount")));
@@ -80,6 +83,49 @@ public sealed class GroundProjectorTests
             Assert.Equal(expected[1], covariance.NorthEast, tolerance);
             Assert.Equal(expected[2], covariance.EastEast, tolerance);
         }
+    }
+
+    [Fact]
+    public void Locate_ErrorOfTheFocalLength_GrowsWithTheDistanceFromTheMiddle()
+    {
+        var camera = new CameraModel
+        {
+            Width = 641,
+            Height = 481,
+            FocalX = 500,
+            FocalY = 500,
+            CentreX = 320,
+            CentreY = 240,
+        };
+        var options = new ImageProcessingOptions { Camera = camera, Mount = new CameraMount() };
+        options.Errors.FocalLengthBias = 0.03;
+        double wide = EastVariance(options, 570) - EastVariance(options, 320);
+        options.Errors.FocalLengthBias = 0;
+        double sharp = EastVariance(options, 570) - EastVariance(options, 320);
+
+        // 250 pixels of 500 at 40 m are 20 m, of which 3 % are 0.6 m.
+        Assert.Equal(0.36, wide - sharp, 3);
+        options.Errors.FocalLengthBias = -1;
+        Assert.Throws<ArgumentException>(() => new PixelGeolocator(options));
+    }
+
+    private static double EastVariance(ImageProcessingOptions options, double column)
+    {
+        var locator = new PixelGeolocator(options);
+        locator.Add(new PoseSample
+        {
+            Kind = PoseSampleKind.Position,
+            Position = GeodeticPosition.FromDegrees(47, 8, 540),
+        });
+        locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude });
+        var command = new ImagingCommand
+        {
+            CameraPitch = Angle.FromDegrees(-90),
+            GroundAltitudeAmslMetres = 500,
+        };
+        GeolocationResult result = locator.Locate(default, command, column, 240);
+        Assert.Equal(GeolocationError.None, result.Error);
+        return result.SystematicCovariance.EastEast;
     }
 
     [Fact]

@@ -47,6 +47,12 @@ public sealed class ErrorBudget
     /// <value>The default is 0.3 degrees.</value>
     public Angle MountBias { get; set; } = Angle.FromDegrees(0.3);
 
+    /// <summary>Focal length, the same in all observations, as a part of it.</summary>
+    /// <value>
+    /// The default is 0: a calibrated camera. One that is known by its equivalent for 35 mm film is wrong by some 0.03.
+    /// </value>
+    public double FocalLengthBias { get; set; }
+
     /// <summary>Horizontal position of the vehicle, each axis, the same in all observations, metres.</summary>
     /// <value>The default is 1.1 m: satellite navigation without correction data over some minutes.</value>
     public double PositionBiasMetres { get; set; } = 1.1;
@@ -79,7 +85,8 @@ public sealed class ErrorBudget
             (nameof(PositionNoiseMetres), PositionNoiseMetres), (nameof(AltitudeNoiseMetres), AltitudeNoiseMetres),
             (nameof(PixelNoise), PixelNoise), (nameof(TimeNoise), TimeNoise.TotalSeconds),
             (nameof(AttitudeBias), AttitudeBias.Degrees), (nameof(HeadingBias), HeadingBias.Degrees),
-            (nameof(MountBias), MountBias.Degrees), (nameof(PositionBiasMetres), PositionBiasMetres),
+            (nameof(MountBias), MountBias.Degrees), (nameof(FocalLengthBias), FocalLengthBias),
+            (nameof(PositionBiasMetres), PositionBiasMetres),
             (nameof(AltitudeBiasMetres), AltitudeBiasMetres),
             (nameof(AccelerationMetresPerSecondSquared), AccelerationMetresPerSecondSquared),
             (nameof(AngularAccelerationRadiansPerSecondSquared), AngularAccelerationRadiansPerSecondSquared),

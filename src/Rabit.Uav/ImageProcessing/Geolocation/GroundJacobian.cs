@@ -11,7 +11,7 @@ namespace Rabit.Uav.ImageProcessing.Geolocation;
 internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
 {
     /// <summary>How many things there are.</summary>
-    public const int Inputs = (int)ViewingParameter.Time + 1;
+    public const int Inputs = (int)ViewingParameter.FocalLength + 1;
 
     private readonly double[] _north = new double[Inputs];
     private readonly double[] _east = new double[Inputs];
@@ -105,7 +105,8 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
                 Error(ViewingParameter.MountRoll), Error(ViewingParameter.MountPitch),
                 Error(ViewingParameter.MountYaw)));
         double down = geometry.GroundDownMetres - Error(ViewingParameter.GroundHeight);
-        return ViewingGeometry.Ray(rotation, placement, vehicle, x, y).TryIntersectPlane(
+        double spread = 1 / (1 + Error(ViewingParameter.FocalLength));
+        return ViewingGeometry.Ray(rotation, placement, vehicle, spread * x, spread * y).TryIntersectPlane(
             geometry.GroundPoint with { Down = down }, geometry.GroundDownByNorth, geometry.GroundDownByEast,
             out point);
     }

@@ -122,6 +122,7 @@ internal sealed class GroundProjector
         sigmas[(int)ViewingParameter.Yaw] = budget.HeadingBias.Radians;
         for (ViewingParameter input = ViewingParameter.MountRoll; input <= ViewingParameter.MountYaw; input++)
             sigmas[(int)input] = budget.MountBias.Radians;
+        sigmas[(int)ViewingParameter.FocalLength] = budget.FocalLengthBias;
         return sigmas;
     }
 }

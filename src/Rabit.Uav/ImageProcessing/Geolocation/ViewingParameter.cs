@@ -47,4 +47,7 @@ internal enum ViewingParameter
 
     /// <summary>The time of the picture, seconds, later positive.</summary>
     Time,
+
+    /// <summary>The focal length, as a part of it.</summary>
+    FocalLength,
 }

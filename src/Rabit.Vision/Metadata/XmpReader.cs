@@ -1,0 +1,92 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Xml;
+
+namespace Rabit.Vision;
+
+/// <summary>
+/// Reads the properties of a drone out of XMP (ISO 16684-1): attributes or elements of the namespace of DJI. Their
+/// numbers are written "+40.10" or "40.100000".
+/// </summary>
+internal static class XmpReader
+{
+    private const string Namespace = "http://www.dji.com/drone-dji/";
+    private const double MaxMetres = 100_000;
+
+    public static void Read(string text, PhotoMetadata photo, List<string> faults)
+    {
+        var settings = new XmlReaderSettings
+        {
+            DtdProcessing = DtdProcessing.Prohibit,
+            XmlResolver = null,
+            ConformanceLevel = ConformanceLevel.Auto,
+        };
+        var found = new Dictionary<string, string>(StringComparer.Ordinal);
+        try
+        {
+            using var reader = XmlReader.Create(new StringReader(text.TrimEnd('\0')), settings);
+            string? element = null;
+            while (reader.Read())
+            {
+                if (reader.NodeType == XmlNodeType.Text && element is not null)
+                    Add(found, element, reader.Value);
+                if (reader.NodeType != XmlNodeType.Element)
+                    continue;
+                element = IsDrone(reader) ? reader.LocalName : null;
+                while (reader.MoveToNextAttribute())
+                {
+                    if (IsDrone(reader))
+                        Add(found, reader.LocalName, reader.Value);
+                }
+            }
+        }
+        catch (XmlException e)
+        {
+            faults.Add("XMP: " + e.Message);
+        }
+
+        Take(found, photo, faults);
+    }
+
+    private static bool IsDrone(XmlReader reader)
+        => reader.NamespaceURI.StartsWith(Namespace, StringComparison.Ordinal);
+
+    private static void Add(Dictionary<string, string> found, string name, string value)
+    {
+        if (!found.TryGetValue(name, out _))
+            found[name] = value;
+    }
+
+    private static void Take(Dictionary<string, string> found, PhotoMetadata photo, List<string> faults)
+    {
+        double? Number(string name, double max)
+        {
+            if (!found.TryGetValue(name, out string? text))
+                return null;
+            if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
+                && Math.Abs(value) <= max)
+                return value;
+            faults.Add($"XMP: {name} is no number of its range");
+            return null;
+        }
+
+        photo.GimbalRollDegrees = Number("GimbalRollDegree", 360);
+        photo.GimbalPitchDegrees = Number("GimbalPitchDegree", 360);
+        photo.GimbalYawDegrees = Number("GimbalYawDegree", 360);
+        photo.FlightRollDegrees = Number("FlightRollDegree", 360);
+        photo.FlightPitchDegrees = Number("FlightPitchDegree", 360);
+        photo.FlightYawDegrees = Number("FlightYawDegree", 360);
+        photo.RelativeAltitudeMetres = Number("RelativeAltitude", MaxMetres);
+        photo.AbsoluteAltitudeMetres = Number("AbsoluteAltitude", MaxMetres);
+
+        // Of two spellings, and one with a mistake that some models have.
+        double? latitude = Number("GpsLatitude", 90) ?? Number("GPSLatitude", 90);
+        double? longitude =
+            Number("GpsLongitude", 180) ?? Number("GPSLongitude", 180) ?? Number("GpsLongtitude", 180);
+        if (photo.LatitudeDegrees is null && latitude is { } north && longitude is { } east
+            && (north != 0 || east != 0))
+            (photo.LatitudeDegrees, photo.LongitudeDegrees) = (north, east);
+    }
+}
