@@ -140,6 +140,7 @@ internal sealed class Flight : IDisposable
             options.Preflight.ApplyTo(uavOptions, mission!, isSimulated: false);
             options.Operator.ApplyTo(uavOptions.MissionControl);
             uavOptions.GroundCommands = options.Operator.GroundCommands;
+            uavOptions.Communications.SendsTargetsAsTraffic = options.Operator.SendsTargetsAsTraffic;
         }
 
         UavSystem uav = UavSystem.Open(uavOptions);

@@ -74,6 +74,12 @@ internal static class OperatorArguments
         Description = "Obeys MAVLink commands to our component only where they are signed (--sign-key).",
     };
 
+    private static readonly Option<bool> TargetsAsTraffic = new("--targets-as-traffic")
+    {
+        Description = "Sends confirmed targets as traffic (ADSB_VEHICLE) too, for ground stations that draw nothing else "
+            + "on their map; on links to ground stations only, never towards an autopilot.",
+    };
+
     private static readonly Option<string> OnStopOption = CreateOnStop();
 
     /// <summary>All of them.</summary>
@@ -81,7 +87,7 @@ internal static class OperatorArguments
         =>
         [
             Hold, Return, Resume, Progress, AllowPartialSearch, FixedWing, OnStopOption, BellOption, Commanders,
-            SignedCommands,
+            SignedCommands, TargetsAsTraffic,
         ];
 
     public static OperatorChoices Read(ParseResult result, bool flies) => new()
@@ -95,6 +101,7 @@ internal static class OperatorArguments
         HasBell = result.GetValue(BellOption),
         Commanders = flies && TryReadIds(result.GetValue(Commanders)!, out byte[] ids) ? ids : [],
         OnlySigned = result.GetValue(SignedCommands),
+        SendsTargetsAsTraffic = result.GetValue(TargetsAsTraffic),
         OnStop = result.GetValue(OnStopOption) == "return" ? OnStop.Return : OnStop.Hold,
     };
 
@@ -112,7 +119,7 @@ internal static class OperatorArguments
         if (!TryReadIds(result.GetValue(Commanders)!, out _))
             yield return $"--commanders {result.GetValue(Commanders)}: it must be system ids, 1 to 255, with commas "
                 + "between them, or none.";
-        foreach (string name in Given(result, Commanders, SignedCommands))
+        foreach (string name in Given(result, Commanders, SignedCommands, TargetsAsTraffic))
         {
             if (!flies)
                 yield return $"{name} goes with a mission that is flown: --mission FILE --fly.";

@@ -35,6 +35,9 @@ internal sealed class OperatorChoices
     /// <summary>Whether their commands must be signed.</summary>
     public bool OnlySigned { get; init; }
 
+    /// <summary>Whether ground stations get confirmed targets as traffic too.</summary>
+    public bool SendsTargetsAsTraffic { get; init; }
+
     /// <summary>Radius of the circles of a fixed wing; null where none is commanded.</summary>
     public double? LoiterRadiusMetres { get; init; }
 

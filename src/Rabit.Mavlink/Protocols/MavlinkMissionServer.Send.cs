@@ -58,19 +58,20 @@ public sealed partial class MavlinkMissionServer
     private MavlinkFrame Request()
     {
         MavlinkAddress target = _uploader!.Value;
+        int wanted = IsDecisionAwaited ? _uploadCount - 1 : _received;
         return _options.BehavesAsArduPilot
             ? _sender.Create(new MissionRequest
             {
                 TargetSystem = target.SystemId,
                 TargetComponent = target.ComponentId,
-                Seq = (ushort)_received,
+                Seq = (ushort)wanted,
                 MissionType = _uploadType,
             })
             : _sender.Create(new MissionRequestInt
             {
                 TargetSystem = target.SystemId,
                 TargetComponent = target.ComponentId,
-                Seq = (ushort)_received,
+                Seq = (ushort)wanted,
                 MissionType = _uploadType,
             });
     }

@@ -17,6 +17,10 @@ public sealed partial class MavlinkMissionServer
     private byte _countSequence;
     private TimeSpan _requestDue;
     private TimeSpan _giveUpAt;
+    private bool _isSignedToTheEnd;
+
+    // While a decision is awaited.
+    private static readonly TimeSpan KeepAliveInterval = TimeSpan.FromSeconds(1);
 
     // The upload that was completed last.
     private MavlinkAddress _lastUploader;
@@ -106,11 +110,36 @@ public sealed partial class MavlinkMissionServer
         _giveUpAt = now + _options.Timeout;
         if (_received < _uploadCount)
             return;
-        MavlinkAddress source = _uploader!.Value;
-        _uploader = null;
         StoredMissionItems plan = PlanOf(_uploadType);
         MavMissionResult result =
             _rules?.CheckItems(_uploadType, plan.Incoming(_uploadCount)) ?? MavMissionResult.Accepted;
+        _isSignedToTheEnd = isSigned;
+        if (result == MavMissionResult.Accepted && _options.DecidesLater && _uploadCount > 0)
+            _requestDue = now + KeepAliveInterval;
+        else
+            Finish(result, now);
+    }
+
+    /// <summary>
+    /// Decides on the upload that waits for it: it is stored where it is accepted, and acknowledged.
+    /// </summary>
+    /// <param name="result">The result.</param>
+    /// <param name="now">The time.</param>
+    /// <returns>Whether there was one: the station may have given it up.</returns>
+    public bool Decide(MavMissionResult result, TimeSpan now)
+    {
+        bool isAwaited = IsDecisionAwaited;
+        if (isAwaited)
+            Finish(result, now);
+        return isAwaited;
+    }
+
+    private void Finish(MavMissionResult result, TimeSpan now)
+    {
+        MavlinkAddress source = _uploader!.Value;
+        bool isSigned = _isSignedToTheEnd;
+        _uploader = null;
+        StoredMissionItems plan = PlanOf(_uploadType);
         if (result == MavMissionResult.Accepted)
         {
             plan.Commit(_uploadCount);
@@ -135,7 +164,7 @@ public sealed partial class MavlinkMissionServer
 
     private void StepUpload(TimeSpan now)
     {
-        if (_uploader is not { } source || now < _giveUpAt)
+        if (_uploader is not { } source || now < _giveUpAt || IsDecisionAwaited)
             return;
         Aborts++;
         _uploader = null;

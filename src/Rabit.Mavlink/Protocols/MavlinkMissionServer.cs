@@ -74,6 +74,19 @@ public sealed partial class MavlinkMissionServer
     /// <summary>Whether an upload is under way.</summary>
     public bool IsUploading => _uploader is not null;
 
+    /// <summary>Who uploads; null where no upload is under way.</summary>
+    public MavlinkAddress? Uploader => _uploader;
+
+    /// <summary>
+    /// Whether an upload is complete and waits for <see cref="Decide"/>; only with
+    /// <see cref="MavlinkMissionServerOptions.DecidesLater"/>.
+    /// </summary>
+    public bool IsDecisionAwaited => _uploader is not null && _uploadCount > 0 && _received == _uploadCount;
+
+    /// <summary>The items that a decision is awaited for; none where none is.</summary>
+    public ReadOnlySpan<MissionItemInt> AwaitedItems
+        => IsDecisionAwaited ? PlanOf(_uploadType).Incoming(_uploadCount) : default;
+
     /// <summary>Uploads, clears and items that were refused.</summary>
     public long Refusals { get; private set; }
 
@@ -192,7 +205,7 @@ public sealed partial class MavlinkMissionServer
         frame = default;
         if (!IsUploading || now < _requestDue)
             return false;
-        _requestDue = now + _options.RequestInterval;
+        _requestDue = now + (IsDecisionAwaited ? KeepAliveInterval : _options.RequestInterval);
         frame = Request();
         return true;
     }

@@ -47,6 +47,13 @@ public sealed class MavlinkMissionServerOptions
     /// </summary>
     public bool BehavesAsArduPilot { get; init; }
 
+    /// <summary>
+    /// Whether a complete upload that the rules take waits for <see cref="MavlinkMissionServer.Decide"/>, because it is
+    /// judged elsewhere; false by default. Until then its last item is requested again once a second, so that the
+    /// station does not give up.
+    /// </summary>
+    public bool DecidesLater { get; init; }
+
     /// <summary>How many answers may wait to be sent; 32. What comes on top is dropped and counted.</summary>
     public int Capacity { get; init; } = 32;
 }

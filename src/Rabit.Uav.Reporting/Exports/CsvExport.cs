@@ -59,8 +59,9 @@ internal sealed class CsvExport
         Begin("home", plan.Home);
         Set("altitude_amsl_m", plan.Home.AltitudeAmslMetres, "0.00");
         End();
+        int keepOut = 0;
         foreach ((string kind, IReadOnlyList<GeodeticPosition> corners) in _flight.Polygons())
-            WriteRing(kind, 1, 0, ExportedFlight.Ring(corners));
+            WriteRing(kind, kind == "keep-out" ? ++keepOut : 1, 0, ExportedFlight.Ring(corners));
         int number = 0;
         foreach ((GeodeticPosition start, GeodeticPosition end) in _flight.Lanes())
         {

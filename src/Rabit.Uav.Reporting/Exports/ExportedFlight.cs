@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -39,6 +40,8 @@ internal sealed class ExportedFlight(FlightSummary summary)
             yield return ("area", plan.Area);
         if (plan.Fence.Length > 2)
             yield return ("fence", plan.Fence);
+        foreach (ImmutableArray<GeodeticPosition> keepOut in plan.KeepOuts.IsDefault ? [] : plan.KeepOuts)
+            yield return ("keep-out", keepOut);
     }
 
     /// <summary>Start and end of each lane, in the order of the plan.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -49,6 +50,8 @@ internal sealed class ReportMap(PageWriter page, FlightSummary data, MapFrame fr
             return;
         if (plan.Fence.Length > 2)
             page.Empty("polygon", "class", "fence", "points", frame.Points(plan.Fence));
+        foreach (ImmutableArray<GeodeticPosition> keepOut in plan.KeepOuts.IsDefault ? [] : plan.KeepOuts)
+            page.Empty("polygon", "class", "keep-out", "points", frame.Points(keepOut));
         if (plan.Area.Length > 2)
             page.Empty("polygon", "class", "area", "points", frame.Points(plan.Area));
         for (int index = 0; index + 1 < plan.Lanes.Length; index += 2)

@@ -11,7 +11,7 @@ namespace Rabit.Uav.GroundControl;
 
 /// <summary>
 /// A fence that is uploaded to our component is an area with its keep-outs that is offered: the operator's next
-/// continue takes it over. What cannot be searched is refused with the last item of the upload.
+/// continue takes it over. It is planned before the upload is acknowledged, so that what cannot be searched is refused.
 /// </summary>
 internal sealed class GroundAreas : IMavlinkMissionRules
 {
@@ -23,6 +23,7 @@ internal sealed class GroundAreas : IMavlinkMissionRules
     private readonly Action<string> _announce;
     private readonly MavlinkMissionServer _server;
     private OperatorRequest? _offer;
+    private bool _isAbandoned;
 
     /// <param name="mission">Takes the area.</param>
     /// <param name="authority">Who may upload it.</param>
@@ -36,6 +37,7 @@ internal sealed class GroundAreas : IMavlinkMissionRules
             HasMission = false,
             HasRally = false,
             MaxItems = MaxItems,
+            DecidesLater = true,
         });
     }
 
@@ -56,19 +58,35 @@ internal sealed class GroundAreas : IMavlinkMissionRules
             _announce(FormattableString.Invariant($"area refused: {count.Count} corners; the limit is {MaxItems}"));
         _server.Handle(frame, now);
         while (_server.TryTakeChange(out MavlinkMissionChange change))
-            Offer(Authority.NameOf(change.Source));
+        {
+            if (change.Count == 0)
+                _mission.OfferArea([], [], Authority.NameOf(change.Source), "the fence was cleared");
+        }
+
+        // Given up, or begun again.
+        if (_offer is not null && !_server.IsDecisionAwaited)
+            _isAbandoned = true;
+        Offer(now);
     }
 
-    /// <summary>Says what became of an area that was offered.</summary>
-    public void Update()
+    /// <summary>Acknowledges an upload once Mission Control has answered it.</summary>
+    public void Update(TimeSpan now)
     {
         if (_offer is not { } offer || offer.Outcome == OperatorOutcome.InProgress)
             return;
         _offer = null;
-        if (offer.Outcome == OperatorOutcome.Accepted)
-            _announce(offer.Area.IsEmpty ? "area withdrawn" : "area offered: " + offer.Answer);
-        else
-            Refuse(offer.Answer);
+        bool isAccepted = offer.Outcome == OperatorOutcome.Accepted;
+        if (_isAbandoned)
+        {
+            if (isAccepted)
+                _mission.OfferArea([], [], offer.By, "the upload was given up");
+            _isAbandoned = false;
+            Offer(now);
+            return;
+        }
+
+        _server.Decide(isAccepted ? MavMissionResult.Accepted : MavMissionResult.Invalid, now);
+        _announce($"area {(isAccepted ? "offered" : "refused")}: {offer.Answer}");
     }
 
     /// <summary>Takes the next frame to send.</summary>
@@ -96,29 +114,20 @@ internal sealed class GroundAreas : IMavlinkMissionRules
     /// <inheritdoc/>
     public MavMissionResult CheckItems(MavMissionType type, ReadOnlySpan<MissionItemInt> items)
     {
-        if (items.IsEmpty)
-            return MavMissionResult.Accepted;
-        string? fault = FencePolygons.TryRead(
-            items, out ImmutableArray<GeodeticPosition> area,
-            out ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts) ?? _mission.FindFaultOfArea(area, keepOuts);
-        if (fault is null)
+        if (items.IsEmpty || FencePolygons.TryRead(items, out _, out _) is not { } fault)
             return MavMissionResult.Accepted;
         _announce("area refused: " + fault);
         return MavMissionResult.Invalid;
     }
 
-    private void Offer(string by)
+    private void Offer(TimeSpan now)
     {
+        if (_offer is not null || !_server.IsDecisionAwaited)
+            return;
         FencePolygons.TryRead(
-            _server.Items(MavMissionType.Fence), out ImmutableArray<GeodeticPosition> area,
+            _server.AwaitedItems, out ImmutableArray<GeodeticPosition> area,
             out ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts);
-        _offer = _mission.OfferArea(area, keepOuts, by, area.IsEmpty ? "the fence was cleared" : "a fence was uploaded");
-    }
-
-    // It was planned when its last item arrived; since then something else has changed.
-    private void Refuse(string why)
-    {
-        _server.Store(MavMissionType.Fence, []);
-        _announce("area refused: " + why);
+        _offer = _mission.OfferArea(area, keepOuts, Authority.NameOf(_server.Uploader!.Value), "a fence was uploaded");
+        Update(now);
     }
 }

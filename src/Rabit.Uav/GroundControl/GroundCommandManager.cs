@@ -87,7 +87,7 @@ public sealed class GroundCommandManager : RabitManager
             Begin(servers, request);
         Answer(servers.Commands);
         servers.Parameters.Update(Now);
-        servers.Areas.Update();
+        servers.Areas.Update(Now);
         while (servers.TryTakeFrame(Now, out MavlinkFrame answer))
             Send(answer);
     }

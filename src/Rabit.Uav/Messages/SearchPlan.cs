@@ -20,6 +20,11 @@ public sealed class SearchPlan
     public ImmutableArray<GeodeticPosition> Fence { get; init; } = [];
 
     /// <summary>
+    /// Polygons that the vehicle does not enter and that are not searched, each with its corners in order.
+    /// </summary>
+    public ImmutableArray<ImmutableArray<GeodeticPosition>> KeepOuts { get; init; } = [];
+
+    /// <summary>
     /// Ends of the lanes: start of the first, its end, start of the second, and so on. Altitudes are those to be flown.
     /// </summary>
     public ImmutableArray<GeodeticPosition> Lanes { get; init; } = [];

@@ -196,6 +196,7 @@ internal sealed class FlightPlan
         Name = mission.Name,
         Area = Positions(Area.Corners, down: 0),
         Fence = Positions(Fence.Corners, down: 0),
+        KeepOuts = KeepOuts.Select(k => Positions(k.Corners, down: 0)).ToImmutableArray(),
         Lanes = Positions(Lanes.SelectMany(l => new[] { l.Start, l.End }), -mission.HeightMetres),
         Home = Frame.Origin,
         HeightAboveHomeMetres = mission.HeightMetres,

@@ -74,7 +74,8 @@ public interface IMissionOperator
 
     /// <summary>
     /// Offers another area, in place of one that was offered before: the next <see cref="ContinueMission"/>, in
-    /// whatever phase, takes it over, and what was seen of it already is not flown again.
+    /// whatever phase, takes it over, and what was seen of it already is not flown again. It is planned beside the
+    /// flight before it is answered, which may take some seconds.
     /// </summary>
     /// <param name="area">Its corners in order; none to withdraw what was offered.</param>
     /// <param name="keepOuts">Its keep-outs, all of them.</param>
@@ -89,15 +90,6 @@ public interface IMissionOperator
     /// one. Any thread.
     /// </summary>
     MissionPlan? Mission { get; }
-
-    /// <summary>
-    /// Plans an area on trial, which may take a second. Any thread; the answer is that of the moment.
-    /// </summary>
-    /// <param name="area">Its corners in order.</param>
-    /// <param name="keepOuts">Its keep-outs, all of them.</param>
-    /// <returns>Why <see cref="OfferArea"/> would be refused; null where it would not.</returns>
-    string? FindFaultOfArea(
-        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts);
 
     /// <summary>Gives a request that was made elsewhere.</summary>
     /// <param name="request">Not given before.</param>

@@ -60,11 +60,6 @@ public sealed partial class MissionControlManager
     public MissionPlan? Mission => _flight?.Changes.Mission;
 
     /// <inheritdoc/>
-    public string? FindFaultOfArea(
-        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts)
-        => _flight is null ? "there is no mission" : _flight.Changes.FindFaultOfArea(area, keepOuts);
-
-    /// <inheritdoc/>
     /// <exception cref="ArgumentNullException">There is none.</exception>
     public void Give(OperatorRequest request)
     {

@@ -67,10 +67,13 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         WakeUpDelay = TickPeriod;
         if (copy.Mission is null)
             return;
+        MissionPlan mission = copy.Resume?.Changes.ApplyTo(copy.Mission) ?? copy.Mission;
         var dispatcher = new CommandDispatcher(command => _commands.Push(command) != PushResult.Rejected, Log);
         _flight = new MissionFlight(
-            copy.Mission, copy, dispatcher, Log, new OperatorActions(d => _decisions.Push(d) != PushResult.Rejected));
+            mission, copy, dispatcher, Log, new OperatorActions(d => _decisions.Push(d) != PushResult.Rejected));
         _machine = new MissionMachine(_flight);
+        BlockingWriter<PlanJob> planner = AttachWriter("planner", new PlanMaker(), PlanMaker.MaxWaiting);
+        _flight.Changes.Planner = job => planner.Push(job) != PushResult.Rejected;
         if (copy.ProgressFile is { } path)
         {
             var target = new ProgressFileTarget(path);
@@ -156,6 +159,7 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
         if (!_tracks.Fetch())
             return;
         flight.Tracks = _tracks.Value;
+        flight.OperatorActions.RejectAgain(flight);
         if (flight.Plan is not null)
             flight.Revisits.LogConfirmed(flight);
     }

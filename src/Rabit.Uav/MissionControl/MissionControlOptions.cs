@@ -143,6 +143,9 @@ public sealed class MissionControlOptions
             yield return $"{nameof(Resume)} is there without a {nameof(Mission)}";
         foreach (string fault in Mission is null ? [] : MissionPlanRules.FindFaults(Mission))
             yield return $"{nameof(Mission)}: {fault}";
+        foreach (string fault in Resume is null || Mission is not { Area.IsDefault: false }
+            ? [] : MissionPlanRules.FindFaults(Resume.Changes.ApplyTo(Mission)).Take(1))
+            yield return $"{nameof(Resume)} has changes of the mission that cannot be flown: {fault}";
         if (Resume is not null && Mission is { Area.IsDefault: false }
             && Resume.Fingerprint != MissionFingerprint.Of(Mission))
         {

@@ -273,15 +273,20 @@ internal sealed class MissionFlight(
         if (MissionPlanRules.FindFaults(mission).FirstOrDefault() is { } wrong)
             return wrong;
         FlightPlan? plan = FlightPlan.Create(mission, Plan.Frame.Origin, out string fault, isFixedWing: IsFixedWing);
-        if (plan is null)
-            return fault;
+        return plan is null ? fault : Replan(mission, plan, new SearchRoute(plan, mission.LaneSpacingMetres));
+    }
+
+    /// <summary>The same with a plan that was made before, and its route, which is not used elsewhere.</summary>
+    public string? Replan(MissionPlan mission, FlightPlan plan, SearchRoute route)
+    {
+        if (Plan is null || Route is null)
+            return "there is no plan yet";
         if (IsFlying && plan.InsideMetres(Position) < 0)
         {
             return plan.Fence.SignedDistance(Position) < 0 ? "the vehicle is outside the new fence"
                 : "the vehicle is inside a keep-out";
         }
 
-        var route = new SearchRoute(plan, mission.LaneSpacingMetres);
         route.GoOnFrom(Route);
         if (!IsFixedWing)
         {

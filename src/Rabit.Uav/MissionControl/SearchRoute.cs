@@ -19,8 +19,9 @@ internal sealed class SearchRoute
     private readonly FlightPlan _plan;
     private readonly double _spacingMetres;
     private readonly List<LaneSegment> _legs;
-    private readonly List<(LaneSegment Leg, double HalfMetres)> _skipped = [];
+    private readonly List<SkippedLane> _skipped = [];
     private ImmutableArray<LaneSegment> _shownLegs;
+    private ImmutableArray<SkippedLane> _shownSkipped;
 
     public SearchRoute(FlightPlan plan, double spacingMetres)
     {
@@ -48,6 +49,12 @@ internal sealed class SearchRoute
     /// <summary>How many of those that count as flown were left out at the operator's command.</summary>
     public int Skipped => _skipped.Count;
 
+    /// <summary>Those. Made again only when there are more.</summary>
+    public ImmutableArray<SkippedLane> SkippedLanes
+        => !_shownSkipped.IsDefault && _shownSkipped.Length == _skipped.Count
+            ? _shownSkipped
+            : _shownSkipped = _skipped.ToImmutableArray();
+
     /// <summary>How often legs over what was missed were added.</summary>
     public int GapPasses { get; private set; }
 
@@ -68,7 +75,7 @@ internal sealed class SearchRoute
     {
         if (Current is not { } leg)
             return;
-        _skipped.Add((leg, _spacingMetres / 2));
+        _skipped.Add(new SkippedLane(leg, _spacingMetres / 2));
         FinishLeg();
     }
 
@@ -95,6 +102,10 @@ internal sealed class SearchRoute
         (Flown, FlownMetresOfLeg, GapPasses) = (progress.LanesFlown, progress.FlownMetresOfLeg, progress.GapPasses);
         InterruptLeg(overlapMetres);
         Coverage.Mark(progress.Cells, home);
+        _skipped.AddRange(progress.Skipped.Select(s => s with
+        {
+            Leg = new LaneSegment(s.Leg.Start + home, s.Leg.End + home),
+        }));
     }
 
     /// <summary>

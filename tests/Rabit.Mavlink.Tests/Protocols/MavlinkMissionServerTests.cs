@@ -100,6 +100,50 @@ public class MavlinkMissionServerTests
         Assert.Equal([7, 8, 9], _server.Items(MavMissionType.Mission).ToArray().Select(item => item.X));
     }
 
+    [Theory]
+    [InlineData(MavMissionResult.Accepted, 2)]
+    [InlineData(MavMissionResult.Invalid, 0)]
+    public void Upload_DecidedLater_IsKeptAliveAndThenAnswered(MavMissionResult decision, int stored)
+    {
+        _server = New(new MavlinkMissionServerOptions { DecidesLater = true });
+        Handle(_station, new MissionCount { Count = 2, MissionType = MavMissionType.Fence });
+        Item(_station, MavMissionType.Fence, 0);
+        Item(_station, MavMissionType.Fence, 1);
+        Assert.True(_server.IsDecisionAwaited);
+        Assert.Equal([7, 8], _server.AwaitedItems.ToArray().Select(item => item.X));
+        Take();
+        for (int i = 0; i < 20; i++)
+        {
+            _now += TimeSpan.FromSeconds(1);
+            Assert.Equal(1, Decode<MissionRequestInt>(Assert.Single(Take())).Seq);
+            Item(_station, MavMissionType.Fence, 1);
+        }
+
+        Handle(_other, new MissionCount { Count = 1, MissionType = MavMissionType.Fence });
+        Assert.Equal(MavMissionResult.Denied, Decode<MissionAck>(Assert.Single(Take())).Type);
+        Assert.Equal(0, _server.Items(MavMissionType.Fence).Length);
+        Assert.True(_server.Decide(decision, _now));
+        Assert.Equal(decision, Decode<MissionAck>(Assert.Single(Take())).Type);
+        Assert.Equal(stored, _server.Items(MavMissionType.Fence).Length);
+        Assert.Equal(stored > 0, _server.TryTakeChange(out _));
+        Assert.False(_server.Decide(decision, _now));
+        Assert.Equal(TimeSpan.MaxValue, _server.NextDue);
+    }
+
+    [Fact]
+    public void Upload_GivenUpBeforeTheDecision_IsNotStored()
+    {
+        _server = New(new MavlinkMissionServerOptions { DecidesLater = true });
+        Handle(_station, new MissionCount { Count = 1, MissionType = MavMissionType.Fence });
+        Item(_station, MavMissionType.Fence, 0);
+        Handle(
+            _station,
+            new MissionAck { Type = MavMissionResult.OperationCancelled, MissionType = MavMissionType.Fence });
+        Assert.False(_server.IsDecisionAwaited);
+        Assert.False(_server.Decide(MavMissionResult.Accepted, _now));
+        Assert.Equal((0, 1), (_server.Items(MavMissionType.Fence).Length, _server.Aborts));
+    }
+
     [Fact]
     public void Upload_BegunAgainBySameStation_StartsOver()
     {

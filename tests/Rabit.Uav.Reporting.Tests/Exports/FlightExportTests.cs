@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Globalization;
 using System.IO;
 using System.Linq;
@@ -54,6 +55,21 @@ public sealed class FlightExportTests
             Assert.True(SignedArea(rings[0]) > 0);
             Assert.All(rings.Skip(1), r => Assert.True(SignedArea(r) < 0));
         }
+    }
+
+    [Fact]
+    public void Write_KeepOuts_AreInEachOfThem()
+    {
+        SearchPlan plan = MadeUpSite.Plan;
+        ImmutableArray<GeodeticPosition> keepOut = [plan.Area[0], plan.Area[1], plan.Area[2]];
+        var with = new SearchPlan { Area = plan.Area, Home = plan.Home, KeepOuts = [keepOut, keepOut] };
+        var summary = new FlightSummary(FlightRecord.Empty.WithLatest(new MissionStatus { Plan = with }, default));
+
+        Assert.Equal(2, Features(summary).Count(f => KindOf(f) == "keep-out"));
+        XDocument kml = XDocument.Parse(Text(FlightExport.WriteKml, summary));
+        Assert.Equal(2, kml.Descendants(Kml + "styleUrl").Count(s => s.Value == "#keep-out"));
+        string[] lines = Text(FlightExport.WriteCsv, summary).Split('\n');
+        Assert.Equal(8, lines.Count(l => l.StartsWith("keep-out", StringComparison.Ordinal)));
     }
 
     [Fact]

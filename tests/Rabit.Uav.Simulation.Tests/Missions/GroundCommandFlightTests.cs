@@ -66,6 +66,37 @@ public sealed class GroundCommandFlightTests : IDisposable
         Assert.Contains("operator system 255 component 190", flight.Log, StringComparison.Ordinal);
     }
 
+    // As LiveMissionTests flies it over UDP.
+    [Theory]
+    [InlineData(SimulatedAutopilot.ArduPilot)]
+    [InlineData(SimulatedAutopilot.Px4)]
+    public void Story_OfAGroundStation_IsAnsweredAndFlown(SimulatedAutopilot autopilot)
+    {
+        SimulationOptions world = SearchFlight.SmallWorld();
+        world.Autopilot = autopilot;
+        using var flight = new SearchFlight(
+            SearchFlight.SmallPlan(), world, new VirtualTime(world.Seed), [], groundStation: _link.A);
+        flight.Reactor.Start();
+        var story = new GroundStationStory(
+            bytes => _link.B.Write(bytes, 0, bytes.Length), Received,
+            () => flight.Reactor.RunFor(TimeSpan.FromMilliseconds(100)) && flight.Reactor.Now < TestTimeout,
+            () => flight.Log);
+        try
+        {
+            story.Play();
+        }
+        finally
+        {
+            flight.End();
+            _output.WriteLine(string.Join("\n", story.Answers));
+            _output.WriteLine(string.Join("\n", story.Texts));
+            _output.WriteLine(flight.Log);
+        }
+
+        Assert.False(flight.World.Truth.IsAirborne);
+        Assert.False(flight.World.Truth.HasCrashed);
+    }
+
     private void Send(MavCmd command, float p1, float p2 = 0, byte component = Computer)
     {
         var message = new CommandLong
@@ -98,16 +129,25 @@ public sealed class GroundCommandFlightTests : IDisposable
         TimeSpan until = flight.Reactor.Now + TimeSpan.FromSeconds(seconds);
         flight.FlyUntil(f => f.Reactor.Now >= until, TestTimeout);
         var answers = new List<(byte Component, CommandAck Ack)>();
+        foreach (MavlinkFrame frame in Received())
+        {
+            if (frame.TryDecode(out CommandAck ack))
+                answers.Add((frame.ComponentId, ack));
+        }
+
+        return answers;
+    }
+
+    private List<MavlinkFrame> Received()
+    {
+        var frames = new List<MavlinkFrame>();
         while (_link.B.Read(_buffer) is { Count: > 0 } read)
         {
             var rest = new ReadOnlySpan<byte>(_buffer, 0, read.Count);
             while (_reader.TryRead(ref rest, out MavlinkFrame frame, out _))
-            {
-                if (frame.TryDecode(out CommandAck ack))
-                    answers.Add((frame.ComponentId, ack));
-            }
+                frames.Add(frame);
         }
 
-        return answers;
+        return frames;
     }
 }

@@ -1,8 +1,11 @@
 using System;
+using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
+using Rabit.Mavlink;
 using Rabit.Uav.Simulation.Tests.Missions;
 using Xunit;
 using Xunit.Abstractions;
@@ -56,6 +59,77 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
         Assert.True(File.Exists(summary));
         Assert.True(File.Exists(In("report.html")));
         Assert.Equal(isSigned, File.Exists(In("key.clock.0")));
+    }
+
+    // GroundCommandFlightTests flies the same story in virtual time.
+    [Fact]
+    public void Story_OfAGroundStationOverUdp_IsAnsweredAndFlown()
+    {
+        string mission = Write("mission.json", SearchFlight.SmallMission);
+        int port = FreePort();
+        using var vehicle = new SampleProcess(
+            "SimulatedVehicle",
+            ["--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
+            "--camera-out", In("pictures")]);
+        vehicle.WaitUntil(() => File.Exists(In("pictures/camera.json")));
+        using var station = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        station.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        int stationPort = ((IPEndPoint)station.LocalEndPoint!).Port;
+        using var console = new SampleProcess(
+            "UavConsole",
+            ["--link", $"udpin:127.0.0.1:{port}", "--link", $"udpout:127.0.0.1:{stationPort}", "--mission", mission,
+            "--fly", "--camera", In("pictures"), "--headless"]);
+
+        var reader = new MavlinkFrameReader(MavlinkDialect.All);
+        var buffer = new byte[64 * 1024];
+        EndPoint from = new IPEndPoint(IPAddress.Loopback, 0);
+        bool isKnown = false;
+        var waiting = new List<MavlinkFrame>();
+        Stopwatch clock = Stopwatch.StartNew();
+        var story = new GroundStationStory(
+            bytes =>
+            {
+                if (isKnown)
+                    station.SendTo(bytes, from);
+            },
+            () =>
+            {
+                MavlinkFrame[] taken = [.. waiting];
+                waiting.Clear();
+                return taken;
+            },
+            () =>
+            {
+                TimeSpan until = clock.Elapsed + TimeSpan.FromSeconds(0.1);
+                while (clock.Elapsed < until)
+                {
+                    if (!station.Poll(10_000, SelectMode.SelectRead))
+                        continue;
+                    var rest = new ReadOnlySpan<byte>(buffer, 0, station.ReceiveFrom(buffer, ref from));
+                    isKnown = true;
+                    while (reader.TryRead(ref rest, out MavlinkFrame frame, out _))
+                        waiting.Add(frame);
+                }
+
+                return clock.Elapsed < MissionTimeout;
+            },
+            () => console.Output);
+        try
+        {
+            story.Play();
+        }
+        finally
+        {
+            output.WriteLine(string.Join("\n", story.Answers));
+            output.WriteLine(string.Join("\n", story.Texts));
+            output.WriteLine(console.Output);
+        }
+
+        // The operator gave the mission up.
+        Assert.Equal(1, console.WaitForEnd(MissionTimeout));
+        Assert.DoesNotContain(story.Texts, t => t.Contains("stuck"));
+        vehicle.Interrupt();
+        Assert.Equal(0, vehicle.WaitForEnd());
     }
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);

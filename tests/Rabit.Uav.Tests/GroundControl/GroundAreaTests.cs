@@ -196,6 +196,28 @@ public sealed class GroundAreaTests : IDisposable
         Assert.Equal(MavMissionResult.Accepted, Upload((Inside, Wider)));
     }
 
+    // What was planned meanwhile is not offered.
+    [Fact]
+    public void Upload_GivenUpBeforeItIsAnswered_IsWithdrawn()
+    {
+        MissionItemInt[] items = Items((Inside, Wider));
+        _ground.Send(Count(4));
+        _ground.Run(0.2);
+        foreach (MissionItemInt item in items)
+            _ground.Send(item);
+        _ground.Send(new MissionAck
+        {
+            TargetSystem = 1,
+            TargetComponent = GroundRig.Us,
+            MissionType = MavMissionType.Fence,
+            Type = MavMissionResult.OperationCancelled,
+        });
+        _ground.Run(2);
+        Assert.Empty(_ground.Take<MissionAck>());
+        Assert.False(Flight.Changes.IsAreaOffered);
+        Assert.Contains("offer an area of 4 corners with 0 keep-outs", _ground.Flight.Story, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Upload_OfTwoStationsAtOnce_TheSecondIsDenied()
     {

@@ -39,6 +39,49 @@ public sealed class MissionProgressTests : IDisposable
         Assert.False(File.Exists(FilePath + ".new"));
     }
 
+    // What the operator decided is not in the mission file.
+    [Fact]
+    public void Resume_AfterRejectionSkipAndAnotherArea_KeepsThem()
+    {
+        GeodeticPosition[] wider = Wider();
+        using (MissionRig rig = FlyToTheSecondLane())
+        {
+            IMissionOperator op = rig.Manager;
+            op.Reject(rig.Vehicle.Tracks[0].Id, "test", "a bin");
+            op.SkipLane("test", "a crane");
+            op.ChangeSpeed(6.5, "test", "gusts");
+            OperatorRequest offer = op.OfferArea([.. wider], [], "test", "a hint");
+            rig.Run(2);
+            Assert.Equal(OperatorOutcome.Accepted, offer.Outcome);
+            op.ContinueMission("test", "over there");
+            rig.Run(8);
+        }
+
+        MissionProgress progress = MissionProgress.ReadFile(FilePath);
+        Assert.Empty(progress.Targets);
+        Assert.Equal(DefaultTargetClasses.Red, Assert.Single(progress.RejectedTargets).Class);
+        using var second = new MissionRig(Mission(), o =>
+        {
+            o.Resume = progress;
+            o.ProgressFile = FilePath;
+        });
+        second.Vehicle.Targets.Add((90, 5, DefaultTargetClasses.Red));
+        second.Vehicle.Targets.Add((100, 90, DefaultTargetClasses.Blue));
+        Assert.Equal(MissionPhase.Searching, second.RunUntil(MissionPhase.Searching));
+        second.Vehicle.Tracks.Add(second.Vehicle.MakeTrack(1, 90, 5, DefaultTargetClasses.Red, reports: 5));
+        Assert.Equal(MissionPhase.Done, second.RunToEnd());
+        MissionFlight flight = second.Manager.Flight!;
+        Assert.Equal((6.5, wider.Length), (flight.Mission.SpeedMetresPerSecond, flight.Mission.Area.Length));
+        Assert.InRange(flight.Plan!.Area.Area, 16_000, 16_400);
+        Assert.Equal(1, second.Status.LanesSkipped);
+        Assert.InRange(second.Status.Coverage, 0.9, 0.98);
+        Assert.Equal((1, 1), (second.Status.Revisits, second.Status.TracksRejected));
+        Assert.Contains("track 1 was rejected on an earlier flight", second.Story, StringComparison.Ordinal);
+
+        // And a third flight knows of it too.
+        Assert.Single(MissionProgress.ReadFile(FilePath).RejectedTargets);
+    }
+
     [Fact]
     public void File_AfterATakeover_SaysThatWeDoNotCommand()
     {
@@ -199,6 +242,13 @@ public sealed class MissionProgressTests : IDisposable
     }
 
     private static MissionPlan Mission() => MissionRig.Mission(Revisit);
+
+    private static GeodeticPosition[] Wider()
+    {
+        LocalNedFrame frame = LocalNedFrame.IgnoringGeoid(MissionRig.Home);
+        return [.. new[] { (60, -60), (60, 120), (150, 120), (150, -60) }
+            .Select(c => frame.ToGeodetic(new NedPosition(c.Item1, c.Item2, 0)))];
+    }
 
     private static double InLanes(MissionRig rig)
     {

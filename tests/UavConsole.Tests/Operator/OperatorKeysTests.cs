@@ -229,10 +229,6 @@ public sealed class OperatorKeysTests
             string reason)
             => throw new InvalidOperationException("There is no key for it.");
 
-        public string? FindFaultOfArea(
-            ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts)
-            => throw new InvalidOperationException("There is no key for it.");
-
         public MissionPlan? Mission => null;
 
         public void Give(OperatorRequest request) => Add(request);

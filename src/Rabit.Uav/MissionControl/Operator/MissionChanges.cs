@@ -1,19 +1,23 @@
-using System.Collections.Immutable;
+using System;
 using System.Linq;
-using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
 /// What the operator has changed of the mission and is not flown yet: values, which hold from the next leg on, and an
-/// area, which the next continue takes over. What is accepted was checked as a mission file is, and planned once.
+/// area, which the next continue takes over. What is accepted was checked as a mission file is, and planned.
 /// </summary>
 internal sealed class MissionChanges(MissionFlight flight)
 {
     // Written by the thread of the manager; volatile for those who ask for the mission.
     private volatile MissionPlan? _next;
+    private PlanJob? _nextPlan;
     private MissionPlan? _offered;
+    private PlanJob? _offeredPlan;
+
+    /// <summary>Gives a job to the planner; returns whether it takes it.</summary>
+    public Func<PlanJob, bool> Planner { get; set; } = _ => false;
 
     /// <summary>The mission with all of it but the area that is offered. Any thread.</summary>
     public MissionPlan Mission => _next ?? flight.Mission;
@@ -21,26 +25,51 @@ internal sealed class MissionChanges(MissionFlight flight)
     /// <summary>Whether the next leg begins with other values.</summary>
     public bool AreDue => _next is not null;
 
-    /// <summary>Whether what is left is planned again then.</summary>
-    public bool NeedPlan
-        => _next is { } next && flight.Plan is not null
-            && !next.LaneSpacingMetres.Equals(flight.Mission.LaneSpacingMetres);
+    /// <summary>Whether it begins on another plan.</summary>
+    public bool NeedPlan => _nextPlan is not null;
 
     /// <summary>Whether the next continue takes over an area.</summary>
     public bool IsAreaOffered => _offered is not null;
 
-    /// <summary>Sets a value.</summary>
-    /// <returns>Why that cannot be; null where it is done.</returns>
-    public string? Set(MissionParameter parameter, double value)
+    /// <summary>Begins a change; without a job it is done.</summary>
+    /// <returns>Why it cannot be; null where it can.</returns>
+    public string? Begin(OperatorRequest request, out PlanJob? job)
     {
-        if (FindFault(parameter, value) is { } fault)
+        job = null;
+        if (request.Command == OperatorCommand.OfferArea && request.Area.IsDefaultOrEmpty)
+        {
+            (_offered, _offeredPlan) = (null, null);
+            return null;
+        }
+
+        if ((FindFault(request) ?? FindFault(With(request))) is { } fault)
             return fault;
-        MissionPlan changed = Mission.With(parameter, value);
-        fault = FindFault(changed, isPlanned: parameter == MissionParameter.LaneSpacing);
-        if (fault is null)
-            _next = changed;
-        return fault;
+        bool isPlanned = request.Command == OperatorCommand.OfferArea
+            || request.Parameter == MissionParameter.LaneSpacing;
+        if (!isPlanned || flight.Plan is not { } plan)
+        {
+            Keep(request, null);
+            return null;
+        }
+
+        job = new PlanJob(With(request), plan.Frame.Origin, flight.IsFixedWing);
+        return Planner(job) ? null : "the planner takes nothing";
     }
+
+    /// <summary>Ends a change that was planned.</summary>
+    /// <returns>Why it cannot be; null where it is done.</returns>
+    public string? Finish(OperatorRequest request, PlanJob job)
+    {
+        if (job.Plan is null)
+            return job.Fault;
+        Keep(request, job);
+        return null;
+    }
+
+    /// <summary>What follows of a change that is done, as text.</summary>
+    public string TextOf(OperatorRequest request) => request.Command == OperatorCommand.ChangeParameter
+        ? "from the next leg on"
+        : IsAreaOffered ? "the next continue takes it over" : string.Empty;
 
     /// <summary>Sets the speed at once.</summary>
     public void SetSpeedNow(double metresPerSecond)
@@ -49,41 +78,18 @@ internal sealed class MissionChanges(MissionFlight flight)
         _next = _next?.WithSpeed(metresPerSecond);
     }
 
-    /// <summary>Offers an area; one without corners withdraws what was offered.</summary>
-    /// <returns>Why it cannot be searched; null where it can.</returns>
-    public string? Offer(
-        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts)
-    {
-        if (area.IsDefaultOrEmpty)
-        {
-            _offered = null;
-            return null;
-        }
-
-        string? fault = FindFaultOfArea(area, keepOuts);
-        if (fault is null)
-            _offered = Mission.WithArea(area, keepOuts);
-        return fault;
-    }
-
-    /// <summary>Why an area cannot be searched; null where it can. Any thread: what it reads does not change.</summary>
-    public string? FindFaultOfArea(
-        ImmutableArray<GeodeticPosition> area, ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts)
-        => flight.IsFixedWing ? "the area of a fixed wing is not changed in flight"
-            : flight.Plan is null && flight.Options.Resume is not null ? "there is no plan of the earlier flight yet"
-            : FindFault(Mission.WithArea(area, keepOuts), isPlanned: true);
-
     /// <summary>Goes on over the area that is offered; where that cannot be it is offered no more.</summary>
     /// <returns>Why that cannot be; null where it is done.</returns>
     public string? TakeArea()
     {
         MissionPlan changed = Mission.WithArea(_offered!.Area, _offered.KeepOuts);
-        _offered = null;
+        PlanJob? job = _offeredPlan;
+        (_offered, _offeredPlan) = (null, null);
         if (flight.Plan is null)
             flight.ChangeMission(changed);
-        else if (flight.Replan(changed) is { } fault)
+        else if (Replan(changed, job) is { } fault)
             return $"new area: {fault}; the one before is kept";
-        _next = null;
+        (_next, _nextPlan) = (null, null);
         flight.Log(
             $"new area of {MissionNumbers.Of(changed.Area.Length)} corners with "
             + $"{MissionNumbers.Of(changed.KeepOuts.Length)} keep-outs"
@@ -99,7 +105,7 @@ internal sealed class MissionChanges(MissionFlight flight)
     {
         if (_next is not { } next)
             return;
-        if (NeedPlan && flight.Replan(next) is { } fault)
+        if (_nextPlan is { } job && flight.Plan is not null && Replan(next, job) is { } fault)
         {
             // It could be planned when it was set: only where the vehicle is has changed.
             flight.Log($"the lane spacing stays as it is: {fault}");
@@ -107,33 +113,52 @@ internal sealed class MissionChanges(MissionFlight flight)
         }
 
         flight.ChangeMission(next);
-        _next = null;
+        (_next, _nextPlan) = (null, null);
     }
 
-    private string? FindFault(MissionParameter parameter, double value) => parameter switch
-    {
-        MissionParameter.Height or MissionParameter.Speed or MissionParameter.LaneSpacing when flight.IsFixedWing
-            => "the values of a fixed wing's legs are not changed in flight",
-        MissionParameter.Revisits when !value.Equals(0) && !value.Equals(1) => "revisit.enabled is 0 or 1",
-        MissionParameter.BatteryAtStart when flight.IsFlying => "it has taken off",
-        MissionParameter.BatteryAtStart when flight.Options is { RequiresPreflight: true, Mission: { } filed }
-            && value < filed.MinBatteryFractionAtStart
-            => $"the checklist asks for {MissionNumbers.Percent(filed.MinBatteryFractionAtStart)}, as the mission file",
-        MissionParameter.LaneSpacing when flight.Plan is null && flight.Options.Resume is not null
-            => "there is no plan of the earlier flight yet",
-        _ => null,
-    };
+    // What was offered before there was a plan is planned now.
+    private string? Replan(MissionPlan changed, PlanJob? job)
+        => job is null ? flight.Replan(changed) : flight.Replan(changed, job.Plan!, job.Route!);
 
-    private string? FindFault(MissionPlan changed, bool isPlanned)
+    private void Keep(OperatorRequest request, PlanJob? job)
     {
-        if (MissionPlanRules.FindFaults(changed).FirstOrDefault() is { } wrong)
-            return wrong;
-        if (flight.Options.FindsFaultOfChange?.Invoke(changed) is { } other)
-            return other;
-        if (!isPlanned || flight.Plan is not { } plan)
-            return null;
-        return FlightPlan.Create(changed, plan.Frame.Origin, out string fault, isFixedWing: flight.IsFixedWing) is null
-            ? fault
-            : null;
+        MissionPlan changed = With(request);
+        if (request.Command == OperatorCommand.OfferArea)
+            (_offered, _offeredPlan) = (changed, job);
+        else
+            (_next, _nextPlan) = (changed, job ?? _nextPlan);
     }
+
+    private MissionPlan With(OperatorRequest request) => request.Command == OperatorCommand.OfferArea
+        ? Mission.WithArea(request.Area, request.KeepOuts)
+        : Mission.With(request.Parameter, request.Value);
+
+    private string? FindFault(OperatorRequest request)
+    {
+        bool isOffer = request.Command == OperatorCommand.OfferArea;
+        bool isPlanned = isOffer || request.Parameter == MissionParameter.LaneSpacing;
+        if (isPlanned && flight.Plan is null && flight.Options.Resume is not null)
+            return "there is no plan of the earlier flight yet";
+        if (isOffer)
+            return flight.IsFixedWing ? "the area of a fixed wing is not changed in flight" : null;
+        return request.Parameter switch
+        {
+            MissionParameter.Height or MissionParameter.Speed or MissionParameter.LaneSpacing when flight.IsFixedWing
+                => "the values of a fixed wing's legs are not changed in flight",
+            MissionParameter.LaneSpacing when IsAreaOffered
+                => "an area is offered: a continue takes it over, or it is withdrawn, first",
+            MissionParameter.Revisits when !request.Value.Equals(0) && !request.Value.Equals(1)
+                => "revisit.enabled is 0 or 1",
+            MissionParameter.BatteryAtStart when flight.IsFlying => "it has taken off",
+            MissionParameter.BatteryAtStart when flight.Options is { RequiresPreflight: true, Mission: { } filed }
+                && request.Value < filed.MinBatteryFractionAtStart
+                => $"the checklist asks for {MissionNumbers.Percent(filed.MinBatteryFractionAtStart)}, as the mission "
+                    + "file",
+            _ => null,
+        };
+    }
+
+    private string? FindFault(MissionPlan changed)
+        => MissionPlanRules.FindFaults(changed).FirstOrDefault()
+            ?? flight.Options.FindsFaultOfChange?.Invoke(changed);
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.MissionControl;
@@ -13,7 +14,11 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
     // Sensor Fusion answers by its next list of tracks.
     private static readonly TimeSpan MaxDecisionTime = TimeSpan.FromSeconds(3);
 
+    private static readonly TimeSpan MaxPlanTime = TimeSpan.FromSeconds(30);
+
     private readonly List<(OperatorRequest Request, TimeSpan Since)> _decided = [];
+    private readonly HashSet<int> _rejectedAgain = [];
+    private (OperatorRequest Request, PlanJob Job, TimeSpan Since)? _planned;
 
     /// <summary>In each tick.</summary>
     /// <param name="flight">The state of the mission.</param>
@@ -22,6 +27,7 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
     public void Update(MissionFlight flight, MissionPhase phase, bool isOver)
     {
         FinishDecisions(flight);
+        FinishPlan(flight);
         while (flight.Operator.Pending is { } request)
         {
             bool isDecision = request.Command is OperatorCommand.Confirm or OperatorCommand.Reject;
@@ -43,8 +49,26 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
                 return;
             else if (isDecision)
                 Decide(flight, request);
+            else if (request.Command is OperatorCommand.ChangeParameter or OperatorCommand.OfferArea)
+                Change(flight, request);
             else
                 Do(flight, request);
+        }
+    }
+
+    /// <summary>What was rejected on an earlier flight is so again, once; the operator may say otherwise.</summary>
+    public void RejectAgain(MissionFlight flight)
+    {
+        if (flight.Options.Resume is not { RejectedTargets.IsEmpty: false } progress)
+            return;
+        foreach (TargetTrack track in flight.Tracks.Tracks)
+        {
+            if (track.Decision != TargetDecision.None || track.State != TrackState.Confirmed
+                || !progress.RejectedTargets.Any(r => ProgressTargets.AreSame(r, track))
+                || !_rejectedAgain.Add(track.Id))
+                continue;
+            flight.Log($"track {MissionNumbers.Of(track.Id)} was rejected on an earlier flight");
+            decide(new TrackDecision { TrackId = track.Id, Decision = TargetDecision.Rejected });
         }
     }
 
@@ -54,6 +78,7 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
         foreach ((OperatorRequest request, TimeSpan _) in _decided)
             flight.Operator.Answer(request, OperatorOutcome.Refused, "the program ends");
         _decided.Clear();
+        RefusePlanned(flight, "the program ends");
     }
 
     private static void TakeArea(MissionFlight flight, OperatorRequest request)
@@ -67,30 +92,56 @@ internal sealed class OperatorActions(Func<TrackDecision, bool> decide)
 
     private static void Do(MissionFlight flight, OperatorRequest request)
     {
-        string text = string.Empty;
-        string? refusal = null;
-        switch (request.Command)
+        if (request.Command == OperatorCommand.SkipLane)
         {
-            case OperatorCommand.SkipLane:
-                flight.SkipLane();
-                break;
-            case OperatorCommand.ChangeParameter:
-                refusal = flight.Changes.Set(request.Parameter, request.Value);
-                text = "from the next leg on";
-                break;
-            case OperatorCommand.OfferArea:
-                refusal = flight.Changes.Offer(request.Area, request.KeepOuts);
-                text = flight.Changes.IsAreaOffered ? "the next continue takes it over" : string.Empty;
-                break;
-            default:
-                flight.Changes.SetSpeedNow(request.SpeedMetresPerSecond);
-                break;
+            flight.SkipLane();
+        }
+        else
+        {
+            flight.Changes.SetSpeedNow(request.SpeedMetresPerSecond);
         }
 
-        if (refusal is null)
-            flight.Operator.Accept(text);
-        else
+        flight.Operator.Accept();
+    }
+
+    // What is to be planned is answered when that is done; meanwhile it flies on.
+    private void Change(MissionFlight flight, OperatorRequest request)
+    {
+        if (flight.Changes.Begin(request, out PlanJob? job) is { } refusal)
+        {
             flight.Operator.Refuse(refusal);
+        }
+        else if (job is null)
+        {
+            flight.Operator.Accept(flight.Changes.TextOf(request));
+        }
+        else
+        {
+            RefusePlanned(flight, "replaced by a newer one");
+            _planned = (flight.Operator.PutAside()!, job, flight.Now);
+        }
+    }
+
+    private void FinishPlan(MissionFlight flight)
+    {
+        if (_planned is not { } planned)
+            return;
+        if (!planned.Job.IsDone && flight.Now - planned.Since > MaxPlanTime)
+            RefusePlanned(flight, $"not planned within {MissionNumbers.Seconds(MaxPlanTime)}");
+        if (!planned.Job.IsDone)
+            return;
+        _planned = null;
+        string? fault = flight.Changes.Finish(planned.Request, planned.Job);
+        flight.Operator.Answer(
+            planned.Request, fault is null ? OperatorOutcome.Accepted : OperatorOutcome.Refused,
+            fault ?? flight.Changes.TextOf(planned.Request));
+    }
+
+    private void RefusePlanned(MissionFlight flight, string why)
+    {
+        if (_planned is { } planned)
+            flight.Operator.Answer(planned.Request, OperatorOutcome.Refused, why);
+        _planned = null;
     }
 
     private static TargetDecision DecisionOf(OperatorRequest request)

@@ -52,6 +52,15 @@ public sealed class MissionProgress
     /// <summary>The confirmed targets.</summary>
     public ImmutableArray<MissionProgressTarget> Targets { get; init; } = [];
 
+    /// <summary>The targets that the operator rejected; a flight that continues rejects them again.</summary>
+    public ImmutableArray<MissionProgressTarget> RejectedTargets { get; init; } = [];
+
+    /// <summary>What the operator had changed of the mission.</summary>
+    internal ProgressChanges Changes { get; init; } = ProgressChanges.None;
+
+    /// <summary>The lanes that the operator left out, relative to <see cref="Home"/>.</summary>
+    internal ImmutableArray<SkippedLane> Skipped { get; init; } = [];
+
     /// <summary>Identifies the mission; see <see cref="MissionFingerprint"/>.</summary>
     internal string Fingerprint { get; init; } = string.Empty;
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Collections.Immutable;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Text;
 using System.Text.Json;
 using Rabit.Geodesy;
@@ -23,6 +24,10 @@ internal static class MissionProgressFormat
     private const int Version = 1;
     private const int MaxLegs = 10_000;
     private const int MaxCells = 1_000_000;
+
+    // North and east of start and end, and half the width.
+    private const string SkippedName = "skippedNorthEastHalfMetres";
+    private const int NumbersOfSkipped = 5;
     private const string Seal = ",\"sha256\":\"";
     private const string End = "\"}\n";
 
@@ -87,6 +92,8 @@ internal static class MissionProgressFormat
         json.WriteNumber("coverage", s.Coverage);
         WriteCells(json, s.Cells);
         ProgressTargets.Write(json, s);
+        WriteSkipped(json, s.Skipped);
+        s.Changes.Write(json);
         json.WriteEndObject();
     }
 
@@ -139,7 +146,10 @@ internal static class MissionProgressFormat
             Legs = ReadLegs(fields),
             Coverage = fields.RequiredNumber("coverage"),
             Cells = ReadCells(fields.RequiredObject("cells"), faults),
-            Targets = ProgressTargets.Read(fields, faults),
+            Targets = ProgressTargets.Read(fields, "targets", faults),
+            RejectedTargets = ProgressTargets.Read(fields, "rejectedTargets", faults),
+            Skipped = ReadSkipped(fields),
+            Changes = ProgressChanges.Read(fields, faults),
         };
         if (!isPhase || !isTime)
             faults.Add("phase or savedUtc is missing");
@@ -170,6 +180,33 @@ internal static class MissionProgressFormat
         }
 
         return legs.MoveToImmutable();
+    }
+
+    // Files of earlier versions have none.
+    private static ImmutableArray<SkippedLane> ReadSkipped(JsonFields fields)
+    {
+        int count = Math.Min((fields.Array(SkippedName)?.GetArrayLength() ?? 0) / NumbersOfSkipped, MaxLegs);
+        if (count == 0)
+            return [];
+        double[] n = fields.RequiredNumbers(SkippedName, count * NumbersOfSkipped);
+        return Enumerable.Range(0, count).Select(i => i * NumbersOfSkipped).Select(i => new SkippedLane(
+            new LaneSegment(new PlanePoint(n[i], n[i + 1]), new PlanePoint(n[i + 2], n[i + 3])), n[i + 4]))
+            .ToImmutableArray();
+    }
+
+    private static void WriteSkipped(Utf8JsonWriter json, ImmutableArray<SkippedLane> skipped)
+    {
+        json.WriteStartArray(SkippedName);
+        foreach (SkippedLane lane in skipped)
+        {
+            json.WriteNumberValue(lane.Leg.Start.North);
+            json.WriteNumberValue(lane.Leg.Start.East);
+            json.WriteNumberValue(lane.Leg.End.North);
+            json.WriteNumberValue(lane.Leg.End.East);
+            json.WriteNumberValue(lane.HalfMetres);
+        }
+
+        json.WriteEndArray();
     }
 
     private static CoverageCells ReadCells(JsonFields fields, List<string> faults)

@@ -17,10 +17,13 @@ internal sealed class ProgressKeeper(
     private static readonly TimeSpan Period = TimeSpan.FromSeconds(5);
 
     private readonly ProgressSnapshot[] _snapshots = [new ProgressSnapshot(), new ProgressSnapshot()];
-    private readonly string _fingerprint = MissionFingerprint.Of(flight.Mission);
+    private readonly MissionPlan _filed = flight.Options.Mission ?? flight.Mission;
+    private readonly string _fingerprint = MissionFingerprint.Of(flight.Options.Mission ?? flight.Mission);
     private (MissionPhase Phase, bool IsCommanding, bool IsInAir, int Lanes) _last;
     private TimeSpan? _lastTime;
     private string? _lastFault;
+    private MissionPlan? _flown;
+    private ProgressChanges _changes = ProgressChanges.None;
 
     /// <summary>At the end of each unit of work, once there is a plan.</summary>
     /// <param name="phase">The phase.</param>
@@ -56,12 +59,17 @@ internal sealed class ProgressKeeper(
         snapshot.Home = flight.Plan!.Frame.Origin;
         snapshot.Legs = route.Legs;
         snapshot.FlownMetresOfLeg = route.FlownMetresOfLeg;
+        snapshot.Skipped = route.SkippedLanes;
         snapshot.GapPasses = route.GapPasses;
+        if (!ReferenceEquals(_flown, flight.Mission))
+            (_flown, _changes) = (flight.Mission, ProgressChanges.Of(_filed, flight.Mission));
+        snapshot.Changes = _changes;
         snapshot.Coverage = route.Coverage.Fraction;
         snapshot.Cells = route.Coverage.ToCells(snapshot.Cells);
         snapshot.Tracks = flight.Tracks;
         snapshot.Revisited = flight.Revisits.Finished;
         snapshot.Earlier = flight.Options.Resume?.Targets ?? [];
+        snapshot.EarlierRejected = flight.Options.Resume?.RejectedTargets ?? [];
     }
 
     // Once for each fault, and when it is over.

@@ -38,6 +38,10 @@ internal sealed class ProgressSnapshot
 
     public int LanesFlown { get; set; }
 
+    public ImmutableArray<SkippedLane> Skipped { get; set; } = [];
+
+    public ProgressChanges Changes { get; set; } = ProgressChanges.None;
+
     public double FlownMetresOfLeg { get; set; }
 
     public int GapPasses { get; set; }
@@ -52,4 +56,7 @@ internal sealed class ProgressSnapshot
 
     /// <summary>Those of the flights before.</summary>
     public ImmutableArray<MissionProgressTarget> Earlier { get; set; } = [];
+
+    /// <summary>Those that the operator rejected on the flights before.</summary>
+    public ImmutableArray<MissionProgressTarget> EarlierRejected { get; set; } = [];
 }

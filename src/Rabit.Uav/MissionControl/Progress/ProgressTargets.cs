@@ -28,9 +28,18 @@ internal static class ProgressTargets
 
     public static void Write(Utf8JsonWriter json, ProgressSnapshot snapshot)
     {
-        json.WriteStartArray("targets");
-        List<TargetTrack> tracks = snapshot.Tracks.Confirmed.ToList();
-        foreach (MissionProgressTarget earlier in snapshot.Earlier.Where(e => !tracks.Any(t => AreSame(e, t))))
+        Write(json, "targets", snapshot.Tracks.Confirmed.ToList(), snapshot.Earlier, snapshot);
+        List<TargetTrack> rejected = snapshot.Tracks.Tracks.Where(t => t.State == TrackState.Rejected).ToList();
+        Write(json, "rejectedTargets", rejected, snapshot.EarlierRejected, snapshot);
+    }
+
+    private static void Write(
+        Utf8JsonWriter json, string name, List<TargetTrack> tracks, ImmutableArray<MissionProgressTarget> before,
+        ProgressSnapshot snapshot)
+    {
+        json.WriteStartArray(name);
+        foreach (MissionProgressTarget earlier in before.Where(e => !snapshot.Tracks.Tracks.Any(
+            t => t.State is TrackState.Confirmed or TrackState.Rejected && AreSame(e, t))))
             Write(json, earlier);
         foreach (TargetTrack track in tracks)
         {
@@ -48,21 +57,21 @@ internal static class ProgressTargets
         json.WriteEndArray();
     }
 
-    public static ImmutableArray<MissionProgressTarget> Read(JsonFields fields, List<string> faults)
+    public static ImmutableArray<MissionProgressTarget> Read(JsonFields fields, string name, List<string> faults)
     {
-        if (fields.Array("targets") is not { } items)
+        if (fields.Array(name) is not { } items)
             return [];
         var targets = ImmutableArray.CreateBuilder<MissionProgressTarget>();
         foreach (JsonElement item in items.EnumerateArray())
         {
             var target = new JsonFields(
-                item, FormattableString.Invariant($"targets[{targets.Count}]"), faults);
-            if (!TargetClassName.TryParse(target.Text("class"), out TargetClassName name))
+                item, FormattableString.Invariant($"{name}[{targets.Count}]"), faults);
+            if (!TargetClassName.TryParse(target.Text("class"), out TargetClassName targetClass))
                 target.Missing("class");
             targets.Add(new MissionProgressTarget
             {
                 TrackId = target.RequiredWholeNumber("trackId"),
-                Class = name,
+                Class = targetClass,
                 Position = MissionProgressFormat.ReadPosition(target, altitude: 0),
                 HalfMajorAxis95Metres = target.RequiredNumber("halfMajorAxis95Metres"),
                 Reports = target.RequiredWholeNumber("reports"),
