@@ -12,6 +12,7 @@ using Rabit.Links;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.SensorFusion;
+using Rabit.Vision;
 
 namespace Rabit.Uav;
 
@@ -61,7 +62,9 @@ public sealed class UavSystem : IDisposable
             if (options.Has(UavManagers.MissionControl))
                 _missionControl = new MissionControlManager(ManagerOptions.ForMissionControl(options));
             if (ManagerOptions.HasGroundCommands(options))
-                _groundCommands = new GroundCommandManager(_missionControl!, options.GroundCommands!);
+                _groundCommands = new GroundCommandManager(
+                    _missionControl!, options.GroundCommands!,
+                    _imageProcessing is null || _sensorFusion is null ? null : FindPicture);
             if (options.MayCommand)
                 CarryOnAfterFaults();
             if (options.Has(UavManagers.HealthMonitoring))
@@ -183,6 +186,17 @@ public sealed class UavSystem : IDisposable
         => manager
             ?? throw new InvalidOperationException(
                 $"{which} was left out: {nameof(UavOptions)}.{nameof(UavOptions.Without)} has it.");
+
+    private byte[]? FindPicture(long number, int report)
+    {
+        foreach (ImageChip chip in _imageProcessing!.ImageChips)
+        {
+            if (chip.PictureNumber == number && chip.ReportIndex == report)
+                return PngPicture.Encode(new RgbPicture(chip.Width, chip.Height, chip.CopyPixels()));
+        }
+
+        return null;
+    }
 
     private void OpenLinks()
     {

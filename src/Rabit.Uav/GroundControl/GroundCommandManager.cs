@@ -12,9 +12,9 @@ namespace Rabit.Uav.GroundControl;
 
 /// <summary>
 /// Receives what ground stations address to our component, gives it to Mission Control, and answers by its answers:
-/// commands, the values of the mission as parameters, a fence as another area to search (docs/ground-stations.md). What
-/// is addressed to all components, or to the autopilot, is neither executed nor acknowledged; a list of parameters that
-/// is asked of all is sent.
+/// commands, the values of the mission as parameters, a fence as another area to search, image chips of targets as
+/// files (docs/ground-stations.md). What is addressed to all components, or to the autopilot, is neither executed nor
+/// acknowledged; a list of parameters that is asked of all is sent.
 /// </summary>
 /// <example>
 /// <code>
@@ -41,6 +41,9 @@ public sealed class GroundCommandManager : RabitManager
     private readonly QueueSender<OutgoingFrame> _outgoing;
     private readonly List<(int Handle, OperatorRequest Request)> _atWork = [];
     private readonly StatusTextChunks _texts = new();
+    private readonly Func<long, int, byte[]?>? _picture;
+    private readonly MessageSubscriber<TrackList>? _tracks;
+    private readonly MessageSubscriber<VehicleState>? _vehicle;
     private Servers? _servers;
 
     /// <summary>Makes the manager.</summary>
@@ -48,8 +51,24 @@ public sealed class GroundCommandManager : RabitManager
     /// <param name="options">Read now; later changes have no effect.</param>
     /// <exception cref="ArgumentNullException">One of them is null.</exception>
     public GroundCommandManager(IMissionOperator mission, GroundCommandOptions options)
+        : this(mission, options, null)
+    {
+    }
+
+    /// <param name="mission">Takes the commands.</param>
+    /// <param name="options">Read now.</param>
+    /// <param name="picture">The image chips, as <see cref="TargetFiles"/> takes them; null where there are none.</param>
+    internal GroundCommandManager(
+        IMissionOperator mission, GroundCommandOptions options, Func<long, int, byte[]?>? picture)
         : base(ManagerName)
     {
+        _picture = picture;
+        if (picture is not null)
+        {
+            _tracks = Subscribe<TrackList>(MessageNames.Tracks);
+            _vehicle = Subscribe<VehicleState>(MessageNames.VehicleState);
+        }
+
         _mission = mission ?? throw new ArgumentNullException(nameof(mission));
         _authority = new Authority((options ?? throw new ArgumentNullException(nameof(options))).Copy());
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
@@ -64,7 +83,7 @@ public sealed class GroundCommandManager : RabitManager
         MessageIds =
         [
             CommandLong.MavlinkId, CommandInt.MavlinkId, CommandCancel.MavlinkId, .. GroundParameters.MessageIds,
-            .. GroundAreas.MessageIds,
+            .. GroundAreas.MessageIds, FileTransferProtocol.MavlinkId,
         ],
     };
 
@@ -76,7 +95,8 @@ public sealed class GroundCommandManager : RabitManager
             var sender = new MavlinkSender(_ownAddress.Value.SystemId, _ownAddress.Value.ComponentId);
             _servers = new Servers(
                 sender, new MavlinkCommandServer(sender), new GroundParameters(_mission, _authority, sender),
-                new GroundAreas(_mission, _authority, sender, Announce));
+                new GroundAreas(_mission, _authority, sender, Announce),
+                _picture is null ? null : new TargetFiles(sender, _picture));
         }
 
         while (_frames.TryPop(out LinkFrame frame))
@@ -88,8 +108,17 @@ public sealed class GroundCommandManager : RabitManager
         Answer(servers.Commands);
         servers.Parameters.Update(Now);
         servers.Areas.Update(Now);
+        UpdateFiles(servers);
         while (servers.TryTakeFrame(Now, out MavlinkFrame answer))
             Send(answer);
+    }
+
+    private void UpdateFiles(Servers servers)
+    {
+        if (servers.Files is null || !_tracks!.Fetch())
+            return;
+        _vehicle!.Fetch();
+        servers.Files.Update(_tracks.Value, _vehicle.Value, Now);
     }
 
     private void Begin(Servers servers, in MavlinkCommandRequest request)
@@ -100,7 +129,7 @@ public sealed class GroundCommandManager : RabitManager
         {
             // What we serve is no secret.
             server.Complete(request.Handle, MavResult.Accepted, Now);
-            Send(servers.Sender.Create(OwnVersion.Create(servesFiles: false)));
+            Send(servers.Sender.Create(OwnVersion.Create(servesFiles: servers.Files is not null)));
         }
         else if (_authority.FindDenial(request.Source, request.IsSigned) is { } denial)
         {
@@ -146,12 +175,14 @@ public sealed class GroundCommandManager : RabitManager
         => _outgoing.Push(new OutgoingFrame { Frame = frame, ValidUntil = Now + FrameValidity });
 
     private sealed record Servers(
-        MavlinkSender Sender, MavlinkCommandServer Commands, GroundParameters Parameters, GroundAreas Areas)
+        MavlinkSender Sender, MavlinkCommandServer Commands, GroundParameters Parameters, GroundAreas Areas,
+        TargetFiles? Files)
     {
         public void Handle(in MavlinkFrame frame, TimeSpan now)
         {
             Commands.Handle(frame, now);
             Parameters.Handle(frame, now);
+            Files?.Handle(frame, now);
 
             // What the autopilot sends us of missions belongs to a transfer that we asked it for.
             if (frame.SystemId != Sender.SystemId || frame.ComponentId != (byte)MavComponent.Autopilot1)
@@ -160,6 +191,7 @@ public sealed class GroundCommandManager : RabitManager
 
         public bool TryTakeFrame(TimeSpan now, out MavlinkFrame frame)
             => Commands.TryTakeFrame(now, out frame) || Parameters.TryTakeFrame(now, out frame)
-                || Areas.TryTakeFrame(now, out frame);
+                || Areas.TryTakeFrame(now, out frame)
+                || (Files?.TryTakeFrame(now, out frame) ?? false);
     }
 }

@@ -24,10 +24,11 @@ internal sealed class GroundRig : IDisposable
     private readonly StringBuilder _text = new();
     private byte _sequence;
 
-    public GroundRig(MissionRig flight, GroundCommandOptions? options = null)
+    public GroundRig(
+        MissionRig flight, GroundCommandOptions? options = null, Func<long, int, byte[]?>? picture = null)
     {
         Flight = flight;
-        var manager = new GroundCommandManager(flight.Manager, options ?? new GroundCommandOptions());
+        var manager = new GroundCommandManager(flight.Manager, options ?? new GroundCommandOptions(), picture);
         _reactor = new RabitReactor(new ReactorOptions
         {
             Time = new VirtualTime(1),
@@ -40,6 +41,9 @@ internal sealed class GroundRig : IDisposable
         MessagePublisher<OwnAddress> address = _reactor.Workspace.Publish<OwnAddress>(MessageNames.OwnAddress);
         _in = _reactor.Workspace.Send<LinkFrame>(GroundCommandManager.CreateSubscription().Queue);
         _out = _reactor.Workspace.Receive<OutgoingFrame>(MessageNames.OutgoingFrames);
+        Tracks = picture is null ? null : _reactor.Workspace.Publish(MessageNames.Tracks, TrackList.None);
+        if (picture is not null)
+            _reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
         _reactor.Start();
         address.Value = new OwnAddress { SystemId = 1, ComponentId = Us };
         address.Post();
@@ -47,6 +51,9 @@ internal sealed class GroundRig : IDisposable
     }
 
     public MissionRig Flight { get; }
+
+    /// <summary>Only with pictures.</summary>
+    public MessagePublisher<TrackList>? Tracks { get; }
 
     public List<string> Log { get; } = [];
 

@@ -46,7 +46,7 @@ public sealed class MissionProgressTests : IDisposable
         GeodeticPosition[] wider = Wider();
         using (MissionRig rig = FlyToTheSecondLane())
         {
-            IMissionOperator op = rig.Manager;
+            MissionControlManager op = rig.Manager;
             op.Reject(rig.Vehicle.Tracks[0].Id, "test", "a bin");
             op.SkipLane("test", "a crane");
             op.ChangeSpeed(6.5, "test", "gusts");
