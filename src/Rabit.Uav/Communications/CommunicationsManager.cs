@@ -90,18 +90,20 @@ public sealed partial class CommunicationsManager : RabitManager
         SendPosition();
         SendTargets();
         SendVehicleMessages();
+        SendWaiting();
 
         if (Now >= _nextStatus)
             PostStatus();
         if (_options.StopsWhenAllLinksEnd)
             StopAtTheEnd();
-        WakeUpDelay = _position.Period < IdleDelay ? _position.Period : IdleDelay;
+        WakeUpDelay = Earliest(_position.Period < IdleDelay ? _position.Period : IdleDelay);
     }
 
     /// <inheritdoc/>
     protected override void Shutdown()
     {
         SendOwnFrames();
+        SendWaitingAtTheEnd();
         PostStatus();
         LogDrops(isEnd: true);
         ReportAddresses(isEnd: true);
@@ -111,7 +113,7 @@ public sealed partial class CommunicationsManager : RabitManager
     private void AddLink(IByteLink link)
     {
         int number = _ports.Count;
-        var tally = new FrameStatistics(_options.Dialect, isWire: link is SerialLink);
+        var tally = new FrameStatistics(_options.Dialect, isWire: link.Url.StartsWith("serial:", StringComparison.OrdinalIgnoreCase));
         var source = new MavlinkLinkSource(link, number, _options.Dialect, tally);
         var target = new MavlinkLinkTarget(link);
         _ports.Add(new LinkPort(
@@ -126,7 +128,8 @@ public sealed partial class CommunicationsManager : RabitManager
             target,
             link,
             file: null,
-            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond)));
+            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond),
+            MakeScheduler(number)));
         _router.SetLink(number, MavlinkLinkRules.Live);
     }
 
@@ -149,7 +152,8 @@ public sealed partial class CommunicationsManager : RabitManager
             target: null,
             link: null,
             file,
-            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond)));
+            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond),
+            scheduler: null));
 
         // What was recorded is never sent to a live link.
         _router.SetLink(number, MavlinkLinkRules.ReceiveOnly);
@@ -170,6 +174,7 @@ public sealed partial class CommunicationsManager : RabitManager
             if (!IsAccepted(port, frame.Frame))
                 continue;
             port.NoteHeartbeat(frame);
+            port.NoteRadio(frame);
             if (IsToBeRouted(port, frame.Frame))
                 Route(frame, port.IsRecorded);
             else
@@ -230,7 +235,8 @@ public sealed partial class CommunicationsManager : RabitManager
                 continue;
             }
 
-            SendOwn(_router.RouteOwn(outgoing.Frame, message), outgoing.Frame, message.CrcExtra);
+            SendOwn(
+                _router.RouteOwn(outgoing.Frame, message), outgoing.Frame, message.CrcExtra, outgoing.ValidUntil);
         }
     }
 
@@ -241,28 +247,19 @@ public sealed partial class CommunicationsManager : RabitManager
         foreach (LinkPort port in _ports)
         {
             if ((links & (1UL << port.Number)) != 0)
-                port.Send(frame);
+                Forward(port, frame);
         }
     }
 
-    private void SendOwn(ulong links, in MavlinkFrame frame, byte crcExtra)
+    private void SendOwn(ulong links, in MavlinkFrame frame, byte crcExtra, TimeSpan validUntil = default)
     {
         foreach (LinkPort port in _ports)
         {
             if ((links & (1UL << port.Number)) != 0)
-                Send(port, frame, crcExtra);
+                SendOwn(port, frame, crcExtra, validUntil);
         }
 
         _own.Count(frame, isChecked: true);
-    }
-
-    // What is sent over one link is numbered on its own: what went to the others would look like a loss there. What
-    // comes back is known by what was sent.
-    private void Send(LinkPort port, in MavlinkFrame frame, byte crcExtra)
-    {
-        MavlinkFrame numbered = frame.WithSequence(port.NextSequence(frame), crcExtra);
-        _copies.Remember(numbered, Now);
-        port.Send(_signing is null ? numbered : _signing.Sign(numbered, crcExtra, port.Number));
     }
 
     private void PostStatus()

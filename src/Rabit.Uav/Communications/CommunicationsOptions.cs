@@ -89,6 +89,10 @@ public sealed class CommunicationsOptions
     /// <value>The default is false.</value>
     public bool ForwardsRadioStatus { get; set; }
 
+    /// <summary>How much may be sent over live links, by their number; the others have no budget.</summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyDictionary<int, SendBudget> SendBudgets { get; set; } = new Dictionary<int, SendBudget>();
+
     /// <summary>Which live links are signed, and how; null for none.</summary>
     /// <value>The default is null.</value>
     public SigningOptions? Signing { get; set; }
@@ -160,5 +164,24 @@ public sealed class CommunicationsOptions
             yield return $"there are {Count} links; at most {MavlinkRouter.MaxLinks} are possible";
         foreach (string fault in Signing?.FindFaults(Links.Count) ?? [])
             yield return fault;
+        foreach (string fault in FindFaultsOfBudgets())
+            yield return fault;
+    }
+
+    private IEnumerable<string> FindFaultsOfBudgets()
+    {
+        if (SendBudgets is null || SendBudgets.Values.Contains(null!))
+        {
+            yield return $"{nameof(SendBudgets)}, or one of them, is null; it may be empty, but not null";
+            yield break;
+        }
+
+        foreach (KeyValuePair<int, SendBudget> budget in SendBudgets)
+        {
+            if (budget.Key < 0 || budget.Key >= Links.Count)
+                yield return $"{nameof(SendBudgets)} names link {budget.Key}; there are {Links.Count} live links";
+            foreach (string fault in budget.Value.FindFaults())
+                yield return $"{nameof(SendBudgets)} of link {budget.Key}: {fault}";
+        }
     }
 }

@@ -23,7 +23,8 @@ internal sealed class LinkPort(
     MavlinkLinkTarget? target,
     IByteLink? link,
     RecordedFile? file,
-    TunnelRateLimiter rateLimiter)
+    TunnelRateLimiter rateLimiter,
+    LinkScheduler? scheduler)
 {
     private long _framesOut;
     private long _rejectedOut;
@@ -40,6 +41,9 @@ internal sealed class LinkPort(
     public int Number { get; } = number;
 
     public BlockingReader<LinkFrame> Reader { get; } = reader;
+
+    /// <summary>What goes out in which order; null where the link has no budget.</summary>
+    public LinkScheduler? Scheduler { get; } = scheduler;
 
     /// <summary>A recorded log must lose nothing: it waits when there is no room.</summary>
     public bool IsRecorded => file is not null;
@@ -81,6 +85,13 @@ internal sealed class LinkPort(
         if (heartbeat.Type == MavType.Gcs)
             _groundStationTime = frame.Time;
         _leadsToAutopilot |= heartbeat.Autopilot != MavAutopilot.Invalid && heartbeat.Type != MavType.Gcs;
+    }
+
+    /// <summary>Takes what the radio of the link reports of its buffer.</summary>
+    public void NoteRadio(in LinkFrame frame)
+    {
+        if (Scheduler is not null && frame.IsChecked && frame.Frame.TryDecode(out RadioStatus radio))
+            Scheduler.NoteRadioBuffer(radio.Txbuf);
     }
 
     /// <summary>Whether a ground station, and no autopilot, is at the other end.</summary>
@@ -136,7 +147,8 @@ internal sealed class LinkPort(
             FramesMissing = tally.Missing,
             BytesLost = bytesLost(),
             FramesDroppedIn = droppedIn + incoming.Dropped + incoming.Rejected + DiscardedIn,
-            FramesDroppedOut = _rejectedOut + lostOut,
+            FramesDroppedOut = _rejectedOut + lostOut + (Scheduler?.Dropped ?? 0),
+            Budget = Scheduler?.Status(now) ?? default,
             FramesDuplicate = _duplicates,
             AddressConflicts = AddressConflicts,
             Signatures = _signatures,

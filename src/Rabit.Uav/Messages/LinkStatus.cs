@@ -70,6 +70,9 @@ public struct LinkStatus
     /// <summary>How many times it was opened; above 1 where it was away and came back. 0 for a recorded log.</summary>
     public long Openings { get; set; }
 
+    /// <summary>How it sends where it has a budget; all zero where not.</summary>
+    public LinkBudgetStatus Budget { get; set; }
+
     /// <summary>How much of a recorded log has been read, 0 to 1; NaN for a live link.</summary>
     public double Progress { get; set; }
 }

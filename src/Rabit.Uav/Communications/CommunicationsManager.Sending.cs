@@ -1,0 +1,78 @@
+using System;
+using Rabit.Mavlink;
+
+namespace Rabit.Uav.Communications;
+
+// Frames on their way to a link: at once, or where it has a budget in their turn.
+public sealed partial class CommunicationsManager
+{
+    private LinkScheduler? MakeScheduler(int link)
+    {
+        if (!_options.SendBudgets.TryGetValue(link, out SendBudget? budget))
+            return null;
+        bool isSigned = _signing?.IsSigned(link) == true;
+        return new LinkScheduler(budget.Copy(), isSigned ? MavlinkFrame.SignatureLength : 0);
+    }
+
+    private void Forward(LinkPort port, in MavlinkFrame frame)
+    {
+        if (port.Scheduler is { } scheduler)
+            scheduler.Put(
+                new FrameToSend { Frame = frame }, SendClasses.Of(frame, keepsOrder: frame.IsSigned), Now);
+        else
+            port.Send(frame);
+    }
+
+    private void SendOwn(LinkPort port, in MavlinkFrame frame, byte crcExtra, TimeSpan validUntil)
+    {
+        var own = new FrameToSend { Frame = frame, IsOwn = true, CrcExtra = crcExtra, ValidUntil = validUntil };
+        if (port.Scheduler is { } scheduler)
+            scheduler.Put(own, SendClasses.Of(frame), Now);
+        else
+            SendNow(port, own);
+    }
+
+    private void SendWaiting()
+    {
+        foreach (LinkPort port in _ports)
+        {
+            while (port.Scheduler is { } scheduler && scheduler.TryTake(Now, out FrameToSend frame))
+                SendNow(port, frame);
+        }
+    }
+
+    private void SendWaitingAtTheEnd()
+    {
+        foreach (LinkPort port in _ports)
+        {
+            while (port.Scheduler is { } scheduler && scheduler.TryTakeAtTheEnd(Now, out FrameToSend frame))
+                SendNow(port, frame);
+        }
+    }
+
+    // What is sent over one link is numbered on its own: what went to the others would look like a loss there. Numbers
+    // and signatures rise in the order in which frames go out. What comes back is known by what was sent.
+    private void SendNow(LinkPort port, in FrameToSend frame)
+    {
+        if (!frame.IsOwn)
+        {
+            port.Send(frame.Frame);
+            return;
+        }
+
+        MavlinkFrame numbered = frame.Frame.WithSequence(port.NextSequence(frame.Frame), frame.CrcExtra);
+        _copies.Remember(numbered, Now);
+        port.Send(_signing is null ? numbered : _signing.Sign(numbered, frame.CrcExtra, port.Number));
+    }
+
+    private TimeSpan Earliest(TimeSpan delay)
+    {
+        foreach (LinkPort port in _ports)
+        {
+            if (port.Scheduler?.TimeToNext(Now) is { } next && next < delay)
+                delay = next;
+        }
+
+        return delay;
+    }
+}
