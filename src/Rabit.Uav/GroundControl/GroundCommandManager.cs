@@ -57,7 +57,7 @@ public sealed class GroundCommandManager : RabitManager
 
     /// <param name="mission">Takes the commands.</param>
     /// <param name="options">Read now.</param>
-    /// <param name="picture">The image chips, as <see cref="TargetFiles"/> takes them; null where there are none.</param>
+    /// <param name="picture">The image chips, as <see cref="TargetFiles"/> takes them; null without any.</param>
     internal GroundCommandManager(
         IMissionOperator mission, GroundCommandOptions options, Func<long, int, byte[]?>? picture)
         : base(ManagerName)

@@ -27,7 +27,8 @@ internal sealed class TargetFiles
 
     /// <param name="sender">Gives the frames their source.</param>
     /// <param name="picture">
-    /// The file of an image chip, by the number of its picture and the index of its report; null where it is kept no more.
+    /// The file of an image chip, by the number of its picture and the index of its report; null where it is kept no
+    /// more.
     /// </param>
     public TargetFiles(MavlinkSender sender, Func<long, int, byte[]?> picture)
     {
