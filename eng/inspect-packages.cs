@@ -112,6 +112,8 @@ void Inspect(string id, string file)
         Check(unwanted.Length == 0, $"freedom from {string.Join(", ", unwanted)} for {framework}");
     }
 
+    if (id == "Rabit.Core")
+        Check(package.GetEntry("analyzers/dotnet/cs/Rabit.Core.Analyzers.dll") is not null, "analyzers");
     if (id == "Rabit.Mavlink")
     {
         Check(package.GetEntry("analyzers/dotnet/cs/Rabit.Mavlink.Generator.Roslyn.dll") is not null, "generator");

@@ -74,6 +74,11 @@ if grep 'error CS\|error MSB\|error NU' "$work/faults.log"; then
     exit 1
 fi
 
+echo "--- misuse of managers is found by the compiler"
+dotnet build eng/pack-check/analyzers -v quiet > "$work/analyzers.log" 2>&1 && { echo "An async manager compiles." >&2; exit 1; }
+sed -nE 's#^.*/eng/pack-check/analyzers/([^/]*: (error|warning) RABIT[0-9]*).*$#\1#p' "$work/analyzers.log" | LC_ALL=C sort -u -V > "$work/analyzers.txt"
+diff -u eng/pack-check/analyzers/expected.txt "$work/analyzers.txt"
+
 echo "--- compile the programs of their readmes"
 mkdir -p "$work/readme"
 for id in "${ids[@]}"; do
