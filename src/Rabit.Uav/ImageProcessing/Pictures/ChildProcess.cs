@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using System.ComponentModel;
+using System.Diagnostics;
+using System.IO;
+using System.Text;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>
+/// A program whose standard output is read, and that ends with this one: it is killed when this is disposed or the
+/// process exits; if that is killed itself, its pipe breaks, which ends a program that writes.
+/// </summary>
+internal sealed class ChildProcess : IDisposable
+{
+    private readonly Process _process;
+    private readonly EventHandler _onExit;
+
+    /// <exception cref="IOException">It cannot be started.</exception>
+    public ChildProcess(string program, IReadOnlyList<string> arguments, Action<string> onErrorLine)
+    {
+        _process = new Process
+        {
+            StartInfo = new ProcessStartInfo(program, Quote(arguments))
+            {
+                UseShellExecute = false,
+                RedirectStandardInput = true,
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
+                CreateNoWindow = true,
+            },
+        };
+        _process.ErrorDataReceived += (_, line) =>
+        {
+            if (!string.IsNullOrWhiteSpace(line.Data))
+                onErrorLine(line.Data!);
+        };
+        _onExit = (_, _) => Kill();
+        try
+        {
+            _process.Start();
+        }
+        catch (Exception e) when (e is Win32Exception or IOException or InvalidOperationException)
+        {
+            _process.Dispose();
+            throw new IOException($"{program} cannot be started: {e.Message}", e);
+        }
+
+        AppDomain.CurrentDomain.ProcessExit += _onExit;
+        _process.StandardInput.Dispose();   // else it may take keys that are meant for this program
+        _process.BeginErrorReadLine();
+        Output = _process.StandardOutput.BaseStream;
+    }
+
+    public Stream Output { get; }
+
+    /// <summary>How it ended, for people.</summary>
+    public string DescribeEnd()
+        => _process.WaitForExit(1_000) ? $"it ended with exit code {_process.ExitCode}" : "it closed its output";
+
+    /// <summary>Ends it; from any thread, also when it has ended.</summary>
+    public void Kill()
+    {
+        try
+        {
+#if NET
+            _process.Kill(entireProcessTree: true);
+#else
+            _process.Kill();
+#endif
+        }
+        catch (Exception e) when (e is InvalidOperationException or Win32Exception or NotSupportedException)
+        {
+            // It has ended.
+        }
+    }
+
+    public void Dispose()
+    {
+        AppDomain.CurrentDomain.ProcessExit -= _onExit;
+        Kill();
+        _process.Dispose();
+    }
+
+    // As the runtime takes them apart again on every system: a quote is \", and so many \ before it twice.
+    internal static string Quote(IReadOnlyList<string> arguments)
+    {
+        var line = new StringBuilder();
+        foreach (string argument in arguments)
+        {
+            line.Append(line.Length == 0 ? "\"" : " \"");
+            int slashes = 0;
+            foreach (char character in argument)
+            {
+                if (character == '"')
+                    line.Append('\\', slashes + 1);
+                slashes = character == '\\' ? slashes + 1 : 0;
+                line.Append(character);
+            }
+
+            line.Append('\\', slashes).Append('"');
+        }
+
+        return line.ToString();
+    }
+}

@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+using Rabit.Vision;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>How a <see cref="ProcessCamera"/> gets its pictures.</summary>
+public sealed class ProcessCameraOptions
+{
+    /// <summary>The program, by its path or by a name that is found in PATH.</summary>
+    public string Program { get; set; } = string.Empty;
+
+    /// <summary>Its arguments, one each; no shell reads them.</summary>
+    public IReadOnlyList<string> Arguments { get; set; } = [];
+
+    /// <summary>What it writes to its standard output.</summary>
+    public ProcessCameraFormat Format { get; set; }
+
+    /// <summary>Columns of its pictures.</summary>
+    public int Width { get; set; }
+
+    /// <summary>Rows of its pictures.</summary>
+    public int Height { get; set; }
+
+    /// <summary>How long an exposure takes.</summary>
+    /// <value>The default is 5 ms.</value>
+    public TimeSpan Exposure { get; set; } = TimeSpan.FromMilliseconds(5);
+
+    /// <summary>
+    /// How long after the end of its exposure a picture arrives: readout, compression and the pipe. What it is wrong by
+    /// belongs into <c>ErrorBudget.TimeNoise</c>, with at least 20 ms.
+    /// </summary>
+    /// <value>The default is 50 ms.</value>
+    public TimeSpan Latency { get; set; } = TimeSpan.FromMilliseconds(50);
+
+    /// <summary>The program is ended and started again when it has written nothing for so long.</summary>
+    /// <value>The default is 5 s.</value>
+    public TimeSpan StallTimeout { get; set; } = TimeSpan.FromSeconds(5);
+
+    /// <summary>The delay before it is started again; it doubles with each start that gives no picture.</summary>
+    /// <value>The default is 0.5 s.</value>
+    public TimeSpan FirstRestartDelay { get; set; } = TimeSpan.FromSeconds(0.5);
+
+    /// <summary>Where the doubling ends.</summary>
+    /// <value>The default is 10 s.</value>
+    public TimeSpan MaxRestartDelay { get; set; } = TimeSpan.FromSeconds(10);
+
+    /// <summary>How many pictures may be on their way at once; while all are, pictures are lost.</summary>
+    /// <value>The default is 6.</value>
+    public int Buffers { get; set; } = 6;
+
+    /// <summary>
+    /// Takes lines for people: what the program writes to its standard error, and why it was started again. Called from
+    /// several threads.
+    /// </summary>
+    /// <value>The default is null: only <see cref="ProcessCamera.LastFault"/> is kept.</value>
+    public Action<string>? Log { get; set; }
+
+    internal ProcessCameraOptions ValidatedCopy(string parameter)
+    {
+        var copy = (ProcessCameraOptions)MemberwiseClone();
+        copy.Arguments = [.. Arguments];
+        if (Program.Length == 0)
+            throw new ArgumentException("A camera of a process needs a program.", parameter);
+        if (RgbPicture.FindSizeFault(Width, Height) is { } fault)
+            throw new ArgumentException($"The camera of {Program}: {fault}.", parameter);
+        if (Exposure < TimeSpan.Zero || Latency < TimeSpan.Zero)
+            throw new ArgumentException(
+                $"The camera of {Program}: exposure and latency must not be negative.", parameter);
+        if (StallTimeout <= TimeSpan.Zero || FirstRestartDelay <= TimeSpan.Zero || MaxRestartDelay < FirstRestartDelay)
+            throw new ArgumentException(
+                $"The camera of {Program}: timeout and delays must be above zero, the longest not below the first.",
+                parameter);
+        return copy;
+    }
+}

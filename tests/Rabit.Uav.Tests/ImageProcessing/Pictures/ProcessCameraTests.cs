@@ -1,0 +1,184 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Rabit.Core;
+using Rabit.Tests.Shared;
+using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
+using Rabit.Vision;
+using Rabit.Vision.Tests.Pictures;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing.Pictures;
+
+/// <summary>A shell stands in for the program of a camera, so on systems that have one.</summary>
+public sealed class ProcessCameraTests : IDisposable
+{
+    private static readonly string Jpegs = Path.Combine(Repository.Root, "tests", "data", "jpeg");
+    private static readonly TimeSpan MaxWait = TimeSpan.FromSeconds(30);
+
+    private readonly SamplePictures.TemporaryFolder _folder = new();
+    private readonly ConcurrentQueue<string> _log = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [ShellFact]
+    public void Read_Mjpeg_GivesThePictures()
+    {
+        List<byte[]> pictures = Run(
+            Options(
+                "cat \"$1\"; sleep 0.3; cat \"$1\"; sleep 0.3; cat \"$1\"; sleep 60", Path.Combine(Jpegs, "420.jpg")),
+            3, out ProcessCamera camera);
+
+        Assert.Equal((3, 0, 0), (camera.PicturesDelivered, camera.PicturesRefused, camera.Restarts));
+        Assert.All(pictures, p => Assert.Equal(PictureFile.Load(Path.Combine(Jpegs, "420.jpg")).Pixels, p));
+    }
+
+    [ShellFact]
+    public void Read_RawPictures_GivesThem()
+    {
+        byte[] raw = [.. Enumerable.Repeat((byte)235, 61 * 43), .. Enumerable.Repeat((byte)128, 2 * 31 * 22)];
+        File.WriteAllBytes(_folder.File("raw"), [.. raw, .. raw.Take(100)]);
+        ProcessCameraOptions options = Options("cat \"$1\"; sleep 60", _folder.File("raw"));
+        options.Format = ProcessCameraFormat.Yuv420;
+
+        Assert.All(Assert.Single(Run(options, 1, out _)), b => Assert.Equal(255, b));
+    }
+
+    [ShellFact]
+    public void Read_ProgramThatEnds_IsStartedAgainAndItsErrorsAreLogged()
+    {
+        ProcessCameraOptions options = Options(
+            "cat \"$1\"; echo no more film >&2; exit 3", Path.Combine(Jpegs, "420.jpg"));
+
+        Run(options, 3, out ProcessCamera camera);
+
+        Assert.True(camera.Restarts >= 2, $"{camera.Restarts} restarts");
+        Assert.Contains("sh: no more film", _log);
+        Assert.Contains("sh: it ended with exit code 3; it is started again in 0.05 s", _log);
+        Assert.Contains("exit code 3", camera.LastFault, StringComparison.Ordinal);
+    }
+
+    [ShellFact]
+    public void Read_ProgramThatStalls_IsStartedAgain()
+    {
+        ProcessCameraOptions options = Options("cat \"$1\"; exec sleep 60", Path.Combine(Jpegs, "420.jpg"));
+        options.StallTimeout = TimeSpan.FromSeconds(0.4);
+
+        Run(options, 2, out ProcessCamera camera);
+
+        Assert.Contains(_log, line => line.Contains("it wrote nothing for 0.4 s"));
+        Assert.True(camera.Restarts >= 1);
+    }
+
+    [ShellFact]
+    public void Read_PicturesThatCannotBeUsed_AreCountedAndTheRestGoesOn()
+    {
+        ProcessCameraOptions options = Options(
+            "cat \"$1\"; sleep 0.3; cat \"$2\"; sleep 0.3; cat \"$3\"; sleep 60",
+            Path.Combine(Jpegs, "progressive.jpg"), Path.Combine(Jpegs, "420-best.jpg"),
+            Path.Combine(Jpegs, "420.jpg"));
+
+        Run(options, 1, out ProcessCamera camera);
+
+        Assert.Equal((1, 2), (camera.PicturesDelivered, camera.PicturesRefused));
+        Assert.Contains("a picture is 96 x 64; 61 x 43 are wanted", camera.LastFault, StringComparison.Ordinal);
+    }
+
+    [ShellFact]
+    public void Stop_ProgramThatWouldGoOn_EndsIt()
+    {
+        string alive = _folder.File("alive");
+        ProcessCameraOptions options = Options(
+            "cat \"$1\"; while :; do echo x >> \"$2\"; sleep 0.05; done", Path.Combine(Jpegs, "420.jpg"), alive);
+
+        Run(options, 1, out _);
+
+        Thread.Sleep(300);
+        long bytes = File.Exists(alive) ? new FileInfo(alive).Length : 0;
+        Thread.Sleep(500);
+        Assert.Equal(bytes, File.Exists(alive) ? new FileInfo(alive).Length : 0);
+    }
+
+    [ShellFact]
+    public void Arguments_WithBlanksAndQuotes_ArriveAsTheyAre()
+    {
+        string[] arguments = ["a b", "\"c\"", "d\\", "e\\\"f", "", "$HOME *"];
+        string[] all = ["-c", "cat \"$0\"; shift 0; printf '<%s>' \"$@\" >&2; echo >&2; sleep 60",
+            Path.Combine(Jpegs, "420.jpg"), .. arguments];
+        ProcessCameraOptions options = Options(string.Empty);
+        options.Arguments = all;
+
+        Run(options, 1, out _, until: () => !_log.IsEmpty);
+
+        Assert.Contains("sh: " + string.Concat(arguments.Select(a => $"<{a}>")), _log);
+    }
+
+    [Fact]
+    public void New_OptionsThatAreNone_AreRefused()
+    {
+        Assert.Throws<ArgumentException>(() => new ProcessCamera(new ProcessCameraOptions { Width = 4, Height = 4 }));
+        Assert.Throws<ArgumentException>(() => new ProcessCamera(new ProcessCameraOptions { Program = "sh" }));
+        Assert.Throws<ArgumentException>(() => new ProcessCamera(
+            new ProcessCameraOptions { Program = "sh", Width = 4, Height = 4, StallTimeout = TimeSpan.Zero }));
+    }
+
+    private ProcessCameraOptions Options(string script, params string[] arguments) => new()
+    {
+        Program = "sh",
+        Arguments = ["-c", script, "camera", .. arguments],
+        Width = 61,
+        Height = 43,
+        FirstRestartDelay = TimeSpan.FromSeconds(0.05),
+        Log = _log.Enqueue,
+    };
+
+    // Until so many pictures have come.
+    private static List<byte[]> Run(
+        ProcessCameraOptions options, int count, out ProcessCamera camera, Func<bool>? until = null)
+    {
+        var pictures = new List<byte[]>();
+        using var enough = new ManualResetEventSlim();
+        camera = new ProcessCamera(options);
+        using var reactor = new RabitReactor(new ReactorOptions { StopsOnSignals = false })
+        {
+            new Taker(camera, pixels =>
+            {
+                pictures.Add(pixels);
+                if (pictures.Count == count)
+                    enough.Set();
+            }),
+        };
+        reactor.Start();
+        Assert.True(enough.Wait(MaxWait), $"{pictures.Count} pictures; {camera.LastFault}");
+        Assert.True(SpinWait.SpinUntil(() => until?.Invoke() ?? true, MaxWait));
+        reactor.Stop();
+        reactor.Finish();
+        return pictures;
+    }
+
+    private sealed class Taker : RabitManager
+    {
+        private readonly Action<byte[]> _take;
+        private readonly BlockingReader<CameraFrame> _reader;
+
+        public Taker(ProcessCamera camera, Action<byte[]> take)
+            : base("taker")
+        {
+            _take = take;
+            _reader = AttachReader("camera", camera, capacity: 10);
+        }
+
+        protected override void ExecuteUnitOfWork()
+        {
+            while (_reader.TryPop(out CameraFrame frame))
+            {
+                using (frame)
+                    _take(frame.Pixels.Span.Slice(0, frame.Width * frame.Height * 3).ToArray());
+            }
+        }
+    }
+}
