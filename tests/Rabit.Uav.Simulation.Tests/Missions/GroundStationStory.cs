@@ -53,7 +53,7 @@ internal sealed class GroundStationStory(
         Assert.Equal(MavResult.Accepted, Command(MavCmd.DoPauseContinue, 1));
         WaitForLog("at the first lane", times: 2);
 
-        Assert.Equal(MavMissionResult.Invalid, Upload(Area.Reverse().Skip(1).Append(Area[1]).ToArray(), null));
+        Assert.Equal(MavMissionResult.Invalid, Upload([Area[0], Area[2], Area[1], Area[3]], null));
         WaitForText("area refused");
         Assert.Equal(MavMissionResult.Accepted, Upload(Area, KeepOut));
         WaitForText("area offered");
