@@ -30,7 +30,8 @@ internal sealed class FlightPlan
     private readonly SearchRegion _airspace;
     private readonly SearchRegion _lastResort;
 
-    private FlightPlan(MissionPlan mission, LocalNedFrame frame, IReadOnlyList<LaneSegment>? lanes, bool isFixedWing)
+    private FlightPlan(
+        MissionPlan mission, LocalNedFrame frame, IReadOnlyList<LaneSegment>? lanes, bool isFixedWing, bool isQuick)
     {
         Frame = frame;
         Area = ToPlane(mission.Area, frame);
@@ -47,7 +48,7 @@ internal sealed class FlightPlan
                 Area, mission.LaneSpacingMetres, mission.LaneHeading?.Radians, from: default)
             : SearchPlanner.Plan(
                 Area, KeepOuts, ClearanceMetres, mission.LaneSpacingMetres, mission.LaneHeading?.Radians,
-                from: default)?.Legs;
+                from: default, isQuick)?.Legs;
         Lanes = lanes ?? [];
         HeadingRadians = mission.LaneHeading?.Radians
             ?? Lanes.OrderByDescending(l => l.Length).Select(l => l.HeadingRadians).FirstOrDefault();
@@ -82,15 +83,16 @@ internal sealed class FlightPlan
     /// <param name="fault">Why the mission cannot be flown from there; empty where it can.</param>
     /// <param name="lanes">Lanes that were planned before; null to plan them.</param>
     /// <param name="isFixedWing">Whether the lanes are those of a fixed wing: parallel, and all of a length.</param>
+    /// <param name="isQuick">Whether the vehicle flies, and waits for the plan.</param>
     public static FlightPlan? Create(
         MissionPlan mission, GeodeticPosition home, out string fault, IReadOnlyList<LaneSegment>? lanes = null,
-        bool isFixedWing = false)
+        bool isFixedWing = false, bool isQuick = false)
     {
         var frame = LocalNedFrame.IgnoringGeoid(home);
         fault = FindFault(mission, frame) ?? string.Empty;
         if (fault.Length > 0)
             return null;
-        var plan = new FlightPlan(mission, frame, lanes, isFixedWing);
+        var plan = new FlightPlan(mission, frame, lanes, isFixedWing, isQuick);
         fault = plan.FindKeepOutFault(isFixedWing) ?? string.Empty;
         if (fault.Length > 0)
             return null;

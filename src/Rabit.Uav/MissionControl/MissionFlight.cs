@@ -272,7 +272,8 @@ internal sealed class MissionFlight(
             return "there is no plan yet";
         if (MissionPlanRules.FindFaults(mission).FirstOrDefault() is { } wrong)
             return wrong;
-        FlightPlan? plan = FlightPlan.Create(mission, Plan.Frame.Origin, out string fault, isFixedWing: IsFixedWing);
+        FlightPlan? plan = FlightPlan.Create(
+            mission, Plan.Frame.Origin, out string fault, isFixedWing: IsFixedWing, isQuick: IsFlying);
         return plan is null ? fault : Replan(mission, plan, new SearchRoute(plan, mission.LaneSpacingMetres));
     }
 

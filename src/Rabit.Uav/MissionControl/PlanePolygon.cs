@@ -152,14 +152,22 @@ internal sealed class PlanePolygon
         return t >= 0 && t <= 1 && u >= 0 && u <= 1 ? t : null;
     }
 
-    /// <summary>Where a segment crosses the border, 0 to 1 along it, in order, with its ends.</summary>
+    /// <summary>
+    /// Where a segment crosses or touches the border, 0 to 1 along it, in order, with its ends. Corners that it touches
+    /// are among them also where rounding says that no edge is crossed.
+    /// </summary>
     public List<double> CrossingsOf(PlanePoint a, PlanePoint b)
     {
+        const double Touching = 1e-3;
+        double length = a.DistanceTo(b);
         var crossings = new List<double> { 0, 1 };
         for (int i = 0; i < Corners.Count; i++)
         {
             if (Crossing(a, b, Corners[i], After(i)) is { } t)
                 crossings.Add(t);
+            PlanePoint nearest = NearestOfSegment(Corners[i], a, b);
+            if (nearest.DistanceTo(Corners[i]) < Touching && length > 0)
+                crossings.Add(a.DistanceTo(nearest) / length);
         }
 
         crossings.Sort();

@@ -102,8 +102,12 @@ public class KeepOutTests(ITestOutputHelper output)
         int before = rig.Vehicle.Path.Count;
         Assert.Equal(MissionPhase.Done, rig.RunToEnd());
         var polygon = new PlanePolygon(shed);
-        Assert.InRange(
-            rig.Vehicle.Path.Skip(before).Min(p => -polygon.SignedDistance(new PlanePoint(p.North, p.East))), 0, 200);
+        Assert.All(
+            flight.Plan!.Lanes, l => Assert.InRange(polygon.DistanceTo(l.Start, l.End), 9.9, 200));
+        double nearest = rig.Vehicle.Path.Skip(before)
+            .Min(p => -polygon.SignedDistance(new PlanePoint(p.North, p.East)));
+        output.WriteLine($"{nearest:0.0} m from it");
+        Assert.InRange(nearest, 7, 200);
         Assert.InRange(rig.Status.Coverage, 0.985, 1);
     }
 

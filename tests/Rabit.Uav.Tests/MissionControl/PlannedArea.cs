@@ -17,11 +17,13 @@ internal sealed class PlannedArea
     private readonly IReadOnlyList<PlanePolygon> _holes;
     private readonly Lazy<SearchWay?> _way;
 
-    public PlannedArea(int id, string kind, PlanePolygon outer, IReadOnlyList<PlanePolygon> holes, double sweep)
+    public PlannedArea(
+        int id, string kind, PlanePolygon outer, IReadOnlyList<PlanePolygon> holes, double sweep,
+        bool isQuick = false)
     {
         (Id, Kind, Outer, _holes, Sweep) = (id, kind, outer, holes, sweep);
         _way = new Lazy<SearchWay?>(
-            () => SearchPlanner.Plan(outer, holes, ClearanceMetres, sweep, heading: null, from: null));
+            () => SearchPlanner.Plan(outer, holes, ClearanceMetres, sweep, heading: null, from: null, isQuick));
     }
 
     public int Id { get; }
@@ -41,7 +43,7 @@ internal sealed class PlannedArea
         (Outer.Area - _holes.Sum(h => h.Area)) / Sweep,
         Kind == "sliver" ? Outer.Corners.Max(a => Outer.Corners.Max(b => a.DistanceTo(b))) - Sweep : 0);
 
-    public static IEnumerable<PlannedArea> All()
+    public static IEnumerable<PlannedArea> All(bool isQuick = false)
     {
         using JsonDocument data = TestData.Autonomy("search-areas.json");
         foreach (JsonElement e in data.RootElement.EnumerateArray())
@@ -49,7 +51,7 @@ internal sealed class PlannedArea
             yield return new PlannedArea(
                 e.GetProperty("id").GetInt32(), e.GetProperty("kind").GetString()!, Ring(e.GetProperty("outer_ne")),
                 e.GetProperty("holes_ne").EnumerateArray().Select(Ring).ToArray(),
-                e.GetProperty("sweep_width_m").GetDouble());
+                e.GetProperty("sweep_width_m").GetDouble(), isQuick);
         }
     }
 

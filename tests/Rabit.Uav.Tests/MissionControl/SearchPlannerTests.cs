@@ -16,6 +16,13 @@ namespace Rabit.Uav.Tests.MissionControl;
 public class SearchPlannerTests(ITestOutputHelper output)
 {
     private const double ClearanceMetres = 10;
+    private const double MaxRandomRatio = 1.45;
+
+    // A comb whose teeth, half a sweep wide, are all entered and left: no way inside is as short as 1.35 of the bound.
+    private const int Comb = 11;
+
+    // A wedge up to 1.75 sweeps wide: two lanes where it is wider than one.
+    private const int Wedge = 27;
 
     [Theory]
     [InlineData("convex", 5)]
@@ -36,13 +43,22 @@ public class SearchPlannerTests(ITestOutputHelper output)
         List<PlannedArea> all = PlannedArea.All().ToList();
         Assert.Equal(40, all.Count);
         all.ForEach(Check);
-        foreach (IGrouping<string, PlannedArea> kind in all.GroupBy(a => a.Kind))
+        SearchPlanningDocument.Update(all);
+        var maxMeans = new Dictionary<string, double>
+        {
+            ["convex"] = 1.18, ["concave"] = 1.3, ["holes"] = 1.22, ["sliver"] = 1.22, ["dateline"] = 1.22,
+            ["large"] = 1.22,
+        };
+        foreach (IGrouping<string, PlannedArea> kind in all.Where(a => a.Id != Comb).GroupBy(a => a.Kind))
         {
             double mean = kind.Average(a => a.Ratio);
-            double worst = kind.Max(a => a.Ratio);
-            output.WriteLine(FormattableString.Invariant($"{kind.Key}: mean {mean:0.000}, worst {worst:0.000}"));
-            Assert.InRange(mean, 0.9, kind.Key == "concave" ? 1.3 : 1.22);
+            output.WriteLine(FormattableString.Invariant($"{kind.Key}: mean {mean:0.000}"));
+            Assert.InRange(mean, 0.9, maxMeans[kind.Key]);
         }
+
+        Assert.All(
+            all, a => Assert.InRange(
+                a.Ratio, 0.9, a.Id switch { Comb => 2.7, Wedge => 1.48, _ => a.Kind == "sliver" ? 1.3 : 1.35 }));
     }
 
     [Fact, Trait("Category", "Long")]
@@ -56,7 +72,38 @@ public class SearchPlannerTests(ITestOutputHelper output)
             PlanePolygon hole = Star(random, new PlanePoint(10, 10), random.Uniform(15, 50), 3 + random.Below(5));
             bool isInside = hole.Corners.All(c => outer.SignedDistance(c) > 2.5 * ClearanceMetres);
             double sweep = random.Uniform(30, 90);
-            Check(new PlannedArea(i, "random", outer, isInside ? [hole] : [], sweep));
+            var area = new PlannedArea(i, "random", outer, isInside ? [hole] : [], sweep);
+            Check(area);
+            Assert.InRange(area.Ratio, 0.9, MaxRandomRatio);
+        }
+    }
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(18)]
+    public void Plan_InFlight_IsCoveredTooByAWayLittleLonger(int id)
+    {
+        PlannedArea planned = PlannedArea.All(isQuick: true).Single(a => a.Id == id);
+        Check(planned);
+        Assert.InRange(planned.Ratio, 0.9, 1.35);
+    }
+
+    [Fact]
+    public void Plan_KeepOutThatLeavesANarrowPassage_KeepsClearOfIt()
+    {
+        // Between the keep-out and the border there is room for the clearance, and for nothing more.
+        var area = new PlanePolygon([new(60, -60), new(60, 60), new(150, 60), new(150, -60)]);
+        var shed = new PlanePolygon([new(125, -20), new(125, 15), new(140, 15), new(140, -20)]);
+        foreach (bool isQuick in new[] { true, false })
+        {
+            SearchWay? way = SearchPlanner.Plan(area, [shed], ClearanceMetres, 30, null, default, isQuick);
+            Assert.NotNull(way);
+            for (int i = 0; i + 1 < way!.Corners.Count; i++)
+            {
+                Assert.InRange(
+                    shed.DistanceTo(way.Corners[i], way.Corners[i + 1]), ClearanceMetres - 0.01,
+                    double.PositiveInfinity);
+            }
         }
     }
 
@@ -67,11 +114,11 @@ public class SearchPlannerTests(ITestOutputHelper output)
         (int uncovered, double farthest) = area.Uncovered(random);
         double outside = SearchPlanner.OutsideFraction(area.Outer, area.Way!.Corners);
         output.WriteLine(FormattableString.Invariant(
-            $"{area.Id} {area.Kind}: ratio {area.Ratio:0.000}, {area.Way.Corners.Count} corners, outside {outside:0.0%}, uncovered {uncovered} of {PlannedArea.Samples}, the farthest {farthest:0.00} of half a sweep"));
-        Assert.InRange(uncovered, 0, PlannedArea.Samples / 1000);
-        Assert.InRange(farthest, 0, 1.05);
+            $"{area.Id} {area.Kind}: ratio {area.Ratio:0.000}, {area.Way.Corners.Count} corners, outside {outside:0.0%}, uncovered {uncovered} of {PlannedArea.Samples}, the farthest {farthest:0.000} of half a sweep"));
+        Assert.Equal(0, uncovered);
+        Assert.InRange(outside, 0, 0.001);
         Assert.InRange(area.HoleDistance(), ClearanceMetres - 0.1, double.PositiveInfinity);
-        Assert.InRange(area.MinDepth(), -0.26 * area.Sweep, double.PositiveInfinity);
+        Assert.InRange(area.MinDepth(), -0.01, double.PositiveInfinity);
     }
 
     private static PlanePolygon Star(SeededNumbers random, PlanePoint centre, double size, int corners)

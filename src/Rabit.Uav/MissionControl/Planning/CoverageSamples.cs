@@ -15,20 +15,27 @@ internal sealed class CoverageSamples
     private const int MaxSamples = 100_000;
     private const double GoldenRatio = 0.6180339887;
 
+    // Side of the cells by which samples are found, in parts of the radius.
+    private const double CellSide = 0.5;
+
     private static readonly double[] Depths = [0, 0.04, 0.09, 0.15, 0.22, 0.31, 0.42, 0.55];
 
     private readonly double _radius;
+    private readonly double _radius2;
     private readonly double _fineness;
     private readonly PlanePoint _along;
     private readonly PlanePoint _right;
-    private readonly List<(double U, double V)> _samples = [];
-    private readonly List<int>?[] _buckets;
-    private int[] _counts;
-    private bool[] _isIgnored;
     private readonly double _minU;
     private readonly double _minV;
+    private readonly double _side;
     private readonly int _rows;
     private readonly int _columns;
+
+    // Cell by cell: those of cell i begin at _starts[i].
+    private (double U, double V)[] _samples;
+    private int[] _starts = [];
+    private int[] _counts;
+    private bool[] _isIgnored;
 
     /// <param name="region">The ground.</param>
     /// <param name="radius">Metres.</param>
@@ -38,28 +45,30 @@ internal sealed class CoverageSamples
     {
         _fineness = fineness;
         _radius = radius;
+        _radius2 = radius * radius;
         _along = PlanePoint.Towards(heading);
         _right = new PlanePoint(-_along.East, _along.North);
-        AddGrid(region);
-        AddBorder(region.Outer, region);
+        var samples = new List<(double U, double V)>();
+        AddGrid(region, samples);
+        AddBorder(region.Outer, region, samples);
         foreach (PlanePolygon keepOut in region.KeepOuts)
-            AddBorder(keepOut, region);
+            AddBorder(keepOut, region, samples);
         (_minU, _minV) = (double.PositiveInfinity, double.PositiveInfinity);
         double maxU = double.NegativeInfinity;
         double maxV = double.NegativeInfinity;
-        foreach ((double u, double v) in _samples)
+        foreach ((double u, double v) in samples)
         {
             (_minU, _minV) = (Math.Min(_minU, u), Math.Min(_minV, v));
             (maxU, maxV) = (Math.Max(maxU, u), Math.Max(maxV, v));
         }
 
-        _rows = Math.Max(1, (int)((maxU - _minU) / _radius) + 1);
-        _columns = Math.Max(1, (int)((maxV - _minV) / _radius) + 1);
-        _buckets = new List<int>?[_rows * _columns];
-        for (int i = 0; i < _samples.Count; i++)
-            (_buckets[BucketOf(_samples[i])] ??= []).Add(i);
-        _counts = new int[_samples.Count];
-        _isIgnored = new bool[_samples.Count];
+        _side = CellSide * radius;
+        _rows = Math.Max(1, (int)((maxU - _minU) / _side) + 1);
+        _columns = Math.Max(1, (int)((maxV - _minV) / _side) + 1);
+        _samples = samples.ToArray();
+        _counts = new int[_samples.Length];
+        _isIgnored = new bool[_samples.Length];
+        Sort();
         Clear();
     }
 
@@ -83,15 +92,14 @@ internal sealed class CoverageSamples
     /// <summary>More samples, which no leg covers.</summary>
     public void Add(List<PlanePoint> points)
     {
-        foreach (PlanePoint p in points)
-        {
-            Add(p);
-            (_buckets[BucketOf(_samples[_samples.Count - 1])] ??= []).Add(_samples.Count - 1);
-        }
-
-        Array.Resize(ref _counts, _samples.Count);
-        Array.Resize(ref _isIgnored, _samples.Count);
+        int count = _samples.Length;
+        Array.Resize(ref _samples, count + points.Count);
+        Array.Resize(ref _counts, _samples.Length);
+        Array.Resize(ref _isIgnored, _samples.Length);
+        for (int i = 0; i < points.Count; i++)
+            _samples[count + i] = (points[i].Dot(_along), points[i].Dot(_right));
         Uncovered += points.Count;
+        Sort();
     }
 
     /// <summary>Takes what no leg covers now out of the samples: it cannot be covered.</summary>
@@ -117,24 +125,15 @@ internal sealed class CoverageSamples
     {
         Leg rest = restOf is { } start ? LegOf(start, a) : default;
         Leg leg = LegOf(a, b);
-        double radius2 = _radius * _radius;
-        int fromRow = Row(Math.Min(leg.AU, leg.BU) - _radius, _minU, _rows);
-        int toRow = Row(Math.Max(leg.AU, leg.BU) + _radius, _minU, _rows);
-        int fromColumn = Row(Math.Min(leg.AV, leg.BV) - _radius, _minV, _columns);
-        int toColumn = Row(Math.Max(leg.AV, leg.BV) + _radius, _minV, _columns);
-        for (int row = fromRow; row <= toRow; row++)
+        for (int row = FirstRow(leg); row <= LastRow(leg); row++)
         {
-            for (int column = fromColumn; column <= toColumn; column++)
+            (int from, int to) = InRow(leg, row);
+            Effort += to - from;
+            for (int i = from; i < to; i++)
             {
-                if (_buckets[(row * _columns) + column] is not { } bucket)
-                    continue;
-                Effort += bucket.Count;
-                foreach (int i in bucket)
-                {
-                    (double u, double v) = _samples[i];
-                    if (leg.Distance2(u, v) <= radius2 && (restOf is null || rest.Distance2(u, v) > radius2))
-                        Count(i, by);
-                }
+                (double u, double v) = _samples[i];
+                if (leg.Distance2(u, v) <= _radius2 && (restOf is null || rest.Distance2(u, v) > _radius2))
+                    Count(i, by);
             }
         }
     }
@@ -144,24 +143,16 @@ internal sealed class CoverageSamples
     {
         Leg[] oldLegs = LegsOf(old);
         Leg[] newLegs = LegsOf(by);
-        double radius2 = _radius * _radius;
         foreach (Leg leg in oldLegs)
         {
-            int toRow = Row(Math.Max(leg.AU, leg.BU) + _radius, _minU, _rows);
-            int toColumn = Row(Math.Max(leg.AV, leg.BV) + _radius, _minV, _columns);
-            int fromColumn = Row(Math.Min(leg.AV, leg.BV) - _radius, _minV, _columns);
-            for (int row = Row(Math.Min(leg.AU, leg.BU) - _radius, _minU, _rows); row <= toRow; row++)
+            for (int row = FirstRow(leg); row <= LastRow(leg); row++)
             {
-                for (int column = fromColumn; column <= toColumn; column++)
+                (int from, int to) = InRow(leg, row);
+                Effort += to - from;
+                for (int i = from; i < to; i++)
                 {
-                    if (_buckets[(row * _columns) + column] is not { } bucket)
-                        continue;
-                    Effort += bucket.Count;
-                    foreach (int i in bucket)
-                    {
-                        if (_counts[i] <= oldLegs.Length && IsUncovered(i, oldLegs, newLegs, radius2))
-                            return false;
-                    }
+                    if (_counts[i] <= oldLegs.Length && IsUncovered(i, oldLegs, newLegs))
+                        return false;
                 }
             }
         }
@@ -179,17 +170,17 @@ internal sealed class CoverageSamples
         }
     }
 
-    private bool IsUncovered(int sample, Leg[] oldLegs, Leg[] newLegs, double radius2)
+    private bool IsUncovered(int sample, Leg[] oldLegs, Leg[] newLegs)
     {
         (double u, double v) = _samples[sample];
         int old = 0;
         foreach (Leg leg in oldLegs)
-            old += leg.Distance2(u, v) <= radius2 ? 1 : 0;
+            old += leg.Distance2(u, v) <= _radius2 ? 1 : 0;
         if (old == 0 || _counts[sample] > old)
             return false;
         foreach (Leg leg in newLegs)
         {
-            if (leg.Distance2(u, v) <= radius2)
+            if (leg.Distance2(u, v) <= _radius2)
                 return false;
         }
 
@@ -217,14 +208,63 @@ internal sealed class CoverageSamples
             Uncovered++;
     }
 
-    private static int Row(double at, double min, double size, int count)
-        => Math.Max(0, Math.Min(count - 1, (int)Math.Floor((at - min) / size)));
+    private int FirstRow(in Leg leg) => Index(Math.Min(leg.AU, leg.BU) - _radius - _minU, _rows);
 
-    private int Row(double at, double min, int count) => Row(at, min, _radius, count);
+    private int LastRow(in Leg leg) => Index(Math.Max(leg.AU, leg.BU) + _radius - _minU, _rows);
 
-    private int BucketOf((double U, double V) s) => (Row(s.U, _minU, _rows) * _columns) + Row(s.V, _minV, _columns);
+    private int Index(double at, int count) => Math.Max(0, Math.Min(count - 1, (int)Math.Floor(at / _side)));
 
-    private void AddGrid(SearchRegion region)
+    // The samples of a row that may be covered: next to the part of the leg that is within a radius of the row.
+    private (int From, int To) InRow(in Leg leg, int row)
+    {
+        double du = leg.BU - leg.AU;
+        double first = 0;
+        double last = 1;
+        if (Math.Abs(du) > 1e-9)
+        {
+            double t0 = (_minU + (row * _side) - _radius - leg.AU) / du;
+            double t1 = (_minU + ((row + 1) * _side) + _radius - leg.AU) / du;
+            first = Math.Max(0, Math.Min(t0, t1));
+            last = Math.Min(1, Math.Max(t0, t1));
+        }
+
+        // The outermost rows hold what rounding puts beyond them.
+        if (first > last)
+            (first, last) = (0, 1);
+        double va = leg.AV + (first * (leg.BV - leg.AV));
+        double vb = leg.AV + (last * (leg.BV - leg.AV));
+        int from = Index(Math.Min(va, vb) - _radius - _minV, _columns);
+        int to = Index(Math.Max(va, vb) + _radius - _minV, _columns);
+        return (_starts[(row * _columns) + from], _starts[(row * _columns) + to + 1]);
+    }
+
+    private void Sort()
+    {
+        var cells = new int[_samples.Length];
+        var starts = new int[(_rows * _columns) + 1];
+        for (int i = 0; i < cells.Length; i++)
+        {
+            (double u, double v) = _samples[i];
+            cells[i] = (Index(u - _minU, _rows) * _columns) + Index(v - _minV, _columns);
+            starts[cells[i] + 1]++;
+        }
+
+        for (int i = 1; i < starts.Length; i++)
+            starts[i] += starts[i - 1];
+        _starts = (int[])starts.Clone();
+        var samples = new (double U, double V)[cells.Length];
+        var counts = new int[cells.Length];
+        var isIgnored = new bool[cells.Length];
+        for (int i = 0; i < cells.Length; i++)
+        {
+            int at = starts[cells[i]]++;
+            (samples[at], counts[at], isIgnored[at]) = (_samples[i], _counts[i], _isIgnored[i]);
+        }
+
+        (_samples, _counts, _isIgnored) = (samples, counts, isIgnored);
+    }
+
+    private void AddGrid(SearchRegion region, List<(double U, double V)> samples)
     {
         double north = double.NegativeInfinity;
         double east = double.NegativeInfinity;
@@ -247,12 +287,12 @@ internal sealed class CoverageSamples
             var p = new PlanePoint(
                 south + ((north - south) * (i * StepNorth % 1)), west + ((east - west) * (i * StepEast % 1)));
             if (region.Contains(p))
-                Add(p);
+                samples.Add((p.Dot(_along), p.Dot(_right)));
         }
     }
 
     // Rows along the border, the nearer to it the denser: there the ways end.
-    private void AddBorder(PlanePolygon border, SearchRegion region)
+    private void AddBorder(PlanePolygon border, SearchRegion region, List<(double U, double V)> samples)
     {
         double side = ReferenceEquals(border, region.Outer) ? Math.PI : 0;
         for (int i = 0; i < border.Corners.Count; i++)
@@ -269,33 +309,42 @@ internal sealed class CoverageSamples
                     bool isOnBorder = row == 0
                         && (ReferenceEquals(border, region.Outer) || region.Outer.Contains(p));
                     if (isOnBorder || (row > 0 && region.Contains(p)))
-                        Add(p);
+                        samples.Add((p.Dot(_along), p.Dot(_right)));
                 }
             }
         }
     }
 
-    private void Add(PlanePoint p) => _samples.Add((p.Dot(_along), p.Dot(_right)));
-
-    private readonly struct Leg(double au, double av, double bu, double bv)
+    private readonly struct Leg
     {
-        public double AU { get; } = au;
+        private readonly double _du;
+        private readonly double _dv;
+        private readonly double _inverse2;
 
-        public double AV { get; } = av;
+        public Leg(double au, double av, double bu, double bv)
+        {
+            (AU, AV, BU, BV) = (au, av, bu, bv);
+            (_du, _dv) = (bu - au, bv - av);
+            double length2 = (_du * _du) + (_dv * _dv);
+            _inverse2 = length2 > 0 ? 1 / length2 : 0;
+        }
 
-        public double BU { get; } = bu;
+        public double AU { get; }
 
-        public double BV { get; } = bv;
+        public double AV { get; }
+
+        public double BU { get; }
+
+        public double BV { get; }
 
         public double Distance2(double u, double v)
         {
-            double du = BU - AU;
-            double dv = BV - AV;
-            double length2 = (du * du) + (dv * dv);
-            double t = length2 > 0 ? (((u - AU) * du) + ((v - AV) * dv)) / length2 : 0;
+            double x = u - AU;
+            double y = v - AV;
+            double t = ((x * _du) + (y * _dv)) * _inverse2;
             t = t < 0 ? 0 : t > 1 ? 1 : t;
-            double x = u - AU - (t * du);
-            double y = v - AV - (t * dv);
+            x -= t * _du;
+            y -= t * _dv;
             return (x * x) + (y * y);
         }
     }

@@ -7,9 +7,12 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>A way that covers a region, made from one pattern of lanes.</summary>
 internal sealed class Draft
 {
-    // Nearer to each other than those that the way was planned with.
-    private const double FineSamples = 2;
-    private const int MaxRounds = 4;
+    private const int MaxRounds = 8;
+
+    // Of the annealing: how far apart the samples are at first, and when there are more.
+    private const double CoarseSamples = 0.45;
+    private const double CoarsePart = 0.6;
+    private const double FineFrom = 0.4;
 
     // Shorter ones have no direction.
     private const double MinLegMetres = 0.5;
@@ -21,12 +24,14 @@ internal sealed class Draft
     private readonly double _heading;
     private readonly List<List<PlanePoint>> _lanes;
     private readonly CoverageSamples _samples;
+    private readonly PlanePoint? _from;
 
     private Draft(
         SearchRegion region, double sweep, double width, double heading, List<List<PlanePoint>> lanes,
-        CoverageSamples samples)
+        CoverageSamples samples, PlanePoint? from)
     {
         (_region, _sweep, _width, _heading, _lanes, _samples) = (region, sweep, width, heading, lanes, samples);
+        _from = from;
         Way = LaneTrimmer.Join(region, lanes);
     }
 
@@ -53,7 +58,7 @@ internal sealed class Draft
             : new Draft(
                 region, sweep, width, heading,
                 order.Select(o => o.IsReversed ? Enumerable.Reverse(lanes[o.Lane]).ToList() : lanes[o.Lane]).ToList(),
-                samples);
+                samples, from);
     }
 
     /// <summary>Shortens the lanes.</summary>
@@ -63,29 +68,56 @@ internal sealed class Draft
         return this;
     }
 
-    /// <summary>
-    /// Shortens the way further. The effort is bounded: at the end gaps that are left are closed as they are.
-    /// </summary>
+    /// <summary>Changes the way at random and keeps what is shorter, first on few samples, then on all.</summary>
+    public Draft Annealed(long maxEffort, ulong seed)
+    {
+        var coarse = new CoverageSamples(_region, Radius(_width), _heading, CoarseSamples);
+        for (int i = 0; i < Math.Max(1, Way.Count - 1); i++)
+            coarse.Change(Way[i], Way[Math.Min(i + 1, Way.Count - 1)], 1);
+        coarse.IgnoreUncovered();
+        List<PlanePoint> way = WayAnnealer.Anneal(
+            _region, coarse, _width, Way, _from, 1, FineFrom, (long)(maxEffort * CoarsePart), seed);
+        way = WayAnnealer.Anneal(
+            _region, _samples, _width, way, _from, FineFrom, 0, (long)(maxEffort * (1 - CoarsePart)), seed + 1);
+        way = WayShortener.Shorten(_region, _samples, _width, way, maxEffort / 10);
+        if (Cost(way) < Cost(Way))
+            Way = way;
+        return this;
+    }
+
+    /// <summary>Moves the corners of the way, or leaves them out, as long as that makes it shorter.</summary>
     public Draft Shortened(long maxEffort)
     {
-        // Lanes that are as far apart as they may be cannot be moved.
+        Way = WayShortener.Shorten(_region, _samples, _width, Way, maxEffort);
+        return this;
+    }
+
+    /// <summary>Closes the gaps between the samples; in the last rounds only by ways there and back.</summary>
+    public Draft Closed(long maxEffort)
+    {
         List<PlanePoint> way = Way;
-        if (_width > SearchPlanner.SweepMargin * _sweep)
-            return this;
-        long effort = maxEffort;
         for (int round = 0; round < MaxRounds; round++)
         {
-            way = WayShortener.Shorten(_region, _samples, _width, way, effort);
-            List<PlanePoint> gaps = Close(way);
+            List<PlanePoint> gaps = CoverageGaps.Find(_region, way, _sweep / 2);
             if (gaps.Count == 0)
                 break;
             _samples.Add(gaps);
-            effort = maxEffort / 4;
+            bool isLast = round >= MaxRounds - 3;
+            Close(way, gaps, onlyAdds: isLast);
+            if (!isLast)
+                way = WayShortener.Shorten(_region, _samples, _width, way, maxEffort);
         }
 
         Way = way;
         return this;
     }
+
+    /// <summary>Length of the way, with what its corners cost, metres.</summary>
+    public double Length => Cost(Way);
+
+    /// <summary>Whether all of the way is where the vehicle may be.</summary>
+    public bool IsFree => Way.All(_region.IsFree)
+        && Enumerable.Range(0, Way.Count - 1).All(i => _region.IsFree(Way[i], Way[i + 1]));
 
     /// <summary>The way with its legs: what of it covers nothing that is not covered anyway is none.</summary>
     public SearchWay ToWay()
@@ -110,47 +142,112 @@ internal sealed class Draft
         return new SearchWay(way, legs);
     }
 
+    private double Cost(List<PlanePoint> way) => WayShortener.Cost(way, _sweep, _from);
+
     // Rounding.
     private static double Radius(double width) => (width / 2) + 1e-6;
 
-    // Small gaps between the samples are closed by a way over there from the nearest leg.
-    private List<PlanePoint> Close(List<PlanePoint> way)
+    // Gaps between the samples are closed by a way over there from the nearest leg.
+    private void Close(List<PlanePoint> way, List<PlanePoint> gaps, bool onlyAdds)
     {
-        double radius = Radius(_sweep) * 0.9995;
-        var samples = new CoverageSamples(_region, Math.Max(radius, Radius(_width)), _heading, FineSamples);
+        _samples.Clear();
         for (int i = 0; i < Math.Max(1, way.Count - 1); i++)
-            samples.Change(way[i], way[Math.Min(i + 1, way.Count - 1)], 1);
-        var gaps = samples.UncoveredPoints().ToList();
+            _samples.Change(way[i], way[Math.Min(i + 1, way.Count - 1)], 1);
+        double radius = Radius(_width) * (1 - CoverageGaps.Resolution);
         var rest = gaps.ToList();
         while (rest.Count > 0)
         {
             PlanePoint p = rest[0];
             rest.RemoveAt(0);
-            if (TryReach(p, way, samples) is { } there)
-                rest.RemoveAll(r => r.DistanceTo(there) <= radius);
+            if (TryReach(p, way, onlyAdds))
+                rest.RemoveAll(r => DistanceTo(way, r) <= radius);
         }
 
-        return gaps;
+        _samples.IgnoreUncovered();
     }
 
-    private PlanePoint? TryReach(PlanePoint p, List<PlanePoint> way, CoverageSamples samples)
+    private bool TryReach(PlanePoint p, List<PlanePoint> way, bool onlyAdds)
     {
         int leg = Enumerable.Range(0, Math.Max(1, way.Count - 1))
             .OrderBy(i => PlanePolygon.DistanceToSegment(p, way[i], way[Math.Min(i + 1, way.Count - 1)])).First();
         PlanePoint at = PlanePolygon.NearestOfSegment(p, way[leg], way[Math.Min(leg + 1, way.Count - 1)]);
         double distance = p.DistanceTo(at);
-        PlanePoint there = at + ((distance - (0.9 * _width / 2)) / distance * (p - at));
-        if (!_region.IsFree(there) || !_region.IsFree(at, there))
-            return null;
-        List<PlanePoint> old = way.GetRange(leg, Math.Min(2, way.Count - leg));
-        List<PlanePoint> by = [old[0], there, old[old.Count - 1]];
-        if (!samples.CanReplace(old, by) || !_region.IsFree(by[0], there) || !_region.IsFree(there, by[2]))
-            by = [old[0], at, there, at, old[old.Count - 1]];
+        PlanePoint step = (distance - (0.99 * _width / 2)) / distance * (p - at);
+        if (!onlyAdds && TryBend(way, leg, at, step))
+            return true;
+        foreach (PlanePoint there in Around(p, Radius(_width)).Prepend(at + step))
+        {
+            if (!_region.IsFree(there) || _region.PathBetween(at, there) is not { } path)
+                continue;
+            Replace(way, leg, Math.Min(2, way.Count - leg),
+                [way[leg], at, .. path, there, .. Enumerable.Reverse(path), at, way[Math.Min(leg + 1, way.Count - 1)]]);
+            return true;
+        }
+
+        return false;
+    }
+
+    // The shortest of the changes of a leg by which it comes nearer to a place without uncovering anything.
+    private bool TryBend(List<PlanePoint> way, int leg, PlanePoint at, PlanePoint step)
+    {
+        if (leg + 1 >= way.Count)
+            return false;
+        (PlanePoint a, PlanePoint b) = (way[leg], way[leg + 1]);
+        double part = a.DistanceTo(at) / Math.Max(1e-9, a.DistanceTo(b));
+        var changes = new List<(int At, int Count, List<PlanePoint> By)>
+        {
+            (leg, 2, [a + step, b + step]), (leg, 2, [a, at + step, b]),
+        };
+        if (part < 0.8)
+            changes.Add((leg, 1, [a + (1 / (1 - part) * step)]));
+        if (part > 0.2)
+            changes.Add((leg + 1, 1, [b + (1 / part * step)]));
+        foreach ((int first, int count, List<PlanePoint> by) in changes)
+        {
+            if (first > 0)
+                by.Insert(0, way[first - 1]);
+            if (first + count < way.Count)
+                by.Add(way[first + count]);
+        }
+
+        foreach ((int first, int count, List<PlanePoint> by) in changes.OrderBy(c => More(way, c.At, c.Count, c.By)))
+        {
+            int from = Math.Max(0, first - 1);
+            int old = Math.Min(way.Count, first + count + 1) - from;
+            bool isFree = by.All(_region.IsFree)
+                && Enumerable.Range(0, by.Count - 1).All(i => _region.IsFree(by[i], by[i + 1]));
+            if (!isFree || !_samples.CanReplace(way.GetRange(from, old), by))
+                continue;
+            Replace(way, from, old, by);
+            return true;
+        }
+
+        return false;
+    }
+
+    private static double DistanceTo(List<PlanePoint> way, PlanePoint p)
+    {
+        double least = p.DistanceTo(way[0]);
+        for (int i = 0; i + 1 < way.Count; i++)
+            least = Math.Min(least, PlanePolygon.DistanceToSegment(p, way[i], way[i + 1]));
+        return least;
+    }
+
+    private static double More(List<PlanePoint> way, int first, int count, List<PlanePoint> by)
+    {
+        int from = Math.Max(0, first - 1);
+        return WayShortener.Length(by)
+            - WayShortener.Length(way.GetRange(from, Math.Min(way.Count, first + count + 1) - from));
+    }
+
+    private void Replace(List<PlanePoint> way, int from, int count, List<PlanePoint> by)
+    {
         for (int i = 0; i + 1 < by.Count; i++)
-            samples.Change(by[i], by[i + 1], 1);
-        samples.Change(old[0], old[old.Count - 1], -1);
-        way.InsertRange(leg + 1, by.GetRange(1, by.Count - 2));
-        return there;
+            _samples.Change(by[i], by[i + 1], 1);
+        for (int i = from; i + 1 < from + count; i++)
+            _samples.Change(way[i], way[i + 1], -1);
+        way.RemoveRange(from, count);
+        way.InsertRange(from, by);
     }
 
     // Places from which the rest is seen, each as a lane of its own.

@@ -136,26 +136,8 @@ internal sealed class LaneCutter
 
     private IEnumerable<(double Low, double High)> InOuter(double u)
     {
-        if (_region.ReachMetres > 0)
-            return Joined(_region.Outer.NearAt(_along, _right, u, _region.ReachMetres));
         List<double> cuts = _region.Outer.CrossingsAt(_along, _right, u);
         return Enumerable.Range(0, cuts.Count / 2).Select(i => (cuts[2 * i], cuts[(2 * i) + 1]));
-    }
-
-    /// <summary>Intervals in order; those that overlap are joined.</summary>
-    private static List<(double From, double To)> Joined(IEnumerable<(double From, double To)> intervals)
-    {
-        var joined = new List<(double From, double To)>();
-        foreach ((double from, double to) in intervals.OrderBy(x => x.From))
-        {
-            int last = joined.Count - 1;
-            if (last >= 0 && from <= joined[last].To)
-                joined[last] = (joined[last].From, Math.Max(joined[last].To, to));
-            else
-                joined.Add((from, to));
-        }
-
-        return joined;
     }
 
     private static List<(double Low, double High)> Without(

@@ -28,7 +28,7 @@ internal sealed class LaneTrimmer
             Change(lane, 1);
         for (int i = 0; i + 1 < lanes.Count; i++)
         {
-            _transfers.Add(Transfer(lanes[i], lanes[i + 1]));
+            _transfers.Add(Transfer(lanes[i], lanes[i + 1]) ?? [lanes[i][lanes[i].Count - 1], lanes[i + 1][0]]);
             Change(_transfers[i], 1);
         }
     }
@@ -98,8 +98,9 @@ internal sealed class LaneTrimmer
             old.Add(_transfers[i - 1]);
         if (i < _transfers.Count)
             old.Add(_transfers[i]);
-        List<PlanePoint>? bridge = i > 0 && i + 1 < _lanes.Count ? Transfer(_lanes[i - 1], _lanes[i + 1]) : null;
-        if (Replace(old, bridge is null ? [] : [bridge]))
+        bool needsBridge = i > 0 && i + 1 < _lanes.Count;
+        List<PlanePoint>? bridge = needsBridge ? Transfer(_lanes[i - 1], _lanes[i + 1]) : null;
+        if (needsBridge == (bridge is not null) && Replace(old, bridge is null ? [] : [bridge]))
         {
             _lanes.RemoveAt(i);
             _transfers.RemoveRange(Math.Max(0, i - 1), old.Count);
@@ -128,6 +129,8 @@ internal sealed class LaneTrimmer
         List<PlanePoint> left = shortBefore ?? (hasTransfer ? _lanes[transfer] : []);
         List<PlanePoint> right = shortAfter ?? (hasTransfer ? _lanes[transfer + 1] : []);
         List<PlanePoint>? moved = hasTransfer ? Transfer(left, right) : null;
+        if (hasTransfer && moved is null)
+            return;
         double old = (before is null ? 0 : Length(before)) + (after is null ? 0 : Length(after))
             + (hasTransfer ? Length(_transfers[transfer]) : 0);
         double now = (shortBefore is null ? 0 : Length(shortBefore)) + (shortAfter is null ? 0 : Length(shortAfter))
@@ -167,9 +170,10 @@ internal sealed class LaneTrimmer
         var moved = new List<PlanePoint> { at + (step / way.Length * way) };
         if (!_region.IsFree(moved[0]))
             return;
-        List<PlanePoint> newBefore = Transfer(_lanes[i - 1], moved);
-        List<PlanePoint> newAfter = Transfer(moved, _lanes[i + 1]);
-        if (!(Length(newBefore) + Length(newAfter) < Length(before) + Length(after) - 1e-3)
+        List<PlanePoint>? newBefore = Transfer(_lanes[i - 1], moved);
+        List<PlanePoint>? newAfter = Transfer(moved, _lanes[i + 1]);
+        if (newBefore is null || newAfter is null
+            || !(Length(newBefore) + Length(newAfter) < Length(before) + Length(after) - 1e-3)
             || !Replace([_lanes[i], before, after], [moved, newBefore, newAfter]))
             return;
         (_lanes[i], _transfers[i - 1], _transfers[i]) = (moved, newBefore, newAfter);
@@ -191,11 +195,13 @@ internal sealed class LaneTrimmer
         return false;
     }
 
-    private List<PlanePoint> Transfer(List<PlanePoint> from, List<PlanePoint> to)
+    // Null where there is no path.
+    private List<PlanePoint>? Transfer(List<PlanePoint> from, List<PlanePoint> to)
     {
         PlanePoint a = from[from.Count - 1];
         PlanePoint b = to[0];
-        List<PlanePoint> path = _region.PathBetween(a, b) ?? [];
+        if (_region.PathBetween(a, b) is not { } path)
+            return null;
         path.Insert(0, a);
         path.Add(b);
         return path;

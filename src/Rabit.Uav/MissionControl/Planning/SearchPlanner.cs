@@ -10,22 +10,20 @@ namespace Rabit.Uav.MissionControl;
 /// </summary>
 internal static class SearchPlanner
 {
-    // Planned a little narrower than the sweep: what is covered is only sampled.
-    public const double SweepMargin = 0.985;
-
-    // How far outside a concave area the way may go, in sweeps, and how much of it.
-    private const double ReachInSweeps = 0.25;
-    private const double MaxOutside = 0.05;
-    private const double MuchShorter = 0.85;
+    // Planned a little narrower than the sweep, by more than CoverageGaps resolves.
+    public const double SweepMargin = 0.994;
 
     private const double HeadingStepRadians = Math.PI / 18;
     private const int MaxHeadings = 6;
-    private const int MaxTrimmed = 3;
-    private const int MaxShortened = 2;
+    private const int MaxTrimmed = 6;
+    private const ulong Seed = 7;
+    private const int MaxAnnealed = 2;
 
-    // Pictures that the headings that are tried may have together, and the effort of the shortening.
+    // Pictures that the headings that are tried may have together, and how many samples may be looked at: to shorten
+    // each of the ways, and to anneal each of the best of them.
     private const double MaxSquares = 2500;
     private const long MaxEffort = 6_000_000;
+    private const long AnnealEffort = 150_000_000;
 
     /// <summary>The way; null where a part cannot be reached from the rest.</summary>
     /// <param name="outer">The outer border.</param>
@@ -34,30 +32,18 @@ internal static class SearchPlanner
     /// <param name="sweep">Width of the ground that is seen, half of it on either side of the way, metres.</param>
     /// <param name="heading">Direction of the lanes, radians; null for the one with the shortest way.</param>
     /// <param name="from">Where the vehicle is; null where the way may begin anywhere.</param>
+    /// <param name="isQuick">Whether the way need not be the shortest: a vehicle that flies waits for it.</param>
     public static SearchWay? Plan(
         PlanePolygon outer, IReadOnlyList<PlanePolygon> keepOuts, double clearance, double sweep, double? heading,
-        PlanePoint? from)
+        PlanePoint? from, bool isQuick = false)
     {
         var region = new SearchRegion(outer, keepOuts, clearance);
-        SearchWay? inside = Plan(region, sweep, heading, from);
-        if (region.IsConvex)
-            return inside;
-        var wider = new SearchRegion(outer, keepOuts, clearance, ReachInSweeps * sweep);
-        SearchWay? reaching = Plan(wider, sweep, heading, from);
-        if (inside is null || reaching is null)
-            return inside ?? reaching;
-        double limit = OutsideFraction(outer, reaching.Corners) <= MaxOutside ? 1 : MuchShorter;
-        return reaching.Length < limit * inside.Length ? reaching : inside;
-    }
-
-    private static SearchWay? Plan(SearchRegion region, double sweep, double? heading, PlanePoint? from)
-    {
         int headings = (int)Math.Max(1, Math.Min(MaxHeadings, MaxSquares / (region.Outer.Area / sweep / sweep)));
         var patterns = new List<(List<List<PlanePoint>> Lanes, double Heading, double Width)>();
         foreach (double h in heading is { } given ? [given] : Headings(region, sweep).Take(headings))
         {
-            List<List<PlanePoint>> lanes = LaneCutter.Cut(region, sweep, h, out double strip);
-            patterns.Add((lanes, h, Math.Max(SweepMargin * sweep, strip)));
+            List<List<PlanePoint>> lanes = LaneCutter.Cut(region, SweepMargin * sweep, h, out _);
+            patterns.Add((lanes, h, SweepMargin * sweep));
         }
 
         if (heading is null && region.IsConvex)
@@ -67,21 +53,18 @@ internal static class SearchPlanner
             patterns.Add((ContourCutter.Cut(region.Outer, width, isEven: false), 0, width));
         }
 
-        return patterns.Select(p => Draft.Of(region, sweep, p.Width, p.Lanes, p.Heading, from)).OfType<Draft>()
-            .OrderBy(d => Cost(d.Way)).Take(MaxTrimmed).Select(d => d.Trimmed())
-            .OrderBy(d => Cost(d.Way)).Take(Math.Min(headings, MaxShortened))
-            .Select(d => d.Shortened(MaxEffort)).OrderBy(d => Cost(d.Way)).FirstOrDefault()?.ToWay();
+        Draft[] drafts = patterns.Select(p => Draft.Of(region, sweep, p.Width, p.Lanes, p.Heading, from))
+            .OfType<Draft>().OrderBy(d => d.Length).Take(isQuick ? MaxTrimmed / 2 : MaxTrimmed)
+            .Select(d => d.Trimmed().Shortened(MaxEffort)).OrderBy(d => d.Length)
+            .Take(isQuick ? 1 : Math.Min(headings, MaxAnnealed)).ToArray();
+        for (int i = 0; i < drafts.Length; i++)
+        {
+            if (!isQuick)
+                drafts[i].Annealed(AnnealEffort, Seed + (ulong)i);
+            drafts[i].Closed(MaxEffort / 4);
+        }
 
-        double Cost(List<PlanePoint> way) => Length(way, from) + (WayShortener.CornerCost * sweep * way.Count);
-    }
-
-    /// <summary>Length of a way, with the straight way to its start.</summary>
-    private static double Length(List<PlanePoint> way, PlanePoint? from)
-    {
-        double sum = from is { } start ? start.DistanceTo(way[0]) : 0;
-        for (int i = 0; i + 1 < way.Count; i++)
-            sum += way[i].DistanceTo(way[i + 1]);
-        return sum;
+        return drafts.Where(d => d.IsFree).OrderBy(d => d.Length).FirstOrDefault()?.ToWay();
     }
 
     /// <summary>How much of a way is outside an area.</summary>

@@ -139,7 +139,12 @@ internal sealed class WayShortener
             _samples.Change(way[i], way[i + 1], by);
     }
 
-    private static double Length(List<PlanePoint> way)
+    /// <summary>Length of a way, with the straight way to its start and what its corners cost, metres.</summary>
+    public static double Cost(List<PlanePoint> way, double spacing, PlanePoint? from)
+        => Length(way) + (from is { } start ? start.DistanceTo(way[0]) : 0) + (CornerCost * spacing * way.Count);
+
+    /// <summary>Length of a way, metres.</summary>
+    public static double Length(List<PlanePoint> way)
     {
         double sum = 0;
         for (int i = 0; i + 1 < way.Count; i++)
