@@ -94,7 +94,7 @@ public sealed partial class MissionControlManager : RabitManager, IMissionOperat
     protected override void Startup()
     {
         if (_flight is not null)
-            FlightPlan.Create(_flight.Mission, _flight.Mission.Area[0], out _);
+            FlightPlan.Create(_flight.Mission, _flight.Mission.Area[0], out _, isQuick: true);
     }
 
     /// <inheritdoc/>

@@ -29,7 +29,7 @@ internal sealed class PlanJob(MissionPlan mission, GeodeticPosition home, bool i
     {
         try
         {
-            Plan = FlightPlan.Create(Mission, home, out string fault, isFixedWing: isFixedWing);
+            Plan = FlightPlan.Create(Mission, home, out string fault, isFixedWing: isFixedWing, isQuick: true);
             Fault = fault;
             Route = Plan is null ? null : new SearchRoute(Plan, Mission.LaneSpacingMetres);
         }
