@@ -56,7 +56,8 @@ public sealed class RealPhotoTests(ITestOutputHelper output) : IDisposable
         Assert.Equal(0, _run.Run(photo, "--pixel", "319.5,255.5", "--json", "--ground-altitude", "47"));
         double withGround = Distance(_run.Place, target);
 
-        output.WriteLine(FormattableString.Invariant($"{alone:0.00} m, with the ground's altitude {withGround:0.00} m"));
+        output.WriteLine(FormattableString.Invariant(
+            $"{alone:0.00} m, with the ground's altitude {withGround:0.00} m"));
         Assert.InRange(alone, 0, 1);
         Assert.InRange(withGround, 0, 0.5);
     }
