@@ -20,8 +20,8 @@ internal static class CommandLine
         var defaults = new SimulationOptions();
         var link = new Option<LinkUrl>("--link", "-l")
         {
-            Description = "udpout:HOST:PORT, udpin:ADDRESS:PORT, tcp:HOST:PORT or serial:DEVICE:BAUD: where the "
-                + "vehicle sends its telemetry and takes commands.",
+            Description = "udpout:HOST:PORT, udpin:ADDRESS:PORT, udpbcast:ADDRESS:PORT, tcp:HOST:PORT, "
+                + "tcpin:ADDRESS:PORT or serial:DEVICE:BAUD: where the vehicle sends its telemetry and takes commands.",
             HelpName = "URL",
             CustomParser = ParseLink,
             DefaultValueFactory = _ => LinkUrl.Parse("udpout:127.0.0.1:14550"),

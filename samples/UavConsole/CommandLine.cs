@@ -20,8 +20,9 @@ internal static class CommandLine
     private static readonly Option<LinkUrl[]> Links = new("--link", "-l")
     {
         Description = "A real vehicle or a recorded flight instead of the simulation: udpin:ADDRESS:PORT, "
-            + "udpout:HOST:PORT, tcp:HOST:PORT, serial:DEVICE:BAUD "
-            + "or tlog:FILE[?speed=10|max]; may be given several times. A vehicle is only observed, unless --mission "
+            + "udpout:HOST:PORT, udpbcast:ADDRESS:PORT, tcp:HOST:PORT, tcpin:ADDRESS:PORT, serial:DEVICE:BAUD "
+            + "or tlog:FILE[?speed=10|max], with options behind, for example ,name=radio,optional "
+            + "(docs/concepts/links.md); may be given several times. A vehicle is only observed, unless --mission "
             + "FILE --fly is given.",
         HelpName = "URL",
         CustomParser = ParseLinks,

@@ -1,36 +1,67 @@
+using System;
 using System.Net;
 using System.Net.Sockets;
-using System.Threading;
 
 namespace Rabit.Links;
 
 /// <summary>
-/// Receives datagrams from any sender and answers the last one. The twin for frameworks whose calls allocate an address
-/// per datagram. One thread receives, any thread answers; <c>_lastSender</c> is replaced as a whole, never changed,
-/// when the sender changes.
+/// Receives datagrams from any sender and answers all of them, or one address. The twin for frameworks whose calls
+/// allocate an address per datagram. One thread receives, any thread answers.
 /// </summary>
-internal sealed class DatagramExchange(Socket socket)
+/// <param name="socket">Bound.</param>
+/// <param name="peers">Those from whom something was received.</param>
+/// <param name="target">Where all is sent to; null for to all peers.</param>
+internal sealed class DatagramExchange(Socket socket, PeerTable<EndPoint> peers, IPEndPoint? target = null)
 {
+    private static readonly Func<EndPoint, EndPoint> Same = address => address; // each datagram has its own
+
     private readonly EndPoint _anySender = new IPEndPoint(
         socket.AddressFamily == AddressFamily.InterNetworkV6 ? IPAddress.IPv6Any : IPAddress.Any, 0);
 
-    private EndPoint? _lastSender; // volatile access
+    private readonly object _sendGate = new();
+    private readonly EndPoint[] _receivers = new EndPoint[PeerTable<EndPoint>.MaxPeers]; // guarded by _sendGate
 
-    /// <summary>Whether a datagram was received.</summary>
-    public bool HasSender => Volatile.Read(ref _lastSender) is not null;
+    public static DatagramExchange Create(
+        Socket socket, LinkLifetime state, LinkOptions options, IPEndPoint? target = null)
+        => new(socket, new PeerTable<EndPoint>(state, options.PeerIdleTime, options.Clock), target);
 
     /// <summary>Waits for a datagram.</summary>
     /// <exception cref="SocketException">As the socket says.</exception>
-    public int Receive(byte[] buffer)
+    public int Receive(byte[] buffer, out int peer)
     {
-        EndPoint sender = _lastSender ?? _anySender; // given back as it is if it is the same again
+        EndPoint sender = _anySender;
         int count = socket.ReceiveFrom(buffer, 0, buffer.Length, SocketFlags.None, ref sender);
-        Volatile.Write(ref _lastSender, sender);
+        peer = peers.Note(sender, Same);
         return count;
     }
 
-    /// <summary>Sends a datagram to the last sender; there must be one.</summary>
-    /// <exception cref="SocketException">As the socket says.</exception>
-    public void Reply(byte[] buffer, int offset, int count)
-        => socket.SendTo(buffer, offset, count, SocketFlags.None, Volatile.Read(ref _lastSender)!);
+    /// <summary>
+    /// Sends a datagram to each. Gives to how many it went, and what the last one that failed said.
+    /// </summary>
+    public int SendToAll(byte[] buffer, int offset, int count, out SocketError fault)
+    {
+        fault = SocketError.Success;
+        lock (_sendGate)
+        {
+            int receivers = 1;
+            if (target is not null) _receivers[0] = target;
+            else receivers = peers.CopyTo(_receivers);
+
+            int sent = 0;
+            for (int i = 0; i < receivers; i++)
+            {
+                try
+                {
+                    socket.SendTo(buffer, offset, count, SocketFlags.None, _receivers[i]);
+                    sent++;
+                }
+                catch (SocketException e)
+                {
+                    fault = e.SocketErrorCode;
+                }
+            }
+
+            return sent;
+        }
+    }
 }

@@ -28,11 +28,14 @@ public static class LinkFactory
 
     internal static IByteLink Open(LinkUrl url, LinkOptions? options, LinkStop stop)
     {
+        options = (options ?? LinkOptions.Default).With(url.Settings);
         return url.Kind switch
         {
             LinkKind.UdpListen => UdpListenLink.Open(url.Host!, url.Port, options, stop),
             LinkKind.UdpSend => UdpSendLink.Open(url.Host!, url.Port, options, stop),
             LinkKind.TcpClient => TcpClientLink.Open(url.Host!, url.Port, options, stop),
+            LinkKind.TcpServer => TcpServerLink.Open(url.Host!, url.Port, options, stop),
+            LinkKind.UdpBroadcast => UdpBroadcastLink.Open(url.Host!, url.Port, options),
             LinkKind.Serial => SerialLink.Open(url.Path!, url.BaudRate, options),
             _ =>
                 throw new ArgumentException(

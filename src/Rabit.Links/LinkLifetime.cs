@@ -18,6 +18,8 @@ internal sealed class LinkLifetime(string url, int openings = 1)
     private long _bytesDropped;
     private long _writesDropped;
     private long _transientFaults;
+    private long _peersForgotten;
+    private long _peersDisplaced;
 
     public string Url { get; } = url;
 
@@ -30,7 +32,9 @@ internal sealed class LinkLifetime(string url, int openings = 1)
         Interlocked.Read(ref _bytesDropped),
         Interlocked.Read(ref _writesDropped),
         Interlocked.Read(ref _transientFaults),
-        openings);
+        openings,
+        Interlocked.Read(ref _peersForgotten),
+        Interlocked.Read(ref _peersDisplaced));
 
     public ByteLinkState State => EndReason is null ? ByteLinkState.Open : ByteLinkState.Closed;
 
@@ -57,6 +61,10 @@ internal sealed class LinkLifetime(string url, int openings = 1)
         Interlocked.Add(ref _bytesDropped, count);
         Interlocked.Increment(ref _writesDropped);
     }
+
+    public void PeerForgotten() => Interlocked.Increment(ref _peersForgotten);
+
+    public void PeerDisplaced() => Interlocked.Increment(ref _peersDisplaced);
 
     public void TransientFault() => Interlocked.Increment(ref _transientFaults);
 

@@ -6,8 +6,9 @@ namespace Rabit.Links;
 
 /// <summary>
 /// The name of a link as MAVLink users write it: <c>udpin:0.0.0.0:14550</c>, <c>udpout:HOST:PORT</c>,
-/// <c>tcp:HOST:PORT</c>, <c>serial:/dev/ttyAMA0:921600</c>, <c>tlog:FILE[?speed=10|max]</c>. Immutable; it says what is
-/// meant, not whether it exists.
+/// <c>udpbcast:ADDRESS:PORT</c>, <c>tcp:HOST:PORT</c>, <c>tcpin:ADDRESS:PORT</c>, <c>serial:/dev/ttyAMA0:921600</c>,
+/// <c>tlog:FILE[?speed=10|max]</c>, each with options behind: <c>serial:/dev/ttyUSB0:57600,name=radio,rate=3600</c>.
+/// Immutable; it says what is meant, not whether it exists.
 /// </summary>
 /// <remarks>
 /// An IPv6 address is written in brackets: <c>tcp:[::1]:5760</c>. No port and no baud rate is assumed. The path of a
@@ -22,9 +23,14 @@ namespace Rabit.Links;
 /// </example>
 public sealed class LinkUrl
 {
+    private readonly string? _options;
+
     private LinkUrl(
-        LinkKind kind, string? host = null, int port = 0, string? path = null, int baudRate = 0, double speed = 1)
+        LinkKind kind, string? host = null, int port = 0, string? path = null, int baudRate = 0, double speed = 1,
+        LinkSettings? settings = null, string? options = null)
     {
+        Settings = settings ?? LinkSettings.None;
+        _options = options;
         Kind = kind;
         Host = host;
         Port = port;
@@ -57,8 +63,23 @@ public sealed class LinkUrl
     /// </summary>
     public double Speed { get; }
 
+    /// <summary>What the options behind it say.</summary>
+    public LinkSettings Settings { get; }
+
+    /// <summary>The name in its usual form without the options: where it leads to.</summary>
+    public string Address => Kind switch
+    {
+        LinkKind.UdpListen => $"udpin:{HostAndPort(Host!, Port)}",
+        LinkKind.UdpSend => $"udpout:{HostAndPort(Host!, Port)}",
+        LinkKind.UdpBroadcast => $"udpbcast:{HostAndPort(Host!, Port)}",
+        LinkKind.TcpClient => $"tcp:{HostAndPort(Host!, Port)}",
+        LinkKind.TcpServer => $"tcpin:{HostAndPort(Host!, Port)}",
+        LinkKind.Serial => $"serial:{Path}:{BaudRate.ToString(CultureInfo.InvariantCulture)}",
+        _ => $"tlog:{Path}{SpeedOption()}",
+    };
+
     /// <summary>Whether what is written to it goes out, and comes in, in datagrams.</summary>
-    public bool IsDatagram => Kind is LinkKind.UdpListen or LinkKind.UdpSend;
+    public bool IsDatagram => Kind is LinkKind.UdpListen or LinkKind.UdpSend or LinkKind.UdpBroadcast;
 
     /// <summary>Reads the name of a link.</summary>
     /// <param name="text">For example <c>udpin:0.0.0.0:14550</c>. The case of the scheme does not matter.</param>
@@ -78,14 +99,10 @@ public sealed class LinkUrl
             LinkUrlParser.TryParse(text, out url, out error);
 
     /// <summary>The name in its usual form; parsing it gives an equal one.</summary>
-    public override string ToString() => Kind switch
-    {
-        LinkKind.UdpListen => $"udpin:{HostAndPort(Host!, Port)}",
-        LinkKind.UdpSend => $"udpout:{HostAndPort(Host!, Port)}",
-        LinkKind.TcpClient => $"tcp:{HostAndPort(Host!, Port)}",
-        LinkKind.Serial => $"serial:{Path}:{BaudRate.ToString(CultureInfo.InvariantCulture)}",
-        _ => $"tlog:{Path}{SpeedOption()}",
-    };
+    public override string ToString() => _options is null ? Address : $"{Address},{_options}";
+
+    internal LinkUrl With(LinkSettings settings, string options)
+        => new(Kind, Host, Port, Path, BaudRate, Speed, settings, options);
 
     internal static LinkUrl ForHost(LinkKind kind, string host, int port) => new(kind, host: host, port: port);
 

@@ -14,10 +14,13 @@ internal static class LinkUrlParser
     private const string UdpListenForm = "udpin:ADDRESS:PORT, for example udpin:0.0.0.0:14550";
     private const string UdpSendForm = "udpout:HOST:PORT, for example udpout:192.168.1.10:14550";
     private const string TcpForm = "tcp:HOST:PORT, for example tcp:127.0.0.1:5760";
+    private const string TcpServerForm = "tcpin:ADDRESS:PORT, for example tcpin:0.0.0.0:5760";
+    private const string BroadcastForm = "udpbcast:ADDRESS:PORT, for example udpbcast:192.168.1.255:14550";
     private const string SerialForm = "serial:DEVICE:BAUD, for example serial:/dev/ttyAMA0:921600";
     private const string FileForm = "tlog:FILE[?speed=10|max], for example tlog:flight.tlog?speed=10";
     private const string AllForms =
-        "udpin:ADDRESS:PORT, udpout:HOST:PORT, tcp:HOST:PORT, serial:DEVICE:BAUD or tlog:FILE[?speed=10|max]";
+        "udpin:ADDRESS:PORT, udpout:HOST:PORT, udpbcast:ADDRESS:PORT, tcp:HOST:PORT, tcpin:ADDRESS:PORT, "
+            + "serial:DEVICE:BAUD or tlog:FILE[?speed=10|max]";
 
     private const string SpeedOption = "speed";
 
@@ -41,17 +44,54 @@ internal static class LinkUrlParser
         int colon = text.IndexOf(':');
         if (colon < 0) return $"link '{text}' has no scheme; write {AllForms}";
 
-        string rest = text.Substring(colon + 1);
+        string rest = SplitOptions(text, colon + 1, out string? options);
         string scheme = text.Substring(0, colon);
-        return scheme.ToUpperInvariant() switch
+        string? fault = scheme.ToUpperInvariant() switch
         {
             "UDPIN" => ParseHost(text, rest, LinkKind.UdpListen, UdpListenForm, ref url),
             "UDPOUT" => ParseHost(text, rest, LinkKind.UdpSend, UdpSendForm, ref url),
             "TCP" => ParseHost(text, rest, LinkKind.TcpClient, TcpForm, ref url),
+            "TCPIN" => ParseHost(text, rest, LinkKind.TcpServer, TcpServerForm, ref url),
+            "UDPBCAST" => ParseHost(text, rest, LinkKind.UdpBroadcast, BroadcastForm, ref url),
             "SERIAL" => ParseSerial(text, rest, ref url),
             "TLOG" => ParseFile(text, rest, ref url),
             _ => $"link '{text}': the scheme '{scheme}' is unknown; write {AllForms}",
         };
+        if (fault is not null || options is null) return fault;
+        if (LinkSettingsParser.Parse(options, url!.Kind, out LinkSettings settings) is { } wrong)
+            return $"link '{text}': {wrong}";
+        url = url.With(settings, options);
+        return null;
+    }
+
+    // The options begin with the first comma, but paths may hold commas: there, with the first one behind which an
+    // option that is known stands, or after a baud rate one that reads as an option.
+    private static string SplitOptions(string text, int start, out string? options)
+    {
+        options = null;
+        string rest = text.Substring(start);
+        bool isFile = text.StartsWith("tlog:", StringComparison.OrdinalIgnoreCase);
+        bool isSerial = text.StartsWith("serial:", StringComparison.OrdinalIgnoreCase);
+        for (int comma = rest.IndexOf(','); comma >= 0; comma = rest.IndexOf(',', comma + 1))
+        {
+            string behind = rest.Substring(comma + 1);
+            int end = behind.IndexOf(',');
+            string option = end < 0 ? behind : behind.Substring(0, end);
+            bool begins = LinkSettingsParser.IsKnown(option) || (!isFile && !isSerial)
+                || (isSerial && IsAfterRate(rest, comma));
+            if (!begins) continue;
+            options = behind;
+            return rest.Substring(0, comma);
+        }
+
+        return rest;
+    }
+
+    private static bool IsAfterRate(string rest, int comma)
+    {
+        int digit = comma - 1;
+        while (digit >= 0 && rest[digit] is >= '0' and <= '9') digit--;
+        return digit >= 0 && digit < comma - 1 && rest[digit] == ':';
     }
 
     private static string? ParseHost(string text, string rest, LinkKind kind, string form, ref LinkUrl? url)

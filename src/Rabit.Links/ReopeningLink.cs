@@ -100,7 +100,7 @@ public sealed class ReopeningLink : IByteLink
         if (url is null) throw new ArgumentNullException(nameof(url));
         var stop = new LinkStop();
         var link = new ReopeningLink(
-            url.ToString(), () => LinkFactory.Open(url, options, stop), blocks: true, options ?? LinkOptions.Default,
+            url.Address, () => LinkFactory.Open(url, options, stop), blocks: true, options ?? LinkOptions.Default,
             stop);
         if (link.TryOpen() is { MayPass: false } fault) throw fault;
         return link;

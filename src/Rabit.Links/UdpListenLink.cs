@@ -6,30 +6,30 @@ using System.Threading;
 namespace Rabit.Links;
 
 /// <summary>
-/// <c>udpin:ADDRESS:PORT</c>: waits on a UDP port and receives from any sender. Writes go to the last sender; before
-/// there was one, and while the network is down, they are dropped and counted. One write is one datagram. A peer that
-/// goes away cannot be seen. Allocates nothing per datagram on .NET; on Mono about 400 bytes for one received and one
-/// sent.
+/// <c>udpin:ADDRESS:PORT</c>: waits on a UDP port and receives from any sender; <see cref="LinkRead.Peer"/> says from
+/// which. Writes go to all of them, at most 64: one that sends nothing for a minute
+/// (<see cref="LinkOptions.PeerIdleTime"/>) is forgotten, and where there are too many the one that was silent longest
+/// gives way; both are counted. While there is none, and while the network is down, writes are dropped and counted. One
+/// write is one datagram to each. Allocates nothing per datagram on .NET; on Mono about 500 bytes for one received and
+/// one sent.
 /// </summary>
 /// <example>
 /// <code>
 /// using UdpListenLink link = UdpListenLink.Open("0.0.0.0", 14550);
 /// var buffer = new byte[4096];
 /// LinkRead read = link.Read(buffer);        // waits for a datagram of anyone
-/// link.Write(buffer, 0, read.Count);        // goes back to its sender
+/// link.Write(buffer, 0, read.Count);        // goes back to its sender, and to all before
 /// </code>
 /// </example>
 public sealed class UdpListenLink : IByteLink
 {
     private readonly LinkLifetime _state;
     private readonly UdpSocket _socket;
-    private readonly DatagramExchange _exchange;
 
-    private UdpListenLink(Socket socket, LinkLifetime state, IPEndPoint local)
+    private UdpListenLink(Socket socket, LinkLifetime state, IPEndPoint local, LinkOptions options)
     {
         _state = state;
-        _exchange = new DatagramExchange(socket);
-        _socket = new UdpSocket(socket, state, _exchange);
+        _socket = new UdpSocket(socket, state, DatagramExchange.Create(socket, state, options));
         Port = local.Port;
     }
 
@@ -56,7 +56,7 @@ public sealed class UdpListenLink : IByteLink
     /// The address of this computer to listen on, or a name for it; <c>0.0.0.0</c> is all of them for IPv4.
     /// </param>
     /// <param name="port">1 to 65535, or 0 for any free one: <see cref="Port"/> says which.</param>
-    /// <param name="options">How long a write may wait; the defaults if left out.</param>
+    /// <param name="options">How long a write may wait, when a peer is forgotten; the defaults if left out.</param>
     /// <exception cref="LinkException">
     /// The port is in use, this computer does not have the address, or the like.
     /// </exception>
@@ -68,6 +68,7 @@ public sealed class UdpListenLink : IByteLink
         if (address is null) throw new ArgumentNullException(nameof(address));
         if (port is < 0 or > 65535) throw new ArgumentOutOfRangeException(nameof(port), port, "a port is 0 to 65535");
         string url = LinkUrl.ForHost(LinkKind.UdpListen, address, port).ToString();
+        options ??= LinkOptions.Default;
         IPAddress own = HostAddresses.Find(url, address, stop)[0];
 
         Socket? socket = null;
@@ -76,11 +77,12 @@ public sealed class UdpListenLink : IByteLink
             socket = new Socket(own.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
             // Mono lets two programs share a UDP port, so that each gets some of the datagrams, by default.
             socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, false);
-            socket.SendTimeout = (options ?? LinkOptions.Default).WriteTimeoutMilliseconds;
+            socket.SendTimeout = options.WriteTimeoutMilliseconds;
             socket.Bind(new IPEndPoint(own, port));
             var local = (IPEndPoint)socket.LocalEndPoint!;
             return new UdpListenLink(
-                socket, new LinkLifetime(LinkUrl.ForHost(LinkKind.UdpListen, address, local.Port).ToString()), local);
+                socket, new LinkLifetime(LinkUrl.ForHost(LinkKind.UdpListen, address, local.Port).ToString()), local,
+                options);
         }
         catch (SocketException e)
         {
@@ -97,9 +99,7 @@ public sealed class UdpListenLink : IByteLink
     /// <inheritdoc/>
     public void Write(byte[] buffer, int offset, int count)
     {
-        if (!_state.CheckWrite(buffer, offset, count)) return;
-        if (_exchange.HasSender) _socket.Write(buffer, offset, count);
-        else _state.Dropped(count);
+        if (_state.CheckWrite(buffer, offset, count)) _socket.Write(buffer, offset, count);
     }
 
     /// <inheritdoc/>

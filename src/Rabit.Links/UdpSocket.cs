@@ -18,9 +18,14 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
     // A refusal answers an earlier datagram and keeps the present one from being sent: it is worth another try.
     private const int SendAttempts = 3;
 
+    // No error of a socket: there is none to send to yet.
+    private const SocketError NoPeer = SocketError.NotConnected;
+
     private readonly byte[] _datagram = new byte[MaxDatagram]; // reader's thread, as the two indices
     private int _next;
     private int _end;
+    private int _peer; // whose datagram it is
+    private int _isRetired; // volatile access
     private int _timeout = Timeout.Infinite; // that of the socket
 
     public LinkRead Read(byte[] buffer, int timeoutMilliseconds)
@@ -30,17 +35,18 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
         while (true)
         {
             if (state.EndReason is { } reason) return LinkRead.Ended(reason);
-            if (_next < _end) return state.Arrived(TakeInto(buffer));
+            if (_next < _end) return state.Arrived(TakeInto(buffer), _peer);
 
             SocketError error = Receive();
             if (error == SocketError.Success || state.EndReason is not null) continue;
+            if (Volatile.Read(ref _isRetired) != 0) return LinkRead.NothingYet;
             if (SocketFaults.IsTimeout(error) && timeoutMilliseconds != Timeout.Infinite) return LinkRead.NothingYet;
             if (!SocketFaults.PassesOnUdp(error)) throw Broken("cannot read", error);
             state.TransientFault();
         }
     }
 
-    /// <summary>Sends one datagram to the peer, or to the last sender; there must be one.</summary>
+    /// <summary>Sends one datagram to the peer, or to all of them; where there is none it is dropped.</summary>
     public void Write(byte[] buffer, int offset, int count)
     {
         SocketError error = SocketError.Success;
@@ -54,27 +60,46 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
             }
 
             if (state.EndReason is not null) throw state.DroppedByEnd(count);
+            if (Volatile.Read(ref _isRetired) != 0 || error == NoPeer) break;
             if (SocketFaults.PassesOnUdp(error)) state.TransientFault();
             if (error != SocketError.ConnectionRefused) break;
         }
 
         state.Dropped(count);
-        if (SocketFaults.PassesOnUdp(error)) return;
+        if (error == NoPeer || SocketFaults.PassesOnUdp(error) || Volatile.Read(ref _isRetired) != 0) return;
         if (error != SocketError.MessageSize) throw Broken("cannot write", error);
         throw new LinkException(state.Url, $"{count} bytes do not fit into one datagram; dropped", linkEnded: false);
     }
 
+    /// <summary>Sends an empty datagram, which keeps the way through address translation open.</summary>
+    public void KeepAlive()
+    {
+        if (Send([], 0, 0) is var error && error != SocketError.Success) state.TransientFault();
+    }
+
+    /// <summary>
+    /// Closes the socket without ending the link, which has another one. Bytes that it still holds are lost.
+    /// </summary>
+    public void Retire()
+    {
+        Volatile.Write(ref _isRetired, 1);
+        socket.Dispose();
+    }
+
     public void End(string reason)
     {
-        if (state.TryEnd(reason)) socket.Dispose();
+        if (state.TryEnd(reason)) Close();
     }
+
+    /// <summary>Closes the socket, which ends what waits for it.</summary>
+    public void Close() => socket.Dispose();
 
     private SocketError Receive()
     {
         try
         {
             SocketError error = SocketError.Success;
-            int count = exchange?.Receive(_datagram)
+            int count = exchange?.Receive(_datagram, out _peer)
                 ?? socket.Receive(_datagram, 0, _datagram.Length, SocketFlags.None, out error);
             if (error != SocketError.Success) return error;
             _next = 0;
@@ -96,8 +121,9 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
         try
         {
             SocketError error = SocketError.Success;
-            if (exchange is not null) exchange.Reply(buffer, offset, count);
-            else socket.Send(buffer, offset, count, SocketFlags.None, out error);
+            if (exchange is null) socket.Send(buffer, offset, count, SocketFlags.None, out error);
+            else if (exchange.SendToAll(buffer, offset, count, out error) > 0) return SocketError.Success;
+            else if (error == SocketError.Success) return NoPeer;
             return error;
         }
         catch (SocketException e)

@@ -86,13 +86,16 @@ internal static class ManagerOptions
             && options.Has(UavManagers.MissionControl);
 
     public static CommunicationsOptions ForCommunications(
-        UavOptions options, IReadOnlyList<IByteLink> links, IReadOnlyList<RecordedFile> files)
+        UavOptions options, IReadOnlyList<IByteLink> links, IReadOnlyList<RecordedFile> files,
+        IReadOnlyDictionary<int, MavlinkSigningKey>? linkKeys = null)
     {
         CommunicationsOptions made = options.Communications.Copy();
         made.Links = links;
         made.RecordedFiles = files;
         made.StopsWhenAllLinksEnd |= options.IsReplay;
-        made.Signing = SigningOf(options);
+        made.Signing = SigningOptions.With(
+            SigningOf(options), linkKeys ?? new Dictionary<int, MavlinkSigningKey>());
+        made.LinkSettings = LinkSettingsOf(options);
         made.Dialect = DialectOf(options);
         made.Subscriptions = SubscriptionsOf(options);
         made.SendsTargets ??= options.Has(UavManagers.SensorFusion);
@@ -103,6 +106,22 @@ internal static class ManagerOptions
             .. options.Communications.VehicleMessageRoutes,
         ];
         return made;
+    }
+
+    /// <summary>The settings of the links by their numbers: live ones first, then logs; a URL says more.</summary>
+    public static IReadOnlyDictionary<int, LinkSettings> LinkSettingsOf(UavOptions options)
+    {
+        Dictionary<int, LinkSettings> settings = options.Communications.LinkSettings
+            .ToDictionary(s => s.Key, s => s.Value);
+        int number = options.OpenLinks.Count;
+        foreach (LinkUrl url in options.Links.OrderBy(l => l.Kind == LinkKind.RecordedFile))
+        {
+            if (!ReferenceEquals(url.Settings, LinkSettings.None))
+                settings[number] = url.Settings;
+            number++;
+        }
+
+        return settings;
     }
 
     public static AutopilotOptions ForAutopilot(UavOptions options)

@@ -37,7 +37,7 @@ internal static class UavLinkCheck
         if (links > MavlinkRouter.MaxLinks)
             yield return $"there are {links} links; at most {MavlinkRouter.MaxLinks} are possible";
         foreach (IGrouping<string, LinkUrl> same
-            in options.Links.GroupBy(l => l.ToString(), StringComparer.Ordinal).Where(g => g.Count() > 1))
+            in options.Links.GroupBy(l => l.Address, StringComparer.Ordinal).Where(g => g.Count() > 1))
             yield return $"link {same.Key} is given {same.Count()} times";
 
         // Two readers would take each other's bytes. Links of one name may be several.

@@ -9,6 +9,7 @@ using Rabit.Uav.GroundControl;
 using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Links;
+using Rabit.Mavlink;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Rabit.Uav.SensorFusion;
@@ -36,6 +37,7 @@ public sealed class UavSystem : IDisposable
     private readonly UavOptions _options;
     private readonly List<IByteLink> _links = [];
     private readonly List<RecordedFile> _files = [];
+    private readonly Dictionary<string, MavlinkSigningKey> _keys = []; // by file
     private readonly CommunicationsManager? _communications;
     private readonly AutopilotManager? _autopilot;
     private readonly ImageProcessingManager? _imageProcessing;
@@ -52,7 +54,8 @@ public sealed class UavSystem : IDisposable
             OpenLinks();
             Time = CreateTime();
             if (options.Has(UavManagers.Communications))
-                _communications = new CommunicationsManager(ManagerOptions.ForCommunications(options, _links, _files));
+                _communications = new CommunicationsManager(
+                    ManagerOptions.ForCommunications(options, _links, _files, ReadLinkKeys()));
             if (options.Has(UavManagers.AutopilotInterface))
                 _autopilot = new AutopilotManager(ManagerOptions.ForAutopilot(options));
             if (options.Has(UavManagers.ImageProcessing))
@@ -163,6 +166,8 @@ public sealed class UavSystem : IDisposable
             link.Dispose();
         foreach (RecordedFile file in _files)
             file.Dispose();
+        foreach (MavlinkSigningKey key in _keys.Values)
+            key.Dispose();
     }
 
     // An aircraft in the air is better off with managers that go on: Health Monitoring sees the fault, and Mission
@@ -208,6 +213,22 @@ public sealed class UavSystem : IDisposable
             else
                 _links.Add(ReopeningLink.Open(url, _options.LinkOptions));
         }
+    }
+
+    // Links with one file share one key, and so what is known of its frames.
+    private Dictionary<int, MavlinkSigningKey> ReadLinkKeys()
+    {
+        var keys = new Dictionary<int, MavlinkSigningKey>();
+        foreach (KeyValuePair<int, LinkSettings> link in ManagerOptions.LinkSettingsOf(_options))
+        {
+            if (link.Value.KeyFile is not { } file)
+                continue;
+            if (!_keys.TryGetValue(file, out MavlinkSigningKey? key))
+                _keys.Add(file, key = SigningKeyFile.Read(file));
+            keys.Add(link.Key, key);
+        }
+
+        return keys;
     }
 
     private RabitTime CreateTime()

@@ -6,7 +6,8 @@ namespace Rabit.Links.Tests;
 public sealed class LinkUrlTests
 {
     private const string AllForms =
-        "udpin:ADDRESS:PORT, udpout:HOST:PORT, tcp:HOST:PORT, serial:DEVICE:BAUD or tlog:FILE[?speed=10|max]";
+        "udpin:ADDRESS:PORT, udpout:HOST:PORT, udpbcast:ADDRESS:PORT, tcp:HOST:PORT, tcpin:ADDRESS:PORT, "
+            + "serial:DEVICE:BAUD or tlog:FILE[?speed=10|max]";
 
     private const string UdpListenForm = "udpin:ADDRESS:PORT, for example udpin:0.0.0.0:14550";
     private const string UdpSendForm = "udpout:HOST:PORT, for example udpout:192.168.1.10:14550";

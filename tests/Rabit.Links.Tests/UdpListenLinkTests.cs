@@ -8,7 +8,7 @@ namespace Rabit.Links.Tests;
 public sealed class UdpListenLinkTests : ByteLinkContract
 {
     // The calls that allocate nothing do not exist on Mono; 376 bytes were measured there.
-    protected override long AllocationLimit => Type.GetType("Mono.Runtime") is null ? 0 : 500;
+    protected override long AllocationLimit => Type.GetType("Mono.Runtime") is null ? 0 : 700;
 
     protected override LinkTestBed Open()
     {
@@ -71,7 +71,7 @@ public sealed class UdpListenLinkTests : ByteLinkContract
     }
 
     [Fact]
-    public void Write_TwoSenders_GoesToTheOneReceivedLast()
+    public void Write_TwoSenders_GoesToBoth()
     {
         using UdpListenLink link = UdpListenLink.Open("127.0.0.1", 0);
         using UdpSendLink first = UdpSendLink.Open("127.0.0.1", link.Port);
@@ -85,6 +85,10 @@ public sealed class UdpListenLinkTests : ByteLinkContract
             Assert.Equal(1, link.Read(buffer).Count);
             link.Write(new[] { ++reply }, 0, 1);
             Assert.Equal(1, sender.Read(buffer).Count);
+            Assert.Equal(reply, buffer[0]);
+            if (reply == 1) continue; // the second has not sent yet
+            UdpSendLink other = ReferenceEquals(sender, first) ? second : first;
+            Assert.Equal(1, other.Read(buffer).Count);
             Assert.Equal(reply, buffer[0]);
         }
     }

@@ -9,13 +9,20 @@ public sealed partial class CommunicationsManager
     private LinkScheduler? MakeScheduler(int link)
     {
         if (!_options.SendBudgets.TryGetValue(link, out SendBudget? budget))
-            return null;
+        {
+            if (_options.SettingsOf(link).BytesPerSecond is not { } rate)
+                return null;
+            budget = new SendBudget { BytesPerSecond = rate };
+        }
+
         bool isSigned = _signing?.IsSigned(link) == true;
         return new LinkScheduler(budget.Copy(), isSigned ? MavlinkFrame.SignatureLength : 0);
     }
 
     private void Forward(LinkPort port, in MavlinkFrame frame)
     {
+        if (!port.AdmitsOut(frame))
+            return;
         if (port.Scheduler is { } scheduler)
             scheduler.Put(
                 new FrameToSend { Frame = frame }, SendClasses.Of(frame, keepsOrder: frame.IsSigned), Now);
@@ -25,6 +32,8 @@ public sealed partial class CommunicationsManager
 
     private void SendOwn(LinkPort port, in MavlinkFrame frame, byte crcExtra, TimeSpan validUntil)
     {
+        if (!port.AdmitsOut(frame))
+            return;
         var own = new FrameToSend { Frame = frame, IsOwn = true, CrcExtra = crcExtra, ValidUntil = validUntil };
         if (port.Scheduler is { } scheduler)
             scheduler.Put(own, SendClasses.Of(frame), Now);

@@ -34,7 +34,20 @@ public sealed partial class CommunicationsManager
         _vehicle.Fetch();
         OwnAddress own = _ownAddress.Value;
         if (own.IsKnown && _position.TryNext(_vehicle.Value, Now, out GlobalPositionInt message))
-            SendOwn(MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0));
+            SendPosition(MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0));
+    }
+
+    private void SendPosition(in MavlinkFrame frame)
+    {
+        _options.Dialect.TryGetMessage(frame.MessageId, out MavlinkMessageInfo message);
+        ulong links = _router.RouteOwn(frame, message);
+        foreach (LinkPort port in _ports)
+        {
+            if (!port.TakesPosition)
+                links &= ~(1UL << port.Number);
+        }
+
+        SendOwn(links, frame, message.CrcExtra);
     }
 
     private void SendOwn(in MavlinkFrame frame)

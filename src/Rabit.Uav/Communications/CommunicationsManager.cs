@@ -113,8 +113,10 @@ public sealed partial class CommunicationsManager : RabitManager
     private void AddLink(IByteLink link)
     {
         int number = _ports.Count;
-        var tally = new FrameStatistics(_options.Dialect, isWire: link.Url.StartsWith("serial:", StringComparison.OrdinalIgnoreCase));
-        var source = new MavlinkLinkSource(link, number, _options.Dialect, tally);
+        LinkSettings settings = _options.SettingsOf(number);
+        bool isWire = link.Url.StartsWith("serial:", StringComparison.OrdinalIgnoreCase);
+        var tally = new FrameStatistics(_options.Dialect, isWire);
+        var source = new MavlinkLinkSource(link, number, _options.Dialect, tally, settings.FlushAfter);
         var target = new MavlinkLinkTarget(link);
         _ports.Add(new LinkPort(
             number,
@@ -128,9 +130,15 @@ public sealed partial class CommunicationsManager : RabitManager
             target,
             link,
             file: null,
-            new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond),
+            settings,
+            new TunnelRateLimiter(Math.Min(
+                settings.BytesPerSecond ?? int.MaxValue, _options.VehicleMessageBytesPerSecond)),
             MakeScheduler(number)));
-        _router.SetLink(number, MavlinkLinkRules.Live);
+        _router.SetLink(
+            number,
+            settings.IsListenOnly ? MavlinkLinkRules.Send
+            : settings.IsReceiveOnly ? MavlinkLinkRules.ForwardFrom
+            : MavlinkLinkRules.Live);
     }
 
     private void AddRecordedFile(RecordedFile file)
@@ -152,6 +160,7 @@ public sealed partial class CommunicationsManager : RabitManager
             target: null,
             link: null,
             file,
+            _options.SettingsOf(number),
             new TunnelRateLimiter(_options.VehicleMessageBytesPerSecond),
             scheduler: null));
 
@@ -171,7 +180,7 @@ public sealed partial class CommunicationsManager : RabitManager
             if (!port.Reader.TryPop(out LinkFrame frame))
                 return;
             port.CountReceived(frame);
-            if (!IsAccepted(port, frame.Frame))
+            if (!port.Admits(frame.Frame) || !IsAccepted(port, frame.Frame))
                 continue;
             port.NoteHeartbeat(frame);
             port.NoteRadio(frame);

@@ -16,6 +16,13 @@ public sealed class CommunicationsOptions
     public IReadOnlyList<IByteLink> Links { get; set; } = Array.Empty<IByteLink>();
 
     /// <summary>
+    /// What is set for single links, by their numbers; a link without an entry is as
+    /// <see cref="Rabit.Links.LinkSettings.None"/>.
+    /// </summary>
+    /// <value>The default is none. <see cref="UavSystem"/> adds what the URLs of its links say.</value>
+    public IReadOnlyDictionary<int, LinkSettings> LinkSettings { get; set; } = new Dictionary<int, LinkSettings>();
+
+    /// <summary>
     /// Recorded logs that are played, open. They are numbered after the live links, and stay the caller's to dispose.
     /// </summary>
     public IReadOnlyList<RecordedFile> RecordedFiles { get; set; } = Array.Empty<RecordedFile>();
@@ -113,6 +120,9 @@ public sealed class CommunicationsOptions
 
     internal CommunicationsOptions Copy() => (CommunicationsOptions)MemberwiseClone();
 
+    internal LinkSettings SettingsOf(int link)
+        => LinkSettings.TryGetValue(link, out LinkSettings? settings) ? settings : Rabit.Links.LinkSettings.None;
+
     internal int Count => Links.Count + RecordedFiles.Count;
 
     /// <exception cref="ArgumentException">Options are out of their range; the text names all of them.</exception>
@@ -158,6 +168,10 @@ public sealed class CommunicationsOptions
             yield break;
         }
 
+        if (LinkSettings is null || LinkSettings.Values.Contains(null!))
+            yield return $"{nameof(LinkSettings)}, or one of them, is null; it may be empty, but not null";
+        foreach (int link in (LinkSettings?.Keys ?? []).Where(l => l < 0 || l >= Count))
+            yield return $"{nameof(LinkSettings)} has link {link}, but there are {Count} links, numbered from 0";
         if (Count == 0)
             yield return "there is no link";
         if (Count > MavlinkRouter.MaxLinks)

@@ -23,11 +23,14 @@ internal sealed class LinkPort(
     MavlinkLinkTarget? target,
     IByteLink? link,
     RecordedFile? file,
+    LinkSettings settings,
     TunnelRateLimiter rateLimiter,
     LinkScheduler? scheduler)
 {
     private long _framesOut;
     private long _rejectedOut;
+    private long _filteredIn;
+    private long _filteredOut;
     private TimeSpan? _lastFrameTime;
     private TimeSpan? _groundStationTime;
     private bool _leadsToAutopilot;
@@ -70,6 +73,27 @@ internal sealed class LinkPort(
         _sequences.TryGetValue(sender, out byte sequence);
         _sequences[sender] = unchecked((byte)(sequence + 1));
         return sequence;
+    }
+
+    /// <summary>Whether our own position goes out over it.</summary>
+    public bool TakesPosition => settings.SendsPosition;
+
+    /// <summary>Whether its settings let a frame in; one that they do not is counted.</summary>
+    public bool Admits(in MavlinkFrame frame)
+    {
+        if (settings.AdmitsIn(frame.MessageId, frame.SystemId, frame.ComponentId))
+            return true;
+        _filteredIn++;
+        return false;
+    }
+
+    /// <summary>Whether its settings let a frame out; one that they do not is counted.</summary>
+    public bool AdmitsOut(in MavlinkFrame frame)
+    {
+        if (settings.AdmitsOut(frame.MessageId, frame.SystemId, frame.ComponentId))
+            return true;
+        _filteredOut++;
+        return false;
     }
 
     public void CountReceived(in LinkFrame frame) => _lastFrameTime = frame.Time;
@@ -152,6 +176,10 @@ internal sealed class LinkPort(
             FramesDuplicate = _duplicates,
             AddressConflicts = AddressConflicts,
             Signatures = _signatures,
+            FramesFilteredIn = _filteredIn,
+            FramesFilteredOut = _filteredOut,
+            Name = settings.Name,
+            IsOptional = settings.IsOptional,
             Openings = link?.Counters.Openings ?? 0,
             Progress = file?.Progress ?? double.NaN,
         };

@@ -34,6 +34,14 @@ public sealed class SigningOptions(MavlinkSigningKey key)
     public IReadOnlyList<int>? Links { get; set; }
 
     /// <summary>
+    /// The secrets of single links, by their numbers, where they are others than <see cref="Key"/>; their owner
+    /// disposes of them, after the run. A link that has one is signed, whether or not <see cref="Links"/> has it.
+    /// </summary>
+    /// <value>The default is none.</value>
+    public IReadOnlyDictionary<int, MavlinkSigningKey> LinkKeys { get; set; }
+        = new Dictionary<int, MavlinkSigningKey>();
+
+    /// <summary>
     /// The link id in the signatures of link 0; that of link n is n more. Receivers remember the newest time stamp per
     /// link id.
     /// </summary>
@@ -51,9 +59,29 @@ public sealed class SigningOptions(MavlinkSigningKey key)
     /// <value>The default is null.</value>
     public IMavlinkTimestampStore? TimestampStore { get; set; }
 
+    /// <summary>These, with keys of single links beside those that are there.</summary>
+    internal static SigningOptions? With(SigningOptions? options, IReadOnlyDictionary<int, MavlinkSigningKey> keys)
+    {
+        if (keys.Count == 0)
+            return options;
+        if (options is null)
+            return new SigningOptions(keys.Values.First()) { Links = [], LinkKeys = keys };
+        return new SigningOptions(options.Key)
+        {
+            Links = options.Links,
+            LinkKeys = options.LinkKeys.Where(k => !keys.ContainsKey(k.Key)).Concat(keys)
+                .ToDictionary(k => k.Key, k => k.Value),
+            FirstLinkId = options.FirstLinkId,
+            AcceptUnsigned = options.AcceptUnsigned,
+            TimestampStore = options.TimestampStore,
+        };
+    }
+
     internal IEnumerable<string> FindFaults(int liveLinks)
     {
-        foreach (int link in (Links ?? []).Where(l => l < 0 || l >= liveLinks))
+        if (LinkKeys is null || LinkKeys.Values.Contains(null!))
+            yield return $"{nameof(LinkKeys)}, or one of them, is null; it may be empty, but not null";
+        foreach (int link in (Links ?? []).Concat(LinkKeys?.Keys ?? []).Where(l => l < 0 || l >= liveLinks))
             yield return $"link {link} is to be signed, but there are {liveLinks} live links, numbered from 0";
         if (liveLinks > 0 && FirstLinkId + liveLinks - 1 > byte.MaxValue)
             yield return $"{nameof(FirstLinkId)} is {FirstLinkId}, and there are {liveLinks} live links; link ids end "

@@ -10,26 +10,28 @@ internal static partial class HealthRules
     [
         new(HealthReasons.LinkDown, HealthLevel.Critical, HealthAdvice.None)
         {
-            When = static (in LinkFacts l, HealthOptions _) => l.State is LinkState.Failed or LinkState.Opening
+            When = static (in LinkFacts l, HealthOptions _) => l.State == LinkState.Failed
+                || (l.State == LinkState.Opening && !l.IsOptional)
                 || (l.State == LinkState.Ended && !l.IsRecorded),
             Figure = static (in LinkFacts l) => (long)l.State,
             Text = static f => f.Figure == (long)LinkState.Failed
                 ? (FormattableString)$"link {f.Subject} failed"
                 : f.Figure == (long)LinkState.Opening ? (FormattableString)$"link {f.Subject} is not open, and is tried again"
                 : $"link {f.Subject} was closed by the other end",
-            Condition = static _ => "it failed, it cannot be opened, or the peer closed it; a log that ends is no fault",
+            Condition = static _ => "it failed, it cannot be opened and is not optional, or the peer closed it; a log that ends is no fault",
             End = static _ => "it is open again",
             Why = "where it is the autopilot's, AutopilotLost follows",
         },
         new(HealthReasons.LinkSilent, HealthLevel.Warning, HealthAdvice.None)
         {
-            When = static (in LinkFacts l, HealthOptions o) => l.State == LinkState.Silent
-                || (l.State == LinkState.Waiting && l.MonitoredFor > o.FirstFrameTimeout),
+            When = static (in LinkFacts l, HealthOptions o) => !l.IsOptional
+                && (l.State == LinkState.Silent
+                    || (l.State == LinkState.Waiting && l.MonitoredFor > o.FirstFrameTimeout)),
             Figure = static (in LinkFacts l) => (long)l.State,
             Text = static f => f.Figure == (long)LinkState.Waiting
                 ? (FormattableString)$"link {f.Subject}: nothing received yet"
                 : $"link {f.Subject} is silent",
-            Condition = static o => $"frames stopped coming, or none came within {Seconds(o.FirstFrameTimeout)}",
+            Condition = static o => $"frames stopped coming, or none came within {Seconds(o.FirstFrameTimeout)}; not of an optional link",
             End = static _ => "its next frame",
             Why = "heartbeats come once a second on a link that works",
         },

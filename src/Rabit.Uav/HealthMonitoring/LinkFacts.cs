@@ -13,6 +13,9 @@ internal readonly struct LinkFacts(
 
     public LinkState State { get; } = status.State;
 
+    /// <summary>Whether it may be silent, or not open.</summary>
+    public bool IsOptional { get; } = status.IsOptional;
+
     /// <summary>Whether it is a recorded log, which may end.</summary>
     public bool IsRecorded { get; } = !double.IsNaN(status.Progress);
 

@@ -35,6 +35,6 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
         long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedBeforeFirstFrame;
         bool drops = _dropped.Update(dropped, now, options.RecentWindow);
         bool rejects = _rejected.Update(value.Signatures.Rejected, now, options.RecentWindow);
-        return new LinkFacts(value.Url ?? _number, value, dropped, drops, rejects, now - monitoredSince);
+        return new LinkFacts(value.Name ?? value.Url ?? _number, value, dropped, drops, rejects, now - monitoredSince);
     }
 }

@@ -67,6 +67,18 @@ public struct LinkStatus
     /// </summary>
     public MavlinkSignatureCounters Signatures { get; set; }
 
+    /// <summary>What it is called; null where it has no name.</summary>
+    public string? Name { get; set; }
+
+    /// <summary>Whether it may be silent, or not open, without a warning.</summary>
+    public bool IsOptional { get; set; }
+
+    /// <summary>Frames that came in, and that its settings do not let in.</summary>
+    public long FramesFilteredIn { get; set; }
+
+    /// <summary>Frames that were to go out, and that its settings do not let out.</summary>
+    public long FramesFilteredOut { get; set; }
+
     /// <summary>How many times it was opened; above 1 where it was away and came back. 0 for a recorded log.</summary>
     public long Openings { get; set; }
 
