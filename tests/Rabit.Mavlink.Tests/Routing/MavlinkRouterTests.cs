@@ -201,7 +201,10 @@ public class MavlinkRouterTests
             Receive(component % 2 == 0 ? Other : Quiet, 1, (byte)(component == 191 ? 250 : component));
 
         for (int component = 2; component <= 190; component++)
-            Assert.Equal(component % 2 == 0 ? 1UL << Other : 1UL << Quiet, _router.LinksOf(1, (byte)component) & ~(1UL << Autopilot));
+        {
+            ulong links = _router.LinksOf(1, (byte)component) & ~(1UL << Autopilot);
+            Assert.Equal(component % 2 == 0 ? 1UL << Other : 1UL << Quiet, links);
+        }
     }
 
     [Fact]

@@ -96,7 +96,8 @@ public sealed class AddressTests
         Assert.Equal(1, rig.Status(0).AddressConflicts);
         Assert.DoesNotContain(rig.ReceivedFrames(1), f => f.MessageId == Heartbeat.MavlinkId);
         Assert.Empty(rig.Autopilot.Taken);
-        Assert.Single(rig.Log, e => e.ToString().Contains("1 frames so far have our own address", StringComparison.Ordinal));
+        Assert.Single(
+            rig.Log, e => e.ToString().Contains("1 frames so far have our own address", StringComparison.Ordinal));
     }
 
     [Fact]
