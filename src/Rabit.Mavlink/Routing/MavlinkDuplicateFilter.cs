@@ -13,7 +13,7 @@ namespace Rabit.Mavlink;
 /// Sequence numbers come again after 256 frames: what is the same after 128 frames or more of its sender is a new one.
 /// The table keeps 4096 frames in sets of four; where more come within the window the oldest of a set is forgotten, so
 /// that a copy may pass. The content is compared by a hash of 64 bits: two different frames within the window are taken
-/// for one with a probability below 1e-15, unless somebody makes them so; where that matters links are signed.
+/// for one with a probability below 1e-15, unless they were made so on purpose; where that matters links are signed.
 /// </remarks>
 /// <example>
 /// <code>

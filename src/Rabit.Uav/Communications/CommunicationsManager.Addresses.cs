@@ -53,8 +53,8 @@ public sealed partial class CommunicationsManager
         {
             if (port.ConflictReport.IsDue(port.AddressConflicts, Now, isEnd))
                 Log($"link {port.Number}: {port.AddressConflicts} frames so far have our own address and are not from "
-                    + "us, or that of our autopilot, which comes in over another link: somebody uses the same ids, or "
-                    + "two links lead to the same vehicle");
+                    + "us, or that of our autopilot, which comes in over another link: another component uses the same "
+                    + "ids, or two links lead to the same vehicle");
         }
     }
 
