@@ -21,7 +21,7 @@ public struct LinkBudgetStatus
     /// <summary>Commands, acknowledgements, set-points.</summary>
     public SendCounters Commands { get; set; }
 
-    /// <summary>What vehicles and operators tell each other.</summary>
+    /// <summary>Messages between vehicles, texts, events.</summary>
     public SendCounters Coordination { get; set; }
 
     /// <summary>State, of which the latest value counts.</summary>

@@ -9,7 +9,7 @@ internal enum SendClass
     /// <summary>P1: commands, their acknowledgements, set-points, what measures time.</summary>
     Commands,
 
-    /// <summary>P2: what vehicles and operators tell each other, each word of it: TUNNEL, texts, events.</summary>
+    /// <summary>P2: messages between vehicles, texts and events, each of which counts.</summary>
     Coordination,
 
     /// <summary>P3: state, of which the latest value counts.</summary>

@@ -7,7 +7,7 @@ namespace Rabit.Uav.Communications;
 /// <summary>Which class a frame belongs to, by its message; and which value of state it is.</summary>
 internal static class SendClasses
 {
-    // Where the field starts that tells instances of a message apart, on the wire (fields sorted by size).
+    // Where fields start on the wire (sorted by size): name and id of an instance, severity, command.
     private const int NameOffset = 8;
     private const int NameLength = 10;
     private const int BatteryIdOffset = 32;
@@ -64,7 +64,9 @@ internal static class SendClasses
             : SendClass.Bulk;
     }
 
-    /// <summary>The same for all values of one piece of state: sender, message, and instance where it has some.</summary>
+    /// <summary>
+    /// The same for all values of one piece of state: sender, message, and instance where it has some.
+    /// </summary>
     public static ulong KeyOf(in MavlinkFrame frame)
     {
         ulong key = ((ulong)frame.SystemId << 56) | ((ulong)frame.ComponentId << 48) | (uint)frame.MessageId;

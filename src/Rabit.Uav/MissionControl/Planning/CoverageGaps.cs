@@ -16,7 +16,7 @@ internal sealed class CoverageGaps
     // Wholly uncovered squares are not divided further than this.
     private const double CoarseResolution = 0.3;
 
-    // Gaps nearer to another than this are not told apart.
+    // Gaps nearer to another than this are one.
     private const double Separation = 0.05;
 
     private readonly SearchRegion _region;
