@@ -25,7 +25,7 @@ internal sealed class TurboJpeg : IDisposable
             throw new InvalidOperationException("libturbojpeg refuses the picture.");
     }
 
-    public void Dispose() => Destroy(_decoder);
+    public void Dispose() => _ = Destroy(_decoder);
 
     [DllImport(Library, EntryPoint = "tjInitDecompress")]
     private static extern IntPtr InitDecompress();
