@@ -12,6 +12,7 @@ namespace Rabit.Links;
 /// </summary>
 /// <example>
 /// <code>
+/// byte[] heartbeat = [0xFD, 9, 0, 0];   // a whole frame in truth
 /// using UdpBroadcastLink link = UdpBroadcastLink.Open("192.168.1.255", 14550);
 /// link.Write(heartbeat, 0, heartbeat.Length);   // every ground station on that network receives it
 /// </code>

@@ -18,8 +18,9 @@ namespace Rabit.Mavlink;
 /// <example>
 /// <code>
 /// var duplicates = new MavlinkDuplicateFilter();
-/// if (!duplicates.IsDuplicate(frame, time.Now))
-///     Forward(frame);
+/// MavlinkFrame frame = MavlinkFrame.Create(new Heartbeat(), systemId: 1, componentId: 1, sequence: 0);
+/// bool isFirst = !duplicates.IsDuplicate(frame, TimeSpan.FromSeconds(10));
+/// bool isCopy = duplicates.IsDuplicate(frame, TimeSpan.FromSeconds(10.1));
 /// </code>
 /// </example>
 public sealed class MavlinkDuplicateFilter

@@ -61,6 +61,13 @@ public sealed class MissionControlOptions
     /// <value>0 to 10. The default is 2: what two passes missed, a third misses too.</value>
     public int MaxGapPasses { get; set; } = 2;
 
+    /// <summary>
+    /// Whether the shortest way over an area that is not convex or has keep-outs is searched for before take-off. It
+    /// takes seconds of one unit of work, and the way has more corners, at each of which a multirotor stops.
+    /// </summary>
+    /// <value>The default is false: a way that is some percent longer, in some tenths of a second.</value>
+    public bool PlansShortestWay { get; set; }
+
     /// <summary>What is assumed of battery, power and wind before the flight has measured them.</summary>
     public EnergyOptions Energy { get; set; } = new();
 

@@ -236,7 +236,8 @@ internal sealed class MissionFlight(
     {
         if (Options.Resume is not { } progress)
         {
-            Plan = FlightPlan.Create(Mission, home, out string fault, isFixedWing: IsFixedWing);
+            Plan = FlightPlan.Create(
+                Mission, home, out string fault, isFixedWing: IsFixedWing, isQuick: !Options.PlansShortestWay);
             Route = Plan is null ? null : new SearchRoute(Plan, Mission.LaneSpacingMetres);
             return fault;
         }
@@ -273,7 +274,8 @@ internal sealed class MissionFlight(
         if (MissionPlanRules.FindFaults(mission).FirstOrDefault() is { } wrong)
             return wrong;
         FlightPlan? plan = FlightPlan.Create(
-            mission, Plan.Frame.Origin, out string fault, isFixedWing: IsFixedWing, isQuick: IsFlying);
+            mission, Plan.Frame.Origin, out string fault, isFixedWing: IsFixedWing,
+            isQuick: IsFlying || !Options.PlansShortestWay);
         return plan is null ? fault : Replan(mission, plan, new SearchRoute(plan, mission.LaneSpacingMetres));
     }
 

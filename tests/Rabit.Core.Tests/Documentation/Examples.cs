@@ -214,3 +214,27 @@ internal sealed class Worker : RabitManager
 
     private static void Execute(Order order) => _ = order.Number;
 }
+
+internal sealed class Relay : RabitManager
+{
+    private readonly QueueReceiver<Order> _in;
+    private readonly QueueSender<Order> _out;
+
+    public Relay()
+        : base("relay")
+    {
+        _in = Receive<Order>("orders in");
+        _out = Send<Order>("orders out", wakeOnPop: true);
+    }
+
+    protected override void ExecuteUnitOfWork()
+    {
+        if (!_out.TryPushHeld())
+            return;                                // still full: the next pop wakes us
+        while (_in.TryPop(out Order order))
+        {
+            if (!_out.TryPushOrHold(order))
+                return;
+        }
+    }
+}

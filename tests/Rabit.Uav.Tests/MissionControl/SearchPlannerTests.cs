@@ -46,7 +46,11 @@ public class SearchPlannerTests(ITestOutputHelper output)
         SearchPlanningDocument.Update(all);
         var maxMeans = new Dictionary<string, double>
         {
-            ["convex"] = 1.18, ["concave"] = 1.3, ["holes"] = 1.22, ["sliver"] = 1.22, ["dateline"] = 1.22,
+            ["convex"] = 1.18,
+            ["concave"] = 1.3,
+            ["holes"] = 1.22,
+            ["sliver"] = 1.22,
+            ["dateline"] = 1.22,
             ["large"] = 1.22,
         };
         foreach (IGrouping<string, PlannedArea> kind in all.Where(a => a.Id != Comb).GroupBy(a => a.Kind))

@@ -11,7 +11,8 @@ namespace Rabit.Uav.Communications;
 /// <example>
 /// A radio of 57600 baud with error correction (SiK) as link 1:
 /// <code>
-/// options.Communications.SendBudgets = new Dictionary&lt;int, SendBudget&gt; { [1] = new SendBudget { BytesPerSecond = 3600 } };
+/// var radio = new SendBudget { BytesPerSecond = 3600 };
+/// options.Communications.SendBudgets = new Dictionary&lt;int, SendBudget&gt; { [1] = radio };
 /// </code>
 /// </example>
 public sealed class SendBudget

@@ -1,3 +1,4 @@
+using Rabit.Core;
 using Rabit.Geodesy;
 
 namespace Rabit.Uav.MissionControl;
@@ -6,6 +7,7 @@ namespace Rabit.Uav.MissionControl;
 /// A mission to be planned beside the flight: planning takes longer than a unit of work may. Mission Control makes it,
 /// the planner's thread fills it, and once it is done it is Mission Control's again.
 /// </summary>
+[HandedOver]
 internal sealed class PlanJob(MissionPlan mission, GeodeticPosition home, bool isFixedWing)
 {
     private volatile bool _isDone;

@@ -5,12 +5,14 @@ using System.Linq;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Where a way leaves ground of a region uncovered. Squares are divided until each is covered, and of those that are too
-/// small to be divided also what may be uncovered counts: where it finds nothing, every point is covered.
+/// Where a way leaves ground of a region uncovered. Squares are divided until each is covered, and of those that are
+/// too small to be divided also what may be uncovered counts: where it finds nothing, every point is covered.
 /// </summary>
 internal sealed class CoverageGaps
 {
-    /// <summary>How far ground may be from a way, in parts of the radius, that is not sure to be found covered.</summary>
+    /// <summary>
+    /// How far ground may be from a way, in parts of the radius, that is not sure to be found covered.
+    /// </summary>
     public const double Resolution = 0.0025;
 
     // Wholly uncovered squares are not divided further than this.
