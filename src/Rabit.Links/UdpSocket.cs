@@ -21,6 +21,9 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
     // No error of a socket: there is none to send to yet.
     private const SocketError NoPeer = SocketError.NotConnected;
 
+    // Mono sends no empty array; an empty part of one it does.
+    private static readonly ArraySegment<byte>[] Nothing = [new ArraySegment<byte>(new byte[1], 0, 0)];
+
     private readonly byte[] _datagram = new byte[MaxDatagram]; // reader's thread, as the two indices
     private int _next;
     private int _end;
@@ -121,7 +124,8 @@ internal sealed class UdpSocket(Socket socket, LinkLifetime state, DatagramExcha
         try
         {
             SocketError error = SocketError.Success;
-            if (exchange is null) socket.Send(buffer, offset, count, SocketFlags.None, out error);
+            if (exchange is null && count == 0) socket.Send(Nothing, SocketFlags.None, out error);
+            else if (exchange is null) socket.Send(buffer, offset, count, SocketFlags.None, out error);
             else if (exchange.SendToAll(buffer, offset, count, out error) > 0) return SocketError.Success;
             else if (error == SocketError.Success) return NoPeer;
             return error;
