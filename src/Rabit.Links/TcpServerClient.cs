@@ -59,8 +59,11 @@ internal sealed class TcpServerClient(Socket socket, TimeProvider clock)
 
     private bool TrySend(byte[] buffer, int offset, int count, out int taken)
     {
+        taken = 0;
         try
         {
+            // Mono tries again for as long as there is no room, although the socket does not block.
+            if (!Socket.Poll(0, SelectMode.SelectWrite)) return true;
             taken = Socket.Send(buffer, offset, count, SocketFlags.None, out SocketError error);
             if (error != SocketError.Success) taken = 0;
             return error is SocketError.Success || SocketFaults.IsTimeout(error);
