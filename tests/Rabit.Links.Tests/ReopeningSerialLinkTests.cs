@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using Xunit;
@@ -27,15 +28,24 @@ public sealed class ReopeningSerialLinkTests : ReopeningLinkContract
         bed.AwaitPeer();
         string first = bed.Device;
 
-        using var holdsTheNumber = new PseudoTerminal();
         bed.PeerGoes();
-        using var holdsTheFirst = new PseudoTerminal();
+        List<PseudoTerminal> holders = HoldNumbersUpTo(first);
         bed.ComeUp();
         bed.AwaitPeer();
         bed.PeerSends(9);
 
         Assert.Equal(new byte[] { 9 }, collector.Take(1));
         Assert.NotEqual(first, bed.Device);
+        holders.ForEach(h => h.Dispose());
+    }
+
+    // A new terminal has the least number that is free; other tests take and free numbers meanwhile.
+    private static List<PseudoTerminal> HoldNumbersUpTo(string path)
+    {
+        var holders = new List<PseudoTerminal> { new() };
+        while (holders[holders.Count - 1].Path != path && holders.Count < 64)
+            holders.Add(new PseudoTerminal());
+        return holders;
     }
 
     /// <summary>A name that stays, as those in /dev/serial/by-id, for a device that comes and goes.</summary>
