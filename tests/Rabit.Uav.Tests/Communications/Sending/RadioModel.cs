@@ -71,7 +71,7 @@ internal sealed class RadioModel(SendBudget budget, int signatureBytes = 0)
         TimeSpan put = _put[(frame.MessageId, frame.Sequence)];
         _released.Add((Now, frame.WireLength));
         TimeSpan start = _freeAt > Now ? _freeAt : Now;
-        _freeAt = start + TimeSpan.FromSeconds(frame.WireLength / (double)budget.BytesPerSecond);
+        _freeAt = start + TimeSpan.FromTicks(frame.WireLength * TimeSpan.TicksPerSecond / budget.BytesPerSecond);
         Sent.Add((frame, _freeAt - put, _freeAt));
     }
 }
