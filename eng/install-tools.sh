@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the checks need beside the .NET SDK, where it is missing: Mono (the second runtime) and socat (serial
-# links are tested over its pairs of pseudo-terminals).
+# Installs what the checks need beside the .NET SDK, where it is missing: Mono (the second runtime), socat (serial
+# links are tested over its pairs of pseudo-terminals) and libturbojpeg (the benchmark of JPEG decoding compares with it).
 set -euo pipefail
 
 # A Mono without this facade runs, but no library for netstandard2.0: Debian has it in mono-devel, not in mono-runtime.
@@ -9,11 +9,16 @@ has_mono() {
     mono=$(command -v mono) && [ -e "$(dirname "$mono")/../lib/mono/4.5/Facades/netstandard.dll" ]
 }
 
+has_turbojpeg() {
+    /sbin/ldconfig -p | grep 'libturbojpeg\.so\.0' > /dev/null
+}
+
 missing=()
 has_mono || missing+=(mono-devel)
 command -v socat > /dev/null || missing+=(socat)
+has_turbojpeg || missing+=(libturbojpeg0)
 if [ ${#missing[@]} -eq 0 ]; then
-    echo "Mono and socat are there."
+    echo "Mono, socat and libturbojpeg are there."
     exit 0
 fi
 
