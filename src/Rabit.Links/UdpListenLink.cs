@@ -10,8 +10,8 @@ namespace Rabit.Links;
 /// which. Writes go to all of them, at most 64: one that sends nothing for a minute
 /// (<see cref="LinkOptions.PeerIdleTime"/>) is forgotten, and where there are too many the one that was silent longest
 /// gives way; both are counted. While there is none, and while the network is down, writes are dropped and counted. One
-/// write is one datagram to each. Allocates nothing per datagram on .NET; on Mono about 500 bytes for one received and
-/// one sent.
+/// write is one datagram to each. Allocates nothing per datagram on .NET; Mono's calls make addresses
+/// for each.
 /// </summary>
 /// <example>
 /// <code>
