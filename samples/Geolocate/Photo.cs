@@ -15,10 +15,6 @@ namespace Geolocate;
 /// </summary>
 internal sealed class Photo
 {
-    private const double FilmWidthMillimetres = 36;
-
-    // Rounded to a whole millimetre, and of an unknown part of the sensor: 5 and 6 % off on two drones.
-    private const double FocalLengthErrorBy35Millimetres = 0.04;
     private const double FocalLengthErrorBySensor = 0.01;
 
     private readonly PhotoMetadata _said;
@@ -40,7 +36,7 @@ internal sealed class Photo
         double? direction = _said.IsImageDirectionMagnetic ? null : _said.ImageDirectionDegrees;
         double yaw = Find("camera-yaw", _said.GimbalYawDegrees ?? direction, "the yaw of its camera");
         double roll = Given("camera-roll") ?? _said.GimbalRollDegrees ?? 0;
-        CameraModel camera = CameraOf(out double focalLengthError);
+        CameraModel camera = CameraOf();
         if (_missing.Count > 0)
             throw new FormatException($"{_line.Camera} does not say {string.Join(", ", _missing)}.");
 
@@ -50,7 +46,6 @@ internal sealed class Photo
             Mount = new CameraMount { FixedBodyFromCamera = FromCamera(roll, pitch, yaw) },
             Terrain = terrain,
         };
-        options.Errors.FocalLengthBias = focalLengthError;
 
         // The angles are those of the camera itself, on a gimbal that levels it: there is no mount between them.
         options.Errors.AttitudeNoise = Angle.FromDegrees(0.3);
@@ -79,24 +74,26 @@ internal sealed class Photo
             "height", _said.RelativeAltitudeMetres, "its height above the ground", "--height or --ground-altitude");
     }
 
-    private CameraModel CameraOf(out double error)
+    private CameraModel CameraOf()
     {
         (int width, int height) = (_said.Width ?? 0, _said.Height ?? 0);
         if (width == 0 || height == 0)
             _missing.Add("its size");
-        double longSide = Math.Max(width, height);
-        error = FocalLengthErrorBySensor;
+        int longSide = Math.Max(width, height);
+        double error = FocalLengthErrorBySensor;
         double pixels;
         if (Given("sensor-width") is { } sensor)
         {
-            pixels = Find("focal-length", _said.FocalLengthMillimetres, "its focal length") / sensor * longSide;
+            pixels = FocalLength.FromSensor(
+                longSide, Find("focal-length", _said.FocalLengthMillimetres, "its focal length"), sensor);
         }
         else
         {
-            error = FocalLengthErrorBy35Millimetres;
-            pixels = longSide / FilmWidthMillimetres * Find(
+            double equivalent = Find(
                 "focal-length-35mm", _said.FocalLength35MillimetreEquivalentMillimetres, "its focal length",
                 "--focal-length-35mm, or --focal-length and --sensor-width");
+            pixels = FocalLength.From35MillimetreEquivalent(longSide, equivalent);
+            error = FocalLength.ErrorOf35MillimetreEquivalent(equivalent);
         }
 
         return new CameraModel
@@ -105,6 +102,7 @@ internal sealed class Photo
             Height = height,
             FocalX = pixels,
             FocalY = pixels,
+            FocalLengthError = error,
             CentreX = (width - 1) / 2.0,
             CentreY = (height - 1) / 2.0,
         };

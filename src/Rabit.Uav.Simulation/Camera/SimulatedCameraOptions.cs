@@ -128,9 +128,12 @@ public sealed class SimulatedCameraOptions
         CheckPixels(faults, "Height", Camera.Height);
         if (!(Camera.FocalX > 0) || !(Camera.FocalY > 0) || double.IsInfinity(Camera.FocalX + Camera.FocalY))
             faults.Add($"the focal lengths are {Camera.FocalX} and {Camera.FocalY} px; they must be above zero");
-        if (Camera.RowReadout != TimeSpan.Zero)
-            faults.Add($"{nameof(Camera.RowReadout)} is {Camera.RowReadout}; it exposes all rows at once, so that it "
-                + "must be zero");
+        if (Camera.Readout != TimeSpan.Zero)
+            faults.Add($"{nameof(Camera.Readout)} is {Camera.Readout}; it exposes all rows at once, so that it must "
+                + "be zero");
+        if (Camera.Lens != LensModel.BrownConrady || Camera.K4 != 0 || Camera.K5 != 0 || Camera.K6 != 0)
+            faults.Add($"its lens is {Camera.Lens} with K4 {Camera.K4}, K5 {Camera.K5}, K6 {Camera.K6}; it must be "
+                + $"{LensModel.BrownConrady} without K4 to K6");
         if (!(FramesPerSecond > 0) || FramesPerSecond > 1000)
             faults.Add($"{nameof(FramesPerSecond)} is {FramesPerSecond}; it must be above 0 and at most 1000");
         if (Exposure < TimeSpan.Zero)

@@ -212,7 +212,7 @@ internal sealed class PictureSearch : IGroundScaleSource
     {
         Pose pose = middle;
         TimeSpan time = TimeOfRow(frame, row);
-        if (_camera.RowReadout > TimeSpan.Zero
+        if (_camera.Readout > TimeSpan.Zero
             && _poses.Extrapolate(time, _maxExtrapolation, out pose) is not (PoseLookup.Known
                 or PoseLookup.Extrapolated))
         {

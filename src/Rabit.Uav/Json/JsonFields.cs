@@ -95,13 +95,29 @@ internal sealed class JsonFields
             : null;
 
     /// <summary>A list of so many numbers; zeros where it is another.</summary>
-    public double[] RequiredNumbers(string name, int count)
+    public double[] RequiredNumbers(string name, int count) => RequiredNumbers(name, count, count);
+
+    /// <summary>A list of one of two lengths; zeros, as many as the first, where it is another.</summary>
+    public double[] RequiredNumbers(string name, int count, int otherCount)
     {
         double[] values = new double[count];
         if (!Has(name))
+        {
             Missing(name);
-        else if (!TryFill(_values[name], values, 0, count))
-            Blame(name, _values[name], FormattableString.Invariant($"must be a list of {count} numbers"));
+            return values;
+        }
+
+        JsonElement list = _values[name];
+        if (list.ValueKind == JsonValueKind.Array && list.GetArrayLength() == otherCount)
+            values = new double[otherCount];
+        if (!TryFill(list, values, 0, values.Length))
+        {
+            string counts = count == otherCount
+                ? FormattableString.Invariant($"{count}")
+                : FormattableString.Invariant($"{count} or {otherCount}");
+            Blame(name, list, $"must be a list of {counts} numbers");
+        }
+
         return values;
     }
 

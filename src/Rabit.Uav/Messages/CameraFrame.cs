@@ -32,7 +32,7 @@ public struct CameraFrame : IDisposable
 
     /// <summary>
     /// The middle of the exposure: what the picture shows was true then. With a rolling shutter
-    /// (<c>CameraModel.RowReadout</c>) that holds of the top row, and each row comes so much later than the one above
+    /// (<c>CameraModel.Readout</c>) that holds of the top row, and each row comes so much later than the one above
     /// it.
     /// </summary>
     public readonly TimeSpan MidExposure => FrameStart + TimeSpan.FromTicks(Exposure.Ticks / 2);

@@ -20,7 +20,7 @@ public sealed class RollingShutterTests
     private const double North = -6;
     private const double East = -4;
 
-    private static readonly TimeSpan Readout = TimeSpan.FromTicks(1000);
+    private static readonly TimeSpan Readout = TimeSpan.FromTicks(480 * 1000);
     private static readonly TestView Still = new();
     private static readonly LocalNedFrame World = LocalNedFrame.IgnoringGeoid(Still.Position);
 
@@ -37,9 +37,9 @@ public sealed class RollingShutterTests
         NedPosition ned = World.ToNed(report.Position);
         Assert.Equal(North, ned.North, 0.05);
         Assert.Equal(East, ned.East, 0.05);
-        Assert.Equal(Exposed + (row * Readout.TotalSeconds), report.Time.TotalSeconds, 0.2e-3);
+        Assert.Equal(Exposed + (row / 480 * Readout.TotalSeconds), report.Time.TotalSeconds, 0.2e-3);
         CameraObservation observation = Assert.Single(rig.Sink.Observations);
-        Assert.Equal(Exposed + (479 / 2.0 * Readout.TotalSeconds), observation.Time.TotalSeconds, 1e-6);
+        Assert.Equal(Exposed + (479 / 960.0 * Readout.TotalSeconds), observation.Time.TotalSeconds, 1e-6);
         AssertShown(observation.TopLeft, 0, 0);
         AssertShown(observation.BottomRight, 639, 479);
     }
@@ -83,11 +83,12 @@ public sealed class RollingShutterTests
 
     [Theory]
     [InlineData(-1)]
-    [InlineData(2000)]
-    public void Constructor_ImpossibleReadout_IsRefused(int microseconds)
+    [InlineData(501)]
+    public void Constructor_ImpossibleReadout_IsRefused(int milliseconds)
     {
-        var options = new ImageProcessingOptions { Camera = CameraWith(TimeSpan.FromTicks(microseconds * 10)) };
-        Assert.Contains("rows are", Assert.Throws<ArgumentException>(() => new PixelGeolocator(options)).Message);
+        var options = new ImageProcessingOptions { Camera = CameraWith(TimeSpan.FromMilliseconds(milliseconds)) };
+        Assert.Contains(
+            "picture is read in", Assert.Throws<ArgumentException>(() => new PixelGeolocator(options)).Message);
     }
 
     private static TargetReport Located(double posesUntil, byte[] picture)
@@ -114,7 +115,7 @@ public sealed class RollingShutterTests
         K2 = Still.Camera.K2,
         P1 = Still.Camera.P1,
         P2 = Still.Camera.P2,
-        RowReadout = readout,
+        Readout = readout,
     };
 
     // Fifty a second.
@@ -144,7 +145,7 @@ public sealed class RollingShutterTests
         double column = 0;
         for (int i = 0; i < 20; i++)
         {
-            double time = Exposed + (row * Readout.TotalSeconds);
+            double time = Exposed + (row / 480 * Readout.TotalSeconds);
             Assert.True(At(time).TryProject(North - NorthAt(time), East, out column, out row));
         }
 
@@ -155,7 +156,7 @@ public sealed class RollingShutterTests
 
     private static void AssertShown(GeodeticPosition corner, double column, double row)
     {
-        double time = Exposed + (row * Readout.TotalSeconds);
+        double time = Exposed + (row / 480 * Readout.TotalSeconds);
         NedPosition ned = World.ToNed(corner);
         At(time).TryProject(ned.North - NorthAt(time), ned.East, out double shownColumn, out double shownRow);
         Assert.Equal(column, shownColumn, 0.01);

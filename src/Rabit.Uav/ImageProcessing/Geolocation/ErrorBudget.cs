@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.ImageProcessing.Geolocation;
 
@@ -49,7 +50,8 @@ public sealed class ErrorBudget
 
     /// <summary>Focal length, the same in all observations, as a part of it.</summary>
     /// <value>
-    /// The default is 0: a calibrated camera. One that is known by its equivalent for 35 mm film is wrong by some 0.03.
+    /// The default is 0: what a camera is known by says its own error (<see cref="CameraModel.FocalLengthError"/>),
+    /// which is added as an independent one.
     /// </value>
     public double FocalLengthBias { get; set; }
 

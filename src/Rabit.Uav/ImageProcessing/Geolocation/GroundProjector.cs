@@ -28,7 +28,7 @@ internal sealed class GroundProjector
         Jacobian = new GroundJacobian(camera, mount);
         _budget = budget;
         _random = Random(budget);
-        _systematic = Systematic(budget);
+        _systematic = Systematic(budget, camera);
     }
 
     public CameraModel Camera { get; }
@@ -113,7 +113,7 @@ internal sealed class GroundProjector
         return sigmas;
     }
 
-    private static double[] Systematic(ErrorBudget budget)
+    private static double[] Systematic(ErrorBudget budget, CameraModel camera)
     {
         var sigmas = new double[GroundJacobian.Inputs];
         sigmas[(int)ViewingParameter.North] = sigmas[(int)ViewingParameter.East] = budget.PositionBiasMetres;
@@ -122,7 +122,8 @@ internal sealed class GroundProjector
         sigmas[(int)ViewingParameter.Yaw] = budget.HeadingBias.Radians;
         for (ViewingParameter input = ViewingParameter.MountRoll; input <= ViewingParameter.MountYaw; input++)
             sigmas[(int)input] = budget.MountBias.Radians;
-        sigmas[(int)ViewingParameter.FocalLength] = budget.FocalLengthBias;
+        sigmas[(int)ViewingParameter.FocalLength] = Math.Sqrt(
+            (budget.FocalLengthBias * budget.FocalLengthBias) + (camera.FocalLengthError * camera.FocalLengthError));
         return sigmas;
     }
 }

@@ -18,11 +18,8 @@ internal static class CameraDescription
     // For people and other programs; they change nothing here.
     private static readonly string[] Notes = ["format", "version", "timeSource", "origin"];
 
-    private const string Distortion = "distortion";
-    private const string RowReadout = "rowReadoutMicroseconds";
     private const string FrameStart = "frameStartMicroseconds";
     private const string Exposure = "exposureMicroseconds";
-    private const double TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000.0;
 
     /// <exception cref="PictureException">
     /// It is no JSON, or describes no camera; the text names all that is wrong.
@@ -44,7 +41,7 @@ internal static class CameraDescription
             var faults = new List<string>();
             var root = new JsonFields(document.RootElement, string.Empty, faults);
             JsonFields camera = root.RequiredObject("camera");
-            CameraModel model = ReadModel(camera);
+            CameraModel model = CameraModelDescription.Read(camera, faults);
             CameraMount mount = CameraMountDescription.Read(camera.RequiredObject("mount"), faults);
             camera.RefuseOthers();
             List<ListedPicture> listed = ReadFrames(root, faults);
@@ -71,15 +68,7 @@ internal static class CameraDescription
             json.WriteString("format", Format);
             json.WriteNumber("version", Version);
             json.WriteStartObject("camera");
-            json.WriteNumber("width", camera.Width);
-            json.WriteNumber("height", camera.Height);
-            json.WriteNumber("fx", camera.FocalX);
-            json.WriteNumber("fy", camera.FocalY);
-            json.WriteNumber("cx", camera.CentreX);
-            json.WriteNumber("cy", camera.CentreY);
-            WriteNumbers(json, Distortion, [camera.K1, camera.K2, camera.P1, camera.P2, camera.K3]);
-            if (camera.RowReadout > TimeSpan.Zero)
-                json.WriteNumber(RowReadout, camera.RowReadout.TotalMilliseconds * 1000);
+            CameraModelDescription.Write(json, camera);
             json.WriteStartObject("mount");
             json.WriteStartArray(CameraMountDescription.BodyFromCamera);
             (double x1, double x2, double x3) = placement.BodyFromCamera.Apply(1, 0, 0);
@@ -103,30 +92,6 @@ internal static class CameraDescription
         return stream.ToArray();
     }
 
-    private static CameraModel ReadModel(JsonFields camera)
-    {
-        camera.Has("name");
-        camera.Renamed(("dist_k1_k2_p1_p2_k3", Distortion), ("row_readout_us", RowReadout));
-        double[] distortion = camera.RequiredNumbers(Distortion, 5);
-        double readout = camera.Number(RowReadout) ?? 0;
-        return new CameraModel
-        {
-            Width = camera.RequiredWholeNumber("width"),
-            Height = camera.RequiredWholeNumber("height"),
-            FocalX = camera.RequiredNumber("fx"),
-            FocalY = camera.RequiredNumber("fy"),
-            CentreX = camera.RequiredNumber("cx"),
-            CentreY = camera.RequiredNumber("cy"),
-            K1 = distortion[0],
-            K2 = distortion[1],
-            P1 = distortion[2],
-            P2 = distortion[3],
-            K3 = distortion[4],
-            RowReadout = TimeSpan.FromTicks(
-                double.IsNaN(readout) ? 0 : (long)Math.Round(readout * TicksPerMicrosecond)),
-        };
-    }
-
     private static IEnumerable<string> FindFaults(CameraModel model, CameraMount mount)
     {
         IEnumerable<string> faults = model.FindFaults();
@@ -135,7 +100,7 @@ internal static class CameraDescription
         return faults.Concat(mount.FindFaults());
     }
 
-    private static void WriteNumbers(Utf8JsonWriter json, string? name, IEnumerable<double> numbers)
+    internal static void WriteNumbers(Utf8JsonWriter json, string? name, IEnumerable<double> numbers)
     {
         if (name is not null)
             json.WriteStartArray(name);

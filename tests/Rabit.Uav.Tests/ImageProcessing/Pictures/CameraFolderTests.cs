@@ -78,7 +78,7 @@ public sealed class CameraFolderTests : IDisposable
             P1 = 1e-4,
             P2 = -2e-4,
             K3 = 1e-3,
-            RowReadout = TimeSpan.FromTicks(305)
+            Readout = TimeSpan.FromTicks(305)
         };
         var mount = new CameraMount
         {
@@ -100,7 +100,7 @@ public sealed class CameraFolderTests : IDisposable
             Assert.Equal(
                 (-0.06, 0.01, 1e-4, -2e-4, 1e-3),
                 (folder.Camera.K1, folder.Camera.K2, folder.Camera.P1, folder.Camera.P2, folder.Camera.K3));
-            Assert.Equal(30.5, folder.Camera.RowReadout.TotalMilliseconds * 1000, 9);
+            Assert.Equal(30.5, folder.Camera.Readout.TotalMilliseconds * 1000, 9);
             CameraExtrinsics placement = folder.Mount.At(Angle.Zero, Angle.Zero);
             Assert.Equal(0, (wanted.BodyFromCamera.Inverse * placement.BodyFromCamera).Angle.Radians, 9);
             Assert.Equal(wanted.PositionMetres.Forward, placement.PositionMetres.Forward, 12);
@@ -152,7 +152,7 @@ public sealed class CameraFolderTests : IDisposable
     [InlineData("\"width\":640", "\"width\":70000", "70000 x 480")]
     [InlineData("\"fx\":531.4", "\"fx\":\"531.4\"", "camera.fx is \"531.4\"; it must be a number")]
     [InlineData("\"fx\":531.4", "\"fx\":0", "focal length")]
-    [InlineData("-0.008]", "-0.008,1]", "list of 5 numbers")]
+    [InlineData("-0.008]", "-0.008,1]", "list of 5 or 8 numbers")]
     [InlineData("[0.12,-0.02,0.06]", "[0.12,-0.02]", "list of 3 numbers")]
     [InlineData("[[0.0,-1.0,0.0],", "[[0.0,1.0,0.0],", "bodyFromCamera")]
     [InlineData("[[0.0,-1.0,0.0],", "[[0.0,-1.0],", "it must be a list of three lists of three numbers")]
