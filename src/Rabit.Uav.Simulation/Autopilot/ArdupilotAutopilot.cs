@@ -50,7 +50,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         _address = new AutopilotAddress(_store);
         _telemetry = new TelemetrySender(_controller, frame, uid, sink);
         _sendMessage = _telemetry.Send;
-        _parameters = new ParameterService(_store, sink);
+        _parameters = new ParameterService(_store, _address, sink);
         var targets = new TargetReader(_controller, _telemetry, frame);
         _missions = new MissionService(frame, _address, _telemetry, sink)
         {
@@ -61,8 +61,11 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         (_controller.Auto.Mission, _controller.Auto.Places, _controller.Auto.Say) =
             (_missions, targets.TryReadPlace, Say);
         _commands = new CommandHandler(_controller, targets, _streams, _telemetry, mount, sink, Say);
+        var commands = new CommandService(
+            () => _address.SystemId, (command, _) => _commands.Execute(command),
+            (_, answer) => sink.SendNumbered(answer));
         _dispatcher = new FrameDispatcher(
-            _controller, _commands, targets, _parameters, _missions, _streams, _address, sink);
+            _controller, commands, _commands, targets, _parameters, _missions, _streams, _address, sink);
         _controller.Armed = SetHome;
         _controller.ModeChanged = () => _telemetry.Send(Heartbeat.MavlinkId);
         _controller.Failsafes.Fence.BreachBegan = () => _telemetry.Send(FenceStatus.MavlinkId);
@@ -150,7 +153,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         }
 
         _streams.Send(time, _sendMessage);
-        _parameters.Step();
+        _parameters.Step(time);
         _missions.Step(time, _controller.IsAuto);
     }
 
@@ -189,7 +192,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         if (_store.Fence.Total.Value.Equals(items))
             return;
         _store.Fence.Total.Set(items);
-        _parameters.Send(_store.Fence.Total);
+        _parameters.Report(_store.Fence.Total, _controller.Situation.Time);
         Say(MavSeverity.Debug, "Fence Indexed OK");
     }
 

@@ -1,11 +1,12 @@
 using System;
-using Rabit.Mavlink.Messages;
 using Rabit.Geodesy;
+using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// COMMAND_LONG, COMMAND_INT and SET_MODE: executes them and acknowledges with the result codes of ArduCopter.
+/// COMMAND_LONG, COMMAND_INT and SET_MODE: executes them, with the result codes of ArduCopter.
 /// </summary>
 internal sealed class CommandHandler(
     FlightController controller, TargetReader targets, StreamSchedule streams, TelemetrySender telemetry, Gimbal gimbal,
@@ -22,39 +23,36 @@ internal sealed class CommandHandler(
     /// <summary>Whether a reboot was accepted.</summary>
     public bool WantsReboot { get; private set; }
 
-    public void Handle(in CommandLong message, Sender sender)
+    /// <summary>Executes a command, and says with what result.</summary>
+    public MavResult Execute(in MavlinkCommand received)
     {
+        bool isLong = received.Forms == MavlinkCommandForms.LongOnly;
         var command = new CommandInt
         {
-            Command = message.Command,
-            Frame = MavFrame.GlobalRelativeAlt,
-            Param1 = message.Param1,
-            Param2 = message.Param2,
-            Param3 = message.Param3,
-            Param4 = message.Param4,
-            Z = message.Param7,
+            Command = received.Command,
+            Frame = isLong ? MavFrame.GlobalRelativeAlt : received.Frame,
+            Param1 = received.Param1,
+            Param2 = received.Param2,
+            Param3 = received.Param3,
+            Param4 = received.Param4,
+            X = received.X,
+            Y = received.Y,
+            Z = received.Z,
         };
 
         // A place in floats is too coarse: what needs one comes as COMMAND_INT.
-        MavResult result = message.Command == MavCmd.DoReposition
-            ? MavResult.Unsupported
-            : message.Command == MavCmd.PreflightRebootShutdown
-                ? Reboot(message.Param1, message.Param6)
-                : Execute(command);
-        Acknowledge(message.Command, result, sender);
+        return !isLong || received.Command is not (MavCmd.DoReposition or MavCmd.PreflightRebootShutdown)
+            ? Execute(command)
+            : received.Command == MavCmd.DoReposition
+                ? MavResult.Unsupported
+                : Reboot(received.Param1, received.Param6);
     }
 
-    public void Handle(in CommandInt message, Sender sender)
-        => Acknowledge(message.Command, Execute(message), sender);
-
     /// <summary>SET_MODE (11), the older way; the acknowledgement names its message id, as ArduPilot's does.</summary>
-    public void Handle(in SetMode message, Sender sender)
-        => Acknowledge((MavCmd)SetMode.MavlinkId, SetModeTo(message.BaseMode, message.CustomMode), sender);
-
-    private void Acknowledge(MavCmd command, MavResult result, Sender sender) => sink.Send(new CommandAck
+    public void Handle(in SetMode message, Sender sender) => sink.Send(new CommandAck
     {
-        Command = command,
-        Result = result,
+        Command = (MavCmd)SetMode.MavlinkId,
+        Result = SetModeTo(message.BaseMode, message.CustomMode),
         TargetSystem = sender.SystemId,
         TargetComponent = sender.ComponentId,
     });

@@ -10,7 +10,8 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 internal sealed class FrameDispatcher(
     FlightController controller,
-    CommandHandler commands,
+    CommandService commands,
+    CommandHandler modes,
     TargetReader targets,
     ParameterService parameters,
     MissionService missions,
@@ -34,15 +35,8 @@ internal sealed class FrameDispatcher(
                 frame.TryDecode(out RcChannelsOverride channels);
                 Handle(channels, sender);
                 break;
-            case CommandLong.MavlinkId:
-                frame.TryDecode(out CommandLong commandLong);
-                commands.Handle(commandLong, sender);
-                break;
-            case CommandInt.MavlinkId:
-                frame.TryDecode(out CommandInt commandInt);
-                commands.Handle(commandInt, sender);
-                break;
-            case SetMode.MavlinkId: frame.TryDecode(out SetMode mode); commands.Handle(mode, sender); break;
+            case CommandLong.MavlinkId or CommandInt.MavlinkId: commands.Handle(frame, Now); break;
+            case SetMode.MavlinkId: frame.TryDecode(out SetMode mode); modes.Handle(mode, sender); break;
             case SetPositionTargetGlobalInt.MavlinkId:
                 frame.TryDecode(out SetPositionTargetGlobalInt global);
                 targets.Handle(global);
@@ -51,9 +45,9 @@ internal sealed class FrameDispatcher(
                 frame.TryDecode(out SetPositionTargetLocalNed local);
                 targets.Handle(local);
                 break;
-            case ParamRequestRead.MavlinkId: frame.TryDecode(out ParamRequestRead read); parameters.Handle(read); break;
-            case ParamRequestList.MavlinkId: parameters.HandleListRequest(); break;
-            case ParamSet.MavlinkId: frame.TryDecode(out ParamSet set); parameters.Handle(set); break;
+            case ParamRequestRead.MavlinkId or ParamRequestList.MavlinkId or ParamSet.MavlinkId:
+                parameters.Handle(frame, Now);
+                break;
             case RequestDataStream.MavlinkId: frame.TryDecode(out RequestDataStream stream); Handle(stream); break;
             case Timesync.MavlinkId: frame.TryDecode(out Timesync sync); Handle(sync, sender, bootNanoseconds); break;
             default: missions.Handle(frame, Now); break;

@@ -12,4 +12,7 @@ internal interface ILinkSink : IFrameSink
     /// <param name="message">What to send.</param>
     void Send<T>(int link, in T message)
         where T : struct, IMavlinkMessage;
+
+    /// <summary>Sends a frame of ours that a protocol server made, with the next sequence number of the link.</summary>
+    void SendNumbered(int link, MavlinkFrame frame);
 }

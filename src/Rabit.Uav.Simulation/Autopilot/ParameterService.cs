@@ -1,50 +1,71 @@
+using System;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>Sends and sets parameters. An unknown name gets no answer, as from ArduPilot.</summary>
-internal sealed class ParameterService(ParameterStore parameters, IFrameSink sink)
+/// <summary>
+/// The parameters by the parameter protocol's server, as ArduPilot has it: an unknown name gets no answer, and what is
+/// read by name or set is sent without its index.
+/// </summary>
+internal sealed class ParameterService(ParameterStore parameters, AutopilotAddress address, IFrameSink sink)
+    : IMavlinkParameterStore
 {
-    // What ArduPilot sends where no index was requested.
-    private const ushort NoIndex = ushort.MaxValue;
-
-    private int _nextOfList = int.MaxValue;
-
-    public void Handle(in ParamRequestRead message)
+    // One at a step, so that a slow link is not flooded.
+    private static readonly MavlinkParameterServerOptions Options = new()
     {
-        bool isByName = message.ParamIndex < 0;
-        int index = isByName ? parameters.IndexOf(message.ParamId) : message.ParamIndex;
-        if (index >= 0 && index < parameters.Count)
-            Send(index, isByName ? NoIndex : (ushort)index);
+        HandlesBroadcast = true,
+        ListInterval = TimeSpan.FromTicks((long)(SimulatedVehicle.StepSeconds * TimeSpan.TicksPerSecond)),
+        OmitsIndex = true,
+        SendsErrors = false,
+        SendsReasons = false,
+    };
+
+    private OwnServer<MavlinkParameterServer>? _server;
+
+    public int Count => parameters.Count;
+
+    private MavlinkParameterServer Server => (_server ??= new(
+        () => address.SystemId,
+        (sender, _) => new MavlinkParameterServer(sender, this, MavlinkParameterEncoding.CCast, Options))).Value;
+
+    public MavlinkParameterValue this[int index]
+        => new(new Text16(parameters[index].Name), parameters[index].Type, parameters[index].Value);
+
+    public bool TrySet(in MavlinkParameterChange change, out MavlinkParameterRefusal refusal)
+    {
+        refusal = default;
+        parameters[change.Index].Set((float)change.Value);
+        return true;
     }
 
-    public void HandleListRequest() => _nextOfList = 0;
-
-    public void Handle(in ParamSet message)
+    public void Handle(in MavlinkFrame frame, TimeSpan time)
     {
-        int index = parameters.IndexOf(message.ParamId);
-        if (index < 0 || float.IsNaN(message.ParamValue) || float.IsInfinity(message.ParamValue))
+        // No number is no value, and gets no answer.
+        if (frame.MessageId == ParamSet.MavlinkId && frame.TryDecode(out ParamSet set)
+            && (float.IsNaN(set.ParamValue) || float.IsInfinity(set.ParamValue)))
+        {
             return;
-        parameters[index].Set(message.ParamValue);
-        Send(index, NoIndex);
+        }
+
+        MavlinkParameterServer server = Server;
+        server.Handle(frame, time);
+        Send(server, time);
     }
 
     /// <summary>Reports one that has changed by itself.</summary>
-    public void Send(Parameter parameter) => Send(parameters.IndexOf(new Text16(parameter.Name)), NoIndex);
-
-    /// <summary>Goes on with the list: one at a step, so that a slow link is not flooded.</summary>
-    public void Step()
+    public void Report(Parameter parameter, TimeSpan time)
     {
-        if (_nextOfList < parameters.Count)
-            Send(_nextOfList, (ushort)_nextOfList++);
+        Server.Report(parameters.IndexOf(new Text16(parameter.Name)));
+        Send(Server, time);
     }
 
-    private void Send(int index, ushort toldIndex) => sink.Send(new ParamValue
+    /// <summary>Goes on with the list.</summary>
+    public void Step(TimeSpan time) => Send(Server, time);
+
+    private void Send(MavlinkParameterServer server, TimeSpan time)
     {
-        ParamId = new Text16(parameters[index].Name),
-        Value = parameters[index].Value,
-        ParamType = parameters[index].Type,
-        ParamCount = (ushort)parameters.Count,
-        ParamIndex = toldIndex,
-    });
+        while (server.TryTakeFrame(time, out MavlinkFrame frame))
+            sink.SendNumbered(frame);
+    }
 }

@@ -187,6 +187,13 @@ internal sealed class SimulatedVehicle : ILinkSink
             _outboxes[0].Enqueue(frame.WithSequence(_sequences[0]++));
     }
 
+    /// <summary>Sends a frame that a protocol server made over one link.</summary>
+    public void SendNumbered(int link, MavlinkFrame frame)
+    {
+        if (!IsBooting && link < _outboxes.Length)
+            _outboxes[link].Enqueue(frame.WithSequence(_sequences[link]++));
+    }
+
     /// <summary>Passes on a frame of the second link as it is.</summary>
     public void Forward(in MavlinkFrame frame)
     {

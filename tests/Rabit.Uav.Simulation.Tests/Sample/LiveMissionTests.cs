@@ -62,15 +62,17 @@ public sealed class LiveMissionTests(ITestOutputHelper output) : IDisposable
     }
 
     // GroundCommandFlightTests flies the same story in virtual time.
-    [Fact]
-    public void Story_OfAGroundStationOverUdp_IsAnsweredAndFlown()
+    [Theory]
+    [InlineData("ardupilot")]
+    [InlineData("px4")]
+    public void Story_OfAGroundStationOverUdp_IsAnsweredAndFlown(string autopilot)
     {
         string mission = Write("mission.json", SearchFlight.SmallMission);
         int port = FreePort();
         using var vehicle = new SampleProcess(
             "SimulatedVehicle",
-            ["--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2", "--seed", "5",
-            "--camera-out", In("pictures")]);
+            ["--autopilot", autopilot, "--link", $"udpout:127.0.0.1:{port}", "--mission", mission, "--targets", "2",
+            "--seed", "5", "--camera-out", In("pictures")]);
         vehicle.WaitUntil(() => File.Exists(In("pictures/camera.json")));
         using var station = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         station.Bind(new IPEndPoint(IPAddress.Loopback, 0));

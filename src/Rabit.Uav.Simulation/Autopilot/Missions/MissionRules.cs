@@ -4,10 +4,13 @@ using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
-/// <summary>What ArduCopter takes for a mission, a fence and rally points.</summary>
-internal sealed class MissionRules(WorldFrame frame) : IMavlinkMissionRules
+/// <summary>What is taken for a mission, a fence and rally points: what is flown here, in global frames.</summary>
+/// <param name="isFence">Whether items that are fine one by one are a fence.</param>
+/// <param name="maxFenceItems">How many items a fence may have.</param>
+/// <param name="maxRallyPoints">How many rally points there may be.</param>
+internal sealed class MissionRules(Func<MissionItemInt[], bool> isFence, int maxFenceItems, int maxRallyPoints)
+    : IMavlinkMissionRules
 {
-    private const int MaxFenceItems = 84;
     private const int NorthPoleDegE7 = 900_000_000;
     private const int DateLineDegE7 = 1_800_000_000;
     private const int FirstDoCommand = 112;
@@ -15,7 +18,8 @@ internal sealed class MissionRules(WorldFrame frame) : IMavlinkMissionRules
 
     public MavMissionResult CheckTransfer(MavMissionType type, int count, MavlinkAddress source, bool isSigned)
         => type == MavMissionType.All ? MavMissionResult.Unsupported
-            : type == MavMissionType.Fence && count > MaxFenceItems ? MavMissionResult.NoSpace
+            : type == MavMissionType.Fence && count > maxFenceItems ? MavMissionResult.NoSpace
+            : type == MavMissionType.Rally && count > maxRallyPoints ? MavMissionResult.NoSpace
             : MavMissionResult.Accepted;
 
     public MavMissionResult CheckItem(in MissionItemInt item) => item.MissionType switch
@@ -28,7 +32,7 @@ internal sealed class MissionRules(WorldFrame frame) : IMavlinkMissionRules
     };
 
     public MavMissionResult CheckItems(MavMissionType type, ReadOnlySpan<MissionItemInt> items)
-        => type != MavMissionType.Fence || FenceShapes.TryCreate(items.ToArray(), frame, out _)
+        => type != MavMissionType.Fence || isFence(items.ToArray())
             ? MavMissionResult.Accepted
             : MavMissionResult.Error;
 

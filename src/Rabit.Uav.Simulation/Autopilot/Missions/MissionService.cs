@@ -17,6 +17,7 @@ internal sealed class MissionService(
 
     // ArduCopter's for a mission on a simulated board; a fence may have fewer.
     private const int MaxItems = 724;
+    private const int MaxFenceItems = 84;
     private static readonly TimeSpan CurrentEvery = TimeSpan.FromSeconds(1);
 
     private static readonly MavlinkMissionServerOptions Options = new()
@@ -29,9 +30,9 @@ internal sealed class MissionService(
         Timeout = TimeSpan.FromSeconds(8),
     };
 
-    private readonly MissionRules _rules = new(frame);
-    private MavlinkMissionServer? _server;
-    private byte _systemId;
+    private readonly OwnServer<MavlinkMissionServer> _server =
+        new(() => address.SystemId, (sender, before) => Create(sender, frame, before));
+
     private TimeSpan _currentDue;
 
     /// <summary>Called when another fence is stored: its shapes, and how many items it has.</summary>
@@ -48,21 +49,7 @@ internal sealed class MissionService(
 
     public MissionItemInt this[int sequence] => Server.Items(MavMissionType.Mission)[sequence];
 
-    // Its frames carry our system id, which is a parameter.
-    private MavlinkMissionServer Server
-    {
-        get
-        {
-            if (_server is not null && _systemId == address.SystemId)
-                return _server;
-            _systemId = address.SystemId;
-            var next = new MavlinkMissionServer(
-                new MavlinkSender(_systemId, AutopilotAddress.ComponentId), _rules, Options);
-            if (_server is not null)
-                CopyItems(_server, next);
-            return _server = next;
-        }
-    }
+    private MavlinkMissionServer Server => _server.Value;
 
     public void Handle(in MavlinkFrame message, TimeSpan time)
     {
@@ -97,7 +84,17 @@ internal sealed class MissionService(
         UseFence();
     }
 
-    private static void CopyItems(MavlinkMissionServer from, MavlinkMissionServer to)
+    private static MavlinkMissionServer Create(MavlinkSender sender, WorldFrame frame, MavlinkMissionServer? before)
+    {
+        var rules = new MissionRules(i => FenceShapes.TryCreate(i, frame, out _), MaxFenceItems, MaxItems);
+        var server = new MavlinkMissionServer(sender, rules, Options);
+        if (before is not null)
+            CopyItems(before, server);
+        return server;
+    }
+
+    /// <summary>Stores all that another one has.</summary>
+    public static void CopyItems(MavlinkMissionServer from, MavlinkMissionServer to)
     {
         foreach (MavMissionType type in new[] { MavMissionType.Mission, MavMissionType.Fence, MavMissionType.Rally })
             to.Store(type, from.Items(type));

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 
@@ -22,6 +23,7 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
     private readonly Px4Controller _controller;
     private readonly Px4Telemetry _telemetry;
     private readonly Px4ParameterService _service;
+    private readonly Px4MissionService _missions;
     private readonly Px4FrameDispatcher _dispatcher;
     private TimeSpan _nextHeartbeat;
     private int _switchCount;
@@ -48,16 +50,25 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
         var checks = new Px4Checks(situation, _links, _events, fence);
         _controller = new Px4Controller(situation, checks, _events, frame);
         _telemetry = new Px4Telemetry(_controller, _links, frame, uid, sink);
-        _service = new Px4ParameterService(parameters, _controller.ChangeParameters, sink);
+        _service = new Px4ParameterService(parameters, _controller.ChangeParameters, () => SystemId, sink);
         var setPoints = new Px4SetPointReader(_controller, _telemetry, frame);
         var requests = new Px4RequestHandler(_controller, _links, _telemetry, sink);
-        var commands = new Px4CommandHandler(_controller, setPoints, requests, mount, frame, sink);
-        var server = new Px4FenceServer(fence, sink);
+        _missions = new Px4MissionService(fence, () => SystemId, sink)
+        {
+            MissionStored = () => _controller.JumpTo(0),
+            CurrentSet = _controller.JumpTo,
+        };
+        (_controller.Mission.Items, _controller.Mission.Places) = (_missions, ReadPlace);
+        var handler = new Px4CommandHandler(_controller, setPoints, requests, mount, frame);
+        var commands = new CommandService(() => SystemId, (c, link) => handler.Execute(c, link), sink.SendNumbered);
         _dispatcher = new Px4FrameDispatcher(
-            _controller, commands, setPoints, _service, server, _events, _links, garbage, sink);
+            _controller, commands, handler, setPoints, _service, _missions, _events, _links, garbage, sink);
+
+        bool ReadPlace(MavFrame axes, int x, int y, float altitude, out NedVector place)
+            => setPoints.TryReadPlace(axes, x, y, altitude, out place);
     }
 
-    public byte SystemId => _dispatcher.SystemId;
+    public byte SystemId => _parameters.OwnSystemId;
 
     public double BatteryCapacityAmpereHours => PackAmpereHours;
 
@@ -81,6 +92,7 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
         {
             _switchCount = _switchCount,
         };
+        next._missions.Restore(_missions);
         if (staysArmed && !_controller.Situation.IsLanded)
             next._controller.StayArmed(_controller);
         return next;
@@ -122,7 +134,8 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
         _events.Step(time);
         for (int link = 0; link < _links.Count; link++)
             _links.Streams(link).Send(time, link, _telemetry);
-        _service.Step();
+        _service.Step(time);
+        _missions.Step(time, _controller.IsArmed && _controller.Mode == Px4Mode.Mission);
     }
 
     // A remote control counts where COM_RC_IN_MODE asks for one: its sticks are in the middle, its switch takes modes.

@@ -1,53 +1,44 @@
 using System;
 using Rabit.Geodesy;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// COMMAND_LONG, COMMAND_INT and SET_MODE: executes them and acknowledges with the result codes of PX4 1.14. What is
-/// refused is TEMPORARILY_REJECTED without a reason.
+/// COMMAND_LONG, COMMAND_INT and SET_MODE: executes them, with the result codes of PX4 1.14. What is refused is
+/// TEMPORARILY_REJECTED without a reason.
 /// </summary>
 internal sealed class Px4CommandHandler(
-    Px4Controller controller, Px4SetPointReader places, Px4RequestHandler requests, Gimbal gimbal, WorldFrame frame,
-    ILinkSink sink)
+    Px4Controller controller, Px4SetPointReader places, Px4RequestHandler requests, Gimbal gimbal, WorldFrame frame)
 {
     private const float ForceMagic = 21196;
     private const double DegE7 = 1e7;
 
-    public void Handle(in CommandLong message, Sender sender, int link)
+    /// <summary>Executes a command that came over a link, and says with what result.</summary>
+    public MavResult Execute(in MavlinkCommand received, int link)
     {
-        // Places in degrees, heights above sea level.
-        var command = new CommandInt
-        {
-            Command = message.Command,
-            Frame = MavFrame.Global,
-            Param1 = message.Param1,
-            Param2 = message.Param2,
-            Param3 = message.Param3,
-            Param4 = message.Param4,
-            X = ToDegE7(message.Param5),
-            Y = ToDegE7(message.Param6),
-            Z = message.Param7,
-        };
-        Acknowledge(message.Command, Execute(command, link), sender, link);
+        // In COMMAND_LONG places are in degrees, heights above sea level.
+        bool isLong = received.Forms == MavlinkCommandForms.LongOnly;
+        return Execute(
+            new CommandInt
+            {
+                Command = received.Command,
+                Frame = isLong ? MavFrame.Global : received.Frame,
+                Param1 = received.Param1,
+                Param2 = received.Param2,
+                Param3 = received.Param3,
+                Param4 = received.Param4,
+                X = isLong ? ToDegE7(received.Param5) : received.X,
+                Y = isLong ? ToDegE7(received.Param6) : received.Y,
+                Z = received.Z,
+            },
+            link);
     }
-
-    public void Handle(in CommandInt message, Sender sender, int link)
-        => Acknowledge(message.Command, Execute(message, link), sender, link);
 
     /// <summary>SET_MODE (11), the older way: it is not acknowledged.</summary>
     public void Handle(in SetMode message)
         => SetModeTo((float)message.BaseMode, (byte)(message.CustomMode >> 16), (byte)(message.CustomMode >> 24));
-
-    private void Acknowledge(MavCmd command, MavResult result, Sender sender, int link)
-        => sink.Send(link, new CommandAck
-        {
-            Command = command,
-            Result = result,
-            TargetSystem = sender.SystemId,
-            TargetComponent = sender.ComponentId,
-        });
 
     private MavResult Execute(in CommandInt command, int link)
     {
@@ -58,6 +49,7 @@ internal sealed class Px4CommandHandler(
             case MavCmd.NavTakeoff: return TakeOff(command);
             case MavCmd.NavReturnToLaunch: return Result(controller.TrySetMode(Px4Mode.Rtl));
             case MavCmd.NavLand: return Result(controller.TrySetMode(Px4Mode.Land));
+            case MavCmd.MissionStart: return StartMission(command.Param1);
             case MavCmd.DoReposition: return Reposition(command);
             case MavCmd.DoOrbit: return Orbit(command);
             case MavCmd.DoChangeSpeed: return ChangeSpeed(command.Param2);
@@ -73,6 +65,16 @@ internal sealed class Px4CommandHandler(
         if (arms.Equals(1f))
             return Result(controller.TryArm(isForced));
         return arms.Equals(0f) ? Result(controller.TryDisarm(isForced)) : MavResult.Denied;
+    }
+
+    // It arms as well.
+    private MavResult StartMission(float first)
+    {
+        if (!controller.Mission.HasMission || !(first >= -1 && first < controller.Mission.Items!.Count))
+            return MavResult.Denied;
+        if (first > 0)
+            controller.Mission.JumpTo(controller.Situation, (int)first);
+        return Result(controller.TrySetMode(Px4Mode.Mission) && controller.TryArm(isForced: false));
     }
 
     // An unknown mode is accepted, and nothing happens.

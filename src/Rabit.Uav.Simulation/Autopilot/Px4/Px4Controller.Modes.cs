@@ -4,7 +4,10 @@ namespace Rabit.Uav.Simulation;
 internal sealed partial class Px4Controller
 {
     private bool CanBeChosen(Px4Mode mode)
-        => mode == Px4Mode.Posctl || CanRun(mode);   // POSCTL without a position is flown as ALTCTL
+        => !IsMissionMissing(mode)
+            && (mode == Px4Mode.Posctl || CanRun(mode));   // POSCTL without a position is flown as ALTCTL
+
+    private bool IsMissionMissing(Px4Mode mode) => mode == Px4Mode.Mission && !Mission.HasMission;
 
     private bool CanRun(Px4Mode mode)
         => (Situation.HasPosition || !Px4ModeNames.NeedsPosition(mode))
@@ -83,6 +86,7 @@ internal sealed partial class Px4Controller
             Px4Mode.Orbit => Orbit,
             Px4Mode.Offboard => Offboard,
             Px4Mode.Takeoff => Takeoff,
+            Px4Mode.Mission => Mission,
             Px4Mode.Rtl => _return,
             Px4Mode.Land => _land,
             _ => Hold,

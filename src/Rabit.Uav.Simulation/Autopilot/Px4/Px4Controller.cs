@@ -52,6 +52,8 @@ internal sealed partial class Px4Controller
 
     public Px4TakeoffFlight Takeoff { get; } = new();
 
+    public Px4MissionFlight Mission { get; } = new();
+
     /// <summary>What is flown, and reported.</summary>
     public Px4Mode Mode { get; private set; } = Px4Mode.Loiter;
 
@@ -101,8 +103,12 @@ internal sealed partial class Px4Controller
     {
         if (IsArmed)
             return true;
-        if (!isForced && (Checks.PreventsArming || Px4ModeNames.PreventsArming(Intention) || !CanRun(Intention)))
+        if (!isForced && (Checks.PreventsArming || Px4ModeNames.PreventsArming(Intention) || !CanRun(Intention)
+            || IsMissionMissing(Intention)))
+        {
             return false;
+        }
+
         IsArmed = true;
         _hasFlown = false;
         _landedAt = Situation.ArmedAt = Situation.Time;
@@ -138,6 +144,9 @@ internal sealed partial class Px4Controller
         Situation.Home = before.Situation.Home;
     }
 
+    /// <summary>Makes an item of the mission the current one; flown at once where a mission is flown.</summary>
+    public void JumpTo(int sequence) => Mission.JumpTo(Situation, sequence, IsArmed && _flight == Mission);
+
     /// <summary>Parameters were changed.</summary>
     public void ChangeParameters() => _failsafes.ResetDelay();
 
@@ -161,6 +170,11 @@ internal sealed partial class Px4Controller
         if (_flight == Takeoff && Takeoff.IsDone)
         {
             Choose(Px4Mode.Loiter);
+            SelectMode();
+        }
+        else if (_flight == Mission && Mission.WantsReturn)
+        {
+            Choose(Px4Mode.Rtl);
             SelectMode();
         }
 

@@ -197,7 +197,7 @@ internal sealed class Px4Failsafes
 
     private bool IsExcepted(Px4Mode intention)
     {
-        int bit = intention switch { Px4Mode.Loiter => 2, Px4Mode.Offboard => 4, _ => 0 };
+        int bit = intention switch { Px4Mode.Mission => 1, Px4Mode.Loiter => 2, Px4Mode.Offboard => 4, _ => 0 };
         return (_situation.Parameters.ManualLossExceptions.Whole & bit) != 0;
     }
 

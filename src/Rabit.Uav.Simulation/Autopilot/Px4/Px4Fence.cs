@@ -12,10 +12,22 @@ internal sealed class Px4Fence(WorldFrame frame)
 {
     private readonly List<Area> _areas = [];
 
+    /// <summary>Whether items are a fence.</summary>
+    public bool IsFence(IReadOnlyList<MissionItemInt> items) => TryRead(items, out _);
+
     /// <summary>Takes uploaded items; false where they are no fence, which changes nothing.</summary>
     public bool TrySet(IReadOnlyList<MissionItemInt> items)
     {
-        var areas = new List<Area>();
+        if (!TryRead(items, out List<Area> areas))
+            return false;
+        _areas.Clear();
+        _areas.AddRange(areas);
+        return true;
+    }
+
+    private bool TryRead(IReadOnlyList<MissionItemInt> items, out List<Area> areas)
+    {
+        areas = [];
         for (int index = 0; index < items.Count;)
         {
             MissionItemInt item = items[index];
@@ -33,8 +45,6 @@ internal sealed class Px4Fence(WorldFrame frame)
             index += corners;
         }
 
-        _areas.Clear();
-        _areas.AddRange(areas);
         return true;
     }
 

@@ -1,3 +1,4 @@
+using System;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 
@@ -9,10 +10,11 @@ namespace Rabit.Uav.Simulation;
 /// </summary>
 internal sealed class Px4FrameDispatcher(
     Px4Controller controller,
-    Px4CommandHandler commands,
+    CommandService commands,
+    Px4CommandHandler modes,
     Px4SetPointReader setPoints,
     Px4ParameterService parameters,
-    Px4FenceServer fence,
+    Px4MissionService missions,
     Px4Events events,
     Px4Links links,
     SimulationRandom garbage,
@@ -21,26 +23,15 @@ internal sealed class Px4FrameDispatcher(
     private const int RadioOnly = 0;
     private const int NoSticks = 4;
 
-    /// <summary>MAV_SYS_ID.</summary>
-    public byte SystemId => (byte)NedMath.Limited(controller.Situation.Parameters.SystemId.Value, 1, byte.MaxValue);
-
     public void Handle(in MavlinkFrame frame, long bootNanoseconds, int link)
     {
         if (!IsForUs(frame))
             return;
-        var sender = new Sender(frame.SystemId, frame.ComponentId);
         switch (frame.MessageId)
         {
             case Heartbeat.MavlinkId: frame.TryDecode(out Heartbeat heartbeat); Handle(heartbeat, link); break;
-            case CommandLong.MavlinkId:
-                frame.TryDecode(out CommandLong commandLong);
-                commands.Handle(commandLong, sender, link);
-                break;
-            case CommandInt.MavlinkId:
-                frame.TryDecode(out CommandInt commandInt);
-                commands.Handle(commandInt, sender, link);
-                break;
-            case SetMode.MavlinkId: frame.TryDecode(out SetMode mode); commands.Handle(mode); break;
+            case CommandLong.MavlinkId or CommandInt.MavlinkId: commands.Handle(frame, Now, link); break;
+            case SetMode.MavlinkId: frame.TryDecode(out SetMode mode); modes.Handle(mode); break;
             case SetPositionTargetGlobalInt.MavlinkId:
                 frame.TryDecode(out SetPositionTargetGlobalInt global);
                 setPoints.Handle(global);
@@ -53,44 +44,16 @@ internal sealed class Px4FrameDispatcher(
             case Timesync.MavlinkId: frame.TryDecode(out Timesync sync); Handle(sync, bootNanoseconds, link); break;
             case RequestEvent.MavlinkId:
                 frame.TryDecode(out RequestEvent request);
-                events.Handle(request, sender, link);
+                events.Handle(request, new Sender(frame.SystemId, frame.ComponentId), link);
                 break;
-            default: HandleTransfer(frame, sender, link); break;
+            case ParamRequestRead.MavlinkId or ParamRequestList.MavlinkId or ParamSet.MavlinkId:
+                parameters.Handle(frame, Now, link);
+                break;
+            default: missions.Handle(frame, Now, link); break;
         }
     }
 
-    private void HandleTransfer(in MavlinkFrame frame, Sender sender, int link)
-    {
-        switch (frame.MessageId)
-        {
-            case ParamRequestRead.MavlinkId:
-                frame.TryDecode(out ParamRequestRead read);
-                parameters.Handle(read, link);
-                break;
-            case ParamRequestList.MavlinkId: parameters.HandleListRequest(link); break;
-            case ParamSet.MavlinkId: frame.TryDecode(out ParamSet set); parameters.Handle(set, link); break;
-            case MissionCount.MavlinkId:
-                frame.TryDecode(out MissionCount count);
-                fence.Handle(count, sender, link);
-                break;
-            case MissionItemInt.MavlinkId:
-                frame.TryDecode(out MissionItemInt item);
-                fence.Handle(item, sender, link);
-                break;
-            case MissionRequestList.MavlinkId:
-                frame.TryDecode(out MissionRequestList list);
-                fence.Handle(list, sender, link);
-                break;
-            case MissionRequestInt.MavlinkId:
-                frame.TryDecode(out MissionRequestInt request);
-                fence.Handle(request, sender, link);
-                break;
-            case MissionClearAll.MavlinkId:
-                frame.TryDecode(out MissionClearAll clear);
-                fence.Handle(clear, sender, link);
-                break;
-        }
-    }
+    private TimeSpan Now => controller.Situation.Time;
 
     private bool IsForUs(in MavlinkFrame frame)
     {
@@ -98,7 +61,8 @@ internal sealed class Px4FrameDispatcher(
             return false;
         byte system = frame.TargetSystem(info);
         byte component = frame.TargetComponent(info);
-        return (system == 0 || system == SystemId) && (component == 0 || component == AutopilotAddress.ComponentId);
+        byte own = controller.Situation.Parameters.OwnSystemId;
+        return (system == 0 || system == own) && (component == 0 || component == AutopilotAddress.ComponentId);
     }
 
     private void Handle(in Heartbeat heartbeat, int link)
@@ -110,7 +74,8 @@ internal sealed class Px4FrameDispatcher(
     private void Handle(in ManualControl sticks)
     {
         int input = controller.Situation.Parameters.ManualInput.Whole;
-        if (input is not (RadioOnly or NoSticks) && (sticks.Target == 0 || sticks.Target == SystemId))
+        byte own = controller.Situation.Parameters.OwnSystemId;
+        if (input is not (RadioOnly or NoSticks) && (sticks.Target == 0 || sticks.Target == own))
             controller.Situation.Sticks.Receive(sticks, controller.Situation.Time);
     }
 

@@ -12,6 +12,7 @@ internal enum Px4Mode : uint
     Offboard = 0x0006_0000,
     Takeoff = 0x0204_0000,
     Loiter = 0x0304_0000,
+    Mission = 0x0404_0000,
     Rtl = 0x0504_0000,
     Land = 0x0604_0000,
 }

@@ -7,15 +7,13 @@ namespace Rabit.Uav.Simulation;
 internal static class Px4ModeNames
 {
     private const byte MainManual = 1;
-    private const byte MainAuto = 4;
     private const byte MainAcro = 5;
     private const byte MainStabilized = 7;
-    private const byte SubMission = 4;
 
     private static readonly Px4Mode[] Flown =
     [
-        Px4Mode.Altctl, Px4Mode.Posctl, Px4Mode.Orbit, Px4Mode.Offboard, Px4Mode.Takeoff, Px4Mode.Loiter, Px4Mode.Rtl,
-        Px4Mode.Land,
+        Px4Mode.Altctl, Px4Mode.Posctl, Px4Mode.Orbit, Px4Mode.Offboard, Px4Mode.Takeoff, Px4Mode.Loiter,
+        Px4Mode.Mission, Px4Mode.Rtl, Px4Mode.Land,
     ];
 
     public static bool IsFlown(uint customMode)
@@ -35,16 +33,12 @@ internal static class Px4ModeNames
         return false;
     }
 
-    /// <summary>Modes of PX4 that the simulation does not fly: manual ones, AUTO.MISSION.</summary>
+    /// <summary>Modes of PX4 that the simulation does not fly: manual ones.</summary>
     public static bool IsKnownButNotFlown(uint customMode)
-    {
-        var main = (byte)(customMode >> 16);
-        var sub = (byte)(customMode >> 24);
-        return main is MainManual or MainAcro or MainStabilized || (main == MainAuto && sub == SubMission);
-    }
+        => (byte)(customMode >> 16) is MainManual or MainAcro or MainStabilized;
 
     public static bool IsAuto(Px4Mode mode)
-        => mode is Px4Mode.Takeoff or Px4Mode.Loiter or Px4Mode.Rtl or Px4Mode.Land;
+        => mode is Px4Mode.Takeoff or Px4Mode.Loiter or Px4Mode.Mission or Px4Mode.Rtl or Px4Mode.Land;
 
     public static bool NeedsPosition(Px4Mode mode) => mode is not (Px4Mode.Altctl or Px4Mode.Land);
 
@@ -71,6 +65,7 @@ internal static class Px4ModeNames
         Px4Mode.Offboard => "OFFBOARD",
         Px4Mode.Takeoff => "AUTO.TAKEOFF",
         Px4Mode.Loiter => "AUTO.LOITER",
+        Px4Mode.Mission => "AUTO.MISSION",
         Px4Mode.Rtl => "AUTO.RTL",
         _ => "AUTO.LAND",
     };

@@ -24,20 +24,6 @@ internal sealed class Px4Parameter(string name, bool isWhole, double value)
     /// <summary>Sets it; a whole number keeps the whole part.</summary>
     public void Set(double newValue) => Value = isWhole ? Math.Truncate(newValue) : newValue;
 
-    /// <summary>Sets it as it came; false where the type is not its own or the value is no number.</summary>
-    public bool TrySetWire(float wireValue, MavParamType type)
-    {
-        if (type != Type)
-            return false;
-        if (isWhole)
-            Value = new Bits { Float = wireValue }.Whole;
-        else if (float.IsNaN(wireValue) || float.IsInfinity(wireValue))
-            return false;
-        else
-            Value = wireValue;
-        return true;
-    }
-
     [StructLayout(LayoutKind.Explicit)]
     private struct Bits
     {

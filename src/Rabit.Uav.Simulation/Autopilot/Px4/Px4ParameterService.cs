@@ -1,55 +1,77 @@
 using System;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
 
 /// <summary>
-/// Sends and sets PX4's parameters. Every PARAM_SET of a known name is answered by the value that stands; a type that
-/// is not the parameter's own changes nothing. An unknown name gets no answer.
+/// PX4's parameters by the parameter protocol's server, one for each link. Every PARAM_SET of a known name is answered
+/// by the value that stands; a type that is not the parameter's own changes nothing. An unknown name gets no answer.
 /// </summary>
-internal sealed class Px4ParameterService(Px4Parameters parameters, Action changed, ILinkSink sink)
+internal sealed class Px4ParameterService : IMavlinkParameterStore
 {
     private const int SentInStep = 4;   // about 400 a second, as recorded
 
-    private int _nextOfList = int.MaxValue;
-    private int _listLink;
-
-    public void Handle(in ParamRequestRead message, int link)
+    private static readonly MavlinkParameterServerOptions Options = new()
     {
-        int index = message.ParamIndex < 0 ? parameters.IndexOf(message.ParamId) : message.ParamIndex;
-        if (index >= 0 && index < parameters.Count)
-            Send(index, link);
+        HandlesBroadcast = true,
+        ListInterval = TimeSpan.FromTicks(
+            (long)(SimulatedVehicle.StepSeconds * TimeSpan.TicksPerSecond / SentInStep)),
+        SendsErrors = false,
+        SendsReasons = false,
+    };
+
+    private readonly Px4Parameters _parameters;
+    private readonly Action _changed;
+    private readonly ILinkSink _sink;
+    private readonly OwnServer<MavlinkParameterServer>[] _servers;
+
+    /// <param name="parameters">What is stored.</param>
+    /// <param name="changed">Called when one was set.</param>
+    /// <param name="systemId">Of the autopilot.</param>
+    /// <param name="sink">Takes what it sends.</param>
+    public Px4ParameterService(Px4Parameters parameters, Action changed, Func<byte> systemId, ILinkSink sink)
+    {
+        (_parameters, _changed, _sink) = (parameters, changed, sink);
+        _servers = new OwnServer<MavlinkParameterServer>[sink.LinkCount];
+        for (int link = 0; link < _servers.Length; link++)
+        {
+            _servers[link] = new OwnServer<MavlinkParameterServer>(
+                systemId,
+                (sender, _) => new MavlinkParameterServer(sender, this, MavlinkParameterEncoding.Bytewise, Options));
+        }
     }
 
-    public void HandleListRequest(int link)
+    public int Count => _parameters.Count;
+
+    public MavlinkParameterValue this[int index]
+        => new(new Text16(_parameters[index].Name), _parameters[index].Type, _parameters[index].Value);
+
+    public bool TrySet(in MavlinkParameterChange change, out MavlinkParameterRefusal refusal)
     {
-        _nextOfList = 0;
-        _listLink = link;
+        refusal = default;
+        _parameters[change.Index].Set(change.Value);
+        _changed();
+        return true;
     }
 
-    public void Handle(in ParamSet message, int link)
+    public void Handle(in MavlinkFrame frame, TimeSpan time, int link)
     {
-        int index = parameters.IndexOf(message.ParamId);
-        if (index < 0)
-            return;
-        if (parameters[index].TrySetWire(message.ParamValue, message.ParamType))
-            changed();
-        Send(index, link);
+        MavlinkParameterServer server = _servers[link].Value;
+        server.Handle(frame, time);
+        Send(server, time, link);
     }
 
-    /// <summary>Goes on with the list.</summary>
-    public void Step()
+    /// <summary>Goes on with the lists.</summary>
+    public void Step(TimeSpan time)
     {
-        for (int sent = 0; sent < SentInStep && _nextOfList < parameters.Count; sent++)
-            Send(_nextOfList++, _listLink);
+        for (int link = 0; link < _servers.Length; link++)
+            Send(_servers[link].Value, time, link);
     }
 
-    private void Send(int index, int link) => sink.Send(link, new ParamValue
+    private void Send(MavlinkParameterServer server, TimeSpan time, int link)
     {
-        ParamId = new Text16(parameters[index].Name),
-        Value = parameters[index].WireValue,
-        ParamType = parameters[index].Type,
-        ParamCount = (ushort)parameters.Count,
-        ParamIndex = (ushort)index,
-    });
+        while (server.TryTakeFrame(time, out MavlinkFrame frame))
+            _sink.SendNumbered(link, frame);
+    }
 }

@@ -117,6 +117,9 @@ internal sealed class Px4Parameters
 
     public Px4Parameter SystemId { get; }
 
+    /// <summary>MAV_SYS_ID as an id.</summary>
+    public byte OwnSystemId => (byte)NedMath.Limited(SystemId.Value, 1, byte.MaxValue);
+
     /// <summary>Metres above the ground.</summary>
     public Px4Parameter TakeoffHeight { get; }
 

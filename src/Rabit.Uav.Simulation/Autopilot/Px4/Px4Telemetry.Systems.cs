@@ -24,7 +24,7 @@ internal sealed partial class Px4Telemetry
         | MavProtocolCapability.MissionInt | MavProtocolCapability.CommandInt
         | MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.SetPositionTargetLocalNed
         | MavProtocolCapability.SetPositionTargetGlobalInt | MavProtocolCapability.Mavlink2
-        | MavProtocolCapability.MissionFence;
+        | MavProtocolCapability.MissionFence | MavProtocolCapability.MissionRally;
 
     private void SendSysStatus(int link)
     {
