@@ -44,6 +44,10 @@ internal sealed class TableOutput(TextWriter output, string file) : IDumpOutput
         Line($"{file}: {log.Records} records, {log.Position} bytes{(_messages.Count == 0 ? "" : $", {seconds:0.0} s from {Utc(_firstTime)} to {Utc(_lastTime)} UTC")}");
         if (log.LostBytes > 0)
             Line($"damage: {log.LostBytes} bytes belong to no intact record, the first at offset {log.FirstDamageOffset}");
+        foreach (KeyValuePair<int, long> refused in log.RefusedRecordsById.OrderBy(r => r.Key))
+            Line($"{refused.Value} records of id {refused.Key} refused: another message has that id");
+        if (log.MendedRecords > 0)
+            Line($"{log.MendedRecords} records had been stored without their trailing zeros");
         if (log.IncompatibleRecords > 0)
             Line($"{log.IncompatibleRecords} records have an incompatibility flag that is not known and were passed over");
         if (_messages.Count == 0)

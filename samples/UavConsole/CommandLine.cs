@@ -138,7 +138,7 @@ internal static class CommandLine
             Log, SystemId, SignKey, TrustLink,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
-            .Concat(ReportArguments.All).Concat(AbandonedArguments.All))
+            .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All))
             command.Add(option);
         command.SetAction(result => FindFaults(result) is { Length: > 0 } faults ? Refuse(faults) : run(Read(result)));
         return command;
@@ -174,6 +174,7 @@ internal static class CommandLine
         Preflight = PreflightArguments.Read(result),
         Operator = OperatorArguments.Read(result, result.GetValue(Fly)),
         Reporting = ReportArguments.Read(result),
+        Recording = RecordingArguments.Read(result),
         AbandonedStateFile = AbandonedArguments.Read(result),
         CommandLine = string.Join(" ", new[] { "UavConsole" }.Concat(result.Tokens.Select(t => t.Value))),
     };
@@ -185,6 +186,7 @@ internal static class CommandLine
         bool isReplay = links.Length > 0 && Array.TrueForAll(links, l => l.Kind == LinkKind.RecordedFile);
         return (links.Length == 0 ? WithoutLink(result) : WithLink(result, isReplay))
             .Concat(OfSigning(result, isReplay))
+            .Concat(RecordingArguments.FindFaults(result, isReplay))
             .Concat(PreflightArguments.FindFaults(
                 result, result.GetValue(Fly), links.Length == 0, result.GetValue(Camera) is not null))
             .Concat(OperatorArguments.FindFaults(result, result.GetValue(Fly), links.Length == 0))

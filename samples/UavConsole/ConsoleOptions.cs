@@ -69,6 +69,9 @@ internal sealed class ConsoleOptions
     /// <summary>What is written about the flight beside summary, report and log.</summary>
     public ReportChoices Reporting { get; init; } = new();
 
+    /// <summary>What is recorded of the links.</summary>
+    public RecordingChoices Recording { get; init; } = new();
+
     /// <summary>
     /// The progress file of a flight that ended: the vehicle is asked to return if that flight abandoned it. Null for
     /// a run of its own.

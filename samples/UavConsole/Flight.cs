@@ -101,6 +101,7 @@ internal sealed class Flight : IDisposable
             // the vehicle is new each time, and so is its memory of us
             Signing = key is null ? null : new SigningOptions(key),
         };
+        uavOptions.Communications.Recording = options.Recording.ToOptions(isByDefault: false, mission.Name);
         options.Preflight.ApplyTo(uavOptions, mission, isSimulated: true);
         options.Operator.ApplyTo(uavOptions.MissionControl);
         UavSystem uav = UavSystem.Open(uavOptions);
@@ -143,6 +144,9 @@ internal sealed class Flight : IDisposable
             uavOptions.Communications.SendsTargetsAsTraffic = options.Operator.SendsTargetsAsTraffic;
         }
 
+        uavOptions.Communications.Recording = options.IsReplay
+            ? null
+            : options.Recording.ToOptions(isByDefault: true, options.Flies ? mission!.Name : null);
         UavSystem uav = UavSystem.Open(uavOptions);
         string links = string.Join(", ", options.Links.Select(l => l.ToString()));
         return new Flight(

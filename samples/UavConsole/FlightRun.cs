@@ -63,7 +63,7 @@ internal static class FlightRun
         SummaryText.Write(Console.Out, summary);
         string?[] losses =
         [
-            WriteSummary(files, summary), WriteReport(files, summary),
+            WriteSummary(files, summary), WriteReport(files, summary), ReportRecording(flight),
             .. files.Exports.Select(file => WriteExport(file, summary)), log.Loss, log.ViewLoss, output.Loss,
         ];
         foreach (string? loss in losses)
@@ -93,6 +93,25 @@ internal static class FlightRun
         if (failure is null)
             Console.WriteLine("report: " + Path.GetFullPath(files.Report.Path));
         return failure;
+    }
+
+    private static string? ReportRecording(Flight flight)
+    {
+        if (flight.Uav.Communications.SummariseRecording() is not { } recording)
+            return null;
+        if (recording.File is { } file)
+        {
+            string last = recording.Files == 1 ? string.Empty : $", the last of {FlightText.Number(recording.Files)}";
+            Console.WriteLine(
+                $"tlog: {Path.GetFullPath(file)} ({FlightText.Number(recording.Frames)} frames{last})");
+        }
+
+        long missing = recording.FramesDropped + recording.FramesLost;
+        return missing == 0
+            ? null
+            : $"the recording misses {FlightText.Number(missing)} frames: {FlightText.Number(recording.FramesLost)} "
+                + $"could not be written{(recording.Fault is { } fault ? $" ({fault.TrimEnd('.')})" : string.Empty)}, "
+                + $"{FlightText.Number(recording.FramesDropped)} had no room to wait for the disk.";
     }
 
     private static string? WriteExport(WholeFile file, FlightSummary summary)

@@ -156,6 +156,8 @@ internal static class ManagerOptions
             made.Computer ??= new LinuxComputer(made.DataDirectory);
         if (MissionOf(options) is { } flown)
             made.GroundStationLoss = flown.GroundStationLost;
+        made.WatchesRecording = options.Communications.Recording is not null && !options.IsReplay
+            && options.Has(UavManagers.Communications);
         made.CameraManager = ImageProcessingManager.ManagerName;
         if (MissionOf(options) is not { } mission || !ChecksBeforeFlight(options))
             return made;

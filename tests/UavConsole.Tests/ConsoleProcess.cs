@@ -25,6 +25,7 @@ internal sealed class ConsoleProcess : IDisposable
     private readonly List<string> _output = [];
     private readonly List<string> _errors = [];
     private int _openStreams = 2;
+    private string? _ownFolder;
 
     private ConsoleProcess(IEnumerable<string> arguments, string? workingFolder = null)
         : this(IsMono ? "mono" : "dotnet", Line(arguments), workingFolder)
@@ -38,7 +39,7 @@ internal sealed class ConsoleProcess : IDisposable
             StartInfo = new ProcessStartInfo(program, line)
             {
                 UseShellExecute = false,
-                WorkingDirectory = workingFolder ?? string.Empty,
+                WorkingDirectory = workingFolder ?? OwnFolder(),
                 RedirectStandardInput = true,
                 RedirectStandardOutput = true,
                 RedirectStandardError = true,
@@ -72,6 +73,10 @@ internal sealed class ConsoleProcess : IDisposable
     }
 
     public static ConsoleProcess Start(params string[] arguments) => new(arguments);
+
+    /// <summary>Starts it in a folder.</summary>
+    public static ConsoleProcess StartIn(string workingFolder, params string[] arguments)
+        => new(arguments, workingFolder);
 
     /// <summary>Starts it and waits for its end.</summary>
     public static ConsoleProcess Run(out int exitCode, params string[] arguments)
@@ -143,6 +148,8 @@ internal sealed class ConsoleProcess : IDisposable
         if (!_process.HasExited)
             _process.Kill();
         _process.Dispose();
+        if (_ownFolder is not null)
+            Directory.Delete(_ownFolder, recursive: true);
     }
 
     public override string ToString()
@@ -153,6 +160,13 @@ internal sealed class ConsoleProcess : IDisposable
 
     [DllImport("libc", EntryPoint = "kill")]
     private static extern int Kill(int process, int signal);
+
+    // What a run writes by default goes to the current folder.
+    private string OwnFolder()
+    {
+        _ownFolder = Path.Combine(Path.GetTempPath(), "uavconsole-" + Guid.NewGuid().ToString("N"));
+        return Directory.CreateDirectory(_ownFolder).FullName;
+    }
 
     private void Take(List<string> lines, string? line)
     {

@@ -55,16 +55,22 @@ internal sealed class RunFiles : IDisposable
             options.Reporting.Exports.Select(e => OutputPath.Check("--export", e, options.Links)!).ToArray());
     }
 
+    /// <summary>The name of a mission as the beginning of a file name; empty where nothing of it can be one.</summary>
+    public static string StemOf(string mission)
+    {
+        char[] name = mission.ToLowerInvariant().Select(c => c is >= 'a' and <= 'z' or >= '0' and <= '9' ? c : '-')
+            .Take(MaxNameLength).ToArray();
+        return new string(name).Trim('-');
+    }
+
     public void Dispose() => Log?.Dispose();
 
     // Where the report of a mission goes when nothing else is asked for: beside the user, with mission and date, so
     // that no flight overwrites the last one's.
     private static string DefaultReport(string mission)
     {
-        char[] name = mission.ToLowerInvariant().Select(c => c is >= 'a' and <= 'z' or >= '0' and <= '9' ? c : '-')
-            .Take(MaxNameLength).ToArray();
         string date = DateTime.UtcNow.ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture);
-        return $"{new string(name).Trim('-')}-{date}-report.html".TrimStart('-');
+        return $"{StemOf(mission)}-{date}-report.html".TrimStart('-');
     }
 
     private static void CheckTheyDiffer(IReadOnlyList<(string Option, string? Path)> files)

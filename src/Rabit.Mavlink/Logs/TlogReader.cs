@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using Rabit.Mavlink.Framing;
 using Rabit.Mavlink.Logs;
@@ -65,6 +66,25 @@ public sealed partial class TlogReader
     /// </summary>
     public long IncompatibleRecords { get; private set; }
 
+    /// <summary>
+    /// Records so far whose payload was stored without its trailing zeros but with the checksum of the frame as it was
+    /// sent, as QGroundControl does with senders that do not cut them. They are delivered as they were sent, and count
+    /// in <see cref="Records"/>.
+    /// </summary>
+    public long MendedRecords { get; private set; }
+
+    /// <summary>
+    /// Records so far that stand whole among others and were refused: their checksum, or their length, is not that of
+    /// the message that the dialect knows under their id. Their bytes count in <see cref="LostBytes"/>.
+    /// </summary>
+    public long RefusedRecords { get; private set; }
+
+    /// <summary>
+    /// The same by message id; of more than 256 ids only in <see cref="RefusedRecords"/>. A private message of an old
+    /// ground station shows here.
+    /// </summary>
+    public IReadOnlyDictionary<int, long> RefusedRecordsById => _refused;
+
     /// <summary>Bytes so far that belong to no intact record, the rest of a record cut at the end included.</summary>
     public long LostBytes { get; private set; }
 
@@ -96,6 +116,10 @@ public sealed partial class TlogReader
                 if (Take(header, time, rest, out frame, out record))
                     return true;
             }
+            else if (toSkip == 0 && TryMend(rest, out frame, out record))
+            {
+                return true;
+            }
             else
             {
                 Skip(Math.Max(toSkip, 1));
@@ -112,7 +136,7 @@ public sealed partial class TlogReader
     {
         record = new TlogRecord(
             Records + IncompatibleRecords, Position, time, header.Kind == HeaderKind.KnownMessage,
-            _messages.At(header.MessageIndex));
+            _messages.At(header.MessageIndex), isMended: false);
         MavlinkFrame.FromWire(rest.Slice(TlogFormat.TimeLength, header.Length), out frame);
         _start += TlogFormat.TimeLength + header.Length;
         _lastTime = time;

@@ -6,13 +6,15 @@ namespace Rabit.Mavlink;
 /// <summary>One record of a telemetry log without its frame: its time, and where it is. A plain value.</summary>
 public readonly struct TlogRecord
 {
-    internal TlogRecord(long index, long offset, long timeMicroseconds, bool isChecked, in MavlinkMessageInfo message)
+    internal TlogRecord(
+        long index, long offset, long timeMicroseconds, bool isChecked, in MavlinkMessageInfo message, bool isMended)
     {
         Index = index;
         Offset = offset;
         TimeMicroseconds = timeMicroseconds;
         IsChecked = isChecked;
         Message = message;
+        IsMended = isMended;
     }
 
     /// <summary>Which intact record of the log it is, from 0.</summary>
@@ -29,6 +31,12 @@ public readonly struct TlogRecord
 
     /// <summary>Whether the dialect knows the id, so that the checksum was checked and is right.</summary>
     public bool IsChecked { get; }
+
+    /// <summary>
+    /// Whether zeros that the recorder had cut off the end of its payload were put back: then the checksum, which is
+    /// the sender's, is right.
+    /// </summary>
+    public bool IsMended { get; }
 
     /// <summary>The description of the message; <c>default</c> where the id is unknown.</summary>
     public MavlinkMessageInfo Message { get; }

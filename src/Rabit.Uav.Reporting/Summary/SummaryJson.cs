@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Text.Json;
 using Rabit.Core;
 using Rabit.Mavlink;
@@ -187,6 +188,20 @@ public static class SummaryJson
         json.WriteNumber("commandAcknowledgementsLeftOut", telemetry.AcknowledgementsLeftOut);
     }
 
+    private static void WriteRefused(Utf8JsonWriter json, IReadOnlyDictionary<int, long> refused)
+    {
+        json.WriteStartArray("framesRefused");
+        foreach (KeyValuePair<int, long> id in refused.OrderBy(r => r.Key))
+        {
+            json.WriteStartObject();
+            json.WriteNumber("messageId", id.Key);
+            json.WriteNumber("count", id.Value);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
     private static void WriteLinks(Utf8JsonWriter json, FlightSummary summary)
     {
         json.WriteStartArray("links");
@@ -204,6 +219,8 @@ public static class SummaryJson
             json.WriteNumber("bytesLost", link.BytesLost);
             WriteNumberOrNull(json, "firstDamageOffsetBytes", link.FirstDamageOffset);
             json.WriteNumber("framesIncompatible", link.IncompatibleFrames);
+            json.WriteNumber("framesMended", link.MendedFrames);
+            WriteRefused(json, link.RefusedFrames);
             WriteSignatures(json, status.Signatures);
             WriteSources(json, link.Sources);
             WriteCounts(json, "counts", link.Counts);

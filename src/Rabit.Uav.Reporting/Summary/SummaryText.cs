@@ -155,6 +155,13 @@ public sealed class SummaryText
                 + $"frame{where}");
         }
 
+        if (link.MendedFrames > 0)
+            Line($"  {link.MendedFrames.ToString(CultureInfo.InvariantCulture)} frames had been stored without their "
+                + "trailing zeros");
+        foreach (KeyValuePair<int, long> refused in link.RefusedFrames.OrderBy(r => r.Key))
+            Line(string.Format(
+                CultureInfo.InvariantCulture, "  {0} frames of id {1} refused: another message has that id",
+                refused.Value, refused.Key));
         foreach (MavlinkSequenceStatistics source in link.Sources)
         {
             Line(string.Format(

@@ -30,11 +30,37 @@ public sealed partial class CommunicationsManager
             port.Send(frame);
     }
 
-    private void SendOwn(LinkPort port, in MavlinkFrame frame, byte crcExtra, TimeSpan validUntil)
+    // Of the copies for several links the first one is recorded that is sent for certain.
+    private LinkPort? FindLinkToRecord(ulong links, in MavlinkFrame frame)
+    {
+        if (_recording is null)
+            return null;
+        LinkPort? found = null;
+        foreach (LinkPort port in _ports)
+        {
+            bool isCandidate = (links & (1UL << port.Number)) != 0 && port.IsOpenTo(frame);
+            if (isCandidate && port.Scheduler is null)
+                return port;
+            if (isCandidate)
+                found ??= port;
+        }
+
+        return found;
+    }
+
+    private void SendOwn(
+        LinkPort port, in MavlinkFrame frame, byte crcExtra, TimeSpan validUntil, bool isToBeRecorded)
     {
         if (!port.AdmitsOut(frame))
             return;
-        var own = new FrameToSend { Frame = frame, IsOwn = true, CrcExtra = crcExtra, ValidUntil = validUntil };
+        var own = new FrameToSend
+        {
+            Frame = frame,
+            IsOwn = true,
+            CrcExtra = crcExtra,
+            ValidUntil = validUntil,
+            IsToBeRecorded = isToBeRecorded,
+        };
         if (port.Scheduler is { } scheduler)
             scheduler.Put(own, SendClasses.Of(frame), Now);
         else
@@ -71,7 +97,9 @@ public sealed partial class CommunicationsManager
 
         MavlinkFrame numbered = frame.Frame.WithSequence(port.NextSequence(frame.Frame), frame.CrcExtra);
         _copies.Remember(numbered, Now);
-        port.Send(_signing is null ? numbered : _signing.Sign(numbered, frame.CrcExtra, port.Number));
+        bool isSent = port.Send(_signing is null ? numbered : _signing.Sign(numbered, frame.CrcExtra, port.Number));
+        if (isSent && frame.IsToBeRecorded)
+            RecordOwn(numbered, frame.CrcExtra);
     }
 
     private TimeSpan Earliest(TimeSpan delay)

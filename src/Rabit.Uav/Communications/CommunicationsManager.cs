@@ -60,6 +60,13 @@ public sealed partial class CommunicationsManager : RabitManager
         _subscriptions = OpenSubscriptions();
         _droppedIn = new long[_options.Count];
         _signing = _options.Signing is { } signing ? MakeSigning(signing) : null;
+        if (_options.Recording is { } recording && _options.Links.Count > 0)
+        {
+            _recorder = MakeRecorder(recording);
+            _recording = AttachWriter("recording", _recorder, recording.FramesWaiting);
+            _recordingStatus = Publish<RecordingStatus>(MessageNames.Recording);
+        }
+
         foreach (IByteLink link in _options.Links)
             AddLink(link);
         foreach (RecordedFile file in _options.RecordedFiles)
@@ -107,6 +114,7 @@ public sealed partial class CommunicationsManager : RabitManager
         PostStatus();
         LogDrops(isEnd: true);
         ReportAddresses(isEnd: true);
+        ReportRecording(isEnd: true);
         _signing?.Save();
     }
 
@@ -184,10 +192,15 @@ public sealed partial class CommunicationsManager : RabitManager
                 continue;
             port.NoteHeartbeat(frame);
             port.NoteRadio(frame);
-            if (IsToBeRouted(port, frame.Frame))
-                Route(frame, port.IsRecorded);
-            else
+            if (!IsToBeRouted(port, frame.Frame))
+            {
                 _router.Learn(port.Number, frame.Frame, frame.IsChecked);
+                continue;
+            }
+
+            if (!port.IsRecorded)
+                Record(frame);
+            Route(frame, port.IsRecorded);
         }
 
         // A link that floods us may not keep the others, and a stop, waiting: the rest in the next unit of work, which
@@ -262,10 +275,11 @@ public sealed partial class CommunicationsManager : RabitManager
 
     private void SendOwn(ulong links, in MavlinkFrame frame, byte crcExtra, TimeSpan validUntil = default)
     {
+        LinkPort? recorded = FindLinkToRecord(links, frame);
         foreach (LinkPort port in _ports)
         {
             if ((links & (1UL << port.Number)) != 0)
-                SendOwn(port, frame, crcExtra, validUntil);
+                SendOwn(port, frame, crcExtra, validUntil, port == recorded);
         }
 
         _own.Count(frame, isChecked: true);
@@ -281,6 +295,7 @@ public sealed partial class CommunicationsManager : RabitManager
         LogDrops(isEnd: false);
         ReportSigning();
         ReportAddresses(isEnd: false);
+        ReportRecording(isEnd: false);
     }
 
     private void LogDrops(bool isEnd)

@@ -100,6 +100,13 @@ public sealed class CommunicationsOptions
     /// <value>The default is none.</value>
     public IReadOnlyDictionary<int, SendBudget> SendBudgets { get; set; } = new Dictionary<int, SendBudget>();
 
+    /// <summary>
+    /// Where all that comes in and goes out over the live links is recorded; null for nowhere. See
+    /// docs/managers/communications.md, "Recording".
+    /// </summary>
+    /// <value>The default is null.</value>
+    public RecordingOptions? Recording { get; set; }
+
     /// <summary>Which live links are signed, and how; null for none.</summary>
     /// <value>The default is null.</value>
     public SigningOptions? Signing { get; set; }
@@ -156,6 +163,8 @@ public sealed class CommunicationsOptions
         foreach (IGrouping<int, VehicleMessageRoute> twice in (VehicleMessageRoutes ?? [])
             .Where(r => r is not null).GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
             yield return $"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once";
+        foreach (string fault in Recording?.FindFaults() ?? [])
+            yield return $"{nameof(Recording)}.{fault}";
     }
 
     private IEnumerable<string> FindFaultsOfLinks()

@@ -87,10 +87,14 @@ internal sealed class LinkPort(
         return false;
     }
 
+    /// <summary>Whether its settings let a frame out.</summary>
+    public bool IsOpenTo(in MavlinkFrame frame)
+        => settings.AdmitsOut(frame.MessageId, frame.SystemId, frame.ComponentId);
+
     /// <summary>Whether its settings let a frame out; one that they do not is counted.</summary>
     public bool AdmitsOut(in MavlinkFrame frame)
     {
-        if (settings.AdmitsOut(frame.MessageId, frame.SystemId, frame.ComponentId))
+        if (IsOpenTo(frame))
             return true;
         _filteredOut++;
         return false;
@@ -138,14 +142,19 @@ internal sealed class LinkPort(
         return true;
     }
 
-    public void Send(in MavlinkFrame frame)
+    /// <returns>Whether it is on its way.</returns>
+    public bool Send(in MavlinkFrame frame)
     {
         if (writer is null)
-            return;
+            return false;
         if (IsUnconnected(writer) || writer.Push(frame) == PushResult.Rejected)
+        {
             _rejectedOut++;
-        else
-            _framesOut++;
+            return false;
+        }
+
+        _framesOut++;
+        return true;
     }
 
     /// <summary>
@@ -189,7 +198,7 @@ internal sealed class LinkPort(
     public LinkSummary Summarise()
         => new(
             url, tally.Frames, tally.Counts(), tally.Sources(), bytesLost(), file?.FirstDamageOffset,
-            incompatibleFrames(), tally.NotListed);
+            incompatibleFrames(), tally.NotListed, file?.MendedFrames ?? 0, file?.RefusedFrames);
 
     // What a log still held when the run was stopped was not dropped: it is in the log.
     private long DiscardedIn => IsRecorded ? 0 : Reader.Discarded;

@@ -8,7 +8,8 @@ public sealed class LinkSummary
 {
     internal LinkSummary(
         string url, long frames, IReadOnlyList<FrameCount> counts, IReadOnlyList<MavlinkSequenceStatistics> sources,
-        long bytesLost, long? firstDamageOffset, long incompatibleFrames, long framesNotListed)
+        long bytesLost, long? firstDamageOffset, long incompatibleFrames, long framesNotListed, long mendedFrames = 0,
+        IReadOnlyDictionary<int, long>? refusedFrames = null)
     {
         Url = url;
         Frames = frames;
@@ -18,6 +19,8 @@ public sealed class LinkSummary
         FirstDamageOffset = firstDamageOffset;
         IncompatibleFrames = incompatibleFrames;
         FramesNotListed = framesNotListed;
+        MendedFrames = mendedFrames;
+        RefusedFrames = refusedFrames ?? new Dictionary<int, long>();
     }
 
     /// <summary>What the link was opened by.</summary>
@@ -45,6 +48,18 @@ public sealed class LinkSummary
     /// are in no other figure.
     /// </summary>
     public long IncompatibleFrames { get; }
+
+    /// <summary>
+    /// Frames of a recorded log whose trailing zeros the recorder had cut off, and that are as they were sent again.
+    /// They are among <see cref="Frames"/>.
+    /// </summary>
+    public long MendedFrames { get; }
+
+    /// <summary>
+    /// Whole records of a recorded log whose frame was refused, by message id: the message of that id is another one.
+    /// Their bytes are in <see cref="BytesLost"/>.
+    /// </summary>
+    public IReadOnlyDictionary<int, long> RefusedFrames { get; }
 
     /// <summary>File offset of the first damage of a recorded log; null where there is none.</summary>
     public long? FirstDamageOffset { get; }

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Rabit.Links;
 using Rabit.Mavlink;
 
@@ -71,6 +73,30 @@ public sealed class RecordedFile : IDisposable
         {
             lock (_gate)
                 return _reader.IncompatibleRecords;
+        }
+    }
+
+    /// <summary>
+    /// Frames so far whose trailing zeros the recorder had cut off, and that are as they were sent again. Any thread.
+    /// </summary>
+    public long MendedFrames
+    {
+        get
+        {
+            lock (_gate)
+                return _reader.MendedRecords;
+        }
+    }
+
+    /// <summary>
+    /// Whole records so far whose frame was refused, by message id: the message of that id is another one. Any thread.
+    /// </summary>
+    public IReadOnlyDictionary<int, long> RefusedFrames
+    {
+        get
+        {
+            lock (_gate)
+                return _reader.RefusedRecordsById.ToDictionary(r => r.Key, r => r.Value);
         }
     }
 

@@ -37,5 +37,5 @@ internal readonly struct HealthFinding(
 
     public override bool Equals(object? obj) => obj is HealthFinding other && Equals(other);
 
-    public override int GetHashCode() => unchecked(((int)Reason * 397) ^ Figure.GetHashCode());
+    public override int GetHashCode() => unchecked((Reason.GetHashCode() * 397) ^ Figure.GetHashCode());
 }

@@ -75,6 +75,7 @@ public sealed partial class HealthManager : RabitManager
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
         _next.Computer = ComputerStatus.Unknown;
         _report = Publish(MessageNames.Health, _next);
+        _recording = _options.WatchesRecording ? Subscribe<RecordingStatus>(MessageNames.Recording) : null;
         _computer = MakeComputer(_options.Computer);
         _preflight = MakePreflight(_options.Preflight, linkCount);
         WakeUpDelay = EvaluationPeriod;
@@ -118,6 +119,7 @@ public sealed partial class HealthManager : RabitManager
         _findings.Clear();
         bool areAllAlive = EvaluateManagers(now, monitoredSince);
         bool isReplayOver = EvaluateLinks(now, monitoredSince);
+        EvaluateRecording(now);
         EvaluateVehicle(now, isReplayOver);
         EvaluateGroundStation(now, isReplayOver);
         EvaluateComputer(now);

@@ -189,6 +189,9 @@ public sealed class HealthOptions
     /// <summary>Figures of the computer; null for none. Set where the system is composed.</summary>
     internal IReaderSource<ComputerStatus>? Computer { get; set; }
 
+    /// <summary>Whether Communications records the links. Set where the system is composed.</summary>
+    internal bool WatchesRecording { get; set; }
+
     /// <summary>The pre-flight checklist; null where there is none. Set where the system is composed.</summary>
     internal PreflightOptions? Preflight { get; set; }
 

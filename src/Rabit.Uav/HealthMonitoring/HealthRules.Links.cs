@@ -53,5 +53,29 @@ internal static partial class HealthRules
             End = static o => $"{Seconds(o.RecentWindow)} without another",
             Why = "a wrong key shows in nothing else than silence",
         },
+        new(HealthReasons.AddressConflict, HealthLevel.Warning, HealthAdvice.None)
+        {
+            When = static (in LinkFacts l, HealthOptions _) => l.HasConflictedRecently,
+            Figure = static (in LinkFacts l) => l.AddressConflicts,
+            Text = static f => $"link {f.Subject}: {f.Figure} frames have our own address or that of our autopilot",
+            Condition = static _ => "frames came in that have our own address and are not from us, or that of our "
+                + "autopilot, which comes in over another link",
+            End = static o => $"{Seconds(o.RecentWindow)} without another",
+            Why = "another component with the same ids, two links to one vehicle, or a forged sender: what such frames "
+                + "say may not be true",
+        },
+    ];
+
+    public static readonly HealthRule<RecordingFacts>[] OfRecording =
+    [
+        new(HealthReasons.RecordingIncomplete, HealthLevel.Warning, HealthAdvice.None)
+        {
+            When = static (in RecordingFacts r, HealthOptions _) => r.HasLostRecently,
+            Figure = static (in RecordingFacts r) => r.FramesMissing,
+            Text = static f => $"the recording misses frames ({f.Figure} so far)",
+            Condition = static _ => "frames could not be recorded: the disk is full, gone or too slow",
+            End = static o => $"{Seconds(o.RecentWindow)} without another",
+            Why = "who looks at the log after the flight must know; the flight does not need it",
+        },
     ];
 }

@@ -19,7 +19,7 @@ internal static partial class HealthRules
     public static IReadOnlyList<HealthRule> All =>
     [
         .. OfManagers, .. OfVehicle, .. OfPosition, .. OfBattery, .. OfBatteryState, .. OfEnergy, .. OfCamera,
-        .. OfTargets, .. OfLinks, .. OfGroundStation, .. OfComputer,
+        .. OfTargets, .. OfLinks, .. OfRecording, .. OfGroundStation, .. OfComputer,
     ];
 
     /// <summary>The words of a reason; null where it has no row.</summary>

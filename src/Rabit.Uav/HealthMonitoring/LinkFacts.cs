@@ -6,7 +6,7 @@ namespace Rabit.Uav.HealthMonitoring;
 /// <summary>Input of the rules for a link.</summary>
 internal readonly struct LinkFacts(
     string name, in LinkStatus status, long framesDropped, bool hasDroppedRecently, bool hasRejectedRecently,
-    TimeSpan monitoredFor)
+    TimeSpan monitoredFor, bool hasConflictedRecently = false)
 {
     /// <summary>Its URL; its number until Communications has reported it.</summary>
     public string Name { get; } = name;
@@ -30,6 +30,11 @@ internal readonly struct LinkFacts(
     public long SignaturesRejected { get; } = status.Signatures.Rejected;
 
     public bool HasRejectedRecently { get; } = hasRejectedRecently;
+
+    /// <summary>See <see cref="LinkStatus.AddressConflicts"/>.</summary>
+    public long AddressConflicts { get; } = status.AddressConflicts;
+
+    public bool HasConflictedRecently { get; } = hasConflictedRecently;
 
     /// <summary>Since Health Monitoring started.</summary>
     public TimeSpan MonitoredFor { get; } = monitoredFor;

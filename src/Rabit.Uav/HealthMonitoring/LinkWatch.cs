@@ -11,6 +11,7 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
     private readonly string _number = number.ToString(CultureInfo.InvariantCulture);
     private readonly WindowedIncrease _dropped = new();
     private readonly WindowedIncrease _rejected = new();
+    private readonly WindowedIncrease _conflicts = new();
     private long _droppedBeforeFirstFrame;
 
     /// <summary>What its rules keep between two evaluations.</summary>
@@ -35,6 +36,8 @@ internal sealed class LinkWatch(int number, MessageSubscriber<LinkStatus> status
         long dropped = value.FramesDroppedIn + value.FramesDroppedOut - _droppedBeforeFirstFrame;
         bool drops = _dropped.Update(dropped, now, options.RecentWindow);
         bool rejects = _rejected.Update(value.Signatures.Rejected, now, options.RecentWindow);
-        return new LinkFacts(value.Name ?? value.Url ?? _number, value, dropped, drops, rejects, now - monitoredSince);
+        bool conflicts = _conflicts.Update(value.AddressConflicts, now, options.RecentWindow);
+        return new LinkFacts(
+            value.Name ?? value.Url ?? _number, value, dropped, drops, rejects, now - monitoredSince, conflicts);
     }
 }

@@ -4,7 +4,7 @@ namespace Rabit.Uav.Messages;
 
 /// <summary>What is wrong; several reasons can hold at a time.</summary>
 [Flags]
-public enum HealthReasons
+public enum HealthReasons : long
 {
     /// <summary>Nothing.</summary>
     None = 0,
@@ -110,4 +110,12 @@ public enum HealthReasons
 
     /// <summary>Many targets are not seen again where they were: a symptom of wrong times or a wrong mount.</summary>
     TargetsNotConfirmed = 268435456,
+
+    /// <summary>
+    /// Frames come in that have our own address and are not from us, or that of our autopilot over another link.
+    /// </summary>
+    AddressConflict = 2147483648,
+
+    /// <summary>Frames are missing in the recording of the links.</summary>
+    RecordingIncomplete = 4294967296,
 }

@@ -95,6 +95,11 @@ public static class MessageNames
     /// </summary>
     public const string SearchedGround = "searched ground";
 
+    /// <summary>
+    /// Message <see cref="RecordingStatus"/>, posted by Communications where the links are recorded.
+    /// </summary>
+    public const string Recording = "recording";
+
     /// <summary>Message <see cref="Messages.LinkStatus"/> of one link, posted by Communications.</summary>
     /// <param name="link">Number of the link, from 0.</param>
     public static string LinkStatus(int link) => "link " + link.ToString(CultureInfo.InvariantCulture);

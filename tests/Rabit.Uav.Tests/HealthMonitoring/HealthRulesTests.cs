@@ -128,6 +128,17 @@ public class HealthRulesTests
     }
 
     [Theory]
+    [InlineData(true, HealthReasons.AddressConflict, HealthLevel.Warning)]
+    [InlineData(false, HealthReasons.None, HealthLevel.Unknown)]
+    public void Link_IsEvaluatedByFramesWithAnotherOnesAddress(
+        bool isRecent, HealthReasons expected, HealthLevel level)
+    {
+        var status = new LinkStatus { State = LinkState.Receiving, AddressConflicts = 2, Progress = double.NaN };
+        AssertLink(
+            new LinkFacts("udp", status, 0, false, false, TimeSpan.Zero, isRecent), expected, level);
+    }
+
+    [Theory]
     [InlineData(0, 0, 1, HealthReasons.CommandsUnanswered, HealthLevel.Warning)]
     [InlineData(1, 0, 4, HealthReasons.None, HealthLevel.Unknown)]
     [InlineData(0, 1, 4, HealthReasons.None, HealthLevel.Unknown)]
@@ -164,7 +175,7 @@ public class HealthRulesTests
         {
             if (reason == HealthReasons.None)
                 continue;
-            Assert.Equal(0, (int)reason & ((int)reason - 1));
+            Assert.Equal(0, (long)reason & ((long)reason - 1));
             Assert.Equal(HealthReasons.None, all & reason);
             all |= reason;
             string text = HealthText.Of([new HealthFinding(reason, HealthLevel.Warning, "x", 5)])!;

@@ -13,6 +13,9 @@ internal struct FrameToSend
 
     public byte CrcExtra;
 
+    /// <summary>It is the one of its copies for several links that is recorded.</summary>
+    public bool IsToBeRecorded;
+
     /// <summary>When it is too old to be sent.</summary>
     public TimeSpan ValidUntil;
 }

@@ -1,0 +1,34 @@
+using Rabit.Uav.Communications;
+
+namespace UavConsole;
+
+/// <summary>What the command line asked for about the recording of the links.</summary>
+internal sealed class RecordingChoices
+{
+    private const string NameWithoutMission = "flight";
+
+    /// <summary>Whether it was asked for, or for none; null for the default: where a live link is open.</summary>
+    public bool? IsWanted { get; init; }
+
+    /// <summary>Where the logs go; null for the current folder.</summary>
+    public string? Folder { get; init; }
+
+    /// <summary>How large a file may become; null for the default of the library.</summary>
+    public long? MaxFileBytes { get; init; }
+
+    /// <summary>The options of the library.</summary>
+    /// <param name="isByDefault">Whether it is wanted where nothing was said.</param>
+    /// <param name="mission">The name of the mission that is flown; null for none.</param>
+    /// <returns>Null for no recording.</returns>
+    public RecordingOptions? ToOptions(bool isByDefault, string? mission)
+    {
+        if (!(IsWanted ?? isByDefault))
+            return null;
+        var options = new RecordingOptions();
+        string name = mission is null ? NameWithoutMission : RunFiles.StemOf(mission);
+        options.Name = name.Length > 0 ? name : NameWithoutMission;
+        options.Folder = Folder ?? options.Folder;
+        options.MaxFileBytes = MaxFileBytes ?? options.MaxFileBytes;
+        return options;
+    }
+}
