@@ -10,11 +10,19 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>Which confirmed targets were revisited, and which are still to be. Each once.</summary>
 internal sealed class Revisits
 {
+    // A target that the vehicle passes later, or has passed, is left for then where that saves more than this: a lane
+    // that is interrupted costs two stops and its overlap.
+    private const double MinSavingMetres = 250;
+
+    // What is nearer than this at another time is as near now.
+    private const double SameMetres = 5;
+
     private readonly HashSet<int> _known = [];
     private readonly HashSet<int> _finished = [];
     private ImmutableArray<int> _shownFinished;
     private RevisitBudget? _budget;
     private int _charged;
+    private int _chosen;
 
     /// <summary>How many targets were revisited.</summary>
     public int Completed { get; private set; }
@@ -45,26 +53,72 @@ internal sealed class Revisits
         }
     }
 
-    /// <summary>The nearest target that is to be revisited; null when there is none.</summary>
-    public TargetTrack? Next(MissionFlight flight)
+    /// <summary>
+    /// The nearest target that is to be revisited now; null when there is none. Between two lanes that is each that no
+    /// later lane passes with much less way; on a lane, one beside it to which the way from its end is much longer.
+    /// </summary>
+    /// <param name="flight">The state of the mission.</param>
+    /// <param name="isOnLane">Whether a lane is being flown.</param>
+    public TargetTrack? Next(MissionFlight flight, bool isOnLane)
     {
         if (!flight.Mission.Revisit.IsEnabled || flight.IsFixedWing)
             return null;
         PlanePoint here = flight.Position;
-        while (flight.Tracks.Tracks
-            .Where(t => t.State == TrackState.Confirmed && !_finished.Contains(t.Id))
-            .Where(t => flight.Mission.IsTarget(t.Class))
-            .OrderBy(t => PositionOf(t, flight).DistanceTo(here)).ThenBy(t => t.Id).FirstOrDefault() is { } track)
+        while (NearestPending(flight, here, isOnLane) is { } track)
         {
-            string? why = WhyNot(track, flight) ?? WhyNoWay(track, flight);
+            string? why = WhyNot(track, flight) ?? WhyNoWay(track, flight, isOnLane);
             if (why is null)
+            {
+                _chosen = track.Id;
                 return track;
+            }
+
             _finished.Add(track.Id);
             flight.Log($"track {MissionNumbers.Of(track.Id)} {why}: no revisit");
         }
 
         return null;
     }
+
+    /// <summary>The target that <see cref="Next"/> gave last; null where there is no such track any more.</summary>
+    public TargetTrack? Chosen(MissionFlight flight) => Find(flight, _chosen);
+
+    private TargetTrack? NearestPending(MissionFlight flight, PlanePoint here, bool isOnLane)
+    {
+        TargetTrack? nearest = null;
+        double least = double.PositiveInfinity;
+        foreach (TargetTrack track in flight.Tracks.Tracks)
+        {
+            if (track.State != TrackState.Confirmed || _finished.Contains(track.Id)
+                || !flight.Mission.IsTarget(track.Class))
+                continue;
+            PlanePoint target = PositionOf(track, flight);
+            double distance = target.DistanceTo(here);
+            bool isNearer = distance < least || (distance.Equals(least) && track.Id < nearest!.Id);
+            if (isNearer && (isOnLane ? IsPassing(flight.Route!, here, target) : IsTimely(flight.Route!, here, target)))
+                (nearest, least) = (track, distance);
+        }
+
+        return nearest;
+    }
+
+    // Between two lanes: whether no later lane saves much of the way.
+    private static bool IsTimely(SearchRoute route, PlanePoint here, PlanePoint target)
+        => Detour(here, target, route.Current?.Start ?? here)
+            <= (2 * route.DistanceOfRest(target, withCurrent: true)) + MinSavingMetres;
+
+    // On a lane: whether it is beside the lane, and no other time is as good.
+    private static bool IsPassing(SearchRoute route, PlanePoint here, PlanePoint target)
+    {
+        double now = here.DistanceTo(target);
+        PlanePoint end = route.Current!.Value.End;
+        return Detour(end, target, route.Following?.Start ?? end) > (2 * now) + MinSavingMetres
+            && now <= route.DistanceOfLeg(target) + SameMetres
+            && now <= route.DistanceOfRest(target, withCurrent: false) + SameMetres;
+    }
+
+    private static double Detour(PlanePoint from, PlanePoint by, PlanePoint to)
+        => from.DistanceTo(by) + by.DistanceTo(to) - from.DistanceTo(to);
 
     private static string? WhyNot(TargetTrack track, MissionFlight flight)
     {
@@ -80,14 +134,14 @@ internal sealed class Revisits
     }
 
     // From here over the target to the next lane, instead of straight to that. Charged once, when it is decided.
-    private string? WhyNoWay(TargetTrack track, MissionFlight flight)
+    private string? WhyNoWay(TargetTrack track, MissionFlight flight, bool isOnLane)
     {
         if (track.Id == _charged)
             return null;
         _budget ??= new RevisitBudget(flight.Mission, flight.Plan!.Lanes);
-        PlanePoint target = PositionOf(track, flight);
-        PlanePoint next = flight.Route?.Current?.Start ?? flight.Position;
-        double detour = flight.Position.DistanceTo(target) + target.DistanceTo(next) - flight.Position.DistanceTo(next);
+        PlanePoint here = flight.Position;
+        PlanePoint next = isOnLane ? here : flight.Route?.Current?.Start ?? here;
+        double detour = Detour(here, PositionOf(track, flight), next);
         if (!_budget.Allows(detour))
         {
             LeftOut++;

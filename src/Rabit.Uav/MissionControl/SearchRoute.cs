@@ -64,6 +64,28 @@ internal sealed class SearchRoute
     /// <summary>The leg to fly now; null when all have been.</summary>
     public LaneSegment? Current => Flown < _legs.Count ? _legs[Flown] : null;
 
+    /// <summary>The leg after that; null where there is none.</summary>
+    public LaneSegment? Following => Flown + 1 < _legs.Count ? _legs[Flown + 1] : null;
+
+    /// <summary>How near the legs that remain come to a place; infinite where there are none.</summary>
+    /// <param name="place">The place.</param>
+    /// <param name="withCurrent">Whether the leg to fly now is one of them.</param>
+    public double DistanceOfRest(PlanePoint place, bool withCurrent)
+    {
+        double least = double.PositiveInfinity;
+        for (int i = Flown + (withCurrent ? 0 : 1); i < _legs.Count; i++)
+            least = Math.Min(least, _legs[i].DistanceTo(place));
+        return least;
+    }
+
+    /// <summary>How near what remains of the leg to fly now comes to a place.</summary>
+    public double DistanceOfLeg(PlanePoint place)
+    {
+        LaneSegment leg = _legs[Flown];
+        double part = Math.Max(0, Math.Min(1, FlownMetresOfLeg / leg.Length));
+        return new LaneSegment(leg.Start + (part * (leg.End - leg.Start)), leg.End).DistanceTo(place);
+    }
+
     public void FinishLeg()
     {
         Flown++;

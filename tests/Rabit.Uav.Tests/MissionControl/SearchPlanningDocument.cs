@@ -16,10 +16,10 @@ internal static class SearchPlanningDocument
         # Search planning: figures
 
         The planned way over the 40 areas of tests/data/autonomy/search-areas.json, from the start of the first leg to the end of the last; what a picture shows is as wide as the sweep. The bound is area
-        over sweep, of a sliver also its length but for a sweep: no way is shorter. The way over area 11, a comb, and area 27, a wedge, is explained in
-        [decision 26](decisions/0026-search-planning.md). 4000 samples of each area are within half a sweep of the way, and no part of the way is outside the area or nearer to a hole than 10 m.
+        over sweep, of a sliver also its length but for a sweep: no way is shorter. Why area 11, a comb, and area 27, a wedge, need more is explained in
+        [decision 26](decisions/0026-search-planning.md). 4000 samples of each area are within half a sweep of the way; no part of the way is outside the area or nearer to a hole than 10 m.
 
-        `RABIT_UPDATE_DOCS=1 dotnet test -s tests/long.runsettings tests/Rabit.Uav.Tests --filter FullyQualifiedName~Plan_AllAreas` plans them and writes this page.
+        `RABIT_UPDATE_DOCS=1 dotnet test tests/Rabit.Uav.Tests -c Release --filter "FullyQualifiedName~Plan_AllAreas"` plans them and writes this page.
 
         """;
 
@@ -28,7 +28,7 @@ internal static class SearchPlanningDocument
         if (Environment.GetEnvironmentVariable("RABIT_UPDATE_DOCS") != "1")
             return;
         var text = new StringBuilder(Introduction.Replace("\r\n", "\n"));
-        text.Append("| kind | areas | way over bound, mean | largest |\n|---|---|---|---|\n");
+        text.Append("\n| kind | areas | way over bound, mean | largest |\n|---|---|---|---|\n");
         foreach (IGrouping<string, PlannedArea> kind in areas.GroupBy(a => a.Kind))
         {
             text.Append(FormattableString.Invariant(

@@ -7,7 +7,7 @@ namespace Rabit.Uav.MissionControl;
 /// Sample points of the ground that is to be searched, on a grid and on its border, and by how many legs each is
 /// covered: a leg covers what is within a radius of it.
 /// </summary>
-internal sealed class CoverageSamples
+internal sealed partial class CoverageSamples
 {
     // Steps of the samples in parts of the radius; larger where there would be too many.
     private const double GridStep = 0.16;

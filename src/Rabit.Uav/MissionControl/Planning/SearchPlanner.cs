@@ -22,8 +22,12 @@ internal static class SearchPlanner
     // Pictures that the headings that are tried may have together, and how many samples may be looked at: to shorten
     // each of the ways, and to anneal each of the best of them.
     private const double MaxSquares = 2500;
+
+    // In a larger area the samples are too far apart to shorten long legs by them without leaving gaps, which then take
+    // longer to close than the way has gained.
+    private const double MaxShortenedSquares = 600;
     private const long MaxEffort = 6_000_000;
-    private const long AnnealEffort = 150_000_000;
+    private const long AnnealEffort = 60_000_000;
 
     /// <summary>The way; null where a part cannot be reached from the rest.</summary>
     /// <param name="outer">The outer border.</param>
@@ -38,7 +42,9 @@ internal static class SearchPlanner
         PlanePoint? from, bool isQuick = false)
     {
         var region = new SearchRegion(outer, keepOuts, clearance);
-        int headings = (int)Math.Max(1, Math.Min(MaxHeadings, MaxSquares / (region.Outer.Area / sweep / sweep)));
+        double squares = region.Outer.Area / sweep / sweep;
+        bool isLarge = squares > MaxShortenedSquares;
+        int headings = (int)Math.Max(1, Math.Min(MaxHeadings, MaxSquares / squares));
         var patterns = new List<(List<List<PlanePoint>> Lanes, double Heading, double Width)>();
         foreach (double h in heading is { } given ? [given] : Headings(region, sweep).Take(headings))
         {
@@ -46,7 +52,7 @@ internal static class SearchPlanner
             patterns.Add((lanes, h, SweepMargin * sweep));
         }
 
-        if (heading is null && region.IsConvex)
+        if (heading is null && region.IsConvex && !isLarge)
         {
             double width = SweepMargin * sweep;
             patterns.Add((ContourCutter.Cut(region.Outer, width, isEven: true), 0, width));
@@ -55,11 +61,11 @@ internal static class SearchPlanner
 
         Draft[] drafts = patterns.Select(p => Draft.Of(region, sweep, p.Width, p.Lanes, p.Heading, from))
             .OfType<Draft>().OrderBy(d => d.Length).Take(isQuick ? MaxTrimmed / 2 : MaxTrimmed)
-            .Select(d => d.Trimmed().Shortened(MaxEffort)).OrderBy(d => d.Length)
+            .Select(d => isLarge ? d.Trimmed() : d.Trimmed().Shortened(MaxEffort)).OrderBy(d => d.Length)
             .Take(isQuick ? 1 : Math.Min(headings, MaxAnnealed)).ToArray();
         for (int i = 0; i < drafts.Length; i++)
         {
-            if (!isQuick)
+            if (!isQuick && !isLarge)
                 drafts[i].Annealed(AnnealEffort, Seed + (ulong)i);
             drafts[i].Closed(MaxEffort / 4);
         }

@@ -11,10 +11,10 @@ namespace Rabit.Uav.MissionControl;
 internal sealed class WayAnnealer
 {
     // In sweeps: what a change may cost, how far a corner is moved, and what a sample that is not covered costs.
-    private const double FirstThreshold = 0.25;
+    private const double FirstThreshold = 0.5;
     private const double FirstMove = 0.8;
     private const double LastMove = 0.03;
-    private const double FirstPenalty = 0.03;
+    private const double FirstPenalty = 0.25;
     private const double LastPenalty = 0.4;
 
     private const int MaxMoved = 3;
@@ -245,19 +245,13 @@ internal sealed class WayAnnealer
         double limit = _threshold * Uniform();
         if (more - (_penalty * _samples.Uncovered) > limit)
             return false;
-        int before = _samples.Uncovered;
+        int uncovered = _samples.MoreUncovered(_old, _new, (limit - more) / _penalty);
+        if (more + (_penalty * uncovered) > limit || !AreFree())
+            return false;
         Change(_new, 1);
         Change(_old, -1);
-        double cost = more + (_penalty * (_samples.Uncovered - before));
-        if (cost <= limit && AreFree())
-        {
-            _cost += more;
-            return true;
-        }
-
-        Change(_old, 1);
-        Change(_new, -1);
-        return false;
+        _cost += more;
+        return true;
     }
 
     private bool AreFree()

@@ -33,7 +33,7 @@ internal sealed class RevisitingState() : MissionState(MissionPhase.Revisiting)
         _overhead = null;
         _begun = flight.ActiveTime;
         _order = by == MissionEvent.OperatorRevisit ? flight.Ordered : null;
-        TargetTrack? track = _order is null ? flight.Revisits.Next(flight) : Revisits.Find(flight, _order.TrackId);
+        TargetTrack? track = _order is null ? flight.Revisits.Chosen(flight) : Revisits.Find(flight, _order.TrackId);
         (_track, _reportsBefore) = (track?.Id ?? 0, track?.Reports ?? 0);
         PlanePoint target = track is null
             ? OperatorFaults.PlaceOf(flight.Plan!, _order!.Place)

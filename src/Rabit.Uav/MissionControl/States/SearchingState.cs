@@ -5,8 +5,8 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.MissionControl;
 
 /// <summary>
-/// Flies lane after lane; between two of them new targets are revisited; at the end the gaps in the coverage are flown
-/// over.
+/// Flies lane after lane; between two of them, or in passing where that is much less way, new targets are revisited; at
+/// the end the gaps in the coverage are flown over.
 /// </summary>
 internal sealed class SearchingState : MissionState
 {
@@ -56,7 +56,7 @@ internal sealed class SearchingState : MissionState
             return ReturnToLaunch(flight.Commands.LastFailure);
         if (_laneEnd is { } end && flight.ActiveTime - end < ProcessingTime && flight.Route!.Current is null)
             return MissionStep.Stay;
-        if (!_isOnLane && flight.Revisits.Next(flight) is { } track)
+        if (flight.Revisits.Next(flight, _isOnLane) is { } track)
             return new MissionStep(MissionEvent.TargetFound, $"track {MissionNumbers.Of(track.Id)}");
         if (flight.Route!.Current is { } lane)
             return Fly(flight, lane);
