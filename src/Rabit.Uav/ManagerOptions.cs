@@ -4,6 +4,7 @@ using System.Linq;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
 using Rabit.Uav.GroundControl;
@@ -20,6 +21,9 @@ namespace Rabit.Uav;
 /// </summary>
 internal static class ManagerOptions
 {
+    // What the gimbal reports of itself is worth more than what it was pointed by.
+    private static readonly RequestedRate GimbalRate = new(GimbalDeviceAttitudeStatus.MavlinkId, 10);
+
     public static IEnumerable<string> FindContradictions(UavOptions options)
     {
         CommunicationsOptions communications = options.Communications;
@@ -136,6 +140,9 @@ internal static class ManagerOptions
         made.Dialect = DialectOf(options);
         made.Setup = made.Setup.Copy();
         made.Setup.ReadsParameters |= ChecksBeforeFlight(options);
+        if (MissionOf(options) is { HasGimbal: true }
+            && made.RequestedRates.All(r => r.MessageId != GimbalDeviceAttitudeStatus.MavlinkId))
+            made.RequestedRates = [.. made.RequestedRates, GimbalRate];
         return made;
     }
 
@@ -144,6 +151,7 @@ internal static class ManagerOptions
         MissionControlOptions made = options.MissionControl.Copy();
         made.Mission = MissionOf(options);
         made.RequiresPreflight |= ChecksBeforeFlight(options);
+        made.GimbalFrame = options.Imaging.Mount.GimbalFrame;
         made.FindsFaultOfChange = changed => UavOptionsCheck.FindGapBetweenLanes(changed, options);
         return made;
     }

@@ -2,6 +2,7 @@ using System;
 using Rabit.Core;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
@@ -26,6 +27,7 @@ public sealed partial class AutopilotManager
 
     private readonly CommandExecutor _executor;
     private readonly AutopilotClock _clock = new();
+    private readonly GimbalTracker _gimbal = new();
     private readonly QueueReceiver<VehicleCommand> _commands;
     private readonly QueueSender<VehicleCommandResult> _answers;
     private readonly QueueSender<PoseSample> _poses;
@@ -105,6 +107,14 @@ public sealed partial class AutopilotManager
         _poses.Push(pose);
         ReportBasis(arrival);
     }
+
+    private void PushGimbal(in GimbalAttitude gimbal, uint bootTimeMs, TimeSpan arrival) => _poses.Push(new PoseSample
+    {
+        Kind = PoseSampleKind.Gimbal,
+        Time = _clock.Map(bootTimeMs, arrival),
+        TimeErrorSeconds = _clock.ErrorSecondsAt(arrival),
+        Gimbal = gimbal,
+    });
 
     private void StartRequestingTime(TimeSpan time)
     {

@@ -73,6 +73,12 @@ public sealed partial class AutopilotManager
             case CommandAck.MavlinkId:
                 mavlink.TryDecode(out CommandAck acknowledgement);
                 return Take(frame, acknowledgement);
+            case GimbalDeviceAttitudeStatus.MavlinkId:
+                mavlink.TryDecode(out GimbalDeviceAttitudeStatus gimbal);
+                return TakeGimbal(frame, IsOfVehicle(frame) ? _gimbal.Take(frame, gimbal) : GimbalUpdate.OfOther);
+            case MountOrientation.MavlinkId:
+                mavlink.TryDecode(out MountOrientation mount);
+                return TakeGimbal(frame, IsOfVehicle(frame) ? _gimbal.Take(frame, mount) : GimbalUpdate.OfOther);
             default:
                 return Complete(frame, _tracker.Update(frame));
         }
@@ -112,6 +118,20 @@ public sealed partial class AutopilotManager
             PushPose(kind, frame.Time);
         return events;
     }
+
+    // Of any component of the vehicle: the gimbal itself, whose clock we do not know, or the autopilot for it.
+    private VehicleEvents TakeGimbal(in LinkFrame frame, GimbalUpdate report)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (report == GimbalUpdate.Refused)
+            Count(VehicleEvents.Refused);
+        else if (report == GimbalUpdate.Taken)
+            PushGimbal(_gimbal.Attitude, _tracker.IsFromAutopilot(frame.Frame) ? _gimbal.BootTimeMs : 0, frame.Time);
+        return events;
+    }
+
+    private bool IsOfVehicle(in LinkFrame frame)
+        => _tracker.State.SystemId != 0 && _tracker.State.SystemId == frame.Frame.SystemId;
 
     private VehicleEvents Take(in LinkFrame frame, in Timesync message)
     {

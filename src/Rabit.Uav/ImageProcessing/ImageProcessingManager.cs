@@ -27,6 +27,7 @@ public sealed class ImageProcessingManager : RabitManager
     internal const string InTheFuture = "the time of the picture is in the future";
     internal const string PoseTooOld = "the picture is older than all known poses";
     internal const string PoseGap = "the poses around the time of the picture are too far apart";
+    internal const string GimbalSilent = "the gimbal no longer reports its attitude";
     internal const string NoRoom = "too many pictures wait for their poses";
 
     // Between two units of work, where nothing wakes it: for the status.
@@ -75,7 +76,7 @@ public sealed class ImageProcessingManager : RabitManager
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options)))
             .ValidatedCopy(camera is not null, nameof(options));
-        _poses = new PoseHistory(_options.MaxPoseGap);
+        _poses = new PoseHistory(_options.MaxPoseGap, usesGimbal: _options.Mount.FixedBodyFromCamera is null);
         if (camera is not null)
         {
             _camera = AttachReader("camera", camera, FramesQueued, QueueFullMode.DropOldest);
@@ -186,7 +187,7 @@ public sealed class ImageProcessingManager : RabitManager
                 == PoseLookup.Extrapolated)
                 Search(i, pose);
             else
-                Refuse(i, NoPose);
+                Refuse(i, _poses.IsGimbalSilent(MiddleOf(_waiting[i])) ? GimbalSilent : NoPose);
         }
     }
 

@@ -10,12 +10,12 @@ public struct ImagingCommand
     public ImagingMode Mode { get; set; }
 
     /// <summary>
-    /// Camera pitch relative to the body, up positive; -90 degrees points straight down with the top of the picture
-    /// forward.
+    /// Camera pitch, up positive, in <c>CameraMount.GimbalFrame</c>; -90 degrees points straight down with the top of
+    /// the picture forward. Not used where the gimbal reports its attitude.
     /// </summary>
     public Angle CameraPitch { get; set; }
 
-    /// <summary>Camera yaw relative to the body, right positive.</summary>
+    /// <summary>Camera yaw, right positive, as the pitch.</summary>
     public Angle CameraYaw { get; set; }
 
     /// <summary>Altitude of the ground, taken as level, metres above mean sea level.</summary>

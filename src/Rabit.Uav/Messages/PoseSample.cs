@@ -1,10 +1,11 @@
 using System;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// One thing that the autopilot said of where the vehicle was or how it stood, with the time at which that was true by
+/// One thing that the autopilot said of where the vehicle was or how it or its camera was turned, with the time at which that was true by
 /// the clock of the run. A plain value; what <see cref="Kind"/> does not name is empty.
 /// </summary>
 public struct PoseSample
@@ -38,4 +39,7 @@ public struct PoseSample
 
     /// <summary>Angular velocity in the body frame. Of an attitude.</summary>
     public BodyRates Rates { get; set; }
+
+    /// <summary>How the camera's gimbal was turned. Of a gimbal.</summary>
+    public GimbalAttitude Gimbal { get; set; }
 }

@@ -8,4 +8,7 @@ public enum PoseSampleKind
 
     /// <summary>Attitude and angular velocity.</summary>
     Attitude,
+
+    /// <summary>The attitude that the camera's gimbal reported.</summary>
+    Gimbal,
 }

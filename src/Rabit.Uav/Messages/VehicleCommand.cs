@@ -1,5 +1,6 @@
 using System;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.Messages;
 
@@ -66,13 +67,19 @@ public struct VehicleCommand
     public string? Mode { get; set; }
 
     /// <summary>
-    /// Camera pitch relative to the body, up positive; -90 degrees points straight down. Of
+    /// Camera pitch in <see cref="GimbalFrame"/>, up positive; -90 degrees points straight down. Of
     /// <see cref="VehicleCommandKind.PointCamera"/>.
     /// </summary>
     public Angle CameraPitch { get; set; }
 
     /// <summary>
-    /// Camera yaw relative to the body, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.
+    /// Camera yaw in <see cref="GimbalFrame"/>, right positive. Of <see cref="VehicleCommandKind.PointCamera"/>.
     /// </summary>
     public Angle CameraYaw { get; set; }
+
+    /// <summary>
+    /// What the angles of the camera are against: the gimbal is to hold them so. Of
+    /// <see cref="VehicleCommandKind.PointCamera"/>.
+    /// </summary>
+    public GimbalFrame GimbalFrame { get; set; }
 }

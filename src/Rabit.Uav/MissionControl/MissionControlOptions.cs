@@ -37,6 +37,13 @@ public sealed class MissionControlOptions
     public bool RequiresPreflight { get; set; }
 
     /// <summary>
+    /// What the angles of the mission's camera are against, where it is on a gimbal
+    /// (<see cref="MissionPlan.HasGimbal"/>); in a system that of <c>Imaging.Mount</c>.
+    /// </summary>
+    /// <value>The default is <see cref="GimbalFrame.Body"/>.</value>
+    public GimbalFrame GimbalFrame { get; set; }
+
+    /// <summary>
     /// Time-out for the vehicle to be connected, healthy and to have a position; after it the mission has failed.
     /// </summary>
     /// <value>

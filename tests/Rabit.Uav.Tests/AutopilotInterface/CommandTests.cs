@@ -125,8 +125,11 @@ public class CommandTests
         Assert.Equal(received, copter.Received.Count);
     }
 
-    [Fact]
-    public void PointCamera_AnglesGoOutInDegrees()
+    [Theory]
+    [InlineData(GimbalFrame.Body, 0)]
+    [InlineData(GimbalFrame.Heading, 4 + 8 + 32)]
+    [InlineData(GimbalFrame.North, 4 + 8 + 16 + 64)]
+    public void PointCamera_AnglesGoOutInDegreesAndTheirFrameAsFlags(GimbalFrame frame, float flags)
     {
         using ScriptedAutopilot copter = new ScriptedAutopilot().Armed();
         VehicleCommandResult answer = copter.GiveAndRun(
@@ -134,12 +137,14 @@ public class CommandTests
             with: c => c with
             {
                 CameraPitch = Angle.FromDegrees(-90),
-                CameraYaw = Angle.FromRadians(30 / DegreesPerRadian)
+                CameraYaw = Angle.FromRadians(30 / DegreesPerRadian),
+                GimbalFrame = frame,
             });
         Assert.Equal(VehicleCommandOutcome.Accepted, answer.Outcome);
         CommandLong gimbal = copter.Last<CommandLong>();
         Assert.Equal((MavCmd.DoGimbalManagerPitchyaw, -90f, 30f), (gimbal.Command, gimbal.Param1, gimbal.Param2));
         Assert.True(float.IsNaN(gimbal.Param3) && float.IsNaN(gimbal.Param4));
+        Assert.Equal(flags, gimbal.Param5);
     }
 
     [Fact]

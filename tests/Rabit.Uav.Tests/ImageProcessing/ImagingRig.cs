@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Rabit.Core;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Xunit;
@@ -117,6 +118,14 @@ internal sealed class ImagingRig : IDisposable
                 });
         }
     }
+
+    /// <summary>What the gimbal reports.</summary>
+    public void AddGimbal(double seconds, double pitchDegrees) => _poses.Push(new PoseSample
+    {
+        Kind = PoseSampleKind.Gimbal,
+        Time = TimeSpan.FromTicks((long)(seconds * TimeSpan.TicksPerSecond)),
+        Gimbal = GimbalAttitude.AgainstBody(Angle.FromDegrees(pitchDegrees), Angle.Zero),
+    });
 
     /// <summary>One position and one attitude.</summary>
     public void AddPose(

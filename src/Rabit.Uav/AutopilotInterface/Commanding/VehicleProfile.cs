@@ -167,8 +167,8 @@ internal abstract class VehicleProfile
     }
 
     /// <summary>
-    /// Without flags the angles are against the body; rates are left to the gimbal
-    /// (MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW).
+    /// Without flags the angles are against the body; a locked axis holds the horizon, or north. Rates are left to the
+    /// gimbal (MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW).
     /// </summary>
     private static CommandStep PointCamera(in VehicleCommand command) => new()
     {
@@ -179,8 +179,20 @@ internal abstract class VehicleProfile
             Param2 = (float)command.CameraYaw.Degrees,
             Param3 = float.NaN,
             Param4 = float.NaN,
+            Param5 = (float)(uint)FlagsOf(command.GimbalFrame),
         },
     };
+
+    private static GimbalManagerFlags FlagsOf(GimbalFrame frame)
+    {
+        const GimbalManagerFlags Horizon = GimbalManagerFlags.RollLock | GimbalManagerFlags.PitchLock;
+        return frame switch
+        {
+            GimbalFrame.Heading => Horizon | GimbalManagerFlags.YawInVehicleFrame,
+            GimbalFrame.North => Horizon | GimbalManagerFlags.YawLock | GimbalManagerFlags.YawInEarthFrame,
+            _ => 0,
+        };
+    }
 
     private static int DegE7(double radians) => (int)Math.Round(radians * DegE7PerRadian);
 

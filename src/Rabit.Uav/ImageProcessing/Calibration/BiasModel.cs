@@ -37,7 +37,9 @@ internal sealed class BiasModel(CameraModel camera, CameraMount mount)
             observation.Attitude.Pitch.Radians - values[(int)BiasParameter.AttitudePitch],
             observation.Attitude.Yaw.Radians - values[(int)BiasParameter.AttitudeYaw]))
                 .After(observation.Rates, earlier);
-        CameraExtrinsics placement = mount.At(observation.GimbalPitch, observation.GimbalYaw, EulerAngles.FromRadians(
+        var gimbal = new GimbalAttitude(
+            new EulerAngles(Angle.Zero, observation.GimbalPitch, observation.GimbalYaw), mount.GimbalFrame);
+        CameraExtrinsics placement = mount.At(gimbal, attitude, EulerAngles.FromRadians(
             values[(int)BiasParameter.MountRoll], values[(int)BiasParameter.MountPitch],
             values[(int)BiasParameter.MountYaw]));
         NedVector fromCamera = new NedPosition(values[Biases], values[Biases + 1], groundDown) - position

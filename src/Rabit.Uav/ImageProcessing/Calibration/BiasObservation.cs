@@ -33,9 +33,12 @@ public struct BiasObservation
     /// <summary>Its angular velocity.</summary>
     public BodyRates Rates { get; set; }
 
-    /// <summary>The gimbal's pitch; -90 degrees for a camera that looks down.</summary>
+    /// <summary>
+    /// The gimbal's pitch in <see cref="CameraGeometry.CameraMount.GimbalFrame"/>; -90 degrees for a camera that looks
+    /// down.
+    /// </summary>
     public Angle GimbalPitch { get; set; }
 
-    /// <summary>The gimbal's yaw.</summary>
+    /// <summary>The gimbal's yaw, as the pitch.</summary>
     public Angle GimbalYaw { get; set; }
 }

@@ -98,9 +98,15 @@ internal sealed class GroundJacobian(CameraModel camera, CameraMount mount)
             attitude.Roll.Radians + Error(ViewingParameter.Roll),
             attitude.Pitch.Radians + Error(ViewingParameter.Pitch),
             attitude.Yaw.Radians + Error(ViewingParameter.Yaw))).After(geometry.Pose.Rates, later);
+        EulerAngles gimbal = geometry.Gimbal.Angles;
         CameraExtrinsics placement = mount.At(
-            geometry.GimbalPitch + Angle.FromRadians(Error(ViewingParameter.GimbalPitch)),
-            geometry.GimbalYaw + Angle.FromRadians(Error(ViewingParameter.GimbalYaw)),
+            geometry.Gimbal with
+            {
+                Angles = new EulerAngles(
+                    gimbal.Roll, gimbal.Pitch + Angle.FromRadians(Error(ViewingParameter.GimbalPitch)),
+                    gimbal.Yaw + Angle.FromRadians(Error(ViewingParameter.GimbalYaw))),
+            },
+            rotation,
             EulerAngles.FromRadians(
                 Error(ViewingParameter.MountRoll), Error(ViewingParameter.MountPitch),
                 Error(ViewingParameter.MountYaw)));

@@ -22,8 +22,8 @@ internal readonly struct GroundProjection
         _geometry = new ViewingGeometry
         {
             Pose = pose,
-            GimbalPitch = command.CameraPitch,
-            GimbalYaw = command.CameraYaw,
+            Gimbal = pose.Gimbal ?? new GimbalAttitude(
+                new EulerAngles(Angle.Zero, command.CameraPitch, command.CameraYaw), projector.Mount.GimbalFrame),
             GroundDownMetres = pose.Position.AltitudeAmslMetres - command.GroundAltitudeAmslMetres,
         };
     }

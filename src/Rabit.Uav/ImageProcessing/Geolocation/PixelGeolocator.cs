@@ -38,20 +38,21 @@ public sealed class PixelGeolocator
         _camera = _options.Camera!;
         _projector = new GroundProjector(
             _camera, _options.Mount, _options.Errors, _options.MinDepression, _options.Terrain);
-        _poses = new PoseHistory(_options.MaxPoseGap);
+        _poses = new PoseHistory(_options.MaxPoseGap, usesGimbal: _options.Mount.FixedBodyFromCamera is null);
     }
 
     /// <summary>Samples that were not used: not a number, of a moment that was there already, or too old.</summary>
     public long RefusedSamples => _poses.Refused;
 
-    /// <summary>Takes a position or an attitude.</summary>
+    /// <summary>Takes a position, an attitude or a gimbal's attitude.</summary>
     /// <param name="sample">As the autopilot reported it.</param>
     public void Add(in PoseSample sample) => _poses.Add(sample);
 
     /// <summary>Where a pixel is on the ground.</summary>
     /// <param name="middleOfExposure">Of the first row, by the clock of the poses.</param>
     /// <param name="command">
-    /// Where the gimbal points and how high the ground is; its height is not used where there is terrain.
+    /// Where the gimbal points, unless it reported that itself, and how high the ground is; its height is not used
+    /// where there is terrain.
     /// </param>
     /// <param name="column">The centre of the top left pixel is 0.</param>
     /// <param name="row">The centre of the top left pixel is 0.</param>

@@ -1,5 +1,6 @@
 using System;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing.Geolocation;
@@ -18,6 +19,9 @@ internal struct Pose
     public Rotation Attitude { get; set; }
 
     public BodyRates Rates { get; set; }
+
+    /// <summary>How its camera's gimbal was turned; null where the gimbal does not report it.</summary>
+    public GimbalAttitude? Gimbal { get; set; }
 
     /// <summary>How far beyond the newest sample it was extrapolated, seconds; 0 for a pose between samples.</summary>
     public double ExtrapolatedSeconds { get; set; }

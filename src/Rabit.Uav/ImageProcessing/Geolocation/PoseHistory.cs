@@ -1,5 +1,6 @@
 using System;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing.Geolocation;
@@ -9,18 +10,28 @@ namespace Rabit.Uav.ImageProcessing.Geolocation;
 /// position by a cubic through positions and velocities (Hermite). It is extrapolated beyond the newest only where that
 /// is asked for. Fixed memory; for one thread.
 /// </summary>
-internal sealed class PoseHistory(TimeSpan maxGap)
+/// <remarks>
+/// A gimbal that reported its attitude once is held to it: while it goes on, a pose waits for its samples as for the
+/// others, and where it stopped there is no pose, since the angles that it was pointed by may not be where it points.
+/// </remarks>
+internal sealed class PoseHistory(TimeSpan maxGap, bool usesGimbal = true)
 {
     // At 50 attitudes and 10 positions a second some 10 and 25 s; a picture is asked for within half a second.
     private const int AttitudesKept = 512;
     private const int PositionsKept = 256;
+    private const int GimbalsKept = 256;
 
     // Samples may come a little out of order, and a link may pause. Two that are further than this from the newest one
     // are of a clock that was set again, or came after a pause; one is nothing.
     private static readonly TimeSpan MaxStep = TimeSpan.FromSeconds(2);
 
+    // Gimbals report a few times a second, some only once.
+    private static readonly TimeSpan MaxGimbalGap = TimeSpan.FromSeconds(1.5);
+    private static readonly TimeSpan MaxGimbalStep = TimeSpan.FromSeconds(5);
+
     private readonly TimedRing<PositionSample> _positions = new(PositionsKept, MaxStep);
     private readonly TimedRing<AttitudeSample> _attitudes = new(AttitudesKept, MaxStep);
+    private readonly TimedRing<GimbalSample> _gimbals = new(GimbalsKept, MaxGimbalStep);
     private long _invalid;
     private double _timeError;
 
@@ -28,7 +39,7 @@ internal sealed class PoseHistory(TimeSpan maxGap)
     /// Samples that were not used: not a number, out of range, of a moment that was there already, too old, or with a
     /// time that no other one agrees with.
     /// </summary>
-    public long Refused => _invalid + _positions.Refused + _attitudes.Refused;
+    public long Refused => _invalid + _positions.Refused + _attitudes.Refused + _gimbals.Refused;
 
     /// <summary>How often time jumped back, so that all before was forgotten.</summary>
     public long Restarts => _positions.Restarts + _attitudes.Restarts;
@@ -44,12 +55,52 @@ internal sealed class PoseHistory(TimeSpan maxGap)
             _attitudes.Add(
                 sample.Time,
                 new AttitudeSample { Attitude = Rotation.FromEuler(sample.Attitude), Rates = sample.Rates });
+        else if (sample.Kind == PoseSampleKind.Gimbal && sample.Gimbal.Angles.IsFinite)
+            AddGimbal(sample.Time, sample.Gimbal);
         else
             _invalid++;
     }
 
+    /// <summary>Whether the gimbal reported its attitude once, and not around a moment.</summary>
+    public bool IsGimbalSilent(TimeSpan time)
+        => _gimbals.TryNewest(out TimeSpan newest, out _) && time - newest > MaxGimbalGap;
+
     /// <summary>The pose at a moment, if it is known.</summary>
     public PoseLookup Find(TimeSpan time, out Pose pose)
+    {
+        PoseLookup gimbal = FindGimbal(time, out GimbalAttitude? attitude);
+        PoseLookup answer = Worse(FindBody(time, out pose), gimbal);
+        if (answer == PoseLookup.Known)
+            pose.Gimbal = attitude;
+        else
+            pose = default;
+        return answer;
+    }
+
+    /// <summary>
+    /// The pose at a moment that the samples do not reach, at the velocity and the rates of the newest ones; the gimbal
+    /// is taken to stand still.
+    /// </summary>
+    /// <param name="time">The moment.</param>
+    /// <param name="max">How far it may be extrapolated.</param>
+    /// <param name="pose">Says how far it was extrapolated, from which its errors grow.</param>
+    public PoseLookup Extrapolate(TimeSpan time, TimeSpan max, out Pose pose)
+    {
+        PoseLookup gimbal = FindGimbal(time, out GimbalAttitude? attitude);
+        PoseLookup body = FindBody(time, out pose);
+        if (gimbal == PoseLookup.NotYet && TryHoldGimbal(time, out attitude))
+            gimbal = PoseLookup.Extrapolated;
+        if (body == PoseLookup.NotYet && TryExtrapolateBody(time, max, out pose))
+            body = PoseLookup.Extrapolated;
+        PoseLookup answer = Worse(body, gimbal);
+        if (answer is PoseLookup.Known or PoseLookup.Extrapolated)
+            pose.Gimbal = attitude;
+        else
+            pose = default;
+        return answer;
+    }
+
+    private PoseLookup FindBody(TimeSpan time, out Pose pose)
     {
         pose = default;
         PoseLookup position = _positions.Find(time, maxGap, out TimedPair<PositionSample> positions);
@@ -64,22 +115,15 @@ internal sealed class PoseHistory(TimeSpan maxGap)
         return PoseLookup.Known;
     }
 
-    /// <summary>
-    /// The pose at a moment that the samples do not reach, at the velocity and the rates of the newest ones.
-    /// </summary>
-    /// <param name="time">The moment.</param>
-    /// <param name="max">How far it may be extrapolated.</param>
-    /// <param name="pose">Says how far it was extrapolated, from which its errors grow.</param>
-    public PoseLookup Extrapolate(TimeSpan time, TimeSpan max, out Pose pose)
+    private bool TryExtrapolateBody(TimeSpan time, TimeSpan max, out Pose pose)
     {
-        PoseLookup answer = Find(time, out pose);
-        if (answer != PoseLookup.NotYet
-            || !_positions.TryNewest(out TimeSpan positionTime, out PositionSample position)
+        pose = default;
+        if (!_positions.TryNewest(out TimeSpan positionTime, out PositionSample position)
             || !_attitudes.TryNewest(out TimeSpan attitudeTime, out AttitudeSample attitude))
-            return answer;
+            return false;
         TimeSpan beyond = Later(time - positionTime, time - attitudeTime);
         if (beyond > max)
-            return PoseLookup.NotYet;
+            return false;
 
         // One kind may reach beyond the moment: then it is extrapolated backwards, which is no worse.
         pose.Position = position.Position;
@@ -92,7 +136,7 @@ internal sealed class PoseHistory(TimeSpan maxGap)
         pose.Time = time;
         pose.TimeErrorSeconds = _timeError;
         pose.ExtrapolatedSeconds = beyond.TotalSeconds;
-        return PoseLookup.Extrapolated;
+        return true;
     }
 
     private static TimeSpan Later(TimeSpan a, TimeSpan b) => a > b ? a : b;
@@ -102,7 +146,48 @@ internal sealed class PoseHistory(TimeSpan maxGap)
     {
         if (a == PoseLookup.TooOld || b == PoseLookup.TooOld)
             return PoseLookup.TooOld;
-        return a == PoseLookup.Gap || b == PoseLookup.Gap ? PoseLookup.Gap : PoseLookup.NotYet;
+        if (a == PoseLookup.Gap || b == PoseLookup.Gap)
+            return PoseLookup.Gap;
+        if (a == PoseLookup.NotYet || b == PoseLookup.NotYet)
+            return PoseLookup.NotYet;
+        return a == PoseLookup.Extrapolated || b == PoseLookup.Extrapolated
+            ? PoseLookup.Extrapolated
+            : PoseLookup.Known;
+    }
+
+    private void AddGimbal(TimeSpan time, in GimbalAttitude gimbal)
+    {
+        if (usesGimbal)
+            _gimbals.Add(
+                time, new GimbalSample { Attitude = Rotation.FromEuler(gimbal.Angles), Frame = gimbal.Frame });
+    }
+
+    // Null, and known, where no gimbal reports its attitude.
+    private PoseLookup FindGimbal(TimeSpan time, out GimbalAttitude? gimbal)
+    {
+        gimbal = null;
+        if (_gimbals.Count == 0)
+            return PoseLookup.Known;
+        PoseLookup answer = _gimbals.Find(time, MaxGimbalGap, out TimedPair<GimbalSample> pair);
+        if (answer == PoseLookup.Known)
+            gimbal = Between(pair);
+        return answer;
+    }
+
+    private bool TryHoldGimbal(TimeSpan time, out GimbalAttitude? gimbal)
+    {
+        bool isThere = _gimbals.TryNewest(out TimeSpan newest, out GimbalSample sample);
+        gimbal = new GimbalAttitude(sample.Attitude.ToEuler(), sample.Frame);
+        return isThere && time - newest <= MaxGimbalGap;
+    }
+
+    private static GimbalAttitude Between(in TimedPair<GimbalSample> pair)
+    {
+        bool isNearer = pair.Part < 0.5;
+        Rotation attitude = pair.Before.Frame == pair.After.Frame
+            ? Rotation.Slerp(pair.Before.Attitude, pair.After.Attitude, pair.Part)
+            : isNearer ? pair.Before.Attitude : pair.After.Attitude;
+        return new GimbalAttitude(attitude.ToEuler(), isNearer ? pair.Before.Frame : pair.After.Frame);
     }
 
     private static (GeodeticPosition Position, NedVector Velocity) Between(in TimedPair<PositionSample> pair)
@@ -158,6 +243,12 @@ internal sealed class PoseHistory(TimeSpan maxGap)
     {
         public GeodeticPosition Position;
         public NedVector VelocityNed;
+    }
+
+    private struct GimbalSample
+    {
+        public Rotation Attitude;
+        public GimbalFrame Frame;
     }
 
     private struct AttitudeSample

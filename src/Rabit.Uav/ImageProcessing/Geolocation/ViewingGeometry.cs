@@ -11,9 +11,7 @@ internal struct ViewingGeometry
 {
     public Pose Pose { get; set; }
 
-    public Angle GimbalPitch { get; set; }
-
-    public Angle GimbalYaw { get; set; }
+    public GimbalAttitude Gimbal { get; set; }
 
     /// <summary>Below the vehicle, metres.</summary>
     public double GroundDownMetres { get; set; }
@@ -32,7 +30,7 @@ internal struct ViewingGeometry
     /// <param name="x">To the right, for 1 along the optical axis.</param>
     /// <param name="y">Down, for 1 along the optical axis.</param>
     public readonly GroundRay RayOf(CameraMount mount, double x, double y)
-        => Ray(Pose.Attitude, mount.At(GimbalPitch, GimbalYaw), default, x, y);
+        => Ray(Pose.Attitude, mount.At(Gimbal, Pose.Attitude), default, x, y);
 
     public static GroundRay Ray(Rotation attitude, CameraExtrinsics camera, NedPosition vehicle, double x, double y)
     {

@@ -14,6 +14,7 @@ internal static class CameraMountDescription
     public const string LeverArm = "leverArmBodyMetres";
     private const string Gimbal = "gimbal";
     private const string CameraLeverArm = "leverArmGimbalMetres";
+    private const string Frame = "frame";
     private const string Roll = "misalignmentRollDegrees";
     private const string Pitch = "misalignmentPitchDegrees";
     private const string Yaw = "misalignmentYawDegrees";
@@ -50,6 +51,12 @@ internal static class CameraMountDescription
         double[] arm = gimbal.Has(CameraLeverArm) ? gimbal.RequiredNumbers(CameraLeverArm, 3) : new double[3];
         var read = new CameraMount
         {
+            GimbalFrame = gimbal.Choice(Frame, "body", "heading", "north") switch
+            {
+                "heading" => GimbalFrame.Heading,
+                "north" => GimbalFrame.North,
+                _ => GimbalFrame.Body,
+            },
             GimbalLeverArmMetres = position,
             CameraLeverArmMetres = new BodyVector(arm[0], arm[1], arm[2]),
             MisalignmentRoll = Angle.FromDegrees(gimbal.Number(Roll) ?? 0),

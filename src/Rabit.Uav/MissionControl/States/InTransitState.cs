@@ -82,6 +82,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
             Kind = VehicleCommandKind.PointCamera,
             CameraPitch = flight.Mission.CameraPitch,
             CameraYaw = flight.Mission.CameraYaw,
+            GimbalFrame = flight.Options.GimbalFrame,
         };
         flight.Text = "pointing the camera";
         if (!flight.Commands.IsGoal(command))
