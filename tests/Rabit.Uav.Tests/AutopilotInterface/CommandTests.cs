@@ -4,6 +4,7 @@ using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 using Xunit;
 

@@ -287,8 +287,9 @@ public sealed class GroundProjectorTests
     private static ViewingGeometry ViewingGeometryOf(JsonElement view, Pose pose) => new()
     {
         Pose = pose,
-        GimbalPitch = Angle.FromRadians(view.GetProperty("mount").Radians("el")),
-        GimbalYaw = Angle.FromRadians(view.GetProperty("mount").Radians("az")),
+        Gimbal = GimbalAttitude.AgainstBody(
+            Angle.FromRadians(view.GetProperty("mount").Radians("el")),
+            Angle.FromRadians(view.GetProperty("mount").Radians("az"))),
         GroundDownMetres = view.Number("h") - view.Number("ground_h"),
     };
 }

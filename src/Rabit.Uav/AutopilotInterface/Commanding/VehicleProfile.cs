@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.AutopilotInterface;
