@@ -12,7 +12,7 @@ namespace Rabit.Uav.AutopilotInterface;
 /// </summary>
 internal sealed class GimbalTracker
 {
-    // What a gimbal with such an error says of its attitude is not to be believed; a limit or a motor is no such error.
+    // What a gimbal with such an error says of its attitude is not trusted; a limit or a motor is no such error.
     private const GimbalDeviceErrorFlags Unusable = GimbalDeviceErrorFlags.EncoderError
         | GimbalDeviceErrorFlags.SoftwareError | GimbalDeviceErrorFlags.CommsError
         | GimbalDeviceErrorFlags.CalibrationRunning;
