@@ -50,8 +50,11 @@ internal sealed class SearchFlight : IDisposable
     public SearchFlight(
         MissionPlan plan, SimulationOptions options, VirtualTime time, RabitManager[] others,
         MavlinkSigningKey? key = null, MavlinkSigningKey? vehicleKey = null, OnStop onStop = OnStop.Hold,
-        Func<IByteLink, IByteLink>? around = null, IByteLink? groundStation = null)
+        Func<IByteLink, IByteLink>? around = null, IByteLink? groundStation = null,
+        Action<MissionControlOptions>? change = null)
     {
+        var control = new MissionControlOptions { OnStop = onStop };
+        change?.Invoke(control);
         options.TakePlacesFrom(plan);
         World = new SimulatedWorld(options);
         World.AddHangsTo(time);
@@ -59,7 +62,7 @@ internal sealed class SearchFlight : IDisposable
         Camera = World.CreateCamera();
         _uav = UavSystem.Open(new UavOptions
         {
-            MissionControl = new MissionControlOptions { OnStop = onStop },
+            MissionControl = control,
             OpenLinks =
             [
                 around is null ? link.A : around(link.A),

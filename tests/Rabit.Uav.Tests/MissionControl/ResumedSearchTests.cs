@@ -22,7 +22,7 @@ public sealed class ResumedSearchTests(ITestOutputHelper output) : IDisposable
     private const double SameLineMetres = 3;
 
     // What the vehicle needs to stop and to start again.
-    private const double BrakingMetres = 25;
+    private const double BrakingMetres = 10;
 
     // The file is written every 5 s; a program that dies loses what it did since.
     private const double WrittenSeconds = 5;

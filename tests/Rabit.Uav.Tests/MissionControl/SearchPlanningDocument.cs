@@ -19,7 +19,7 @@ internal static class SearchPlanningDocument
         over sweep, of a sliver also its length but for a sweep: no way is shorter. Why area 11, a comb, and area 27, a wedge, need more is explained in
         [decision 26](decisions/0026-search-planning.md). 4000 samples of each area are within half a sweep of the way; no part of the way is outside the area or nearer to a hole than 10 m.
 
-        `RABIT_UPDATE_DOCS=1 dotnet test tests/Rabit.Uav.Tests -c Release --filter "FullyQualifiedName~Plan_AllAreas"` plans them and writes this page.
+        `RABIT_UPDATE_DOCS=1 dotnet test -s tests/long.runsettings -c Release tests/Rabit.Uav.Tests --filter FullyQualifiedName~Plan_AllAreas` plans them and writes this page.
 
         """;
 
