@@ -35,7 +35,7 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
     private readonly FrameFifo _coordination = new(64);
     private readonly FrameFifo _bulk = new(256);
     private readonly StateSlots _state = new();
-    private readonly TransmitBufferLaw _law = new();
+    private readonly TransmitBufferLaw _law = new(budget.RadioBufferLaw);
     private readonly SendCounters[] _counters = new SendCounters[Classes];
     private TimeSpan _freeAt;
     private TimeSpan _tokensAt;

@@ -32,11 +32,15 @@ public sealed class SendBudget
     public int BurstBytes { get; set; } = 2 * MavlinkFrame.MaxWireLength;
 
     /// <summary>
-    /// Whether the rate follows the free part of the radio's buffer, <c>txbuf</c> of its RADIO_STATUS, by PX4's law:
-    /// at each report times 0.8 below 25 %, 0.975 below 35 %, 1.025 above 50 %, within 1 to 100 %.
+    /// Whether the rate follows the free part of the radio's buffer, <c>txbuf</c> of its RADIO_STATUS, by
+    /// <see cref="RadioBufferLaw"/>.
     /// </summary>
     /// <value>The default is true; without RADIO_STATUS it changes nothing.</value>
     public bool FollowsRadioBuffer { get; set; } = true;
+
+    /// <summary>How it follows that.</summary>
+    /// <value>The default is <see cref="RadioBufferLaw.Px4"/>.</value>
+    public RadioBufferLaw RadioBufferLaw { get; set; }
 
     internal SendBudget Copy() => (SendBudget)MemberwiseClone();
 
@@ -44,6 +48,8 @@ public sealed class SendBudget
     {
         if (BytesPerSecond < MinBytesPerSecond)
             yield return $"{nameof(BytesPerSecond)} is {BytesPerSecond}; it must be at least {MinBytesPerSecond}";
+        if (RadioBufferLaw is not (RadioBufferLaw.Px4 or RadioBufferLaw.ArduPilot))
+            yield return $"{nameof(RadioBufferLaw)} is {RadioBufferLaw:D}, which is no law";
         if (BurstBytes < MavlinkFrame.MaxWireLength)
             yield return $"{nameof(BurstBytes)} is {BurstBytes}; "
                 + $"it must be at least the longest frame, {MavlinkFrame.MaxWireLength}";

@@ -216,6 +216,24 @@ public sealed class LinkSchedulerTests(ITestOutputHelper output)
         Assert.Equal(3600, scheduler.BytesPerSecond);
     }
 
+    [Theory]
+    [InlineData(10, 10, 1058)]
+    [InlineData(30, 10, 2000)]
+    [InlineData(10, 100, 393)]
+    [InlineData(60, 10, 3600)]
+    public void RadioBuffer_Filling_ReducesTheRateByArduPilotsLaw(byte free, int reports, int expected)
+    {
+        var scheduler = new LinkScheduler(new SendBudget { RadioBufferLaw = RadioBufferLaw.ArduPilot }, 0);
+        for (int n = 0; n < reports; n++)
+            scheduler.NoteRadioBuffer(free);
+        Assert.InRange(scheduler.BytesPerSecond, expected - 1, expected + 1);
+
+        // Back by 40 ms down to 200 ms, then by 20 ms.
+        for (int n = 0; n < 60; n++)
+            scheduler.NoteRadioBuffer(100);
+        Assert.Equal(3600, scheduler.BytesPerSecond);
+    }
+
     [Fact]
     public void RadioBuffer_NotFollowed_ChangesNothing()
     {

@@ -1,0 +1,18 @@
+namespace Rabit.Uav.Communications;
+
+/// <summary>How the rate of a link follows the free part of its radio's buffer.</summary>
+public enum RadioBufferLaw
+{
+    /// <summary>
+    /// As PX4: at each report times 0.8 below 25 %, 0.975 below 35 %, 1.025 above 50 %, within 1 to 100 %
+    /// (mavlink_main.cpp, 1.14).
+    /// </summary>
+    Px4,
+
+    /// <summary>
+    /// As ArduPilot, which lengthens the interval of its streams: at each report by 60 ms below 20 %, by 20 ms below
+    /// 50 %, up to 2 s; and shortens it by 40 ms above 95 % as long as it is more than 200 ms longer, else by 20 ms
+    /// above 90 % (GCS_Common.cpp). Of streams at 4 Hz: 11 to 100 %.
+    /// </summary>
+    ArduPilot,
+}

@@ -1,0 +1,10 @@
+namespace Rabit.Uav.Communications;
+
+/// <summary>What a datagram of the exchange is.</summary>
+internal enum ExchangeKind
+{
+    None,
+    Fragment,
+    Acknowledgement,
+    Announcement,
+}

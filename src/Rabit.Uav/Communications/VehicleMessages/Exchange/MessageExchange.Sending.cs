@@ -1,0 +1,128 @@
+using System;
+
+namespace Rabit.Uav.Communications;
+
+// What goes out next: acknowledgements, what is relayed, our own fragments by class, and that we are there.
+internal sealed partial class MessageExchange
+{
+    /// <summary>Gives the next datagram that is due.</summary>
+    /// <param name="now">The time.</param>
+    /// <param name="to">Where it goes: <see cref="VehicleMessageRoute.MaxLength"/> bytes.</param>
+    /// <param name="datagram">Its length, and to whom.</param>
+    /// <returns>False where nothing is due.</returns>
+    public bool TryNext(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
+    {
+        EndThoseThatAreOver(now);
+        ForgetReceived(now);
+        if (TryAcknowledge(now, to, out datagram))
+            return true;
+        if (_relay.TryTake(now, to, out datagram))
+        {
+            _counters.Relayed++;
+            return true;
+        }
+
+        return TrySendFragment(now, to, out datagram) || TryAnnounce(now, to, out datagram);
+    }
+
+    /// <summary>When <see cref="TryNext"/> is to be asked again, if nothing comes in or is posted before.</summary>
+    public TimeSpan NextDue(TimeSpan now)
+    {
+        TimeSpan due = Earlier(_nextAnnouncement, _relay.NextDue);
+        foreach (OutgoingExchange outgoing in _outgoing)
+        {
+            outgoing.TryNext(now, _roundTrip, out _, out TimeSpan next);
+            due = Earlier(Earlier(due, next), outgoing.Deadline);
+        }
+
+        foreach (IncomingExchange incoming in _incoming.Values)
+        {
+            if (incoming.AcknowledgementDue is { } acknowledgement)
+                due = Earlier(due, acknowledgement);
+        }
+
+        return due;
+    }
+
+    private bool TrySendFragment(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
+    {
+        foreach (OutgoingExchange outgoing in _outgoing)
+        {
+            if (!outgoing.TryNext(now, _roundTrip, out int index, out _))
+                continue;
+            datagram = Write(outgoing, index, now, to);
+            _counters.FragmentsSent++;
+            if (outgoing.MarkSent(index, now))
+                _counters.FragmentsResent++;
+            return true;
+        }
+
+        datagram = default;
+        return false;
+    }
+
+    private ExchangeDatagram Write(OutgoingExchange outgoing, int index, TimeSpan now, Span<byte> to)
+    {
+        ExchangeMessage message = outgoing.Message;
+        var header = new ExchangeFragment
+        {
+            Source = _systemId,
+            Destination = message.Destination,
+            Id = outgoing.Id,
+            Type = message.Type,
+            TypeVersion = message.Version,
+            Class = message.Class,
+            IsAcknowledged = message.IsAcknowledged,
+            Hops = ExchangeWire.Hops(message.HopLimit, message.HopLimit),
+            Index = (byte)index,
+            Count = (byte)outgoing.Count,
+            Accuracy = outgoing.Accuracy,
+            LifetimeMs = (uint)Math.Max(1, (outgoing.Deadline - now).TotalMilliseconds),
+            SentUtcMicroseconds = outgoing.SentUtcMicroseconds,
+        };
+        int start = index * ExchangeWire.FragmentLength;
+        int length = Math.Min(ExchangeWire.FragmentLength, message.Content.Length - start);
+
+        // What others are to send on they must get.
+        bool isDirect = message.Destination.To == VehicleDestination.Kind.Vehicle && message.HopLimit == 0;
+        return new ExchangeDatagram
+        {
+            Length = ExchangeWire.Write(to, header, message.Content.AsSpan(start, length)),
+            TargetSystem = isDirect ? message.Destination.Number : (byte)0,
+            Class = message.Class,
+        };
+    }
+
+    // Many that start together would else answer each other at once, again and again.
+    private void AnnounceSoon(TimeSpan now)
+    {
+        TimeSpan soon = _lastAnnouncement is { } last ? last + MinPause : now;
+        _nextAnnouncement = Earlier(_nextAnnouncement, soon > now ? soon : now);
+    }
+
+    private bool TryAnnounce(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
+    {
+        datagram = default;
+        if (now < _nextAnnouncement)
+            return false;
+        (_nextAnnouncement, _lastAnnouncement) = (now + _options.AnnouncementPeriod, now);
+        bool isDated = TryGetGpsTime(now, out _, out TimeSpan accuracy);
+        var announcement = new ExchangeAnnouncement
+        {
+            Source = _systemId,
+            Groups = _groups,
+            Accuracy = ExchangeWire.AccuracyByte(isDated ? accuracy : null),
+            Number = unchecked(++_announcements),
+            Hops = ExchangeWire.Hops(_options.AnnouncementHops, _options.AnnouncementHops),
+            Session = _session,
+        };
+        datagram = new ExchangeDatagram
+        {
+            Length = ExchangeWire.Write(to, announcement),
+            Class = VehicleMessageClass.Coordination,
+        };
+        return true;
+    }
+
+    private static TimeSpan Earlier(TimeSpan left, TimeSpan right) => left < right ? left : right;
+}
