@@ -5,8 +5,8 @@ using Rabit.Uav.CameraGeometry;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// One thing that the autopilot said of where the vehicle was or how it or its camera was turned, with the time at which it
-/// was true by the clock of the run. A plain value; what <see cref="Kind"/> does not name is empty.
+/// One thing that the autopilot said of where the vehicle was or how it or its camera was turned, with the time at
+/// which that was true by the clock of the run. A plain value; what <see cref="Kind"/> does not name is empty.
 /// </summary>
 public struct PoseSample
 {
