@@ -42,6 +42,7 @@ internal static class Answer
         GeolocationError.OutsidePicture => "the pixel is not in the picture",
         GeolocationError.LensCannotBeUndone => "the lens distortion cannot be undone there",
         GeolocationError.NearHorizon => "the ray points above the horizon, or too little below it",
+        GeolocationError.NotANumber => "the height of the ground, or an angle of the camera, is not a number",
         GeolocationError.CameraBelowGround => "the camera is below the ground",
         GeolocationError.LeavesTerrain => "the ray leaves the terrain grid above the ground",
         GeolocationError.NoTerrainData => "the ray may intersect the ground where the terrain grid has no altitude",

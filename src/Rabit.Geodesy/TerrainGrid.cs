@@ -25,6 +25,7 @@ public sealed class TerrainGrid
     private readonly GeographicPoint _southWest;
     private readonly Angle _latitudeStep;
     private readonly Angle _longitudeStep;
+    private readonly TerrainPyramid _pyramid;
 
     /// <summary>Makes the grid.</summary>
     /// <param name="southWest">The first post.</param>
@@ -71,6 +72,7 @@ public sealed class TerrainGrid
         foreach (float altitude in _altitudes)
             highest = altitude > highest ? altitude : highest;
         MaxAltitude = new AmslAltitude(highest);
+        _pyramid = new TerrainPyramid(_altitudes, rows, columns, (float)highest);
     }
 
     /// <summary>Posts from south to north.</summary>
@@ -126,18 +128,65 @@ public sealed class TerrainGrid
     public TerrainLookup TryAltitude(GeographicPoint point, out AmslAltitude altitude)
     {
         altitude = new AmslAltitude(double.NaN);
-        double row = (point.Latitude - _southWest.Latitude).Radians / _latitudeStep.Radians;
-        double east = (point.Longitude - _southWest.Longitude).Wrapped().Radians;
-        double column = (east < -Edge ? east + (2 * Math.PI) : east) / _longitudeStep.Radians;
-        if (!(row >= -Edge && row <= Rows - 1 + Edge && column >= -Edge && column <= Columns - 1 + Edge))
+        if (!TryFind(point, out double row, out double column))
             return TerrainLookup.Outside;
-        int south = Math.Max(0, Math.Min(Rows - 2, (int)row));
-        int west = Math.Max(0, Math.Min(Columns - 2, (int)column));
+        int south = CellOf(row, Rows);
+        int west = CellOf(column, Columns);
         (double v, double u) = (row - south, column - west);
         int at = (south * Columns) + west;
         double southern = ((1 - u) * _altitudes[at]) + (u * _altitudes[at + 1]);
         double northern = ((1 - u) * _altitudes[at + Columns]) + (u * _altitudes[at + Columns + 1]);
         altitude = new AmslAltitude(((1 - v) * southern) + (v * northern));
         return double.IsNaN(altitude.Metres) ? TerrainLookup.NoData : TerrainLookup.Known;
+    }
+
+    /// <summary>
+    /// The largest of the grid's blocks around a place that an altitude is above, of 2, 4, 8 and so on times eight
+    /// cells along a side; the cell of the place where it is above none. What looks for where a line meets the ground
+    /// goes on to the block's border or down to its highest post.
+    /// </summary>
+    /// <param name="point">The place.</param>
+    /// <param name="altitude">The altitude.</param>
+    /// <param name="block">The block; nothing if the answer is false.</param>
+    /// <returns>False where the place is outside.</returns>
+    public bool TryFindBlock(GeographicPoint point, AmslAltitude altitude, out TerrainBlock block)
+    {
+        block = default;
+        if (!TryFind(point, out double row, out double column))
+            return false;
+        int south = CellOf(row, Rows);
+        int west = CellOf(column, Columns);
+        int side = _pyramid.FindBlock(south, west, altitude.Metres, out float highest);
+        float lowest = float.NegativeInfinity;
+        if (side == 1)
+            (lowest, highest) = PostsOf(south, west);
+        south = south / side * side;
+        west = west / side * side;
+        int north = Math.Min(south + side, Rows - 1);
+        int east = Math.Min(west + side, Columns - 1);
+        block = new TerrainBlock(
+            point.Latitude + ((south - row) * _latitudeStep), point.Latitude + ((north - row) * _latitudeStep),
+            point.Longitude + ((west - column) * _longitudeStep), point.Longitude + ((east - column) * _longitudeStep),
+            new AmslAltitude(lowest), new AmslAltitude(highest), side == 1);
+        return true;
+    }
+
+    private static int CellOf(double position, int posts) => Math.Max(0, Math.Min(posts - 2, (int)position));
+
+    private bool TryFind(GeographicPoint point, out double row, out double column)
+    {
+        row = (point.Latitude - _southWest.Latitude).Radians / _latitudeStep.Radians;
+        double east = (point.Longitude - _southWest.Longitude).Wrapped().Radians;
+        column = (east < -Edge ? east + (2 * Math.PI) : east) / _longitudeStep.Radians;
+        return row >= -Edge && row <= Rows - 1 + Edge && column >= -Edge && column <= Columns - 1 + Edge;
+    }
+
+    // Not a number where one has no altitude: a maximum of numbers keeps that.
+    private (float Lowest, float Highest) PostsOf(int south, int west)
+    {
+        int at = (south * Columns) + west;
+        (float a, float b) = (_altitudes[at], _altitudes[at + 1]);
+        (float c, float d) = (_altitudes[at + Columns], _altitudes[at + Columns + 1]);
+        return (Math.Min(Math.Min(a, b), Math.Min(c, d)), Math.Max(Math.Max(a, b), Math.Max(c, d)));
     }
 }

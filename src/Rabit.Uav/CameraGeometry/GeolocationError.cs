@@ -15,6 +15,9 @@ public enum GeolocationError
     /// <summary>The ray points above the horizon, or too little below it.</summary>
     NearHorizon,
 
+    /// <summary>The height of the ground, or an angle of the camera, is not a number.</summary>
+    NotANumber,
+
     /// <summary>The camera is below the ground.</summary>
     CameraBelowGround,
 

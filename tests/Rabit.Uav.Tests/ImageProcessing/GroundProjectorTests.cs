@@ -109,6 +109,28 @@ public sealed class GroundProjectorTests
         Assert.Throws<ArgumentException>(() => new PixelGeolocator(options));
     }
 
+    [Theory]
+    [InlineData(double.NaN, -90)]
+    [InlineData(500, double.NaN)]
+    public void Locate_HeightOfTheGroundOrAngleNotANumber_SaysSo(double groundMetres, double pitchDegrees)
+    {
+        var options = new ImageProcessingOptions { Camera = new TestView().Camera, Mount = new CameraMount() };
+        var locator = new PixelGeolocator(options);
+        locator.Add(new PoseSample
+        {
+            Kind = PoseSampleKind.Position,
+            Position = GeodeticPosition.FromDegrees(47, 8, 540),
+        });
+        locator.Add(new PoseSample { Kind = PoseSampleKind.Attitude });
+        var command = new ImagingCommand
+        {
+            CameraPitch = Angle.FromDegrees(pitchDegrees),
+            GroundAltitudeAmslMetres = groundMetres,
+        };
+
+        Assert.Equal(GeolocationError.NotANumber, locator.Locate(default, command, 320, 240).Error);
+    }
+
     private static double EastVariance(ImageProcessingOptions options, double column)
     {
         var locator = new PixelGeolocator(options);

@@ -35,6 +35,8 @@ internal readonly struct GroundProjection
         if (!_projector.Camera.TryUndistort(column, row, out double x, out double y))
             return GeolocationError.LensCannotBeUndone;
         GroundRay ray = _geometry.RayOf(_projector.Mount, x, y);
+        if (!ray.Direction.IsFinite || (_projector.Terrain is null && double.IsNaN(_geometry.GroundDownMetres)))
+            return GeolocationError.NotANumber;
         if (_projector.Terrain is { } terrain)
             return TerrainRay.Intersect(ray, _frame, terrain, _projector.MinDepression, out ground);
         if (ray.TryIntersectLevel(_geometry.GroundDownMetres, _projector.MinDepression, out ground))
