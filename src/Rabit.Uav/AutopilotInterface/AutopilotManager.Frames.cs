@@ -70,6 +70,9 @@ public sealed partial class AutopilotManager
             case Statustext.MavlinkId:
                 mavlink.TryDecode(out Statustext text);
                 return Take(frame, text);
+            case AutopilotVersion.MavlinkId:
+                mavlink.TryDecode(out AutopilotVersion version);
+                return Take(frame, version);
             case CommandAck.MavlinkId:
                 mavlink.TryDecode(out CommandAck acknowledgement);
                 return Take(frame, acknowledgement);
@@ -138,6 +141,14 @@ public sealed partial class AutopilotManager
         VehicleEvents events = Complete(frame, _tracker.Update(frame));
         if (_tracker.IsFromAutopilot(frame.Frame))
             _clock.Take(message, frame.Time);
+        return events;
+    }
+
+    private VehicleEvents Take(in LinkFrame frame, in AutopilotVersion version)
+    {
+        VehicleEvents events = Complete(frame, _tracker.Update(frame));
+        if (_tracker.IsFromAutopilot(frame.Frame) && _version.Take(version) is { } text)
+            Log($"the autopilot's firmware is {text}");
         return events;
     }
 

@@ -33,7 +33,9 @@ public sealed partial class AutopilotManager : RabitManager
     private readonly MessagePublisher<RecentItems<CommandAcknowledgement>> _acknowledgements;
     private readonly MessagePublisher<AutopilotStatistics> _statistics;
     private readonly VehicleTracker _tracker;
+    private readonly VersionRequester _version = new();
     private MavlinkRateClient? _rates;
+    private (MavlinkSender Sender, MavlinkAddress Target)? _connection;
     private TimeSpan _checkedUntil;
     private bool _hasNewStatistics;
 
@@ -83,6 +85,7 @@ public sealed partial class AutopilotManager : RabitManager
             _vehicle.PostStamped(_tracker.NewestTime);
         }
 
+        RequestVersion();
         RequestRates();
         RequestTime();
         ExecuteCommands();
@@ -159,6 +162,7 @@ public sealed partial class AutopilotManager : RabitManager
         if ((events & (VehicleEvents.Found | VehicleEvents.FoundAgain | VehicleEvents.Rebooted)) != 0)
         {
             _rates!.Restart();
+            _version.Start(time);
             StartRequestingTime(time);
         }
     }
@@ -171,10 +175,18 @@ public sealed partial class AutopilotManager : RabitManager
 
         // Communications numbers and signs what goes out.
         var sender = new MavlinkSender(own.SystemId, own.ComponentId);
+        _connection = (sender, target);
         _executor.Connect(sender, target);
         _rates = new MavlinkRateClient(
             sender, target, RatesFor(vehicle).Select(r => (r.MessageId, r.Hertz)).ToArray());
         MakeSetup(vehicle, sender, target);
+    }
+
+    private void RequestVersion()
+    {
+        if (_options.RequestsRates && _connection is { } connection && _tracker.State.IsConnected
+            && _version.TryNext(Now, connection.Sender, connection.Target, out MavlinkFrame frame))
+            _outgoing.Push(new OutgoingFrame { Frame = frame });
     }
 
     private void RequestRates()

@@ -36,8 +36,8 @@ public sealed class AutopilotOptions
     public TimeSpan HeartbeatTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
     /// <summary>
-    /// Whether the autopilot is asked for <see cref="RequestedRates"/> and for its time: not in a replay, which answers
-    /// nothing.
+    /// Whether the autopilot is asked for <see cref="RequestedRates"/>, for its time and for the version of its
+    /// firmware: not in a replay, which answers nothing.
     /// </summary>
     /// <value>The default is true.</value>
     public bool RequestsRates { get; set; } = true;

@@ -20,7 +20,9 @@ public class RateRequestTests
         Assert.Empty(rig.Sink.Frames);
         rig.Send(AutopilotRig.Copter(), system: 3);
         rig.Run();
-        (_, MavlinkFrame first) = Assert.Single(rig.Sink.Frames, f => f.Frame.MessageId == CommandLong.MavlinkId);
+        (_, MavlinkFrame first) = Assert.Single(
+            rig.Sink.Frames,
+            f => f.Frame.TryDecode(out CommandLong c) && c.Command == MavCmd.SetMessageInterval);
         CommandLong command = OutgoingSink.Decode<CommandLong>(first);
         Assert.Equal((3, 191), (first.SystemId, first.ComponentId));
         Assert.Equal((3, 1), (command.TargetSystem, command.TargetComponent));
@@ -148,7 +150,8 @@ public class RateRequestTests
     }
 
     private static int[] Asked(AutopilotRig rig)
-        => rig.Sink.MessagesOf<CommandLong>().Select(c => (int)c.Param1).ToArray();
+        => rig.Sink.MessagesOf<CommandLong>().Where(c => c.Command == MavCmd.SetMessageInterval)
+            .Select(c => (int)c.Param1).ToArray();
 
     private static (long Accepted, long Refused, long Unanswered, long Sent) Counts(AutopilotRig rig)
     {
