@@ -43,6 +43,7 @@ internal static class AbsentManagers
                     MessageNames.VehicleState, MessageNames.OwnAddress, MessageNames.StatusTexts,
                     MessageNames.CommandAcknowledgements, MessageNames.AutopilotStatistics,
                     MessageNames.CommandAuthority, MessageNames.AutopilotParameters, MessageNames.Navigation,
+                    MessageNames.AutopilotFence,
                 ],
                 Sends = [MessageNames.OutgoingFrames, MessageNames.Poses, MessageNames.VehicleCommandResults],
                 Receives = [MessageNames.AutopilotFrames, MessageNames.VehicleCommands],

@@ -138,6 +138,8 @@ internal static class ManagerOptions
         made.MayCommand = options.MayCommand;
         made.MayCommandFixedWing |= options.MissionControl.FixedWing is not null;
         made.Dialect = DialectOf(options);
+        made.WatchesFence |= HasGroundCommands(options) && options.GroundCommands!.OffersAutopilotFence
+            && made.RequestsRates;
         made.Setup = made.Setup.Copy();
         made.Setup.ReadsParameters |= ChecksBeforeFlight(options);
         if (MissionOf(options) is { HasGimbal: true }

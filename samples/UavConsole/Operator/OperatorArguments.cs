@@ -80,6 +80,12 @@ internal static class OperatorArguments
             + "on their map; on links to ground stations only, never towards an autopilot.",
     };
 
+    private static readonly Option<bool> OffersFence = new("--offer-fence")
+    {
+        Description = "Offers the autopilot's fence, once others have changed it, as another area: the operator's next "
+            + "continue takes it over, smaller by a margin.",
+    };
+
     private static readonly Option<string> OnStopOption = CreateOnStop();
 
     /// <summary>All of them.</summary>
@@ -87,7 +93,7 @@ internal static class OperatorArguments
         =>
         [
             Hold, Return, Resume, Progress, AllowPartialSearch, FixedWing, OnStopOption, BellOption, Commanders,
-            SignedCommands, TargetsAsTraffic,
+            SignedCommands, TargetsAsTraffic, OffersFence,
         ];
 
     public static OperatorChoices Read(ParseResult result, bool flies) => new()
@@ -102,6 +108,7 @@ internal static class OperatorArguments
         Commanders = flies && TryReadIds(result.GetValue(Commanders)!, out byte[] ids) ? ids : [],
         OnlySigned = result.GetValue(SignedCommands),
         SendsTargetsAsTraffic = result.GetValue(TargetsAsTraffic),
+        OffersFence = result.GetValue(OffersFence),
         OnStop = result.GetValue(OnStopOption) == "return" ? OnStop.Return : OnStop.Hold,
     };
 
@@ -119,7 +126,7 @@ internal static class OperatorArguments
         if (!TryReadIds(result.GetValue(Commanders)!, out _))
             yield return $"--commanders {result.GetValue(Commanders)}: it must be system ids, 1 to 255, with commas "
                 + "between them, or none.";
-        foreach (string name in Given(result, Commanders, SignedCommands, TargetsAsTraffic))
+        foreach (string name in Given(result, Commanders, SignedCommands, TargetsAsTraffic, OffersFence))
         {
             if (!flies)
                 yield return $"{name} goes with a mission that is flown: --mission FILE --fly.";

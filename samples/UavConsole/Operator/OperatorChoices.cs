@@ -38,12 +38,20 @@ internal sealed class OperatorChoices
     /// <summary>Whether ground stations get confirmed targets as traffic too.</summary>
     public bool SendsTargetsAsTraffic { get; init; }
 
+    /// <summary>Whether the autopilot's fence is offered as another area when others have changed it.</summary>
+    public bool OffersFence { get; init; }
+
     /// <summary>Radius of the circles of a fixed wing; null where none is commanded.</summary>
     public double? LoiterRadiusMetres { get; init; }
 
     /// <summary>Who may command the mission by MAVLink; null where there is none.</summary>
     public GroundCommandOptions? GroundCommands
-        => Commanders.Count == 0 ? null : new GroundCommandOptions { SystemIds = Commanders, OnlySigned = OnlySigned };
+        => Commanders.Count == 0 && !OffersFence ? null : new GroundCommandOptions
+        {
+            SystemIds = Commanders,
+            OnlySigned = OnlySigned,
+            OffersAutopilotFence = OffersFence,
+        };
 
     /// <summary>Sets the options of Mission Control.</summary>
     /// <exception cref="ArgumentException">A file cannot be read, or is damaged.</exception>

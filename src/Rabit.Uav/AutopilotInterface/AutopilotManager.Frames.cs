@@ -94,6 +94,7 @@ public sealed partial class AutopilotManager
         if (_tracker.State.IsConnected)
             _rates?.Handle(frame.Frame, Now);
         TakeSetupFrame(frame);
+        TakeFenceFrame(frame);
         TakeNavigation(frame);
         return events;
     }

@@ -62,6 +62,7 @@ public sealed partial class AutopilotManager : RabitManager
         _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
         _poses = Send<PoseSample>(MessageNames.Poses);
         PublishSetup();
+        PublishFence();
         WakeUpDelay = IdleDelay;
     }
 
@@ -79,6 +80,7 @@ public sealed partial class AutopilotManager : RabitManager
         _executor.BeginRun(Now);
         VehicleEvents events = TakeFrames() | CheckSilence();
         RunSetup();
+        RunFence();
         if ((events & VehicleEvents.Changed) != 0)
         {
             _vehicle.Value = _tracker.State;
@@ -96,7 +98,8 @@ public sealed partial class AutopilotManager : RabitManager
     private TimeSpan NextWakeUpDelay()
     {
         TimeSpan now = Now;
-        TimeSpan delay = IsSetupBusy || _executor.IsBusy || _clock.Requests.IsFast(now) ? BusyDelay : IdleDelay;
+        bool isBusy = IsSetupBusy || IsFenceBusy || _executor.IsBusy || _clock.Requests.IsFast(now);
+        TimeSpan delay = isBusy ? BusyDelay : IdleDelay;
         TimeSpan due = _executor.NextDue(now);
         if (due < now + delay)
             delay = due - now;
@@ -180,6 +183,8 @@ public sealed partial class AutopilotManager : RabitManager
         _rates = new MavlinkRateClient(
             sender, target, RatesFor(vehicle).Select(r => (r.MessageId, r.Hertz)).ToArray());
         MakeSetup(vehicle, sender, target);
+        if (_options.WatchesFence)
+            _fence = new FenceWatcher(sender, target, Log);
     }
 
     private void RequestVersion()

@@ -91,6 +91,13 @@ public sealed class AutopilotOptions
         new(GpsGlobalOrigin.MavlinkId, 0.2),
     ];
 
+    /// <summary>
+    /// Whether the autopilot's fence is read, in flight too, and posted when others have changed it
+    /// (<see cref="AutopilotFence"/>).
+    /// </summary>
+    /// <value>The default is false.</value>
+    public bool WatchesFence { get; set; }
+
     /// <summary>Which of the autopilot's parameters are read and written before a flight.</summary>
     public AutopilotSetupOptions Setup { get; set; } = new();
 

@@ -49,6 +49,9 @@ internal sealed class GroundAreas : IMavlinkMissionRules
         MissionRequestPartialList.MavlinkId, MissionWritePartialList.MavlinkId,
     ];
 
+    /// <summary>How many areas were offered.</summary>
+    public int Offers { get; private set; }
+
     /// <summary>Handles a received frame.</summary>
     public void Handle(in MavlinkFrame frame, TimeSpan now)
     {
@@ -127,6 +130,7 @@ internal sealed class GroundAreas : IMavlinkMissionRules
         FencePolygons.TryRead(
             _server.AwaitedItems, out ImmutableArray<GeodeticPosition> area,
             out ImmutableArray<ImmutableArray<GeodeticPosition>> keepOuts);
+        Offers++;
         _offer = _mission.OfferArea(area, keepOuts, Authority.NameOf(_server.Uploader!.Value), "a fence was uploaded");
         Update(now);
     }

@@ -44,6 +44,8 @@ public sealed class GroundCommandManager : RabitManager
     private readonly Func<long, int, byte[]?>? _picture;
     private readonly MessageSubscriber<TrackList>? _tracks;
     private readonly MessageSubscriber<VehicleState>? _vehicle;
+    private readonly MessageSubscriber<AutopilotFence>? _fence;
+    private readonly AutopilotFenceOffer _fenceOffer;
     private Servers? _servers;
 
     /// <summary>Makes the manager.</summary>
@@ -71,6 +73,9 @@ public sealed class GroundCommandManager : RabitManager
 
         _mission = mission ?? throw new ArgumentNullException(nameof(mission));
         _authority = new Authority((options ?? throw new ArgumentNullException(nameof(options))).Copy());
+        _fenceOffer = new AutopilotFenceOffer(_mission, Announce);
+        if (options.OffersAutopilotFence)
+            _fence = Subscribe<AutopilotFence>(MessageNames.AutopilotFence);
         _ownAddress = Subscribe<OwnAddress>(MessageNames.OwnAddress);
         _frames = Receive<LinkFrame>(Queue, QueueCapacity, QueueFullMode.DropOldest, wakeOnPush: true);
         _outgoing = Send<OutgoingFrame>(MessageNames.OutgoingFrames);
@@ -109,6 +114,9 @@ public sealed class GroundCommandManager : RabitManager
         servers.Parameters.Update(Now);
         servers.Areas.Update(Now);
         UpdateFiles(servers);
+        if (_fence?.Fetch() == true)
+            _fenceOffer.Take(_fence.Value, servers.Areas.Offers);
+        _fenceOffer.Update();
         while (servers.TryTakeFrame(Now, out MavlinkFrame answer))
             Send(answer);
     }

@@ -14,5 +14,18 @@ public sealed class GroundCommandOptions
     /// <value>The default is false.</value>
     public bool OnlySigned { get; set; }
 
-    internal GroundCommandOptions Copy() => new() { SystemIds = [.. SystemIds], OnlySigned = OnlySigned };
+    /// <summary>
+    /// Whether the autopilot's fence, once others have changed it, is offered as another area to search, made smaller
+    /// by the margin in which the vehicle stops; its exclusion polygons are the keep-outs. As an area that is uploaded
+    /// to us, it is taken over by the operator's next continue.
+    /// </summary>
+    /// <value>The default is false: a fence is there for other reasons too.</value>
+    public bool OffersAutopilotFence { get; set; }
+
+    internal GroundCommandOptions Copy() => new()
+    {
+        SystemIds = [.. SystemIds],
+        OnlySigned = OnlySigned,
+        OffersAutopilotFence = OffersAutopilotFence,
+    };
 }

@@ -39,6 +39,9 @@ public static class MessageNames
     /// <summary>Message <see cref="Messages.AutopilotParameters"/>, posted by Autopilot Interface.</summary>
     public const string AutopilotParameters = "autopilot parameters";
 
+    /// <summary>Message <see cref="Messages.AutopilotFence"/>, posted by Autopilot Interface.</summary>
+    public const string AutopilotFence = "autopilot fence";
+
     /// <summary>Message <see cref="NavigationStatus"/>, posted by Autopilot Interface.</summary>
     public const string Navigation = "navigation";
 

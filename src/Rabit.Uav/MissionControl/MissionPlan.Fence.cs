@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Geodesy;
 
@@ -14,6 +15,17 @@ public sealed partial class MissionPlan
     private const double ReactionSeconds = 2;
     private const double PositionErrorMetres = 5;
 
+    // From the area to the autopilot's fence.
+    private double AutopilotFenceMarginMetres
+    {
+        get
+        {
+            double speed = SpeedMetresPerSecond;
+            return FenceMarginMetres + (speed * speed / (2 * DecelerationMetresPerSecondSquared))
+                + (ReactionSeconds * speed) + PositionErrorMetres;
+        }
+    }
+
     /// <summary>
     /// The fence to be uploaded to the autopilot (<c>AutopilotSetupOptions.Fence</c>): the mission's own geofence and a
     /// reserve in which the vehicle stops from the mission's speed, so that Mission Control acts first.
@@ -25,10 +37,25 @@ public sealed partial class MissionPlan
         // With a lane of no meaning: the fence does not depend on them.
         if (FlightPlan.Create(this, home, out _, [new LaneSegment(default, default)]) is not { } plan)
             return [];
-        double speed = SpeedMetresPerSecond;
-        double reserve = (speed * speed / (2 * DecelerationMetresPerSecondSquared)) + (ReactionSeconds * speed)
-            + PositionErrorMetres;
-        return FenceOutline.Of(plan.Area, default, FenceMarginMetres + reserve).Corners
+        return FenceOutline.Of(plan.Area, default, AutopilotFenceMarginMetres).Corners
             .Select(c => plan.Frame.ToGeodetic(new NedPosition(c.North, c.East, 0))).ToArray();
+    }
+
+    /// <summary>
+    /// The area that can be searched inside a fence of the autopilot, so that Mission Control acts first; of several
+    /// parts the largest.
+    /// </summary>
+    /// <param name="fence">Corners in order.</param>
+    /// <returns>The corners; none where there is no such area.</returns>
+    internal ImmutableArray<GeodeticPosition> AreaWithin(IReadOnlyList<GeodeticPosition> fence)
+    {
+        LocalNedFrame frame = LocalNedFrame.IgnoringGeoid(fence[0]);
+        var outline = new PlanePolygon(
+            fence.Select(c => frame.ToNed(c)).Select(p => new PlanePoint(p.North, p.East)));
+        if (outline.FindCrossing() is not null)
+            return [];
+        return FenceOutline.Inside(outline, AutopilotFenceMarginMetres) is { } area
+            ? [.. area.Corners.Select(c => frame.ToGeodetic(new NedPosition(c.North, c.East, 0)))]
+            : [];
     }
 }

@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Rabit.Core;
 using Rabit.Links;
 using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
+using Rabit.Uav.GroundControl;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
 using Xunit;
@@ -96,6 +98,86 @@ public sealed class GroundCommandFlightTests : IDisposable
         Assert.False(flight.World.Truth.IsAirborne);
         Assert.False(flight.World.Truth.HasCrashed);
     }
+
+    // A ground station uploads it to the autopilot, not to us.
+    [Theory]
+    [InlineData(SimulatedAutopilot.ArduPilot)]
+    [InlineData(SimulatedAutopilot.Px4)]
+    public void Fence_OfTheAutopilotChangedInMidSearch_IsTakenOverAsAnArea(SimulatedAutopilot autopilot)
+    {
+        SimulationOptions world = SearchFlight.SmallWorld();
+        world.Autopilot = autopilot;
+        using var flight = new SearchFlight(
+            SearchFlight.SmallPlan(), world, new VirtualTime(world.Seed), [], groundStation: _link.A,
+            commands: new GroundCommandOptions { OffersAutopilotFence = true });
+        flight.FlyUntil(f => f.Mission.Phase == MissionPhase.Searching, TestTimeout);
+        Upload(flight, Corners(47.39680, 8.54410, 47.39870, 8.54690));
+        flight.FlyUntil(f => f.Log.Contains("area offered"), flight.Reactor.Now + TimeSpan.FromSeconds(30));
+        Assert.Contains("the autopilot's fence was changed: area offered", flight.Log, StringComparison.Ordinal);
+        Assert.Equal(MavResult.Accepted, Command(flight, MavCmd.DoPauseContinue, 1));
+        Assert.InRange(flight.Mission.Plan!.Area.Max(c => c.Latitude.Degrees), 47.39810, 47.39865);
+        flight.FlyUntil(f => f.IsOver, TestTimeout);
+        flight.End();
+        _output.WriteLine(flight.Log);
+        Assert.Equal(MissionPhase.Done, flight.Mission.Phase);
+        Assert.InRange(flight.Mission.Coverage, 0.98, 1);
+        Assert.DoesNotContain("breach", flight.Log, StringComparison.OrdinalIgnoreCase);
+        Assert.False(flight.World.Truth.HasCrashed);
+    }
+
+    // The mission itself revisits nothing.
+    [Theory]
+    [InlineData(SimulatedAutopilot.ArduPilot)]
+    [InlineData(SimulatedAutopilot.Px4)]
+    public void Revisit_OfATargetByCommand_IsAcceptedAndFlown(SimulatedAutopilot autopilot)
+    {
+        SimulationOptions world = SearchFlight.SmallWorld();
+        world.Autopilot = autopilot;
+        MissionPlan plan = MissionPlan.Parse(
+            SearchFlight.SmallMission.Replace("\"home\"", "\"revisit\": { \"enabled\": false }, \"home\""), "small");
+        using var flight = new SearchFlight(
+            plan, world, new VirtualTime(world.Seed), [], groundStation: _link.A);
+        flight.FlyUntil(f => f.Tracks.ConfirmedCount > 0 || f.IsOver, TestTimeout);
+        TargetTrack target = flight.Tracks.Tracks.First(t => t.State == TrackState.Confirmed);
+        Assert.Equal(MavResult.Failed, Command(flight, MavCmd.User1, 2, 99));
+        Assert.Equal(MavResult.Accepted, Command(flight, MavCmd.User1, 2, target.Id));
+        Assert.Equal(MissionPhase.Revisiting, flight.Mission.Phase);
+        int reports = target.Reports;
+        flight.FlyUntil(f => f.Mission.Phase == MissionPhase.Searching || f.IsOver, TestTimeout);
+        flight.FlyUntil(f => f.IsOver, TestTimeout);
+        flight.End();
+        _output.WriteLine(flight.Log);
+        Assert.Equal(MissionPhase.Done, flight.Mission.Phase);
+        Assert.Equal(1, flight.Mission.Revisits);
+        Assert.True(flight.Tracks.Tracks.First(t => t.Id == target.Id).Reports > reports);
+    }
+
+    private void Upload(SearchFlight flight, MissionItemInt[] items)
+    {
+        var client = new MavlinkMissionClient(new MavlinkSender(Station, 190), new MavlinkAddress(1, 1));
+        client.TryStartUpload(MavMissionType.Fence, items, flight.Reactor.Now);
+        MavlinkMissionOutcome outcome = default;
+        for (int i = 0; i < 200 && !client.TryTakeOutcome(out outcome); i++)
+        {
+            while (client.TryTakeFrame(flight.Reactor.Now, out MavlinkFrame frame))
+                _link.B.Write(_buffer, 0, frame.WriteTo(_buffer));
+            flight.Reactor.RunFor(TimeSpan.FromMilliseconds(50));
+            foreach (MavlinkFrame frame in Received())
+                client.Handle(frame, flight.Reactor.Now);
+        }
+
+        Assert.Equal(MavlinkMissionStatus.Done, outcome.Status);
+    }
+
+    private static MissionItemInt[] Corners(double south, double west, double north, double east)
+        => new[] { (south, west), (north, west), (north, east), (south, east) }.Select(c => new MissionItemInt
+        {
+            Command = MavCmd.NavFencePolygonVertexInclusion,
+            Frame = MavFrame.Global,
+            Param1 = 4,
+            X = (int)Math.Round(c.Item1 * 1e7),
+            Y = (int)Math.Round(c.Item2 * 1e7),
+        }).ToArray();
 
     private void Send(MavCmd command, float p1, float p2 = 0, byte component = Computer)
     {

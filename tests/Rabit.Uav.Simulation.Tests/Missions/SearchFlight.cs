@@ -51,7 +51,7 @@ internal sealed class SearchFlight : IDisposable
         MissionPlan plan, SimulationOptions options, VirtualTime time, RabitManager[] others,
         MavlinkSigningKey? key = null, MavlinkSigningKey? vehicleKey = null, OnStop onStop = OnStop.Hold,
         Func<IByteLink, IByteLink>? around = null, IByteLink? groundStation = null,
-        Action<MissionControlOptions>? change = null)
+        Action<MissionControlOptions>? change = null, GroundCommandOptions? commands = null)
     {
         var control = new MissionControlOptions { OnStop = onStop };
         change?.Invoke(control);
@@ -68,7 +68,7 @@ internal sealed class SearchFlight : IDisposable
                 around is null ? link.A : around(link.A),
                 .. groundStation is null ? [] : new[] { groundStation },
             ],
-            GroundCommands = groundStation is null ? null : new GroundCommandOptions(),
+            GroundCommands = groundStation is null ? null : commands ?? new GroundCommandOptions(),
             Mission = plan,
             MayCommand = true,
             Camera = Camera,

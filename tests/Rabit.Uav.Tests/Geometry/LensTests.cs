@@ -55,7 +55,13 @@ public sealed class LensTests
         // x (1 - 0.3 x^2) is largest at 46.5 degrees; beyond, it falls, and past 61 degrees is on the other side.
         var camera = new CameraModel
         {
-            Width = 640, Height = 480, FocalX = 600, FocalY = 600, CentreX = 320, CentreY = 240, K1 = -0.3,
+            Width = 640,
+            Height = 480,
+            FocalX = 600,
+            FocalY = 600,
+            CentreX = 320,
+            CentreY = 240,
+            K1 = -0.3,
         };
         Assert.Empty(camera.FindFaults());
         for (double degrees = 1; degrees < 90; degrees += 1)
@@ -71,7 +77,12 @@ public sealed class LensTests
     {
         var camera = new CameraModel
         {
-            Width = 1000, Height = 1000, FocalX = 300, FocalY = 300, CentreX = 500, CentreY = 500,
+            Width = 1000,
+            Height = 1000,
+            FocalX = 300,
+            FocalY = 300,
+            CentreX = 500,
+            CentreY = 500,
             Lens = LensModel.Fisheye,
         };
         Assert.Empty(camera.FindFaults());
@@ -90,8 +101,14 @@ public sealed class LensTests
         // theta (1 - 0.5 theta^2) is largest, 0.544, at 0.816.
         var camera = new CameraModel
         {
-            Width = 400, Height = 400, FocalX = 400, FocalY = 400, CentreX = 200, CentreY = 200,
-            Lens = LensModel.Fisheye, K1 = -0.5,
+            Width = 400,
+            Height = 400,
+            FocalX = 400,
+            FocalY = 400,
+            CentreX = 200,
+            CentreY = 200,
+            Lens = LensModel.Fisheye,
+            K1 = -0.5,
         };
         Assert.True(camera.TryUndistort(200 + (400 * 0.5), 200, out double x, out _));
         double theta = Math.Atan(x);
@@ -105,20 +122,38 @@ public sealed class LensTests
     {
         Assert.Contains("k1 to k4 alone", Fault(new CameraModel
         {
-            Width = 640, Height = 480, FocalX = 300, FocalY = 300, Lens = LensModel.Fisheye, P1 = 1e-3,
+            Width = 640,
+            Height = 480,
+            FocalX = 300,
+            FocalY = 300,
+            Lens = LensModel.Fisheye,
+            P1 = 1e-3,
         }));
         Assert.Contains("lens is 7", Fault(new CameraModel
         {
-            Width = 640, Height = 480, FocalX = 300, FocalY = 300, Lens = (LensModel)7,
+            Width = 640,
+            Height = 480,
+            FocalX = 300,
+            FocalY = 300,
+            Lens = (LensModel)7,
         }));
         Assert.Contains("error of the camera's focal length", Fault(new CameraModel
         {
-            Width = 640, Height = 480, FocalX = 300, FocalY = 300, FocalLengthError = double.NaN,
+            Width = 640,
+            Height = 480,
+            FocalX = 300,
+            FocalY = 300,
+            FocalLengthError = double.NaN,
         }));
         Assert.Contains("cannot be undone", Fault(new CameraModel
         {
             // The circle is smaller than a quarter of the picture.
-            Width = 640, Height = 480, FocalX = 30, FocalY = 30, CentreX = 320, CentreY = 240,
+            Width = 640,
+            Height = 480,
+            FocalX = 30,
+            FocalY = 30,
+            CentreX = 320,
+            CentreY = 240,
             Lens = LensModel.Fisheye,
         }));
 

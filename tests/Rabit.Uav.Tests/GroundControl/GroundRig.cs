@@ -44,6 +44,9 @@ internal sealed class GroundRig : IDisposable
         Tracks = picture is null ? null : _reactor.Workspace.Publish(MessageNames.Tracks, TrackList.None);
         if (picture is not null)
             _reactor.Workspace.Publish<VehicleState>(MessageNames.VehicleState);
+        Fence = options is { OffersAutopilotFence: true }
+            ? _reactor.Workspace.Publish(MessageNames.AutopilotFence, AutopilotFence.Unknown)
+            : null;
         _reactor.Start();
         address.Value = new OwnAddress { SystemId = 1, ComponentId = Us };
         address.Post();
@@ -54,6 +57,9 @@ internal sealed class GroundRig : IDisposable
 
     /// <summary>Only with pictures.</summary>
     public MessagePublisher<TrackList>? Tracks { get; }
+
+    /// <summary>Only where it is offered.</summary>
+    public MessagePublisher<AutopilotFence>? Fence { get; }
 
     public List<string> Log { get; } = [];
 

@@ -79,6 +79,9 @@ internal sealed partial class AutopilotSetup
     /// </summary>
     public bool MustRestore { get; private set; }
 
+    /// <summary>How often a fence was written, or may have been.</summary>
+    public int FenceWrites { get; private set; }
+
     /// <summary>Takes what is new to post; once.</summary>
     public bool TryTakeReport(out AutopilotParameters report)
     {
@@ -157,6 +160,7 @@ internal sealed partial class AutopilotSetup
             {
                 _step = _steps.Dequeue();
                 _hasStarted = false;
+                FenceWrites += _step is FenceWriteStep ? 1 : 0;
             }
 
             _hasStarted = _hasStarted || _step.TryStart(now);

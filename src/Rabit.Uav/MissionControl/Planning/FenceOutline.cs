@@ -56,8 +56,40 @@ internal static class FenceOutline
         }
     }
 
+    /// <summary>
+    /// The outline of the largest part of an area that is a distance away from its border; null where there is none.
+    /// </summary>
+    /// <param name="area">The area.</param>
+    /// <param name="distance">Metres.</param>
+    public static PlanePolygon? Inside(PlanePolygon area, double distance)
+    {
+        double north = area.Corners.Max(c => c.North);
+        double east = area.Corners.Max(c => c.East);
+        double south = area.Corners.Min(c => c.North);
+        double west = area.Corners.Min(c => c.East);
+        double step = Math.Max(1, Math.Max(north - south, east - west) / MaxCells);
+        for (double tolerance = step / 2; ; tolerance *= 1.5)
+        {
+            double level = distance + tolerance;
+            List<PlanePoint>? ring = FindContour(
+                p => area.SignedDistance(p) - level, new PlanePoint(south - step, west - step),
+                (int)Math.Ceiling((north - south) / step) + 3, (int)Math.Ceiling((east - west) / step) + 3, step);
+            if (ring is null)
+                return null;
+            List<PlanePoint> corners = Simplified(ring, tolerance);
+            if (corners.Count is >= 3 and <= MaxCorners)
+                return new PlanePolygon(corners);
+            if (corners.Count < 3)
+                return null;
+        }
+    }
+
     // The longest line on which a function of place is zero; it is above zero inside.
     private static List<PlanePoint> Contour(
+        Func<PlanePoint, double> f, PlanePoint corner, int rows, int columns, double step)
+        => FindContour(f, corner, rows, columns, step)!;
+
+    private static List<PlanePoint>? FindContour(
         Func<PlanePoint, double> f, PlanePoint corner, int rows, int columns, double step)
     {
         var values = new double[rows + 1, columns + 1];
@@ -89,7 +121,7 @@ internal static class FenceOutline
             rings.Add(ring);
         }
 
-        return rings.OrderByDescending(r => new PlanePolygon(r).Area).First();
+        return rings.OrderByDescending(r => new PlanePolygon(r).Area).FirstOrDefault();
 
         PlanePoint At(int i, int j) => corner + new PlanePoint(i * step, j * step);
 
