@@ -7,13 +7,11 @@ namespace Rabit.Uav.AutopilotInterface;
 // The fence that the autopilot has, while others may change it.
 public sealed partial class AutopilotManager
 {
-    private MessagePublisher<AutopilotFence> _fenceMessage = null!; // made by the constructor
+    private readonly MessagePublisher<AutopilotFence> _fenceMessage;
     private FenceWatcher? _fence;
     private int _fenceWrites;
 
     private bool IsFenceBusy => _fence is { IsBusy: true };
-
-    private void PublishFence() => _fenceMessage = Publish(MessageNames.AutopilotFence, AutopilotFence.Unknown);
 
     private void TakeFenceFrame(in LinkFrame frame)
     {

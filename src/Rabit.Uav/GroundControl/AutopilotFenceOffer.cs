@@ -47,7 +47,7 @@ internal sealed class AutopilotFenceOffer(IMissionOperator mission, Action<strin
         }
     }
 
-    /// <summary>Tells what Mission Control has answered.</summary>
+    /// <summary>Announces what Mission Control has answered.</summary>
     public void Update()
     {
         if (_offer is not { } offer || offer.Outcome == OperatorOutcome.InProgress)

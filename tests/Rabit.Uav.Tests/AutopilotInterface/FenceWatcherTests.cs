@@ -94,7 +94,7 @@ public sealed class FenceWatcherTests : IDisposable
         }
     }
 
-    private int Requests => _rig.Sink.MessagesOf<MissionRequestList>().Count();
+    private int Requests => _rig.Sink.MessagesOf<MissionRequestList>().Count;
 
     private void Store(int corners) => _autopilot.Store(
         MavMissionType.Fence, Enumerable.Range(0, corners).Select(i => new MissionItemInt

@@ -42,7 +42,7 @@ public sealed class AutopilotFenceOfferTests : IDisposable
             Assert.Single(_ground.Texts));
         Continue();
         Assert.Equal(MavResult.Accepted, Assert.Single(_ground.Take<CommandAck>()).Result);
-        Assert.Equal(1, Flight.Mission.KeepOuts.Length);
+        Assert.Single(Flight.Mission.KeepOuts);
 
         // Smaller by the mission's margin and what it needs to stop.
         double margin = Flight.Mission.FenceMarginMetres + 5;

@@ -1,8 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Text;
-using Rabit.Core;
+using Rabit.Mavlink;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Tests.MissionControl;
@@ -13,14 +12,10 @@ namespace Rabit.Uav.Tests.GroundControl;
 /// <summary>Image chips of targets by MAVLink FTP, and the messages that name them.</summary>
 public sealed class TargetFileTests : IDisposable
 {
-    private const byte Open = 4;
-    private const byte Read = 5;
-    private const byte Acknowledged = 128;
-    private const int HeaderLength = 12;
-
     private readonly byte[] _file = [.. Enumerable.Range(0, 500).Select(i => (byte)i)];
     private readonly List<(long Picture, int Report)> _asked = [];
     private readonly GroundRig _ground;
+    private TimeSpan _now;
 
     public TargetFileTests() => _ground = new GroundRig(
         MissionRig.In(MissionPhase.Searching), picture: (picture, report) =>
@@ -38,18 +33,16 @@ public sealed class TargetFileTests : IDisposable
         Assert.Equal("mftp://[;comp=191]targets/track-003.png", captured.FileUrl.ToString());
         Assert.Equal([(7L, 1), (8L, 1)], _asked);
 
-        byte[] opened = Ask(Open, Encoding.ASCII.GetBytes("/targets/track-003.png"), 0);
-        Assert.Equal(Acknowledged, opened[3]);
-        Assert.Equal(_file.Length, BitConverter.ToInt32(opened, HeaderLength));
-        var content = new List<byte>();
-        while (content.Count < _file.Length)
-        {
-            byte[] part = Ask(Read, [], content.Count, opened[2]);
-            Assert.Equal(Acknowledged, part[3]);
-            content.AddRange(part.Skip(HeaderLength).Take(part[4]));
-        }
-
-        Assert.Equal(_file, content);
+        var client = new MavlinkFtpClient(
+            new MavlinkSender(GroundRig.Station, 190), new MavlinkAddress(1, GroundRig.Us));
+        client.TryStartList("targets", TimeSpan.Zero);
+        Assert.Equal(MavlinkFtpStatus.Done, Finish(client).Status);
+        Assert.Equal([new MavlinkFileEntry("track-003.png", _file.Length, false)], client.Entries);
+        client.TryStartRead("/targets/track-003.png", _now);
+        Assert.True(Finish(client) is { Status: MavlinkFtpStatus.Done, IsChecked: true });
+        Assert.Equal(_file, client.Content.ToArray());
+        client.TryStartRead("targets/track-004.png", _now);
+        Assert.Equal(MavlinkFtpStatus.NotFound, Finish(client).Status);
     }
 
     [Fact]
@@ -94,22 +87,20 @@ public sealed class TargetFileTests : IDisposable
         _ground.Run(0.5);
     }
 
-    private byte[] Ask(byte opcode, byte[] data, int offset, byte session = 0)
+    private MavlinkFtpOutcome Finish(MavlinkFtpClient client)
     {
-        var bytes = new byte[251];
-        (bytes[0], bytes[2], bytes[3]) = ((byte)(offset + opcode), session, opcode);
-        bytes[4] = opcode == Read ? (byte)239 : (byte)data.Length;
-        BitConverter.GetBytes(offset).CopyTo(bytes, 8);
-        data.CopyTo(bytes, HeaderLength);
-        _ground.Send(new FileTransferProtocol
+        MavlinkFtpOutcome outcome;
+        for (int i = 0; !client.TryTakeOutcome(out outcome); i++)
         {
-            TargetSystem = 1,
-            TargetComponent = GroundRig.Us,
-            Payload = new ByteArray251(bytes),
-        });
-        _ground.Run(0.5);
-        var answer = new byte[251];
-        Assert.Single(_ground.Take<FileTransferProtocol>()).Payload.CopyTo(answer);
-        return answer;
+            Assert.InRange(i, 0, 200);
+            while (client.TryTakeFrame(_now, out MavlinkFrame frame))
+                _ground.Push(frame);
+            _ground.Run(0.1);
+            _now += TimeSpan.FromSeconds(0.1);
+            foreach (FileTransferProtocol answer in _ground.Take<FileTransferProtocol>())
+                client.Handle(MavlinkFrame.Create(answer, 1, GroundRig.Us, 0), _now);
+        }
+
+        return outcome;
     }
 }
