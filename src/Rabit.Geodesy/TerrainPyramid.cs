@@ -11,17 +11,17 @@ namespace Rabit.Geodesy;
 internal sealed class TerrainPyramid
 {
     /// <summary>Cells along a side of the smallest blocks: 64 cells for one number more.</summary>
-    public const int SmallestBlock = 8;
+    public const int BlockCells = 8;
 
     private readonly List<Level> _levels = [];
 
     public TerrainPyramid(float[] altitudes, int rows, int columns, float highest)
     {
-        var level = new Level(Blocks(rows - 1, SmallestBlock), Blocks(columns - 1, SmallestBlock));
+        var level = new Level(Blocks(rows - 1, BlockCells), Blocks(columns - 1, BlockCells));
         for (int row = 0; row < level.Rows; row++)
         {
             for (int column = 0; column < level.Columns; column++)
-                level[row, column] = HighestOf(altitudes, rows, columns, highest, row, column);
+                level[row, column] = MaxOf(altitudes, rows, columns, highest, row, column);
         }
 
         _levels.Add(level);
@@ -37,7 +37,7 @@ internal sealed class TerrainPyramid
     {
         for (int i = _levels.Count - 1; i >= 0; i--)
         {
-            int side = SmallestBlock << i;
+            int side = BlockCells << i;
             highest = _levels[i][row / side, column / side];
             if (altitude > highest)
                 return side;
@@ -49,14 +49,14 @@ internal sealed class TerrainPyramid
 
     private static int Blocks(int cells, int side) => (cells + side - 1) / side;
 
-    private static float HighestOf(
+    private static float MaxOf(
         float[] altitudes, int rows, int columns, float highest, int blockRow, int blockColumn)
     {
         float most = float.NegativeInfinity;
-        int south = Math.Max(0, (blockRow * SmallestBlock) - 1);
-        int north = Math.Min(rows - 1, ((blockRow + 1) * SmallestBlock) + 1);
-        int west = Math.Max(0, (blockColumn * SmallestBlock) - 1);
-        int east = Math.Min(columns - 1, ((blockColumn + 1) * SmallestBlock) + 1);
+        int south = Math.Max(0, (blockRow * BlockCells) - 1);
+        int north = Math.Min(rows - 1, ((blockRow + 1) * BlockCells) + 1);
+        int west = Math.Max(0, (blockColumn * BlockCells) - 1);
+        int east = Math.Min(columns - 1, ((blockColumn + 1) * BlockCells) + 1);
         for (int row = south; row <= north; row++)
         {
             for (int column = west; column <= east; column++)

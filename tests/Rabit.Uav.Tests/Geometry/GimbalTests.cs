@@ -16,7 +16,12 @@ public sealed class GimbalTests
 
     private static readonly CameraModel Camera = new()
     {
-        Width = 641, Height = 481, FocalX = 500, FocalY = 500, CentreX = 320, CentreY = 240,
+        Width = 641,
+        Height = 481,
+        FocalX = 500,
+        FocalY = 500,
+        CentreX = 320,
+        CentreY = 240,
     };
 
     [Theory]
