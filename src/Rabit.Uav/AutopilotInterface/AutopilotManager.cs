@@ -62,7 +62,8 @@ public sealed partial class AutopilotManager : RabitManager
         _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
         _poses = Send<PoseSample>(MessageNames.Poses);
         PublishSetup();
-        _fenceMessage = Publish(MessageNames.AutopilotFence, AutopilotFence.Unknown);
+        if (_options.WatchesFence)
+            _fenceMessage = Publish(MessageNames.AutopilotFence, AutopilotFence.Unknown);
         WakeUpDelay = IdleDelay;
     }
 
