@@ -32,7 +32,7 @@ internal sealed class TerrainPyramid
         }
     }
 
-    /// <summary>The cells along the side of the largest block around a cell that an altitude is above; else 1.</summary>
+    /// <summary>The side, in cells, of the largest block around a cell that an altitude is above; or 1.</summary>
     public int FindBlock(int row, int column, double altitude, out float highest)
     {
         for (int i = _levels.Count - 1; i >= 0; i--)
