@@ -7,8 +7,7 @@ namespace Rabit.Uav.AutopilotInterface;
 // The fence that the autopilot has, while others may change it.
 public sealed partial class AutopilotManager
 {
-    // Null where the fence is not watched, as the watcher is.
-    private readonly MessagePublisher<AutopilotFence>? _fenceMessage;
+    private readonly MessagePublisher<AutopilotFence> _fenceMessage;
     private FenceWatcher? _fence;
     private int _fenceWrites;
 
@@ -22,7 +21,7 @@ public sealed partial class AutopilotManager
 
     private void RunFence()
     {
-        if (_fence is null || _fenceMessage is null)
+        if (_fence is null)
             return;
         int writes = _setup?.FenceWrites ?? 0;
         if (writes != _fenceWrites)

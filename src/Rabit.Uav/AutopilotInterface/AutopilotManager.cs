@@ -62,8 +62,7 @@ public sealed partial class AutopilotManager : RabitManager
         _authority = Publish(MessageNames.CommandAuthority, _executor.Authority);
         _poses = Send<PoseSample>(MessageNames.Poses);
         PublishSetup();
-        if (_options.WatchesFence)
-            _fenceMessage = Publish(MessageNames.AutopilotFence, AutopilotFence.Unknown);
+        _fenceMessage = Publish(MessageNames.AutopilotFence, AutopilotFence.Unknown);
         WakeUpDelay = IdleDelay;
     }
 
