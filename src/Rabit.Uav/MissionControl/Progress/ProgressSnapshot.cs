@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Immutable;
+using Rabit.Core;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
 
@@ -9,6 +10,7 @@ namespace Rabit.Uav.MissionControl;
 /// What is to be written to the progress file. Filled by the manager, read by the writer's thread, and used again:
 /// while <see cref="IsFree"/> is false it is the writer's.
 /// </summary>
+[HandedOver]
 internal sealed class ProgressSnapshot
 {
     // Set to false by the manager before it hands the snapshot over, to true by the writer after it has written it.
