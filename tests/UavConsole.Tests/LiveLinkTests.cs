@@ -183,8 +183,8 @@ public sealed class LiveLinkTests : IDisposable
             aircraft.Received.Select(f => f.Sequence));
     }
 
-    // Our heartbeat, position, texts, the state of the computer, questions for the time and requests for message rates,
-    // and nothing else that could move an aircraft.
+    // Our heartbeat, position, texts, the state of the computer, questions for the time, requests for message rates and
+    // for AUTOPILOT_VERSION in both their forms, and nothing else that could move an aircraft.
     private static void AssertObservesOnly(MavlinkFrame frame)
     {
         Assert.Equal((1, 191), (frame.SystemId, frame.ComponentId));
@@ -201,8 +201,10 @@ public sealed class LiveLinkTests : IDisposable
         }
 
         Assert.True(frame.TryDecode(out CommandLong command), frame.ToString());
-        Assert.Equal(
-            (MavCmd.SetMessageInterval, 1, 1),
-            (command.Command, (int)command.TargetSystem, (int)command.TargetComponent));
+        Assert.Equal((1, 1), ((int)command.TargetSystem, (int)command.TargetComponent));
+        if (command.Command == MavCmd.RequestMessage)
+            Assert.Equal(AutopilotVersion.MavlinkId, (int)command.Param1);
+        else
+            Assert.Contains(command.Command, new[] { MavCmd.SetMessageInterval, MavCmd.RequestAutopilotCapabilities });
     }
 }
