@@ -146,7 +146,8 @@ internal sealed class Flight : IDisposable
 
         uavOptions.Communications.Recording = options.IsReplay
             ? null
-            : options.Recording.ToOptions(isByDefault: true, options.Flies ? mission!.Name : null);
+            : options.Recording.ToOptions(
+                isByDefault: true, options.Flies ? mission!.Name : null, options.Operator.AtStart is not null);
         UavSystem uav = UavSystem.Open(uavOptions);
         string links = string.Join(", ", options.Links.Select(l => l.ToString()));
         return new Flight(

@@ -48,6 +48,19 @@ public sealed class RecordingTests : IDisposable
         Assert.Empty(RecordBriefly([.. arguments, "--no-tlog"]));
     }
 
+    [Fact]
+    public void CurrentFolder_CannotBeWritten_RunGoesOnAndSaysSo()
+    {
+        string[] arguments = ["--headless", "--link", $"udpin:127.0.0.1:{FreePort.Udp()}"];
+        using ConsoleProcess process = ConsoleProcess.StartIn("/proc", arguments);
+        using var flight = new LiveFlight(int.Parse(arguments[2].Split(':')[2], CultureInfo.InvariantCulture));
+        process.WaitFor("observing");
+        flight.Play("ardupilot-flight", TimeSpan.FromSeconds(1));
+        process.WaitFor("could not be written");
+        process.Signal(ConsoleProcess.Interrupt);
+        Assert.Equal(2, process.WaitForEnd());
+    }
+
     [Theory]
     [InlineData("--tlog-dir and --no-tlog contradict each other.", "--link", "udpin:127.0.0.1:1", "--no-tlog", "--tlog-dir", "x")]
     [InlineData("--tlog-size 0: it must be a number of megabytes", "--link", "udpin:127.0.0.1:1", "--tlog-size", "0")]

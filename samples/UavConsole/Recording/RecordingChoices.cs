@@ -19,8 +19,9 @@ internal sealed class RecordingChoices
     /// <summary>The options of the library.</summary>
     /// <param name="isByDefault">Whether it is wanted where nothing was said.</param>
     /// <param name="mission">The name of the mission that is flown; null for none.</param>
+    /// <param name="mustStart">Whether a vehicle that may be in the air waits for a command at the start.</param>
     /// <returns>Null for no recording.</returns>
-    public RecordingOptions? ToOptions(bool isByDefault, string? mission)
+    public RecordingOptions? ToOptions(bool isByDefault, string? mission, bool mustStart = false)
     {
         if (!(IsWanted ?? isByDefault))
             return null;
@@ -28,6 +29,9 @@ internal sealed class RecordingChoices
         string name = mission is null ? NameWithoutMission : RunFiles.StemOf(mission);
         options.Name = name.Length > 0 ? name : NameWithoutMission;
         options.Folder = Folder ?? options.Folder;
+
+        // A full disk must not keep a vehicle that is in the air from its computer, nor a default from a start.
+        options.IsRequired = Folder is not null && !mustStart;
         options.MaxFileBytes = MaxFileBytes ?? options.MaxFileBytes;
         return options;
     }

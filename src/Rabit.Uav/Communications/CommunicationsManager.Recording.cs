@@ -38,7 +38,15 @@ public sealed partial class CommunicationsManager
     private static FrameRecorder MakeRecorder(RecordingOptions options)
     {
         RecordingOptions copy = options.Copy();
-        copy.CheckFolder(nameof(options));
+        try
+        {
+            copy.CheckFolder(nameof(options));
+        }
+        catch (ArgumentException) when (!copy.IsRequired)
+        {
+            // What becomes of the first frame says it again, in the log and in the health report.
+        }
+
         return new FrameRecorder(copy);
     }
 

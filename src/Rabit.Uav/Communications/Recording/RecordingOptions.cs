@@ -28,6 +28,14 @@ public sealed class RecordingOptions
     public string Folder { get; set; } = ".";
 
     /// <summary>
+    /// Whether a folder that cannot be written is refused at the start. Where it is not, the run begins without a
+    /// recording, and what is not recorded is counted and reported; files are begun as soon as the folder can be
+    /// written.
+    /// </summary>
+    /// <value>The default is true.</value>
+    public bool IsRequired { get; set; } = true;
+
+    /// <summary>
     /// How the files are called: Name-DATE-TIME.tlog, by the time of the first frame (UTC), then -2, -3 and so on.
     /// </summary>
     /// <value>The default is "rabit".</value>

@@ -113,9 +113,10 @@ internal static class CameraModelDescription
     private static FocalPixels ReadFocalLength(
         JsonFields camera, int width, int height, bool isFisheye, List<string> faults)
     {
-        bool isByPixels = camera.Has("fx") || camera.Has("fy");
+        // Each is asked for, so that none is unknown beside the others.
+        bool isByPixels = camera.Has("fx") | camera.Has("fy");
         bool isByAngle = camera.Has(FieldOfView);
-        bool isBySensor = camera.Has(Millimetres) || camera.Has(SensorWidth);
+        bool isBySensor = camera.Has(Millimetres) | camera.Has(SensorWidth);
         bool isByFilm = camera.Has(Equivalent);
         int ways = new[] { isByPixels, isByAngle, isBySensor, isByFilm }.Count(w => w);
         if (ways > 1)

@@ -83,6 +83,14 @@ public sealed class CameraModelDescriptionTests : IDisposable
         => Assert.Contains(
             reason, Assert.Throws<PictureException>(() => Open(wrong)).Message, StringComparison.Ordinal);
 
+    [Fact]
+    public void Open_FocalLengthInTwoWays_DoesNotCallOneOfThemUnknown()
+        => Assert.DoesNotContain(
+            "unknown",
+            Assert.Throws<PictureException>(
+                () => Open(Pixels + "," + Plain + ",\"horizontalFieldOfViewDegrees\":60")).Message,
+            StringComparison.Ordinal);
+
     [Theory]
     [InlineData(LensModel.BrownConrady, 0.02)]
     [InlineData(LensModel.BrownConrady, 0)]
