@@ -183,21 +183,5 @@ public class MissionTests
     private static MissionItemInt Item(
         Ground ground, MavCmd command, double north = 0, double east = 0, double height = 0, float param1 = 0,
         float param2 = 0)
-    {
-        GeodeticPosition place = LocalNedFrame.IgnoringGeoid(ground.Options.Home)
-            .ToGeodetic(new NedPosition(north, east, 0));
-        return new MissionItemInt
-        {
-            TargetSystem = 1,
-            TargetComponent = 1,
-            Command = command,
-            Frame = MavFrame.GlobalRelativeAlt,
-            Autocontinue = 1,
-            Param1 = param1,
-            Param2 = param2,
-            X = (int)Math.Round(place.Latitude.Degrees * 1e7),
-            Y = (int)Math.Round(place.Longitude.Degrees * 1e7),
-            Z = (float)height,
-        };
-    }
+        => MissionItems.Item(ground.Options.Home, command, north, east, height, param1, param2);
 }
