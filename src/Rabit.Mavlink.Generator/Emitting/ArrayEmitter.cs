@@ -13,7 +13,7 @@ internal static class ArrayEmitter
     {
         string name = array.Name;
         DocComment.Summary(writer, array.IsText
-            ? $"A text of at most {array.Length} characters, one byte each (Latin-1), kept as sent. A plain value: "
+            ? $"A text of at most {array.Length} bytes of UTF-8, kept as sent. A plain value: "
                 + "nothing is allocated until <see cref=\"ToString\"/> is asked for."
             : $"{array.Length} elements of {array.Element}. A plain value: a copy is independent of its original. Two "
                 + "are equal where all their bits are.");
@@ -54,7 +54,7 @@ internal static class ArrayEmitter
         writer.Blank();
         DocComment.Summary(writer, "Takes a text; what it does not fill is zero.");
         writer.Line(
-            $"/// <param name=\"text\">At most {array.Length} characters, none of them NUL or above U+00FF.</param>");
+            $"/// <param name=\"text\">At most {array.Length} bytes as UTF-8, no NUL, no half of a surrogate pair.</param>");
         writer.Line("/// <exception cref=\"global::System.ArgumentException\">The text does not fit or holds another "
             + "character; nothing is cut in silence.</exception>");
         writer.Open($"public {array.Name}(string text)");
@@ -67,13 +67,13 @@ internal static class ArrayEmitter
     {
         writer.Blank();
         DocComment.Summary(writer, array.IsText
-            ? $"How many characters it has room for: {array.Length}."
+            ? $"How many bytes it has room for: {array.Length}."
             : $"How many elements it has: {array.Length}.");
         writer.Line($"public int {(array.IsText ? "Capacity" : "Length")} {{ get {{ return {array.Length}; }} }}");
         if (array.IsText)
         {
             writer.Blank();
-            DocComment.Summary(writer, "How many characters the text has: the bytes before the first zero.");
+            DocComment.Summary(writer, "How many bytes the text has: those before the first zero.");
             writer.Line($"public int Length {{ get {{ return MavlinkText.Length(ref this, {array.Length}); }} }}");
         }
 
@@ -122,7 +122,7 @@ internal static class ArrayEmitter
             DocComment.Summary(writer, "Whether it reads as the given text; allocates nothing.");
             writer.Line("/// <param name=\"text\">What to compare with.</param>");
             writer.Line(
-                "/// <returns>True where the bytes before the first zero are the characters of the text.</returns>");
+                "/// <returns>True where the bytes before the first zero read as the text.</returns>");
             writer.Line($"public bool TextEquals(string text) {{ return MavlinkText.AreEqual(ref this, {array.Length}, "
                 + "text); }");
         }
@@ -148,8 +148,8 @@ internal static class ArrayEmitter
     {
         writer.Blank();
         DocComment.Summary(writer, array.IsText
-            ? "The text: the bytes before the first zero, each as the character of the same number (Latin-1, of which "
-                + "ASCII is part)."
+            ? "The text: the bytes before the first zero, as UTF-8; bytes that are none are the characters of the same "
+                + "number (Latin-1)."
             : "The elements between brackets, for logs and the debugger.");
         string call = array.IsText
             ? "MavlinkText.Read(ref this, "

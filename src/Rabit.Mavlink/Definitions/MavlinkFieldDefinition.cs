@@ -1,5 +1,6 @@
 using System;
 using System.Text;
+using Rabit.Mavlink.Definitions;
 
 namespace Rabit.Mavlink;
 
@@ -80,7 +81,7 @@ public sealed class MavlinkFieldDefinition
     }
 
     /// <summary>
-    /// Reads the text up to its first zero, one character per byte (Latin-1, of which ASCII is part).
+    /// Reads the text up to its first zero, as UTF-8; bytes that are none are the characters of the same number.
     /// </summary>
     /// <param name="frame">A frame that carries the message.</param>
     /// <returns>A new string.</returns>
@@ -92,10 +93,7 @@ public sealed class MavlinkFieldDefinition
         if (!IsText)
             throw new InvalidOperationException($"{Name} is no text.");
         Span<char> characters = stackalloc char[MavlinkFrame.MaxPayloadLength];
-        int length = 0;
-        while (length < ArrayLength && frame.PayloadByte(Offset + length) is not 0 and byte character)
-            characters[length++] = (char)character;
-        return characters.Slice(0, length).ToString();
+        return characters.Slice(0, ReadText(frame, characters)).ToString();
     }
 
     /// <summary>
@@ -120,12 +118,21 @@ public sealed class MavlinkFieldDefinition
 
     private void AppendText(StringBuilder text, in MavlinkFrame frame)
     {
+        Span<char> characters = stackalloc char[MavlinkFrame.MaxPayloadLength];
+        int length = ReadText(frame, characters);
         text.Append('"');
-        for (int index = 0;
-            index < ArrayLength && frame.PayloadByte(Offset + index) is not 0 and byte character;
-            index++)
-            text.Append(char.IsControl((char)character) ? '.' : (char)character);
+        for (int index = 0; index < length; index++)
+            text.Append(char.IsControl(characters[index]) ? '.' : characters[index]);
         text.Append('"');
+    }
+
+    private int ReadText(in MavlinkFrame frame, Span<char> characters)
+    {
+        Span<byte> bytes = stackalloc byte[MavlinkFrame.MaxPayloadLength];
+        int length = 0;
+        while (length < ArrayLength && frame.PayloadByte(Offset + length) is not 0 and byte value)
+            bytes[length++] = value;
+        return Utf8Text.Read(bytes.Slice(0, length), characters);
     }
 
     private void AppendArray(StringBuilder text, in MavlinkFrame frame)

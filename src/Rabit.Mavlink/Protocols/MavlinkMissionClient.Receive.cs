@@ -113,6 +113,10 @@ public sealed partial class MavlinkMissionClient
         bool isAccepted = answer.Type == MavMissionResult.Accepted;
         switch (_operation)
         {
+            // One that arrives before this was asked is an answer to what was asked before.
+            case Operation.Clear when _tries == 0:
+                return;
+
             // One that arrives before everything was requested is left from another transfer.
             case Operation.Upload when isAccepted && _highest < _count - 1:
             case Operation.Download when isAccepted:

@@ -152,7 +152,11 @@ public sealed partial class MavlinkMissionClient
     public bool TryStartDownload(MavMissionType type, TimeSpan now)
         => TryStart(Operation.Download, Step.List, type, now);
 
-    /// <summary>Starts to clear.</summary>
+    /// <summary>
+    /// Starts to clear. A vehicle that does not clear all at once (ArduPilot does not know that type) is asked to clear
+    /// the mission, the fence and the rally points one after the other, and where it knows no MISSION_CLEAR_ALL for a
+    /// type, is sent one of no items.
+    /// </summary>
     /// <param name="type">Mission, fence, rally points, or all of them.</param>
     /// <param name="now">The time, by a clock that never goes back.</param>
     /// <returns>Whether it has started; false while <see cref="IsBusy"/>.</returns>
@@ -231,6 +235,7 @@ public sealed partial class MavlinkMissionClient
         _highest = -1;
         _result = null;
         _isDownloadOver = false;
+        BeginClearing();
         _due = _lastSentAt != TimeSpan.MinValue && now < _lastSentAt + _options.LateAnswerTime
             ? _lastSentAt + _options.LateAnswerTime
             : now;
@@ -297,6 +302,8 @@ public sealed partial class MavlinkMissionClient
 
     private void End(MavlinkMissionStatus status, uint opaqueId, TimeSpan now)
     {
+        if (_operation == Operation.Clear && GoesOnClearing(ref status, now))
+            return;
         _outcome = new MavlinkMissionOutcome(status, _result, ItemsDone, opaqueId, _sent, now);
         _isDownloadOver = _operation == Operation.Download;
         _finalAckRepeats = 0;

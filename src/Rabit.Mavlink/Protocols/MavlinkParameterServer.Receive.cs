@@ -99,7 +99,6 @@ public sealed partial class MavlinkParameterServer
             {
                 Is = ParameterReply.Kind.Text,
                 Text = refusal.Reason,
-                TextId = _lastTextId = _lastTextId == ushort.MaxValue ? (ushort)1 : (ushort)(_lastTextId + 1),
             });
     }
 

@@ -32,6 +32,9 @@ namespace Rabit.Mavlink;
 /// </example>
 public sealed partial class MavlinkParameterServer
 {
+    // Of the reason of a refusal.
+    private const int MaxTextChunks = 16;
+
     // What a list may be late before it is no longer caught up: a caller that comes seldom must not flood the link.
     private static readonly TimeSpan MaxLateness = TimeSpan.FromSeconds(0.1);
 
@@ -42,7 +45,8 @@ public sealed partial class MavlinkParameterServer
     private readonly ParameterHasher? _hasher;
     private int _firstReply;
     private int _replyCount;
-    private ushort _lastTextId;
+    private readonly MavlinkStatusTextSplitter _texts = new(MaxTextChunks);
+    private bool _isTextStarted;
 
     // The list under way: what is sent next, and how many are still to be sent.
     private int _cursor;
@@ -171,8 +175,7 @@ public sealed partial class MavlinkParameterServer
                 });
                 return true;
             case ParameterReply.Kind.Text:
-                frame = NextPart(ref reply);
-                return reply.From >= reply.Text!.Length;
+                return TakePart(reply.Text!, out frame);
             default:
                 return true;
         }
@@ -194,24 +197,13 @@ public sealed partial class MavlinkParameterServer
         ParamIndex = (ushort)index,
     });
 
-    private MavlinkFrame NextPart(ref ParameterReply reply)
+    // Whether the text is over; then there is no part.
+    private bool TakePart(string text, out MavlinkFrame frame)
     {
-        var part = default(Text50);
-        string text = reply.Text!;
-        int first = reply.From;
-        for (int i = 0; i < part.Capacity && reply.From < text.Length; i++)
-        {
-            char character = text[reply.From++];
-            part[i] = character is > '\0' and <= '\xFF' ? (byte)character : (byte)'?';
-        }
-
-        bool isOnly = text.Length <= part.Capacity;
-        return _sender.Create(new Statustext
-        {
-            Severity = MavSeverity.Warning,
-            Text = part,
-            Id = isOnly ? (ushort)0 : reply.TextId,
-            ChunkSeq = (byte)(first / part.Capacity),
-        });
+        if (!_isTextStarted)
+            _texts.Start(MavSeverity.Warning, text);
+        _isTextStarted = _texts.TryNext(out Statustext part);
+        frame = _isTextStarted ? _sender.Create(part) : default;
+        return !_isTextStarted;
     }
 }

@@ -25,6 +25,4 @@ internal struct ParameterReply
     public MavParamError Error;
     public MavlinkAddress Source;
     public string? Text;
-    public int From;
-    public ushort TextId;
 }

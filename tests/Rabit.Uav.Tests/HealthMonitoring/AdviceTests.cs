@@ -233,15 +233,29 @@ public class AdviceTests
     public void Texts_LongOnes_AreCutIntoChunksThatEndWithAShorterOne(int length, int chunks)
     {
         var texts = new StatusTextSender(TimeSpan.FromSeconds(5));
-        var report = new HealthReport { Level = HealthLevel.Warning, Text = new string('\u20ac', length) };
+        var report = new HealthReport { Level = HealthLevel.Warning, Text = new string('x', length) };
         IReadOnlyList<Statustext> cut = texts.NextChunks(report, TimeSpan.Zero);
         Assert.Equal(chunks, cut.Count);
         Assert.Equal(Enumerable.Range(0, chunks), cut.Select(p => (int)p.ChunkSeq));
         Assert.Equal(chunks == 1, cut[0].Id == 0);
         string whole = string.Concat(cut.Select(p => p.Text.ToString()));
-        Assert.Equal("Rabit: " + new string('?', Math.Min(length, 192)), whole);
+        Assert.Equal("Rabit: " + new string('x', Math.Min(length, 192)), whole);
         if (chunks > 1)
             Assert.True(cut[chunks - 1].Text.ToString().Length < 50);
+    }
+
+    [Fact]
+    public void Texts_OutsideOfAscii_AreReadAsTheyWere()
+    {
+        var texts = new StatusTextSender(TimeSpan.FromSeconds(5));
+        string text = string.Concat(Enumerable.Repeat("5 \u20ac, 30 \u00b0C, \U0001F681; ", 5));
+        var report = new HealthReport { Level = HealthLevel.Warning, Text = text };
+        var receiver = new MavlinkStatusTextReceiver();
+        var sender = new MavlinkSender(1, 191);
+        foreach (Statustext chunk in texts.NextChunks(report, TimeSpan.Zero))
+            receiver.Handle(sender.Create(chunk), TimeSpan.Zero);
+        Assert.True(receiver.TryTake(TimeSpan.Zero, out MavlinkStatusText read));
+        Assert.Equal(("Rabit: " + text, true), (read.Text, read.IsComplete));
     }
 
     private static IReadOnlyList<Statustext> Texts(HealthRig rig) => rig.Sink.MessagesOf<Statustext>();
