@@ -118,6 +118,13 @@ internal sealed class CommunicationsRig : IDisposable
         Run(TimeSpan.FromMilliseconds(200));
     }
 
+    /// <summary>Gives Communications a frame of our own; time stands still.</summary>
+    public void SendNow<T>(T message, byte system = 1, byte component = 191)
+        where T : struct, IMavlinkMessage
+        => SendNow(MavlinkFrame.Create(message, system, component, sequence: 99));
+
+    public void SendNow(in MavlinkFrame frame) => _outgoing.Push(new OutgoingFrame { Frame = frame });
+
     /// <summary>Goes on; without a time only as far as what is due now leads.</summary>
     public void Run(TimeSpan time = default) => Reactor.RunFor(time);
 
