@@ -106,7 +106,10 @@ internal static class ManagerOptions
         made.VehicleMessageRoutes =
         [
             new VehicleMessageRoute<TargetReport>(
-                new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports),
+                new TargetReportCodec(), MessageNames.OutgoingTargetReports, MessageNames.TargetReports)
+            {
+                Lifetime = TimeSpan.FromSeconds(5),
+            },
             .. options.Communications.VehicleMessageRoutes,
         ];
         return made;

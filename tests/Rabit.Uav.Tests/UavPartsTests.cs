@@ -179,7 +179,7 @@ public sealed class UavPartsTests
         Assert.Equal((17, 5.0, 2000), (made.FramesWaitingIn, made.PositionRateHz, made.VehicleMessageBytesPerSecond));
         Assert.Same(options.OpenLinks, made.Links);
         Assert.Empty(options.Communications.Links);
-        Assert.Equal(42001, Assert.Single(made.VehicleMessageRoutes).PayloadType);
+        Assert.Equal(1, Assert.Single(made.VehicleMessageRoutes).MessageType);
     }
 
     [Theory]

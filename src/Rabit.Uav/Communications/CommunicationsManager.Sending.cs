@@ -110,6 +110,8 @@ public sealed partial class CommunicationsManager
                 delay = next;
         }
 
+        if (_exchange is not null && _exchangeDue - Now < delay)
+            delay = _exchangeDue > Now ? _exchangeDue - Now : TimeSpan.Zero;
         return delay;
     }
 }

@@ -56,7 +56,9 @@ public sealed partial class CommunicationsManager : RabitManager
         _tracks = _options.SendsTargets == true && _options.Links.Count > 0
             ? Subscribe<TrackList>(MessageNames.Tracks)
             : null;
-        _channels = _options.VehicleMessageRoutes.Select(route => route.Open(this)).ToArray();
+        _channels = OpenVehicleMessages();
+        if (_channels.Length > 0)
+            _vehicleMessageStatus = Publish<VehicleMessageStatus>(MessageNames.VehicleMessages);
         _subscriptions = OpenSubscriptions();
         _droppedIn = new long[_options.Count];
         _signing = _options.Signing is { } signing ? MakeSigning(signing) : null;
@@ -82,7 +84,11 @@ public sealed partial class CommunicationsManager : RabitManager
     public IReadOnlyList<FrameCount> CountOwnFrames() => _own.Counts();
 
     /// <inheritdoc/>
-    protected override void Startup() => PostStatus();
+    protected override void Startup()
+    {
+        StartExchange();
+        PostStatus();
+    }
 
     /// <inheritdoc/>
     protected override void ExecuteUnitOfWork()
@@ -96,7 +102,7 @@ public sealed partial class CommunicationsManager : RabitManager
         SendOwnFrames();
         SendPosition();
         SendTargets();
-        SendVehicleMessages();
+        ExchangeVehicleMessages();
         SendWaiting();
 
         if (Now >= _nextStatus)
@@ -110,6 +116,7 @@ public sealed partial class CommunicationsManager : RabitManager
     protected override void Shutdown()
     {
         SendOwnFrames();
+        EndVehicleMessages();
         SendWaitingAtTheEnd();
         PostStatus();
         LogDrops(isEnd: true);
@@ -292,6 +299,7 @@ public sealed partial class CommunicationsManager : RabitManager
         foreach (LinkPort port in _ports)
             port.PostStatus(Now, _options.SilentAfter, _droppedIn[port.Number]);
 
+        PostVehicleMessages();
         LogDrops(isEnd: false);
         ReportSigning();
         ReportAddresses(isEnd: false);

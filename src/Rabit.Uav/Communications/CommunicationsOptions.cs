@@ -70,15 +70,20 @@ public sealed class CommunicationsOptions
     public bool SendsTargetsAsTraffic { get; set; }
 
     /// <summary>What types of messages are exchanged with other vehicles, each by a codec of its own.</summary>
-    /// <value>The default is none.</value>
+    /// <value>The default is none: then nothing of it is sent, relayed or read.</value>
     public IReadOnlyList<VehicleMessageRoute> VehicleMessageRoutes { get; set; } = Array.Empty<VehicleMessageRoute>();
 
     /// <summary>
-    /// How many bytes of vehicle messages one link carries per second, frames and all; what is above is dropped and
-    /// counted.
+    /// In which groups this vehicle is, and whether it relays: docs/managers/communications.md, "Vehicle messages".
+    /// </summary>
+    public VehicleExchangeOptions VehicleExchange { get; set; } = new();
+
+    /// <summary>
+    /// How many bytes of vehicle messages one link carries per second, frames and all; what is above waits, until its
+    /// lifetime ends.
     /// </summary>
     /// <value>
-    /// The default is 1000: thirteen target reports; a radio with error correction carries 3600 (SiK at 57600 baud).
+    /// The default is 1000: eight target reports; a radio with error correction carries 3600 (SiK at 57600 baud).
     /// </value>
     public int VehicleMessageBytesPerSecond { get; set; } = 1000;
 
@@ -160,11 +165,28 @@ public sealed class CommunicationsOptions
                 + $"it must be at least one frame, {MavlinkFrame.MaxWireLength}";
         if (VehicleMessageRoutes is null || VehicleMessageRoutes.Contains(null!))
             yield return $"{nameof(VehicleMessageRoutes)}, or one of them, is null; it may be empty, but not null";
-        foreach (IGrouping<int, VehicleMessageRoute> twice in (VehicleMessageRoutes ?? [])
-            .Where(r => r is not null).GroupBy(r => r.PayloadType).Where(g => g.Count() > 1))
-            yield return $"{nameof(VehicleMessageRoutes)} has payload type {twice.Key} more than once";
+        foreach (string fault in FindFaultsOfVehicleMessages())
+            yield return fault;
         foreach (string fault in Recording?.FindFaults() ?? [])
             yield return $"{nameof(Recording)}.{fault}";
+    }
+
+    private IEnumerable<string> FindFaultsOfVehicleMessages()
+    {
+        VehicleMessageRoute[] routes = (VehicleMessageRoutes ?? []).Where(r => r is not null).ToArray();
+        foreach (IGrouping<int, VehicleMessageRoute> twice in routes
+            .GroupBy(r => r.MessageType).Where(g => g.Count() > 1))
+            yield return $"{nameof(VehicleMessageRoutes)} has type {twice.Key} more than once";
+        foreach (VehicleMessageRoute route in routes)
+        {
+            foreach (string fault in route.FindFaults())
+                yield return $"{nameof(VehicleMessageRoutes)}, type {route.MessageType}: {fault}";
+        }
+
+        if (VehicleExchange is null)
+            yield return $"{nameof(VehicleExchange)} is null";
+        foreach (string fault in VehicleExchange?.FindFaults() ?? [])
+            yield return $"{nameof(VehicleExchange)}.{fault}";
     }
 
     private IEnumerable<string> FindFaultsOfLinks()

@@ -27,6 +27,12 @@ internal sealed class LinkPort(
     TunnelRateLimiter rateLimiter,
     LinkScheduler? scheduler)
 {
+    // Header, checksum, what TUNNEL says of its content, and the content.
+    private const int MaxTunnelLength = 12 + 5 + ExchangeWire.MaxLength;
+
+    // Enough that the link never waits for us; what else waits in the exchange is sent in the order of its classes.
+    private const int MaxWaitingMessages = 4;
+
     private long _framesOut;
     private long _rejectedOut;
     private long _filteredIn;
@@ -158,9 +164,16 @@ internal sealed class LinkPort(
     }
 
     /// <summary>
-    /// Whether the rate limit lets the link carry a frame of a vehicle message now; if so, it is counted against it.
+    /// Whether the link can carry a frame of vehicle messages of this class now: it is open, within the limit of such
+    /// messages, and not many of the class wait for their turn already.
     /// </summary>
-    public bool TryTakeRate(in MavlinkFrame frame, TimeSpan now) => rateLimiter.TryTake(frame.WireLength, now);
+    public bool HasRoom(SendClass sendClass, TimeSpan now)
+        => writer is not null && !settings.IsReceiveOnly && !IsOpening && !IsUnconnected(writer)
+            && rateLimiter.HasRoom(MaxTunnelLength, now)
+            && (Scheduler is null || Scheduler.WaitingOf(sendClass) < MaxWaitingMessages);
+
+    /// <summary>Counts a frame of vehicle messages against their limit.</summary>
+    public void TakeRate(in MavlinkFrame frame) => rateLimiter.Take(frame.WireLength);
 
     public void PostStatus(TimeSpan now, TimeSpan silentAfter, long droppedIn)
     {

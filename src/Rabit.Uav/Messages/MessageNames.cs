@@ -77,7 +77,8 @@ public static class MessageNames
     public const string TrackDecisions = "track decisions";
 
     /// <summary>
-    /// Queue of <see cref="TargetReport"/>: reports of other vehicles, from Communications to Sensor Fusion.
+    /// Queue of <see cref="Envelope{T}"/> of <see cref="TargetReport"/>: reports of other vehicles, from
+    /// Communications to Sensor Fusion.
     /// </summary>
     public const string TargetReports = "target reports";
 
@@ -97,6 +98,11 @@ public static class MessageNames
     /// Queue of <see cref="CameraObservation"/>: from Image Processing to Mission Control, for the coverage.
     /// </summary>
     public const string SearchedGround = "searched ground";
+
+    /// <summary>
+    /// Message <see cref="VehicleMessageStatus"/>, posted by Communications where there are routes of vehicle messages.
+    /// </summary>
+    public const string VehicleMessages = "vehicle messages";
 
     /// <summary>
     /// Message <see cref="RecordingStatus"/>, posted by Communications where the links are recorded.

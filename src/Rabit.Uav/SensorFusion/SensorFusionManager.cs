@@ -32,7 +32,7 @@ public sealed class SensorFusionManager : RabitManager
 
     private readonly SensorFusionOptions _options;
     private readonly QueueReceiver<CameraObservation> _observations;
-    private readonly QueueReceiver<TargetReport> _foreignReports;
+    private readonly QueueReceiver<Envelope<TargetReport>> _foreignReports;
     private readonly QueueReceiver<TrackDecision> _decisions;
     private readonly QueueSender<Envelope<TargetReport>>? _outgoing;
     private readonly MessagePublisher<TrackList> _tracks;
@@ -58,7 +58,7 @@ public sealed class SensorFusionManager : RabitManager
         _groups = new ForeignReportGroups(_statistics);
         _tracker = new TargetTracker(_options, _statistics);
         _observations = Receive<CameraObservation>(MessageNames.CameraObservations, QueueCapacity);
-        _foreignReports = Receive<TargetReport>(MessageNames.TargetReports, QueueCapacity);
+        _foreignReports = Receive<Envelope<TargetReport>>(MessageNames.TargetReports, QueueCapacity);
         _decisions = Receive<TrackDecision>(MessageNames.TrackDecisions);
         if (_options.SharesReports)
             _outgoing = Send<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
@@ -99,10 +99,10 @@ public sealed class SensorFusionManager : RabitManager
     private bool PopForeignReports(TimeSpan now)
     {
         bool hasSome = false;
-        while (_foreignReports.TryPop(out TargetReport report))
+        while (_foreignReports.TryPop(out Envelope<TargetReport> envelope))
         {
-            if (IsUsable(report, now))
-                _groups.Add(report, now);
+            if (IsUsable(envelope.Content, now))
+                _groups.Add(envelope.Content, now);
             hasSome = true;
         }
 

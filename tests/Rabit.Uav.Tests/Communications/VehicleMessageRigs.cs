@@ -10,17 +10,22 @@ namespace Rabit.Uav.Tests.Communications;
 /// <summary>Stands in for Sensor Fusion.</summary>
 internal sealed class ReportSink : RabitManager
 {
-    private readonly QueueReceiver<TargetReport> _reports;
+    private readonly QueueReceiver<Envelope<TargetReport>> _reports;
 
     public ReportSink()
-        : base("fusion") => _reports = Receive<TargetReport>(MessageNames.TargetReports);
+        : base("fusion") => _reports = Receive<Envelope<TargetReport>>(MessageNames.TargetReports);
 
     public List<TargetReport> Reports { get; } = [];
 
+    public List<Envelope<TargetReport>> Envelopes { get; } = [];
+
     protected override void ExecuteUnitOfWork()
     {
-        while (_reports.TryPop(out TargetReport report))
-            Reports.Add(report);
+        while (_reports.TryPop(out Envelope<TargetReport> envelope))
+        {
+            Envelopes.Add(envelope);
+            Reports.Add(envelope.Content);
+        }
     }
 }
 
@@ -29,10 +34,12 @@ internal sealed class VehicleMessageRig : IDisposable
 {
     private readonly ReportSink _sink = new();
     private readonly QueueSender<Envelope<TargetReport>> _outgoing;
+    private readonly MessageSubscriber<VehicleMessageStatus> _status;
 
     public VehicleMessageRig(int links, bool knowsAddress = true)
     {
         QueueSender<Envelope<TargetReport>>? outgoing = null;
+        MessageSubscriber<VehicleMessageStatus>? status = null;
         Rig = new CommunicationsRig(
             links,
             o => (o.VehicleMessageRoutes, o.PositionRateHz) = ([VehicleMessageRig.Route()], 0),
@@ -40,8 +47,9 @@ internal sealed class VehicleMessageRig : IDisposable
             {
                 reactor.Add(_sink);
                 outgoing = reactor.Workspace.Send<Envelope<TargetReport>>(MessageNames.OutgoingTargetReports);
+                status = reactor.Workspace.Subscribe<VehicleMessageStatus>(MessageNames.VehicleMessages);
             });
-        _outgoing = outgoing!;
+        (_outgoing, _status) = (outgoing!, status!);
         if (knowsAddress)
             Rig.As(1);
     }
@@ -54,6 +62,17 @@ internal sealed class VehicleMessageRig : IDisposable
     public List<TargetReport> Reports => _sink.Reports;
 
     public VehicleMessageCounters Counts => Rig.Manager.CountVehicleMessages()[0];
+
+    /// <summary>What the exchange counted, as reported within the next second.</summary>
+    public VehicleExchangeCounters Exchange
+    {
+        get
+        {
+            Rig.Run(TimeSpan.FromMilliseconds(700));
+            _status.Fetch();
+            return _status.Value.Counters;
+        }
+    }
 
     public void Send(in TargetReport report)
     {
@@ -112,7 +131,11 @@ internal sealed class TwoVehicles : IDisposable
     }
 
     public void Push(int vehicle, in TargetReport report, byte to = 0)
-        => _outgoing[vehicle].Push(new Envelope<TargetReport> { Content = report, TargetSystemId = to });
+        => _outgoing[vehicle].Push(new Envelope<TargetReport>
+        {
+            Content = report,
+            Destination = to == 0 ? VehicleDestination.All : VehicleDestination.Vehicle(to),
+        });
 
     public void Send(int from, in TargetReport report, byte to = 0)
     {

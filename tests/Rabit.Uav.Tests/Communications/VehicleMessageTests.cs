@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Communications;
 using Rabit.Geodesy;
@@ -21,8 +22,8 @@ public sealed class VehicleMessageTests
             (1, 7L, 2, DefaultTargetClasses.Orange),
             (report.SourceSystemId, report.PictureNumber, report.Index, report.Class));
         Assert.Empty(air.Received(0));
-        Assert.Equal((1L, 0L), (air.Counts(0).Sent, air.Counts(0).Delivered));
-        Assert.Equal((0L, 1L), (air.Counts(1).Sent, air.Counts(1).Delivered));
+        Assert.Equal((1L, 1L, 0L), (air.Counts(0).Posted, air.Counts(0).Sent, air.Counts(0).Delivered));
+        Assert.Equal((0L, 0L, 1L), (air.Counts(1).Posted, air.Counts(1).Sent, air.Counts(1).Delivered));
 
         air.Send(from: 1, Report(picture: 7, index: 2));
         Assert.Equal(2, Assert.Single(air.Received(0)).SourceSystemId);
@@ -50,17 +51,18 @@ public sealed class VehicleMessageTests
     }
 
     [Fact]
-    public void Message_Addressed_GoesThereAloneAndToNoUnknownAddress()
+    public void Message_Addressed_GoesThereAloneOnceItIsSeenAndToNoUnknownAddress()
     {
         using var air = new TwoVehicles();
         air.Send(from: 0, Report(picture: 1), to: 2);   // not seen yet
         Assert.Empty(air.Received(1));
-        Assert.Equal(1, air.Counts(0).Unsendable);
         air.Send(from: 1, Report(picture: 1));          // now it is
+        Assert.Equal(1, Assert.Single(air.Received(1)).PictureNumber);
         air.Send(from: 0, Report(picture: 2), to: 2);
         air.Send(from: 0, Report(picture: 3), to: 77);
-        Assert.Equal(2, Assert.Single(air.Received(1)).PictureNumber);
-        Assert.Equal(2, air.Counts(0).Unsendable);
+        air.Run(11);
+        Assert.Equal([1L, 2], air.Received(1).Select(r => r.PictureNumber));
+        Assert.Equal((3L, 2L, 1L), (air.Counts(0).Posted, air.Counts(0).Sent, air.Counts(0).Undelivered));
     }
 
     [Fact]
@@ -83,7 +85,7 @@ public sealed class VehicleMessageTests
         rig.Rig.Send(
             0, Frames.Of(new Tunnel { PayloadType = (MavTunnelPayloadType)50_000, PayloadLength = 3 }, system: 5));
         Assert.Single(rig.Rig.Autopilot.Taken);
-        Assert.Equal(0, rig.Counts.Malformed);
+        Assert.Equal(0, rig.Exchange.Malformed);
     }
 
     [Fact]
@@ -103,26 +105,25 @@ public sealed class VehicleMessageTests
         rig.Rig.Send(0, FrameOf(Report(picture: 1), system: 1, component: 192));
         rig.Rig.Send(0, FrameOf(Report(picture: 1), system: 1, component: 191));   // the router counts this one
         Assert.Empty(rig.Reports);
-        Assert.Equal(1, rig.Counts.Echoes);
+        Assert.Equal(1, rig.Exchange.Echoes);
     }
 
     [Fact]
-    public void Message_ThatComesTwice_CountsOnceWithinTheWindow()
+    public void Message_ThatComesTwice_CountsOnce()
     {
         using var rig = new VehicleMessageRig(links: 2);
         rig.Rig.Send(
-            0, FrameOf(Report(picture: 1, index: 0), system: 5), FrameOf(Report(picture: 1, index: 1), system: 5));
+            0, FrameOf(Report(picture: 1), system: 5, number: 1), FrameOf(Report(picture: 1), system: 5, number: 2));
         rig.Rig.Send(
-            1, FrameOf(Report(picture: 1, index: 0), system: 5, sequence: 7),
-            FrameOf(Report(picture: 1, index: 0), system: 6));
-        Assert.Equal((3, 1L), (rig.Reports.Count, rig.Counts.Duplicates));
-        rig.Rig.Run(TimeSpan.FromSeconds(11));
-        rig.Rig.Send(0, FrameOf(Report(picture: 1, index: 0), system: 5));   // it has restarted
+            1, FrameOf(Report(picture: 1), system: 5, number: 1, sequence: 7),
+            FrameOf(Report(picture: 1), system: 6, number: 1));
+        Assert.Equal((3, 1L), (rig.Reports.Count, rig.Exchange.Duplicates));
+        rig.Rig.Send(0, FrameOf(Report(picture: 1), system: 5, number: 0x30001));   // it has restarted
         Assert.Equal(4, rig.Reports.Count);
     }
 
     [Fact]
-    public void Message_MoreThanTheRateLimit_IsDroppedAndCounted()
+    public void Message_MoreThanTheRateLimit_WaitsAndExpiresAndIsCounted()
     {
         using var air = new TwoVehicles();
         for (int second = 0; second < 5; second++)
@@ -132,11 +133,14 @@ public sealed class VehicleMessageTests
             air.Run(1);
         }
 
-        // header, checksum, what TUNNEL says of its content
-        int frame = 12 + 5 + 58 + DefaultTargetClasses.Red.Length;
+        // header, checksum, what TUNNEL says of its content, header of the fragment
+        int frame = 12 + 5 + 28 + 58 + DefaultTargetClasses.Red.Length;
         Assert.InRange(air.Received(1).Count * frame, 4 * 1000, 6 * 1000);
-        Assert.Equal(250, air.Counts(0).Sent + air.Counts(0).RateLimited);
-        Assert.Equal(air.Counts(0).Sent, air.Received(1).Count);
+        air.Run(11);
+        VehicleMessageCounters counts = air.Counts(0);
+        Assert.Equal((250L, 250L), (counts.Posted, counts.Sent + counts.Undelivered));
+        Assert.InRange(air.Received(1).Count * frame, 14 * 1000, 17 * 1000);
+        Assert.Equal(counts.Sent, air.Received(1).Count);
         Assert.Equal(0, air.Lost(1));
     }
 
@@ -162,7 +166,7 @@ public sealed class VehicleMessageTests
             rig.Rig.Send(0, Frames.Of(
                 new Tunnel
                 {
-                    PayloadType = (MavTunnelPayloadType)new TargetReportCodec().PayloadType,
+                    PayloadType = (MavTunnelPayloadType)ExchangeWire.PayloadType,
                     PayloadLength = (byte)random.Next(256),
                     Payload = new ByteArray128(payload),
                 },
@@ -170,8 +174,12 @@ public sealed class VehicleMessageTests
             sent++;
         }
 
-        Assert.Equal(sent, rig.Counts.Malformed);
+        Assert.Equal(sent, rig.Exchange.Malformed);
         Assert.Empty(rig.Reports);
+
+        // A whole message with a content that is none.
+        rig.Rig.Send(0, Frame(new byte[60], system: 5, component: 191, target: 0, sequence: 0, number: 1));
+        Assert.Equal(1, rig.Counts.Malformed);
         Assert.Equal(LinkState.Receiving, rig.Rig.Status(0).State);
     }
 
@@ -188,7 +196,7 @@ public sealed class VehicleMessageTests
             PositionRateHz = double.NaN,
         })).Message;
         foreach (string part
-            in new[] { "42001 more than once", "VehicleMessageBytesPerSecond is 10", "PositionRateHz is NaN" })
+            in new[] { "has type 1 more than once", "VehicleMessageBytesPerSecond is 10", "PositionRateHz is NaN" })
             Assert.Contains(part, text, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(
             () => new VehicleMessageRoute<TargetReport>(new TargetReportCodec(), string.Empty, "in"));
@@ -210,18 +218,37 @@ public sealed class VehicleMessageTests
     };
 
     private static byte[] FrameOf(
-        in TargetReport report, byte system, byte component = 191, byte target = 0, byte sequence = 0)
+        in TargetReport report, byte system, byte component = 191, byte target = 0, byte sequence = 0, uint number = 1)
     {
-        var codec = new TargetReportCodec();
-        var buffer = new byte[128];
-        Assert.True(codec.TryEncode(report, report.Time, buffer, out int length));
+        var buffer = new byte[VehicleMessageRoute.MaxLength];
+        Assert.True(new TargetReportCodec().TryEncode(report, report.Time, buffer, out int length));
+        return Frame(buffer.AsSpan(0, length).ToArray(), system, component, target, sequence, number);
+    }
+
+    private static byte[] Frame(
+        byte[] content, byte system, byte component, byte target, byte sequence, uint number)
+    {
+        var datagram = new byte[ExchangeWire.MaxLength];
+        var header = new ExchangeFragment
+        {
+            Source = system,
+            Destination = target == 0 ? VehicleDestination.All : VehicleDestination.Vehicle(target),
+            Id = number,
+            Type = 1,
+            TypeVersion = 2,
+            Class = VehicleMessageClass.Coordination,
+            Count = 1,
+            LifetimeMs = 5000,
+        };
+        int length = ExchangeWire.Write(datagram, header, content);
         return Frames.Of(
             new Tunnel
             {
                 TargetSystem = target,
-                PayloadType = (MavTunnelPayloadType)codec.PayloadType,
+                TargetComponent = target == 0 ? (byte)0 : (byte)191,
+                PayloadType = (MavTunnelPayloadType)ExchangeWire.PayloadType,
                 PayloadLength = (byte)length,
-                Payload = new ByteArray128(buffer.AsSpan(0, length)),
+                Payload = new ByteArray128(datagram.AsSpan(0, length)),
             },
             system,
             component,

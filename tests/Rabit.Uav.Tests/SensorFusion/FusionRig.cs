@@ -14,7 +14,7 @@ internal sealed class FusionRig : IDisposable
     public static readonly GeodeticPosition Origin = GeodeticPosition.FromRadians(0.8, 0.15, 488);
 
     private readonly RabitReactor _reactor;
-    private readonly QueueSender<TargetReport> _reports;
+    private readonly QueueSender<Envelope<TargetReport>> _reports;
     private readonly QueueSender<CameraObservation> _observations;
     private readonly QueueSender<TrackDecision> _decisions;
     private readonly MessageSubscriber<TrackList> _tracks;
@@ -30,7 +30,7 @@ internal sealed class FusionRig : IDisposable
         {
             Manager, _sentReports
         };
-        _reports = _reactor.Workspace.Send<TargetReport>(MessageNames.TargetReports);
+        _reports = _reactor.Workspace.Send<Envelope<TargetReport>>(MessageNames.TargetReports);
         _observations = _reactor.Workspace.Send<CameraObservation>(MessageNames.CameraObservations);
         _decisions = _reactor.Workspace.Send<TrackDecision>(MessageNames.TrackDecisions);
         _tracks = _reactor.Workspace.Subscribe<TrackList>(MessageNames.Tracks);
@@ -119,7 +119,7 @@ internal sealed class FusionRig : IDisposable
     }
 
     /// <summary>A report of another vehicle.</summary>
-    public void Push(TargetReport report) => _reports.Push(report);
+    public void Push(TargetReport report) => _reports.Push(new Envelope<TargetReport> { Content = report });
 
     public void Run(double seconds) => _reactor.RunFor(TimeSpan.FromSeconds(seconds));
 

@@ -178,7 +178,8 @@ public class SensorFusionManagerTests(ITestOutputHelper output)
         Assert.InRange(rig.SentReports.Count, 9, 11);
         Assert.All(
             rig.SentReports,
-            m => Assert.Equal((0, 0, 1), (m.TargetSystemId, m.SourceSystemId, m.Content.SourceSystemId)));
+            m => Assert.Equal(
+                (VehicleDestination.All, 0, 1), (m.Destination, m.SourceSystemId, m.Content.SourceSystemId)));
     }
 
     [Fact]

@@ -135,6 +135,9 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
         return wait > TimeSpan.Zero ? wait : TimeSpan.Zero;
     }
 
+    /// <summary>How many frames of a class wait; not of state, which is no queue.</summary>
+    public int WaitingOf(SendClass sendClass) => FifoOf(sendClass).Count;
+
     public LinkBudgetStatus Status(TimeSpan now) => new()
     {
         BytesPerSecond = BytesPerSecond,

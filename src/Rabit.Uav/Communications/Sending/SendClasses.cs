@@ -13,6 +13,7 @@ internal static class SendClasses
     private const int BatteryIdOffset = 32;
     private const int SeverityOffset = 0;
     private const int CommandOffset = 28;
+    private const int TunnelOffset = 5;
 
     private static readonly HashSet<int> Commands =
     [
@@ -23,7 +24,7 @@ internal static class SendClasses
 
     private static readonly HashSet<int> Coordination =
     [
-        Tunnel.MavlinkId, Statustext.MavlinkId, Event.MavlinkId, CurrentEventSequence.MavlinkId,
+        Statustext.MavlinkId, Event.MavlinkId, CurrentEventSequence.MavlinkId,
         RequestEvent.MavlinkId, ResponseEventError.MavlinkId, MissionItemReached.MavlinkId,
         CameraImageCaptured.MavlinkId, Collision.MavlinkId,
     ];
@@ -58,6 +59,8 @@ internal static class SendClasses
         int id = frame.MessageId;
         if (id == Heartbeat.MavlinkId || IsEmergency(frame))
             return SendClass.Urgent;
+        if (id == Tunnel.MavlinkId)
+            return OfTunnel(frame);
         return Commands.Contains(id) ? SendClass.Commands
             : Coordination.Contains(id) ? SendClass.Coordination
             : State.Contains(id) ? SendClass.State
@@ -78,6 +81,23 @@ internal static class SendClasses
         for (int at = 0; at < NameLength; at++)
             name = unchecked((name * 31) + frame.PayloadByte(NameOffset + at));
         return key | ((name & 0xFF_FFFF) << 24);
+    }
+
+    /// <summary>The class of a message between vehicles: of state each fragment counts.</summary>
+    public static SendClass Of(VehicleMessageClass messageClass) => messageClass switch
+    {
+        VehicleMessageClass.Urgent => SendClass.Urgent,
+        VehicleMessageClass.Command => SendClass.Commands,
+        VehicleMessageClass.Bulk => SendClass.Bulk,
+        _ => SendClass.Coordination,
+    };
+
+    private static SendClass OfTunnel(in MavlinkFrame frame)
+    {
+        int type = frame.PayloadByte(0) | (frame.PayloadByte(1) << 8);
+        return type == ExchangeWire.PayloadType
+            ? Of(ExchangeWire.ClassOf(frame.PayloadByte(TunnelOffset), frame.PayloadByte(TunnelOffset + 11)))
+            : SendClass.Coordination;
     }
 
     private static bool IsEmergency(in MavlinkFrame frame)

@@ -11,9 +11,15 @@ public interface IVehicleMessageCodec<T>
     where T : struct
 {
     /// <summary>
-    /// Says on the wire what the bytes are: the payload type of TUNNEL, 32768 to 65535, which are free for private use.
+    /// Says on the wire what the bytes are, 0 to 65535: below 1000 it is Rabit's, above it yours.
     /// </summary>
-    int PayloadType { get; }
+    int MessageType { get; }
+
+    /// <summary>
+    /// Of the form of the bytes, 0 to 255. Older ones are given to <see cref="TryDecode"/>; newer ones of other
+    /// vehicles are counted and ignored.
+    /// </summary>
+    int Version { get; }
 
     /// <summary>Writes a message.</summary>
     /// <param name="content">The message.</param>
@@ -26,16 +32,13 @@ public interface IVehicleMessageCodec<T>
     bool TryEncode(in T content, TimeSpan now, Span<byte> destination, out int length);
 
     /// <summary>Reads a message, strictly: anything that cannot be is refused as a whole.</summary>
-    /// <param name="payload">The bytes, from any sender.</param>
-    /// <param name="now">When they came in, by the clock of the run.</param>
+    /// <param name="bytes">The bytes, from any sender.</param>
+    /// <param name="version">The version of their form: not newer than <see cref="Version"/>.</param>
+    /// <param name="sentTime">
+    /// When it was written, by the clock of the run here; see <see cref="Messages.Envelope{T}.SentTime"/>.
+    /// </param>
     /// <param name="sourceSystemId">The system that sent them; a sender in the bytes is ignored.</param>
     /// <param name="content">The message.</param>
     /// <returns>False where the bytes are no such message.</returns>
-    bool TryDecode(ReadOnlySpan<byte> payload, TimeSpan now, byte sourceSystemId, out T content);
-
-    /// <summary>
-    /// A number that two messages of one sender share only if they are the same message, which came twice.
-    /// </summary>
-    /// <param name="content">The message.</param>
-    long IdentityOf(in T content);
+    bool TryDecode(ReadOnlySpan<byte> bytes, int version, TimeSpan sentTime, byte sourceSystemId, out T content);
 }

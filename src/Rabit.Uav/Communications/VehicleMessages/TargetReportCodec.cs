@@ -28,7 +28,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
     public const int MaxLength = NameOffset + TargetClassName.MaxLength;
 
     private const int NameOffset = 58;
-    private const byte Version = 2;
+    private const byte FormVersion = 2;
     private const double DegE7PerRadian = 1e7 / Angle.RadiansPerDegree;
     private const double MaxLatitudeDegE7 = 90e7;
     private const double MaxLongitudeDegE7 = 180e7;
@@ -37,12 +37,11 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
     private const double MaxPixel = 100_000;
     private const double MaxAgeMs = 600_000;
 
-    /// <summary>42001: an arbitrary one of those for private use.</summary>
-    public int PayloadType => 42001;
+    /// <summary>1: the first of Rabit's own.</summary>
+    public int MessageType => 1;
 
     /// <inheritdoc/>
-    public long IdentityOf(in TargetReport content)
-        => unchecked(((long)(uint)content.PictureNumber << 8) | (byte)content.Index);
+    public int Version => FormVersion;
 
     /// <inheritdoc/>
     public bool TryEncode(in TargetReport content, TimeSpan now, Span<byte> destination, out int length)
@@ -60,7 +59,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
         if (!fits)
             return false;
 
-        destination[0] = Version;
+        destination[0] = FormVersion;
         destination[1] = (byte)nameLength;
         destination[2] = (byte)content.Index;
         destination[3] = (byte)Math.Round(content.Score * byte.MaxValue);
@@ -83,34 +82,35 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
     }
 
     /// <inheritdoc/>
-    public bool TryDecode(ReadOnlySpan<byte> payload, TimeSpan now, byte sourceSystemId, out TargetReport content)
+    public bool TryDecode(
+        ReadOnlySpan<byte> bytes, int version, TimeSpan sentTime, byte sourceSystemId, out TargetReport content)
     {
         content = default;
-        if (payload.Length < MinLength || payload[0] != Version || payload.Length != NameOffset + payload[1]
-            || !TargetClassName.TryRead(payload.Slice(NameOffset), out TargetClassName targetClass))
+        if (bytes.Length < MinLength || bytes[0] != FormVersion || bytes.Length != NameOffset + bytes[1]
+            || !TargetClassName.TryRead(bytes.Slice(NameOffset), out TargetClassName targetClass))
             return false;
-        uint ageMs = BinaryPrimitives.ReadUInt32LittleEndian(payload.Slice(8));
-        int latitude = BinaryPrimitives.ReadInt32LittleEndian(payload.Slice(12));
-        int longitude = BinaryPrimitives.ReadInt32LittleEndian(payload.Slice(16));
-        int altitude = BinaryPrimitives.ReadInt32LittleEndian(payload.Slice(20));
+        uint ageMs = BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(8));
+        int latitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(12));
+        int longitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(16));
+        int altitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(20));
         if (ageMs > MaxAgeMs)
             return false;
 
         var report = new TargetReport
         {
             SourceSystemId = sourceSystemId,
-            PictureNumber = BinaryPrimitives.ReadUInt32LittleEndian(payload.Slice(4)),
-            Index = payload[2],
-            Time = now - TimeSpan.FromMilliseconds(ageMs),
+            PictureNumber = BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(4)),
+            Index = bytes[2],
+            Time = sentTime - TimeSpan.FromMilliseconds(ageMs),
             Position = GeodeticPosition.FromRadians(
                 latitude / DegE7PerRadian, longitude / DegE7PerRadian, altitude / 1000.0),
-            Covariance = ReadCovariance(payload.Slice(24)),
-            SystematicCovariance = ReadCovariance(payload.Slice(36)),
+            Covariance = ReadCovariance(bytes.Slice(24)),
+            SystematicCovariance = ReadCovariance(bytes.Slice(36)),
             Class = targetClass,
-            Score = payload[3] / (double)byte.MaxValue,
-            SizeMetres = BinaryPrimitives.ReadUInt16LittleEndian(payload.Slice(48)) / 1000.0,
-            CentreX = ReadSingle(payload.Slice(50)),
-            CentreY = ReadSingle(payload.Slice(54)),
+            Score = bytes[3] / (double)byte.MaxValue,
+            SizeMetres = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(48)) / 1000.0,
+            CentreX = ReadSingle(bytes.Slice(50)),
+            CentreY = ReadSingle(bytes.Slice(54)),
         };
         if (!IsValid(report))
             return false;

@@ -11,8 +11,8 @@ internal sealed class TunnelRateLimiter(int bytesPerSecond)
     private double _bytes = bytesPerSecond;
     private TimeSpan _filledAt;
 
-    /// <summary>Takes so many bytes out, if there are so many.</summary>
-    public bool TryTake(int bytes, TimeSpan now)
+    /// <summary>Whether so many bytes may go out now.</summary>
+    public bool HasRoom(int bytes, TimeSpan now)
     {
         if (now > _filledAt)
         {
@@ -20,9 +20,9 @@ internal sealed class TunnelRateLimiter(int bytesPerSecond)
             _filledAt = now;
         }
 
-        if (bytes > _bytes)
-            return false;
-        _bytes -= bytes;
-        return true;
+        return bytes <= _bytes;
     }
+
+    /// <summary>Takes what goes out.</summary>
+    public void Take(int bytes) => _bytes -= bytes;
 }

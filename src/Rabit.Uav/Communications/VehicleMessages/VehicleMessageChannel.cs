@@ -1,80 +1,104 @@
 using System;
 using System.Threading;
-using Rabit.Mavlink;
-using Rabit.Mavlink.Messages;
+using Rabit.Core;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// One route of vehicle messages at work. Communications' thread uses it; any thread may ask for the counts.
+/// One route of vehicle messages at work: between its queues and the exchange. Communications' thread uses it; any
+/// thread may ask for the counts.
 /// </summary>
-internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
+internal abstract class VehicleMessageChannel(VehicleMessageRoute route, QueueSender<DeliveryReport>? reports)
 {
-    private long _sent;
-    private long _delivered;
-    private long _rateLimited;
+    private long _posted;
     private long _unsendable;
-    private long _echoes;
-    private long _duplicates;
+    private long _sent;
+    private long _acknowledged;
+    private long _undelivered;
+    private long _reportsDropped;
+    private long _delivered;
     private long _malformed;
     private long _noRoom;
 
     private protected enum DeliveryResult
     {
         Delivered,
-        Echo,
-        Duplicate,
         Malformed,
         NoRoom,
     }
 
-    public int PayloadType => route.PayloadType;
+    public VehicleMessageRoute Route => route;
 
-    public VehicleMessageCounters Counts => new(
-        PayloadType,
-        Interlocked.Read(ref _sent),
-        Interlocked.Read(ref _rateLimited),
-        Interlocked.Read(ref _unsendable),
-        Interlocked.Read(ref _delivered),
-        Interlocked.Read(ref _echoes),
-        Interlocked.Read(ref _duplicates),
-        Interlocked.Read(ref _malformed),
-        Interlocked.Read(ref _noRoom));
+    public VehicleMessageCounters Counts => new()
+    {
+        MessageType = route.MessageType,
+        Posted = Interlocked.Read(ref _posted),
+        Unsendable = Interlocked.Read(ref _unsendable),
+        Sent = Interlocked.Read(ref _sent),
+        Acknowledged = Interlocked.Read(ref _acknowledged),
+        Undelivered = Interlocked.Read(ref _undelivered),
+        ReportsDropped = Interlocked.Read(ref _reportsDropped),
+        Delivered = Interlocked.Read(ref _delivered),
+        Malformed = Interlocked.Read(ref _malformed),
+        NoRoom = Interlocked.Read(ref _noRoom),
+    };
 
-    /// <summary>Takes the next message that is to be sent; false when there is none.</summary>
+    /// <summary>Gives the exchange what is to be sent.</summary>
+    /// <param name="exchange">The exchange.</param>
     /// <param name="now">The time.</param>
-    /// <param name="tunnel">What is to be sent; null where the message cannot be, which is counted.</param>
-    public abstract bool TryTake(TimeSpan now, out Tunnel? tunnel);
+    /// <returns>Whether there was something.</returns>
+    public bool Post(MessageExchange exchange, TimeSpan now)
+    {
+        bool hasPosted = false;
+        while (TryTake(now, out ExchangeMessage? message, out DeliveryReport refused))
+        {
+            Interlocked.Increment(ref _posted);
+            hasPosted = true;
+            if (exchange.SystemId == 0)
+                refused.Outcome = DeliveryOutcome.Unsendable;
+            if (message is null || exchange.SystemId == 0)
+                Report(refused);
+            else
+                exchange.Post(message, now);
+        }
 
-    /// <summary>One copy went to a link.</summary>
-    public void CountSent() => Interlocked.Increment(ref _sent);
+        return hasPosted;
+    }
 
-    /// <summary>One copy did not, since the link has reached its rate limit.</summary>
-    public void CountRateLimited() => Interlocked.Increment(ref _rateLimited);
+    /// <summary>Says what became of a message.</summary>
+    public void Report(in DeliveryReport report)
+    {
+        switch (report.Outcome)
+        {
+            case DeliveryOutcome.Delivered:
+                Interlocked.Increment(ref _acknowledged);
+                break;
+            case DeliveryOutcome.Sent:
+                Interlocked.Increment(ref _sent);
+                break;
+            case DeliveryOutcome.Unsendable:
+                Interlocked.Increment(ref _unsendable);
+                break;
+            default:
+                Interlocked.Increment(ref _undelivered);
+                break;
+        }
 
-    /// <summary>A message could not be sent at all.</summary>
-    public void CountUnsendable() => Interlocked.Increment(ref _unsendable);
+        if (reports is { } queue && queue.Push(report) == PushResult.Rejected)
+            Interlocked.Increment(ref _reportsDropped);
+    }
 
     /// <summary>Takes what another vehicle sent.</summary>
-    /// <param name="frame">The frame.</param>
-    /// <param name="tunnel">Its content.</param>
-    /// <param name="ownSystemId">Our own system id: what comes from there is an echo.</param>
-    /// <param name="time">When it came in.</param>
-    public void Take(in MavlinkFrame frame, Tunnel tunnel, byte ownSystemId, TimeSpan time)
+    /// <param name="message">The message; of our type.</param>
+    /// <param name="sentTime">When it was sent, by the clock of the run here.</param>
+    /// <param name="accuracy">How far that may be off; null where there is no common time.</param>
+    public void Take(ReceivedExchangeMessage message, TimeSpan sentTime, TimeSpan? accuracy)
     {
-        DeliveryResult result = frame.SystemId == ownSystemId ? DeliveryResult.Echo
-            : tunnel.PayloadLength > VehicleMessageRoute.MaxLength ? DeliveryResult.Malformed
-            : Deliver(frame.SystemId, tunnel, time);
-        switch (result)
+        switch (Deliver(message, sentTime, accuracy))
         {
             case DeliveryResult.Delivered:
                 Interlocked.Increment(ref _delivered);
-                break;
-            case DeliveryResult.Echo:
-                Interlocked.Increment(ref _echoes);
-                break;
-            case DeliveryResult.Duplicate:
-                Interlocked.Increment(ref _duplicates);
                 break;
             case DeliveryResult.Malformed:
                 Interlocked.Increment(ref _malformed);
@@ -85,5 +109,9 @@ internal abstract class VehicleMessageChannel(VehicleMessageRoute route)
         }
     }
 
-    private protected abstract DeliveryResult Deliver(byte sourceSystemId, Tunnel tunnel, TimeSpan time);
+    // A message that cannot be sent is null; what becomes of it is said instead.
+    private protected abstract bool TryTake(TimeSpan now, out ExchangeMessage? message, out DeliveryReport refused);
+
+    private protected abstract DeliveryResult Deliver(
+        ReceivedExchangeMessage message, TimeSpan sentTime, TimeSpan? accuracy);
 }

@@ -1,6 +1,5 @@
 using System;
 using Rabit.Core;
-using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
@@ -8,43 +7,62 @@ namespace Rabit.Uav.Communications;
 /// <summary>One route of vehicle messages at work.</summary>
 internal sealed class VehicleMessageChannel<T>(
     VehicleMessageRoute route, IVehicleMessageCodec<T> codec, QueueReceiver<Envelope<T>> outgoing,
-    QueueSender<T> incoming)
-    : VehicleMessageChannel(route)
+    QueueSender<Envelope<T>> incoming, QueueSender<DeliveryReport>? reports)
+    : VehicleMessageChannel(route, reports)
     where T : struct
 {
-    private readonly RecentVehicleMessages _recent = new();
     private readonly byte[] _buffer = new byte[VehicleMessageRoute.MaxLength];
 
-    public override bool TryTake(TimeSpan now, out Tunnel? tunnel)
+    private protected override bool TryTake(TimeSpan now, out ExchangeMessage? message, out DeliveryReport refused)
     {
-        tunnel = null;
+        (message, refused) = (null, default);
         if (!outgoing.TryPop(out Envelope<T> envelope))
             return false;
-        if (!codec.TryEncode(envelope.Content, now, _buffer, out int length) || length > _buffer.Length)
-        {
-            CountUnsendable();
-            return true;
-        }
-
-        tunnel = new Tunnel
-        {
-            TargetSystem = envelope.TargetSystemId,
-            PayloadType = (MavTunnelPayloadType)PayloadType,
-            PayloadLength = (byte)length,
-            Payload = new ByteArray128(new ReadOnlySpan<byte>(_buffer, 0, length)),
-        };
+        refused.Reference = envelope.Reference;
+        TimeSpan left = LifetimeOf(envelope, now);
+        if (left <= TimeSpan.Zero)
+            refused.Outcome = DeliveryOutcome.Expired;
+        else if (!codec.TryEncode(envelope.Content, now, _buffer, out int length) || (uint)length > _buffer.Length)
+            refused.Outcome = DeliveryOutcome.Unsendable;
+        else
+            message = Make(envelope, left, length);
         return true;
     }
 
-    private protected override DeliveryResult Deliver(byte sourceSystemId, Tunnel tunnel, TimeSpan time)
+    private ExchangeMessage Make(in Envelope<T> envelope, TimeSpan lifetime, int length) => new()
     {
-        ByteArray128 payload = tunnel.Payload;
-        payload.CopyTo(_buffer);
-        if (!codec.TryDecode(
-            new ReadOnlySpan<byte>(_buffer, 0, tunnel.PayloadLength), time, sourceSystemId, out T content))
+        Type = (ushort)Route.MessageType,
+        Version = (byte)Route.Version,
+        Content = _buffer.AsSpan(0, length).ToArray(),
+        Destination = envelope.Destination,
+        Class = Route.Class,
+        Lifetime = lifetime,
+        HopLimit = Route.HopLimit,
+        IsAcknowledged = Route.IsAcknowledged,
+        Reference = envelope.Reference,
+    };
+
+    private protected override DeliveryResult Deliver(
+        ReceivedExchangeMessage message, TimeSpan sentTime, TimeSpan? accuracy)
+    {
+        if (!codec.TryDecode(message.Content, message.Version, sentTime, message.SourceSystemId, out T content))
             return DeliveryResult.Malformed;
-        if (!_recent.IsNew(sourceSystemId, codec.IdentityOf(content), time))
-            return DeliveryResult.Duplicate;
-        return incoming.Push(content) == PushResult.Rejected ? DeliveryResult.NoRoom : DeliveryResult.Delivered;
+        var envelope = new Envelope<T>
+        {
+            Content = content,
+            Destination = message.Destination,
+            SourceSystemId = message.SourceSystemId,
+            SentTime = sentTime,
+            TimeAccuracy = accuracy,
+            SentUtcMicroseconds = message.SentUtcMicroseconds,
+            IsRelayed = message.IsRelayed,
+        };
+        return incoming.Push(envelope) == PushResult.Rejected ? DeliveryResult.NoRoom : DeliveryResult.Delivered;
+    }
+
+    private TimeSpan LifetimeOf(in Envelope<T> envelope, TimeSpan now)
+    {
+        TimeSpan left = envelope.ValidUntil - now;
+        return envelope.ValidUntil == TimeSpan.Zero || left > Route.Lifetime ? Route.Lifetime : left;
     }
 }

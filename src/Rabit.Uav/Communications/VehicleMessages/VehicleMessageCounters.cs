@@ -1,50 +1,43 @@
 namespace Rabit.Uav.Communications;
 
-/// <summary>What became of the vehicle messages of one type, since the start. A plain value.</summary>
+/// <summary>
+/// What became of the vehicle messages of one type, since the start. A plain value. Posted is the sum of unsendable,
+/// sent, acknowledged, undelivered and what still waits.
+/// </summary>
 public readonly struct VehicleMessageCounters
 {
-    internal VehicleMessageCounters(
-        int payloadType, long sent, long rateLimited, long unsendable, long delivered, long echoes, long duplicates,
-        long malformed, long noRoom)
-    {
-        PayloadType = payloadType;
-        Sent = sent;
-        RateLimited = rateLimited;
-        Unsendable = unsendable;
-        Delivered = delivered;
-        Echoes = echoes;
-        Duplicates = duplicates;
-        Malformed = malformed;
-        NoRoom = noRoom;
-    }
-
     /// <summary>Which type.</summary>
-    public int PayloadType { get; }
+    public int MessageType { get; internal init; }
 
-    /// <summary>Copies that went to a link.</summary>
-    public long Sent { get; }
-
-    /// <summary>Copies that were dropped, since their link had reached its rate limit.</summary>
-    public long RateLimited { get; }
+    /// <summary>Messages that were taken from the outgoing queue.</summary>
+    public long Posted { get; internal init; }
 
     /// <summary>
-    /// Messages that were dropped: our address is not known yet, their target was not seen on any link, or they do not
-    /// fit into their form.
+    /// Of them those that were dropped: our address is not known yet, or they do not fit into their form.
     /// </summary>
-    public long Unsendable { get; }
+    public long Unsendable { get; internal init; }
+
+    /// <summary>Of them those that went out and are not acknowledged.</summary>
+    public long Sent { get; internal init; }
+
+    /// <summary>Of them those that all they were for have acknowledged.</summary>
+    public long Acknowledged { get; internal init; }
+
+    /// <summary>
+    /// Of them those that expired, were replaced, had no receiver or no room, or were not understood: the exchange
+    /// counts what expired, the reports say each.
+    /// </summary>
+    public long Undelivered { get; internal init; }
+
+    /// <summary>Reports of them for which the queue had no room.</summary>
+    public long ReportsDropped { get; internal init; }
 
     /// <summary>Messages that came in and were handed on.</summary>
-    public long Delivered { get; }
-
-    /// <summary>Messages that came in from our own system, and were dropped.</summary>
-    public long Echoes { get; }
-
-    /// <summary>Messages that came in a second time, and were dropped.</summary>
-    public long Duplicates { get; }
+    public long Delivered { get; internal init; }
 
     /// <summary>What came in as such a message and is none, and was dropped.</summary>
-    public long Malformed { get; }
+    public long Malformed { get; internal init; }
 
     /// <summary>Messages that came in and were dropped, since their queue was full.</summary>
-    public long NoRoom { get; }
+    public long NoRoom { get; internal init; }
 }

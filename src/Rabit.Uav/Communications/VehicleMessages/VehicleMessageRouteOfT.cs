@@ -10,10 +10,14 @@ namespace Rabit.Uav.Communications;
 /// options.Communications.VehicleMessageRoutes =
 /// [
 ///     new VehicleMessageRoute&lt;WindSample&gt;(
-///         new WindSampleCodec(), outgoingQueue: "wind out", incomingQueue: "wind in"),
+///         new WindSampleCodec(), outgoingQueue: "wind out", incomingQueue: "wind in")
+///     {
+///         Class = VehicleMessageClass.State,
+///         Lifetime = TimeSpan.FromSeconds(5),
+///     },
 /// ];
 /// // in a manager: Send&lt;Envelope&lt;WindSample&gt;&gt;("wind out"),
-/// // and on the other vehicle: Receive&lt;WindSample&gt;("wind in")
+/// // and on the other vehicle: Receive&lt;Envelope&lt;WindSample&gt;&gt;("wind in")
 /// </code>
 /// </example>
 /// <typeparam name="T">A plain value.</typeparam>
@@ -28,17 +32,19 @@ public sealed class VehicleMessageRoute<T> : VehicleMessageRoute
     /// Queue of <see cref="Messages.Envelope{T}"/> that Communications receives: what is to be sent.
     /// </param>
     /// <param name="incomingQueue">
-    /// Queue of the type itself, of the manager that receives it: what other vehicles sent.
+    /// Queue of <see cref="Messages.Envelope{T}"/>, of the manager that receives it: what other vehicles sent.
     /// </param>
     /// <exception cref="ArgumentException">
-    /// A queue has no name, or the payload type is not one for private use.
+    /// A queue has no name, or the type or version of the codec is out of range.
     /// </exception>
     public VehicleMessageRoute(IVehicleMessageCodec<T> codec, string outgoingQueue, string incomingQueue)
-        : base((codec ?? throw new ArgumentNullException(nameof(codec))).PayloadType, outgoingQueue, incomingQueue)
+        : base(
+            (codec ?? throw new ArgumentNullException(nameof(codec))).MessageType, codec.Version, outgoingQueue,
+            incomingQueue)
         => _codec = codec;
 
     internal override VehicleMessageChannel Open(CommunicationsManager manager)
         => new VehicleMessageChannel<T>(
-            this, _codec, manager.ReceiveVehicleMessages<T>(OutgoingQueue),
-            manager.SendVehicleMessages<T>(IncomingQueue));
+            this, _codec, manager.ReceiveVehicleMessages<T>(OutgoingQueue, IsAcknowledged),
+            manager.SendVehicleMessages<T>(IncomingQueue), manager.SendReports(ReportQueue));
 }

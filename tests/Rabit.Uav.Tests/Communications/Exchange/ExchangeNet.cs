@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Uav.Communications;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.Communications.Exchange;
 
@@ -13,11 +14,11 @@ internal sealed class ExchangeNet
 {
     private readonly Random _random;
     private readonly SortedDictionary<(TimeSpan Due, long Order), (int To, byte From, byte[] Bytes)> _onTheWay = [];
-    private readonly byte[] _buffer = new byte[VehicleMessageRoute.MaxLength];
+    private readonly byte[] _buffer = new byte[ExchangeWire.MaxLength];
     private readonly TimeSpan[] _mediumFreeAt;
     private long _order;
 
-    public ExchangeNet(int vehicles, int seed, Func<int, ExchangeOptions>? options = null)
+    public ExchangeNet(int vehicles, int seed, Func<int, VehicleExchangeOptions>? options = null)
     {
         _random = new Random(seed);
         _mediumFreeAt = new TimeSpan[vehicles];
@@ -85,10 +86,10 @@ internal sealed class ExchangeNet
         Now = end;
     }
 
-    private MessageExchange Make(int vehicle, int seed, Func<int, ExchangeOptions>? options)
+    private MessageExchange Make(int vehicle, int seed, Func<int, VehicleExchangeOptions>? options)
     {
         var exchange = new MessageExchange(
-            options?.Invoke(vehicle) ?? new ExchangeOptions(), (byte)(vehicle + 1),
+            options?.Invoke(vehicle) ?? new VehicleExchangeOptions(), (byte)(vehicle + 1),
             new ExchangeRandom((seed * 1000) + vehicle));
         exchange.Understand(7, newestVersion: 2);
         return exchange;
@@ -102,8 +103,11 @@ internal sealed class ExchangeNet
                 Transmit(from, datagram);
             while (Nodes[from].TryReceive(out ReceivedExchangeMessage? message))
                 Received[from].Add(message!);
-            while (Nodes[from].TryReport(out DeliveryReport report))
-                Reports[from].Add(report);
+            while (Nodes[from].TryReport(out ExchangeMessage? message, out DeliveryReport report))
+            {
+                if (message!.IsAcknowledged)
+                    Reports[from].Add(report);
+            }
         }
     }
 

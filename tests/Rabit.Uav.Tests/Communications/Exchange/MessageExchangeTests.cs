@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Uav.Communications;
+using Rabit.Uav.Messages;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -114,7 +115,7 @@ public sealed class MessageExchangeTests(ITestOutputHelper output)
     public void Message_ToAGroup_GoesToItsMembersThatWereReceived()
     {
         var net = new ExchangeNet(
-            4, seed: 6, i => new ExchangeOptions { Groups = i is 1 or 2 ? [3] : [] })
+            4, seed: 6, i => new VehicleExchangeOptions { Groups = i is 1 or 2 ? [3] : [] })
         { Loss = 0.2 };
         net.Run(15);
         net.Post(0, Message(VehicleDestination.Group(3), Content(150, 1), 1));
@@ -224,7 +225,7 @@ public sealed class MessageExchangeTests(ITestOutputHelper output)
         var random = new Random(seed);
         for (int n = 0; n < 200_000; n++)
         {
-            var bytes = new byte[random.Next(0, VehicleMessageRoute.MaxLength + 1)];
+            var bytes = new byte[random.Next(0, ExchangeWire.MaxLength + 1)];
             random.NextBytes(bytes);
             if (bytes.Length >= 28 && n % 2 == 0)
                 MakeNearlyAFragment(bytes, random);
@@ -233,7 +234,7 @@ public sealed class MessageExchangeTests(ITestOutputHelper output)
                 net.Run(1);
         }
 
-        ExchangeCounters counters = net.Nodes[0].Counters;
+        VehicleExchangeCounters counters = net.Nodes[0].Counters;
         output.WriteLine($"seed {seed}: {counters.Malformed} malformed, {counters.NotUnderstood} not understood");
         Assert.InRange(counters.Malformed, 100_000, 199_000);
         Assert.InRange(counters.NotUnderstood + counters.Delivered, 1_000, 100_000);

@@ -1,3 +1,5 @@
+using Rabit.Uav.Messages;
+
 namespace Rabit.Uav.Communications;
 
 /// <summary>The header of a part of a message. A plain value.</summary>
@@ -21,7 +23,13 @@ internal struct ExchangeFragment
     public byte Accuracy;
 
     /// <summary>What is left of its life: clocks of vehicles differ.</summary>
-    public uint LifetimeMs;
+    public int LifetimeMs;
+
+    /// <summary>
+    /// How long ago it was posted when this was sent, waits at relays included: when it was posted is known without a
+    /// common clock, but for the time on the way.
+    /// </summary>
+    public int AgeMs;
 
     public long SentUtcMicroseconds;
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
@@ -21,6 +22,19 @@ internal sealed class ExchangePeers
             if (isMeant)
                 yield return (byte)system;
         }
+    }
+
+    /// <summary>How many were received since.</summary>
+    public int Count(TimeSpan since)
+    {
+        int count = 0;
+        foreach (Peer? peer in _peers)
+        {
+            if (peer is not null && peer.ReceivedAt >= since)
+                count++;
+        }
+
+        return count;
     }
 
     /// <summary>How good the GPS time of a vehicle is; null where it has none, or is not known.</summary>

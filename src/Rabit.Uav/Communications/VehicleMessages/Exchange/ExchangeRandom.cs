@@ -5,6 +5,9 @@ internal sealed class ExchangeRandom(long seed)
 {
     private ulong _state = unchecked((ulong)seed);
 
+    /// <summary>Makes the numbers to come others than those of another vehicle with the same seed.</summary>
+    public void Stir(byte systemId) => _state = unchecked(_state ^ (systemId * 0xD1342543DE82EF95));
+
     /// <summary>A number from 0 to one less.</summary>
     public int Next(int below)
     {

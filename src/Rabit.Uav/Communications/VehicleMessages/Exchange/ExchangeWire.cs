@@ -1,5 +1,6 @@
 using System;
 using System.Buffers.Binary;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
@@ -12,15 +13,24 @@ internal static class ExchangeWire
     /// <summary>The payload type of TUNNEL: the family of the exchange.</summary>
     public const int PayloadType = 42002;
 
+    /// <summary>The payload of TUNNEL (common.xml, 385).</summary>
+    public const int MaxLength = 128;
+
     public const int HeaderLength = 28;
-    public const int FragmentLength = VehicleMessageRoute.MaxLength - HeaderLength;
+    public const int FragmentLength = MaxLength - HeaderLength;
     public const int MaxFragments = 32;
     public const int MaxContent = FragmentLength * MaxFragments;
     public const int AcknowledgementLength = 14;
     public const int AnnouncementLength = 12;
 
     private const byte Version = 1;
-    private const uint MaxLifetimeMs = 600_000;
+    private const int MaxLifetimeMs = 600_000;
+    private const int LifetimeOffset = 16;
+    private const int AgeOffset = 19;
+    private const int TimeOffset = 22;
+
+    // Of the time of sending, so that it has room in 48 bits; it is known to a millisecond at best.
+    private const int MicrosecondsPerUnit = 100;
     private const byte AcknowledgedFlag = 8;
     private const byte ClassMask = 7;
 
@@ -33,6 +43,14 @@ internal static class ExchangeWire
                 (int)ExchangeKind.Announcement => ExchangeKind.Announcement,
                 _ => ExchangeKind.None,
             };
+
+    /// <summary>The class of a datagram by its first byte and its twelfth; what cannot be is coordination.</summary>
+    public static VehicleMessageClass ClassOf(byte kind, byte flags) => (kind & 15) switch
+    {
+        (int)ExchangeKind.Fragment => (VehicleMessageClass)(flags & ClassMask),
+        (int)ExchangeKind.Acknowledgement => VehicleMessageClass.Command,
+        _ => VehicleMessageClass.Coordination,
+    };
 
     /// <summary>Where the hops are: limit in the upper, what is left in the lower half.</summary>
     public static int HopsOffset(ExchangeKind kind) => kind switch
@@ -68,8 +86,11 @@ internal static class ExchangeWire
         to[13] = fragment.Index;
         to[14] = fragment.Count;
         to[15] = fragment.Accuracy;
-        BinaryPrimitives.WriteUInt32LittleEndian(to.Slice(16), fragment.LifetimeMs);
-        BinaryPrimitives.WriteInt64LittleEndian(to.Slice(20), fragment.SentUtcMicroseconds);
+        Write24(to.Slice(LifetimeOffset), fragment.LifetimeMs);
+        Write24(to.Slice(AgeOffset), fragment.AgeMs);
+        long time = fragment.SentUtcMicroseconds / MicrosecondsPerUnit;
+        Write24(to.Slice(TimeOffset), (int)(time & 0xFF_FFFF));
+        Write24(to.Slice(TimeOffset + 3), (int)(time >> 24));
         content.CopyTo(to.Slice(HeaderLength));
         return HeaderLength + content.Length;
     }
@@ -96,8 +117,10 @@ internal static class ExchangeWire
             Index = from[13],
             Count = from[14],
             Accuracy = from[15],
-            LifetimeMs = BinaryPrimitives.ReadUInt32LittleEndian(from.Slice(16)),
-            SentUtcMicroseconds = BinaryPrimitives.ReadInt64LittleEndian(from.Slice(20)),
+            LifetimeMs = Read24(from.Slice(LifetimeOffset)),
+            AgeMs = Read24(from.Slice(AgeOffset)),
+            SentUtcMicroseconds = MicrosecondsPerUnit
+                * (Read24(from.Slice(TimeOffset)) + ((long)Read24(from.Slice(TimeOffset + 3)) << 24)),
         };
 
         // All but the last are full, so that each has its place.
@@ -108,8 +131,8 @@ internal static class ExchangeWire
             && (fragment.Index == fragment.Count - 1
                 ? length > 0 || fragment.Count == 1
                 : length == FragmentLength)
-            && fragment.LifetimeMs <= MaxLifetimeMs
-            && fragment.SentUtcMicroseconds >= 0 && (fragment.SentUtcMicroseconds == 0) == (fragment.Accuracy == 0);
+            && fragment.LifetimeMs <= MaxLifetimeMs && fragment.AgeMs <= MaxLifetimeMs
+            && (fragment.SentUtcMicroseconds == 0) == (fragment.Accuracy == 0);
     }
 
     public static int Write(Span<byte> to, in ExchangeAcknowledgement acknowledgement)
@@ -171,17 +194,24 @@ internal static class ExchangeWire
         return announcement.Source != 0 && AreHops(announcement.Hops);
     }
 
-    /// <summary>Takes time off the life of a fragment.</summary>
-    /// <returns>False where it has ended.</returns>
+    /// <summary>Makes a fragment older, and takes as much off its life.</summary>
+    /// <returns>False where that has ended.</returns>
     public static bool TryAge(Span<byte> fragment, TimeSpan age)
     {
-        double left = BinaryPrimitives.ReadUInt32LittleEndian(fragment.Slice(16)) - age.TotalMilliseconds;
+        int ms = (int)Math.Ceiling(age.TotalMilliseconds);
+        int left = Read24(fragment.Slice(LifetimeOffset)) - ms;
         if (left <= 0)
             return false;
-        BinaryPrimitives.WriteUInt32LittleEndian(fragment.Slice(16), (uint)left);
+        Write24(fragment.Slice(LifetimeOffset), left);
+        Write24(fragment.Slice(AgeOffset), Math.Min(MaxLifetimeMs, Read24(fragment.Slice(AgeOffset)) + ms));
         return true;
     }
 
+    private static void Write24(Span<byte> to, int value)
+        => (to[0], to[1], to[2]) = ((byte)value, (byte)(value >> 8), (byte)(value >> 16));
+
+    private static int Read24(ReadOnlySpan<byte> from) => from[0] | (from[1] << 8) | (from[2] << 16);
+
     private static bool AreHops(byte hops)
-        => hops >> 4 <= ExchangeOptions.MaxHops && (hops & 15) <= hops >> 4;
+        => hops >> 4 <= VehicleExchangeOptions.MaxHops && (hops & 15) <= hops >> 4;
 }

@@ -33,6 +33,16 @@ internal sealed class IncomingExchange(in ExchangeFragment first, TimeSpan now)
 
     public bool IsRelayed { get; set; }
 
+    /// <summary>When it was posted: of the fragments the one that was least on the way says it best.</summary>
+    public TimeSpan PostedTime { get; private set; } = TimeSpan.MaxValue;
+
+    public void NoteAge(int ageMs, TimeSpan receivedTime)
+    {
+        TimeSpan posted = receivedTime - TimeSpan.FromTicks(ageMs * TimeSpan.TicksPerMillisecond);
+        if (posted < PostedTime)
+            PostedTime = posted;
+    }
+
     /// <summary>Whether a fragment says the same of the message as the first one did.</summary>
     public bool Fits(in ExchangeFragment other)
         => other.Count == Header.Count && other.Type == Header.Type && other.TypeVersion == Header.TypeVersion

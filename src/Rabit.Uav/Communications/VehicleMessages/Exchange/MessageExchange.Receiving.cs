@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
@@ -48,13 +49,13 @@ internal sealed partial class MessageExchange
         if (!ExchangeWire.TryRead(datagram, out ExchangeFragment fragment)
             || !IsFrom(fragment.Source, fragment.Hops, sender))
             return false;
-        if (fragment.Source == _systemId)
+        if (fragment.Source == SystemId)
         {
             _counters.Echoes++;
             return true;
         }
 
-        bool isOnlyForUs = fragment.Destination == new VehicleDestination(VehicleDestination.Kind.Vehicle, _systemId);
+        bool isOnlyForUs = fragment.Destination == new VehicleDestination(VehicleDestination.Kind.Vehicle, SystemId);
         if (!isOnlyForUs)
             Relay(datagram, fragment.Hops, ExchangeKind.Fragment, fragment.Class, KeyOf(fragment), now);
         return !IsForUs(fragment.Destination) || TakeFragmentForUs(datagram, fragment, now);
@@ -77,6 +78,8 @@ internal sealed partial class MessageExchange
         bool isNew = !incoming.IsOver
             && incoming.Add(fragment.Index, datagram.Slice(ExchangeWire.HeaderLength));
         incoming.IsRelayed |= isNew && ExchangeWire.IsRelayed(fragment.Hops);
+        if (isNew)
+            incoming.NoteAge(fragment.AgeMs, now);
         if (!isNew)
             _counters.Duplicates++;
         else if (incoming.IsWhole)
@@ -122,6 +125,7 @@ internal sealed partial class MessageExchange
             Destination = header.Destination,
             Class = header.Class,
             ReceivedTime = now,
+            PostedTime = incoming.PostedTime,
             SentUtcMicroseconds = header.SentUtcMicroseconds,
             TimeAccuracy = ExchangeWire.AccuracyOf(header.Accuracy),
             IsRelayed = incoming.IsRelayed,
@@ -133,13 +137,13 @@ internal sealed partial class MessageExchange
         if (!ExchangeWire.TryRead(datagram, out ExchangeAcknowledgement answer)
             || !IsFrom(answer.Source, answer.Hops, sender))
             return false;
-        if (answer.Source == _systemId)
+        if (answer.Source == SystemId)
         {
             _counters.Echoes++;
             return true;
         }
 
-        if (answer.Destination != _systemId)
+        if (answer.Destination != SystemId)
         {
             long key = Mix(
                 ((long)answer.Source << 40) | ((long)answer.Destination << 32) | answer.Id, answer.Fragments);
@@ -162,7 +166,7 @@ internal sealed partial class MessageExchange
         if (!ExchangeWire.TryRead(datagram, out ExchangeAnnouncement announcement)
             || !IsFrom(announcement.Source, announcement.Hops, sender))
             return false;
-        if (announcement.Source == _systemId)
+        if (announcement.Source == SystemId)
         {
             _counters.Echoes++;
             return true;
@@ -183,7 +187,7 @@ internal sealed partial class MessageExchange
 
     private bool IsForUs(VehicleDestination destination) => destination.To switch
     {
-        VehicleDestination.Kind.Vehicle => destination.Number == _systemId,
+        VehicleDestination.Kind.Vehicle => destination.Number == SystemId,
         VehicleDestination.Kind.Group => (_groups & (1u << destination.Number)) != 0,
         _ => true,
     };
@@ -202,13 +206,15 @@ internal sealed partial class MessageExchange
         datagram = default;
         foreach (IncomingExchange incoming in _incoming.Values)
         {
-            if (!(incoming.AcknowledgementDue <= now))
+            int limit = incoming.Header.Hops >> 4;
+            bool isDue = incoming.AcknowledgementDue <= now
+                && HasRoom(limit == 0 ? incoming.Header.Source : (byte)0, VehicleMessageClass.Command);
+            if (!isDue)
                 continue;
             incoming.AcknowledgementDue = null;
-            int limit = incoming.Header.Hops >> 4;
             var answer = new ExchangeAcknowledgement
             {
-                Source = _systemId,
+                Source = SystemId,
                 Destination = incoming.Header.Source,
                 Id = incoming.Header.Id,
                 IsUnderstood = incoming.IsUnderstood,

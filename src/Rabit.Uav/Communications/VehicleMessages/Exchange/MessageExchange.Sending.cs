@@ -1,4 +1,5 @@
 using System;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
@@ -14,9 +15,12 @@ internal sealed partial class MessageExchange
     {
         EndThoseThatAreOver(now);
         ForgetReceived(now);
+        datagram = default;
+        if (SystemId == 0)
+            return false;
         if (TryAcknowledge(now, to, out datagram))
             return true;
-        if (_relay.TryTake(now, to, out datagram))
+        if (HasRoom(0, VehicleMessageClass.Coordination) && _relay.TryTake(now, to, out datagram))
         {
             _counters.Relayed++;
             return true;
@@ -28,7 +32,7 @@ internal sealed partial class MessageExchange
     /// <summary>When <see cref="TryNext"/> is to be asked again, if nothing comes in or is posted before.</summary>
     public TimeSpan NextDue(TimeSpan now)
     {
-        TimeSpan due = Earlier(_nextAnnouncement, _relay.NextDue);
+        TimeSpan due = _announces ? Earlier(_nextAnnouncement, _relay.NextDue) : _relay.NextDue;
         foreach (OutgoingExchange outgoing in _outgoing)
         {
             outgoing.TryNext(now, _roundTrip, out _, out TimeSpan next);
@@ -46,9 +50,12 @@ internal sealed partial class MessageExchange
 
     private bool TrySendFragment(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
     {
+        int index = 0;
         foreach (OutgoingExchange outgoing in _outgoing)
         {
-            if (!outgoing.TryNext(now, _roundTrip, out int index, out _))
+            bool isNext = HasRoom(TargetOf(outgoing.Message), outgoing.Message.Class)
+                && outgoing.TryNext(now, _roundTrip, out index, out _);
+            if (!isNext)
                 continue;
             datagram = Write(outgoing, index, now, to);
             _counters.FragmentsSent++;
@@ -66,7 +73,7 @@ internal sealed partial class MessageExchange
         ExchangeMessage message = outgoing.Message;
         var header = new ExchangeFragment
         {
-            Source = _systemId,
+            Source = SystemId,
             Destination = message.Destination,
             Id = outgoing.Id,
             Type = message.Type,
@@ -77,21 +84,28 @@ internal sealed partial class MessageExchange
             Index = (byte)index,
             Count = (byte)outgoing.Count,
             Accuracy = outgoing.Accuracy,
-            LifetimeMs = (uint)Math.Max(1, (outgoing.Deadline - now).TotalMilliseconds),
+            LifetimeMs = (int)Math.Max(1, (outgoing.Deadline - now).TotalMilliseconds),
+            AgeMs = (int)Math.Round((now - outgoing.PostedAt).TotalMilliseconds),
             SentUtcMicroseconds = outgoing.SentUtcMicroseconds,
         };
         int start = index * ExchangeWire.FragmentLength;
         int length = Math.Min(ExchangeWire.FragmentLength, message.Content.Length - start);
-
-        // What others are to send on they must get.
-        bool isDirect = message.Destination.To == VehicleDestination.Kind.Vehicle && message.HopLimit == 0;
         return new ExchangeDatagram
         {
             Length = ExchangeWire.Write(to, header, message.Content.AsSpan(start, length)),
-            TargetSystem = isDirect ? message.Destination.Number : (byte)0,
+            TargetSystem = TargetOf(message),
             Class = message.Class,
         };
     }
+
+    // What others are to send on they must get.
+    private static byte TargetOf(ExchangeMessage message)
+        => message.Destination.To == VehicleDestination.Kind.Vehicle && message.HopLimit == 0
+            ? message.Destination.Number
+            : (byte)0;
+
+    private bool HasRoom(byte targetSystem, VehicleMessageClass messageClass)
+        => _hasRoom is null || _hasRoom(targetSystem, messageClass);
 
     // Many that start together would else answer each other at once, again and again.
     private void AnnounceSoon(TimeSpan now)
@@ -103,13 +117,13 @@ internal sealed partial class MessageExchange
     private bool TryAnnounce(TimeSpan now, Span<byte> to, out ExchangeDatagram datagram)
     {
         datagram = default;
-        if (now < _nextAnnouncement)
+        if (now < _nextAnnouncement || !_announces || !HasRoom(0, VehicleMessageClass.Coordination))
             return false;
         (_nextAnnouncement, _lastAnnouncement) = (now + _options.AnnouncementPeriod, now);
         bool isDated = TryGetGpsTime(now, out _, out TimeSpan accuracy);
         var announcement = new ExchangeAnnouncement
         {
-            Source = _systemId,
+            Source = SystemId,
             Groups = _groups,
             Accuracy = ExchangeWire.AccuracyByte(isDated ? accuracy : null),
             Number = unchecked(++_announcements),

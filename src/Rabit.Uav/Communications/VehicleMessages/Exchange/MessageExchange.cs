@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
@@ -10,44 +11,75 @@ namespace Rabit.Uav.Communications;
 /// </summary>
 internal sealed partial class MessageExchange
 {
-    private const int MaxOutgoing = 64;
+    public static readonly TimeSpan MaxLifetime = TimeSpan.FromMinutes(10);
+
+    private const int MaxOutgoing = 256;
 
     // Announcements that a peer may miss.
     private const int MissedAnnouncements = 5;
 
-    private static readonly TimeSpan MinPause = TimeSpan.FromTicks(300 * TimeSpan.TicksPerMillisecond);
-    private static readonly TimeSpan MaxLifetime = TimeSpan.FromMinutes(10);
+    // Of one datagram; waits at relays are counted in its age.
+    private static readonly TimeSpan MaxTimeOnTheWay = TimeSpan.FromSeconds(10);
 
-    private readonly ExchangeOptions _options;
-    private readonly byte _systemId;
+    private static readonly TimeSpan MinPause = TimeSpan.FromTicks(300 * TimeSpan.TicksPerMillisecond);
+
+    private readonly VehicleExchangeOptions _options;
     private readonly ushort _session;
     private readonly uint _groups;
     private readonly Dictionary<ushort, byte> _types = [];
     private readonly ExchangePeers _peers = new();
     private readonly ExchangeRelay _relay;
+    private readonly ExchangeRandom _random;
     private readonly GpsTimeBase _time = new();
     private readonly List<OutgoingExchange> _outgoing = [];
-    private readonly Queue<DeliveryReport> _reports = new();
+    private readonly Queue<(ExchangeMessage Message, DeliveryReport Report)> _reports = new();
+    private readonly Func<byte, VehicleMessageClass, bool>? _hasRoom;
+    private readonly bool _announces;
     private readonly RoundTripTime _roundTrip = new();
-    private ExchangeCounters _counters;
+    private VehicleExchangeCounters _counters;
     private TimeSpan? _timeLateBy;
     private TimeSpan _nextAnnouncement;
     private TimeSpan? _lastAnnouncement;
     private ushort _announcements;
     private ushort _numbers;
+    private byte _systemId;
 
     /// <param name="options">Checked.</param>
-    /// <param name="systemId">Our system id.</param>
+    /// <param name="systemId">Our system id; 0 where it is not known yet: nothing is sent before.</param>
     /// <param name="random">The session, which keeps messages of two runs apart, and the waits of relays.</param>
-    public MessageExchange(ExchangeOptions options, byte systemId, ExchangeRandom random)
+    /// <param name="hasRoom">
+    /// Whether there is room now for a datagram of a class to a system, 0 for all; without it there always is.
+    /// </param>
+    public MessageExchange(
+        VehicleExchangeOptions options, byte systemId, ExchangeRandom random,
+        Func<byte, VehicleMessageClass, bool>? hasRoom = null)
     {
-        (_options, _systemId) = (options.Copy(), systemId);
+        (_options, _systemId, _hasRoom, _random) = (options.Copy(), systemId, hasRoom, random);
+        _announces = options.Announces != false;
         _session = (ushort)random.Next(65536);
         _groups = _options.GroupBits;
         _relay = new ExchangeRelay(random);
     }
 
-    public ExchangeCounters Counters => _counters;
+    /// <summary>Our system id; 0 where it is not known yet.</summary>
+    public byte SystemId
+    {
+        get => _systemId;
+        set
+        {
+            if (value != _systemId)
+                _random.Stir(value);
+            _systemId = value;
+        }
+    }
+
+    public VehicleExchangeCounters Counters => _counters;
+
+    /// <summary>Messages of ours that are not over.</summary>
+    public int Waiting => _outgoing.Count;
+
+    /// <summary>Vehicles that were received lately.</summary>
+    public int CountVehicles(TimeSpan now) => _peers.Count(now - Memory);
 
     /// <summary>Says that a type is understood, up to a version.</summary>
     public void Understand(ushort type, byte newestVersion) => _types[type] = newestVersion;
@@ -70,7 +102,7 @@ internal sealed partial class MessageExchange
         _counters.Posted++;
         if (message.Class == VehicleMessageClass.State)
             ReplaceOlder(message);
-        if (_outgoing.Count == MaxOutgoing)
+        if (_outgoing.Count == MaxOutgoing && !MakeRoomFor(message))
         {
             Report(message, DeliveryOutcome.NoRoom);
             return;
@@ -92,19 +124,45 @@ internal sealed partial class MessageExchange
             Insert(outgoing);
     }
 
-    /// <summary>Gives what became of a message; false where there is nothing new.</summary>
-    public bool TryReport(out DeliveryReport report)
+    /// <summary>Ends all messages of ours that are not over: the run is.</summary>
+    public void EndAll()
     {
-        report = default;
-        if (_reports.Count == 0)
-            return false;
-        report = _reports.Dequeue();
-        return true;
+        for (int i = _outgoing.Count - 1; i >= 0; i--)
+            End(i, DeliveryOutcome.Expired);
+    }
+
+    /// <summary>Gives what became of a message; false where there is nothing new.</summary>
+    public bool TryReport(out ExchangeMessage? message, out DeliveryReport report)
+    {
+        (message, report) = _reports.Count > 0 ? _reports.Dequeue() : default;
+        return message is not null;
     }
 
     /// <summary>GPS time now; false where the autopilot has none.</summary>
     public bool TryGetGpsTime(TimeSpan now, out long utcMicroseconds, out TimeSpan accuracy)
         => _time.TryGet(now, _timeLateBy, out utcMicroseconds, out accuracy);
+
+    /// <summary>When a message was sent, by the clock of the run here.</summary>
+    /// <param name="message">The message.</param>
+    /// <param name="now">The time.</param>
+    /// <param name="accuracy">
+    /// How far that may be off, where both vehicles have GPS time; else null, and it is late by the time on the way.
+    /// </param>
+    public TimeSpan SentTimeOf(ReceivedExchangeMessage message, TimeSpan now, out TimeSpan? accuracy)
+    {
+        accuracy = null;
+        if (message.TimeAccuracy is not { } theirs || !TryGetGpsTime(now, out long utc, out TimeSpan ours))
+            return message.PostedTime;
+        const long ticksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000;
+        long sinceMicroseconds = utc - message.SentUtcMicroseconds;
+        TimeSpan byGps = now - TimeSpan.FromTicks(sinceMicroseconds * ticksPerMicrosecond);
+
+        // One of the two clocks is wrong.
+        if (Math.Abs(sinceMicroseconds) > 1_000_000_000 || (byGps - message.PostedTime).Duration() > MaxTimeOnTheWay)
+            return message.PostedTime;
+        accuracy = theirs + ours;
+        return byGps < message.PostedTime ? byGps : message.PostedTime;
+    }
 
     /// <summary>How good the GPS time of another vehicle is; null where it has none.</summary>
     public TimeSpan? TimeAccuracyOf(byte systemId) => _peers.AccuracyOf(systemId);
@@ -120,9 +178,9 @@ internal sealed partial class MessageExchange
                 $"The lifetime of a message between vehicles is above zero and at most {MaxLifetime}, not "
                     + $"{message.Lifetime}.",
                 nameof(message));
-        if (message.HopLimit is < 0 or > ExchangeOptions.MaxHops)
+        if (message.HopLimit is < 0 or > VehicleExchangeOptions.MaxHops)
             throw new ArgumentException(
-                $"The hop limit of a message between vehicles is 0 to {ExchangeOptions.MaxHops}, not "
+                $"The hop limit of a message between vehicles is 0 to {VehicleExchangeOptions.MaxHops}, not "
                     + $"{message.HopLimit}.",
                 nameof(message));
     }
@@ -141,6 +199,16 @@ internal sealed partial class MessageExchange
         }
     }
 
+    // The newest of those that are least urgent goes, if that is less than the new one.
+    private bool MakeRoomFor(ExchangeMessage message)
+    {
+        int last = _outgoing.Count - 1;
+        if (_outgoing[last].Message.Class <= message.Class)
+            return false;
+        End(last, DeliveryOutcome.NoRoom);
+        return true;
+    }
+
     // In the order in which they go out: by class, then as they came.
     private void Insert(OutgoingExchange outgoing)
     {
@@ -156,7 +224,9 @@ internal sealed partial class MessageExchange
         {
             OutgoingExchange outgoing = _outgoing[i];
             if (outgoing.IsDone)
-                End(i, outgoing.NotUnderstood > 0 ? DeliveryOutcome.NotUnderstood : DeliveryOutcome.Delivered);
+                End(i, !outgoing.Message.IsAcknowledged ? DeliveryOutcome.Sent
+                    : outgoing.NotUnderstood > 0 ? DeliveryOutcome.NotUnderstood
+                    : DeliveryOutcome.Delivered);
             else if (outgoing.Deadline <= now)
                 End(i, DeliveryOutcome.Expired);
         }
@@ -173,15 +243,14 @@ internal sealed partial class MessageExchange
 
     private void Report(ExchangeMessage message, DeliveryOutcome outcome, OutgoingExchange? outgoing = null)
     {
-        if (!message.IsAcknowledged)
-            return;
-        _reports.Enqueue(new DeliveryReport
+        var report = new DeliveryReport
         {
             Reference = message.Reference,
             Outcome = outcome,
             Receivers = outgoing?.Receivers ?? 0,
             Acknowledged = outgoing?.Acknowledged ?? 0,
             NotUnderstood = outgoing?.NotUnderstood ?? 0,
-        });
+        };
+        _reports.Enqueue((message, report));
     }
 }

@@ -20,7 +20,7 @@ internal sealed class OutgoingExchange
     public OutgoingExchange(ExchangeMessage message, uint id, IEnumerable<byte> receivers, TimeSpan now)
     {
         (Message, Id) = (message, id);
-        Deadline = now + message.Lifetime;
+        (PostedAt, Deadline) = (now, now + message.Lifetime);
         Count = Math.Max(
             1, (message.Content.Length + ExchangeWire.FragmentLength - 1) / ExchangeWire.FragmentLength);
         _sentAt = new TimeSpan?[Count];
@@ -32,6 +32,8 @@ internal sealed class OutgoingExchange
     public ExchangeMessage Message { get; }
 
     public uint Id { get; }
+
+    public TimeSpan PostedAt { get; }
 
     public TimeSpan Deadline { get; }
 

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
@@ -21,6 +22,9 @@ internal sealed class ReceivedExchangeMessage
 
     /// <summary>When it was whole here.</summary>
     public TimeSpan ReceivedTime { get; init; }
+
+    /// <summary>When it was posted, by the clock of the run here: late by the time on the way.</summary>
+    public TimeSpan PostedTime { get; init; }
 
     /// <summary>When it was posted, by GPS, microseconds since 1970 UTC; 0 where its sender had no such time.</summary>
     public long SentUtcMicroseconds { get; init; }

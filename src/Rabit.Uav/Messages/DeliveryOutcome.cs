@@ -1,13 +1,17 @@
-namespace Rabit.Uav.Communications;
+namespace Rabit.Uav.Messages;
 
-/// <summary>What became of a message to other vehicles that was to be acknowledged.</summary>
-internal enum DeliveryOutcome
+/// <summary>What became of a message to other vehicles.</summary>
+public enum DeliveryOutcome
 {
     /// <summary>All that it was for have acknowledged it.</summary>
     Delivered,
 
+    /// <summary>All of it was sent, and it was not to be acknowledged.</summary>
+    Sent,
+
     /// <summary>
-    /// Its lifetime ended before all have acknowledged it. It may have been delivered: acknowledgements are lost too.
+    /// Its lifetime ended before all of it was sent, or before all have acknowledged it. It may have been delivered:
+    /// acknowledgements are lost too.
     /// </summary>
     Expired,
 
@@ -22,4 +26,9 @@ internal enum DeliveryOutcome
 
     /// <summary>There was no room: too many messages wait.</summary>
     NoRoom,
+
+    /// <summary>
+    /// It cannot be sent: our own address is not known yet, or it does not fit into its form.
+    /// </summary>
+    Unsendable,
 }

@@ -1,7 +1,7 @@
-namespace Rabit.Uav.Communications;
+namespace Rabit.Uav.Messages;
 
 /// <summary>What the exchange of messages between vehicles did since the start. A plain value.</summary>
-internal struct ExchangeCounters
+public struct VehicleExchangeCounters
 {
     /// <summary>Messages that were posted here.</summary>
     public long Posted { get; set; }
@@ -17,6 +17,12 @@ internal struct ExchangeCounters
 
     /// <summary>Fragments, acknowledgements and announcements of others that were sent on.</summary>
     public long Relayed { get; set; }
+
+    /// <summary>
+    /// Copies of fragments, acknowledgements and announcements that did not go to a link that had no room, while they
+    /// went to another.
+    /// </summary>
+    public long CopiesHeldBack { get; set; }
 
     /// <summary>Messages of others that were whole and handed on.</summary>
     public long Delivered { get; set; }

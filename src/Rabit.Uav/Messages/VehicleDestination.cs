@@ -1,25 +1,25 @@
 using System;
 
-namespace Rabit.Uav.Communications;
+namespace Rabit.Uav.Messages;
 
 /// <summary>Who a message between vehicles is for: one vehicle, a group, or all. A plain value.</summary>
-internal readonly struct VehicleDestination : IEquatable<VehicleDestination>
+public readonly struct VehicleDestination : IEquatable<VehicleDestination>
 {
     /// <summary>The highest number of a group.</summary>
     public const int MaxGroup = 31;
 
-    public enum Kind : byte
+    internal enum Kind : byte
     {
         All,
         Vehicle,
         Group,
     }
 
-    public VehicleDestination(Kind to, byte number) => (To, Number) = (to, number);
+    internal VehicleDestination(Kind to, byte number) => (To, Number) = (to, number);
 
-    public Kind To { get; }
+    internal Kind To { get; }
 
-    public byte Number { get; }
+    internal byte Number { get; }
 
     /// <summary>All vehicles; <c>default</c> is the same.</summary>
     public static VehicleDestination All => default;

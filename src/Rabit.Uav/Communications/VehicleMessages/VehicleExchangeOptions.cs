@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
 
 /// <summary>How a vehicle takes part in the exchange of messages between vehicles.</summary>
-internal sealed class ExchangeOptions
+public sealed class VehicleExchangeOptions
 {
     /// <summary>The most hops that a message may be relayed.</summary>
     public const int MaxHops = 7;
@@ -18,7 +19,14 @@ internal sealed class ExchangeOptions
     /// <value>The default is true.</value>
     public bool Relays { get; set; } = true;
 
-    /// <summary>How often the vehicle says that it is there, and in which groups.</summary>
+    /// <summary>
+    /// Whether the vehicle says that it is there, and in which groups: for messages to all and to groups that are
+    /// acknowledged.
+    /// </summary>
+    /// <value>The default is null: where a route is acknowledged, or the vehicle is in a group.</value>
+    public bool? Announces { get; set; }
+
+    /// <summary>How often it says so.</summary>
     /// <value>The default is 2 s; who was not received for five of them is gone.</value>
     public TimeSpan AnnouncementPeriod { get; set; } = TimeSpan.FromSeconds(2);
 
@@ -30,7 +38,7 @@ internal sealed class ExchangeOptions
 
     internal uint GroupBits => Groups.Aggregate(0u, (bits, group) => bits | (1u << group));
 
-    internal ExchangeOptions Copy() => (ExchangeOptions)MemberwiseClone();
+    internal VehicleExchangeOptions Copy() => (VehicleExchangeOptions)MemberwiseClone();
 
     internal IEnumerable<string> FindFaults()
     {

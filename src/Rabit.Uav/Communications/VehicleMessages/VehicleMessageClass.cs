@@ -1,7 +1,7 @@
 namespace Rabit.Uav.Communications;
 
 /// <summary>How urgent a message between vehicles is. The first goes first.</summary>
-internal enum VehicleMessageClass
+public enum VehicleMessageClass
 {
     /// <summary>An emergency.</summary>
     Urgent,
