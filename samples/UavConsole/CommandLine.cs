@@ -73,6 +73,13 @@ internal static class CommandLine
         HelpName = "DIR"
     };
 
+    private static readonly Option<string> Terrain = new("--terrain")
+    {
+        Description = "Heights of the ground, an ARC/INFO ASCII grid in degrees, above mean sea level: the mission "
+            + "keeps its heights above it, and targets are located on it (docs/mission-file.md); needs --fly.",
+        HelpName = "FILE"
+    };
+
     private static readonly Option<string> TruthOption = new("--truth")
     {
         Description = "Where the targets really are, to score those found over --link; needs --fly.",
@@ -134,8 +141,8 @@ internal static class CommandLine
             "Rabit's managers fly a search: a simulated one, or with a real vehicle; or they observe a flight, live or "
                 + "recorded.")
         {
-            Links, RealTime, Seed, Targets, Autopilot, Mission, Fly, Camera, TruthOption, Headless, Summary, Report,
-            Log, SystemId, SignKey, TrustLink,
+            Links, RealTime, Seed, Targets, Autopilot, Mission, Fly, Camera, Terrain, TruthOption, Headless, Summary,
+            Report, Log, SystemId, SignKey, TrustLink,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
             .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All))
@@ -164,6 +171,7 @@ internal static class CommandLine
         MissionFile = result.GetValue(Mission),
         Flies = result.GetValue(Fly),
         CameraFolder = result.GetValue(Camera),
+        TerrainFile = result.GetValue(Terrain),
         TruthFile = result.GetValue(TruthOption),
         SummaryFile = result.GetValue(Summary),
         ReportFile = result.GetValue(Report),
@@ -201,6 +209,8 @@ internal static class CommandLine
                 + "without it.";
         if (result.GetValue(Camera) is not null)
             yield return "--camera needs --link URL: the simulation has a camera of its own.";
+        if (result.GetValue(Terrain) is not null)
+            yield return "--terrain needs --link URL: the ground of the simulation is level.";
         if (result.GetValue(TruthOption) is not null)
             yield return "--truth needs --link URL: the simulation knows its own truth.";
     }
@@ -220,6 +230,8 @@ internal static class CommandLine
             yield return "--fly needs --mission FILE: what to fly.";
         if (result.GetValue(TruthOption) is not null && !result.GetValue(Fly))
             yield return "--truth scores a mission: it needs --mission FILE --fly.";
+        if (result.GetValue(Terrain) is not null && !result.GetValue(Fly))
+            yield return "--terrain gives a mission its heights: it needs --mission FILE --fly.";
         foreach ((string name, bool isGiven) in new[]
         {
             ("--fly", result.GetValue(Fly)),

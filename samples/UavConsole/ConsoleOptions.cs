@@ -37,6 +37,9 @@ internal sealed class ConsoleOptions
     /// <summary>A folder of pictures with their times; null for none.</summary>
     public string? CameraFolder { get; init; }
 
+    /// <summary>Heights of the ground; null where it is taken for level.</summary>
+    public string? TerrainFile { get; init; }
+
     /// <summary>Where the targets really are; null where that is not known.</summary>
     public string? TruthFile { get; init; }
 

@@ -131,6 +131,7 @@ internal sealed class Flight : IDisposable
             Subscriptions = [FlightRecorderManager.CreateSubscription()],
             SystemId = options.SystemId,
             Mission = options.Flies ? mission : null,
+            Terrain = options.TerrainFile is { } terrain ? TerrainFile.Read(terrain) : null,
             MayCommand = options.Flies,
             Camera = camera,
             Signing = key is null ? null : SigningOf(key, options),

@@ -81,6 +81,12 @@ public sealed class TerrainGrid
     /// <summary>Posts from west to east.</summary>
     public int Columns { get; }
 
+    /// <summary>From one row of posts to the next.</summary>
+    public Angle LatitudeStep => _latitudeStep;
+
+    /// <summary>From one column of posts to the next.</summary>
+    public Angle LongitudeStep => _longitudeStep;
+
     /// <summary>The highest post; minus infinity where no post has an altitude.</summary>
     public AmslAltitude MaxAltitude { get; }
 
@@ -138,6 +144,31 @@ public sealed class TerrainGrid
         double northern = ((1 - u) * _altitudes[at + Columns]) + (u * _altitudes[at + Columns + 1]);
         altitude = new AmslAltitude(((1 - v) * southern) + (v * northern));
         return double.IsNaN(altitude.Metres) ? TerrainLookup.NoData : TerrainLookup.Known;
+    }
+
+    /// <summary>The highest ground of a box, and of the cells that reach into it.</summary>
+    /// <param name="southWest">Its south-western corner.</param>
+    /// <param name="northEast">
+    /// Its north-eastern corner; a box that leaves the grid at its east to come in again at its west is outside.
+    /// </param>
+    /// <param name="altitude">Not below any of its ground; not a number unless the answer is that it is known.</param>
+    /// <returns>Outside where any of the box is; no data where any post of its cells has none.</returns>
+    public TerrainLookup TryMaxAltitude(
+        GeographicPoint southWest, GeographicPoint northEast, out AmslAltitude altitude)
+    {
+        altitude = new AmslAltitude(double.NaN);
+        if (!TryFind(southWest, out double south, out double west)
+            || !TryFind(northEast, out double north, out double east) || north < south || east < west)
+            return TerrainLookup.Outside;
+        float highest = float.NegativeInfinity;
+        for (int row = CellOf(south, Rows); row <= CellOf(north, Rows) + 1; row++)
+        {
+            for (int column = CellOf(west, Columns); column <= CellOf(east, Columns) + 1; column++)
+                highest = Math.Max(highest, _altitudes[(row * Columns) + column]);
+        }
+
+        altitude = new AmslAltitude(highest);
+        return float.IsNaN(highest) ? TerrainLookup.NoData : TerrainLookup.Known;
     }
 
     /// <summary>

@@ -49,6 +49,14 @@ internal static class ManagerOptions
                 nameof(UavOptions.Mission), options.Mission,
                 nameof(UavOptions.MissionControl) + "." + nameof(MissionControlOptions.Mission),
                 options.MissionControl.Mission, null),
+            Contradiction(
+                nameof(UavOptions.Terrain), options.Terrain,
+                nameof(UavOptions.MissionControl) + "." + nameof(MissionControlOptions.Terrain),
+                options.MissionControl.Terrain, null),
+            Contradiction(
+                nameof(UavOptions.Terrain), options.Terrain,
+                nameof(UavOptions.Imaging) + "." + nameof(ImageProcessingOptions.Terrain),
+                options.Imaging.Terrain, null),
         ];
         foreach (string contradiction in contradictions.OfType<string>())
             yield return contradiction;
@@ -151,12 +159,20 @@ internal static class ManagerOptions
         return made;
     }
 
+    public static ImageProcessingOptions ForImageProcessing(UavOptions options)
+    {
+        ImageProcessingOptions made = options.Imaging.Copy();
+        made.Terrain ??= options.Terrain;
+        return made;
+    }
+
     public static MissionControlOptions ForMissionControl(UavOptions options)
     {
         MissionControlOptions made = options.MissionControl.Copy();
         made.Mission = MissionOf(options);
         made.RequiresPreflight |= ChecksBeforeFlight(options);
         made.GimbalFrame = options.Imaging.Mount.GimbalFrame;
+        made.Terrain ??= options.Terrain;
         made.FindsFaultOfChange = changed => UavOptionsCheck.FindGapBetweenLanes(changed, options);
         return made;
     }
@@ -176,6 +192,8 @@ internal static class ManagerOptions
             return made;
         made.Preflight = options.Preflight.Copy();
         made.Preflight.ObstacleHeightMetres ??= mission.ObstacleHeightMetres;
+        made.Preflight.Terrain = options.MissionControl.Terrain ?? options.Terrain;
+        (made.Preflight.SearchArea, made.Preflight.FenceMarginMetres) = (mission.Area, mission.FenceMarginMetres);
         made.Preflight.MinBatteryFraction = mission.MinBatteryFractionAtStart;
         made.Preflight.AllowsUnknownBattery = mission.AllowUnknownBattery;
         made.Preflight.RequiresCamera = options.MissionControl.RequiresCamera;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Core;
+using Rabit.Geodesy;
 using Rabit.Mavlink;
 using Rabit.Uav.AutopilotInterface;
 using Rabit.Uav.Communications;
@@ -79,6 +80,13 @@ public sealed class UavOptions
     /// <summary>The mission; null to observe.</summary>
     /// <value>The default is null.</value>
     public MissionPlan? Mission { get; set; }
+
+    /// <summary>
+    /// The ground: the mission keeps its heights above it, and pixels are projected on it. Altitudes above mean sea
+    /// level; it must cover the fence and home.
+    /// </summary>
+    /// <value>The default is null: the ground is taken for level.</value>
+    public TerrainGrid? Terrain { get; set; }
 
     /// <summary>Whether the vehicle may be commanded. Without it a mission is refused.</summary>
     /// <value>The default is false: we observe.</value>

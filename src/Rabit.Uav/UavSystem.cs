@@ -59,7 +59,8 @@ public sealed class UavSystem : IDisposable
             if (options.Has(UavManagers.AutopilotInterface))
                 _autopilot = new AutopilotManager(ManagerOptions.ForAutopilot(options));
             if (options.Has(UavManagers.ImageProcessing))
-                _imageProcessing = new ImageProcessingManager(options.Imaging, options.Camera);
+                _imageProcessing = new ImageProcessingManager(
+                    ManagerOptions.ForImageProcessing(options), options.Camera);
             if (options.Has(UavManagers.SensorFusion))
                 _sensorFusion = new SensorFusionManager(options.Fusion);
             if (options.Has(UavManagers.MissionControl))

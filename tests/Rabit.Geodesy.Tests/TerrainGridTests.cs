@@ -51,6 +51,23 @@ public sealed class TerrainGridTests
         Assert.Equal(TerrainLookup.NoData, grid.TryAltitude(Point(47.002, 8.015), out _));
     }
 
+    [Theory]
+    [InlineData(47.0005, 8.001, 47.001, 8.002, TerrainLookup.Known, 50)]
+    [InlineData(47.0005, 8.001, 47.0005, 8.001, TerrainLookup.Known, 50)]
+    [InlineData(47, 8, 47.01, 8.0099, TerrainLookup.Known, 50)]
+    [InlineData(47.001, 8.001, 47.002, 8.012, TerrainLookup.NoData, double.NaN)]
+    [InlineData(46.99, 8.001, 47.001, 8.002, TerrainLookup.Outside, double.NaN)]
+    [InlineData(47.001, 8.002, 47.0005, 8.001, TerrainLookup.Outside, double.NaN)]
+    public void TryMaxAltitude_Box_IsTheHighestPostOfItsCells(
+        double south, double west, double north, double east, TerrainLookup expected, double metres)
+    {
+        TerrainGrid grid = AsciiGrid.Read(new StringReader(Small));
+        Assert.Equal(
+            expected, grid.TryMaxAltitude(Point(south, west), Point(north, east), out AmslAltitude altitude));
+        Assert.Equal(metres, altitude.Metres);
+        Assert.Equal((0.01, 0.01), (grid.LatitudeStep.Degrees, grid.LongitudeStep.Degrees));
+    }
+
     private static double Height(TerrainGrid grid, double latitude, double longitude)
     {
         Assert.Equal(TerrainLookup.Known, grid.TryAltitude(Point(latitude, longitude), out AmslAltitude altitude));

@@ -41,6 +41,9 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--fly --mission a.json", "--fly commands a real vehicle: it needs --link URL and --mission FILE")]
     [InlineData("--camera pictures", "--camera needs --link URL")]
     [InlineData("--truth truth.json", "--truth needs --link URL")]
+    [InlineData("--terrain grid.asc", "--terrain needs --link URL: the ground of the simulation is level.")]
+    [InlineData("--link udpin:127.0.0.1:14550 --terrain grid.asc",
+        "--terrain gives a mission its heights: it needs --mission FILE --fly.")]
     [InlineData("--link udpin:127.0.0.1:14550 --fly", "--fly needs --mission FILE")]
     [InlineData("--link udpin:127.0.0.1:14550 --seed 3", "--seed is for the simulation")]
     [InlineData("--link udpin:127.0.0.1:14550 --targets 3", "--targets is for the simulation")]
@@ -173,6 +176,23 @@ public sealed class BadInputTests : IDisposable
             "--truth /nowhere/t.json cannot be read: ",
             "--link", $"udpin:127.0.0.1:{FreePort.Udp()}", "--mission", mission, "--fly",
             "--without-detection", "--truth", "/nowhere/t.json");
+    }
+
+    [Fact]
+    public void Terrain_WrongFile_SaysWhere()
+    {
+        string mission = Path.Combine(
+            Path.GetDirectoryName(typeof(BadInputTests).Assembly.Location)!, "missions", "search.json");
+        string grid = Path.Combine(_log.Folder, "grid.asc");
+        File.WriteAllText(grid, "ncols 2\nnrows 2\nxllcenter 8\nyllcenter 47\ncellsize 0.01\n1 2\n3 x\n");
+        string link = $"udpin:127.0.0.1:{FreePort.Udp()}";
+
+        AssertRefused(
+            "--terrain /nowhere/grid.asc cannot be read: ",
+            "--link", link, "--mission", mission, "--fly", "--without-detection", "--terrain", "/nowhere/grid.asc");
+        AssertRefused(
+            $"--terrain {grid}: Line 7 of the grid: 'x' is not a height",
+            "--link", link, "--mission", mission, "--fly", "--without-detection", "--terrain", grid);
     }
 
     [Fact]

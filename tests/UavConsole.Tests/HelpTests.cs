@@ -12,6 +12,7 @@ public sealed class HelpTests
     [InlineData("--fly", "--mission")]
     [InlineData("--camera", "--link")]
     [InlineData("--truth", "--fly")]
+    [InlineData("--terrain", "--fly")]
     [InlineData("--hold", "--fly")]
     [InlineData("--return", "--fly")]
     [InlineData("--fixed-wing", "--fly")]

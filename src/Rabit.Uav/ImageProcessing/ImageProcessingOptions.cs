@@ -115,11 +115,13 @@ public sealed class ImageProcessingOptions
         List<string> faults = FindFaults(hasCamera).ToList();
         if (faults.Count > 0)
             throw new ArgumentException("Image Processing: " + string.Join("; ", faults) + ".", parameter);
-        var copy = (ImageProcessingOptions)MemberwiseClone();
+        ImageProcessingOptions copy = Copy();
         copy.Errors = Errors.Copy();
         copy.ColourDetector = ColourDetector.Copy();
         return copy;
     }
+
+    internal ImageProcessingOptions Copy() => (ImageProcessingOptions)MemberwiseClone();
 
     internal double EffectiveMinTargetPixels
         => MinTargetPixels ?? (Detector is null ? ColourDetector.MinSidePixels : 0);

@@ -32,7 +32,10 @@ public sealed class SearchPlan
     /// <summary>Where the flight begins and ends; its altitude is that of the ground, above mean sea level.</summary>
     public GeodeticPosition Home { get; init; }
 
-    /// <summary>Height of the search above home, metres.</summary>
+    /// <summary>
+    /// Height of the search above home, metres; above ground where the mission follows terrain:
+    /// <see cref="Lanes"/> has the altitudes.
+    /// </summary>
     public double HeightAboveHomeMetres { get; init; }
 
     /// <summary>Ground speed on the lanes, metres per second.</summary>

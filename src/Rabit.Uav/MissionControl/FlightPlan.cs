@@ -52,7 +52,6 @@ internal sealed class FlightPlan
         Lanes = lanes ?? [];
         HeadingRadians = mission.LaneHeading?.Radians
             ?? Lanes.OrderByDescending(l => l.Length).Select(l => l.HeadingRadians).FirstOrDefault();
-        Message = ToMessage(mission);
     }
 
     /// <summary>Its origin is on the ground, at home.</summary>
@@ -75,7 +74,10 @@ internal sealed class FlightPlan
     public IReadOnlyList<LaneSegment> Lanes { get; }
 
     /// <summary>The plan as other managers receive it.</summary>
-    public SearchPlan Message { get; }
+    public SearchPlan Message { get; private set; } = new();
+
+    /// <summary>Heights over the terrain; null where the ground is taken for level.</summary>
+    public TerrainFollowing? Terrain { get; private set; }
 
     /// <summary>Plans a mission.</summary>
     /// <param name="mission">The mission.</param>
@@ -84,9 +86,10 @@ internal sealed class FlightPlan
     /// <param name="lanes">Lanes that were planned before; null to plan them.</param>
     /// <param name="isFixedWing">Whether the lanes are those of a fixed wing: parallel, and all of a length.</param>
     /// <param name="isQuick">Whether the vehicle flies, and waits for the plan.</param>
+    /// <param name="terrain">The ground; null where it is taken for level.</param>
     public static FlightPlan? Create(
         MissionPlan mission, GeodeticPosition home, out string fault, IReadOnlyList<LaneSegment>? lanes = null,
-        bool isFixedWing = false, bool isQuick = false)
+        bool isFixedWing = false, bool isQuick = false, TerrainGrid? terrain = null)
     {
         var frame = LocalNedFrame.IgnoringGeoid(home);
         fault = FindFault(mission, frame) ?? string.Empty;
@@ -105,7 +108,65 @@ internal sealed class FlightPlan
         }
         else if (plan.Lanes.Count > MaxLanes)
             fault = $"it has {MissionNumbers.Of(plan.Lanes.Count)} lanes; the limit is {MissionNumbers.Of(MaxLanes)}";
+        else if (terrain is not null)
+            fault = plan.FollowTerrain(terrain, mission, isFixedWing) ?? string.Empty;
+        plan.Message = plan.ToMessage(mission);
         return fault.Length > 0 ? null : plan;
+    }
+
+    /// <summary>The height above home to fly at a place.</summary>
+    /// <param name="at">The place.</param>
+    /// <param name="heightMetres">Above ground; above home where the ground is taken for level.</param>
+    public double HeightAboveHome(PlanePoint at, double heightMetres)
+        => Terrain?.HeightAboveHome(at, heightMetres) ?? heightMetres;
+
+    /// <summary>The height above ground at which a place is flown over.</summary>
+    /// <param name="at">The place.</param>
+    /// <param name="heightMetres">The height that is kept.</param>
+    public double HeightAboveGround(PlanePoint at, double heightMetres)
+        => Terrain is null ? heightMetres : Terrain.HeightAboveHome(at, heightMetres) - Terrain.GroundMetres(at);
+
+    /// <summary>The height above home that is enough on the whole way between two places.</summary>
+    public double HeightAboveHome(PlanePoint from, PlanePoint to, double heightMetres)
+        => Terrain?.HeightAboveHome(from, to, heightMetres) ?? heightMetres;
+
+    /// <summary>How much is climbed on the way between two places, and the height above home at its end.</summary>
+    public (double ClimbedMetres, double HeightMetres) ClimbBetween(
+        PlanePoint from, PlanePoint to, double heightMetres)
+        => Terrain?.ClimbBetween(from, to, heightMetres) ?? (0, heightMetres);
+
+    /// <summary>Whether the vehicle can follow the terrain at a speed; null where it can.</summary>
+    public string? FindFaultOfSpeed(double metresPerSecond)
+        => Terrain is null || metresPerSecond <= Terrain.MaxSpeedMetresPerSecond
+            ? null
+            : $"speedMetresPerSecond is {MissionNumbers.Of(metresPerSecond)}; the heights over the terrain are planned "
+                + $"for {MissionNumbers.Of(Terrain.MaxSpeedMetresPerSecond)} at most";
+
+    /// <summary>Whether the lanes can be flown at the height of a mission; null where they can.</summary>
+    public string? FindHeightFault(MissionPlan mission)
+    {
+        if (Terrain is null)
+            return null;
+        double limit = mission.MaxHeightMetres - MissionPlanRules.HeightReserveMetres
+            ?? MissionPlanRules.MaxHeightMetres;
+        PlanePoint at = default;
+        for (int i = 0; i < Lanes.Count; i++)
+        {
+            double height = Math.Max(
+                Terrain.MaxHeightAboveGround(at, Lanes[i].Start, mission.HeightMetres),
+                Terrain.MaxHeightAboveGround(Lanes[i].Start, Lanes[i].End, mission.HeightMetres));
+            if (height > limit)
+            {
+                return $"over the terrain lane {MissionNumbers.Of(i + 1)}, or the way to it, is flown up to "
+                    + $"{MissionNumbers.Of(height)} m above ground, which falls away faster than the vehicle follows at "
+                    + $"{MissionNumbers.Of(Terrain.MaxSpeedMetresPerSecond)} m/s; the limit is "
+                    + $"{MissionNumbers.Of(limit)} m";
+            }
+
+            at = Lanes[i].End;
+        }
+
+        return null;
     }
 
     /// <summary>
@@ -143,6 +204,14 @@ internal sealed class FlightPlan
         foreach (PlanePolygon keepOut in KeepOuts)
             inside = Math.Min(inside, -keepOut.SignedDistance(at));
         return inside;
+    }
+
+    private string? FollowTerrain(TerrainGrid terrain, MissionPlan mission, bool isFixedWing)
+    {
+        if (isFixedWing)
+            return "a fixed wing does not follow terrain";
+        Terrain = TerrainFollowing.Create(terrain, Frame, Fence, mission.SpeedMetresPerSecond, out string fault);
+        return Terrain is null ? fault : FindHeightFault(mission);
     }
 
     private string? FindKeepOutFault(bool isFixedWing)
@@ -199,12 +268,16 @@ internal sealed class FlightPlan
         Area = Positions(Area.Corners, down: 0),
         Fence = Positions(Fence.Corners, down: 0),
         KeepOuts = KeepOuts.Select(k => Positions(k.Corners, down: 0)).ToImmutableArray(),
-        Lanes = Positions(Lanes.SelectMany(l => new[] { l.Start, l.End }), -mission.HeightMetres),
+        Lanes = Lanes.SelectMany(l => new[] { l.Start, l.End })
+            .Select(p => ToPosition(p, -HeightAboveHome(p, mission.HeightMetres))).ToImmutableArray(),
         Home = Frame.Origin,
         HeightAboveHomeMetres = mission.HeightMetres,
         SpeedMetresPerSecond = mission.SpeedMetresPerSecond,
     };
 
     private ImmutableArray<GeodeticPosition> Positions(IEnumerable<PlanePoint> points, double down)
-        => points.Select(p => Frame.ToGeodetic(new NedPosition(p.North, p.East, down))).ToImmutableArray();
+        => points.Select(p => ToPosition(p, down)).ToImmutableArray();
+
+    private GeodeticPosition ToPosition(PlanePoint p, double down)
+        => Frame.ToGeodetic(new NedPosition(p.North, p.East, down));
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.MissionControl;
@@ -87,6 +88,13 @@ public sealed class MissionControlOptions
     public bool AllowsPartialSearch { get; set; }
 
     /// <summary>
+    /// The ground: heights of the mission are kept above it instead of above home, and the limit of the height too. It
+    /// must cover the fence and home.
+    /// </summary>
+    /// <value>The default is null: the ground is taken for level.</value>
+    public TerrainGrid? Terrain { get; set; }
+
+    /// <summary>
     /// Allows the mission to a fixed wing, within its limits: its pilot takes off and gives it over in the air, and
     /// lands it (docs/managers/mission-control.md, "Fixed wings"). In a <see cref="UavSystem"/> it also sets
     /// <see cref="AutopilotInterface.AutopilotOptions.MayCommandFixedWing"/>.
@@ -150,6 +158,8 @@ public sealed class MissionControlOptions
             yield return $"{nameof(Energy)}: {fault}";
         foreach (string fault in FixedWing?.FindFaults() ?? [])
             yield return $"{nameof(FixedWing)}: {fault}";
+        if (FixedWing is not null && Terrain is not null)
+            yield return $"{nameof(Terrain)} is given, which a fixed wing ({nameof(FixedWing)}) does not follow";
         if (OnStop is not (OnStop.Hold or OnStop.Return))
             yield return $"{nameof(OnStop)} is {OnStop:D}, which is none of its values";
         if (ProgressFile is not null && string.IsNullOrWhiteSpace(ProgressFile))

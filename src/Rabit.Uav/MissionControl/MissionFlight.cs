@@ -27,6 +27,8 @@ internal sealed class MissionFlight(
 
     private LocalNedFrame? _startFrame;
     private MissionChanges? _changes;
+    private PlanePoint _wayFrom;
+    private PlanePoint _wayTo;
 
     /// <summary>The mission as it is now: the operator may have changed it since the start.</summary>
     public MissionPlan Mission { get; private set; } = mission;
@@ -156,7 +158,14 @@ internal sealed class MissionFlight(
     /// <summary>Whether the vehicle is a fixed wing: it is flown within limits.</summary>
     public bool IsFixedWing => FixedWings.IsFixedWing(Vehicle.VehicleType);
 
+    /// <summary>Above home.</summary>
     public double HeightMetres => Vehicle.HeightAboveHomeMetres;
+
+    /// <summary>Above ground where the mission follows terrain, else above home.</summary>
+    public double HeightAboveGroundMetres
+        => Plan?.Terrain is { } terrain && terrain.GroundMetres(Position) is var ground && !double.IsNaN(ground)
+            ? HeightMetres - ground
+            : HeightMetres;
 
     public double GroundSpeed => new PlanePoint(Vehicle.VelocityNed.North, Vehicle.VelocityNed.East).Length;
 
@@ -237,7 +246,8 @@ internal sealed class MissionFlight(
         if (Options.Resume is not { } progress)
         {
             Plan = FlightPlan.Create(
-                Mission, home, out string fault, isFixedWing: IsFixedWing, isQuick: !Options.PlansShortestWay);
+                Mission, home, out string fault, isFixedWing: IsFixedWing, isQuick: !Options.PlansShortestWay,
+                terrain: Options.Terrain);
             Route = Plan is null ? null : new SearchRoute(Plan, Mission.LaneSpacingMetres);
             return fault;
         }
@@ -252,7 +262,8 @@ internal sealed class MissionFlight(
 
         Plan = FlightPlan.Create(
             Mission, home, out string faultOfPlan,
-            progress.Legs.Select(l => new LaneSegment(l.Start + earlier, l.End + earlier)).ToArray(), IsFixedWing);
+            progress.Legs.Select(l => new LaneSegment(l.Start + earlier, l.End + earlier)).ToArray(), IsFixedWing,
+            terrain: Options.Terrain);
         if (Plan is null)
             return faultOfPlan;
         Route = new SearchRoute(Plan, Mission.LaneSpacingMetres);
@@ -275,7 +286,7 @@ internal sealed class MissionFlight(
             return wrong;
         FlightPlan? plan = FlightPlan.Create(
             mission, Plan.Frame.Origin, out string fault, isFixedWing: IsFixedWing,
-            isQuick: IsFlying || !Options.PlansShortestWay);
+            isQuick: IsFlying || !Options.PlansShortestWay, terrain: Options.Terrain);
         return plan is null ? fault : Replan(mission, plan, new SearchRoute(plan, mission.LaneSpacingMetres));
     }
 
@@ -305,10 +316,32 @@ internal sealed class MissionFlight(
     /// <summary>Measures the altitude of the ground with the vehicle that stands on it.</summary>
     public void MeasureGround() => GroundAltitudeAmslMetres = Vehicle.Position.AltitudeAmslMetres - HeightMetres;
 
+    /// <summary>Whether the vehicle is at the height that is to be flown at a place.</summary>
+    /// <param name="at">The place.</param>
+    /// <param name="heightMetres">Above ground; above home where the ground is taken for level.</param>
+    /// <param name="toleranceMetres">
+    /// How much lower or higher it may be. Over terrain it may also be as much higher as the way to a goal needs.
+    /// </param>
+    public bool IsAtHeight(PlanePoint at, double heightMetres, double toleranceMetres)
+    {
+        double off = HeightMetres - Plan!.HeightAboveHome(at, heightMetres);
+        double higher = Plan.Terrain is { } terrain
+            ? terrain.MaxSlope * PathFollower.MaxGoalMetres(Mission.SpeedMetresPerSecond)
+            : 0;
+        return off >= -toleranceMetres && off <= toleranceMetres + higher;
+    }
+
     /// <summary>Sets a position as the goal.</summary>
+    /// <param name="to">The place.</param>
+    /// <param name="heightMetres">
+    /// Above ground, on the whole way there too; above home where the ground is taken for level.
+    /// </param>
+    /// <param name="yawRadians">The heading, clockwise from true north.</param>
     public void SetGoalPosition(PlanePoint to, double heightMetres, double yawRadians)
     {
-        GeodeticPosition position = Plan!.Frame.ToGeodetic(new NedPosition(to.North, to.East, -heightMetres));
+        if (Plan!.Terrain is not null)
+            heightMetres = HeightOnTheWay(to, heightMetres);
+        GeodeticPosition position = Plan.Frame.ToGeodetic(new NedPosition(to.North, to.East, -heightMetres));
         var command = new VehicleCommand
         {
             Kind = VehicleCommandKind.GoTo,
@@ -323,6 +356,14 @@ internal sealed class MissionFlight(
         if (!Commands.IsGoal(command))
             Commands.SetGoal(
                 command, $"go to {MissionNumbers.Of(to)}, height {MissionNumbers.Of(heightMetres)} m", RetryAfter);
+    }
+
+    // From where it was when it was first commanded there: the same in every tick.
+    private double HeightOnTheWay(PlanePoint to, double heightMetres)
+    {
+        if (to.DistanceTo(_wayTo) > 0 || Commands.GoalKind != VehicleCommandKind.GoTo)
+            (_wayFrom, _wayTo) = (Position, to);
+        return Plan!.HeightAboveHome(_wayFrom, to, heightMetres);
     }
 
     /// <summary>The step to a landing where it is; a fixed wing returns instead, and is landed by its pilot.</summary>

@@ -23,16 +23,17 @@ internal sealed class MissionLimits
     }
 
     private static bool IsOutside(MissionFlight flight)
-        => flight.HeightMetres > flight.Mission.MaxHeightMetres
+        => flight.HeightAboveGroundMetres > flight.Mission.MaxHeightMetres
             || (flight.Plan is { } plan
                 && (plan.InsideMetres(flight.Position) < 0
                     || flight.DistanceFromHomeMetres > flight.Mission.MaxDistanceMetres));
 
     private static string Describe(MissionFlight flight)
     {
-        if (flight.HeightMetres > flight.Mission.MaxHeightMetres)
+        if (flight.HeightAboveGroundMetres > flight.Mission.MaxHeightMetres)
         {
-            return $"height {MissionNumbers.Of(flight.HeightMetres)} m, above the limit of "
+            string ground = flight.Plan?.Terrain is null ? string.Empty : " above ground";
+            return $"height {MissionNumbers.Of(flight.HeightAboveGroundMetres)} m{ground}, above the limit of "
                 + $"{MissionNumbers.Of(flight.Mission.MaxHeightMetres.Value)} m";
         }
 

@@ -45,7 +45,10 @@ public sealed partial class MissionPlan
     /// </summary>
     public ImmutableArray<ImmutableArray<GeodeticPosition>> KeepOuts { get; init; } = [];
 
-    /// <summary>Height of the search above home, metres, 5 to 120.</summary>
+    /// <summary>
+    /// Height of the search above home, or above the terrain (<see cref="MissionControlOptions.Terrain"/>), metres, 5
+    /// to 120.
+    /// </summary>
     public double HeightMetres { get; init; }
 
     /// <summary>Ground speed, metres per second, 0.5 to 20.</summary>
@@ -120,8 +123,9 @@ public sealed partial class MissionPlan
     public bool AllowUnknownBattery { get; init; }
 
     /// <summary>
-    /// Limit of the height above home, metres, 7 to 120; null for none of its own. Search and revisit stay 2 m below
-    /// it; in flight, above it, the vehicle returns to launch. The autopilot's own return may climb higher.
+    /// Limit of the height above home, or above the terrain (<see cref="MissionControlOptions.Terrain"/>), metres, 7 to
+    /// 120; null for none of its own. Search and revisit stay 2 m below it; in flight, above it, the vehicle returns to
+    /// launch. The autopilot's own return may climb higher.
     /// </summary>
     public double? MaxHeightMetres { get; init; }
 

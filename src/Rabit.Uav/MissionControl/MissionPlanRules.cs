@@ -15,6 +15,9 @@ internal static class MissionPlanRules
     /// <summary>Maximum area of a search, square metres.</summary>
     public const double MaxAreaSquareMetres = 4e6;
 
+    /// <summary>What drones may fly without a permission, in most countries.</summary>
+    public const double MaxHeightMetres = 120;
+
     private const double MinAreaSquareMetres = 100;
     private const double MinKeepOutSquareMetres = 1;
     private const int MaxCorners = 50;
@@ -30,8 +33,8 @@ internal static class MissionPlanRules
     /// </summary>
     public const double FenceReserveMetres = 10;
 
-    // The height is held to a metre, and a barometer drifts by another.
-    private const double HeightReserveMetres = 2;
+    /// <summary>The height is held to a metre, and a barometer drifts by another.</summary>
+    public const double HeightReserveMetres = 2;
 
     public static IEnumerable<string> FindFaults(MissionPlan plan)
         => PolygonFaults("area", plan.Area, MinAreaSquareMetres, plan.Area).Concat(KeepOutFaults(plan))
@@ -60,21 +63,23 @@ internal static class MissionPlanRules
 
     private static IEnumerable<(string Path, double Value, double Min, double Max)> Ranges(MissionPlan plan)
     {
-        yield return ("heightMetres", plan.HeightMetres, 5, 120);
+        yield return ("heightMetres", plan.HeightMetres, 5, MaxHeightMetres);
         yield return ("speedMetresPerSecond", plan.SpeedMetresPerSecond, MinSpeed, MaxSpeed);
         yield return ("laneSpacingMetres", plan.LaneSpacingMetres, 2, 200);
         yield return ("laneHeadingDegrees", ToDegrees(plan.LaneHeading ?? Angle.Zero), -360, 360);
         yield return ("fenceMarginMetres", plan.FenceMarginMetres, 0, 500);
         yield return ("requiredCoverage", plan.RequiredCoverage, 0, 1);
         yield return ("obstacleHeightMetres", plan.ObstacleHeightMetres ?? 0, 0, 500);
-        yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, 120);
+        yield return ("revisit.heightMetres", plan.Revisit.HeightMetres ?? 5, 5, MaxHeightMetres);
         yield return ("revisit.radiusMetres", plan.Revisit.RadiusMetres, 0, 100);
         yield return ("revisit.maxWayFraction", plan.Revisit.MaxWayFraction, 0, 10);
         yield return ("camera.pitchDegrees", ToDegrees(plan.CameraPitch), -90, -20);
         yield return ("camera.yawDegrees", ToDegrees(plan.CameraYaw), -180, 180);
         yield return ("limits.minBatteryFractionAtStart", plan.MinBatteryFractionAtStart, 0, 1);
         yield return ("limits.energyReserveFraction", plan.EnergyReserveFraction, 0.05, 0.5);
-        yield return ("limits.maxHeightMetres", plan.MaxHeightMetres ?? 120, 5 + HeightReserveMetres, 120);
+        yield return (
+            "limits.maxHeightMetres", plan.MaxHeightMetres ?? MaxHeightMetres, 5 + HeightReserveMetres,
+            MaxHeightMetres);
         yield return ("limits.maxDistanceMetres", plan.MaxDistanceMetres ?? 5000, 20, 5000);
         double hold = plan.GroundStationLost.HoldAfter?.TotalSeconds ?? 5;
         yield return ("groundStationLost.holdAfterSeconds", hold, 5, 600);

@@ -48,7 +48,7 @@ internal sealed class PathFollower : ILaneFollower
 
         // From a leg to the one that begins where it ended it does not stop.
         _isOnSegment = flight.Position.DistanceTo(segment.Start) <= ArrivalMetres + CornerMetres
-            && Math.Abs(flight.HeightMetres - heightMetres) <= ArrivalMetres;
+            && flight.IsAtHeight(segment.Start, heightMetres, ArrivalMetres);
         _transit.Begin(flight, segment.Start);
         _until = flight.ActiveTime + TimeLimit(flight, _transit.Length + segment.Length);
     }
@@ -74,7 +74,7 @@ internal sealed class PathFollower : ILaneFollower
     /// <summary>Whether the vehicle is at a point and has stopped.</summary>
     public static bool HasArrived(MissionFlight flight, PlanePoint at, double heightMetres)
         => flight.Position.DistanceTo(at) <= ArrivalMetres && flight.GroundSpeed <= StoppedMetresPerSecond
-            && Math.Abs(flight.HeightMetres - heightMetres) <= ArrivalMetres;
+            && flight.IsAtHeight(at, heightMetres, ArrivalMetres);
 
     /// <summary>Updates the goal.</summary>
     /// <param name="flight">The state of the mission.</param>
@@ -104,7 +104,11 @@ internal sealed class PathFollower : ILaneFollower
         return false;
     }
 
-    private static double Lookahead(double speed)
+    /// <summary>How far away, at most, the point is that is commanded on a segment.</summary>
+    public static double MaxGoalMetres(double speed) => 1.5 * Lookahead(speed);
+
+    /// <summary>How far the point that is commanded is in front of the vehicle.</summary>
+    public static double Lookahead(double speed)
     {
         double brakingMetres = speed * speed / (2 * BrakingMetresPerSecondSquared);
         return Math.Max(Math.Max(MinLookaheadMetres, LookaheadSeconds * speed), brakingMetres);

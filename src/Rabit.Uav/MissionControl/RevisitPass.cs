@@ -58,14 +58,15 @@ internal sealed class RevisitPass
             from r in radius > 0 ? new[] { radius, radius / 2, 0 } : [0]
             from direction in Directions
             let heading = first + (direction * Math.PI / 180)
-            select new RevisitPass(target - Sight(mission, heading), heading, r);
+            select new RevisitPass(target - Sight(flight, target, heading), heading, r);
         return passes.FirstOrDefault(pass => pass.IsInside(flight));
     }
 
     // From the vehicle to where the optical axis meets the ground; the mission's pitch is at most -20 degrees.
-    private static PlanePoint Sight(MissionPlan mission, double headingRadians)
+    private static PlanePoint Sight(MissionFlight flight, PlanePoint target, double headingRadians)
     {
-        double height = mission.Revisit.HeightMetres ?? mission.HeightMetres;
+        MissionPlan mission = flight.Mission;
+        double height = flight.Plan!.HeightAboveGround(target, mission.Revisit.HeightMetres ?? mission.HeightMetres);
         double distance = height * Math.Tan((Math.PI / 2) + mission.CameraPitch.Radians);
         return distance * PlanePoint.Towards(headingRadians + mission.CameraYaw.Radians);
     }

@@ -6,7 +6,7 @@ public sealed class RevisitPlan
     /// <summary>Whether targets are revisited.</summary>
     public bool IsEnabled { get; init; } = true;
 
-    /// <summary>Height of the revisit above home, metres; null for that of the search.</summary>
+    /// <summary>Height of the revisit, above what that of the search is, metres; null for the same.</summary>
     public double? HeightMetres { get; init; }
 
     /// <summary>

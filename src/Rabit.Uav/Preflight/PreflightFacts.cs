@@ -8,6 +8,11 @@ internal sealed class PreflightFacts(PreflightOptions options)
 {
     public PreflightOptions Options { get; } = options;
 
+    /// <summary>The ground that a return leads over; null where it is not known.</summary>
+    public ReturnTerrain? ReturnTerrain { get; } = options.Terrain is { } terrain
+        ? new ReturnTerrain(terrain, options.SearchArea, options.FenceMarginMetres)
+        : null;
+
     public TimeSpan Now { get; set; }
 
     public VehicleState Vehicle { get; set; }

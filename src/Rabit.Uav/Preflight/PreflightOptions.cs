@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Rabit.Geodesy;
 
 namespace Rabit.Uav.Preflight;
 
@@ -67,6 +68,15 @@ public sealed class PreflightOptions
 
     /// <summary>Whether the mission needs a camera; set where the system is composed.</summary>
     internal bool RequiresCamera { get; set; } = true;
+
+    /// <summary>The ground; null where the mission takes it for level. Set where the system is composed.</summary>
+    internal TerrainGrid? Terrain { get; set; }
+
+    /// <summary>Corners of the area of the mission; set where the system is composed.</summary>
+    internal IReadOnlyList<GeodeticPosition> SearchArea { get; set; } = [];
+
+    /// <summary>How far outside it the mission may fly; set where the system is composed.</summary>
+    internal double FenceMarginMetres { get; set; }
 
     internal PreflightOptions Copy()
     {

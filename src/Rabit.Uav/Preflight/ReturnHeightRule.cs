@@ -21,19 +21,24 @@ internal static class ReturnHeightRule
         Name = Name,
         Names = names,
         Test = ParameterTest.Custom(Judge, " m"),
-        Pass = "obstacles and the clearance (10 m) or more",
+        Pass = "obstacles, or the highest ground of a terrain grid, and the clearance (10 m) or more",
         Warn = "the mission names no obstacleHeightMetres",
-        Fail = "below obstacles and the clearance; 0 is the present height, which in a take-off is as low",
+        Fail = "below obstacles or terrain, and the clearance; 0 is the present height, which in a take-off is as low",
         HowToSet = "set it above the obstacles that the mission file names by obstacleHeightMetres",
         Reason = "the return is a straight line at this height, or at the present one where that is higher",
     };
 
     private static PreflightResult Judge(double metres, PreflightFacts facts)
     {
-        if (facts.Options.ObstacleHeightMetres is not { } obstacle)
-            return PreflightResult.Warn;
-        return metres >= obstacle + facts.Options.MinObstacleClearanceMetres
-            ? PreflightResult.Pass
-            : PreflightResult.Fail;
+        double? obstacle = facts.Options.ObstacleHeightMetres;
+        double? ground = facts.Vehicle.PositionTime is null
+            ? null
+            : facts.ReturnTerrain?.MaxAboveHomeMetres(facts.Vehicle.Position);
+        double clearance = facts.Options.MinObstacleClearanceMetres;
+        if (metres < obstacle + clearance || metres < ground + clearance)
+            return PreflightResult.Fail;
+
+        // What stands on the ground, a grid of the ground does not say.
+        return obstacle is null ? PreflightResult.Warn : PreflightResult.Pass;
     }
 }

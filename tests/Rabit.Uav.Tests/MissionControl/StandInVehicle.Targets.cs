@@ -33,20 +33,22 @@ internal sealed partial class StandInVehicle
 
     private GeodeticPosition Corner(double forward, double right)
     {
-        double n = Height * ((forward * Math.Cos(Yaw)) - (right * Math.Sin(Yaw)));
-        double e = Height * ((forward * Math.Sin(Yaw)) + (right * Math.Cos(Yaw)));
+        double height = Height - Ground(North, East);
+        double n = height * ((forward * Math.Cos(Yaw)) - (right * Math.Sin(Yaw)));
+        double e = height * ((forward * Math.Sin(Yaw)) + (right * Math.Cos(Yaw)));
         return _frame.ToGeodetic(new NedPosition(North + n, East + e, 0));
     }
 
     private void SeeTargets()
     {
         bool isNews = false;
+        double height = Height - Ground(North, East);
         for (int i = 0; i < Targets.Count; i++)
         {
             (double n, double e, TargetClassName colour) = Targets[i];
             double forward = ((n - North) * Math.Cos(Yaw)) + ((e - East) * Math.Sin(Yaw));
             double right = ((e - East) * Math.Cos(Yaw)) - ((n - North) * Math.Sin(Yaw));
-            if (Math.Abs(forward) > 0.45 * Height || Math.Abs(right) > 0.6 * Height)
+            if (Math.Abs(forward) > 0.45 * height || Math.Abs(right) > 0.6 * height)
                 continue;
             isNews = true;
             int at = Tracks.FindIndex(t => t.Id == i + 1);

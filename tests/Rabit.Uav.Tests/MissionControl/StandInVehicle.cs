@@ -59,7 +59,11 @@ internal sealed partial class StandInVehicle : RabitManager
 
     public double East { get; set; }
 
+    /// <summary>Above home.</summary>
     public double Height { get; set; }
+
+    /// <summary>Ground above home at a place, which its camera sees from its height above it.</summary>
+    public Func<double, double, double> Ground { get; set; } = (_, _) => 0;
 
     public double Yaw { get; private set; }
 

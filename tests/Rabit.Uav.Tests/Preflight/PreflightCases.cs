@@ -14,7 +14,7 @@ internal static class PreflightCases
 {
     public static readonly TimeSpan Now = TimeSpan.FromSeconds(100);
 
-    private static readonly GeodeticPosition Place = GeodeticPosition.FromDegrees(47.3977, 8.5456, 488);
+    public static readonly GeodeticPosition Place = GeodeticPosition.FromDegrees(47.3977, 8.5456, 488);
 
     private static readonly Dictionary<string, double> Ardupilot = new(StringComparer.Ordinal)
     {

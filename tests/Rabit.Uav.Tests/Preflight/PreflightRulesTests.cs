@@ -1,8 +1,10 @@
 using System;
 using System.Linq;
+using Rabit.Geodesy;
 using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 using Rabit.Uav.Preflight;
+using Rabit.Uav.Tests.MissionControl;
 using Xunit;
 
 namespace Rabit.Uav.Tests.Preflight;
@@ -103,6 +105,44 @@ public sealed class PreflightRulesTests
         PreflightLine line = PreflightCases.Facts().With(name, value).Line("return-height");
 
         Assert.Equal((expected, text), (line.Result, line.Value));
+    }
+
+    [Theory]
+    [InlineData(29, 5, PreflightResult.Fail)]
+    [InlineData(30, 5, PreflightResult.Pass)]
+    [InlineData(34, 25, PreflightResult.Fail)]
+    [InlineData(35, 25, PreflightResult.Pass)]
+    public void Judge_ReturnHeight_IsByTheHigherOfObstaclesAndTerrain(
+        double value, double hillMetres, PreflightResult expected)
+    {
+        // North of home and beside the area: a return may lead over it.
+        PreflightFacts facts = PreflightCases.Facts(options: o =>
+        {
+            o.Terrain = TestTerrain.Around(
+                PreflightCases.Place, (n, e) => n is > 40 and < 90 && e is > -90 and < -40 ? hillMetres : 0);
+            o.SearchArea =
+            [
+                GeodeticPosition.FromDegrees(47.3985, 8.5450, 488), GeodeticPosition.FromDegrees(47.3990, 8.5450, 488),
+                GeodeticPosition.FromDegrees(47.3990, 8.5460, 488),
+            ];
+            o.FenceMarginMetres = 50;
+        }).With("RTL_ALT_M", value);
+
+        Assert.Equal(expected, facts.Line("return-height").Result);
+    }
+
+    [Fact]
+    public void Judge_ReturnHeightBelowTerrainWithoutObstacles_Fails()
+    {
+        PreflightFacts facts = PreflightCases.Facts(options: o =>
+        {
+            o.ObstacleHeightMetres = null;
+            o.Terrain = TestTerrain.Around(PreflightCases.Place, (n, _) => n > 50 ? 35 : 0);
+            o.SearchArea = [GeodeticPosition.FromDegrees(47.3990, 8.5450, 488)];
+        });
+
+        Assert.Equal(PreflightResult.Fail, facts.Line("return-height").Result);
+        Assert.Equal(PreflightResult.Warn, facts.With("RTL_ALT_M", 60).Line("return-height").Result);
     }
 
     [Fact]

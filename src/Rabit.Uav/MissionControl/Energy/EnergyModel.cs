@@ -78,7 +78,7 @@ internal sealed class EnergyModel
         if (flight.IsFixedWing)
             return null;
         (double joules, double seconds) = PlanEnergy.Of(
-            _power, flight.Route!, Mission, _options.AssumedWindMetresPerSecond, SpeedHome(flight),
+            _power, flight.Route!, flight.Plan!, Mission, _options.AssumedWindMetresPerSecond, SpeedHome(flight),
             _options.MaxAirspeedMetresPerSecond, StartSeconds(flight));
         bool isEndless = double.IsInfinity(joules);
         _status.PlanCharge = _charge.FractionOf(joules, joules / seconds);

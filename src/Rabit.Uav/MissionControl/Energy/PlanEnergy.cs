@@ -16,16 +16,18 @@ internal static class PlanEnergy
 
     /// <param name="power">What the vehicle needs.</param>
     /// <param name="route">What is to be flown.</param>
+    /// <param name="plan">The heights over the terrain.</param>
     /// <param name="mission">Speed and height.</param>
     /// <param name="wind">Assumed, from any side, m/s.</param>
     /// <param name="returnSpeed">m/s.</param>
     /// <param name="maxAirspeed">m/s.</param>
     /// <param name="returnStartSeconds">Until a return flies towards home.</param>
     public static (double Joules, double Seconds) Of(
-        PowerModel power, SearchRoute route, MissionPlan mission, double wind, double returnSpeed, double maxAirspeed,
-        double returnStartSeconds)
+        PowerModel power, SearchRoute route, FlightPlan plan, MissionPlan mission, double wind, double returnSpeed,
+        double maxAirspeed, double returnStartSeconds)
     {
-        double climbing = mission.HeightMetres / ClimbRate;
+        double height = plan.HeightAboveHome(at: default, mission.HeightMetres);
+        double climbing = height / ClimbRate;
         double joules = climbing * power.Watts(wind, ClimbRate);
         double seconds = climbing;
         double speed = mission.SpeedMetresPerSecond;
@@ -38,14 +40,23 @@ internal static class PlanEnergy
         {
             LaneSegment leg = route.Legs[index];
             seconds += Fly(at.DistanceTo(leg.Start)) + Fly(leg.Length);
-            at = leg.End;
+            Climb(leg.Start);
+            Climb(leg.End);
         }
 
         PlanePoint headWind = at.Length > 0 ? (wind / at.Length) * at : default;
         (double home, double homeSeconds) = WayHome.Of(
-            power, at, mission.HeightMetres, headWind, moreHeadWind: 0, returnSpeed, maxAirspeed,
+            power, at, height, headWind, moreHeadWind: 0, returnSpeed, maxAirspeed,
             returnStartSeconds);
         return (joules + home, seconds + homeSeconds);
+
+        // On the way: it takes no time, and sinking gives nothing back.
+        void Climb(PlanePoint to)
+        {
+            (double climbed, height) = plan.ClimbBetween(at, to, mission.HeightMetres);
+            joules += climbed / ClimbRate * (power.Watts(wind, ClimbRate) - power.Watts(wind));
+            at = to;
+        }
 
         double Fly(double metres)
         {

@@ -52,7 +52,7 @@ internal sealed class MissionChanges(MissionFlight flight)
             return null;
         }
 
-        job = new PlanJob(With(request), plan.Frame.Origin, flight.IsFixedWing);
+        job = new PlanJob(With(request), plan.Frame.Origin, flight.IsFixedWing, flight.Options.Terrain);
         return Planner(job) ? null : "the planner takes nothing";
     }
 
@@ -160,5 +160,7 @@ internal sealed class MissionChanges(MissionFlight flight)
 
     private string? FindFault(MissionPlan changed)
         => MissionPlanRules.FindFaults(changed).FirstOrDefault()
-            ?? flight.Options.FindsFaultOfChange?.Invoke(changed);
+            ?? flight.Options.FindsFaultOfChange?.Invoke(changed)
+            ?? flight.Plan?.FindFaultOfSpeed(changed.SpeedMetresPerSecond)
+            ?? flight.Plan?.FindHeightFault(changed);
 }

@@ -41,7 +41,11 @@ internal static class OperatorFaults
     private static string? FindFaultOfSpeed(MissionFlight flight, double metresPerSecond)
         => flight.IsFixedWing
             ? "a fixed wing flies the speed of its autopilot"
-            : MissionPlanRules.FindFaultOfSpeed(metresPerSecond);
+            : MissionPlanRules.FindFaultOfSpeed(metresPerSecond) ?? flight.Plan?.FindFaultOfSpeed(metresPerSecond);
+
+    private static bool IsLow(MissionFlight flight)
+        => flight.HeightMetres
+            < flight.Plan!.HeightAboveHome(flight.Position, flight.Mission.HeightMetres) - LowMetres;
 
     private static string? FindRevisitFault(MissionFlight flight, MissionPhase phase, OperatorRequest request)
     {
@@ -49,7 +53,7 @@ internal static class OperatorFaults
             return "a fixed wing revisits nothing";
         if (flight.Plan is not { } plan)
             return "where home is, is not known";
-        if (phase == MissionPhase.Holding && flight.HeightMetres < flight.Mission.HeightMetres - LowMetres)
+        if (phase == MissionPhase.Holding && IsLow(flight))
             return $"it is low, at {MissionNumbers.Of(flight.HeightMetres)} m: a continue comes first";
         if (request.Command == OperatorCommand.RevisitPlace)
             return FindPlaceFault(flight, PlaceOf(plan, request.Place));

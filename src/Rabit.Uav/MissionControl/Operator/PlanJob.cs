@@ -8,7 +8,8 @@ namespace Rabit.Uav.MissionControl;
 /// the planner's thread fills it, and once it is done it is Mission Control's again.
 /// </summary>
 [HandedOver]
-internal sealed class PlanJob(MissionPlan mission, GeodeticPosition home, bool isFixedWing)
+internal sealed class PlanJob(
+    MissionPlan mission, GeodeticPosition home, bool isFixedWing, TerrainGrid? terrain = null)
 {
     private volatile bool _isDone;
 
@@ -31,7 +32,8 @@ internal sealed class PlanJob(MissionPlan mission, GeodeticPosition home, bool i
     {
         try
         {
-            Plan = FlightPlan.Create(Mission, home, out string fault, isFixedWing: isFixedWing, isQuick: true);
+            Plan = FlightPlan.Create(
+                Mission, home, out string fault, isFixedWing: isFixedWing, isQuick: true, terrain: terrain);
             Fault = fault;
             Route = Plan is null ? null : new SearchRoute(Plan, Mission.LaneSpacingMetres);
         }

@@ -1,14 +1,19 @@
+using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Rabit.Uav.MissionControl;
 
-/// <summary>The way to a place, around what lies between.</summary>
+/// <summary>
+/// The way to a place, around what lies between. Over terrain it is flown from point to point, each with its height;
+/// the vehicle stops at corners only.
+/// </summary>
 internal sealed class TransitPath
 {
     // A corner counts as flown within this.
     private const double ArrivalMetres = 2;
 
-    private IReadOnlyList<PlanePoint> _corners = [];
+    private IReadOnlyList<(PlanePoint At, double WithinMetres)> _points = [];
     private int _next;
 
     /// <summary>Where it ends.</summary>
@@ -21,21 +26,43 @@ internal sealed class TransitPath
     public void Begin(MissionFlight flight, PlanePoint to)
     {
         PlanePoint at = flight.Position;
-        (_corners, To, _next, Length) = (flight.Plan!.PathBetween(at, to), to, 0, 0);
-        foreach (PlanePoint corner in _corners)
+        IReadOnlyList<PlanePoint> corners = flight.Plan!.PathBetween(at, to);
+        (To, _next, Length) = (to, 0, 0);
+        foreach (PlanePoint corner in corners.Append(to))
         {
             Length += at.DistanceTo(corner);
             at = corner;
         }
 
-        Length += at.DistanceTo(to);
+        _points = flight.Plan.Terrain is null
+            ? corners.Select(c => (c, ArrivalMetres)).ToArray()
+            : PointsOf(flight.Position, corners, to, PathFollower.Lookahead(flight.Mission.SpeedMetresPerSecond));
     }
 
     /// <summary>Where to fly now.</summary>
     public PlanePoint Next(MissionFlight flight)
     {
-        while (_next < _corners.Count && flight.Position.DistanceTo(_corners[_next]) <= ArrivalMetres)
+        while (_next < _points.Count && flight.Position.DistanceTo(_points[_next].At) <= _points[_next].WithinMetres)
             _next++;
-        return _next < _corners.Count ? _corners[_next] : To;
+        return _next < _points.Count ? _points[_next].At : To;
+    }
+
+    // At most half a lookahead apart; passed by when they are nearer than a lookahead.
+    private static List<(PlanePoint At, double WithinMetres)> PointsOf(
+        PlanePoint at, IReadOnlyList<PlanePoint> corners, PlanePoint to, double lookahead)
+    {
+        var points = new List<(PlanePoint At, double WithinMetres)>();
+        for (int i = 0; i <= corners.Count; i++)
+        {
+            PlanePoint end = i < corners.Count ? corners[i] : to;
+            int pieces = (int)Math.Ceiling(2 * at.DistanceTo(end) / lookahead);
+            for (int piece = 1; piece < pieces; piece++)
+                points.Add((at + (piece / (double)pieces * (end - at)), lookahead));
+            if (i < corners.Count)
+                points.Add((end, ArrivalMetres));
+            at = end;
+        }
+
+        return points;
     }
 }

@@ -25,7 +25,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         if (!flight.IsFixedWing)
             flight.Route!.Reorder(flight.Position);
         _path.Begin(flight, flight.Route!.Current?.Start ?? flight.Position);
-        double climb = flight.Mission.HeightMetres - flight.HeightMetres;
+        double climb = HeightHere(flight) - flight.HeightMetres;
         _speed = flight.Mission.SpeedMetresPerSecond;
         _limit = PathFollower.TimeLimit(flight, _path.Length) + Seconds(Math.Max(0, climb) / MinClimbRate);
 
@@ -68,12 +68,15 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 
     private void Climb(MissionFlight flight, PlanePoint at)
     {
-        double height = flight.Mission.HeightMetres;
-        flight.SetGoalPosition(at, height, flight.Vehicle.Attitude.Yaw.Radians);
+        double height = HeightHere(flight);
+        flight.SetGoalPosition(at, flight.Mission.HeightMetres, flight.Vehicle.Attitude.Yaw.Radians);
         flight.Text = $"climbing: {MissionNumbers.Of(flight.HeightMetres)} of {MissionNumbers.Of(height)} m";
         if (flight.HeightMetres >= height - PathFollower.ArrivalMetres)
             _climbAt = null;
     }
+
+    private static double HeightHere(MissionFlight flight)
+        => flight.Plan!.HeightAboveHome(flight.Position, flight.Mission.HeightMetres);
 
     private void PointCamera(MissionFlight flight)
     {

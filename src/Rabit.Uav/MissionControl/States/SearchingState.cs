@@ -18,7 +18,9 @@ internal sealed class SearchingState : MissionState
     private ILaneFollower _follower;
     private TimeSpan? _laneEnd;
     private SearchRoute? _route;
+    private readonly TransitPath _homeward = new();
     private PlanePoint? _around;
+    private double _heading;
     private bool _isOnLane;
 
     public SearchingState()
@@ -68,15 +70,25 @@ internal sealed class SearchingState : MissionState
     private bool IsKeepOutOnTheWayHome(MissionFlight flight)
     {
         if (_around is { } corner && !PathFollower.HasArrived(flight, corner, flight.Mission.HeightMetres))
+        {
+            FlyAround(flight, corner);
             return true;
+        }
+
         IReadOnlyList<PlanePoint> path = flight.Plan!.PathBetween(flight.Position, default);
         if (flight.Plan.KeepOuts.Count == 0 || path.Count == 0)
             return false;
         PlanePoint next = path[0];
-        _around = next;
-        flight.Text = "around the keep-outs, to return";
-        flight.SetGoalPosition(next, flight.Mission.HeightMetres, (next - flight.Position).HeadingRadians);
+        (_around, _heading) = (next, (next - flight.Position).HeadingRadians);
+        _homeward.Begin(flight, next);
+        FlyAround(flight, next);
         return true;
+    }
+
+    private void FlyAround(MissionFlight flight, PlanePoint corner)
+    {
+        flight.Text = "around the keep-outs, to return";
+        flight.SetGoalPosition(_homeward.Next(flight), flight.Mission.HeightMetres, _heading);
     }
 
     private MissionStep Fly(MissionFlight flight, LaneSegment lane)

@@ -27,7 +27,7 @@ internal sealed class TakingOffState() : MissionState(MissionPhase.TakingOff)
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
     {
-        double height = flight.Mission.HeightMetres;
+        double height = flight.Plan!.HeightAboveHome(at: default, flight.Mission.HeightMetres);
         _hasFlown |= flight.IsFlying;
         var command = new VehicleCommand { Kind = VehicleCommandKind.TakeOff, HeightAboveHomeMetres = height };
         if (!flight.Commands.IsGoal(command))

@@ -1,0 +1,166 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rabit.Geodesy;
+using Rabit.Uav.Messages;
+using Rabit.Uav.MissionControl;
+using Xunit;
+using Xunit.Abstractions;
+
+namespace Rabit.Uav.Tests.MissionControl;
+
+/// <summary>Missions whose heights are above ground, over terrain that is not level.</summary>
+public class TerrainMissionTests(ITestOutputHelper output)
+{
+    // Lanes are held to 2 m, and the heights may be as much above ground as the vehicle cannot sink.
+    private const double Height = 40;
+    private const double ToleranceMetres = 2;
+
+    private static readonly Func<double, double, double> Level = (_, _) => 0;
+
+    public static TheoryData<string> Terrains => ["hill", "slope", "valley", "waves"];
+
+    [Theory]
+    [MemberData(nameof(Terrains))]
+    public void Mission_OverTerrain_KeepsTheHeightAboveGround(string name)
+    {
+        Func<double, double, double> ground = GroundOf(name);
+        using MissionRig rig = Rig(ground, MissionRig.Mission(", \"limits\": {\"maxHeightMetres\": 90}"));
+        rig.Vehicle.Targets.Add((80, -30, DefaultTargetClasses.Red));
+        (double least, double most) = FlySearch(rig, ground);
+        output.WriteLine($"{name}: {least:0.0} to {most:0.0} m above ground, {rig.Status.Coverage:0.000} seen");
+        Assert.InRange(least, Height - ToleranceMetres, Height + (2 * ToleranceMetres));
+        Assert.InRange(most, Height, 65);
+        Assert.InRange(rig.Status.Coverage, 0.985, 1);
+        Assert.Equal(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
+        Assert.DoesNotContain("no progress", rig.Story, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Mission_WithoutTerrain_FliesIntoTheHill()
+    {
+        Func<double, double, double> ground = GroundOf("hill");
+        using MissionRig rig = Rig(ground, MissionRig.Mission(), terrain: null);
+        Assert.InRange(FlySearch(rig, ground).Least, 0, 15);
+    }
+
+    [Fact]
+    public void Mission_LevelTerrain_FliesAsWithoutOne()
+    {
+        using MissionRig with = Rig(Level, MissionRig.Mission());
+        using MissionRig without = Rig(Level, MissionRig.Mission(), terrain: null);
+        Assert.Equal(MissionPhase.Done, with.RunToEnd());
+        Assert.Equal(MissionPhase.Done, without.RunToEnd());
+
+        // Transits are flown from point to point, and end as they do without.
+        Assert.InRange(with.Now.TotalSeconds / without.Now.TotalSeconds, 0.98, 1.02);
+        Assert.Equal(without.Status.Coverage, with.Status.Coverage, 0.01);
+    }
+
+    [Fact]
+    public void Mission_GroundFallsAwayBelowTheVehicle_LimitIsAboveGround()
+    {
+        MissionPlan mission = MissionRig.Mission(", \"limits\": {\"maxHeightMetres\": 60}");
+        using MissionRig rig = Rig(Level, mission);
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Vehicle.Height = 61;
+        rig.Run(0.5);
+        Assert.Equal(MissionPhase.Searching, rig.Status.Phase);
+        rig.Vehicle.CanClimb = false;
+        rig.Run(2);
+        Assert.Contains("m above ground, above the limit of 60.0 m", rig.Story, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Mission_GridWithoutTheArea_IsRefusedBeforeTakeOff()
+    {
+        TerrainGrid small = TestTerrain.Around(MissionRig.Home, Level, halfMetres: 50);
+        using var rig = new MissionRig(MissionRig.Mission(), o => o.Terrain = small);
+        Assert.Equal(MissionPhase.Failed, rig.RunToEnd());
+        Assert.Contains("the terrain grid does not cover", rig.Story, StringComparison.Ordinal);
+        Assert.False(rig.Vehicle.IsArmed);
+    }
+
+    [Fact]
+    public void Change_FasterThanTheTerrainIsFollowed_IsRefused()
+    {
+        using MissionRig rig = Rig(GroundOf("hill"), MissionRig.Mission());
+        rig.RunUntil(MissionPhase.Searching);
+        OperatorRequest[] refused =
+        [
+            rig.Manager.ChangeSpeed(9, "test", "late"),
+            rig.Manager.ChangeParameter(MissionParameter.Speed, 9, "test", "late"),
+        ];
+        OperatorRequest slower = rig.Manager.ChangeSpeed(5, "test", "gusts");
+        rig.Run(1);
+        Assert.All(refused, r => Assert.Contains(
+            "the heights over the terrain are planned for 8.0 at most", r.Answer, StringComparison.Ordinal));
+        Assert.Equal(OperatorOutcome.Accepted, slower.Outcome);
+    }
+
+    [Fact]
+    public void Plan_OverAHill_TakesMoreOfTheBattery()
+    {
+        double level = Energy(Level);
+        double waves = Energy(GroundOf("waves"));
+        output.WriteLine($"{waves / level:0.0000} of the energy over level ground");
+        Assert.InRange(waves / level, 1.003, 1.1);
+        Assert.Equal(Energy(null), level, 1e-9);
+    }
+
+    [Fact]
+    public void Options_TerrainAndFixedWing_AreRefused()
+    {
+        var options = new MissionControlOptions
+        {
+            Mission = MissionRig.Mission(),
+            Terrain = TestTerrain.Around(MissionRig.Home, Level),
+            FixedWing = new FixedWingOptions(),
+        };
+        ArgumentException e = Assert.Throws<ArgumentException>(() => new MissionControlManager(options));
+        Assert.Contains("Terrain is given, which a fixed wing (FixedWing) does not follow", e.Message);
+    }
+
+    private static double Energy(Func<double, double, double>? ground)
+    {
+        FlightPlan plan = FlightPlan.Create(
+            MissionRig.Mission(), MissionRig.Home, out string fault,
+            terrain: ground is null ? null : TestTerrain.Around(MissionRig.Home, ground))!;
+        Assert.Empty(fault);
+        return PlanEnergy.Of(
+            new PowerModel(new EnergyOptions()), new SearchRoute(plan, 30), plan, MissionRig.Mission(), wind: 3,
+            returnSpeed: 8, maxAirspeed: 15, returnStartSeconds: 3).Joules;
+    }
+
+    private static MissionRig Rig(
+        Func<double, double, double> ground, MissionPlan mission)
+        => Rig(ground, mission, TestTerrain.Around(MissionRig.Home, ground, postMetres: 5, halfMetres: 400));
+
+    private static MissionRig Rig(Func<double, double, double> ground, MissionPlan mission, TerrainGrid? terrain)
+    {
+        var rig = new MissionRig(mission, o => o.Terrain = terrain);
+        rig.Vehicle.Ground = ground;
+        return rig;
+    }
+
+    // The heights above ground before the return, which the autopilot flies level, and after the climb.
+    private static (double Least, double Most) FlySearch(MissionRig rig, Func<double, double, double> ground)
+    {
+        Assert.Equal(MissionPhase.Returning, rig.RunUntil(MissionPhase.Returning));
+        List<double> heights = [.. rig.Vehicle.Path.Where(p => p.North > 40)
+            .Select(p => p.Height - ground(p.North, p.East))];
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        return (heights.Min(), heights.Max());
+    }
+
+    private static Func<double, double, double> GroundOf(string name) => name switch
+    {
+        "hill" => (n, e) => 45 * Math.Exp(-(((n - 105) * (n - 105)) + (e * e)) / (2 * 70 * 70)) - Centre(45, 70),
+        "slope" => (n, _) => 0.1 * n,
+        "valley" => (n, _) => -0.15 * Math.Max(0, Math.Min(150, n)),
+        _ => (n, e) => 6 * (Math.Sin(n / 45) + Math.Sin(e / 60)),
+    };
+
+    // Of the hill at home, so that the ground there is at 0.
+    private static double Centre(double height, double width) => height * Math.Exp(-105.0 * 105 / (2 * width * width));
+}
