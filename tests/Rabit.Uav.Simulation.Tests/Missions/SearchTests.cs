@@ -18,10 +18,9 @@ public sealed class SearchTests(ITestOutputHelper output)
     // Of the pictures of a flight without faults.
     private const double MinUsable = 0.98;
 
-    [Theory]
-    [InlineData(1)]
-    [InlineData(22)]
-    public void Search_OneSeed_FindsAllAndReturns(long seed) => Fly(seed);
+    // Seed 1 is that of UavConsole, whose tests fly it.
+    [Fact]
+    public void Search_OneSeed_FindsAllAndReturns() => Fly(seed: 22);
 
     [Fact]
     public void Search_SameSeed_GivesTheSameLogToTheByte()
@@ -90,8 +89,9 @@ public sealed class SearchTests(ITestOutputHelper output)
 
     private static string LogOf(long seed)
     {
-        using var flight = new SearchFlight(
-            SearchFlight.SmallPlan(), new SimulationOptions { Seed = seed, TargetCount = 3, DistractorCount = 2 });
+        SimulationOptions world = SearchFlight.SmallWorld();
+        (world.Seed, world.TargetCount, world.DistractorCount) = (seed, 3, 2);
+        using var flight = new SearchFlight(SearchFlight.SmallPlan(), world);
         flight.Fly(TimeSpan.FromMinutes(10));
         return flight.Log
             + string.Join("\n", flight.Tracks.Tracks.Select(

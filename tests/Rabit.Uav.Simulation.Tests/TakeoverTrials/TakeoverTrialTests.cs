@@ -44,14 +44,14 @@ public sealed class TakeoverTrialTests(ITestOutputHelper output)
     [InlineData(SimulatedAutopilot.ArduPilot)]
     [InlineData(SimulatedAutopilot.Px4)]
     public void Pilot_AFewRandomMoments_ModeStands(SimulatedAutopilot model)
-        => CheckRandom(FlyAll(RandomMoments(model, seed: 3, count: 3)));
+        => CheckRandom(FlyAll(RandomMoments(model, seed: 3, count: 2)));   // ArduPilot: one by the switch, one not
 
     [Theory]
     [InlineData(SimulatedAutopilot.ArduPilot)]
     [InlineData(SimulatedAutopilot.Px4)]
     public void Pilot_AFewMomentsBesideOurModeCommand_NothingIsSentAfterAReportShowsHisMode(SimulatedAutopilot model)
     {
-        foreach (TakeoverTrial trial in FlyAll(Races(model, seed: 4, count: 3)))
+        foreach (TakeoverTrial trial in FlyAll(Races(model, seed: 4, count: 2)))
             Assert.True(trial.SentAfterReport is null, trial.ToString());
     }
 
