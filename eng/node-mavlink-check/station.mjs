@@ -1,62 +1,13 @@
 // The ground station of eng/ground-station-check.sh: node-mavlink, a library that knows nothing of us, asks component 191 for its parameters,
 // sets one, commands it and uploads a fence to it.
 //   node station.mjs PORT     where the frames of UavConsole come in
-import dgram from 'node:dgram'
-import { PassThrough } from 'node:stream'
 import mavlink from 'node-mavlink'
+import { Peer, nameOf } from './peer.mjs'
 
-const { MavLinkPacketSplitter, MavLinkPacketParser, MavLinkProtocolV2, common, minimal } = mavlink
-const vehicle = 1, computer = 191, patience = 20_000
-const protocol = new MavLinkProtocolV2(255, 190)
-const socket = dgram.createSocket('udp4')
-const input = new PassThrough()
-const waiting = []
-let peer = null, sequence = 0, passed = 0, failed = 0
-
-socket.on('message', (bytes, from) => { peer = from; input.write(bytes) })
-input.pipe(new MavLinkPacketSplitter()).pipe(new MavLinkPacketParser()).on('data', packet => {
-  if (packet.header.sysid !== vehicle || packet.header.compid !== computer) return
-  for (const each of [...waiting]) {
-    if (packet.header.msgid !== each.type.MSG_ID) continue
-    const message = packet.protocol.data(packet.payload, each.type)
-    if (each.isMeant(message)) each.take(message)
-  }
-})
-
-const to = (type, fields) => Object.assign(new type(), { targetSystem: vehicle, targetComponent: computer }, fields)
-const send = message => socket.send(protocol.serialize(message, sequence++ & 255), peer.port, peer.address)
-
-function next(type, isMeant = () => true, ms = patience) {
-  return new Promise((resolve, reject) => {
-    const entry = { type, isMeant, take: message => { end(); resolve(message) } }
-    const timer = setTimeout(() => { end(); reject(new Error(`no ${type.MSG_NAME} came`)) }, ms)
-    const end = () => { clearTimeout(timer); waiting.splice(waiting.indexOf(entry), 1) }
-    waiting.push(entry)
-  })
-}
-
-// A frame over UDP may be lost: what is not answered within 2 s is sent again.
-async function ask(message, type, isMeant) {
-  for (let left = patience; ; left -= 2000) {
-    const answer = next(type, isMeant, Math.min(left, 2000))
-    send(message)
-    try { return await answer } catch (e) { if (left <= 2000) throw e }
-  }
-}
-
-async function check(name, work) {
-  try {
-    const fault = await work()
-    if (fault) throw new Error(fault)
-    passed++
-    console.log(`${name}: ok`)
-  } catch (e) {
-    failed++
-    console.log(`${name}: ${e.message}: FAILED`)
-  }
-}
-
-const nameOf = value => value.paramId.replace(/\0.*$/, '')
+const { common, minimal } = mavlink
+const peer = new Peer(255, { system: 1, component: 191 })
+const to = (type, fields) => peer.to(type, fields), send = message => peer.send(message), waiting = peer.waiting
+const next = (...all) => peer.next(...all), ask = (...all) => peer.ask(...all), check = (...all) => peer.check(...all)
 const isOwn = name => value => nameOf(value) === name
 const set = (name, value) => ask(to(common.ParamSet, { paramId: name, paramValue: value, paramType: 9 }), common.ParamValue, isOwn(name))
 function command(number, parameters) {
@@ -65,9 +16,9 @@ function command(number, parameters) {
   return ask(message, common.CommandAck, ack => ack.command === number && ack.result !== common.MavResult.IN_PROGRESS)
 }
 
-await new Promise(resolve => socket.bind(Number(process.argv[2]), '127.0.0.1', resolve))
+await peer.open(Number(process.argv[2]))
 await check('heartbeat of component 191', async () => { await next(minimal.Heartbeat, () => true, 60_000) })
-setInterval(() => peer && send(Object.assign(new minimal.Heartbeat(), { type: 6, autopilot: 8, systemStatus: 4 })), 1000).unref()
+peer.startHeartbeats()
 
 await check('parameters listed', async () => {
   const values = new Map()
@@ -101,5 +52,5 @@ await check('hold', async () => {
   const { result } = await command(193, [0])
   return result === common.MavResult.ACCEPTED ? null : `result ${result}`
 })
-console.log(`${passed} passed, ${failed} failed`)
-process.exit(failed === 0 ? 0 : 1)
+console.log(`${peer.passed} passed, ${peer.failed} failed`)
+process.exit(peer.failed === 0 ? 0 : 1)

@@ -78,15 +78,24 @@ internal static class CommandLine
             DefaultValueFactory = _ => defaults.Autopilot,
         };
 
+        var systemId = new Option<byte>("--system-id")
+        {
+            Description = "The MAVLink system id of the vehicle, 1 to 254: several on one net have different ones.",
+            HelpName = "N",
+            CustomParser = result => (byte)ParseNumber(result, "--system-id", 1, 254),
+            DefaultValueFactory = _ => defaults.SystemId,
+        };
+
         var command = new RootCommand(
             "A simulated multirotor in real time that speaks MAVLink as ArduPilot's Copter or PX4 does, until Ctrl-C.")
         {
-            link, autopilot, seed, targets, wind, mission, camera, truth, signKey,
+            link, systemId, autopilot, seed, targets, wind, mission, camera, truth, signKey,
         };
         command.SetAction(result => run(new VehicleOptions(
             result.GetValue(link)!,
             new SimulationOptions
             {
+                SystemId = result.GetValue(systemId),
                 Autopilot = result.GetValue(autopilot),
                 Seed = result.GetValue(seed),
                 TargetCount = result.GetValue(targets),

@@ -35,6 +35,12 @@ public sealed class SimulationOptions
     public SimulatedAutopilot Autopilot { get; set; }
 
     /// <summary>
+    /// The MAVLink system id of the vehicle, 1 to 254: the parameter SYSID_THISMAV or MAV_SYS_ID at the start.
+    /// </summary>
+    /// <value>The default is 1.</value>
+    public byte SystemId { get; set; } = 1;
+
+    /// <summary>
     /// Where the vehicle stands at the start: the origin of the world's frame. The ground is flat and at its
     /// altitude.
     /// </summary>
@@ -189,6 +195,8 @@ public sealed class SimulationOptions
         if (Autopilot is not (SimulatedAutopilot.ArduPilot or SimulatedAutopilot.Px4))
             yield return FormattableString.Invariant(
                 $"{nameof(Autopilot)} is {Autopilot}; there is none of that number");
+        if (SystemId is 0 or byte.MaxValue)
+            yield return $"{nameof(SystemId)} is {SystemId}; it must be 1 to 254: 255 is a ground station";
         if (!(Math.Abs(Heading.Radians) <= 2 * Math.PI))
             yield return FormattableString.Invariant(
                 $"{nameof(Heading)} is {Heading}; it must be an angle of at most one turn");

@@ -71,19 +71,20 @@ internal static class OperatorArguments
 
     private static readonly Option<bool> SignedCommands = new("--signed-commands")
     {
-        Description = "Obeys MAVLink commands to our component only where they are signed (--sign-key).",
+        Description = "Obeys MAVLink commands to our component only where they are signed (--sign-key). Needs "
+            + "--fly.",
     };
 
     private static readonly Option<bool> TargetsAsTraffic = new("--targets-as-traffic")
     {
         Description = "Sends confirmed targets as traffic (ADSB_VEHICLE) too, for ground stations that draw nothing else "
-            + "on their map; on links to ground stations only, never towards an autopilot.",
+            + "on their map; on links to ground stations only, never towards an autopilot. Needs --fly.",
     };
 
     private static readonly Option<bool> OffersFence = new("--offer-fence")
     {
         Description = "Offers the autopilot's fence, once others have changed it, as another area: the operator's next "
-            + "continue takes it over, smaller by a margin.",
+            + "continue takes it over, smaller by a margin. Needs --fly.",
     };
 
     private static readonly Option<string> OnStopOption = CreateOnStop();

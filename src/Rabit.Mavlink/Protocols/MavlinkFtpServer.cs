@@ -123,6 +123,10 @@ public sealed partial class MavlinkFtpServer
             return;
         CloseUnused(now);
         message.Payload.CopyTo(_request.Bytes);
+
+        // Answers to a client of ours are no requests: two servers would refuse each other's refusals without end.
+        if (_request.Opcode is FtpOpcode.Ack or FtpOpcode.Nak)
+            return;
         Answer(new MavlinkAddress(frame.SystemId, frame.ComponentId), now);
     }
 

@@ -19,6 +19,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
     private readonly ulong _uid;
     private readonly Gimbal _mount;
     private readonly MissionService _missions;
+    private readonly StationService _stations;
     private readonly CommandHandler _commands;
     private readonly ParameterService _parameters;
     private readonly StreamSchedule _streams = new();
@@ -60,12 +61,15 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         };
         (_controller.Auto.Mission, _controller.Auto.Places, _controller.Auto.Say) =
             (_missions, targets.TryReadPlace, Say);
+        _telemetry.ReportMission = () => _missions.ReportCurrent(_controller.Situation.Time);
+        _stations = new StationService(
+            () => _address.SystemId, new ArdupilotFiles(_store), (_, frame) => sink.SendNumbered(frame));
         _commands = new CommandHandler(_controller, targets, _streams, _telemetry, mount, sink, Say);
         var commands = new CommandService(
             () => _address.SystemId, (command, _) => _commands.Execute(command),
             (_, answer) => sink.SendNumbered(answer));
         _dispatcher = new FrameDispatcher(
-            _controller, commands, _commands, targets, _parameters, _missions, _streams, _address, sink);
+            _controller, commands, _commands, targets, _parameters, _missions, _stations, _streams, _address, sink);
         _controller.Armed = SetHome;
         _controller.ModeChanged = () => _telemetry.Send(Heartbeat.MavlinkId);
         _controller.Failsafes.Fence.BreachBegan = () => _telemetry.Send(FenceStatus.MavlinkId);
@@ -155,6 +159,7 @@ internal sealed class ArdupilotAutopilot : IVehicleAutopilot
         _streams.Send(time, _sendMessage);
         _parameters.Step(time);
         _missions.Step(time, _controller.IsAuto);
+        _stations.Step(time);
     }
 
     private void Feel(in VehicleSenses senses)

@@ -101,7 +101,9 @@ internal sealed class CommandHandler(
                     new MessageInterval { MessageId = (ushort)messageId, IntervalUs = streams.IntervalOf(messageId) });
                 return MavResult.Accepted;
             case MavCmd.RequestMessage:
-                return RequestMessage(messageId);
+                return messageId == AvailableModes.MavlinkId
+                    ? Result(telemetry.SendModes((int)WholeNumber(command.Param2)))
+                    : RequestMessage(messageId);
             case MavCmd.GetHomePosition:
                 return RequestMessage(HomePosition.MavlinkId);
             case MavCmd.RequestAutopilotCapabilities:

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Simulation;
@@ -9,6 +10,19 @@ internal static class CopterModes
     private static readonly CopterMode[] Known =
         [CopterMode.Stabilize, CopterMode.AltHold, CopterMode.Auto, CopterMode.Guided, CopterMode.Loiter,
             CopterMode.Rtl, CopterMode.Land, CopterMode.Poshold, CopterMode.Brake];
+
+    public static IReadOnlyList<CopterMode> All => Known;
+
+    /// <summary>The mode that means the same for all autopilots.</summary>
+    public static MavStandardMode StandardOf(CopterMode mode) => mode switch
+    {
+        CopterMode.AltHold => MavStandardMode.AltitudeHold,
+        CopterMode.Loiter => MavStandardMode.PositionHold,
+        CopterMode.Auto => MavStandardMode.Mission,
+        CopterMode.Rtl => MavStandardMode.SafeRecovery,
+        CopterMode.Land => MavStandardMode.Land,
+        _ => MavStandardMode.NonStandard,
+    };
 
     public static bool IsKnown(uint number) => Array.IndexOf(Known, (CopterMode)number) >= 0;
 

@@ -15,6 +15,7 @@ internal sealed class FrameDispatcher(
     TargetReader targets,
     ParameterService parameters,
     MissionService missions,
+    StationService stations,
     StreamSchedule streams,
     AutopilotAddress address,
     IFrameSink sink)
@@ -50,7 +51,10 @@ internal sealed class FrameDispatcher(
                 break;
             case RequestDataStream.MavlinkId: frame.TryDecode(out RequestDataStream stream); Handle(stream); break;
             case Timesync.MavlinkId: frame.TryDecode(out Timesync sync); Handle(sync, sender, bootNanoseconds); break;
-            default: missions.Handle(frame, Now); break;
+            default:
+                if (!stations.TryHandle(frame, Now))
+                    missions.Handle(frame, Now);
+                break;
         }
     }
 

@@ -9,6 +9,9 @@ internal sealed class Parameter(string name, MavParamType type, float value)
 
     public MavParamType Type { get; } = type;
 
+    /// <summary>What it is before anything has set it.</summary>
+    public float Default { get; } = value;
+
     /// <summary>As it is sent: a whole number is sent as a float of the same value (PARAM_ENCODE_C_CAST).</summary>
     public float Value { get; private set; } = value;
 

@@ -15,12 +15,17 @@ internal sealed class StreamSchedule
     private const double MaxHertz = 320;
     private const int MaxMilliseconds = 60_000;
 
-    private static readonly int[] ExtendedStatus = [SysStatus.MavlinkId, GpsRawInt.MavlinkId];
+    private static readonly int[] ExtendedStatus =
+        [SysStatus.MavlinkId, GpsRawInt.MavlinkId, MissionCurrent.MavlinkId, FenceStatus.MavlinkId];
+    private static readonly int[] Channels = [RcChannels.MavlinkId];
     private static readonly int[] Position = [GlobalPositionInt.MavlinkId, LocalPositionNed.MavlinkId];
     private static readonly int[] Extra1 = [Attitude.MavlinkId];
     private static readonly int[] Extra2 = [VfrHud.MavlinkId];
     private static readonly int[] Extra3 =
-        [SystemTime.MavlinkId, BatteryStatus.MavlinkId, ExtendedSysState.MavlinkId, Wind.MavlinkId];
+    [
+        SystemTime.MavlinkId, BatteryStatus.MavlinkId, ExtendedSysState.MavlinkId, Wind.MavlinkId,
+        EkfStatusReport.MavlinkId,
+    ];
 
     private readonly List<Entry> _entries = [];
 
@@ -80,11 +85,13 @@ internal sealed class StreamSchedule
         switch (group)
         {
             case MavDataStream.ExtendedStatus: return ExtendedStatus;
+            case MavDataStream.RcChannels: return Channels;
             case MavDataStream.Position: return Position;
             case MavDataStream.Extra1: return Extra1;
             case MavDataStream.Extra2: return Extra2;
             case MavDataStream.Extra3: return Extra3;
-            case MavDataStream.All: return [.. ExtendedStatus, .. Position, .. Extra1, .. Extra2, .. Extra3];
+            case MavDataStream.All:
+                return [.. ExtendedStatus, .. Channels, .. Position, .. Extra1, .. Extra2, .. Extra3];
             default: return [];
         }
     }

@@ -20,7 +20,8 @@ internal sealed partial class TelemetrySender
         | MavSysStatusSensor.Ahrs | MavSysStatusSensor.Battery | MavSysStatusSensor.PrearmCheck;
 
     private const MavProtocolCapability Capabilities = MavProtocolCapability.ParamFloat
-        | MavProtocolCapability.CommandInt
+        | MavProtocolCapability.MissionFloat | MavProtocolCapability.MissionInt | MavProtocolCapability.CommandInt
+        | MavProtocolCapability.Ftp | MavProtocolCapability.MissionFence | MavProtocolCapability.MissionRally
         | MavProtocolCapability.SetPositionTargetLocalNed | MavProtocolCapability.SetPositionTargetGlobalInt
         | MavProtocolCapability.Mavlink2
         | MavProtocolCapability.ParamEncodeCCast;

@@ -13,6 +13,9 @@ internal sealed partial class TelemetrySender(FlightController controller, World
 
     private uint BootMilliseconds => (uint)(_state.BootMicroseconds / 1000);
 
+    /// <summary>Sends MISSION_CURRENT.</summary>
+    public Action? ReportMission { get; set; }
+
     /// <summary>Where home is, metres in the world as the autopilot knows it; null before the first position.</summary>
     public NedVector? Home { get; set; }
 
@@ -25,7 +28,8 @@ internal sealed partial class TelemetrySender(FlightController controller, World
             or VfrHud.MavlinkId or BatteryStatus.MavlinkId or AutopilotVersion.MavlinkId or Wind.MavlinkId
             or HomePosition.MavlinkId or ExtendedSysState.MavlinkId or GpsGlobalOrigin.MavlinkId
             or GimbalDeviceAttitudeStatus.MavlinkId or EkfStatusReport.MavlinkId or FenceStatus.MavlinkId
-            or PositionTargetLocalNed.MavlinkId or PositionTargetGlobalInt.MavlinkId or ScaledPressure.MavlinkId;
+            or PositionTargetLocalNed.MavlinkId or PositionTargetGlobalInt.MavlinkId or ScaledPressure.MavlinkId
+            or RcChannels.MavlinkId or MissionCurrent.MavlinkId or AvailableModes.MavlinkId;
 
     /// <summary>The state that the following messages report.</summary>
     public void Update(in AutopilotState state)
@@ -68,6 +72,9 @@ internal sealed partial class TelemetrySender(FlightController controller, World
             case ScaledPressure.MavlinkId: SendPressure(); break;
             case PositionTargetLocalNed.MavlinkId: SendLocalTarget(); break;
             case PositionTargetGlobalInt.MavlinkId: SendGlobalTarget(); break;
+            case RcChannels.MavlinkId: SendChannels(); break;
+            case MissionCurrent.MavlinkId: ReportMission?.Invoke(); break;
+            case AvailableModes.MavlinkId: SendModes(0); break;
         }
     }
 

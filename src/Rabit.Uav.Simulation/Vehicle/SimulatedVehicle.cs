@@ -73,6 +73,7 @@ internal sealed class SimulatedVehicle : ILinkSink
                 new Px4Parameters(), frame, uid, Mount, StepSeconds, new SimulationRandom(options.Seed, "stack"), this)
             : new ArdupilotAutopilot(
                 new ParameterStore(options.HasNewerParameterNames), frame, uid, Mount, StepSeconds, this);
+        Autopilot.SetParameter(NameOfSystemId(options), options.SystemId);
         if (options.IsPrepared)
             PreparedParameters.ApplyTo(Autopilot, options.Autopilot);
         foreach (KeyValuePair<string, double> parameter in options.Parameters)
@@ -200,6 +201,10 @@ internal sealed class SimulatedVehicle : ILinkSink
         if (!IsBooting)
             _outboxes[0].Enqueue(frame);
     }
+
+    private static string NameOfSystemId(SimulationOptions options)
+        => options.Autopilot == SimulatedAutopilot.Px4 ? "MAV_SYS_ID"
+            : options.HasNewerParameterNames ? "MAV_SYSID" : "SYSID_THISMAV";
 
     private bool DoesNotSend<T>()
         => IsBooting || (IsAttitude<T>() && _script.IsOn(ScriptedFaultKind.AttitudeSilent, _time));

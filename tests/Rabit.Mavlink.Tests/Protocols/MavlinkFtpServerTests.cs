@@ -73,6 +73,23 @@ public class MavlinkFtpServerTests(ITestOutputHelper output)
         Assert.Equal(0, Ask(server, FtpOpcode.ResetSessions).Session);
     }
 
+    // Two servers would answer each other without end.
+    [Fact]
+    public void Handle_AnswersOfAnotherServer_AreNotAnswered()
+    {
+        MavlinkFtpServer server = New();
+        foreach (FtpOpcode opcode in new[] { FtpOpcode.Ack, FtpOpcode.Nak })
+        {
+            var packet = new FtpPacket { Opcode = opcode, Sequence = 7 };
+            var message = new FileTransferProtocol { TargetSystem = 1, TargetComponent = 191 };
+            message.Payload = new ByteArray251(packet.Bytes);
+            server.Handle(_station.Create(message), _now);
+        }
+
+        Assert.False(server.TryTakeFrame(_now, out _));
+        Assert.Equal((0L, 0L), (server.Refusals, server.Dropped));
+    }
+
     [Theory]
     [InlineData("../secret")]
     [InlineData("targets/../../secret")]

@@ -45,11 +45,30 @@ public class SimulatedVehicleTests
         File.Delete(truth);
     }
 
+    // As SITL: the ground station connects to TCP port 5760.
+    [Fact]
+    public void TcpServerAndSystemId_StationsConnectOneAfterTheOther_HeartbeatsOfThatSystem()
+    {
+        int port = FreePort();
+        using var vehicle = new SampleProcess(
+            "SimulatedVehicle", "--link", $"tcpin:127.0.0.1:{port}", "--system-id", "3", "--autopilot", "px4");
+        vehicle.WaitUntil(() => vehicle.Output.Contains("Ctrl-C ends it", StringComparison.Ordinal));
+        for (int station = 0; station < 2; station++)
+        {
+            using IByteLink ground = ReopeningLink.Open(LinkUrl.Parse($"tcp:127.0.0.1:{port}"));
+            Assert.Equal(3, AwaitFrame<Heartbeat>(ground).SystemId);
+        }
+
+        vehicle.Interrupt();
+        Assert.Equal(0, vehicle.WaitForEnd());
+    }
+
     [Theory]
     [InlineData("--link", "udp:1", "--link")]
     [InlineData("--link", "tlog:flight.tlog", "live link")]
     [InlineData("--targets", "many", "--targets many")]
     [InlineData("--wind", "-3", "0 to 25")]
+    [InlineData("--system-id", "255", "1 to 254")]
     [InlineData("--mission", "no-such-file.json", "no-such-file.json")]
     public void BadInput_IsOneLineAndExitCode2(string option, string value, string named)
     {
@@ -80,6 +99,26 @@ public class SimulatedVehicleTests
             var rest = new ReadOnlySpan<byte>(bytes, 0, read.Count);
             if (reader.TryRead(ref rest, out MavlinkFrame frame, out _) && frame.TryDecode(out T message))
                 return message;
+        }
+
+        throw new Xunit.Sdk.XunitException($"no {typeof(T).Name}");
+    }
+
+    private static MavlinkFrame AwaitFrame<T>(IByteLink link)
+        where T : struct, IMavlinkMessage
+    {
+        var clock = Stopwatch.StartNew();
+        byte[] bytes = new byte[2048];
+        var reader = new MavlinkFrameReader(MavlinkDialect.All);
+        while (clock.Elapsed < TestTimeout)
+        {
+            LinkRead read = link.Read(bytes);
+            var rest = new ReadOnlySpan<byte>(bytes, 0, read.Count);
+            while (reader.TryRead(ref rest, out MavlinkFrame frame, out _))
+            {
+                if (frame.TryDecode(out T _))
+                    return frame;
+            }
         }
 
         throw new Xunit.Sdk.XunitException($"no {typeof(T).Name}");

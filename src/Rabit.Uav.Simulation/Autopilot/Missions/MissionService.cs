@@ -70,6 +70,13 @@ internal sealed class MissionService(
         Send(time);
     }
 
+    /// <summary>Sends MISSION_CURRENT.</summary>
+    public void ReportCurrent(TimeSpan time)
+    {
+        Server.ReportCurrent();
+        Send(time);
+    }
+
     /// <summary>Makes an item the current one; false where there is none of that number.</summary>
     public bool TrySetCurrent(int sequence) => Server.TrySetCurrent(sequence);
 

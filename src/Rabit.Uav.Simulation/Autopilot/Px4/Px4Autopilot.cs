@@ -24,6 +24,7 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
     private readonly Px4Telemetry _telemetry;
     private readonly Px4ParameterService _service;
     private readonly Px4MissionService _missions;
+    private readonly StationService _stations;
     private readonly Px4FrameDispatcher _dispatcher;
     private TimeSpan _nextHeartbeat;
     private int _switchCount;
@@ -58,11 +59,13 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
             MissionStored = () => _controller.JumpTo(0),
             CurrentSet = _controller.JumpTo,
         };
+        _telemetry.ReportMission = link => _missions.ReportCurrent(_links.Now, link);
+        _stations = new StationService(() => SystemId, new MavlinkMemoryFiles(), sink.SendNumbered);
         (_controller.Mission.Items, _controller.Mission.Places) = (_missions, ReadPlace);
         var handler = new Px4CommandHandler(_controller, setPoints, requests, mount, frame);
         var commands = new CommandService(() => SystemId, (c, link) => handler.Execute(c, link), sink.SendNumbered);
         _dispatcher = new Px4FrameDispatcher(
-            _controller, commands, handler, setPoints, _service, _missions, _events, _links, garbage, sink);
+            _controller, commands, handler, setPoints, _service, _missions, _stations, _events, _links, garbage, sink);
 
         bool ReadPlace(MavFrame axes, int x, int y, float altitude, out NedVector place)
             => setPoints.TryReadPlace(axes, x, y, altitude, out place);
@@ -136,12 +139,14 @@ internal sealed class Px4Autopilot : IVehicleAutopilot
             _links.Streams(link).Send(time, link, _telemetry);
         _service.Step(time);
         _missions.Step(time, _controller.IsArmed && _controller.Mode == Px4Mode.Mission);
+        _stations.Step(time);
     }
 
     // A remote control counts where COM_RC_IN_MODE asks for one: its sticks are in the middle, its switch takes modes.
     private void UseRadio(in VehicleSenses senses)
     {
         bool isUsed = _parameters.ManualInput.Whole is 0 or 2 or 3;
+        _telemetry.IsRadioReceived = isUsed && senses.IsRadioReceived;
         if (isUsed && senses.IsRadioReceived)
             _controller.Situation.Sticks.ReceiveCentred(senses.Time);
         if (senses.SwitchCount == _switchCount)

@@ -15,6 +15,7 @@ internal sealed class Px4FrameDispatcher(
     Px4SetPointReader setPoints,
     Px4ParameterService parameters,
     Px4MissionService missions,
+    StationService stations,
     Px4Events events,
     Px4Links links,
     SimulationRandom garbage,
@@ -49,7 +50,10 @@ internal sealed class Px4FrameDispatcher(
             case ParamRequestRead.MavlinkId or ParamRequestList.MavlinkId or ParamSet.MavlinkId:
                 parameters.Handle(frame, Now, link);
                 break;
-            default: missions.Handle(frame, Now, link); break;
+            default:
+                if (!stations.TryHandle(frame, Now, link))
+                    missions.Handle(frame, Now, link);
+                break;
         }
     }
 

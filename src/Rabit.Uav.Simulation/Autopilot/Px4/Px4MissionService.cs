@@ -75,6 +75,13 @@ internal sealed class Px4MissionService
         Send(server, time, _uploadLink);
     }
 
+    /// <summary>Sends MISSION_CURRENT.</summary>
+    public void ReportCurrent(TimeSpan time, int link)
+    {
+        Server.ReportCurrent();
+        Send(Server, time, link);
+    }
+
     /// <summary>Makes an item the current one; false where there is none of that number.</summary>
     public bool TrySetCurrent(int sequence) => Server.TrySetCurrent(sequence);
 

@@ -12,7 +12,7 @@ internal sealed class Px4Streams
 {
     // PX4 sends these, the simulation does not: an interval for them is accepted and nothing comes of it.
     private static readonly int[] NotSimulated =
-        [4, 8, 29, 31, 36, 49, 65, 69, 83, 105, 132, 241, 331, 340, 360, 380, 12901, 12904];
+        [4, 8, 29, 31, 36, 49, 69, 83, 105, 132, 241, 331, 340, 360, 380, 12901, 12904];
 
     // What the onboard link streams without a request, Hz. PX4 sends much faster; this leaves telemetry that nothing
     // asks for at what is of use.

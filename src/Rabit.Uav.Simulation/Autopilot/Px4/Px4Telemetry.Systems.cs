@@ -22,7 +22,7 @@ internal sealed partial class Px4Telemetry
 
     private const MavProtocolCapability Capabilities = MavProtocolCapability.MissionFloat
         | MavProtocolCapability.MissionInt | MavProtocolCapability.CommandInt
-        | MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.SetPositionTargetLocalNed
+        | MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.Ftp | MavProtocolCapability.SetPositionTargetLocalNed
         | MavProtocolCapability.SetPositionTargetGlobalInt | MavProtocolCapability.Mavlink2
         | MavProtocolCapability.MissionFence | MavProtocolCapability.MissionRally;
 
@@ -129,6 +129,22 @@ internal sealed partial class Px4Telemetry
             WindY = (float)wind.East,
             VarHoriz = 0.1f,
             WindAlt = (float)(frame.Origin.AltitudeAmslMetres - _state.Position.Down),
+        });
+    }
+
+    // The sticks are centred.
+    private bool TrySendChannels(int link)
+    {
+        const ushort Centred = 1500;
+        return IsRadioReceived && Send(link, new RcChannels
+        {
+            TimeBootMs = BootMilliseconds,
+            Chancount = 4,
+            Chan1Raw = Centred,
+            Chan2Raw = Centred,
+            Chan3Raw = Centred,
+            Chan4Raw = Centred,
+            Rssi = byte.MaxValue - 1,
         });
     }
 

@@ -15,6 +15,12 @@ internal sealed partial class Px4Telemetry(
 
     private uint BootMilliseconds => (uint)(_state.BootMicroseconds / 1000);
 
+    /// <summary>Sends MISSION_CURRENT.</summary>
+    public Action<int>? ReportMission { get; set; }
+
+    /// <summary>Whether a remote control is connected and in use.</summary>
+    public bool IsRadioReceived { get; set; }
+
     /// <summary>Where local positions count from; null before the first position.</summary>
     public NedVector? Origin { get; private set; }
 
@@ -26,7 +32,7 @@ internal sealed partial class Px4Telemetry(
             or BatteryStatus.MavlinkId or AutopilotVersion.MavlinkId or HomePosition.MavlinkId
             or ExtendedSysState.MavlinkId or EstimatorStatus.MavlinkId or GpsGlobalOrigin.MavlinkId
             or Timesync.MavlinkId or GimbalDeviceAttitudeStatus.MavlinkId or WindCov.MavlinkId
-            or ScaledPressure.MavlinkId;
+            or ScaledPressure.MavlinkId or RcChannels.MavlinkId or MissionCurrent.MavlinkId;
 
     /// <summary>The state that the following messages report.</summary>
     public void Update(in AutopilotState state)
@@ -77,6 +83,8 @@ internal sealed partial class Px4Telemetry(
             case Timesync.MavlinkId: return Send(link, new Timesync { Ts1 = _state.BootMicroseconds * 1000 });
             case GimbalDeviceAttitudeStatus.MavlinkId: SendGimbal(link); return true;
             case WindCov.MavlinkId: return TrySendWind(link);
+            case RcChannels.MavlinkId: return TrySendChannels(link);
+            case MissionCurrent.MavlinkId: ReportMission?.Invoke(link); return true;
             case ScaledPressure.MavlinkId:
                 return Send(link, new ScaledPressure
                 {
