@@ -15,13 +15,17 @@ internal static class HostAddresses
     /// <exception cref="LinkException">The name is not known.</exception>
     /// <remarks>A stop ends the wait; the look-up itself, which cannot be ended, is left to itself.</remarks>
     public static IPAddress[] Find(string url, string host, LinkStop stop)
+        => Find(url, host, stop, static name => Dns.BeginGetHostAddresses(name, null, null));
+
+    /// <summary>The same with a name service of the caller's; its answer is not read where a stop is first.</summary>
+    internal static IPAddress[] Find(string url, string host, LinkStop stop, Func<string, IAsyncResult> ask)
     {
         if (IPAddress.TryParse(host, out IPAddress? literal)) return [literal];
 
         IPAddress[] found;
         try
         {
-            IAsyncResult lookUp = Dns.BeginGetHostAddresses(host, null, null);
+            IAsyncResult lookUp = ask(host);
             if (!stop.WaitFor(lookUp.AsyncWaitHandle, Timeout.InfiniteTimeSpan))
                 throw new LinkException(url, LinkLifetime.UnblockedReason, linkEnded: true, mayPass: true);
             found = Dns.EndGetHostAddresses(lookUp);

@@ -28,6 +28,12 @@ public sealed class LinkSettings
     /// </summary>
     public TimeSpan? FlushAfter { get; init; }
 
+    /// <summary>
+    /// <c>hold=</c>, milliseconds: how long a message may wait for others, to go out with them in one write or
+    /// datagram; null for not at all. What is urgent takes along at once what waits.
+    /// </summary>
+    public TimeSpan? HoldTime { get; init; }
+
     /// <summary><c>idle=</c>, seconds, for <c>udpin</c>: after what silence a peer is forgotten.</summary>
     public TimeSpan? IdleTime { get; init; }
 

@@ -18,7 +18,7 @@ internal static class LinkSettingsParser
 
     private static readonly string[] Names =
     [
-        Name, "rate", "flush", "idle", "keepalive", "position", "key", "allow", "allow-in", "allow-out", "deny",
+        Name, "rate", "flush", "hold", "idle", "keepalive", "position", "key", "allow", "allow-in", "allow-out", "deny",
         "deny-in", "deny-out", .. Flags,
     ];
 
@@ -79,6 +79,7 @@ internal static class LinkSettingsParser
             Name = Text(values, Name, ref fault),
             BytesPerSecond = (int?)Number(values, "rate", 280, 100_000_000, isWhole: true, ref fault),
             FlushAfter = Time(values, "flush", 1, MaxMilliseconds, 1, ref fault),
+            HoldTime = Time(values, "hold", 1, 1000, 1, ref fault),
             IdleTime = Time(values, "idle", 1, MaxSeconds, 1000, ref fault),
             KeepAlive = Time(values, "keepalive", 1, MaxSeconds, 1000, ref fault),
             IsOptional = values.ContainsKey("optional"),

@@ -10,7 +10,7 @@ public sealed class LinkSettingsTests
     public void Parse_OptionsBehindASerialLine_GivesBoth()
     {
         LinkUrl url = LinkUrl.Parse(
-            "serial:/dev/ttyAMA0:57600,rate=3600,name=radio,flush=50,optional,position=no,key=/etc/key");
+            "serial:/dev/ttyAMA0:57600,rate=3600,name=radio,flush=50,hold=10,optional,position=no,key=/etc/key");
 
         Assert.Equal((LinkKind.Serial, "/dev/ttyAMA0", 57600), (url.Kind, url.Path, url.BaudRate));
         LinkSettings settings = url.Settings;
@@ -19,6 +19,7 @@ public sealed class LinkSettingsTests
             (true, false, false, false),
             (settings.IsOptional, settings.SendsPosition, settings.IsListenOnly, settings.IsReceiveOnly));
         Assert.Equal(TimeSpan.FromMilliseconds(50), settings.FlushAfter);
+        Assert.Equal(TimeSpan.FromMilliseconds(10), settings.HoldTime);
         Assert.Equal("serial:/dev/ttyAMA0:57600", url.Address);
     }
 
@@ -63,6 +64,7 @@ public sealed class LinkSettingsTests
     [InlineData("tcp:h:1,rate=1e3", "rate=1e3 is not a number")]
     [InlineData("tcp:h:1,flush=0", "flush=0 is not a number from 1 to 60000")]
     [InlineData("tcp:h:1,flush=NaN", "flush=NaN is not a number from 1 to 60000")]
+    [InlineData("tcp:h:1,hold=1001", "hold=1001 is not a number from 1 to 1000")]
     [InlineData("tcp:h:1,name=", "the option 'name' is empty")]
     [InlineData("tcp:h:1,position=maybe", "position=maybe is neither yes nor no")]
     [InlineData("tcp:h:1,idle=3", "the option 'idle' is for udpin only")]

@@ -161,7 +161,7 @@ public sealed class UdpPeersTests
         return peers;
     }
 
-    private sealed class ManualClock : TimeProvider
+    internal sealed class ManualClock : TimeProvider
     {
         private long _ticks = 1;
 

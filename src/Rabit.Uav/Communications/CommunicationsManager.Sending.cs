@@ -1,5 +1,6 @@
 using System;
 using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
 
 namespace Rabit.Uav.Communications;
 
@@ -27,7 +28,7 @@ public sealed partial class CommunicationsManager
             scheduler.Put(
                 new FrameToSend { Frame = frame }, SendClasses.Of(frame, keepsOrder: frame.IsSigned), Now);
         else
-            port.Send(frame);
+            port.Send(frame, Now);
     }
 
     // Of the copies for several links the first one is recorded that is sent for certain.
@@ -74,6 +75,17 @@ public sealed partial class CommunicationsManager
             while (port.Scheduler is { } scheduler && scheduler.TryTake(Now, out FrameToSend frame))
                 SendNow(port, frame);
         }
+
+        FlushLinks(Now);
+    }
+
+    private void FlushLinks(TimeSpan now)
+    {
+        foreach (LinkPort port in _ports)
+        {
+            if (port.FlushDue <= now)
+                port.Flush();
+        }
     }
 
     private void SendWaitingAtTheEnd()
@@ -91,13 +103,16 @@ public sealed partial class CommunicationsManager
     {
         if (!frame.IsOwn)
         {
-            port.Send(frame.Frame);
+            port.Send(frame.Frame, Now);
             return;
         }
 
         MavlinkFrame numbered = frame.Frame.WithSequence(port.NextSequence(frame.Frame), frame.CrcExtra);
         _copies.Remember(numbered, Now);
-        bool isSent = port.Send(_signing is null ? numbered : _signing.Sign(numbered, frame.CrcExtra, port.Number));
+        if (port.Scheduler?.Probe is { } probe && numbered.TryDecode(out Ping ping) && ping.TargetSystem == 0)
+            probe.NoteSent(ping, Now);
+        bool isSent = port.Send(
+            _signing is null ? numbered : _signing.Sign(numbered, frame.CrcExtra, port.Number), Now);
         if (isSent && frame.IsToBeRecorded)
             RecordOwn(numbered, frame.CrcExtra);
     }
@@ -108,6 +123,8 @@ public sealed partial class CommunicationsManager
         {
             if (port.Scheduler?.TimeToNext(Now) is { } next && next < delay)
                 delay = next;
+            if (port.FlushDue != TimeSpan.MaxValue && port.FlushDue - Now < delay)
+                delay = port.FlushDue > Now ? port.FlushDue - Now : TimeSpan.Zero;
         }
 
         if (_exchange is not null && _exchangeDue - Now < delay)

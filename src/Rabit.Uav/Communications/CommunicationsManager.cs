@@ -103,6 +103,7 @@ public sealed partial class CommunicationsManager : RabitManager
         SendPosition();
         SendTargets();
         ExchangeVehicleMessages();
+        SendPings();
         SendWaiting();
 
         if (Now >= _nextStatus)
@@ -118,6 +119,7 @@ public sealed partial class CommunicationsManager : RabitManager
         SendOwnFrames();
         EndVehicleMessages();
         SendWaitingAtTheEnd();
+        FlushLinks(TimeSpan.MaxValue);
         PostStatus();
         LogDrops(isEnd: true);
         ReportAddresses(isEnd: true);
@@ -132,7 +134,7 @@ public sealed partial class CommunicationsManager : RabitManager
         bool isWire = link.Url.StartsWith("serial:", StringComparison.OrdinalIgnoreCase);
         var tally = new FrameStatistics(_options.Dialect, isWire);
         var source = new MavlinkLinkSource(link, number, _options.Dialect, tally, settings.FlushAfter);
-        var target = new MavlinkLinkTarget(link);
+        var target = new LinkFrameTarget(link);
         _ports.Add(new LinkPort(
             number,
             link.Url,
@@ -207,6 +209,7 @@ public sealed partial class CommunicationsManager : RabitManager
 
             if (!port.IsRecorded)
                 Record(frame);
+            TakePing(port, frame);
             Route(frame, port.IsRecorded);
         }
 

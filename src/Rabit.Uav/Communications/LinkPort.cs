@@ -16,11 +16,11 @@ internal sealed class LinkPort(
     string url,
     FrameStatistics tally,
     BlockingReader<LinkFrame> reader,
-    BlockingWriter<MavlinkFrame>? writer,
+    BlockingWriter<FrameToWrite>? writer,
     MessagePublisher<LinkStatus> status,
     Func<long> bytesLost,
     Func<long> incompatibleFrames,
-    MavlinkLinkTarget? target,
+    LinkFrameTarget? target,
     IByteLink? link,
     RecordedFile? file,
     LinkSettings settings,
@@ -43,6 +43,10 @@ internal sealed class LinkPort(
     private MavlinkSignatureCounters _signatures;
     private long _reportedRejections;
     private long _duplicates;
+
+    private readonly LinkHold? _hold = writer is not null && settings.HoldTime is { } hold
+        ? new LinkHold(writer, hold)
+        : null;
 
     // By sender (system, component).
     private readonly Dictionary<int, byte> _sequences = [];
@@ -125,7 +129,7 @@ internal sealed class LinkPort(
     public void NoteRadio(in LinkFrame frame)
     {
         if (Scheduler is not null && frame.IsChecked && frame.Frame.TryDecode(out RadioStatus radio))
-            Scheduler.NoteRadioBuffer(radio.Txbuf);
+            Scheduler.NoteRadioBuffer(radio.Txbuf, frame.Time);
     }
 
     /// <summary>Whether a ground station, and no autopilot, is at the other end.</summary>
@@ -149,11 +153,16 @@ internal sealed class LinkPort(
     }
 
     /// <returns>Whether it is on its way.</returns>
-    public bool Send(in MavlinkFrame frame)
+    public bool Send(in MavlinkFrame frame, TimeSpan now)
     {
         if (writer is null)
             return false;
-        if (IsUnconnected(writer) || writer.Push(frame) == PushResult.Rejected)
+        bool isSent = !IsUnconnected(writer);
+        if (isSent && _hold is not null)
+            _hold.Add(frame, now);
+        else if (isSent)
+            isSent = writer.Push(new FrameToWrite { Frame = frame }) != PushResult.Rejected;
+        if (!isSent)
         {
             _rejectedOut++;
             return false;
@@ -162,6 +171,12 @@ internal sealed class LinkPort(
         _framesOut++;
         return true;
     }
+
+    /// <summary>When frames that wait for others are to go out; the longest time where none do.</summary>
+    public TimeSpan FlushDue => _hold?.Due ?? TimeSpan.MaxValue;
+
+    /// <summary>Lets go frames that wait for others.</summary>
+    public void Flush() => _hold?.Flush();
 
     /// <summary>
     /// Whether the link can carry a frame of vehicle messages of this class now: it is open, within the limit of such
@@ -226,7 +241,7 @@ internal sealed class LinkPort(
 
     private bool IsOpening => link?.State is ByteLinkState.Opening or ByteLinkState.WaitingToReopen;
 
-    private bool IsUnconnected(BlockingWriter<MavlinkFrame> writer)
+    private bool IsUnconnected(BlockingWriter<FrameToWrite> writer)
         => Reader.State == DeviceState.Ended || writer.State is DeviceState.Faulted or DeviceState.Ended;
 
     private LinkState StateAt(TimeSpan now, TimeSpan silentAfter, Exception? fault)

@@ -6,6 +6,11 @@ public struct LinkBudgetStatus
     /// <summary>Bytes per second that it may send now; 0 where the link has no budget.</summary>
     public double BytesPerSecond { get; set; }
 
+    /// <summary>
+    /// How long a frame took over the link and back, last; 0 where that is not measured, or was not answered yet.
+    /// </summary>
+    public double RoundTripSeconds { get; set; }
+
     /// <summary>Bytes that it sent since the start.</summary>
     public long BytesOut { get; set; }
 

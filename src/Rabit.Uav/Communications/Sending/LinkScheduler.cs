@@ -1,5 +1,6 @@
 using System;
 using Rabit.Mavlink;
+using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Communications;
@@ -36,6 +37,7 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
     private readonly FrameFifo _bulk = new(256);
     private readonly StateSlots _state = new();
     private readonly TransmitBufferLaw _law = new(budget.RadioBufferLaw);
+    private readonly RoundTripLaw _roundTrip = new();
     private readonly SendCounters[] _counters = new SendCounters[Classes];
     private TimeSpan _freeAt;
     private TimeSpan _tokensAt;
@@ -43,7 +45,10 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
     private double _bulkCredit;
     private long _bytesOut;
 
-    public double BytesPerSecond => budget.BytesPerSecond * _law.Factor;
+    public double BytesPerSecond { get; private set; } = budget.BytesPerSecond;
+
+    /// <summary>What measures the round trip; null where the rate does not follow it.</summary>
+    public RoundTripProbe? Probe { get; } = budget.FollowsRoundTripTime ? new RoundTripProbe() : null;
 
     /// <summary>Frames that waited too long, or for which there was no room.</summary>
     public long Dropped
@@ -60,10 +65,19 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
     private int Waiting => _urgent.Count + _commands.Count + _coordination.Count + _bulk.Count + _state.Pending;
 
     /// <summary>Takes the state of the radio's buffer.</summary>
-    public void NoteRadioBuffer(byte freePercent)
+    public void NoteRadioBuffer(byte freePercent, TimeSpan now)
     {
         if (budget.FollowsRadioBuffer)
-            _law.Note(freePercent);
+            _law.Note(freePercent, now);
+        FollowLaws(now);
+    }
+
+    /// <summary>Takes an answer to a request of <see cref="Probe"/>.</summary>
+    public void TakePing(in Ping answer, TimeSpan now)
+    {
+        if (Probe?.TryTake(answer, now, out TimeSpan roundTrip) == true)
+            _roundTrip.Note(roundTrip, now);
+        FollowLaws(now);
     }
 
     /// <summary>Takes a frame that is to be sent.</summary>
@@ -95,6 +109,7 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
     public bool TryTake(TimeSpan now, out FrameToSend frame)
     {
         RemoveExpired(now);
+        FollowLaws(now);
         FillTokens(now);
         if (_urgent.Count > 0 && Length(_urgent.First) <= _urgentTokens)
         {
@@ -143,6 +158,7 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
         BytesPerSecond = BytesPerSecond,
         BytesOut = _bytesOut,
         Waiting = Waiting,
+        RoundTripSeconds = _roundTrip.RoundTrip.TotalSeconds,
         GrantedShare = _state.GrantedShare(now),
         Urgent = _counters[(int)SendClass.Urgent],
         Commands = _counters[(int)SendClass.Commands],
@@ -150,6 +166,9 @@ internal sealed class LinkScheduler(SendBudget budget, int signatureBytes)
         State = _counters[(int)SendClass.State],
         Bulk = _counters[(int)SendClass.Bulk],
     };
+
+    private void FollowLaws(TimeSpan now)
+        => BytesPerSecond = budget.BytesPerSecond * Math.Min(_law.FactorAt(now), _roundTrip.FactorAt(now));
 
     private FrameFifo FifoOf(SendClass sendClass) => sendClass switch
     {

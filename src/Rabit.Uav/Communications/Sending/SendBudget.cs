@@ -42,6 +42,14 @@ public sealed class SendBudget
     /// <value>The default is <see cref="RadioBufferLaw.Px4"/>.</value>
     public RadioBufferLaw RadioBufferLaw { get; set; }
 
+    /// <summary>
+    /// Whether the rate follows how long frames take over the link and back, measured by PING once a second: it falls
+    /// while they wait for more than 150 ms longer than in the best case of the last minutes. For links without
+    /// RADIO_STATUS, where someone answers PING: PX4, QGroundControl, Communications itself.
+    /// </summary>
+    /// <value>The default is false.</value>
+    public bool FollowsRoundTripTime { get; set; }
+
     internal SendBudget Copy() => (SendBudget)MemberwiseClone();
 
     internal IEnumerable<string> FindFaults()

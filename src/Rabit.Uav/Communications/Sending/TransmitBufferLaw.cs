@@ -8,7 +8,10 @@ namespace Rabit.Uav.Communications;
 /// </summary>
 internal sealed class TransmitBufferLaw(RadioBufferLaw law)
 {
-    private const double Least = 0.01;
+    // PX4's, of the value that is kept and of the one that is used.
+    private const double MinKept = 0.01;
+    private const double Least = 0.05;
+    private static readonly TimeSpan Px4MaxAge = TimeSpan.FromSeconds(5);
 
     // ArduPilot's: what is added to the interval of a stream of 4 Hz.
     private const int StreamIntervalMs = 250;
@@ -16,12 +19,21 @@ internal sealed class TransmitBufferLaw(RadioBufferLaw law)
     private const int FastBelowMs = 200;
 
     private int _slowdownMs;
+    private double _factor = 1;
+    private TimeSpan _newest;
 
-    public double Factor { get; private set; } = 1;
+    public double FactorAt(TimeSpan now)
+    {
+        if (law == RadioBufferLaw.Px4 && now - _newest > Px4MaxAge)
+            _factor = 1;
+        return Math.Max(Least, _factor);
+    }
 
     /// <param name="freePercent">RADIO_STATUS.txbuf: how much of the buffer is free.</param>
-    public void Note(byte freePercent)
+    /// <param name="now">The time.</param>
+    public void Note(byte freePercent, TimeSpan now)
     {
+        _newest = now;
         if (law == RadioBufferLaw.ArduPilot)
             NoteAsArduPilot(freePercent);
         else
@@ -34,7 +46,7 @@ internal sealed class TransmitBufferLaw(RadioBufferLaw law)
             : freePercent < 35 ? 0.975
             : freePercent > 50 ? 1.025
             : 1;
-        Factor = Math.Min(1, Math.Max(Least, Factor * change));
+        _factor = Math.Min(1, Math.Max(MinKept, _factor * change));
     }
 
     private void NoteAsArduPilot(byte freePercent)
@@ -45,6 +57,6 @@ internal sealed class TransmitBufferLaw(RadioBufferLaw law)
             _slowdownMs -= 40;
         else if (freePercent > 90)
             _slowdownMs = Math.Max(0, _slowdownMs - 20);
-        Factor = StreamIntervalMs / (double)(StreamIntervalMs + _slowdownMs);
+        _factor = StreamIntervalMs / (double)(StreamIntervalMs + _slowdownMs);
     }
 }

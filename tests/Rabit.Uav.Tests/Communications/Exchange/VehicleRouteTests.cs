@@ -137,6 +137,30 @@ public sealed class VehicleRouteTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void GpsTime_ThatSteps_IsThatOfTheNextMessage()
+    {
+        const long utc = 1_790_000_000_000_000;
+        const long hour = 3_600_000_000;
+        using var fleet = new Fleet(2, seed: 12, _ => [Route()]) { Loss = 0 };
+        fleet.SetGpsTime(0, utc - hour);   // its receiver does not know the leap seconds, or the date, yet
+        fleet.SetGpsTime(1, utc);
+        fleet.Run(1);
+        TimeSpan pushed = fleet.Now;
+        fleet.Push(0, VehicleDestination.Vehicle(2), 1);
+        fleet.Run(1);
+        fleet.SetGpsTime(0, utc + 2_000_000);
+        fleet.Run(1);
+        fleet.Push(0, VehicleDestination.Vehicle(2), 2);
+        fleet.Run(2);
+
+        // One of the two is wrong: the time by the age of the message is right all the same.
+        Assert.Null(fleet.Received(1)[0].TimeAccuracy);
+        Assert.InRange((fleet.Received(1)[0].SentTime - pushed).TotalMilliseconds, 200, 270);
+        Assert.NotNull(fleet.Received(1)[1].TimeAccuracy);
+        Assert.InRange((fleet.Received(1)[1].SentTime - pushed).TotalMilliseconds, 1990, 2020);
+    }
+
+    [Fact]
     public void Type_UnknownOrNewerOverThere_IsCountedIgnoredAndReported()
     {
         using var fleet = new Fleet(

@@ -201,18 +201,19 @@ public sealed class LinkSchedulerTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(10, 20, 42)]
+    [InlineData(10, 20, 180)]
+    [InlineData(10, 3, 1843)]
     [InlineData(30, 20, 2169)]
     [InlineData(40, 20, 3600)]
     public void RadioBuffer_Filling_ReducesTheRateByPx4sLaw(byte free, int reports, int expected)
     {
         var scheduler = new LinkScheduler(new SendBudget(), 0);
         for (int n = 0; n < reports; n++)
-            scheduler.NoteRadioBuffer(free);
+            scheduler.NoteRadioBuffer(free, TimeSpan.FromSeconds(n));
         Assert.InRange(scheduler.BytesPerSecond, expected - 1, expected + 1);
 
         for (int n = 0; n < 200; n++)
-            scheduler.NoteRadioBuffer(90);
+            scheduler.NoteRadioBuffer(90, TimeSpan.FromSeconds(reports + n));
         Assert.Equal(3600, scheduler.BytesPerSecond);
     }
 
@@ -225,12 +226,23 @@ public sealed class LinkSchedulerTests(ITestOutputHelper output)
     {
         var scheduler = new LinkScheduler(new SendBudget { RadioBufferLaw = RadioBufferLaw.ArduPilot }, 0);
         for (int n = 0; n < reports; n++)
-            scheduler.NoteRadioBuffer(free);
+            scheduler.NoteRadioBuffer(free, TimeSpan.FromSeconds(n));
         Assert.InRange(scheduler.BytesPerSecond, expected - 1, expected + 1);
 
         // Back by 40 ms down to 200 ms, then by 20 ms.
         for (int n = 0; n < 60; n++)
-            scheduler.NoteRadioBuffer(100);
+            scheduler.NoteRadioBuffer(100, TimeSpan.FromSeconds(reports + n));
+        Assert.Equal(3600, scheduler.BytesPerSecond);
+    }
+
+    [Fact]
+    public void RadioBuffer_NoReportForFiveSeconds_IsTakenForFreeAsByPx4()
+    {
+        var scheduler = new LinkScheduler(new SendBudget(), 0);
+        scheduler.NoteRadioBuffer(10, TimeSpan.FromSeconds(1));
+        scheduler.TryTake(TimeSpan.FromSeconds(6), out _);
+        Assert.Equal(2880, scheduler.BytesPerSecond);
+        scheduler.TryTake(TimeSpan.FromSeconds(6.1), out _);
         Assert.Equal(3600, scheduler.BytesPerSecond);
     }
 
@@ -238,7 +250,7 @@ public sealed class LinkSchedulerTests(ITestOutputHelper output)
     public void RadioBuffer_NotFollowed_ChangesNothing()
     {
         var scheduler = new LinkScheduler(new SendBudget { FollowsRadioBuffer = false }, 0);
-        scheduler.NoteRadioBuffer(0);
+        scheduler.NoteRadioBuffer(0, TimeSpan.FromSeconds(1));
         Assert.Equal(3600, scheduler.BytesPerSecond);
     }
 
