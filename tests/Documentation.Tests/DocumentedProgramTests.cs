@@ -73,6 +73,7 @@ public sealed class DocumentedProgramTests
     [InlineData("Mavlink")]
     [InlineData("Geodesy")]
     [InlineData("Links")]
+    [InlineData("Hosting")]
     [InlineData("Uav")]
     [InlineData("Uav.Reporting")]
     [InlineData("Uav.Simulation")]

@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Rabit.Geodesy.Tests;
 
-/// <summary>What is above a block is above each of its posts; a ray that trusts it never passes through a hill.</summary>
+/// <summary>What is above a block is above each of its posts: a ray never passes through a hill.</summary>
 public sealed class TerrainPyramidTests
 {
     private const int Rows = 70;
@@ -29,15 +29,15 @@ public sealed class TerrainPyramidTests
             int side = pyramid.FindBlock(row, column, altitude, out _);
 
             string where = FormattableString.Invariant($"seed {seed}, {altitude} m at {row}, {column}: {side}");
-            Assert.True(side == 1 || altitude > HighestOf(altitudes, row, column, side, around: 0), where);
+            Assert.True(side == 1 || altitude > MaxOf(altitudes, row, column, side, around: 0), where);
             Assert.True(
                 side > 1
-                    || altitude <= HighestOf(altitudes, row, column, TerrainPyramid.BlockCells, around: 1), where);
+                    || altitude <= MaxOf(altitudes, row, column, TerrainPyramid.BlockCells, around: 1), where);
         }
     }
 
     // Of the posts of the cells of a block, and of some around them.
-    private static double HighestOf(float[] altitudes, int row, int column, int side, int around)
+    private static double MaxOf(float[] altitudes, int row, int column, int side, int around)
     {
         double highest = double.NegativeInfinity;
         (int south, int west) = (row / side * side, column / side * side);

@@ -1,0 +1,81 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Microsoft.Extensions.Configuration;
+using Microsoft.Extensions.Hosting;
+using Microsoft.Extensions.Logging;
+using Microsoft.Extensions.Options;
+using Rabit.Core;
+
+namespace Rabit.Hosting;
+
+/// <summary>Makes the reactors of a host from what was registered and configured; finds all faults first.</summary>
+internal sealed class ReactorFactory(
+    IServiceProvider services, IEnumerable<ReactorRegistration> registrations, ILoggerFactory loggers,
+    IOptions<HostOptions> host, IConfiguration? configuration)
+{
+    private readonly List<ReactorRegistration> _registrations = registrations.ToList();
+    private readonly TimeSpan _usable = RabitHostOptions.Usable(host.Value.ShutdownTimeout);
+
+    /// <exception cref="RabitHostingException">Settings are wrong, or managers cannot be made.</exception>
+    public List<HostedReactor> Make()
+    {
+        var faults = new List<string>();
+        List<RabitHostOptions> options = _registrations.ConvertAll(r => OptionsOf(r, faults));
+        if (faults.Count > 0)
+            throw new RabitHostingException(faults);
+
+        Exception? first = null;
+        var reactors = new List<HostedReactor>();
+        for (int i = 0; i < _registrations.Count; i++)
+            reactors.Add(Make(_registrations[i], options[i], faults, ref first));
+        if (faults.Count == 0)
+            return reactors;
+        reactors.ForEach(r => r.Dispose());
+        throw new RabitHostingException(faults, first);
+    }
+
+    private RabitHostOptions OptionsOf(ReactorRegistration registration, List<string> faults)
+    {
+        var options = new RabitHostOptions();
+        registration.Options.ForEach(configure => configure(options));
+        string path = registration.Name == RabitServiceCollectionExtensions.DefaultName
+            ? "Rabit"
+            : "Rabit:" + registration.Name;
+        if (configuration is not null)
+            OptionsReader.Read(
+                configuration.GetSection(path), _registrations.Select(r => r.Name), options, faults);
+        faults.AddRange(options.FindFaults(path, _usable));
+        return options;
+    }
+
+    private HostedReactor Make(
+        ReactorRegistration registration, RabitHostOptions options, List<string> faults, ref Exception? first)
+    {
+        ReactorOptions run = options.ToReactor(registration.Name, _usable);
+        run.Log = new ReactorLogger(loggers, registration.Name).Write;
+        registration.Reactor.ForEach(configure => configure(services, run));
+        var reactor = new RabitReactor(run);
+        var owned = new List<IDisposable>();
+        foreach (ManagerRegistration manager in registration.Managers)
+        {
+            try
+            {
+                RabitManager made = manager.Create(services);
+                if (manager.IsOurs && made is IDisposable disposable)
+                    owned.Add(disposable);
+                reactor.Add(made);
+            }
+            catch (Exception e)
+            {
+                // Reported with all others.
+                faults.Add($"{registration.Name}: {manager.Name} cannot be made: {e.Message}");
+                first ??= e;
+            }
+        }
+
+        if (faults.Count == 0)
+            registration.Setup.ForEach(setup => setup(services, reactor));
+        return new HostedReactor(registration.Name, reactor, owned);
+    }
+}
