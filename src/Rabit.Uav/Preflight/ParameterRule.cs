@@ -26,6 +26,9 @@ internal sealed class ParameterRule : PreflightRule
     /// </summary>
     public double? Wanted { get; init; }
 
+    /// <summary>What is said behind the value.</summary>
+    public Func<PreflightFacts, string> Note { get; init; } = _ => string.Empty;
+
     /// <summary>Whether it is no failsafe, so that it may be unknown: older versions are without it.</summary>
     public bool IsOptional { get; init; }
 
@@ -46,6 +49,7 @@ internal sealed class ParameterRule : PreflightRule
         Test = Test,
         Wanted = Wanted,
         IsOptional = IsOptional,
+        Note = Note,
         Pass = Pass,
         Warn = Warn,
         Fail = Fail,
@@ -63,7 +67,8 @@ internal sealed class ParameterRule : PreflightRule
         }
 
         string text = Test.ValueText(value) + Test.Meaning(value)
-            + (string.Equals(name, Names[0].Name, StringComparison.Ordinal) ? string.Empty : " by " + name);
+            + (string.Equals(name, Names[0].Name, StringComparison.Ordinal) ? string.Empty : " by " + name)
+            + Note(facts);
         return new PreflightJudgement(Test.Judge(value, facts), text);
     }
 

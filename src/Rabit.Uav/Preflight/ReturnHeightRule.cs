@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Globalization;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Preflight;
@@ -24,16 +25,17 @@ internal static class ReturnHeightRule
         Pass = "obstacles, or the highest ground of a terrain grid, and the clearance (10 m) or more",
         Warn = "the mission names no obstacleHeightMetres",
         Fail = "below obstacles or terrain, and the clearance; 0 is the present height, which in a take-off is as low",
-        HowToSet = "set it above the obstacles that the mission file names by obstacleHeightMetres",
+        Note = facts => MaxGroundMetres(facts) is { } ground
+            ? string.Format(CultureInfo.InvariantCulture, ", terrain up to {0:0} m", ground)
+            : string.Empty,
+        HowToSet = "set it above the obstacles that the mission file names by obstacleHeightMetres, and the terrain",
         Reason = "the return is a straight line at this height, or at the present one where that is higher",
     };
 
     private static PreflightResult Judge(double metres, PreflightFacts facts)
     {
         double? obstacle = facts.Options.ObstacleHeightMetres;
-        double? ground = facts.Vehicle.PositionTime is null
-            ? null
-            : facts.ReturnTerrain?.MaxAboveHomeMetres(facts.Vehicle.Position);
+        double? ground = MaxGroundMetres(facts);
         double clearance = facts.Options.MinObstacleClearanceMetres;
         if (metres < obstacle + clearance || metres < ground + clearance)
             return PreflightResult.Fail;
@@ -41,4 +43,9 @@ internal static class ReturnHeightRule
         // What stands on the ground, a grid of the ground does not say.
         return obstacle is null ? PreflightResult.Warn : PreflightResult.Pass;
     }
+
+    private static double? MaxGroundMetres(PreflightFacts facts)
+        => facts.Vehicle.PositionTime is null
+            ? null
+            : facts.ReturnTerrain?.MaxAboveHomeMetres(facts.Vehicle.Position);
 }

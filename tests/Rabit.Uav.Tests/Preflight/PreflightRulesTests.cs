@@ -128,7 +128,9 @@ public sealed class PreflightRulesTests
             o.FenceMarginMetres = 50;
         }).With("RTL_ALT_M", value);
 
-        Assert.Equal(expected, facts.Line("return-height").Result);
+        PreflightLine line = facts.Line("return-height");
+        Assert.Equal(
+            (expected, $"{value} m, terrain up to {hillMetres} m"), (line.Result, line.Value));
     }
 
     [Fact]
