@@ -46,5 +46,17 @@ internal static class Rules
         "'{0}' declares in '{1}' of manager '{2}', after the wiring, and throws; declare in the constructor",
         Category, DiagnosticSeverity.Warning, isEnabledByDefault: true, Description(7));
 
+    public static readonly DiagnosticDescriptor LeaseUsedAfterPush = new(
+        "RABIT0008", "A lease of a buffer is used after it was pushed",
+        "'{0}' was pushed: the buffer has another owner, who may have returned it; use it before, or keep the result of "
+            + "the push and use it only where that is Rejected",
+        Category, DiagnosticSeverity.Info, isEnabledByDefault: true, Description(8));
+
+    public static readonly DiagnosticDescriptor DefaultTimerOnly = new(
+        "RABIT0009", "Only the default timer wakes a manager",
+        "Nothing wakes manager '{0}' but the default timer, once a second; set WakeUpDelay or Period, or let a message "
+            + "or a queue wake it",
+        Category, DiagnosticSeverity.Info, isEnabledByDefault: true, Description(9));
+
     private static string Description(int number) => $"More in docs/analyzers/RABIT000{number}.md of Rabit.";
 }

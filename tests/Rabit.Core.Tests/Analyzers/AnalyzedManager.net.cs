@@ -38,12 +38,17 @@ internal static class AnalyzedManager
     /// </summary>
     /// <param name="members">Of a class that derives from <see cref="RabitManager"/> and is named Pilot.</param>
     /// <param name="types">Further types.</param>
-    public static async Task<string[]> Report(string members, string types = "")
+    /// <param name="setsTimer">Whether its constructor sets a timer.</param>
+    public static async Task<string[]> Report(string members, string types = "", bool setsTimer = true)
         => await ReportOf($$"""
             {{Usings}}
             public sealed partial class Pilot : RabitManager
             {
-                public Pilot() : base("pilot") => Declare();
+                public Pilot() : base("pilot")
+                {
+                    {{(setsTimer ? "WakeUpDelay = TimeSpan.FromSeconds(1);" : "")}}
+                    Declare();
+                }
                 partial void Declare();
                 {{members}}
             }
@@ -61,7 +66,10 @@ internal static class AnalyzedManager
         Assert.Empty(compilation.GetDiagnostics().Where(d => d.Severity == DiagnosticSeverity.Error));
 
         ImmutableArray<DiagnosticAnalyzer> analyzers =
-            [new ManagerCodeAnalyzer(), new MutableTypeAnalyzer(), new PushResultAnalyzer()];
+        [
+            new ManagerCodeAnalyzer(), new MutableTypeAnalyzer(), new PushResultAnalyzer(), new LeaseAnalyzer(),
+            new DefaultTimerAnalyzer(),
+        ];
         ImmutableArray<Diagnostic> found = await compilation.WithAnalyzers(analyzers).GetAnalyzerDiagnosticsAsync();
         IEnumerable<string> lines = found
             .OrderBy(d => d.Location.SourceSpan.Start).ThenBy(d => d.Id, StringComparer.Ordinal)

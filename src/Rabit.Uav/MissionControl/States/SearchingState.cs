@@ -122,6 +122,8 @@ internal sealed class SearchingState : MissionState
         string seen = Seen(route);
         if (route.Coverage.Fraction >= flight.CoverageGoal)
             return new MissionStep(MissionEvent.Searched, seen);
+        if (!flight.Options.RequiresCamera && route.Coverage.Fraction <= 0)
+            return new MissionStep(MissionEvent.Searched, "the lanes are flown; there was no camera");
         if (route.GapPasses >= flight.Options.MaxGapPasses)
             return new MissionStep(MissionEvent.Searched, seen + ", the gaps were flown over");
         int legs = route.AddGapLegs(flight.Position);
