@@ -66,6 +66,9 @@ public class MissionResultTests
 
         MissionResult result = rig.Status.Result;
         Assert.Equal((MissionOutcome.Accomplished, 0.0), (result.Outcome, result.RequiredCoverage));
+
+        // All of the area would be a gap.
+        Assert.DoesNotContain("more legs over gaps", rig.Story, System.StringComparison.Ordinal);
     }
 
     // Otherwise the search would end short of what is required, without flying over the gaps.
