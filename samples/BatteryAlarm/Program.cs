@@ -51,12 +51,14 @@ internal sealed class BatteryAlarm : RabitManager
         double remaining = _vehicle.Value.BatteryRemaining;
         if (!(remaining < _level))   // also where it is not known: NaN
             return;
-        _hasWarned = true;
         string text = FormattableString.Invariant($"battery at {100 * remaining:0} percent");
         _print($"{Now.TotalSeconds:0.0} s: {text}");
         var message = new Statustext { Severity = MavSeverity.Warning, Text = new Text50(text) };
         OwnAddress own = _ownAddress.Value;
-        _outgoing.Push(
-            new OutgoingFrame { Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0) });
+        var frame = new OutgoingFrame
+        {
+            Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0),
+        };
+        _hasWarned = _outgoing.Push(frame) != PushResult.Rejected;   // where there is no room, it is sent again
     }
 }

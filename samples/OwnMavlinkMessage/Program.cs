@@ -68,7 +68,7 @@ internal sealed class GroundStation : RabitManager
     {
         var order = new WinchReel { TargetSystem = 1, TargetComponent = 169, Length = 2 };
         if (!_hasOrdered)
-            _out.Push(MavlinkFrame.Create(order, systemId: 255, componentId: 190, sequence: 0));
+            _ = _out.Push(MavlinkFrame.Create(order, systemId: 255, componentId: 190, sequence: 0));
         _hasOrdered = true;
         while (_in.TryPop(out LinkFrame frame))
         {

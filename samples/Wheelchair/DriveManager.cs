@@ -73,7 +73,8 @@ internal sealed class DriveManager : RabitManager
 
     private void Command()
     {
-        _motors.Push(new MotorCommand(_speed, Now));
+        // The next one follows within a control period.
+        _ = _motors.Push(new MotorCommand(_speed, Now));
         _drive.Value = new Drive { SpeedMetresPerSecond = _speed, IsSafetyStop = _isSafetyStop };
         _drive.Post();
     }

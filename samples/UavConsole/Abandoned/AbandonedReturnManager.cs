@@ -97,7 +97,7 @@ internal sealed class AbandonedReturnManager : RabitManager
             Param2 = ReturnMode,
         };
         OwnAddress own = _own.Value;
-        _outgoing.Push(
+        _ = _outgoing.Push(
             new OutgoingFrame { Frame = MavlinkFrame.Create(command, own.SystemId, own.ComponentId, sequence: 0) });
         _sentAt = Now;
         _tries++;

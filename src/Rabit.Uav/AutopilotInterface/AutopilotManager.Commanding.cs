@@ -45,7 +45,7 @@ public sealed partial class AutopilotManager
         while (outbox.Notes.Count > 0)
             Log(outbox.Notes.Dequeue());
         while (outbox.Frames.Count > 0)
-            _outgoing.Push(new OutgoingFrame
+            _ = _outgoing.Push(new OutgoingFrame
             {
                 Frame = outbox.Frames.Dequeue(),
                 ValidUntil = Now + MaxCommandDelay,
@@ -104,11 +104,11 @@ public sealed partial class AutopilotManager
             pose.Rates = vehicle.Rates;
         }
 
-        _poses.Push(pose);
+        _ = _poses.Push(pose);
         ReportBasis(arrival);
     }
 
-    private void PushGimbal(in GimbalAttitude gimbal, uint bootTimeMs, TimeSpan arrival) => _poses.Push(new PoseSample
+    private void PushGimbal(in GimbalAttitude gimbal, uint bootTimeMs, TimeSpan arrival) => _ = _poses.Push(new PoseSample
     {
         Kind = PoseSampleKind.Gimbal,
         Time = _clock.Map(bootTimeMs, arrival),
@@ -130,7 +130,7 @@ public sealed partial class AutopilotManager
         OwnAddress own = _ownAddress.Value;
         request.TargetSystem = _tracker.State.SystemId;
         request.TargetComponent = _tracker.State.ComponentId;
-        _outgoing.Push(
+        _ = _outgoing.Push(
             new OutgoingFrame { Frame = MavlinkFrame.Create(request, own.SystemId, own.ComponentId, sequence: 0) });
     }
 

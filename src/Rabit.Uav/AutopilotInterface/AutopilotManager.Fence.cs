@@ -32,7 +32,7 @@ public sealed partial class AutopilotManager
 
         _fence.Run(Now, _tracker.State.IsConnected && !IsSetupBusy);
         while (_tracker.State.IsConnected && _fence.TryTakeFrame(Now, out MavlinkFrame frame))
-            _outgoing.Push(new OutgoingFrame { Frame = frame });
+            _ = _outgoing.Push(new OutgoingFrame { Frame = frame });
         if (!_fence.TryTakeReport(out AutopilotFence report))
             return;
         if (report.Changes != _fenceMessage.Value.Changes)

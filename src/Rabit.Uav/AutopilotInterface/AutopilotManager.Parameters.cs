@@ -85,7 +85,7 @@ public sealed partial class AutopilotManager
         DelaysStop = _setup.MustRestore;
         bool maySend = _tracker.State.IsConnected && !_tracker.State.IsArmed;
         while (maySend && _setup.TryTakeFrame(Now, out MavlinkFrame frame))
-            _outgoing.Push(new OutgoingFrame { Frame = frame });
+            _ = _outgoing.Push(new OutgoingFrame { Frame = frame });
         if (!_setup.TryTakeReport(out AutopilotParameters report))
             return;
         _parametersMessage.Value = report;

@@ -26,6 +26,7 @@ public sealed partial class AutopilotManager : RabitManager
 
     private readonly AutopilotOptions _options;
     private readonly QueueReceiver<LinkFrame> _frames;
+    // What finds no room is counted by the queue, and shown; each protocol sends again what is not answered.
     private readonly QueueSender<OutgoingFrame> _outgoing;
     private readonly MessagePublisher<VehicleState> _vehicle;
     private readonly MessagePublisher<OwnAddress> _ownAddress;
@@ -191,7 +192,7 @@ public sealed partial class AutopilotManager : RabitManager
     {
         if (_options.RequestsRates && _connection is { } connection && _tracker.State.IsConnected
             && _version.TryNext(Now, connection.Sender, connection.Target, out MavlinkFrame frame))
-            _outgoing.Push(new OutgoingFrame { Frame = frame });
+            _ = _outgoing.Push(new OutgoingFrame { Frame = frame });
     }
 
     private void RequestRates()
@@ -199,7 +200,7 @@ public sealed partial class AutopilotManager : RabitManager
         if (!_options.RequestsRates || _rates is null)
             return;
         while (_tracker.State.IsConnected && _rates.TryTakeFrame(Now, out MavlinkFrame frame))
-            _outgoing.Push(new OutgoingFrame { Frame = frame });
+            _ = _outgoing.Push(new OutgoingFrame { Frame = frame });
         while (_rates.TryTakeAnswer(out MavlinkStreamRate rate))
             TakeRateAnswer(rate);
         RateRequestCounts counts = _statistics.Value.RateRequests;

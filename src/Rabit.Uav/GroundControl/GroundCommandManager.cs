@@ -38,6 +38,7 @@ public sealed class GroundCommandManager : RabitManager
     private readonly Authority _authority;
     private readonly MessageSubscriber<OwnAddress> _ownAddress;
     private readonly QueueReceiver<LinkFrame> _frames;
+    // What finds no room is counted by the queue, and shown; each protocol sends again what is not answered.
     private readonly QueueSender<OutgoingFrame> _outgoing;
     private readonly List<(int Handle, OperatorRequest Request)> _atWork = [];
     private readonly StatusTextChunks _texts = new();
@@ -180,7 +181,7 @@ public sealed class GroundCommandManager : RabitManager
     }
 
     private void Send(in MavlinkFrame frame)
-        => _outgoing.Push(new OutgoingFrame { Frame = frame, ValidUntil = Now + FrameValidity });
+        => _ = _outgoing.Push(new OutgoingFrame { Frame = frame, ValidUntil = Now + FrameValidity });
 
     private sealed record Servers(
         MavlinkSender Sender, MavlinkCommandServer Commands, GroundParameters Parameters, GroundAreas Areas,

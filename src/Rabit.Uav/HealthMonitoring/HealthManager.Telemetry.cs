@@ -40,7 +40,7 @@ public sealed partial class HealthManager
             return;
         IReadOnlyList<Statustext> chunks = _texts.NextChunks(_next, now);
         for (int i = 0; i < chunks.Count; i++)
-            _outgoing.Push(
+            _ = _outgoing.Push(
                 new OutgoingFrame
                 {
                     Frame = MavlinkFrame.Create(chunks[i], own.SystemId, own.ComponentId, sequence: 0)
@@ -57,7 +57,7 @@ public sealed partial class HealthManager
         OnboardComputerStatus message = OnboardComputerReport.Of(known, now, _options);
         foreach (LinkWatch link in _links)
             OnboardComputerReport.AddLink(ref message, link.Number, link.Url);
-        _outgoing.Push(new OutgoingFrame
+        _ = _outgoing.Push(new OutgoingFrame
         {
             Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0),
         });
@@ -68,7 +68,7 @@ public sealed partial class HealthManager
         OwnAddress own = _ownAddress.Value;
         if (!own.IsKnown || _mission.Age > MaxEnergyAge || _energy.Next(_mission.Value.Energy, now) is not { } message)
             return;
-        _outgoing.Push(new OutgoingFrame
+        _ = _outgoing.Push(new OutgoingFrame
         {
             Frame = MavlinkFrame.Create(message, own.SystemId, own.ComponentId, sequence: 0),
         });

@@ -35,6 +35,7 @@ public sealed partial class HealthManager : RabitManager
     private readonly CameraWatch _camera;
     private readonly AdviceLatch _advice = new();
     private readonly StatusTextSender _texts;
+    // What finds no room is counted by the queue, and shown; each protocol sends again what is not answered.
     private readonly QueueSender<OutgoingFrame> _outgoing;
     private readonly MessagePublisher<HealthReport> _report;
     private readonly HeartbeatSchedule _schedule = new(HeartbeatPeriod, EvaluationPeriod);

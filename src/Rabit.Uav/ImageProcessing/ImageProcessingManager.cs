@@ -234,7 +234,7 @@ public sealed class ImageProcessingManager : RabitManager
             _next.Reports += observation.Reports.Length;
 
         // What finds no room is in the counters of the queue.
-        _searchedGround.Push(observation);
+        _ = _searchedGround.Push(observation);
     }
 
     private void Refuse(int index, string why)

@@ -205,7 +205,7 @@ public sealed class SensorFusionManager : RabitManager
                 continue;
 
             // A full queue counts that itself.
-            _outgoing.Push(new Envelope<TargetReport> { Content = report });
+            _ = _outgoing.Push(new Envelope<TargetReport> { Content = report });
             track.SharedTime = report.Time;
         }
     }
