@@ -108,13 +108,14 @@ public sealed partial class AutopilotManager
         ReportBasis(arrival);
     }
 
-    private void PushGimbal(in GimbalAttitude gimbal, uint bootTimeMs, TimeSpan arrival) => _ = _poses.Push(new PoseSample
-    {
-        Kind = PoseSampleKind.Gimbal,
-        Time = _clock.Map(bootTimeMs, arrival),
-        TimeErrorSeconds = _clock.ErrorSecondsAt(arrival),
-        Gimbal = gimbal,
-    });
+    private void PushGimbal(in GimbalAttitude gimbal, uint bootTimeMs, TimeSpan arrival)
+        => _ = _poses.Push(new PoseSample
+        {
+            Kind = PoseSampleKind.Gimbal,
+            Time = _clock.Map(bootTimeMs, arrival),
+            TimeErrorSeconds = _clock.ErrorSecondsAt(arrival),
+            Gimbal = gimbal,
+        });
 
     private void StartRequestingTime(TimeSpan time)
     {

@@ -22,7 +22,8 @@ internal sealed partial class Px4Telemetry
 
     private const MavProtocolCapability Capabilities = MavProtocolCapability.MissionFloat
         | MavProtocolCapability.MissionInt | MavProtocolCapability.CommandInt
-        | MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.Ftp | MavProtocolCapability.SetPositionTargetLocalNed
+        | MavProtocolCapability.ParamEncodeBytewise | MavProtocolCapability.Ftp
+        | MavProtocolCapability.SetPositionTargetLocalNed
         | MavProtocolCapability.SetPositionTargetGlobalInt | MavProtocolCapability.Mavlink2
         | MavProtocolCapability.MissionFence | MavProtocolCapability.MissionRally;
 
