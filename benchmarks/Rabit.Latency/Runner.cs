@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using Rabit.Latency.Calls;
 using Rabit.Latency.Contention;
+using Rabit.Latency.Forwarding;
 using Rabit.Latency.Idle;
 using Rabit.Latency.Periods;
 using Rabit.Latency.PingPong;
@@ -41,6 +42,7 @@ internal static class Runner
         ("runs", options => [RunsMode.Run(options)]),
         ("stop", options => [StopMode.Run(options)]),
         ("fault", options => [FaultMode.Run(options)]),
+        ("forward", ForwardMode.Run),
     ];
 
     public static int Run(string[] arguments, TextWriter output, TextWriter errors)
