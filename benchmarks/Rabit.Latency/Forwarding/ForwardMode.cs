@@ -19,7 +19,7 @@ internal static class ForwardMode
     private static Table Rate(RunOptions options)
     {
         double seconds = options.Pick(0.2, 2.0);
-        Subject epoll = Row("epoll, by hand, looks at nothing", t => new EpollForwarder(t), Flood);
+        Subject epoll = Row("epoll, hand-written, looks at nothing", t => new EpollForwarder(t), Flood);
         Subject rabit = Row("Communications", t => new RabitForwarder(t, isRecorded: false), Flood);
         Subject recorded = Row("Communications, and records", t => new RabitForwarder(t, isRecorded: true), Flood);
         List<Subject> subjects = [epoll, rabit, recorded];
@@ -37,7 +37,7 @@ internal static class ForwardMode
     {
         double seconds = options.Pick(0.2, 3.0);
         Subject straight = Row("no forwarder: from socket to socket", _ => null, Pace);
-        Subject epoll = Row("epoll, by hand, looks at nothing", t => new EpollForwarder(t), Pace);
+        Subject epoll = Row("epoll, hand-written, looks at nothing", t => new EpollForwarder(t), Pace);
         Subject rabit = Row("Communications", t => new RabitForwarder(t, isRecorded: false), Pace);
         List<Subject> subjects = [straight, epoll, rabit];
         Rounds.Run(subjects, options.Pick(1, Math.Min(5, options.Rounds)), warmUps: options.Pick(0, 1));
@@ -58,7 +58,7 @@ internal static class ForwardMode
     private static Table Load(RunOptions options)
     {
         double seconds = options.Pick(0.3, 5.0);
-        Subject epoll = Row("epoll, by hand, looks at nothing", t => new EpollForwarder(t), Pace);
+        Subject epoll = Row("epoll, hand-written, looks at nothing", t => new EpollForwarder(t), Pace);
         Subject rabit = Row("Communications", t => new RabitForwarder(t, isRecorded: false), Pace);
         Subject recorded = Row("Communications, and records", t => new RabitForwarder(t, isRecorded: true), Pace);
         List<Subject> subjects = [epoll, rabit, recorded];

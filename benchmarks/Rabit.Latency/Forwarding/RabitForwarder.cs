@@ -7,7 +7,9 @@ using Rabit.Uav.Messages;
 
 namespace Rabit.Latency.Forwarding;
 
-/// <summary>Communications between two UDP links, with or without a recording; Autopilot Interface is stood in for.</summary>
+/// <summary>
+/// Communications between two UDP links, with or without a recording; Autopilot Interface is stood in for.
+/// </summary>
 internal sealed class RabitForwarder : IForwarder
 {
     private readonly UdpListenLink _in = UdpListenLink.Open("127.0.0.1", 0);

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Rabit.Latency.Native;
 
-/// <summary>What a forwarder by hand is made of.</summary>
+/// <summary>What a hand-written forwarder is made of.</summary>
 internal static unsafe class EpollCalls
 {
     public const int Add = 1;            // EPOLL_CTL_ADD

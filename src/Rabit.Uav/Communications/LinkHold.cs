@@ -34,7 +34,7 @@ internal sealed class LinkHold(BlockingWriter<FrameToWrite> writer, TimeSpan tim
     public void Flush()
     {
         for (int i = 0; i < _count; i++)
-            writer.Push(new FrameToWrite { Frame = _frames[i], HasMore = i < _count - 1 });
+            _ = writer.Push(new FrameToWrite { Frame = _frames[i], HasMore = i < _count - 1 });
         (_count, _bytes, Due) = (0, 0, TimeSpan.MaxValue);
     }
 }
