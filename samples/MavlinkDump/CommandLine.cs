@@ -42,10 +42,16 @@ internal static class CommandLine
             Description = "One JSON object for each message, on a line of its own."
         };
 
+        var events = new Option<string>("--px4-events")
+        {
+            Description = "The texts of PX4's events: all_events.json of its build. They stand behind the fields.",
+            HelpName = "FILE",
+        };
+
         var command = new RootCommand(
             "Shows what is in a MAVLink telemetry log: a table of messages and senders, or the messages themselves. "
             + "Exit codes: 0 done, 1 nothing of what was asked for is in the log, 2 bad input.")
-            { file, messages, system, component, print, csv, json };
+            { file, messages, system, component, print, csv, json, events };
         command.Validators.Add(result =>
         {
             if (new[] { print, csv, json }.Count(option => result.GetValue(option)) > 1)
@@ -58,7 +64,8 @@ internal static class CommandLine
             FormatOf(result.GetValue(print), result.GetValue(csv), result.GetValue(json), result.GetValue(messages)),
             result.GetValue(messages) ?? [],
             result.GetValue(system),
-            result.GetValue(component))));
+            result.GetValue(component),
+            result.GetValue(events))));
         return command;
     }
 

@@ -4,7 +4,8 @@ namespace MavlinkDump;
 
 /// <summary>What the command line asks for.</summary>
 internal sealed class DumpOptions(
-    string file, DumpFormat format, IReadOnlyCollection<int> messageIds, byte? systemId, byte? componentId)
+    string file, DumpFormat format, IReadOnlyCollection<int> messageIds, byte? systemId, byte? componentId,
+    string? eventsFile = null)
 {
     /// <summary>The log.</summary>
     public string File => file;
@@ -20,4 +21,7 @@ internal sealed class DumpOptions(
 
     /// <summary>Only this sender's component; null for all.</summary>
     public byte? ComponentId => componentId;
+
+    /// <summary>The texts of PX4's events; null for none.</summary>
+    public string? EventsFile => eventsFile;
 }

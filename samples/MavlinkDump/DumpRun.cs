@@ -88,9 +88,9 @@ internal static class DumpRun
     private static IDumpOutput CreateOutput(DumpOptions options, TextWriter text, Stream output)
         => options.Format switch
         {
-            DumpFormat.Lines => new LineOutput(text),
+            DumpFormat.Lines => new LineOutput(text, new LoggedEventTexts(options.EventsFile)),
             DumpFormat.Csv => new CsvOutput(text, options.MessageIds.First()),
-            DumpFormat.Json => new JsonOutput(output),
+            DumpFormat.Json => new JsonOutput(output, new LoggedEventTexts(options.EventsFile)),
             _ => new TableOutput(text, options.File),
         };
 

@@ -9,7 +9,7 @@ namespace MavlinkDump;
 /// One object per line: time, sender, name, fields as they are on the wire. NaN and the infinities, which JSON does not
 /// have, are null. Of an unknown message the payload is given in hexadecimal digits.
 /// </summary>
-internal sealed class JsonOutput(Stream output) : IDumpOutput
+internal sealed class JsonOutput(Stream output, LoggedEventTexts events) : IDumpOutput
 {
     private readonly Utf8JsonWriter _json = new(output);
     private readonly StringBuilder _time = new();
@@ -29,6 +29,8 @@ internal sealed class JsonOutput(Stream output) : IDumpOutput
             WriteFields(definition, frame);
         else
             _json.WriteString("payload", RecordText.PayloadHex(frame));
+        if (events.Of(frame) is { } text)
+            _json.WriteString("text", text);
         _json.WriteEndObject();
         _json.Flush();
         output.WriteByte((byte)'\n');

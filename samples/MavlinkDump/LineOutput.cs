@@ -5,7 +5,7 @@ using Rabit.Mavlink;
 namespace MavlinkDump;
 
 /// <summary>One line for people per message: time, sender, name, fields with units and names of enum entries.</summary>
-internal sealed class LineOutput(TextWriter output) : IDumpOutput
+internal sealed class LineOutput(TextWriter output, LoggedEventTexts events) : IDumpOutput
 {
     private readonly StringBuilder _line = new();
 
@@ -18,6 +18,8 @@ internal sealed class LineOutput(TextWriter output) : IDumpOutput
             definition.AppendTo(_line, frame);
         else
             _line.Append(RecordText.NameOf(frame, record)).Append(' ').Append(RecordText.PayloadHex(frame));
+        if (events.Of(frame) is { } text)
+            _line.Append("  \"").Append(text).Append('"');
         _line.Append('\n');
         Chunks.Write(output, _line);
     }

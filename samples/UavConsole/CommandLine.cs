@@ -133,6 +133,14 @@ internal static class CommandLine
         CustomParser = ParseSystemId,
     };
 
+    private static readonly Option<string> Px4Events = new("--px4-events")
+    {
+        Description = "The texts of PX4's events: all_events.json of its build, or 'fetch' to read them from the "
+            + "autopilot, which has them unless they are compressed with xz. Without it an event is its number, level "
+            + "and arguments in the log. Needs --link.",
+        HelpName = "FILE",
+    };
+
     static CommandLine() => Autopilot.AcceptOnlyFromAmong("ardupilot", "px4");
 
     public static RootCommand Create(Func<ConsoleOptions, int> run)
@@ -142,7 +150,7 @@ internal static class CommandLine
                 + "recorded.")
         {
             Links, RealTime, Seed, Targets, Autopilot, Mission, Fly, Camera, Terrain, TruthOption, Headless, Summary,
-            Report, Log, SystemId, SignKey, TrustLink,
+            Report, Log, SystemId, SignKey, TrustLink, Px4Events,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
             .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All))
@@ -179,6 +187,7 @@ internal static class CommandLine
         SystemId = result.GetValue(SystemId),
         SignKeyFile = result.GetValue(SignKey),
         TrustedLinks = result.GetValue(TrustLink) ?? [],
+        Px4EventsFile = result.GetValue(Px4Events),
         Preflight = PreflightArguments.Read(result),
         Operator = OperatorArguments.Read(result, result.GetValue(Fly)),
         Reporting = ReportArguments.Read(result),
@@ -213,6 +222,8 @@ internal static class CommandLine
             yield return "--terrain needs --link URL: the ground of the simulation is level.";
         if (result.GetValue(TruthOption) is not null)
             yield return "--truth needs --link URL: the simulation knows its own truth.";
+        if (result.GetValue(Px4Events) is not null)
+            yield return "--px4-events needs --link URL: the events are those of a real autopilot, or of its log.";
     }
 
     private static IEnumerable<string> WithLink(ParseResult result, bool isReplay)

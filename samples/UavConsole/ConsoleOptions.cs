@@ -60,6 +60,9 @@ internal sealed class ConsoleOptions
     /// <summary>The file of the key that live links are signed with; null for none.</summary>
     public string? SignKeyFile { get; init; }
 
+    /// <summary>The texts of PX4's events; "fetch" to read them from the autopilot; null for none.</summary>
+    public string? Px4EventsFile { get; init; }
+
     /// <summary>Numbers of live links that are not signed all the same.</summary>
     public IReadOnlyList<int> TrustedLinks { get; init; } = [];
 

@@ -137,6 +137,7 @@ internal sealed class Flight : IDisposable
             Signing = key is null ? null : SigningOf(key, options),
             Imaging = folder is null ? new ImageProcessingOptions() : ImagingOf(folder),
         };
+        EventTexts.ApplyTo(uavOptions.Autopilot, options.Px4EventsFile);
         if (options.Flies)
         {
             options.Preflight.ApplyTo(uavOptions, mission!, isSimulated: false);

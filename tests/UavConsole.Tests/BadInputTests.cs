@@ -80,6 +80,9 @@ public sealed class BadInputTests : IDisposable
     [InlineData("--export /nowhere/flight.kml", "--export /nowhere/flight.kml cannot be written: ")]
     [InlineData("--export a.csv --export a.csv", "--export and --export are the same file a.csv.")]
     [InlineData("--operator  ", "--operator: a name has 1 to 100 characters.")]
+    [InlineData("--px4-events a.json", "--px4-events needs --link URL")]
+    [InlineData("--link udpin:127.0.0.1:14550 --px4-events /nowhere/e.json",
+        "--px4-events /nowhere/e.json cannot be read: ")]
     [InlineData("--targets 51", "--targets 51: it must be a number from 0 to 50.")]
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)
         => AssertRefused(expected, arguments.Split(' '));

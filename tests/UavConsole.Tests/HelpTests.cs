@@ -21,6 +21,11 @@ public sealed class HelpTests
     [InlineData("--originals", "--fly")]
     [InlineData("--without-detection", "--fly")]
     [InlineData("--trust-link", "--sign-key")]
+    [InlineData("--offer-fence", "--fly")]
+    [InlineData("--signed-commands", "--fly")]
+    [InlineData("--signed-commands", "--sign-key")]
+    [InlineData("--targets-as-traffic", "--fly")]
+    [InlineData("--px4-events", "--link")]
     public void Description_OptionThatNeedsAnother_NamesIt(string option, string needed)
         => Assert.Contains(
             needed, CommandLine.Create(_ => 0).Options.Single(o => o.Name == option).Description);

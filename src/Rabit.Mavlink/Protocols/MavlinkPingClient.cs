@@ -55,9 +55,7 @@ public sealed class MavlinkPingClient
     /// </summary>
     /// <param name="sender">Gives the frames their source, sequence numbers and signatures.</param>
     /// <param name="target">Whose answers count.</param>
-    /// <param name="interval">
-    /// Between two requests. Each of them is answered by every component that receives it.
-    /// </param>
+    /// <param name="interval">Between two requests. Each is answered by every component that receives it.</param>
     /// <exception cref="ArgumentNullException">No sender.</exception>
     /// <exception cref="ArgumentException">The target is not one component.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The interval is not above 0.</exception>

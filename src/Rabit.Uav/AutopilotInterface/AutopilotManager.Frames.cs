@@ -49,9 +49,8 @@ public sealed partial class AutopilotManager
             case EstimatorStatus.MavlinkId:
                 mavlink.TryDecode(out EstimatorStatus estimator);
                 return Complete(frame, _tracker.Update(frame, estimator));
-            case Event.MavlinkId:
-                mavlink.TryDecode(out Event happened);
-                return Take(frame, happened);
+            case Event.MavlinkId or CurrentEventSequence.MavlinkId or ResponseEventError.MavlinkId:
+                return TakeEvent(frame);
             case FenceStatus.MavlinkId:
                 mavlink.TryDecode(out FenceStatus fence);
                 return Take(frame, fence);
@@ -68,8 +67,7 @@ public sealed partial class AutopilotManager
                 mavlink.TryDecode(out Timesync time);
                 return Take(frame, time);
             case Statustext.MavlinkId:
-                mavlink.TryDecode(out Statustext text);
-                return Take(frame, text);
+                return TakeText(frame);
             case AutopilotVersion.MavlinkId:
                 mavlink.TryDecode(out AutopilotVersion version);
                 return Take(frame, version);
@@ -95,6 +93,7 @@ public sealed partial class AutopilotManager
             _rates?.Handle(frame.Frame, Now);
         TakeSetupFrame(frame);
         TakeFenceFrame(frame);
+        TakeMetadataFrame(frame);
         TakeNavigation(frame);
         return events;
     }
@@ -150,26 +149,6 @@ public sealed partial class AutopilotManager
         VehicleEvents events = Complete(frame, _tracker.Update(frame));
         if (_tracker.IsFromAutopilot(frame.Frame) && _version.Take(version) is { } text)
             Log($"the autopilot's firmware is {text}");
-        return events;
-    }
-
-    // Any component of the vehicle may have something to say to people.
-    private VehicleEvents Take(in LinkFrame frame, in Statustext text)
-    {
-        VehicleEvents events = Complete(frame, _tracker.Update(frame));
-        if (_tracker.State.SystemId == 0 || frame.Frame.SystemId != _tracker.State.SystemId)
-            return events;
-        var item = new StatusText(frame.Time, text.Severity, text.Text.ToString());
-        _statusTexts.Value = _statusTexts.Value.With(item, RecentItemsKept);
-        _executor.TakeText(item.Severity, item.Text, frame.Time);
-        return events;
-    }
-
-    private VehicleEvents Take(in LinkFrame frame, in Event happened)
-    {
-        VehicleEvents events = Complete(frame, _tracker.Update(frame));
-        if (_tracker.IsFromAutopilot(frame.Frame))
-            _executor.TakeEvent(happened.Id, frame.Time);
         return events;
     }
 

@@ -91,6 +91,7 @@ public sealed partial class AutopilotManager : RabitManager
         RequestVersion();
         RequestRates();
         RequestTime();
+        RunEvents();
         ExecuteCommands();
         PostStatistics();
         WakeUpDelay = NextWakeUpDelay();
@@ -99,7 +100,8 @@ public sealed partial class AutopilotManager : RabitManager
     private TimeSpan NextWakeUpDelay()
     {
         TimeSpan now = Now;
-        bool isBusy = IsSetupBusy || IsFenceBusy || _executor.IsBusy || _clock.Requests.IsFast(now);
+        bool isBusy = IsSetupBusy || IsFenceBusy || _isFetchingEvents || _executor.IsBusy
+            || _clock.Requests.IsFast(now);
         TimeSpan delay = isBusy ? BusyDelay : IdleDelay;
         TimeSpan due = _executor.NextDue(now);
         if (due < now + delay)
@@ -115,6 +117,7 @@ public sealed partial class AutopilotManager : RabitManager
         while (_frames.TryPop(out LinkFrame frame))
             all |= TakeFrame(frame);
 
+        TakeTexts(Now);
         if (!ReferenceEquals(texts, _statusTexts.Value))
             _statusTexts.PostStamped(_statusTexts.Value.Newest!.Time);
         if (!ReferenceEquals(acknowledgements, _acknowledgements.Value))
@@ -167,6 +170,7 @@ public sealed partial class AutopilotManager : RabitManager
         {
             _rates!.Restart();
             _version.Start(time);
+            BeginEvents(time);
             StartRequestingTime(time);
         }
     }
@@ -184,6 +188,7 @@ public sealed partial class AutopilotManager : RabitManager
         _rates = new MavlinkRateClient(
             sender, target, RatesFor(vehicle).Select(r => (r.MessageId, r.Hertz)).ToArray());
         MakeSetup(vehicle, sender, target);
+        MakeEvents(sender, target);
         if (_options.WatchesFence)
             _fence = new FenceWatcher(sender, target, Log);
     }

@@ -98,6 +98,20 @@ public sealed class AutopilotOptions
     /// <value>The default is false.</value>
     public bool WatchesFence { get; set; }
 
+    /// <summary>
+    /// The texts of the autopilot's events (PX4): with them events are status texts, and reasons of refusals. Without,
+    /// each is a line of the log with its number, level and arguments.
+    /// </summary>
+    /// <value>The default is null.</value>
+    public MavlinkEventCatalog? EventCatalog { get; set; }
+
+    /// <summary>
+    /// Whether the texts are fetched from the autopilot by MAVLink FTP where <see cref="EventCatalog"/> is null. Files
+    /// that are compressed, as those of PX4's own builds are, cannot be used.
+    /// </summary>
+    /// <value>The default is false.</value>
+    public bool FetchesEventCatalog { get; set; }
+
     /// <summary>Which of the autopilot's parameters are read and written before a flight.</summary>
     public AutopilotSetupOptions Setup { get; set; } = new();
 

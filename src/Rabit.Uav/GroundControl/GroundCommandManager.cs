@@ -89,7 +89,7 @@ public sealed class GroundCommandManager : RabitManager
         MessageIds =
         [
             CommandLong.MavlinkId, CommandInt.MavlinkId, CommandCancel.MavlinkId, .. GroundParameters.MessageIds,
-            .. GroundAreas.MessageIds, FileTransferProtocol.MavlinkId,
+            .. GroundAreas.MessageIds, FileTransferProtocol.MavlinkId, Ping.MavlinkId,
         ],
     };
 
@@ -102,7 +102,7 @@ public sealed class GroundCommandManager : RabitManager
             _servers = new Servers(
                 sender, new MavlinkCommandServer(sender), new GroundParameters(_mission, _authority, sender),
                 new GroundAreas(_mission, _authority, sender, Announce),
-                _picture is null ? null : new TargetFiles(sender, _picture));
+                _picture is null ? null : new TargetFiles(sender, _picture), new MavlinkPingClient(sender));
         }
 
         while (_frames.TryPop(out LinkFrame frame))
@@ -185,13 +185,14 @@ public sealed class GroundCommandManager : RabitManager
 
     private sealed record Servers(
         MavlinkSender Sender, MavlinkCommandServer Commands, GroundParameters Parameters, GroundAreas Areas,
-        TargetFiles? Files)
+        TargetFiles? Files, MavlinkPingClient Ping)
     {
         public void Handle(in MavlinkFrame frame, TimeSpan now)
         {
             Commands.Handle(frame, now);
             Parameters.Handle(frame, now);
             Files?.Handle(frame, now);
+            Ping.Handle(frame, now);
 
             // What the autopilot sends us of missions belongs to a transfer that we asked it for.
             if (frame.SystemId != Sender.SystemId || frame.ComponentId != (byte)MavComponent.Autopilot1)
@@ -200,7 +201,7 @@ public sealed class GroundCommandManager : RabitManager
 
         public bool TryTakeFrame(TimeSpan now, out MavlinkFrame frame)
             => Commands.TryTakeFrame(now, out frame) || Parameters.TryTakeFrame(now, out frame)
-                || Areas.TryTakeFrame(now, out frame)
+                || Areas.TryTakeFrame(now, out frame) || Ping.TryTakeFrame(now, out frame)
                 || (Files?.TryTakeFrame(now, out frame) ?? false);
     }
 }

@@ -9,7 +9,7 @@ public sealed class StatusText
     /// <summary>Makes one.</summary>
     /// <param name="time">When it came in, by the clock of the run.</param>
     /// <param name="severity">How severe.</param>
-    /// <param name="text">The text, or the piece of it that one message holds.</param>
+    /// <param name="text">The text, whole; "…" stands for chunks that were lost.</param>
     public StatusText(TimeSpan time, MavSeverity severity, string text)
     {
         Time = time;
@@ -23,6 +23,6 @@ public sealed class StatusText
     /// <summary>How severe.</summary>
     public MavSeverity Severity { get; }
 
-    /// <summary>The text, or the piece of it that one message holds.</summary>
+    /// <summary>The text, whole; "…" stands for chunks that were lost.</summary>
     public string Text { get; }
 }

@@ -38,6 +38,8 @@ public sealed class DumpTests : IDisposable
     [InlineData("FILE --csv --json -m ATTITUDE", "exclude each other")]
     [InlineData("FILE --system 0", "--system 0: it must be a number from 1 to 255.")]
     [InlineData("FILE --component 256", "--component 256: it must be a number from 1 to 255.")]
+    [InlineData("FILE --print --px4-events /nowhere/e.json", "--px4-events /nowhere/e.json: ")]
+    [InlineData("FILE --json --px4-events FILE", "a log.tlog: no JSON: ")]
     [InlineData("/nowhere/a.tlog", "/nowhere/a.tlog: no such file.")]
     [InlineData("/proc/self/mem", "/proc/self/mem: ")]
     public void CommandLine_BadInput_IsOneLineAndExitCode2(string arguments, string expected)

@@ -105,4 +105,27 @@ public class RecordedFlightTests
 
     private static List<string> Sorted(IEnumerable<string> lines)
         => lines.OrderBy(line => line, StringComparer.Ordinal).ToList();
+
+    // By the ids of the recorded PX4: 26622124 is that of the landing.
+    [Theory]
+    [InlineData("--print", "[0, 0, 0, 0")]
+    [InlineData("--json", "\"text\":\"Landing detected")]
+    public void EventsOfPx4_MetadataGiven_TheirTextsBesideTheFields(string option, string shown)
+    {
+        string metadata = Path.Combine(Path.GetTempPath(), $"rabit-events-{Guid.NewGuid():N}.json");
+        File.WriteAllText(
+            metadata,
+            """
+            {"version": 2, "components": {"1": {"namespace": "px4", "event_groups": {"default": {"events": {
+              "9844908": {"name": "landing", "message": "Landing detected"}}}}}}}
+            """);
+        DumpProcess dump = DumpProcess.Run(
+            TestData.PathOf("px4-flight.tlog"), option, "--message", "EVENT", "--px4-events", metadata);
+        File.Delete(metadata);
+        Assert.Equal(0, dump.ExitCode);
+        string landing = Assert.Single(
+            dump.Output, line => line.Contains("Landing detected", StringComparison.Ordinal));
+        Assert.Contains("26622124", landing, StringComparison.Ordinal);
+        Assert.Contains(shown, landing, StringComparison.Ordinal);
+    }
 }

@@ -183,6 +183,15 @@ public sealed class GroundParameterTests : IDisposable
         Assert.Equal(0x00_01_00_00u, version.FlightSwVersion);
     }
 
+    [Fact]
+    public void Ping_OfAll_IsAnsweredToTheAsker()
+    {
+        _ground.Send(new Ping { Seq = 5, TimeUsec = 77 }, from: 42);
+        _ground.Run(1);
+        Ping answer = Assert.Single(_ground.Take<Ping>());
+        Assert.Equal((5u, 77ul, (byte)42), (answer.Seq, answer.TimeUsec, answer.TargetSystem));
+    }
+
     // All values, by reflection: one that is forgotten would be lost with the first change.
     [Fact]
     public void With_AnyValue_KeepsAllOthers()

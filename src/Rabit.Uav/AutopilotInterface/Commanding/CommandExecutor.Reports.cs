@@ -98,6 +98,13 @@ internal sealed partial class CommandExecutor
             _reason = text;
     }
 
+    /// <summary>Takes the text of an event: the reason of a refusal, where PX4 gives no other.</summary>
+    public void TakeEventText(MavSeverity severity, string text)
+    {
+        if (_phase != ExecutorPhase.Idle && severity <= MavSeverity.Warning)
+            _reason = text;
+    }
+
     /// <summary>Takes an event of the autopilot.</summary>
     public void TakeEvent(uint id, TimeSpan time) => _failsafes.TakeEvent(id, time);
 
