@@ -30,6 +30,9 @@ public static class RabitEventIds
     /// <summary>A manager, reader or writer did not stop in time.</summary>
     public static readonly EventId NotStopped = new(11, nameof(NotStopped));
 
+    /// <summary>systemd could not be notified.</summary>
+    public static readonly EventId CannotNotify = new(12, nameof(CannotNotify));
+
     internal static EventId Of(RabitLogKind kind) => kind switch
     {
         RabitLogKind.Lifecycle => Lifecycle,

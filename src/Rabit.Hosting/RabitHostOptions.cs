@@ -45,9 +45,13 @@ public sealed class RabitHostOptions
 
     /// <summary>The time that the host leaves for the stop; a little is kept for the others.</summary>
     internal static TimeSpan Usable(TimeSpan shutdownTimeout)
+        => TimeSpan.FromTicks(WholeStop(shutdownTimeout).Ticks / 5 * 4);
+
+    /// <summary>How long the stop of the host may take; an hour where it has no limit.</summary>
+    internal static TimeSpan WholeStop(TimeSpan shutdownTimeout)
         => shutdownTimeout == Timeout.InfiniteTimeSpan || shutdownTimeout > TimeSpan.FromHours(1)
             ? TimeSpan.FromHours(1)
-            : TimeSpan.FromTicks(shutdownTimeout.Ticks / 5 * 4);
+            : shutdownTimeout;
 
     internal ReactorOptions ToReactor(string name, TimeSpan usable) => new()
     {

@@ -37,14 +37,19 @@ public static class RabitServiceCollectionExtensions
         if (string.IsNullOrWhiteSpace(name) || name.Any(c => c == ':'))
             throw new ArgumentException($"A reactor needs a name without a colon, not '{name}'.", nameof(name));
 
+        services.AddRabitServices();
+        configure(new RabitBuilder(services, Registration(services, name)));
+        return services;
+    }
+
+    internal static void AddRabitServices(this IServiceCollection services)
+    {
         services.TryAddSingleton(p => new HostedReactors(p.GetServices<ReactorRegistration>()));
         services.TryAddSingleton(_ => new ExitCode());
         services.TryAddSingleton(p => new ReactorFactory(
             p, p.GetServices<ReactorRegistration>(), p.GetRequiredService<ILoggerFactory>(),
             p.GetRequiredService<IOptions<HostOptions>>(), p.GetService<IConfiguration>()));
         services.TryAddEnumerable(ServiceDescriptor.Singleton<IHostedService, RabitHostedService>());
-        configure(new RabitBuilder(services, Registration(services, name)));
-        return services;
     }
 
     private static ReactorRegistration Registration(IServiceCollection services, string name)

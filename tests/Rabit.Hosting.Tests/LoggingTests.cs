@@ -52,10 +52,11 @@ public sealed class LoggingTests
     [Fact]
     public void EventIds_AreStable()
         => Assert.Equal(
-            [1, 2, 3, 4, 5, 6, 10, 11],
+            [1, 2, 3, 4, 5, 6, 10, 11, 12],
             new[]
             {
                 RabitEventIds.Lifecycle, RabitEventIds.Run, RabitEventIds.Fault, RabitEventIds.Note,
                 RabitEventIds.Manager, RabitEventIds.Hang, RabitEventIds.ReactorEnded, RabitEventIds.NotStopped,
+                RabitEventIds.CannotNotify,
             }.Select(i => i.Id));
 }

@@ -110,6 +110,9 @@ internal sealed class Stuck : RabitManager, IDisposable
 
     public ManualResetEvent Entered { get; } = new(initialState: false);
 
+    /// <summary>How long it runs before that.</summary>
+    public TimeSpan WaitsFor { get; init; }
+
     public void Release() => _go.Set();
 
     public void Dispose()
@@ -120,6 +123,12 @@ internal sealed class Stuck : RabitManager, IDisposable
 
     protected override void ExecuteUnitOfWork()
     {
+        if (Now < WaitsFor)
+        {
+            WakeUpDelay = WaitsFor - Now;
+            return;
+        }
+
         Doing = "waiting for the test";
         Entered.Set();
         _go.WaitOne();
@@ -133,5 +142,21 @@ internal sealed class Orphan : RabitManager
 
     protected override void ExecuteUnitOfWork()
     {
+    }
+}
+
+/// <summary>Misses deadlines in its first unit of work, none afterwards.</summary>
+internal sealed class Late : RabitManager
+{
+    private bool _wasLate;
+
+    public Late()
+        : base("late") => Period = TimeSpan.FromSeconds(0.5);
+
+    protected override void ExecuteUnitOfWork()
+    {
+        if (!_wasLate)
+            Thread.Sleep(TimeSpan.FromSeconds(1.2));
+        _wasLate = true;
     }
 }
