@@ -183,8 +183,8 @@ public sealed class LiveLinkTests : IDisposable
             aircraft.Received.Select(f => f.Sequence));
     }
 
-    // Our heartbeat, position, texts, the state of the computer, questions for the time, requests for message rates and
-    // for AUTOPILOT_VERSION in both their forms, and nothing else that could move an aircraft.
+    // Our heartbeat, position, texts, the state of the computer, questions for the time, answers to PING, requests for
+    // message rates and for AUTOPILOT_VERSION in both their forms, and nothing else that could move an aircraft.
     private static void AssertObservesOnly(MavlinkFrame frame)
     {
         Assert.Equal((1, 191), (frame.SystemId, frame.ComponentId));
@@ -197,6 +197,12 @@ public sealed class LiveLinkTests : IDisposable
         if (frame.MessageId is Timesync.MavlinkId or GlobalPositionInt.MavlinkId or Statustext.MavlinkId
             or OnboardComputerStatus.MavlinkId)
         {
+            return;
+        }
+
+        if (frame.TryDecode(out Ping ping))
+        {
+            Assert.Equal((1, 1), ((int)ping.TargetSystem, (int)ping.TargetComponent));
             return;
         }
 
