@@ -93,11 +93,11 @@ public sealed partial class AutopilotManager
         if (!_options.RequestsRates || !_tracker.State.IsConnected || _events is null)
             return;
         while (_events.TryTakeFrame(Now, out MavlinkFrame frame))
-            _outgoing.Push(new OutgoingFrame { Frame = frame });
+            _ = _outgoing.Push(new OutgoingFrame { Frame = frame });
         if (_eventFetch is not { } fetch || !_isFetchingEvents)
             return;
         while (fetch.TryTakeFrame(Now, out MavlinkFrame frame))
-            _outgoing.Push(new OutgoingFrame { Frame = frame });
+            _ = _outgoing.Push(new OutgoingFrame { Frame = frame });
         if (fetch.IsBusy)
             return;
         _isFetchingEvents = false;

@@ -45,7 +45,7 @@ public sealed class SendBudget
     /// <summary>
     /// Whether the rate follows how long frames take over the link and back, measured by PING once a second: it falls
     /// while they wait for more than 150 ms longer than in the best case of the last minutes. For links without
-    /// RADIO_STATUS, where someone answers PING: PX4, QGroundControl, Communications itself.
+    /// RADIO_STATUS, where someone answers PING: PX4, QGroundControl, our Ground Control.
     /// </summary>
     /// <value>The default is false.</value>
     public bool FollowsRoundTripTime { get; set; }
