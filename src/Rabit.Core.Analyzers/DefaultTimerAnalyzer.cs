@@ -32,13 +32,14 @@ public sealed class DefaultTimerAnalyzer : DiagnosticAnalyzer
 
     private static void Begin(SymbolStartAnalysisContext context, KnownTypes known)
     {
-        // What a class between does is not seen.
+        // What a class between does, or one that derives from it, is not seen.
         var type = (INamedTypeSymbol)context.Symbol;
-        if (type.IsAbstract || !KnownTypes.Is(type.BaseType, known.Manager))
+        if (!type.IsSealed || !KnownTypes.Is(type.BaseType, known.Manager))
             return;
         var wakeUps = new WakeUps(type);
         context.RegisterOperationAction(
-            wakeUps.Visit, OperationKind.Invocation, OperationKind.PropertyReference, OperationKind.InstanceReference);
+            wakeUps.Visit, OperationKind.Invocation, OperationKind.PropertyReference, OperationKind.InstanceReference,
+            OperationKind.MethodReference);
         context.RegisterSymbolEndAction(wakeUps.Report);
     }
 
@@ -56,7 +57,11 @@ public sealed class DefaultTimerAnalyzer : DiagnosticAnalyzer
                 return;
             switch (context.Operation)
             {
-                case IInvocationOperation { TargetMethod.Name: "Receive" or "AttachReader" or "OnPost" }:
+                case IInvocationOperation
+                {
+                    TargetMethod.Name: "Receive" or "AttachReader" or "OnPost" or "WakeUp"
+                }:
+                case IMethodReferenceOperation { Method.Name: "WakeUp" }:
                     _isWoken = true;
                     break;
                 case IInvocationOperation invocation:
@@ -64,8 +69,9 @@ public sealed class DefaultTimerAnalyzer : DiagnosticAnalyzer
                     _isWoken |= invocation.Arguments.Any(Wakes);
                     break;
                 case IPropertyReferenceOperation { Property.Name: "WakeUpDelay" or "Period" } property:
-                    _isWoken |= property.Parent is IAssignmentOperation assignment
-                        && ReferenceEquals(assignment.Target, property);
+                    _isWoken |= property.Parent is ITupleOperation
+                        || (property.Parent is IAssignmentOperation assignment
+                            && ReferenceEquals(assignment.Target, property));
                     break;
                 case IInstanceReferenceOperation { Parent: not (IMemberReferenceOperation or IInvocationOperation) }:
                     _isWoken = true;

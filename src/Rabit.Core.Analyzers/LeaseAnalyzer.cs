@@ -40,50 +40,47 @@ public sealed class LeaseAnalyzer : DiagnosticAnalyzer
             .Where(o => IsPushed(o, known)).Select(VariableOf).OfType<ISymbol>().Where(v => IsLease(v, known))
             .Distinct<ISymbol>(SymbolEqualityComparer.Default))
         {
-            if (FindUse(statement, lease) is { } use)
+            if (FindUse(statement, lease, known) is { } use)
                 context.ReportDiagnostic(Diagnostic.Create(
                     Rules.LeaseUsedAfterPush, use.Syntax.GetLocation(), lease.Name));
         }
     }
 
-    // The statement that the push is, or whose condition it is in.
-    private static IOperation? StatementOf(IOperation push)
+    // The statement that the push is, or the "if" that looks at whether it was rejected. What another condition means
+    // is not known.
+    private static IOperation? StatementOf(IInvocationOperation push) => push.Parent switch
     {
-        IOperation at = push;
-        while (at.Parent is { } parent)
-        {
-            if (parent is IExpressionStatementOperation)
-                return parent;
-            if (parent is IConditionalOperation condition && condition.Parent is IBlockOperation)
-                return ReferenceEquals(condition.Condition, at) ? condition : null;
-            if (parent is IVariableInitializerOperation or IReturnOperation or IAnonymousFunctionOperation
-                || (parent is ISimpleAssignmentOperation { Target: not IDiscardOperation }))
-                return null;
-            at = parent;
-        }
+        IExpressionStatementOperation statement => statement,
+        ISimpleAssignmentOperation { Target: IDiscardOperation, Parent: IExpressionStatementOperation statement }
+            => statement,
+        IBinaryOperation { OperatorKind: BinaryOperatorKind.Equals, Parent: IConditionalOperation condition } test
+            when IsRejected(test.LeftOperand) || IsRejected(test.RightOperand) => condition,
+        _ => null,
+    };
 
-        return null;
-    }
+    private static bool IsRejected(IOperation operand)
+        => operand is IFieldReferenceOperation { Field.Name: "Rejected" };
 
-    private static IOperation? FindUse(IOperation statement, ISymbol lease)
+    private static IOperation? FindUse(IOperation statement, ISymbol lease, KnownTypes known)
     {
         for (IOperation at = statement; at.Parent is { } parent; at = parent)
         {
             if (parent is IAnonymousFunctionOperation)
                 return null;
-            if (parent is not IBlockOperation block)
-                continue;
-            foreach (IOperation next in block.Operations.SkipWhile(o => !ReferenceEquals(o, at)).Skip(1))
+            foreach (IOperation next in StatementsOf(parent).SkipWhile(o => !ReferenceEquals(o, at)).Skip(1))
             {
                 foreach (IOperation reference in next.DescendantsAndSelf().Where(o => IsSame(VariableOf(o), lease)))
                 {
                     if (IsAssigned(reference))
                         return null;
-                    if (!IsHarmless(reference))
+                    if (!IsHarmless(reference, known))
                         return reference;
                 }
 
-                if (next is IReturnOperation or IBranchOperation or IThrowOperation)
+                if (next is IBranchOperation { BranchKind: BranchKind.Break } && parent is ISwitchCaseOperation)
+                    break;
+                if (next is IReturnOperation or IBranchOperation
+                    or IExpressionStatementOperation { Operation: IThrowOperation } or IThrowOperation)
                     return null;
             }
         }
@@ -97,6 +94,13 @@ public sealed class LeaseAnalyzer : DiagnosticAnalyzer
         IMemberReferenceOperation member => KnownTypes.Is(member.Type, known.BufferLease),
         IInvocationOperation => false,
         _ => true,
+    };
+
+    private static ImmutableArray<IOperation> StatementsOf(IOperation parent) => parent switch
+    {
+        IBlockOperation block => block.Operations,
+        ISwitchCaseOperation part => part.Body,
+        _ => ImmutableArray<IOperation>.Empty,
     };
 
     private static ISymbol? VariableOf(IOperation operation) => operation switch
@@ -119,16 +123,26 @@ public sealed class LeaseAnalyzer : DiagnosticAnalyzer
     private static IEnumerable<IFieldSymbol> FieldsOf(ITypeSymbol type)
         => type.GetMembers().OfType<IFieldSymbol>().Where(f => !f.IsStatic);
 
-    private static bool IsAssigned(IOperation reference)
-        => (reference.Parent is ISimpleAssignmentOperation assignment && ReferenceEquals(assignment.Target, reference))
-            || reference.Parent is IArgumentOperation { Parameter.RefKind: RefKind.Out };
+    // From there on it is another lease.
+    private static bool IsAssigned(IOperation reference) => reference.Parent switch
+    {
+        ISimpleAssignmentOperation assignment => ReferenceEquals(assignment.Target, reference),
+        IArgumentOperation argument => argument.Parameter?.RefKind is RefKind.Out or RefKind.Ref,
+        ITupleOperation { Parent: IDeconstructionAssignmentOperation deconstruction } tuple
+            => ReferenceEquals(deconstruction.Target, tuple),
+        IFieldReferenceOperation field => IsAssigned(field),
+        _ => false,
+    };
 
-    // To return it twice does nothing, and an empty one is none.
-    private static bool IsHarmless(IOperation reference) => reference.Parent switch
+    // To return it twice does nothing, an empty one is none, and what else a struct has is a copy of its own. What
+    // becomes of a copy is not followed.
+    private static bool IsHarmless(IOperation reference, KnownTypes known) => reference.Parent switch
     {
         IInvocationOperation { TargetMethod.Name: "Dispose" } => true,
         IPropertyReferenceOperation { Property.Name: "IsEmpty" } => true,
-        INameOfOperation => true,
+        IFieldReferenceOperation field when KnownTypes.Is(field.Type, known.BufferLease) => IsHarmless(field, known),
+        IFieldReferenceOperation => true,
+        IIsPatternOperation or INameOfOperation or IVariableInitializerOperation or ISimpleAssignmentOperation => true,
         _ => false,
     };
 }

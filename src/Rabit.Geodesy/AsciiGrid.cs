@@ -11,6 +11,8 @@ namespace Rabit.Geodesy;
 /// </summary>
 public static class AsciiGrid
 {
+    // A grid may cross the date line; metres of a projection are far beyond.
+    private const double MaxDegrees = 720;
     private const int MaxPosts = 100_000_000;
 
     private static readonly char[] Blanks = [' ', '\t', '\r', '\n'];
@@ -40,6 +42,12 @@ public static class AsciiGrid
         double dy = CellSize(header, "dy");
         double west = Corner(header, "xllcenter", "xllcorner", dx);
         double south = Corner(header, "yllcenter", "yllcorner", dy);
+        if (Math.Abs(west) > MaxDegrees || Math.Abs(south) > MaxDegrees)
+        {
+            throw new FormatException(FormattableString.Invariant(
+                $"The grid begins at {west}, {south}, which are no degrees: it must be in longitude and latitude, not projected."));
+        }
+
         double noData = header.TryGetValue("nodata_value", out double none) ? none : -9999;
 
         var heights = new float[rows * columns];

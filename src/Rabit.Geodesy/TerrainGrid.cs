@@ -81,6 +81,9 @@ public sealed class TerrainGrid
     /// <summary>Posts from west to east.</summary>
     public int Columns { get; }
 
+    /// <summary>The first post.</summary>
+    public GeographicPoint SouthWest => _southWest;
+
     /// <summary>From one row of posts to the next.</summary>
     public Angle LatitudeStep => _latitudeStep;
 

@@ -32,7 +32,11 @@ internal static class AbsentManagers
         {
             UavManagers.Communications => new AbsentManager(CommunicationsManager.ManagerName, reason)
             {
-                Publishes = [.. Enumerable.Range(0, MavlinkRouter.MaxLinks).Select(MessageNames.LinkStatus)],
+                Publishes =
+                [
+                    .. Enumerable.Range(0, MavlinkRouter.MaxLinks).Select(MessageNames.LinkStatus),
+                    MessageNames.VehicleMessages,
+                ],
                 Sends = [MessageNames.AutopilotFrames, MessageNames.TargetReports],
                 Receives = [MessageNames.OutgoingFrames, MessageNames.OutgoingTargetReports],
             },

@@ -173,6 +173,7 @@ internal static class ManagerOptions
         made.RequiresPreflight |= ChecksBeforeFlight(options);
         made.GimbalFrame = options.Imaging.Mount.GimbalFrame;
         made.Terrain ??= options.Terrain;
+        made.ReturnClearanceMetres = options.Preflight.MinObstacleClearanceMetres;
         made.FindsFaultOfChange = changed => UavOptionsCheck.FindGapBetweenLanes(changed, options);
         return made;
     }

@@ -31,6 +31,7 @@ public sealed class TerrainGridTests
     [InlineData("ncols 3\n", "", "does not give its ncols")]
     [InlineData("cellsize 0.01\n", "", "cellsize")]
     [InlineData("yllcenter 47", "yllcenter 91", "not on the earth")]
+    [InlineData("xllcenter 8", "xllcenter 465005", "The grid begins at 465005, 47, which are no degrees")]
     [InlineData("10 20 30", "10 q 30", "Line 7 of the grid: 'q'")]
     [InlineData("nrows 2", "nrows 1", "nrows is 1")]
     public void Read_BadGrid_SaysWhere(string old, string other, string text)

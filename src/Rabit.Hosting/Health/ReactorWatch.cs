@@ -10,7 +10,7 @@ namespace Rabit.Hosting;
 /// </summary>
 internal sealed class ReactorWatch(HostedReactors reactors, string name)
 {
-    private readonly List<ManagerWatch> _managers = [];
+    private readonly List<ManagerStatusWatch> _managers = [];
 
     /// <summary>What there is to see now.</summary>
     public ReactorLook Look()
@@ -33,7 +33,7 @@ internal sealed class ReactorWatch(HostedReactors reactors, string name)
         if (_managers.Count == 0)
         {
             foreach (RabitManager manager in reactor.Reactor)
-                _managers.Add(new ManagerWatch(manager.Name, reactor.Reactor.Workspace));
+                _managers.Add(new ManagerStatusWatch(manager.Name, reactor.Reactor.Workspace));
         }
 
         _managers.ForEach(m => m.Look(look));

@@ -142,31 +142,22 @@ internal sealed class FlightPlan
             : $"speedMetresPerSecond is {MissionNumbers.Of(metresPerSecond)}; the heights over the terrain are planned "
                 + $"for {MissionNumbers.Of(Terrain.MaxSpeedMetresPerSecond)} at most";
 
-    /// <summary>Whether the lanes can be flown at the height of a mission; null where they can.</summary>
+    /// <summary>Whether the area can be flown over at the heights of a mission; null where it can.</summary>
     public string? FindHeightFault(MissionPlan mission)
     {
         if (Terrain is null)
             return null;
         double limit = mission.MaxHeightMetres - MissionPlanRules.HeightReserveMetres
             ?? MissionPlanRules.MaxHeightMetres;
-        PlanePoint at = default;
-        for (int i = 0; i < Lanes.Count; i++)
-        {
-            double height = Math.Max(
-                Terrain.MaxHeightAboveGround(at, Lanes[i].Start, mission.HeightMetres),
-                Terrain.MaxHeightAboveGround(Lanes[i].Start, Lanes[i].End, mission.HeightMetres));
-            if (height > limit)
-            {
-                return $"over the terrain lane {MissionNumbers.Of(i + 1)}, or the way to it, is flown up to "
-                    + $"{MissionNumbers.Of(height)} m above ground, which falls away faster than the vehicle follows at "
-                    + $"{MissionNumbers.Of(Terrain.MaxSpeedMetresPerSecond)} m/s; the limit is "
-                    + $"{MissionNumbers.Of(limit)} m";
-            }
-
-            at = Lanes[i].End;
-        }
-
-        return null;
+        double height = mission.Revisit.IsEnabled
+            ? Math.Max(mission.HeightMetres, mission.Revisit.HeightMetres ?? 0)
+            : mission.HeightMetres;
+        (double highest, PlanePoint at) = Terrain.MaxHeightAboveGround(height);
+        return highest <= limit
+            ? null
+            : $"over the terrain the vehicle is up to {MissionNumbers.Of(highest)} m above ground, at "
+                + $"{MissionNumbers.Of(at)} from home; the limit is {MissionNumbers.Of(limit)} m. Slower than "
+                + $"{MissionNumbers.Of(Terrain.MaxSpeedMetresPerSecond)} m/s it follows the ground more closely";
     }
 
     /// <summary>
@@ -211,7 +202,20 @@ internal sealed class FlightPlan
         if (isFixedWing)
             return "a fixed wing does not follow terrain";
         Terrain = TerrainFollowing.Create(terrain, Frame, Fence, mission.SpeedMetresPerSecond, out string fault);
-        return Terrain is null ? fault : FindHeightFault(mission);
+        if (Terrain is null)
+            return fault;
+        Terrain.AddPlaces(Area, KeepOuts);
+        PlanePoint at = default;
+        foreach (PlanePoint end in Lanes.SelectMany(l => new[] { l.Start, l.End }))
+        {
+            foreach (PlanePoint next in PathBetween(at, end).Append(end))
+            {
+                Terrain.AddPlaces(at, next);
+                at = next;
+            }
+        }
+
+        return FindHeightFault(mission);
     }
 
     private string? FindKeepOutFault(bool isFixedWing)

@@ -120,6 +120,9 @@ public sealed class MissionControlOptions
     /// <value>The default is null: it is not written.</value>
     public string? ProgressFile { get; set; }
 
+    /// <summary>How far above the ground the autopilot must return; set where the system is composed.</summary>
+    internal double ReturnClearanceMetres { get; set; } = 10;
+
     /// <summary>
     /// What else a mission that is changed in flight must be: what the system has checked of it at the start. Gives
     /// what is wrong; null where nothing is.

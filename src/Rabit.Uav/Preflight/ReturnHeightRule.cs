@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Preflight;
@@ -26,11 +27,25 @@ internal static class ReturnHeightRule
         Warn = "the mission names no obstacleHeightMetres",
         Fail = "below obstacles or terrain, and the clearance; 0 is the present height, which in a take-off is as low",
         Note = facts => MaxGroundMetres(facts) is { } ground
-            ? string.Format(CultureInfo.InvariantCulture, ", terrain up to {0:0} m", ground)
+            ? string.Format(
+                CultureInfo.InvariantCulture, ", terrain up to {0:0} m: {1:0} m or more", ground,
+                ground + facts.Options.MinObstacleClearanceMetres)
             : string.Empty,
         HowToSet = "set it above the obstacles that the mission file names by obstacleHeightMetres, and the terrain",
         Reason = "the return is a straight line at this height, or at the present one where that is higher",
     };
+
+    /// <summary>The height of the return, metres above home; null where it was not read.</summary>
+    public static double? HeightMetres(AutopilotParameters parameters)
+    {
+        foreach ((string name, double scale) in Ardupilot.Concat(Px4))
+        {
+            if (parameters.TryGet(name, out AutopilotParameter parameter))
+                return parameter.Value * scale;
+        }
+
+        return null;
+    }
 
     private static PreflightResult Judge(double metres, PreflightFacts facts)
     {

@@ -23,6 +23,8 @@ public sealed class DefaultTimerAnalyzerTests
     [InlineData("Subscribe<int>(\"x\"); Period = TimeSpan.FromMilliseconds(20);")]
     [InlineData("Subscribe<int>(\"x\"); WakeUpDelay = Timeout.InfiniteTimeSpan;")]
     [InlineData("Subscribe<int>(\"x\"); Wire(this);")]
+    [InlineData("Subscribe<int>(\"x\"); Changed += WakeUp;")]
+    [InlineData("Subscribe<int>(\"x\"); Changed += () => WakeUp();")]
     [InlineData("")]
     public async Task Rabit0009_SomethingWakesItOrItHasNoEnds_IsNotFound(string declarations)
         => Assert.Empty(await Report(declarations));
@@ -43,6 +45,8 @@ public sealed class DefaultTimerAnalyzerTests
         $$"""
         private readonly bool _wakes = true;
         private static void Wire(RabitManager manager) { }
+        public event Action? Changed;
+        public void Change() => Changed?.Invoke();
         partial void Declare()
         {
             {{declarations}}

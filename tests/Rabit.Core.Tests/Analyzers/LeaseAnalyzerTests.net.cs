@@ -17,6 +17,8 @@ public sealed class LeaseAnalyzerTests
     [InlineData("if (lease.IsEmpty) { _ = _leases.Push(lease); } Use(lease);", "lease")]
     [InlineData("_ = _pictures.Push(picture); Use(picture.Pixels);", "picture")]
     [InlineData("_ = _leases.Push(lease); if (_count > 0) { Use(lease); }", "lease")]
+    [InlineData("switch (_count) { case 1: _ = _leases.Push(lease); break; } Use(lease);", "lease")]
+    [InlineData("switch (_count) { case 1: _ = _leases.Push(lease); Use(lease); break; }", "lease")]
     [InlineData("_ = _leases.Push(lease); lease.HandTo(\"me\");", "lease")]
     public async Task Rabit0008_UseAfterPush_IsFound(string code, string found)
         => Assert.Equal([$"RABIT0008 at {found}"], await Report(code));
@@ -34,6 +36,16 @@ public sealed class LeaseAnalyzerTests
     [InlineData("PushResult result = _leases.Push(lease); if (result == PushResult.Rejected) Use(lease);")]
     [InlineData("for (int i = 0; i < 2; i++) { if (i == 1) { _ = _leases.Push(lease); break; } Use(lease); }")]
     [InlineData("_ = _counts.Push(picture.Width); Use(picture.Pixels);")]
+    [InlineData("if (_leases.Push(lease) != PushResult.Rejected) return; Use(lease);")]
+    [InlineData("if (_leases.Push(lease) is not PushResult.Rejected) return; Use(lease);")]
+    [InlineData("if (!(_leases.Push(lease) == PushResult.Rejected)) return; Use(lease);")]
+    [InlineData("if (_count > 0 && _leases.Push(lease) == PushResult.Queued) return; Use(lease);")]
+    [InlineData("_ = _pictures.Push(picture); _count = picture.Width;")]
+    [InlineData("_ = _pictures.Push(picture); picture.Pixels = default; Use(picture.Pixels);")]
+    [InlineData("int x; _ = _leases.Push(lease); (lease, x) = (default, 1); Use(lease);")]
+    [InlineData("_ = _leases.Push(lease); if (lease is { IsEmpty: true }) return;")]
+    [InlineData("_ = _leases.Push(lease); BufferLease copy = lease; copy.Dispose();")]
+    [InlineData("switch (_count) { case 1: _ = _leases.Push(lease); return; default: break; } Use(lease);")]
     [InlineData("Action later = () => { _ = _leases.Push(lease); }; Use(lease);")]
     public async Task Rabit0008_UseByItsOwner_IsNotFound(string code) => Assert.Empty(await Report(code));
 

@@ -59,6 +59,35 @@ public class TerrainFollowingTests(ITestOutputHelper output)
         Assert.Equal((0, Height), Rounded(heights.ClimbBetween(default, new PlanePoint(300, 0), Height)));
     }
 
+    // Lines of nodes are 5 m apart, and never on those of the posts.
+    [Theory]
+    [InlineData(6)]
+    [InlineData(7.3)]
+    [InlineData(9.9)]
+    [InlineData(31)]
+    [InlineData(2.3)]
+    public void HeightAboveHome_SinglePostsAndWalls_AreCleared(double postMetres)
+    {
+        Func<int, int, bool> isHigh = (row, column) => (row % 7 == 3 && column % 5 == 2) || column % 41 == 11;
+        int posts = (int)(1200 / postMetres) + 1;
+        TerrainGrid grid = TestTerrain.Around(
+            MissionRig.Home,
+            (n, e) => Math.Abs(n) < 40 && Math.Abs(e) < 40 ? 0
+                : isHigh((int)Math.Round((n + 600) / postMetres), (int)Math.Round((e + 600) / postMetres)) ? 35 : 0,
+            postMetres, halfMetres: 600);
+        TerrainFollowing heights = Create(grid, speed: 8);
+        Assert.InRange(posts, 30, 600);
+        for (double n = -50; n <= 350; n += 1.1)
+        {
+            for (double e = -150; e <= 250; e += 1.3)
+            {
+                var at = new PlanePoint(n, e);
+                Assert.True(
+                    heights.HeightAboveHome(at, 1000) >= 1000 + heights.GroundMetres(at) - 0.1, $"{n} {e}");
+            }
+        }
+    }
+
     [Fact]
     public void ClimbBetween_OverARidge_IsWhatIsClimbed()
     {
@@ -76,7 +105,8 @@ public class TerrainFollowingTests(ITestOutputHelper output)
     {
         TerrainFollowing heights = Create(TestTerrain.Around(MissionRig.Home, (n, _) => -Math.Max(0, n)), 1);
         Assert.Equal(5, heights.HeightAboveHome(new PlanePoint(300, 0), Height));
-        Assert.InRange(heights.MaxHeightAboveGround(default, new PlanePoint(300, 0), Height), 304.9, 305.1);
+        heights.AddPlaces(default, new PlanePoint(300, 0));
+        Assert.InRange(heights.MaxHeightAboveGround(Height).Metres, 304.9, 345.1);
     }
 
     [Theory]
@@ -104,13 +134,13 @@ public class TerrainFollowingTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void FlightPlan_GroundThatFallsAwayTooSteeply_IsRefusedWithTheLaneAndFlownMoreSlowly()
+    public void FlightPlan_GroundThatFallsAwayTooSteeply_IsRefusedWithThePlaceAndFlownMoreSlowly()
     {
         TerrainGrid cliff = TestTerrain.Around(
             MissionRig.Home, (n, _) => 100 - Math.Min(100, 1.6 * Math.Abs(n - 100)), postMetres: 5, halfMetres: 400);
         Assert.Null(Plan(MissionRig.Mission(), cliff, out string why));
-        Assert.StartsWith("over the terrain lane 1, or the way to it, is flown up to ", why, StringComparison.Ordinal);
-        Assert.EndsWith("which falls away faster than the vehicle follows at 8.0 m/s; the limit is 120.0 m", why);
+        Assert.StartsWith("over the terrain the vehicle is up to ", why, StringComparison.Ordinal);
+        Assert.EndsWith("the limit is 120.0 m. Slower than 8.0 m/s it follows the ground more closely", why);
         MissionPlan slow = MissionRig.Mission().WithSpeed(1.5);
         Assert.NotNull(Plan(slow, cliff, out why));
         Assert.Empty(why);

@@ -2,8 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Rabit.Geodesy;
+using Rabit.Mavlink.Messages;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
+using Rabit.Uav.Tests.Preflight;
 using Xunit;
 using Xunit.Abstractions;
 
@@ -98,6 +100,102 @@ public class TerrainMissionTests(ITestOutputHelper output)
         Assert.Equal(OperatorOutcome.Accepted, slower.Outcome);
     }
 
+    [Theory]
+    [InlineData(OperatorCommand.SkipLane, OperatorOutcome.Accepted)]
+    [InlineData(OperatorCommand.Revisit, OperatorOutcome.Refused)]
+    public void Continue_LeftLow_ClimbsFirstWhateverIsCommandedThen(OperatorCommand then, OperatorOutcome expected)
+    {
+        Func<double, double, double> ground = (n, _) => Math.Max(0, Math.Min(30, 2 * (n - 40)));
+        using MissionRig rig = Rig(ground, MissionRig.Mission());
+        rig.Vehicle.Targets.Add((100, 0, DefaultTargetClasses.Red));
+        rig.RunUntil(MissionPhase.InTransit);
+        rig.Run(1);
+        rig.Manager.Hold("test", "low");
+        rig.Run(3);
+        rig.Vehicle.Height = 6;
+        rig.Run(1);
+        rig.Manager.ContinueMission("test", "on");
+        rig.Run(1);
+        OperatorRequest next = then == OperatorCommand.SkipLane
+            ? rig.Manager.SkipLane("test", "next")
+            : rig.Manager.RevisitPlace(Corners((100, 0)).Single(), "test", "look");
+        int from = rig.Vehicle.Path.Count;
+        rig.Run(60);
+        Assert.Equal(expected, next.Outcome);
+        double least = rig.Vehicle.Path.Skip(from).Where(p => p.North > 35)
+            .Min(p => p.Height - ground(p.North, p.East));
+        Assert.InRange(least, Height - ToleranceMetres, 80);
+    }
+
+    [Theory]
+    [InlineData(15, 0.06, 43)]
+    [InlineData(8, 0.10, 44)]
+    [InlineData(8, 0.10, 48)]
+    [InlineData(5, 0.05, 44)]
+    public void Mission_OnASlope_IsRefusedOrEndsWithoutExceedingItsLimit(double speed, double slope, double limit)
+    {
+        MissionPlan mission = MissionRig.Mission(
+            FormattableString.Invariant($", \"limits\": {{\"maxHeightMetres\": {limit}}}")).WithSpeed(speed);
+        using MissionRig rig = Rig((n, _) => slope * n, mission);
+        MissionPhase end = rig.RunToEnd();
+        output.WriteLine(rig.Status.Text);
+        Assert.DoesNotContain("above the limit", rig.Story, StringComparison.Ordinal);
+        Assert.Equal(end == MissionPhase.Failed, rig.Story.Contains("over the terrain the vehicle is up to"));
+    }
+
+    [Fact]
+    public void Mission_RevisitAboveTheLimit_IsRefused()
+    {
+        MissionPlan mission = MissionRig.Mission(
+            ", \"revisit\": {\"heightMetres\": 60}, \"limits\": {\"maxHeightMetres\": 62}");
+        using MissionRig rig = Rig((n, e) => n is > 90 and < 110 && Math.Abs(e) < 10 ? -12 : 0, mission);
+        Assert.Equal(MissionPhase.Failed, rig.RunToEnd());
+        Assert.Contains("over the terrain the vehicle is up to 72", rig.Story, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Mission_PitThatIsAKeepOut_IsFlownAround()
+    {
+        string corners = string.Join(",", Corners((75, -35), (75, 35), (125, 35), (125, -35)).Select(
+            p => FormattableString.Invariant($"[{p.Latitude.Degrees:R},{p.Longitude.Degrees:R}]")));
+        using MissionRig rig = Rig(
+            (n, e) => n is > 90 and < 110 && Math.Abs(e) < 20 ? -60 : 0,
+            MissionRig.Mission($", \"keepOuts\": [[{corners}]], \"limits\": {{\"maxHeightMetres\": 90}}"));
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.Equal(MissionOutcome.Accomplished, rig.Status.Result.Outcome);
+    }
+
+    [Fact]
+    public void Change_SpacingPlannedAtALowerSpeed_IsNotFlownFaster()
+    {
+        using MissionRig rig = Rig(GroundOf("slope"), MissionRig.Mission());
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Manager.ChangeSpeed(4, "test", "gusts");
+        rig.Run(1);
+        rig.Manager.ChangeParameter(MissionParameter.LaneSpacing, 25, "test", "closer");
+        rig.Run(3);
+        rig.Manager.ChangeSpeed(8, "test", "calm");
+        Assert.Equal(MissionPhase.Done, rig.RunToEnd());
+        Assert.Contains("the lane spacing stays as it is: speedMetresPerSecond is 8.0", rig.Story);
+        OperatorRequest height = rig.Manager.ChangeParameter(MissionParameter.Height, 41, "test", "late");
+        rig.Run(1);
+        Assert.DoesNotContain("planned for", height.Answer);
+    }
+
+    [Fact]
+    public void Offer_AreaWithAHillAboveTheReturn_IsRefused()
+    {
+        Func<double, double, double> ground = (n, e) => n > 200 ? Math.Min(60, n - 200) : 0;
+        using MissionRig rig = Rig(ground, MissionRig.Mission());
+        rig.RunUntil(MissionPhase.Searching);
+        rig.Manager.Flight!.Energy.Parameters = PreflightCases.Parameters(
+            MavAutopilot.Ardupilotmega, ("RTL_ALT_M", 40));
+        OperatorRequest offer = rig.Manager.OfferArea(
+            [.. Corners((160, -60), (160, 60), (280, 60), (280, -60))], [], "test", "over the hill");
+        rig.Run(3);
+        Assert.Contains("above home; the autopilot returns at 40.0 m, which must be 10.0 m higher", offer.Answer);
+    }
+
     [Fact]
     public void Plan_OverAHill_TakesMoreOfTheBattery()
     {
@@ -120,6 +218,10 @@ public class TerrainMissionTests(ITestOutputHelper output)
         ArgumentException e = Assert.Throws<ArgumentException>(() => new MissionControlManager(options));
         Assert.Contains("Terrain is given, which a fixed wing (FixedWing) does not follow", e.Message);
     }
+
+    private static IEnumerable<GeodeticPosition> Corners(params (double North, double East)[] places)
+        => places.Select(p => LocalNedFrame.IgnoringGeoid(MissionRig.Home).ToGeodetic(
+            new NedPosition(p.North, p.East, 0)));
 
     private static double Energy(Func<double, double, double>? ground)
     {

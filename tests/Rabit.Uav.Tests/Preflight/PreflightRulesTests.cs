@@ -130,7 +130,8 @@ public sealed class PreflightRulesTests
 
         PreflightLine line = facts.Line("return-height");
         Assert.Equal(
-            (expected, $"{value} m, terrain up to {hillMetres} m"), (line.Result, line.Value));
+            (expected, $"{value} m, terrain up to {hillMetres} m: {hillMetres + 10} m or more"),
+            (line.Result, line.Value));
     }
 
     [Fact]

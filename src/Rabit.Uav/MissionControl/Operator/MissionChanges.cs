@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Rabit.Uav.Messages;
+using Rabit.Uav.Preflight;
 
 namespace Rabit.Uav.MissionControl;
 
@@ -118,7 +119,10 @@ internal sealed class MissionChanges(MissionFlight flight)
 
     // What was offered before there was a plan is planned now.
     private string? Replan(MissionPlan changed, PlanJob? job)
-        => job is null ? flight.Replan(changed) : flight.Replan(changed, job.Plan!, job.Route!);
+        => job is null
+            ? flight.Replan(changed)
+            : job.Plan!.FindFaultOfSpeed(changed.SpeedMetresPerSecond) ?? job.Plan.FindHeightFault(changed)
+                ?? flight.Replan(changed, job.Plan, job.Route!);
 
     private void Keep(OperatorRequest request, PlanJob? job)
     {
@@ -162,5 +166,21 @@ internal sealed class MissionChanges(MissionFlight flight)
         => MissionPlanRules.FindFaults(changed).FirstOrDefault()
             ?? flight.Options.FindsFaultOfChange?.Invoke(changed)
             ?? flight.Plan?.FindFaultOfSpeed(changed.SpeedMetresPerSecond)
-            ?? flight.Plan?.FindHeightFault(changed);
+            ?? flight.Plan?.FindHeightFault(changed)
+            ?? FindReturnFault(changed);
+
+    // The checklist has judged the return from the area of the start.
+    private string? FindReturnFault(MissionPlan changed)
+    {
+        if (flight.Options.Terrain is not { } terrain || flight.Plan is not { } plan
+            || ReturnHeightRule.HeightMetres(flight.Energy.Parameters) is not { } height)
+            return null;
+        double clearance = flight.Options.ReturnClearanceMetres;
+        double highest = new ReturnTerrain(terrain, changed.Area, changed.FenceMarginMetres)
+            .MaxAboveHomeMetres(plan.Frame.Origin) ?? double.NaN;
+        return highest + clearance > height
+            ? $"the ground is up to {MissionNumbers.Of(highest)} m above home; the autopilot returns at "
+                + $"{MissionNumbers.Of(height)} m, which must be {MissionNumbers.Of(clearance)} m higher"
+            : null;
+    }
 }

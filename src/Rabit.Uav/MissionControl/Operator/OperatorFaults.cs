@@ -53,8 +53,12 @@ internal static class OperatorFaults
             return "a fixed wing revisits nothing";
         if (flight.Plan is not { } plan)
             return "where home is, is not known";
-        if (phase == MissionPhase.Holding && IsLow(flight))
-            return $"it is low, at {MissionNumbers.Of(flight.HeightMetres)} m: a continue comes first";
+        if (phase is MissionPhase.Holding or MissionPhase.InTransit && IsLow(flight))
+        {
+            return $"it is low, at {MissionNumbers.Of(flight.HeightMetres)} m: "
+                + (phase == MissionPhase.Holding ? "a continue comes first" : "it climbs first");
+        }
+
         if (request.Command == OperatorCommand.RevisitPlace)
             return FindPlaceFault(flight, PlaceOf(plan, request.Place));
         if (Revisits.Find(flight, request.TrackId) is not { } track)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Rabit.Geodesy;
 
@@ -7,7 +8,8 @@ namespace Rabit.Uav.MissionControl;
 /// <summary>
 /// Heights above home that keep a height above ground: the ground of a terrain grid, raised where it is steeper than
 /// the vehicle climbs and sinks. A function of the place alone, so that every path over it can be flown at the planned
-/// speed. Ground is counted from the ground at home, which takes out what datum and barometer differ by. Immutable.
+/// speed. Ground is counted from the ground at home, which takes out what datum and barometer differ by. Made with a
+/// plan, with the places that it leads over; not changed after that.
 /// </summary>
 internal sealed class TerrainFollowing
 {
@@ -31,6 +33,9 @@ internal sealed class TerrainFollowing
     private readonly int _rows;
     private readonly int _columns;
     private readonly float[] _rise;
+    private readonly float[] _ahead;
+    private (double Metres, PlanePoint At) _excess = (double.NegativeInfinity, default);
+    private (double Metres, PlanePoint At) _depth = (double.NegativeInfinity, default);
 
     private TerrainFollowing(
         TerrainGrid terrain, LocalNedFrame frame, double homeAmslMetres, PlanePolygon fence, double speed)
@@ -48,6 +53,7 @@ internal sealed class TerrainFollowing
             (int)Math.Ceiling(north / CellMetres) + 3,
             (int)Math.Ceiling(east / CellMetres) + 3);
         _rise = new float[_rows * _columns];
+        _ahead = new float[_rows * _columns];
     }
 
     /// <summary>Distance of the nodes.</summary>
@@ -76,6 +82,7 @@ internal sealed class TerrainFollowing
         if (fault.Length > 0)
             return null;
         heights.LimitSlope();
+        heights.LookAhead();
         return heights;
     }
 
@@ -122,18 +129,76 @@ internal sealed class TerrainFollowing
         return (climbed, at);
     }
 
-    /// <summary>The largest height above ground at which a way is flown.</summary>
-    public double MaxHeightAboveGround(PlanePoint from, PlanePoint to, double aboveGroundMetres)
+    /// <summary>
+    /// The largest height above ground over all places that were added, where a height is kept, and one such place: a
+    /// goal that is ahead is as high as the way to it needs.
+    /// </summary>
+    public (double Metres, PlanePoint At) MaxHeightAboveGround(double aboveGroundMetres)
+        => aboveGroundMetres + _excess.Metres > _depth.Metres
+            ? (aboveGroundMetres + _excess.Metres, _excess.At)
+            : _depth;
+
+    /// <summary>Adds the nodes of an area, without those of others.</summary>
+    public void AddPlaces(PlanePolygon area, IReadOnlyList<PlanePolygon> without)
     {
-        double highest = 0;
+        for (int row = 0; row < _rows; row++)
+        {
+            for (int column = 0; column < _columns; column++)
+            {
+                PlanePoint at = NodeAt(row, column);
+                if (area.Contains(at) && !without.Any(p => p.Contains(at)))
+                    AddPlace(at, row, column);
+            }
+        }
+    }
+
+    /// <summary>Adds the nodes beside a straight way.</summary>
+    public void AddPlaces(PlanePoint from, PlanePoint to)
+    {
         int steps = 1 + (int)Math.Ceiling(from.DistanceTo(to) / CellMetres);
         for (int i = 0; i <= steps; i++)
         {
             PlanePoint at = from + (i / (double)steps * (to - from));
-            highest = Math.Max(highest, HeightAboveHome(at, aboveGroundMetres) - GroundMetres(at));
+            PlanePoint cells = (1 / CellMetres) * (at - _southWest);
+            AddPlace(
+                at, Math.Max(0, Math.Min(_rows - 1, (int)Math.Round(cells.North))),
+                Math.Max(0, Math.Min(_columns - 1, (int)Math.Round(cells.East))));
+        }
+    }
+
+    private void AddPlace(PlanePoint at, int row, int column)
+    {
+        double ground = GroundMetres(at);
+        double excess = _ahead[(row * _columns) + column] - ground;
+        if (excess > _excess.Metres)
+            _excess = (excess, at);
+        if (MinHeightAboveHomeMetres - ground > _depth.Metres)
+            _depth = (MinHeightAboveHomeMetres - ground, at);
+    }
+
+    // The highest node within the distance of a goal: of the rows first, then of the columns.
+    private void LookAhead()
+    {
+        int reach = (int)Math.Ceiling(PathFollower.MaxGoalMetres(MaxSpeedMetresPerSecond) / CellMetres);
+        var ofRows = new float[_rise.Length];
+        for (int i = 0; i < _rise.Length; i++)
+        {
+            int start = i / _columns * _columns;
+            int last = Math.Min(start + _columns - 1, i + reach);
+            float highest = _rise[i];
+            for (int j = Math.Max(start, i - reach); j <= last; j++)
+                highest = Math.Max(highest, _rise[j]);
+            ofRows[i] = highest;
         }
 
-        return highest;
+        for (int i = 0; i < _rise.Length; i++)
+        {
+            float highest = ofRows[i];
+            int last = Math.Min(_rise.Length - 1, i + (reach * _columns));
+            for (int j = Math.Max(i % _columns, i - (reach * _columns)); j <= last; j += _columns)
+                highest = Math.Max(highest, ofRows[j]);
+            _ahead[i] = highest;
+        }
     }
 
     private static string? FindFaultAtHome(TerrainGrid terrain, LocalNedFrame frame, out double homeAmslMetres)
@@ -158,21 +223,39 @@ internal sealed class TerrainFollowing
     {
         for (int i = 0; i < _rise.Length; i++)
             _rise[i] = float.NegativeInfinity;
-        for (int row = 0; row < _rows; row++)
+        bool isFine = PostMetres() < CellMetres;
+        double[] norths = Lines(_southWest.North, _rows, isFine ? [] : PostsToTheNorth());
+        double[] easts = Lines(_southWest.East, _columns, isFine ? [] : PostsToTheEast());
+        foreach (double north in norths)
         {
-            for (int column = 0; column < _columns; column++)
+            foreach (double east in easts)
             {
-                double ground = GroundMetres(NodeAt(row, column));
+                var at = new PlanePoint(north, east);
+                double ground = GroundMetres(at);
                 if (double.IsNaN(ground))
-                    return FaultAt(NodeAt(row, column));
-                Raise(row - 1, row + 1, column - 1, column + 1, ground);
+                    return FaultAt(at);
+                Raise(at, ground);
             }
         }
 
-        return PostMetres() < CellMetres ? SamplePosts() : null;
+        return isFine ? SamplePosts() : null;
     }
 
-    // Posts of a finer grid are not passed over.
+    // Between the lines of nodes and of posts the ground is bilinear: its highest place is where two of them cross.
+    private double[] Lines(double first, int count, IEnumerable<double> posts)
+        => Enumerable.Range(0, count).Select(i => first + (i * CellMetres))
+            .Concat(posts.Where(p => p > first && p < first + ((count - 1) * CellMetres))).ToArray();
+
+    private IEnumerable<double> PostsToTheNorth() => Enumerable.Range(0, _terrain.Rows).Select(row =>
+        ToNed(_terrain.SouthWest.Latitude + (row * _terrain.LatitudeStep), _frame.Origin.Longitude).North);
+
+    private IEnumerable<double> PostsToTheEast() => Enumerable.Range(0, _terrain.Columns).Select(column =>
+        ToNed(_frame.Origin.Latitude, _terrain.SouthWest.Longitude + (column * _terrain.LongitudeStep)).East);
+
+    private NedPosition ToNed(Angle latitude, Angle longitude)
+        => _frame.ToNed(new GeodeticPosition(new GeographicPoint(latitude, longitude), _frame.Origin.Altitude));
+
+    // Where many posts lie in a cell: the highest of them.
     private string? SamplePosts()
     {
         for (int row = 0; row < _rows - 1; row++)
@@ -188,6 +271,15 @@ internal sealed class TerrainFollowing
         }
 
         return null;
+    }
+
+    private void Raise(PlanePoint at, double ground)
+    {
+        const double Rounding = 1e-6;
+        PlanePoint cells = (1 / CellMetres) * (at - _southWest);
+        Raise(
+            (int)Math.Ceiling(cells.North - Rounding) - 1, (int)Math.Floor(cells.North + Rounding) + 1,
+            (int)Math.Ceiling(cells.East - Rounding) - 1, (int)Math.Floor(cells.East + Rounding) + 1, ground);
     }
 
     private void Raise(int south, int north, int west, int east, double ground)

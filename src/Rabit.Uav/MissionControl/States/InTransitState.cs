@@ -30,8 +30,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
         _limit = PathFollower.TimeLimit(flight, _path.Length) + Seconds(Math.Max(0, climb) / MinClimbRate);
 
         // A mission that continues may have been left low: what lies in the way is flown over.
-        bool isLow = by is MissionEvent.OperatorContinue or MissionEvent.HealthHoldOver && climb > LowMetres;
-        _climbAt = isLow ? flight.Position : null;
+        _climbAt = climb > LowMetres ? flight.Position : null;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)

@@ -4,7 +4,7 @@ using Rabit.Core;
 namespace Rabit.Hosting;
 
 /// <summary>One manager's status, and what of it was seen at the last look. One thread at a time.</summary>
-internal sealed class ManagerWatch(string name, RabitWorkspace workspace)
+internal sealed class ManagerStatusWatch(string name, RabitWorkspace workspace)
 {
     private readonly MessageSubscriber<ManagerStatus> _status = workspace.SubscribeToStatus(name);
     private long _missedDeadlines;   // at the last look
