@@ -118,6 +118,14 @@ public sealed class VirtualTime : RabitTime
     internal VirtualClock VirtualClock => _clock;
 
     /// <summary>
+    /// Steps what the wall clock says, as where NTP or a user sets it. The time of the run goes on as before. Any
+    /// thread; at a time of the run that is chosen between two calls of <see cref="RabitReactor.RunFor"/>.
+    /// </summary>
+    /// <param name="by">How far; negative is back.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such date.</exception>
+    public void StepWallClock(TimeSpan by) => _clock.StepUtc(by);
+
+    /// <summary>
     /// Models how long each unit of work of a manager takes. Without it a unit of work takes no time. What it posts and
     /// pushes is there at its beginning; the manager is busy, and keeps its wakes, until its end.
     /// </summary>

@@ -33,6 +33,26 @@ public sealed class VirtualTimeTests
         Assert.Equal(start, new VirtualTime(seed: 3, start).Clock.GetUtcNow());
     }
 
+    [Fact]
+    public void StepWallClock_InARun_MovesTheWallClockAlone()
+    {
+        var time = new VirtualTime();
+        using TestRun run = NewRun(time);
+        run.Add("m");
+        run.Start();
+        run.Reactor.RunFor(TimeSpan.FromHours(1));
+        time.StepWallClock(TimeSpan.FromDays(-400));
+        time.StepWallClock(TimeSpan.FromMinutes(1));
+        run.Reactor.RunFor(TimeSpan.FromHours(1));
+
+        Assert.Equal(TimeSpan.FromHours(2), run.Reactor.Now);
+        Assert.Equal(TimeSpan.FromHours(2).Ticks, time.Clock.GetTimestamp());
+        Assert.Equal(
+            new DateTimeOffset(2000, 1, 1, 2, 1, 0, TimeSpan.Zero).AddDays(-400), time.Clock.GetUtcNow());
+        Assert.Throws<ArgumentOutOfRangeException>(() => time.StepWallClock(TimeSpan.FromDays(-900_000)));
+        Assert.Equal(1998, time.Clock.GetUtcNow().Year);
+    }
+
     [Fact, Trait("Clause", "5.2")]
     public void Timers_OfTheClock_AreRefused()
         => Assert.Throws<NotSupportedException>(

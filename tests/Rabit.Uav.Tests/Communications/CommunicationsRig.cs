@@ -44,12 +44,13 @@ internal sealed class CommunicationsRig : IDisposable
         var options = new CommunicationsOptions { Links = _pairs.Select(p => p.A).ToList() };
         configure?.Invoke(options);
 
+        Time = startUtc is { } start ? new VirtualTime(seed, start) : new VirtualTime(seed);
         Manager = new CommunicationsManager(options);
         Autopilot = autopilot ?? new FakeAutopilot(1024);
         Reactor = new RabitReactor(
             new ReactorOptions
             {
-                Time = startUtc is { } start ? new VirtualTime(seed, start) : new VirtualTime(seed),
+                Time = Time,
                 Log = Log.Add,
                 StopsOnSignals = false
             })
@@ -71,6 +72,8 @@ internal sealed class CommunicationsRig : IDisposable
     public FakeAutopilot Autopilot { get; }
 
     public RabitReactor Reactor { get; }
+
+    public VirtualTime Time { get; }
 
     public List<RabitLogEntry> Log { get; } = [];
 

@@ -243,6 +243,34 @@ public sealed class RecordingTests : IDisposable
         Assert.All(played.Sources, s => Assert.Equal(0, s.Missing + s.OutOfOrder));
     }
 
+    [Theory]
+    [InlineData(-3600)]
+    [InlineData(3600)]
+    [InlineData(365.25 * 24 * 3600 * 20)]
+    [InlineData(-365.25 * 24 * 3600 * 20)]
+    public void WallClock_ThatSteps_KeepsNoFrameAndNoRecordBack(double seconds)
+    {
+        int forwarded = 0;
+        using (CommunicationsRig rig = Rig(2).As(1))
+        {
+            for (int n = 0; n < 20; n++)
+            {
+                if (n == 10)
+                    rig.Time.StepWallClock(TimeSpan.FromTicks((long)(seconds * TimeSpan.TicksPerSecond)));
+                rig.Send(0, Frames.Heartbeat(sequence: (byte)n));
+                rig.Run(TimeSpan.FromSeconds(0.5));
+                forwarded += rig.ReceivedFrames(1).Count(f => f.SystemId == 1 && f.ComponentId == 1);
+            }
+
+            Assert.Equal(LinkState.Receiving, rig.LastStatus(0).State);
+            Assert.All(rig.Log, l => Assert.Null(l.Exception));
+            Assert.Null(rig.Finish().Failure);
+        }
+
+        Assert.Equal(20, forwarded);
+        Assert.Equal(Enumerable.Range(0, 20), Files().SelectMany(f => Read(f)).Select(f => (int)f.Sequence).OrderBy(n => n));
+    }
+
     private RecordingOptions Options() => new() { Folder = _folder, Name = "test" };
 
     private CommunicationsRig Rig(
