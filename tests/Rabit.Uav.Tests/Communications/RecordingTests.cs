@@ -268,7 +268,8 @@ public sealed class RecordingTests : IDisposable
         }
 
         Assert.Equal(20, forwarded);
-        Assert.Equal(Enumerable.Range(0, 20), Files().SelectMany(f => Read(f)).Select(f => (int)f.Sequence).OrderBy(n => n));
+        IEnumerable<int> recorded = Files().SelectMany(f => Read(f)).Select(f => (int)f.Sequence);
+        Assert.Equal(Enumerable.Range(0, 20), recorded.OrderBy(n => n));
     }
 
     private RecordingOptions Options() => new() { Folder = _folder, Name = "test" };
