@@ -8,8 +8,6 @@ namespace MavlinkDump;
 /// <summary>The texts of the events in a log of PX4, from the metadata of its build.</summary>
 internal sealed class LoggedEventTexts
 {
-    private const int MaxBytes = 32_000_000;
-
     private readonly MavlinkEventCatalog? _catalog;
 
     /// <param name="file">The file all_events.json; null for none.</param>
@@ -29,11 +27,7 @@ internal sealed class LoggedEventTexts
         try
         {
             using FileStream stream = File.OpenRead(file);
-            if (stream.Length > MaxBytes)
-                throw new FormatException($"it has more than {MaxBytes} bytes");
-            using var bytes = new MemoryStream();
-            stream.CopyTo(bytes);
-            return MavlinkEventCatalog.Parse(bytes.ToArray());
+            return MavlinkEventCatalog.Read(stream);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException
             or FormatException)

@@ -10,9 +10,6 @@ internal static class EventTexts
 {
     private const string Fetch = "fetch";
 
-    // Far more than any build has.
-    private const int MaxBytes = 32_000_000;
-
     /// <exception cref="ArgumentException">The file is none; the text says why.</exception>
     public static void ApplyTo(AutopilotOptions options, string? file)
     {
@@ -27,11 +24,7 @@ internal static class EventTexts
         try
         {
             using FileStream stream = File.OpenRead(file);
-            if (stream.Length > MaxBytes)
-                throw new FormatException($"it has more than {MaxBytes} bytes");
-            using var bytes = new MemoryStream();
-            stream.CopyTo(bytes);
-            return MavlinkEventCatalog.Parse(bytes.ToArray());
+            return MavlinkEventCatalog.Read(stream);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 using Rabit.Core.Time;
 
 namespace Rabit.Core.Diagnostics;
@@ -56,7 +57,17 @@ internal sealed class RabitLog(
             return false;
         try
         {
-            sink(entry);
+            try
+            {
+                sink(entry);
+            }
+            catch (ThreadInterruptedException)
+            {
+                // An exception whose members interrupt the thread leaves that for the next wait, which may be one for
+                // a lock of the log. It is over when it has been thrown, and no reason to lose the fault.
+                sink(entry);
+            }
+
             return true;
         }
         catch (Exception)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Text.Json;
 using Rabit.Mavlink.Protocols;
 
@@ -17,6 +18,9 @@ namespace Rabit.Mavlink;
 /// </example>
 public sealed class MavlinkEventCatalog
 {
+    // Far more than any build has: a device that is given by mistake has no end.
+    private const int MaxBytes = 32_000_000;
+
     private readonly Dictionary<uint, MavlinkEventDefinition> _definitions;
 
     private MavlinkEventCatalog(Dictionary<uint, MavlinkEventDefinition> definitions) => _definitions = definitions;
@@ -41,6 +45,26 @@ public sealed class MavlinkEventCatalog
             // The latter: texts that are none, such as half of a surrogate pair.
             throw new FormatException("no JSON: " + e.Message, e);
         }
+    }
+
+    /// <summary>Reads the file of an autopilot's build to its end.</summary>
+    /// <param name="file">The file; stays open.</param>
+    /// <exception cref="FormatException">It is none; the text says what is wrong, and where.</exception>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    public static MavlinkEventCatalog Read(Stream file)
+    {
+        if (file is null)
+            throw new ArgumentNullException(nameof(file));
+        using var json = new MemoryStream();
+        var part = new byte[81_920];
+        for (int count; (count = file.Read(part, 0, part.Length)) > 0;)
+        {
+            if (json.Length + count > MaxBytes)
+                throw new FormatException($"it has more than {MaxBytes} bytes");
+            json.Write(part, 0, count);
+        }
+
+        return Parse(json.ToArray());
     }
 
     /// <summary>What is known of an event.</summary>

@@ -88,6 +88,22 @@ public class MavlinkEventCatalogTests
     private readonly MavlinkEventCatalog _catalog = Parse(File);
 
     [Fact]
+    public void Read_Stream_IsAsItsContent()
+    {
+        using var file = new System.IO.MemoryStream(Encoding.UTF8.GetBytes(File));
+        Assert.Equal(MavlinkEventCatalog.Parse(Encoding.UTF8.GetBytes(File)).Count, MavlinkEventCatalog.Read(file).Count);
+    }
+
+    // As /dev/zero, which says that its length is 0.
+    [Fact]
+    public void Read_StreamWithoutEnd_IsRefused()
+    {
+        using var endless = new EndlessStream();
+        FormatException e = Assert.Throws<FormatException>(() => MavlinkEventCatalog.Read(endless));
+        Assert.Equal("it has more than 32000000 bytes", e.Message);
+    }
+
+    [Fact]
     public void Find_KnownAndUnknown_DefinitionAndNull()
     {
         Assert.Equal(5, _catalog.Count);
@@ -218,5 +234,30 @@ public class MavlinkEventCatalogTests
     {
         var message = new Event { Id = 0x0100_0000 | subId, Arguments = new ByteArray40(arguments) };
         return new MavlinkEvent(new MavlinkAddress(1, 1), message);
+    }
+
+    private sealed class EndlessStream : System.IO.Stream
+    {
+        public override bool CanRead => true;
+
+        public override bool CanSeek => false;
+
+        public override bool CanWrite => false;
+
+        public override long Length => 0;
+
+        public override long Position { get; set; }
+
+        public override int Read(byte[] buffer, int offset, int count) => count;
+
+        public override void Flush()
+        {
+        }
+
+        public override long Seek(long offset, System.IO.SeekOrigin origin) => throw new NotSupportedException();
+
+        public override void SetLength(long value) => throw new NotSupportedException();
+
+        public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
     }
 }

@@ -103,7 +103,7 @@ public class MavlinkFtpServerTests(ITestOutputHelper output)
     {
         _files.Set("targets/1.jpg", new byte[10]);
         var asked = new List<string>();
-        MavlinkFtpServer server = New(files: new Recording(_files, asked));
+        MavlinkFtpServer server = New(files: new RecordingFileStore(_files, asked));
         Assert.Equal(FtpError.FileNotFound, Ask(server, FtpOpcode.OpenFileReadOnly, path: path).Error);
         Assert.Equal(FtpError.FileNotFound, Ask(server, FtpOpcode.CalculateCrc32, path: path).Error);
         Assert.Equal(2, server.Refusals);
@@ -388,18 +388,5 @@ public class MavlinkFtpServerTests(ITestOutputHelper output)
         public byte[] Data { get; } = packet.Data.Slice(0, packet.Size).ToArray();
 
         public FtpError Error => Opcode == FtpOpcode.Nak ? (FtpError)Data[0] : FtpError.None;
-    }
-
-    /// <summary>Notes which paths get to the files.</summary>
-    private sealed class Recording(IMavlinkFileStore files, List<string> asked) : IMavlinkFileStore
-    {
-        public bool TryGetFile(string path, out ReadOnlyMemory<byte> content)
-        {
-            asked.Add(path);
-            return files.TryGetFile(path, out content);
-        }
-
-        public bool TryGetDirectory(string path, out IReadOnlyList<MavlinkFileEntry> entries)
-            => files.TryGetDirectory(path, out entries);
     }
 }
