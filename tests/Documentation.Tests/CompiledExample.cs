@@ -39,6 +39,7 @@ internal static class CompiledExample
         global using Rabit.Uav.MissionControl;
         global using Rabit.Uav.Reporting;
         global using Rabit.Uav.SensorFusion;
+        global using Rabit.Uav.SensorFusion.Metrics;
         global using Rabit.Uav.Simulation;
         global using Rabit.Vision;
         """;
