@@ -24,6 +24,17 @@ internal readonly struct Innovation(double north, double east, HorizontalCovaria
     public double Cost => DistanceSquared
         + Math.Log((Covariance.NorthNorth * Covariance.EastEast) - (Covariance.NorthEast * Covariance.NorthEast));
 
+    /// <summary>The density of the Gaussian at this difference, per square metre.</summary>
+    public double Likelihood
+    {
+        get
+        {
+            HorizontalCovariance s = Covariance;
+            double determinant = (s.NorthNorth * s.EastEast) - (s.NorthEast * s.NorthEast);
+            return Math.Exp(-0.5 * DistanceSquared) / (2 * Math.PI * Math.Sqrt(determinant));
+        }
+    }
+
     /// <summary>The same difference with a further independent uncertainty.</summary>
     public Innovation Wider(HorizontalCovariance by) => new(North, East, Covariance + by);
 }

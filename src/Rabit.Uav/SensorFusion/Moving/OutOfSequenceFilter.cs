@@ -1,0 +1,123 @@
+using System;
+
+namespace Rabit.Uav.SensorFusion.Moving;
+
+/// <summary>
+/// A filter whose measurements may arrive in any order: the result is that of the order in which they were true, to the
+/// last bit, since those of a window are kept and filtered again when one arrives late. Fixed room; for one thread.
+/// </summary>
+internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
+{
+    // By time; among equal times by arrival.
+    private readonly TrackMeasurement[] _measurements = new TrackMeasurement[capacity];
+    private readonly MotionFilter _current = new();
+
+    // The estimate before the first of the measurements that are kept.
+    private readonly MotionFilter _base = new();
+    private int _count;
+
+    /// <summary>The estimate at the time of the newest measurement.</summary>
+    public MotionFilter Current => _current;
+
+    /// <summary>The sources of the measurements.</summary>
+    public RegistrationSlots Slots { get; } = new();
+
+    /// <summary>The time of the newest measurement.</summary>
+    public TimeSpan Time => _current.Time;
+
+    /// <summary>Forgets all; the first measurement is the start.</summary>
+    public void Start(MotionModel model)
+    {
+        _base.Clear(model);
+        _current.Clear(model);
+        Slots.Clear();
+        _count = 0;
+    }
+
+    /// <summary>Forgets all and starts with a state that is known from elsewhere.</summary>
+    public void Start(
+        MotionModel model, TimeSpan time, ReadOnlySpan<double> state, ReadOnlySpan<double> upperTriangle)
+    {
+        Start(model);
+        _base.Start(time, state, upperTriangle);
+        _current.CopyFrom(_base);
+    }
+
+    /// <summary>Takes a measurement in, at its own time.</summary>
+    public TakeResult Take(in TrackMeasurement measurement)
+    {
+        if (HasTaken(measurement.Key))
+            return TakeResult.Duplicate;
+        if (IsTooOld(measurement.Time))
+            return TakeResult.TooOld;
+        bool isNewest = !_current.IsStarted || measurement.Time >= _current.Time;
+        MakeRoom(isNewest ? measurement.Time : _current.Time);
+        if (IsTooOld(measurement.Time))
+            return TakeResult.TooOld;
+        Insert(measurement);
+        if (isNewest)
+            _current.Take(measurement, Slots);
+        else
+            Replay(_current, _current.Time);
+        return TakeResult.Used;
+    }
+
+    /// <summary>Whether a measurement of a time cannot be taken any more.</summary>
+    public bool IsTooOld(TimeSpan time)
+        => _current.IsStarted && (time < _current.Time - window || (_base.IsStarted && time < _base.Time));
+
+    /// <summary>Whether a measurement is in the estimate, of those that are kept.</summary>
+    public bool HasTaken(ReportKey key)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            if (_measurements[i].Key.Equals(key))
+                return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>
+    /// What was to be expected at a time that is not too old, by the measurements up to then. A time before the first
+    /// of them gives the estimate after it.
+    /// </summary>
+    public void PredictTo(TimeSpan time, MotionFilter result)
+    {
+        if (time >= _current.Time)
+            result.CopyFrom(_current);
+        else
+            Replay(result, time);
+        if (time > result.Time)
+            result.PredictTo(time);
+    }
+
+    private void Replay(MotionFilter result, TimeSpan until)
+    {
+        result.CopyFrom(_base);
+        for (int i = 0; i < _count && (!result.IsStarted || _measurements[i].Time <= until); i++)
+            result.Take(_measurements[i], Slots);
+    }
+
+    // What leaves the window, or finds no room, becomes part of the estimate before.
+    private void MakeRoom(TimeSpan newest)
+    {
+        int gone = 0;
+        while (gone < _count && (_measurements[gone].Time < newest - window || _count - gone == capacity))
+            _base.Take(_measurements[gone++], Slots);
+        if (gone == 0)
+            return;
+        _count -= gone;
+        Array.Copy(_measurements, gone, _measurements, 0, _count);
+    }
+
+    private void Insert(in TrackMeasurement measurement)
+    {
+        int at = _count;
+        while (at > 0 && _measurements[at - 1].Time > measurement.Time)
+            at--;
+        Array.Copy(_measurements, at, _measurements, at + 1, _count - at);
+        _measurements[at] = measurement;
+        _count++;
+    }
+}

@@ -1,0 +1,44 @@
+using System;
+using Rabit.Geodesy;
+
+namespace Rabit.Uav.SensorFusion.Moving;
+
+/// <summary>
+/// The sources whose registration errors a filter considers. A source is taken to be as wrong as its first
+/// measurement states. Where there are more sources than room, the errors of the further ones count as random.
+/// </summary>
+internal sealed class RegistrationSlots
+{
+    /// <summary>How many sources there is room for.</summary>
+    public const int Capacity = 4;
+
+    private readonly byte[] _sources = new byte[Capacity];
+    private readonly HorizontalCovariance[] _covariances = new HorizontalCovariance[Capacity];
+
+    /// <summary>How many sources there are.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>The covariance of the registration error of a source.</summary>
+    public HorizontalCovariance this[int slot] => _covariances[slot];
+
+    /// <summary>Forgets all.</summary>
+    public void Clear() => Count = 0;
+
+    /// <summary>The slot of a source; -1 where it has none.</summary>
+    public int Find(byte source) => Array.IndexOf(_sources, source, 0, Count);
+
+    /// <summary>
+    /// The slot of a source, a new one if need be; -1 where there is no room, or it states no registration error.
+    /// </summary>
+    public int Of(in TrackMeasurement measurement)
+    {
+        int slot = Find(measurement.Key.Source);
+        if (slot >= 0)
+            return slot;
+        HorizontalCovariance covariance = measurement.Registration;
+        if (Count == Capacity || !(covariance.NorthNorth > 0 || covariance.EastEast > 0))
+            return -1;
+        (_sources[Count], _covariances[Count]) = (measurement.Key.Source, covariance);
+        return Count++;
+    }
+}
