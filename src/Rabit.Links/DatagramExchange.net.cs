@@ -34,9 +34,10 @@ internal sealed class DatagramExchange(Socket socket, PeerTable<SocketAddress> p
     }
 
     /// <summary>
-    /// Sends a datagram to each. Gives to how many it went, and what the last one that failed said.
+    /// Sends a datagram to each, but to none where there are too many. Gives to how many it went, and what the last one
+    /// that failed said.
     /// </summary>
-    public int SendToAll(byte[] buffer, int offset, int count, out SocketError fault)
+    public int SendToAll(byte[] buffer, int offset, int count, int maxReceivers, out SocketError fault)
     {
         fault = SocketError.Success;
         lock (_sendGate)
@@ -44,6 +45,11 @@ internal sealed class DatagramExchange(Socket socket, PeerTable<SocketAddress> p
             int receivers = 1;
             if (_target is not null) _receivers[0] = _target;
             else receivers = peers.CopyTo(_receivers);
+            if (receivers > maxReceivers)
+            {
+                fault = SocketError.WouldBlock;
+                return 0;
+            }
 
             int sent = 0;
             for (int i = 0; i < receivers; i++)

@@ -90,6 +90,12 @@ internal sealed class LinkLifetime(string url, int openings = 1)
         return true;
     }
 
+    /// <summary>Whether Write would have something to do; wrong arguments and a link that has ended are left to it.
+    /// </summary>
+    public bool IsWritable(byte[] buffer, int offset, int count)
+        => buffer is not null && (uint)offset <= (uint)buffer.Length && (uint)count <= (uint)(buffer.Length - offset)
+            && count > 0 && EndReason is null && Volatile.Read(ref _disposed) == 0;
+
     /// <summary>Counts bytes that cannot go out because the link has ended, and makes the error to throw.</summary>
     public LinkException DroppedByEnd(int count)
     {

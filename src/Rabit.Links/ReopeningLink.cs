@@ -20,7 +20,7 @@ namespace Rabit.Links;
 /// LinkRead read = line.Read(buffer);   // waits for bytes, through any number of unpluggings, or Unblock
 /// </code>
 /// </example>
-public sealed class ReopeningLink : IByteLink
+public sealed class ReopeningLink : IByteLink, INonBlockingWriter
 {
     private readonly LinkLifetime _state;
     private readonly LinkStop _stop;
@@ -152,6 +152,11 @@ public sealed class ReopeningLink : IByteLink
             _state.Dropped(count);
         }
     }
+
+    /// <inheritdoc/>
+    public bool TryWrite(byte[] buffer, int offset, int count)
+        => _state.IsWritable(buffer, offset, count) && Volatile.Read(ref _session) is INonBlockingWriter session
+            && session.TryWrite(buffer, offset, count);
 
     /// <inheritdoc/>
     public void Unblock()

@@ -17,7 +17,7 @@ namespace Rabit.Links;
 /// link.Write(heartbeat, 0, heartbeat.Length);   // every ground station on that network receives it
 /// </code>
 /// </example>
-public sealed class UdpBroadcastLink : IByteLink
+public sealed class UdpBroadcastLink : IByteLink, INonBlockingWriter
 {
     private readonly LinkLifetime _state;
     private readonly UdpSocket _socket;
@@ -88,6 +88,10 @@ public sealed class UdpBroadcastLink : IByteLink
     {
         if (_state.CheckWrite(buffer, offset, count)) _socket.Write(buffer, offset, count);
     }
+
+    /// <inheritdoc/>
+    public bool TryWrite(byte[] buffer, int offset, int count)
+        => _state.IsWritable(buffer, offset, count) && _socket.TryWrite(buffer, offset, count);
 
     /// <inheritdoc/>
     public void Unblock() => _socket.End(LinkLifetime.UnblockedReason);

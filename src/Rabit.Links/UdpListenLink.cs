@@ -21,7 +21,7 @@ namespace Rabit.Links;
 /// link.Write(buffer, 0, read.Count);        // goes back to its sender, and to all before
 /// </code>
 /// </example>
-public sealed class UdpListenLink : IByteLink
+public sealed class UdpListenLink : IByteLink, INonBlockingWriter
 {
     private readonly LinkLifetime _state;
     private readonly UdpSocket _socket;
@@ -101,6 +101,10 @@ public sealed class UdpListenLink : IByteLink
     {
         if (_state.CheckWrite(buffer, offset, count)) _socket.Write(buffer, offset, count);
     }
+
+    /// <inheritdoc/>
+    public bool TryWrite(byte[] buffer, int offset, int count)
+        => _state.IsWritable(buffer, offset, count) && _socket.TryWrite(buffer, offset, count);
 
     /// <inheritdoc/>
     public void Unblock() => _socket.End(LinkLifetime.UnblockedReason);

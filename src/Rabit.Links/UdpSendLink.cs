@@ -12,7 +12,7 @@ namespace Rabit.Links;
 /// (<see cref="LinkOptions.ResolveAfter"/>); it may have moved. The thread that reads does that, and sends what
 /// <see cref="LinkOptions.KeepAlive"/> asks for.
 /// </summary>
-public sealed class UdpSendLink : IByteLink
+public sealed class UdpSendLink : IByteLink, INonBlockingWriter
 {
     private readonly LinkLifetime _state;
     private readonly LinkStop _stop = new();
@@ -106,6 +106,16 @@ public sealed class UdpSendLink : IByteLink
         if (!_state.CheckWrite(buffer, offset, count)) return;
         Volatile.Read(ref _socket).Write(buffer, offset, count);
         _chores.Written();
+    }
+
+    /// <inheritdoc/>
+    public bool TryWrite(byte[] buffer, int offset, int count)
+    {
+        if (!_state.IsWritable(buffer, offset, count)
+            || !Volatile.Read(ref _socket).TryWrite(buffer, offset, count))
+            return false;
+        _chores.Written();
+        return true;
     }
 
     /// <inheritdoc/>

@@ -69,7 +69,12 @@ internal static class ForwardMode
         table.RequireMax(rabit, 0, 2);
         return table;
 
-        double[] Pace(FrameFlow flow, int port) => [flow.Pace(port, StreamRate, seconds)];
+        // Not what compiling costs, of methods too that are called a few times a second.
+        double[] Pace(FrameFlow flow, int port)
+        {
+            flow.Pace(port, StreamRate, options.Pick(0.1, 3.0));
+            return [flow.Pace(port, StreamRate, seconds)];
+        }
     }
 
     private static Subject Row(

@@ -48,6 +48,11 @@ internal sealed class LinkPort(
         ? new LinkHold(writer, hold)
         : null;
 
+    // Where frames do not wait for others.
+    private readonly LinkOutput? _output = writer is not null && settings.HoldTime is null
+        ? new LinkOutput(writer, target!, link!)
+        : null;
+
     // By sender (system, component).
     private readonly Dictionary<int, byte> _sequences = [];
 
@@ -161,7 +166,7 @@ internal sealed class LinkPort(
         if (isSent && _hold is not null)
             _hold.Add(frame, now);
         else if (isSent)
-            isSent = writer.Push(new FrameToWrite { Frame = frame }) != PushResult.Rejected;
+            isSent = _output!.Send(frame);
         if (!isSent)
         {
             _rejectedOut++;

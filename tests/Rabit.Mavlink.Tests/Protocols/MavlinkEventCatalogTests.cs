@@ -91,7 +91,8 @@ public class MavlinkEventCatalogTests
     public void Read_Stream_IsAsItsContent()
     {
         using var file = new System.IO.MemoryStream(Encoding.UTF8.GetBytes(File));
-        Assert.Equal(MavlinkEventCatalog.Parse(Encoding.UTF8.GetBytes(File)).Count, MavlinkEventCatalog.Read(file).Count);
+        MavlinkEventCatalog parsed = MavlinkEventCatalog.Parse(Encoding.UTF8.GetBytes(File));
+        Assert.Equal(parsed.Count, MavlinkEventCatalog.Read(file).Count);
     }
 
     // As /dev/zero, which says that its length is 0.

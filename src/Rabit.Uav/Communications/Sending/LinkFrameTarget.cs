@@ -18,11 +18,15 @@ internal sealed class LinkFrameTarget(IByteLink link) : IWriterTarget<FrameToWri
     private int _length;
     private int _frames;
     private long _lost;
+    private long _done;   // the writer's thread writes, any reads
 
     public bool Blocks => link.Blocks;
 
     /// <summary>Frames that the link could not take. Any thread.</summary>
     public long Lost => Interlocked.Read(ref _lost);
+
+    /// <summary>Frames that it is through with, lost ones too. Any thread.</summary>
+    public long Done => Interlocked.Read(ref _done);
 
     public void Open()
     {
@@ -31,12 +35,19 @@ internal sealed class LinkFrameTarget(IByteLink link) : IWriterTarget<FrameToWri
     // What begins a write may be dropped while it waits; its end never is before it.
     public void Write(in FrameToWrite value)
     {
-        if (_length + value.Frame.WireLength > MaxWriteBytes)
-            WriteAll();
-        _length += value.Frame.WriteTo(_buffer.AsSpan(_length));
-        _frames++;
-        if (!value.HasMore)
-            WriteAll();
+        try
+        {
+            if (_length + value.Frame.WireLength > MaxWriteBytes)
+                WriteAll();
+            _length += value.Frame.WriteTo(_buffer.AsSpan(_length));
+            _frames++;
+            if (!value.HasMore)
+                WriteAll();
+        }
+        finally
+        {
+            Interlocked.Increment(ref _done);
+        }
     }
 
     public void Unblock() => link.Unblock();
