@@ -1,0 +1,48 @@
+namespace Rabit.Vision;
+
+/// <summary>
+/// How clear a marker of a family must be. Where codes are few cells apart, windows, writing and boards come near to
+/// one of them in every picture of a town: DICT_4X4_50's id 17 is a white patch in a black square. Immutable.
+/// </summary>
+internal sealed class MarkerLimits
+{
+    /// <summary>36h11: 11 cells apart; the code itself is proof.</summary>
+    public static readonly MarkerLimits AprilTag36h11 = new()
+    {
+        MaxCorrected = 2,
+        MinMargin = 0.6,
+        MinCell = 0,
+        MaxRing = 0.35,
+        MaxQuiet = 0.3,
+        MaxMisfit = 0.22,
+    };
+
+    /// <summary>DICT_4X4_50: 4 cells apart; one that is corrected is more often something else.</summary>
+    public static readonly MarkerLimits ArUco4x4 = new()
+    {
+        MaxCorrected = 0,
+        MinMargin = 0.8,
+        MinCell = 0.25,
+        MaxRing = 0.22,
+        MaxQuiet = 0.2,
+        MaxMisfit = 0.14,
+    };
+
+    /// <summary>How many cells may be read wrong.</summary>
+    public int MaxCorrected { get; private init; }
+
+    /// <summary>How far the cells are from the middle grey in the mean: 1 for black and white.</summary>
+    public double MinMargin { get; private init; }
+
+    /// <summary>The same of the worst cell.</summary>
+    public double MinCell { get; private init; }
+
+    /// <summary>How far the ring is from even black, root of the mean of squares; white is 1.</summary>
+    public double MaxRing { get; private init; }
+
+    /// <summary>How far the margin around it is from even white.</summary>
+    public double MaxQuiet { get; private init; }
+
+    /// <summary>How far the edges between the cells lie from where they belong, cells.</summary>
+    public double MaxMisfit { get; private init; }
+}
