@@ -19,5 +19,7 @@ internal static class TestData
     public static JsonDocument Autonomy(string file)
         => JsonDocument.Parse(File.ReadAllText(Path.Combine(Data, "autonomy", file)));
 
+    public static string TrackingPathOf(string file) => Path.Combine(Data, "autonomy", "ru-mtt-1", file);
+
     public static JsonDocument Json(string file) => JsonDocument.Parse(File.ReadAllText(PathOf(file)));
 }

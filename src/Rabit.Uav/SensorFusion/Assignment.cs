@@ -26,13 +26,19 @@ internal sealed class Assignment
     /// <param name="missCost">What a row without a column costs.</param>
     public void Begin(int rows, int columns, double missCost)
     {
+        Reserve(rows, columns);
         Rows = rows;
         _columns = columns;
         _missCost = missCost;
-        if (_cost.Length < rows * columns)
-            _cost = new double[rows * columns];
         for (int i = 0; i < rows * columns; i++)
             _cost[i] = double.PositiveInfinity;
+    }
+
+    /// <summary>Makes room for so many, so that nothing is allocated later on.</summary>
+    public void Reserve(int rows, int columns)
+    {
+        if (_cost.Length < rows * columns)
+            _cost = new double[rows * columns];
         if (_rowPrice.Length <= rows)
             (_rowPrice, _result) = (new double[rows + 1], new int[rows + 1]);
         int all = columns + rows + 1;

@@ -85,13 +85,13 @@ internal sealed class ConsiderFilter
             _c[i] = (weightOfA * a._c[i]) + (weightOfB * b._c[i]);
     }
 
-    /// <summary>Goes on by a time, not negative.</summary>
+    /// <summary>Goes on by a time, or back by a negative one; it is less certain then, too.</summary>
     public void Predict(double seconds, double processNoise)
     {
         double dt = seconds;
-        double q3 = processNoise * dt * dt * dt / 3;
-        double q2 = processNoise * dt * dt / 2;
-        double q1 = processNoise * dt;
+        double q1 = processNoise * Math.Abs(dt);
+        double q2 = q1 * dt / 2;
+        double q3 = q1 * dt * dt / 3;
         State[0] += dt * State[1];
         State[2] += dt * State[3];
         for (int column = 0; column < N; column++)

@@ -18,6 +18,9 @@ internal sealed class MotionFilter
     private readonly double[] _sums = [0, 0];
     private MotionModel _model = null!;
 
+    /// <summary>How many modes it has.</summary>
+    public int Modes => _model.Modes;
+
     /// <summary>Whether it has a state.</summary>
     public bool IsStarted { get; private set; }
 
@@ -93,7 +96,7 @@ internal sealed class MotionFilter
             (_weights[0], _weights[1]) = (first / sum, second / sum);
     }
 
-    /// <summary>Goes on to a time; not to an earlier one.</summary>
+    /// <summary>Goes on to a time; back to an earlier one only to compare, not to take measurements in.</summary>
     public void PredictTo(TimeSpan time)
     {
         double seconds = (time - Time).TotalSeconds;
@@ -104,29 +107,16 @@ internal sealed class MotionFilter
         Time = time;
     }
 
-    /// <summary>
-    /// How uncertain the difference of a measured and the expected place is, but for what differs from one measurement
-    /// to the next.
-    /// </summary>
-    /// <param name="slot">That of the source of the measurement; -1 for none.</param>
+    /// <summary>What it expects in one of its modes, and how likely that mode is.</summary>
+    /// <param name="mode">From 0.</param>
+    /// <param name="slot">That of the source of the measurements to come; -1 for none.</param>
     /// <param name="registration">The covariance of the registration error of that source.</param>
-    public HorizontalCovariance ExpectedCovariance(int slot, HorizontalCovariance registration)
-    {
-        HorizontalCovariance sum = registration;
-        (double north, double east) = (North, East);
-        for (int mode = 0; mode < _model.Modes; mode++)
-        {
-            HorizontalCovariance of = _modes[mode].ExpectedCovariance(slot);
-            (double n, double e) = (_modes[mode].State[0] - north, _modes[mode].State[2] - east);
-            double weight = _weights[mode];
-            sum += new HorizontalCovariance(
-                weight * (of.NorthNorth + (n * n)),
-                weight * (of.NorthEast + (n * e)),
-                weight * (of.EastEast + (e * e)));
-        }
-
-        return sum;
-    }
+    public ExpectedPlace Expect(int mode, int slot, HorizontalCovariance registration)
+        => new(
+            _weights[mode],
+            _modes[mode].State[0],
+            _modes[mode].State[2],
+            _modes[mode].ExpectedCovariance(slot) + registration);
 
     /// <summary>The covariance of all modes together: sixteen numbers, row by row.</summary>
     public void CopyCovarianceTo(Span<double> covariance)

@@ -79,8 +79,8 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
     }
 
     /// <summary>
-    /// What was to be expected at a time that is not too old, by the measurements up to then. A time before the first
-    /// of them gives the estimate after it.
+    /// What was to be expected at a time that is not too old, by the measurements up to then; before the first one, by
+    /// that one.
     /// </summary>
     public void PredictTo(TimeSpan time, MotionFilter result)
     {
@@ -88,7 +88,7 @@ internal sealed class OutOfSequenceFilter(TimeSpan window, int capacity)
             result.CopyFrom(_current);
         else
             Replay(result, time);
-        if (time > result.Time)
+        if (time != result.Time)
             result.PredictTo(time);
     }
 

@@ -86,7 +86,7 @@ public class OutOfSequenceFilterTests(ITestOutputHelper output)
                 if (!step.TryGetProperty("z", out _))
                     continue;
                 TrackMeasurement measurement = Measurement(step, steps, now);
-                HorizontalCovariance s = there.ExpectedCovariance(-1, default) + measurement.Covariance;
+                HorizontalCovariance s = there.Expect(0, -1, default).Covariance + measurement.Covariance;
                 var innovation = new Innovation(measurement.North - there.North, measurement.East - there.East, s);
                 worst = Math.Max(worst, Difference(Numbers(step, "S"), [s.NorthNorth, s.NorthEast, s.EastEast]));
                 worst = Math.Max(worst, Difference(
@@ -178,7 +178,7 @@ public class OutOfSequenceFilterTests(ITestOutputHelper output)
 
         // Against the same source the difference is small: both are off by the same.
         Assert.InRange(
-            filter.Current.ExpectedCovariance(filter.Slots.Find(1), new HorizontalCovariance(4, 0, 4)).NorthNorth,
+            filter.Current.Expect(0, filter.Slots.Find(1), new HorizontalCovariance(4, 0, 4)).Covariance.NorthNorth,
             0,
             0.2);
 

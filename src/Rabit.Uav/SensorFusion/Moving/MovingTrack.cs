@@ -1,0 +1,147 @@
+using System;
+using Rabit.Geodesy;
+
+namespace Rabit.Uav.SensorFusion.Moving;
+
+/// <summary>A track of the <see cref="MovingTracker"/>: mutable, used again for another target after its end.</summary>
+internal sealed class MovingTrack(TrackerSettings settings)
+{
+    public DetectionHistory History;
+
+    private readonly MotionFilter _expected = new();
+    private ExpectedPlace _quiet;
+    private bool _hasTwoModes;
+
+    /// <summary>Number of the track; never used again.</summary>
+    public int Id { get; private set; }
+
+    public int Class { get; private set; }
+
+    /// <summary>The number on the target; negative before one was read.</summary>
+    public int Marker { get; private set; }
+
+    /// <summary>All its points, in any order of arrival.</summary>
+    public OutOfSequenceFilter Filter { get; } = new(settings.Window, settings.KeptPoints);
+
+    /// <summary>The probability that there is a target.</summary>
+    public double Existence { get; private set; }
+
+    public bool IsConfirmed { get; private set; }
+
+    public int Points { get; private set; }
+
+    public int Misses { get; private set; }
+
+    public TimeSpan FirstSeen { get; private set; }
+
+    public TimeSpan LastSeen => Filter.Time;
+
+    /// <summary>The probability of existence that it began with.</summary>
+    public double StartExistence { get; private set; }
+
+    /// <summary>
+    /// Where it is expected in the present scan, before its points are taken in: in the mode that is least certain of
+    /// it, so that nothing that any mode allows is out of the gate.
+    /// </summary>
+    public ExpectedPlace Widest { get; private set; }
+
+    /// <summary>How likely the present scan misses it, if it exists.</summary>
+    public double MissProbability { get; private set; }
+
+    /// <summary>Whether the present scan is too old for it.</summary>
+    public bool IsTooNew { get; private set; }
+
+    public void Start(int id, in ScanPoint point, MotionModel model, double existence)
+    {
+        (Id, Class, Marker) = (id, point.Class, point.Marker);
+        (Existence, StartExistence) = (existence, existence);
+        (IsConfirmed, Points, Misses) = (false, 1, 0);
+        FirstSeen = point.Measurement.Time;
+        History = default;
+        History.Add(isHit: true);
+        Filter.Start(model);
+        Filter.Take(point.Measurement);
+    }
+
+    /// <summary>Goes to the time of a scan, in which the target may have gone.</summary>
+    /// <param name="scan">The scan.</param>
+    /// <param name="registration">The registration error of its source.</param>
+    /// <param name="survival">How likely the target is still there since the scan before.</param>
+    public void Expect(in Scan scan, HorizontalCovariance registration, double survival)
+    {
+        Existence *= survival;
+        IsTooNew = Filter.IsTooOld(scan.Time);
+        if (IsTooNew)
+            return;
+        Filter.PredictTo(scan.Time, _expected);
+        int slot = Filter.Slots.Find(scan.Source);
+        HorizontalCovariance known = slot >= 0 ? Filter.Slots[slot] : registration;
+        _hasTwoModes = _expected.Modes == 2;
+        _quiet = _expected.Expect(0, slot, known);
+        Widest = _hasTwoModes ? _expected.Expect(1, slot, known) : _quiet;
+        MissProbability = IsShownBy(scan) ? 1 - scan.DetectionProbability : 1;
+    }
+
+    /// <summary>How likely the present scan has a point of the target at a place, per square metre.</summary>
+    public double Likelihood(in TrackMeasurement measurement)
+    {
+        double widest = Widest.Weight * Widest.Compare(measurement).Likelihood;
+        return _hasTwoModes ? widest + (_quiet.Weight * _quiet.Compare(measurement).Likelihood) : widest;
+    }
+
+    /// <summary>Takes a point of the present scan in.</summary>
+    /// <param name="point">The point.</param>
+    /// <param name="likelihood">Of the scan, with the target against without it.</param>
+    public TakeResult Hit(in ScanPoint point, double likelihood)
+    {
+        TakeResult result = Filter.Take(point.Measurement);
+        if (result != TakeResult.Used)
+            return result;
+        Points++;
+        History.Add(isHit: true);
+        Weigh(likelihood);
+        if (point.Marker >= 0)
+            Marker = point.Marker;
+        if (point.Measurement.Time < FirstSeen)
+            FirstSeen = point.Measurement.Time;
+        IsConfirmed |= Existence >= settings.Confirm
+            && History.HitsInLast(settings.ConfirmOutOf) >= settings.ConfirmHits;
+        return result;
+    }
+
+    /// <summary>Has no point in the present scan; a miss only where that shows its place.</summary>
+    public void Miss()
+    {
+        if (IsTooNew || MissProbability >= 1)
+            return;
+        Misses++;
+        History.Add(isHit: false);
+        Weigh(MissProbability);
+    }
+
+    /// <summary>Whether it is to be deleted.</summary>
+    public bool IsOver(TimeSpan now)
+    {
+        if (Existence < (IsConfirmed ? settings.Delete : settings.DeleteTentative * StartExistence))
+            return true;
+        if (!IsConfirmed && now - LastSeen > settings.TentativeLifetime)
+            return true;
+        double most = settings.MaxSigmaMetres * settings.MaxSigmaMetres;
+        HorizontalCovariance covariance = Widest.Covariance;
+        return !IsTooNew && (covariance.NorthNorth > most || covariance.EastEast > most);
+    }
+
+    private bool IsShownBy(in Scan scan)
+    {
+        if (scan.ShowsAll)
+            return true;
+        if (!scan.Footprint.IsKnown)
+            return false;
+        double sigma = Math.Sqrt(Math.Max(Widest.Covariance.NorthNorth, Widest.Covariance.EastEast));
+        double margin = settings.FootprintMarginMetres + (2 * sigma);
+        return scan.Footprint.Contains(Widest.North, Widest.East, margin);
+    }
+
+    private void Weigh(double likelihood)
+        => Existence = Existence * likelihood / (1 - Existence + (Existence * likelihood));
+}

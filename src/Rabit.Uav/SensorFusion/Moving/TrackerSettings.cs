@@ -1,0 +1,60 @@
+using System;
+
+namespace Rabit.Uav.SensorFusion.Moving;
+
+/// <summary>
+/// How the tracker of moving targets decides; the values were chosen on RU-MTT-1, seeds 1 to 10. Immutable.
+/// </summary>
+internal sealed record TrackerSettings
+{
+    /// <summary>The largest squared Mahalanobis distance at which a point can be of a track.</summary>
+    /// <value>Chi-square, 99.9 %: with 99 % one point of a target in a hundred would be left out.</value>
+    public double Gate { get; init; } = 13.8;
+
+    /// <summary>How often a target goes for good, per second.</summary>
+    public double DeathsPerSecond { get; init; } = 0.0005;
+
+    /// <summary>How many targets come up, per square metre and scan.</summary>
+    public double BirthDensity { get; init; } = 2e-8;
+
+    /// <summary>The density of clutter is taken to be no lower than this, points per square metre and scan.</summary>
+    public double MinClutterDensity { get; init; } = 2e-7;
+
+    /// <summary>The probability of existence from which on a track is confirmed.</summary>
+    public double Confirm { get; init; } = 0.99;
+
+    /// <summary>In how many of the last <see cref="ConfirmOutOf"/> looks it must have been reported, too.</summary>
+    public int ConfirmHits { get; init; } = 3;
+
+    /// <summary>See <see cref="ConfirmHits"/>.</summary>
+    public int ConfirmOutOf { get; init; } = 6;
+
+    /// <summary>Below this probability a confirmed track is deleted.</summary>
+    public double Delete { get; init; } = 0.01;
+
+    /// <summary>
+    /// A track that was never confirmed is deleted when it is less likely than at its start by this factor.
+    /// </summary>
+    public double DeleteTentative { get; init; } = 0.03;
+
+    /// <summary>After so long without a point a track that was never confirmed is deleted, seen or not.</summary>
+    public TimeSpan TentativeLifetime { get; init; } = TimeSpan.FromSeconds(20);
+
+    /// <summary>A track that is less certain than this, standard deviation along the worst axis, is deleted.</summary>
+    public double MaxSigmaMetres { get; init; } = 150;
+
+    /// <summary>How far inside a footprint a track must be to count as seen, metres, beside twice its sigma.</summary>
+    public double FootprintMarginMetres { get; init; } = 1;
+
+    /// <summary>How many tracks there may be.</summary>
+    public int MaxTracks { get; init; } = 200;
+
+    /// <summary>How many points of one scan are used.</summary>
+    public int MaxPoints { get; init; } = 1000;
+
+    /// <summary>How late a point may be.</summary>
+    public TimeSpan Window { get; init; } = TimeSpan.FromSeconds(10);
+
+    /// <summary>How many points a track keeps to be filtered again.</summary>
+    public int KeptPoints { get; init; } = 64;
+}
