@@ -22,10 +22,10 @@ foreach (string line in File.ReadLines("eng/packages.txt").Where(line => line.Le
     string[] columns = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
     packages.Add(columns[0]);
     allowed[columns[0] + "/net10.0"] = columns[1] == "-" ? [] : columns[1].Split(',');
-    allowed[columns[0] + "/.NETStandard2.0"] = columns[2] == "-" ? [] : columns[2].Split(',');
+    if (columns[2] != "none")
+        allowed[columns[0] + "/.NETStandard2.0"] = columns[2] == "-" ? [] : columns[2].Split(',');
 }
 
-string[] frameworks = ["net10.0", "netstandard2.0"];
 var faults = new List<string>();
 
 foreach (string id in packages)
@@ -56,6 +56,7 @@ void Inspect(string id, string file)
 {
     using ZipArchive package = ZipFile.OpenRead(file);
     XElement metadata = Metadata(package);
+    string[] frameworks = allowed.ContainsKey(id + "/.NETStandard2.0") ? ["net10.0", "netstandard2.0"] : ["net10.0"];
     string Text(string name) => metadata.Elements().FirstOrDefault(e => e.Name.LocalName == name)?.Value ?? "";
 
     Check(Text("id") == id, "id");

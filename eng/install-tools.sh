@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the checks need beside the .NET SDK, where it is missing: Mono (the second runtime), socat (serial
-# links are tested over its pairs of pseudo-terminals) and libturbojpeg (the benchmark of JPEG decoding compares with it).
+# links are tested over its pairs of pseudo-terminals), libturbojpeg (the benchmark of JPEG decoding compares with it) and
+# Chromium (the live page is tested in it).
 set -euo pipefail
 
 # A Mono without this facade runs, but no library for netstandard2.0: Debian has it in mono-devel, not in mono-runtime.
@@ -13,12 +14,17 @@ has_turbojpeg() {
     /sbin/ldconfig -p | grep 'libturbojpeg\.so\.0' > /dev/null
 }
 
+has_chromium() {
+    command -v chromium > /dev/null || command -v chromium-browser > /dev/null || command -v google-chrome > /dev/null
+}
+
 missing=()
 has_mono || missing+=(mono-devel)
 command -v socat > /dev/null || missing+=(socat)
 has_turbojpeg || missing+=(libturbojpeg0)
+has_chromium || missing+=(chromium)
 if [ ${#missing[@]} -eq 0 ]; then
-    echo "Mono, socat and libturbojpeg are there."
+    echo "Mono, socat, libturbojpeg and Chromium are there."
     exit 0
 fi
 

@@ -41,8 +41,10 @@ echo "--- use them"
 mkdir -p "$work/packages"
 rm -rf "$work"/packages/rabit.*   # a package of the same version, packed before, must not be taken for this one
 export RabitVersion=$version          # read by the projects in eng/pack-check
-RabitPackages=$(IFS=';'; printf '%s' "${ids[*]}")
-export RabitPackages
+# What has no build for netstandard2.0 is used by the program for .NET only.
+RabitPackages=$(sed -nE '/ none$/d; s/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt | paste -sd';')
+RabitNetPackages=$(sed -nE '/ none$/!d; s/^([A-Za-z][^ ]*).*/\1/p' eng/packages.txt | paste -sd';')
+export RabitPackages RabitNetPackages
 dotnet build eng/pack-check -v quiet
 dotnet run --project eng/pack-check -f net10.0 --no-build > "$work/net.txt"
 cat "$work/net.txt"

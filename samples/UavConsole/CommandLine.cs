@@ -153,7 +153,8 @@ internal static class CommandLine
             Report, Log, SystemId, SignKey, TrustLink, Px4Events,
         };
         foreach (Option option in PreflightArguments.All.Concat(OperatorArguments.All)
-            .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All))
+            .Concat(ReportArguments.All).Concat(RecordingArguments.All).Concat(AbandonedArguments.All)
+            .Concat(WebArguments.All))
             command.Add(option);
         command.SetAction(result => FindFaults(result) is { Length: > 0 } faults ? Refuse(faults) : run(Read(result)));
         return command;
@@ -193,6 +194,7 @@ internal static class CommandLine
         Reporting = ReportArguments.Read(result),
         Recording = RecordingArguments.Read(result),
         AbandonedStateFile = AbandonedArguments.Read(result),
+        Web = WebArguments.Read(result),
         CommandLine = string.Join(" ", new[] { "UavConsole" }.Concat(result.Tokens.Select(t => t.Value))),
     };
 
@@ -208,6 +210,7 @@ internal static class CommandLine
                 result, result.GetValue(Fly), links.Length == 0, result.GetValue(Camera) is not null))
             .Concat(OperatorArguments.FindFaults(result, result.GetValue(Fly), links.Length == 0))
             .Concat(AbandonedArguments.FindFaults(result, links.Length > 0 && !isReplay, result.GetValue(Fly)))
+            .Concat(WebArguments.FindFaults(result))
             .ToArray();
     }
 

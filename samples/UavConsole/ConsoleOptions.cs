@@ -84,6 +84,9 @@ internal sealed class ConsoleOptions
     /// </summary>
     public string? AbandonedStateFile { get; init; }
 
+    /// <summary>The live page for browsers; null for none.</summary>
+    public WebChoices? Web { get; init; }
+
     /// <summary>The arguments as given, for the report.</summary>
     public string CommandLine { get; init; } = "UavConsole";
 

@@ -90,7 +90,10 @@ internal sealed class Flight : IDisposable
         {
             OpenLinks = [links.A],
             OtherManagers = [world.CreateVehicle(links.B, key)],
-            Subscriptions = [FlightRecorderManager.CreateSubscription()],
+            Subscriptions =
+            [
+                FlightRecorderManager.CreateSubscription(), .. WebView.SubscriptionsOf(options.Web),
+            ],
             Mission = mission,
             MayCommand = true,
             Camera = world.CreateCamera(),
@@ -128,7 +131,10 @@ internal sealed class Flight : IDisposable
         var uavOptions = new UavOptions
         {
             Links = options.Links,
-            Subscriptions = [FlightRecorderManager.CreateSubscription()],
+            Subscriptions =
+            [
+                FlightRecorderManager.CreateSubscription(), .. WebView.SubscriptionsOf(options.Web),
+            ],
             SystemId = options.SystemId,
             Mission = options.Flies ? mission : null,
             Terrain = options.TerrainFile is { } terrain ? TerrainFile.Read(terrain) : null,

@@ -33,14 +33,17 @@ internal static class FlightRun
             return AbandonedRun.Run(options);
         Flight? flight = null;
         RunFiles? files = null;
+        WebView? web = null;
         try
         {
             flight = Flight.Open(options);
             files = RunFiles.Open(options, flight.MissionName);
+            web = WebView.Open(options.Web);
             options.Operator.KeepEarlierProgress();
         }
         catch (Exception e) when (e is LinkException or ArgumentException or PlatformNotSupportedException)
         {
+            web?.Dispose();
             flight?.Dispose();
             Console.Error.WriteLine("UavConsole: " + FirstLine(e.Message));
             return BadInput;
@@ -48,10 +51,11 @@ internal static class FlightRun
 
         using (flight)
         using (files)
-            return Fly(flight, files, options);
+        using (web)
+            return Fly(flight, files, web, options);
     }
 
-    private static int Fly(Flight flight, RunFiles files, ConsoleOptions options)
+    private static int Fly(Flight flight, RunFiles files, WebView? web, ConsoleOptions options)
     {
         // The reactor takes the first Ctrl-C while it runs. Neither a second one nor one that comes late may cut the
         // summary off. Ctrl-\ keeps its meaning.
@@ -59,7 +63,7 @@ internal static class FlightRun
         var output = GuardedWriter.Create();
         Console.SetOut(output);
         var log = new RunLog(files.Log);
-        FlightSummary summary = Show(flight, log, options);
+        FlightSummary summary = Show(flight, log, web, options);
         SummaryText.Write(Console.Out, summary);
         string?[] losses =
         [
@@ -133,10 +137,19 @@ internal static class FlightRun
         }
     }
 
-    private static FlightSummary Show(Flight flight, RunLog log, ConsoleOptions options)
+    private static FlightSummary Show(Flight flight, RunLog log, WebView? web, ConsoleOptions options)
     {
         RabitReactor reactor = flight.CreateReactor(
-            new ReactorOptions { StopTimeout = StopTimeout, MaxStopDelay = MaxStopDelay, Log = log.Add });
+            new ReactorOptions
+            {
+                StopTimeout = StopTimeout,
+                MaxStopDelay = MaxStopDelay,
+                Log = entry =>
+                {
+                    log.Add(entry);
+                    web?.Log(entry);
+                },
+            });
         var recorder = new FlightRecorderManager(new FlightRecorderOptions
         {
             ManagerNames = reactor.Select(m => m.Name).ToArray(),
@@ -145,6 +158,7 @@ internal static class FlightRun
             ImageChips = () => flight.Uav.ImageProcessing.ImageChips,
         });
         reactor.Add(recorder);
+        web?.Add(reactor, flight, options.FliesMission);
         var fixedWing = new FixedWingNotice(options.Operator, text => log.Note(reactor.Now, text));
         var clock = Stopwatch.StartNew();
         OperatorKeys? keys = options.IsHeadless || !KeyReader.IsPossible
@@ -166,6 +180,8 @@ internal static class FlightRun
         Console.WriteLine(flight.Source);
         if (flight.Notice is not null)
             Console.WriteLine(flight.Notice);
+        if (web is not null)
+            Console.WriteLine("live page: " + web.Address);
 
         Task<ReactorResult> run = reactor.RunAsync();
         if (keys is not null)
