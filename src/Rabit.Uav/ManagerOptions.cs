@@ -12,6 +12,7 @@ using Rabit.Uav.HealthMonitoring;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
+using Rabit.Uav.SensorFusion;
 
 namespace Rabit.Uav;
 
@@ -60,6 +61,17 @@ internal static class ManagerOptions
         ];
         foreach (string contradiction in contradictions.OfType<string>())
             yield return contradiction;
+
+        if (MissionOf(options) is { TargetMotions: { } motions } && options.Fusion.TargetMotions is { } ofFusion)
+        {
+            foreach (TargetClassName name in motions.Keys
+                .Where(n => ofFusion.TryGetValue(n, out TargetMotion other) && other != motions[n])
+                .OrderBy(n => n.ToString(), StringComparer.Ordinal))
+            {
+                yield return $"targetMotions of the mission has {name} {motions[name]}, and "
+                    + $"{nameof(UavOptions.Fusion)}.{nameof(SensorFusionOptions.TargetMotions)} {ofFusion[name]}";
+            }
+        }
 
         if (communications.Links is not { Count: 0 } || communications.RecordedFiles is not { Count: 0 })
         {
@@ -165,6 +177,11 @@ internal static class ManagerOptions
         made.Terrain ??= options.Terrain;
         return made;
     }
+
+    public static SensorFusionOptions ForSensorFusion(UavOptions options)
+        => MissionOf(options) is { TargetMotions.IsEmpty: false } mission
+            ? options.Fusion.With(mission.TargetMotions)
+            : options.Fusion;
 
     public static MissionControlOptions ForMissionControl(UavOptions options)
     {

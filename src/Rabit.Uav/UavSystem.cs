@@ -62,7 +62,7 @@ public sealed class UavSystem : IDisposable
                 _imageProcessing = new ImageProcessingManager(
                     ManagerOptions.ForImageProcessing(options), options.Camera);
             if (options.Has(UavManagers.SensorFusion))
-                _sensorFusion = new SensorFusionManager(options.Fusion);
+                _sensorFusion = new SensorFusionManager(ManagerOptions.ForSensorFusion(options));
             if (options.Has(UavManagers.MissionControl))
                 _missionControl = new MissionControlManager(ManagerOptions.ForMissionControl(options));
             if (ManagerOptions.HasGroundCommands(options))

@@ -59,6 +59,9 @@ internal sealed class JsonFields
         return _values.TryGetValue(name, out JsonElement value) && value.ValueKind != JsonValueKind.Null;
     }
 
+    /// <summary>The names of all properties that are there.</summary>
+    public IReadOnlyCollection<string> Names => _values.Keys;
+
     public double? Number(string name)
     {
         if (!Has(name))

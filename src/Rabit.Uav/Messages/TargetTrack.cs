@@ -18,6 +18,9 @@ public sealed class TargetTrack
     /// <summary>Its class.</summary>
     public TargetClassName Class { get; init; }
 
+    /// <summary>How targets of its class move.</summary>
+    public TargetMotion Motion { get; init; }
+
     /// <summary>Where it is estimated to be at <see cref="Time"/>.</summary>
     public GeodeticPosition Position { get; init; }
 
@@ -26,6 +29,9 @@ public sealed class TargetTrack
 
     /// <summary>How uncertain the position is: the sum of the filter's and the systematic part.</summary>
     public HorizontalCovariance Covariance { get; init; }
+
+    /// <summary>How uncertain the velocity is, m2/s2; zeros for a target that stands.</summary>
+    public HorizontalCovariance VelocityCovariance { get; init; }
 
     /// <summary>The time of the estimate, by the clock of the run.</summary>
     public TimeSpan Time { get; init; }

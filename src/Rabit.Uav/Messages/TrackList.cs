@@ -6,8 +6,8 @@ using System.Linq;
 namespace Rabit.Uav.Messages;
 
 /// <summary>
-/// All tracks of Sensor Fusion, by id; tracks that were deleted before they were confirmed are in no list any more.
-/// Immutable.
+/// All tracks of Sensor Fusion, by id. Tracks that were deleted are in no list any more: those that were never
+/// confirmed, and those of targets that move and are gone. Immutable.
 /// </summary>
 public sealed class TrackList
 {

@@ -71,6 +71,12 @@ public sealed partial class MissionPlan
     /// </summary>
     public ImmutableArray<TargetClassName> Targets { get; init; } = [];
 
+    /// <summary>
+    /// How the targets of each class move; a class that is not there stands.
+    /// </summary>
+    public ImmutableDictionary<TargetClassName, TargetMotion> TargetMotions { get; init; }
+        = ImmutableDictionary<TargetClassName, TargetMotion>.Empty;
+
     /// <summary>Where the vehicle is expected at the start; null where that is not checked.</summary>
     public MissionHome? Home { get; init; }
 

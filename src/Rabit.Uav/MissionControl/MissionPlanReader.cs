@@ -78,6 +78,7 @@ internal static class MissionPlanReader
             LaneSpacingMetres = fields.Number("laneSpacingMetres") ?? fields.Missing("laneSpacingMetres"),
             LaneHeading = ToAngle(fields.Number("laneHeadingDegrees")),
             Targets = ReadTargets(fields),
+            TargetMotions = ReadTargetMotions(fields),
             Home = ReadHome(fields),
             FenceMarginMetres = fields.Number("fenceMarginMetres") ?? 40,
             Revisit = new RevisitPlan
@@ -172,6 +173,28 @@ internal static class MissionPlanReader
         if (index == 0)
             fields.Blame("targets", names, "must name at least one target class");
         return targets.ToImmutable();
+    }
+
+    private static ImmutableDictionary<TargetClassName, TargetMotion> ReadTargetMotions(JsonFields fields)
+    {
+        var motions = ImmutableDictionary.CreateBuilder<TargetClassName, TargetMotion>();
+        JsonFields given = fields.Object("targetMotions");
+        foreach (string name in given.Names)
+        {
+            string? motion = given.Choice(name, "standing", "walking", "vehicle");
+            if (!TargetClassName.TryParse(name, out TargetClassName target))
+                given.Blame(
+                    name, given.Any(name)!.Value, "must be by the name of a target class: " + TargetClassName.Rule);
+            else if (motion is not null)
+                motions[target] = motion switch
+                {
+                    "walking" => TargetMotion.Walking,
+                    "vehicle" => TargetMotion.Vehicle,
+                    _ => TargetMotion.Standing,
+                };
+        }
+
+        return motions.ToImmutable();
     }
 
     private static MissionHome? ReadHome(JsonFields fields)

@@ -57,6 +57,8 @@ internal static class MissionPlanRules
 
         if (!plan.Targets.IsDefault && plan.Targets.Contains(TargetClassName.None))
             yield return "targets has an empty name";
+        if (plan.TargetMotions is null || plan.TargetMotions.ContainsKey(TargetClassName.None))
+            yield return "targetMotions is null or has an empty name";
         if (string.IsNullOrWhiteSpace(plan.Name) || plan.Name.Length > 80 || plan.Name.Any(char.IsControl))
             yield return "name must be a line of 1 to 80 characters";
     }

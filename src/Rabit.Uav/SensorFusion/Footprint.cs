@@ -42,6 +42,10 @@ internal readonly struct Footprint
         return isConvex && isSmall ? new Footprint(a, b, c, d, Math.Sign(turn)) : default;
     }
 
+    /// <summary>How much ground it is, square metres; 0 for an unknown one.</summary>
+    public double AreaSquareMetres
+        => Math.Abs(((_n2 - _n0) * (_e3 - _e1)) - ((_e2 - _e0) * (_n3 - _n1))) / 2;
+
     /// <summary>Whether a point is in it and no nearer to its border than a margin.</summary>
     public bool Contains(double north, double east, double marginMetres)
         => IsKnown

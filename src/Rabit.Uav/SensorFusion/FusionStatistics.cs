@@ -14,6 +14,9 @@ internal sealed class FusionStatistics
     public long TracksDropped;
     public long TracksMerged;
 
+    /// <summary>Refused reports by vehicle and reason.</summary>
+    public RefusalCounts Refusals { get; } = new();
+
     public SensorFusionCounters Close() => new()
     {
         ReportsUsed = ReportsUsed,
@@ -26,5 +29,6 @@ internal sealed class FusionStatistics
         ObservationsRefused = ObservationsRefused,
         TracksDropped = TracksDropped,
         TracksMerged = TracksMerged,
+        Refused = Refusals.Close(),
     };
 }

@@ -19,20 +19,26 @@ internal static class ReportCheck
     // Times of other vehicles are mapped by Communications, from ages.
     private static readonly TimeSpan FutureTolerance = TimeSpan.FromSeconds(1);
 
-    /// <summary>Whether a report is valid.</summary>
+    /// <summary>What is wrong with a report.</summary>
     /// <param name="report">The report.</param>
     /// <param name="now">By the clock of the run.</param>
-    public static bool IsValid(in TargetReport report, TimeSpan now)
-        => report.SourceSystemId != 0
-            && report.PictureNumber >= 0
-            && report.Index is >= 0 and <= MaxIndex
-            && report.Time >= TimeSpan.Zero && report.Time <= now + FutureTolerance
-            && IsPlace(report.Position)
-            && IsPositiveDefinite(report.Covariance)
-            && IsNotNegative(report.SystematicCovariance)
-            && !report.Class.IsNone
+    public static ReportFault FaultOf(in TargetReport report, TimeSpan now)
+    {
+        if (report.SourceSystemId == 0 || report.PictureNumber < 0 || report.Index is < 0 or > MaxIndex)
+            return ReportFault.Identity;
+        if (report.Time > now + FutureTolerance)
+            return ReportFault.Future;
+        if (report.Time < TimeSpan.Zero)
+            return ReportFault.TooOld;
+        if (!IsPlace(report.Position))
+            return ReportFault.Position;
+        if (!IsPositiveDefinite(report.Covariance) || !IsNotNegative(report.SystematicCovariance))
+            return ReportFault.Covariance;
+        bool isDescribed = !report.Class.IsNone
             && report.Score is >= 0 and <= 1
             && report.SizeMetres is > 0 and <= MaxSizeMetres;
+        return isDescribed ? ReportFault.None : ReportFault.Description;
+    }
 
     /// <summary>Whether an observation has a number, a time and corners on the earth.</summary>
     public static bool IsValid(in CameraObservation observation, TimeSpan now)

@@ -1,3 +1,5 @@
+using System.Collections.Immutable;
+
 namespace Rabit.Uav.SensorFusion;
 
 /// <summary>
@@ -33,7 +35,13 @@ public sealed class SensorFusionCounters
     /// <summary>Observations whose corners, number or time are not valid; their reports are used.</summary>
     public long ObservationsRefused { get; init; }
 
-    /// <summary>Tracks that were deleted before they were confirmed.</summary>
+    /// <summary>
+    /// Who sent the reports that were refused, and why: <see cref="ReportsRefused"/> by vehicle, and of targets that
+    /// move also those that were too old. By vehicle and reason; those without any are not there.
+    /// </summary>
+    public ImmutableArray<RefusedReports> Refused { get; init; } = [];
+
+    /// <summary>Tracks that were deleted: before they were confirmed, or of targets that move and are gone.</summary>
     public long TracksDropped { get; init; }
 
     /// <summary>Tracks that turned out to be of the target of another track.</summary>

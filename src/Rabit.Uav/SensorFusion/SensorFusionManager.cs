@@ -5,6 +5,7 @@ using System.Threading;
 using Rabit.Core;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
+using Rabit.Uav.SensorFusion.Moving;
 
 namespace Rabit.Uav.SensorFusion;
 
@@ -40,12 +41,17 @@ public sealed class SensorFusionManager : RabitManager
     private readonly ForeignReportGroups _groups;
     private readonly SeenReports _seen = new(RememberedReports);
     private readonly TargetTracker _tracker;
+
+    // Null where no class moves.
+    private readonly MovingTargets? _moving;
     private readonly CameraClockMonitor _cameraClock = new();
     private readonly List<LocatedReport> _located = [];
+    private readonly List<LocatedReport> _locatedMoving = [];
     private readonly List<FusedTrack?> _updated = [];
     private SensorFusionCounters _counters = new();
     private LocalNedFrame? _frame;
     private TimeSpan _newest;
+    private int _lastTrackId;
     private bool _isChanged;
 
     /// <summary>Makes the manager.</summary>
@@ -56,7 +62,9 @@ public sealed class SensorFusionManager : RabitManager
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).ValidatedCopy(nameof(options));
         _groups = new ForeignReportGroups(_statistics);
-        _tracker = new TargetTracker(_options, _statistics);
+        _tracker = new TargetTracker(_options, _statistics, NextTrackId);
+        if (_options.TargetMotions.Values.Any(m => m != TargetMotion.Standing))
+            _moving = new MovingTargets(_options, _statistics, NextTrackId);
         _observations = Receive<CameraObservation>(MessageNames.CameraObservations, QueueCapacity);
         _foreignReports = Receive<Envelope<TargetReport>>(MessageNames.TargetReports, QueueCapacity);
         _decisions = Receive<TrackDecision>(MessageNames.TrackDecisions);
@@ -76,7 +84,7 @@ public sealed class SensorFusionManager : RabitManager
 
         bool hasNews = PopForeignReports(now);
         while (_decisions.TryPop(out TrackDecision decision))
-            _isChanged |= _tracker.Decide(decision);
+            _isChanged |= _tracker.Decide(decision) || _moving?.Decide(decision) == true;
         while (_observations.TryPop(out CameraObservation observation))
         {
             Update(observation, now);
@@ -111,8 +119,9 @@ public sealed class SensorFusionManager : RabitManager
 
     private bool IsUsable(in TargetReport report, TimeSpan now)
     {
-        if (!ReportCheck.IsValid(report, now))
-            _statistics.ReportsRefused++;
+        ReportFault fault = ReportCheck.FaultOf(report, now);
+        if (fault != ReportFault.None)
+            Refuse(report, fault);
         else if (!_seen.Add(new ReportKey(report.SourceSystemId, report.PictureNumber, report.Index)))
             _statistics.ReportsTwice++;
         else
@@ -136,11 +145,13 @@ public sealed class SensorFusionManager : RabitManager
         Footprint footprint = isValid && _frame is { } frame ? Footprint.Of(observation, frame) : default;
         if (observation.Reports.Length > 0 || footprint.IsKnown)
             Track(isValid ? observation.Time : now, footprint);
+        TrackMoving(observation.SourceSystemId, isValid ? observation.Time : now, footprint);
         Share();
         foreach (LocatedReport report in _located)
             _cameraClock.Add(report);
         _isChanged |= _cameraClock.Update();
         _located.Clear();
+        _locatedMoving.Clear();
     }
 
     private void Update(ReportGroup group, TimeSpan now)
@@ -148,20 +159,32 @@ public sealed class SensorFusionManager : RabitManager
         foreach (TargetReport report in group.Reports)
             Locate(report, isOwn: false);
         Track(now, footprint: default);
+        TrackMoving(group.Source, group.Reports[0].Time, footprint: default);
         _located.Clear();
+        _locatedMoving.Clear();
         _groups.GiveBack(group);
     }
 
     private void Locate(in TargetReport report, bool isOwn)
     {
-        if (_located.Count == 0)
+        if (_located.Count + _locatedMoving.Count == 0)
             Anchor(report.Position);
         NedPosition place = _frame!.Value.ToNed(report.Position);
         if (IsFarAway(place))
-            _statistics.ReportsRefused++;
+            Refuse(report, ReportFault.Position);
+        else if (_moving?.Has(report.Class) == true)
+            _locatedMoving.Add(new LocatedReport(report, place, isOwn));
         else
             _located.Add(new LocatedReport(report, place, isOwn));
     }
+
+    private void Refuse(in TargetReport report, ReportFault fault)
+    {
+        _statistics.ReportsRefused++;
+        _statistics.Refusals.Add(report.SourceSystemId, fault);
+    }
+
+    private int NextTrackId() => ++_lastTrackId;
 
     private void Track(TimeSpan time, in Footprint footprint)
     {
@@ -172,15 +195,28 @@ public sealed class SensorFusionManager : RabitManager
             _newest = time;
     }
 
+    // A look that shows none of them counts, too: what it should have shown is missed.
+    private void TrackMoving(byte source, TimeSpan time, in Footprint footprint)
+    {
+        if (_moving is null || (_locatedMoving.Count == 0 && !(footprint.IsKnown && _moving.HasTracks)))
+            return;
+        _moving.Update(_locatedMoving, source, time, footprint);
+        _isChanged = true;
+        if (time > _newest)
+            _newest = time;
+    }
+
     // The first report is the origin. As long as nothing is confirmed, one from far away moves it: the first may have
     // been wrong.
     private void Anchor(GeodeticPosition first)
     {
-        if (_frame is { } frame && (_tracker.HasConfirmed || !IsFarAway(frame.ToNed(first))))
+        bool hasConfirmed = _tracker.HasConfirmed || _moving?.HasConfirmed == true;
+        if (_frame is { } frame && (hasConfirmed || !IsFarAway(frame.ToNed(first))))
             return;
-        if (_tracker.Tracks.Count > 0)
+        if (_tracker.Tracks.Count > 0 || _moving?.HasTracks == true)
         {
             _tracker.Clear();
+            _moving?.Clear();
             _isChanged = true;
         }
 
@@ -208,6 +244,17 @@ public sealed class SensorFusionManager : RabitManager
             _ = _outgoing.Push(new Envelope<TargetReport> { Content = report });
             track.SharedTime = report.Time;
         }
+
+        for (int i = 0; i < _locatedMoving.Count; i++)
+        {
+            if (_moving!.TrackOf(i) is not { IsConfirmed: true } track || !_locatedMoving[i].IsOwn)
+                continue;
+            TargetReport report = _locatedMoving[i].Report;
+            if (track.Description.SharedTime is { } last && report.Time - last < SharePeriod)
+                continue;
+            _ = _outgoing.Push(new Envelope<TargetReport> { Content = report });
+            track.Description.SharedTime = report.Time;
+        }
     }
 
     private void PostTracks()
@@ -215,7 +262,10 @@ public sealed class SensorFusionManager : RabitManager
         _isChanged = false;
         if (_frame is not { } frame)
             return;
-        _tracks.Value = new TrackList(_newest, _tracker.Tracks.Select(t => t.ToMessage(frame)))
+        IEnumerable<TargetTrack> tracks = _tracker.Tracks.Select(t => t.ToMessage(frame));
+        if (_moving is not null)
+            tracks = tracks.Concat(_moving.ToMessages(frame)).OrderBy(t => t.Id);
+        _tracks.Value = new TrackList(_newest, tracks)
         {
             CameraClock = _cameraClock.Estimate,
         };

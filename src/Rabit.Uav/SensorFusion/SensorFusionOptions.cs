@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
+using System.Collections.Immutable;
 using System.Linq;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.SensorFusion;
 
@@ -66,6 +68,21 @@ public sealed class SensorFusionOptions
     /// <value>The default is 10 s.</value>
     public TimeSpan LateWindow { get; set; } = TimeSpan.FromSeconds(10);
 
+    /// <summary>
+    /// How the targets of each class move; a class that is not there stands. <see cref="ProcessNoise"/>,
+    /// <see cref="Gate"/> and what follows them are for those that stand.
+    /// </summary>
+    /// <value>The default is empty. What the mission says is added (<c>targetMotions</c> of its file).</value>
+    public ImmutableDictionary<TargetClassName, TargetMotion> TargetMotions { get; set; }
+        = ImmutableDictionary<TargetClassName, TargetMotion>.Empty;
+
+    /// <summary>
+    /// How far off the frame of a vehicle is, standard deviation per axis, metres, where its reports of a moving target
+    /// do not state it (<see cref="TargetReport.SystematicCovariance"/>).
+    /// </summary>
+    /// <value>The default is 2 m.</value>
+    public double RegistrationSigmaMetres { get; set; } = 2;
+
     /// <summary>How many tracks there may be, in any state; what would start one more is counted and dropped.</summary>
     /// <value>The default is 200.</value>
     public int MaxTracks { get; set; } = 200;
@@ -83,6 +100,14 @@ public sealed class SensorFusionOptions
         if (faults.Count > 0)
             throw new ArgumentException("Sensor Fusion: " + string.Join("; ", faults) + ".", parameter);
         return (SensorFusionOptions)MemberwiseClone();
+    }
+
+    /// <summary>A copy that also has what a mission says of the motions.</summary>
+    internal SensorFusionOptions With(ImmutableDictionary<TargetClassName, TargetMotion> motions)
+    {
+        var made = (SensorFusionOptions)MemberwiseClone();
+        made.TargetMotions = TargetMotions.SetItems(motions);
+        return made;
     }
 
     internal IEnumerable<string> FindFaults()
@@ -113,7 +138,15 @@ public sealed class SensorFusionOptions
             yield return $"{nameof(ReportGroupingDelay)} is {ReportGroupingDelay}; it must be above zero";
         if (LateWindow < TimeSpan.Zero)
             yield return $"{nameof(LateWindow)} is {LateWindow}; it cannot be negative";
+        if (TargetMotions is null || TargetMotions.Any(m => m.Key.IsNone || !IsMotion(m.Value)))
+            yield return $"{nameof(TargetMotions)} is null, or has a class without a name or a motion that is none";
+        if (!(RegistrationSigmaMetres >= 0 && RegistrationSigmaMetres <= 100))
+            yield return FormattableString.Invariant(
+                $"{nameof(RegistrationSigmaMetres)} is {RegistrationSigmaMetres}; it must be 0 to 100 m");
         if (MaxTracks is < 1 or > 1000)
             yield return FormattableString.Invariant($"{nameof(MaxTracks)} is {MaxTracks}; it must be 1 to 1000");
     }
+
+    private static bool IsMotion(TargetMotion motion)
+        => motion is TargetMotion.Standing or TargetMotion.Walking or TargetMotion.Vehicle;
 }

@@ -9,7 +9,7 @@ namespace Rabit.Uav.SensorFusion;
 /// The tracks. The reports of one observation are assigned to them all at once; a report that fits none starts a track;
 /// a track that should have been reported and was not counts a miss.
 /// </summary>
-internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistics statistics)
+internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistics statistics, Func<int> nextId)
 {
     // Above any cost within the gate: a report goes without a track only when none is left for it.
     private const double MissCost = 1e6;
@@ -17,7 +17,6 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
     private readonly List<FusedTrack> _tracks = [];
     private readonly Assignment _assignment = new();
     private readonly TrackMerger _merger = new();
-    private int _lastId;
     private long _observationCount;
 
     /// <summary>The tracks, by id.</summary>
@@ -134,7 +133,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
             return null;
         }
 
-        var track = new FusedTrack(++_lastId, report, options) { LastObservation = _observationCount };
+        var track = new FusedTrack(nextId(), report, options) { LastObservation = _observationCount };
         track.History.Add(isHit: true);
         _tracks.Add(track);
         statistics.TracksStarted++;

@@ -63,6 +63,11 @@ public class MissionPlanTests
     [InlineData("\"targets\": [5]", "targets[0] is 5; it must be the name of a target class")]
     [InlineData("\"targets\": []", "targets is []; it must name at least one target class")]
     [InlineData("\"targets\": \"red\"", "targets is \"red\"; it must be a list")]
+    [InlineData("\"targetMotions\": {\"car\": \"flying\"}",
+        "targetMotions.car is \"flying\"; it must be one of standing, walking, vehicle")]
+    [InlineData("\"targetMotions\": {\"seventeen letters\": \"walking\"}",
+        "targetMotions.seventeen letters is \"walking\"; it must be by the name of a target class")]
+    [InlineData("\"targetMotions\": [\"car\"]", "targetMotions is [\"car\"]; it must be an object")]
     [InlineData("\"home\": {\"latitudeDegrees\": 47}", "home.longitudeDegrees is missing")]
     [InlineData("\"home\": {\"latitudeDegrees\": 97, \"longitudeDegrees\": 8}", "home is not a position")]
     [InlineData("\"home\": {\"latitudeDegrees\": 47, \"longitudeDegrees\": 8, \"groundAltitudeAmslMetres\": 99999}",
@@ -84,6 +89,36 @@ public class MissionPlanTests
             () => MissionPlan.Parse(MissionRig.Text(", " + property), "test"));
         Assert.Contains(text, e.Message, StringComparison.Ordinal);
         Assert.Single(e.Faults);
+    }
+
+    [Fact]
+    public void Parse_TargetMotions_AreByClass()
+    {
+        MissionPlan plan = MissionRig.Mission(
+            """, "targetMotions": {"person": "walking", "car": "vehicle", "red": "standing"}""");
+        Assert.Equal(3, plan.TargetMotions.Count);
+        Assert.Equal(TargetMotion.Walking, plan.TargetMotions[new TargetClassName("person")]);
+        Assert.Equal(TargetMotion.Vehicle, plan.TargetMotions[new TargetClassName("car")]);
+        Assert.Equal(TargetMotion.Standing, plan.TargetMotions[new TargetClassName("red")]);
+    }
+
+    [Fact]
+    public void ForSensorFusion_MotionsOfMissionAndOptions_AreJoinedOrRefused()
+    {
+        var car = new TargetClassName("car");
+        var options = new UavOptions
+        {
+            Mission = MissionRig.Mission(""", "targetMotions": {"person": "walking", "car": "vehicle"}"""),
+        };
+        options.Fusion.TargetMotions = options.Fusion.TargetMotions.Add(car, TargetMotion.Vehicle);
+        Assert.Equal(2, ManagerOptions.ForSensorFusion(options).TargetMotions.Count);
+        Assert.Single(options.Fusion.TargetMotions);
+        Assert.Empty(ManagerOptions.FindContradictions(options));
+
+        options.Fusion.TargetMotions = options.Fusion.TargetMotions.SetItem(car, TargetMotion.Walking);
+        Assert.Equal(
+            "targetMotions of the mission has car Vehicle, and Fusion.TargetMotions Walking",
+            Assert.Single(ManagerOptions.FindContradictions(options)));
     }
 
     [Fact]

@@ -20,6 +20,9 @@ internal sealed class MovingTrack(TrackerSettings settings)
     /// <summary>The number on the target; negative before one was read.</summary>
     public int Marker { get; private set; }
 
+    /// <summary>What is known of its target beside where it is.</summary>
+    public TargetDescription Description { get; } = new();
+
     /// <summary>All its points, in any order of arrival.</summary>
     public OutOfSequenceFilter Filter { get; } = new(settings.Window, settings.KeptPoints);
 
@@ -57,6 +60,7 @@ internal sealed class MovingTrack(TrackerSettings settings)
         (Existence, StartExistence) = (existence, existence);
         (IsConfirmed, Points, Misses) = (false, 1, 0);
         FirstSeen = point.Measurement.Time;
+        Description.Clear();
         History = default;
         History.Add(isHit: true);
         Filter.Start(model);

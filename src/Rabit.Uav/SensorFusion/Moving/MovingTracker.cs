@@ -81,7 +81,7 @@ internal sealed class MovingTracker
         _time = null;
     }
 
-    /// <summary>The track that a point of the last scan is in; null for none.</summary>
+    /// <summary>The track that a point of the last scan is in; null for none, or one that is gone already.</summary>
     public MovingTrack? TrackOfPoint(int point) => _trackOfPoint[point] > 0 ? Find(_trackOfPoint[point]) : null;
 
     /// <summary>Takes a scan in.</summary>
@@ -89,6 +89,7 @@ internal sealed class MovingTracker
     /// <param name="points">Its points, valid, each seen for the first time.</param>
     public void Update(in Scan scan, ReadOnlySpan<ScanPoint> points)
     {
+        Array.Clear(_trackOfPoint, 0, _trackOfPoint.Length);
         if (scan.Time < Time - _settings.Window)
         {
             PointsLate += points.Length;
@@ -123,7 +124,6 @@ internal sealed class MovingTracker
 
     private void UpdateTracks(in Scan scan, ReadOnlySpan<ScanPoint> points)
     {
-        _trackOfPoint.AsSpan(0, points.Length).Clear();
         Array.Clear(_withoutTrack, 0, _withoutTrack.Length);
         foreach (ScanPoint point in points)
             _withoutTrack[point.Class]++;
