@@ -32,7 +32,7 @@ internal static class Runner
     private static readonly (string Name, Func<RunOptions, IReadOnlyList<Table>> Run)[] Modes =
     [
         ("wake", options => [WakeMode.Run(options)]),
-        ("pingpong", options => [PingPongMode.Run(options)]),
+        ("pingpong", options => [PingPongMode.OnOneCpu(options), PingPongMode.OnTwoCpus(options)]),
         ("period", PeriodMode.Run),
         ("realtime", options => [RealTimeMode.Run(options)]),
         ("idle", IdleMode.Run),

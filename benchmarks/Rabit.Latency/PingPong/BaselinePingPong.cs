@@ -15,12 +15,12 @@ internal sealed class BaselinePingPong : PingPongTarget
     private readonly Thread _answerer;
     private volatile bool _stopped;
 
-    public BaselinePingPong(Func<Signal> create, int cpu)
+    public BaselinePingPong(Func<Signal> create, int cpu, int answererCpu)
     {
         _ping = create();
         _pong = create();
         _cpu = cpu;
-        _answerer = Pinned.Start(cpu, "answerer", Answer);
+        _answerer = Pinned.Start(answererCpu, "answerer", Answer);
     }
 
     public override long Play(int roundTrips)

@@ -11,12 +11,12 @@ internal sealed class RabitPingPong : PingPongTarget
     private readonly RabitReactor _reactor;
     private readonly Server _server;
 
-    public RabitPingPong(WaitEngine engine, int cpu)
+    public RabitPingPong(WaitEngine engine, int cpu, int answererCpu, TimeSpan spin = default)
     {
         _reactor = RabitRun.Create(engine);
-        _server = new Server(cpu);
+        _server = new Server(cpu, spin);
         _reactor.Add(_server);
-        _reactor.Add(new Answerer(cpu));
+        _reactor.Add(new Answerer(answererCpu, spin));
         _reactor.Start();
     }
 
@@ -39,13 +39,14 @@ internal sealed class RabitPingPong : PingPongTarget
         private long _start;
         private long _took;    // written before the event is set
 
-        public Server(int cpu)
+        public Server(int cpu, TimeSpan spin)
             : base("server")
         {
             _cpu = cpu;
             _ping = Send<int>("ping");
             _pong = Receive<int>("pong", capacity: 16);
             WakeUpDelay = TimeSpan.FromHours(1);
+            SpinBeforeSleep = spin;
         }
 
         public long Play(int roundTrips)
@@ -91,13 +92,14 @@ internal sealed class RabitPingPong : PingPongTarget
         private readonly QueueSender<int> _pong;
         private readonly int _cpu;
 
-        public Answerer(int cpu)
+        public Answerer(int cpu, TimeSpan spin)
             : base("answerer")
         {
             _cpu = cpu;
             _ping = Receive<int>("ping", capacity: 16);
             _pong = Send<int>("pong");
             WakeUpDelay = TimeSpan.FromHours(1);
+            SpinBeforeSleep = spin;
         }
 
         protected override void Startup() => Cpus.Pin(_cpu);

@@ -86,7 +86,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         if (!Execute(ManagerStage.UnitOfWork, ManagerState.Running, begin, wakes, wokenAt))
             return AfterFault();
         _followUp.OnSuccessfulRun();
-        return NextStep.At(_due, notBefore: _lastEnd);
+        return NextStep.At(_due, notBefore: _lastEnd, manager.SpinBeforeSleep);
     }
 
     public override void End()
@@ -219,6 +219,7 @@ internal sealed partial class ManagerActivity(RabitManager manager, ManagerRun r
         Runs++;
         status.Runs++;
         status._wakeUps.Count(wakes.Causes, wakes.Count);
+        status.SpinTime += wakes.Spun;
         status.LastRunAt = begin;
         if (run.KeepsStatistics)
         {

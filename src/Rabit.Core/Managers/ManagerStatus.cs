@@ -67,6 +67,11 @@ public struct ManagerStatus
     /// </summary>
     public long LateUnitsOfWork { get; internal set; }
 
+    /// <summary>
+    /// Processor time that went into <see cref="RabitManager.SpinBeforeSleep"/>: what it cost so far.
+    /// </summary>
+    public TimeSpan SpinTime { get; internal set; }
+
     /// <summary>The wake-up delay or the period that holds now.</summary>
     public TimeSpan WakeUpDelay { get; internal set; }
 

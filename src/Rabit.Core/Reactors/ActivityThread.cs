@@ -14,19 +14,22 @@ internal sealed class ActivityThread : IDisposable
     private readonly RunClock _clock;
     private readonly IWaitSignal _signal;
     private readonly RealTimeSetup _realTime;
+    private readonly SharedCpus _cpus;
     private readonly object _changed;   // the engine's; guards the two marks below
     private readonly Action<Exception> _fail;
     private bool _hasBegun;
     private bool _hasEnded;
 
     public ActivityThread(
-        Activity activity, EngineContext context, IWaitSignal signal, RealTimeSetup realTime, object changed)
+        Activity activity, EngineContext context, IWaitSignal signal, RealTimeSetup realTime, SharedCpus cpus,
+        object changed)
     {
         _activity = activity;
         _clock = context.Clock;
         _fail = context.Fail;
         _signal = signal;
         _realTime = realTime;
+        _cpus = cpus;
         _changed = changed;
         _activity.WakeUp.Connect(_signal, _clock);
     }
@@ -65,9 +68,10 @@ internal sealed class ActivityThread : IDisposable
     {
         _realTime.Apply(_activity);
         _activity.Begin();
+        SpinPermit permit = _cpus.Enter();
         Announce(ref _hasBegun);
 
-        new StepLoop<SyncPoints>(_activity.WakeUp, _signal, _clock).Run(NextStep.AtStart(), _activity.RunStep);
+        new StepLoop<SyncPoints>(_activity.WakeUp, _signal, _clock, permit).Run(NextStep.AtStart(), _activity.RunStep);
 
         _activity.End();
     }

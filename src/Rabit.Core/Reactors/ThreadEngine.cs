@@ -15,6 +15,7 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
 
     private readonly Dictionary<Activity, ActivityThread> _threads = [];
     private readonly RealTimeSetup _realTime = RealTimeSetup.ForThreads(context.Log);
+    private readonly SharedCpus _cpus = SharedCpus.ForThreads();
 
     // Guards the two fields below; pulsed at everything that a waiting reactor waits for.
     private readonly object _changed = new();
@@ -24,7 +25,7 @@ internal sealed class ThreadEngine(EngineContext context, WaitEngine waitEngine)
     public override void Begin(Activity activity)
     {
         var thread = new ActivityThread(
-            activity, context, WaitEngines.Create(waitEngine, context.Clock), _realTime, _changed);
+            activity, context, WaitEngines.Create(waitEngine, context.Clock), _realTime, _cpus, _changed);
         _threads.Add(activity, thread);
         thread.Start();
         WaitFor(() => thread.HasBegun || thread.HasEnded || _stopRequested, TimeSpan.MaxValue);

@@ -1,9 +1,11 @@
+using System;
+
 namespace Rabit.Core.WakeUp;
 
 /// <summary>
 /// What a sleeper consumes when it wakes: the causes, how many wakes they came from, and whether to stop instead.
 /// </summary>
-internal readonly struct ConsumedWakeUps(WakeUpCauses causes, int count, bool stop)
+internal readonly struct ConsumedWakeUps(WakeUpCauses causes, int count, bool stop, TimeSpan spun = default)
 {
     public WakeUpCauses Causes { get; } = causes;
 
@@ -11,11 +13,17 @@ internal readonly struct ConsumedWakeUps(WakeUpCauses causes, int count, bool st
 
     public bool Stop { get; } = stop;
 
+    /// <summary>How long the sleeper looked for them before it slept, or instead.</summary>
+    public TimeSpan Spun { get; } = spun;
+
     public ConsumedWakeUps With(ConsumedWakeUps later)
-        => new(Causes | later.Causes, Count + later.Count, Stop || later.Stop);
+        => new(Causes | later.Causes, Count + later.Count, Stop || later.Stop, Spun + later.Spun);
 
     /// <summary>The timer that ended the wait for the restart was none of the manager's.</summary>
-    public ConsumedWakeUps FirstAfterRestart() => new((Causes & ~WakeUpCauses.Timer) | WakeUpCauses.Start, Count, Stop);
+    public ConsumedWakeUps FirstAfterRestart()
+        => new((Causes & ~WakeUpCauses.Timer) | WakeUpCauses.Start, Count, Stop, Spun);
 
-    public ConsumedWakeUps With(WakeUpCauses more) => new(Causes | more, Count, Stop);
+    public ConsumedWakeUps With(WakeUpCauses more) => new(Causes | more, Count, Stop, Spun);
+
+    public ConsumedWakeUps AfterSpin(TimeSpan spun) => new(Causes, Count, Stop, spun);
 }

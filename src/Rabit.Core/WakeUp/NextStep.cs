@@ -5,11 +5,12 @@ namespace Rabit.Core.WakeUp;
 /// <summary>What a step returns about the next one: when it is due, and which wake-ups may bring it forward.</summary>
 internal readonly struct NextStep
 {
-    private NextStep(TimeSpan due, TimeSpan notBefore, int wanted)
+    private NextStep(TimeSpan due, TimeSpan notBefore, int wanted, TimeSpan spin = default)
     {
         Due = due;
         NotBefore = notBefore;
         Wanted = wanted;
+        Spin = spin;
     }
 
     /// <summary>There is no next step.</summary>
@@ -24,10 +25,14 @@ internal readonly struct NextStep
     /// <summary>The causes that end the sleep before it is due; zero when there is no next step.</summary>
     public int Wanted { get; }
 
+    /// <summary>How long to look for a wake before the sleep; no sleep where one comes.</summary>
+    public TimeSpan Spin { get; }
+
     public bool IsNever => Wanted == 0;
 
     /// <summary>At the due time or at any wake.</summary>
-    public static NextStep At(TimeSpan due, TimeSpan notBefore = default) => new(due, notBefore, WakeUpEvent.Any);
+    public static NextStep At(TimeSpan due, TimeSpan notBefore = default, TimeSpan spin = default)
+        => new(due, notBefore, WakeUpEvent.Any, spin);
 
     /// <summary>At the due time and not before, except to stop; wakes are kept.</summary>
     public static NextStep OnlyAt(TimeSpan due) => new(due, default, WakeUpEvent.Stop);

@@ -44,6 +44,12 @@ internal sealed class ScriptedManager : RabitManager
         set => base.WakeUpDelay = value;
     }
 
+    public new TimeSpan SpinBeforeSleep
+    {
+        get => base.SpinBeforeSleep;
+        set => base.SpinBeforeSleep = value;
+    }
+
     public new TimeSpan? Period
     {
         get => base.Period;
