@@ -105,7 +105,8 @@ void Inspect(string id, string file)
         }
     }
 
-    foreach (XElement group in metadata.Descendants().Where(e => e.Name.LocalName == "group"))
+    foreach (XElement group in metadata.Descendants()
+        .Where(e => e.Name.LocalName == "group" && e.Parent!.Name.LocalName == "dependencies"))
     {
         string framework = group.Attribute("targetFramework")!.Value;
         string[] unwanted = [.. group.Elements().Select(e => e.Attribute("id")!.Value)
