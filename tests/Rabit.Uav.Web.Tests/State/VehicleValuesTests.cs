@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Collections.Immutable;
 using System.Globalization;
 using System.Linq;
+using System.Numerics;
 using System.Text.Json;
 using Rabit.Geodesy;
 using Rabit.Uav.Messages;
@@ -58,9 +59,11 @@ public sealed class VehicleValuesTests : IDisposable
         JsonElement frame = Values()["0/seen"];
         int rows = frame.GetProperty("rows").GetInt32();
         int columns = frame.GetProperty("columns").GetInt32();
-        int marked = Enumerable.Range(0, rows).Sum(row => Values()["0/seen/" + Text(row)].GetProperty("seen").GetString()!
-            .Sum(c => System.Numerics.BitOperations.PopCount(
-                uint.Parse(c.ToString(), NumberStyles.HexNumber, CultureInfo.InvariantCulture))));
+        Dictionary<string, JsonElement> values = Values();
+        int marked = Enumerable.Range(0, rows)
+            .SelectMany(row => values["0/seen/" + Text(row)].GetProperty("seen").GetString()!)
+            .Sum(c => BitOperations.PopCount(
+                uint.Parse(c.ToString(), NumberStyles.HexNumber, CultureInfo.InvariantCulture)));
         Assert.InRange((double)marked / (rows * columns), 0.48, 0.52);
 
         // Of the northern half none.
