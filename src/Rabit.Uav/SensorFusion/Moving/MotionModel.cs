@@ -18,8 +18,8 @@ internal sealed class MotionModel
     /// <summary>A person on foot, who may stop and go on.</summary>
     public static MotionModel Walking { get; } = ConstantVelocity(0.1, 1.5);
 
-    /// <summary>A vehicle: goes straight on, or turns, brakes or starts with some 3 m/s2.</summary>
-    public static MotionModel Vehicle { get; } = TwoModes(0.05, 10, 8, 0.1, 0.3);
+    /// <summary>A vehicle: goes straight on, or turns, brakes or starts with up to 4 m/s2.</summary>
+    public static MotionModel Vehicle { get; } = TwoModes(0.05, 20, 8, 0.1, 0.3);
 
     /// <summary>One or two.</summary>
     public int Modes => _lively > _quiet ? 2 : 1;

@@ -16,6 +16,7 @@ internal sealed class ScanAssociation
     private const double MissCost = 10;
 
     private readonly double _gate;
+    private readonly double _confirmedBonus;
     private readonly Assignment _assignment = new();
     private readonly int[] _columnOfPoint;
     private readonly int[] _pointOfColumn;
@@ -25,6 +26,7 @@ internal sealed class ScanAssociation
     public ScanAssociation(TrackerSettings settings)
     {
         _gate = settings.Gate;
+        _confirmedBonus = settings.ConfirmedBonus;
         _columnOfPoint = new int[settings.MaxPoints];
         _pointOfColumn = new int[settings.MaxPoints];
         _pairs = new(settings.MaxPoints);
@@ -86,6 +88,8 @@ internal sealed class ScanAssociation
             if (!(expected.Compare(point.Measurement).DistanceSquared <= _gate))
                 continue;
             double cost = -Math.Log(weight * track.Likelihood(point.Measurement));
+            if (track.IsConfirmed)
+                cost -= _confirmedBonus;
             if (point.Marker >= 0 && point.Marker == track.Marker)
                 cost -= SameMarkerBonus;
             _pairs.Add((index, ColumnOf(p), cost));

@@ -23,6 +23,12 @@ internal sealed record TrackerSettings
     /// <summary>The probability of existence from which on a track is confirmed.</summary>
     public double Confirm { get; init; } = 0.99;
 
+    /// <summary>
+    /// By how much a confirmed track is preferred to others for a point that both may have, as a logarithm: a target
+    /// that turns is far from where it is expected, and a track that began beside it would take its points away.
+    /// </summary>
+    public double ConfirmedBonus { get; init; } = 5;
+
     /// <summary>In how many of the last <see cref="ConfirmOutOf"/> looks it must have been reported, too.</summary>
     public int ConfirmHits { get; init; } = 3;
 

@@ -124,6 +124,55 @@ public class MovingTrackerTests(ITestOutputHelper output)
         Assert.InRange(errors.Max(), 0, 5);
     }
 
+    [Theory]
+    [InlineData(18, 1)]
+    [InlineData(30, 1)]
+    [InlineData(18, 3)]
+    public void Update_VehicleThatTurns_HasAnHonestCovariance(double degreesPerSecond, double sigma)
+    {
+        const int Seed = 20;
+        const int Runs = 20;
+        var random = new SeededNumbers(Seed);
+        (double squares, double nees, int count) = (0, 0, 0);
+        double[] p = new double[16];
+        for (int run = 0; run < Runs; run++)
+        {
+            MovingTracker tracker = Tracker();
+            (double north, double east, double heading) = (0, 0, random.Uniform(0, 6));
+            for (int i = 0; i < 240; i++)
+            {
+                // 8 m/s; 15 s straight on, then a right angle.
+                double time = 0.5 * i;
+                bool isTurning = time % (15 + (90 / degreesPerSecond)) > 15;
+                heading += isTurning ? 0.5 * degreesPerSecond * Math.PI / 180 : 0;
+                north += 4 * Math.Cos(heading);
+                east += 4 * Math.Sin(heading);
+                bool isSeen = random.Uniform(0, 1) < 0.9;
+                (double, double, int, int)[] points = isSeen
+                    ? [(north + (sigma * random.Gauss()), east + (sigma * random.Gauss()), Vehicles, -1)]
+                    : [];
+                Look(tracker, time, sigma, points);
+                if (i < 20)
+                    continue;
+                MovingTrack track = Assert.Single(Confirmed(tracker));
+                var there = new MotionFilter();
+                track.Filter.PredictTo(tracker.Time, there);
+                there.CopyCovarianceTo(p);
+                (double n, double e) = (there.North - north, there.East - east);
+                squares += (n * n) + (e * e);
+                nees += TrackingMetrics.Nees(n, e, new HorizontalCovariance(p[0], p[2], p[10]));
+                count++;
+            }
+        }
+
+        double error = Math.Sqrt(squares / count);
+        nees /= count;
+        output.WriteLine(FormattableString.Invariant(
+            $"seed {Seed}, {degreesPerSecond} deg/s, sigma {sigma} m: RMSE {error:0.00} m, NEES {nees:0.00} of 2"));
+        Assert.InRange(error, 0, 4);
+        Assert.InRange(nees, 1.4, 2.6);
+    }
+
     [Fact]
     public void Update_TwoThatCrossEveryMinute_AreHardlyExchanged()
     {
@@ -230,12 +279,17 @@ public class MovingTrackerTests(ITestOutputHelper output)
     private MovingTracker Tracker() => new(_settings, Models, () => ++_lastId);
 
     private void Look(MovingTracker tracker, double second, params (double N, double E, int Class, int Marker)[] points)
+        => Look(tracker, second, 1, points);
+
+    private void Look(
+        MovingTracker tracker, double second, double sigma, (double N, double E, int Class, int Marker)[] points)
     {
+        var covariance = new HorizontalCovariance(sigma * sigma, 0, sigma * sigma);
         TimeSpan time = TimeSpan.FromTicks((long)(second * TimeSpan.TicksPerSecond));
         _picture++;
         ScanPoint[] all = points.Select((p, i) => new ScanPoint(
             new TrackMeasurement(
-                new ReportKey(1, _picture, i), time, p.N, p.E, new HorizontalCovariance(1, 0, 1), default),
+                new ReportKey(1, _picture, i), time, p.N, p.E, covariance, default),
             p.Class,
             p.Marker)).ToArray();
         tracker.Update(new Scan(time, 1, 0.9) { AreaSquareMetres = 1e6, ShowsAll = true }, all);

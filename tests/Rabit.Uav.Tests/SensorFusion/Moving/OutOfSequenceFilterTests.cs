@@ -216,7 +216,12 @@ public class OutOfSequenceFilterTests(ITestOutputHelper output)
     }
 
     private static TrackMeasurement Plain(int number, double seconds, double north) => new(
-        new ReportKey(1, number, 0), TimeSpan.FromSeconds(seconds), north, 0, new HorizontalCovariance(1, 0, 1), default);
+        new ReportKey(1, number, 0),
+        TimeSpan.FromSeconds(seconds),
+        north,
+        0,
+        new HorizontalCovariance(1, 0, 1),
+        default);
 
     private static OutOfSequenceFilter Filtered(MotionModel model, TrackMeasurement[] measurements)
     {
