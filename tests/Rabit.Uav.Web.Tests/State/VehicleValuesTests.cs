@@ -89,7 +89,8 @@ public sealed class VehicleValuesTests : IDisposable
         for (int first = 1; first < 2000; first += 50)
         {
             items.Write(_writer, _state, new TrackList(
-                TimeSpan.Zero, Enumerable.Range(first, 300).Select(id => new TargetTrack { Id = id, Position = Home })));
+                TimeSpan.Zero,
+                Enumerable.Range(first, 300).Select(id => new TargetTrack { Id = id, Position = Home })));
             int[] shown = [.. Values().Where(v => v.Key.StartsWith("0/track/", StringComparison.Ordinal))
                 .Select(v => v.Value.GetProperty("id").GetInt32()).Order()];
             Assert.Equal(Enumerable.Range(first + 100, TrackItems.MaxTracks), shown);
