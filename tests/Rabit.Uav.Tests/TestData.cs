@@ -10,6 +10,8 @@ internal static class TestData
     private static readonly string Data = Path.Combine(
         Path.GetDirectoryName(typeof(TestData).Assembly.Location)!, "data");
 
+    public static string Folder => Data;
+
     public static string PathOf(string file) => Path.Combine(Data, "mavlink", file);
 
     public static string MissionText(string file) => File.ReadAllText(Path.Combine(Data, "missions", file));

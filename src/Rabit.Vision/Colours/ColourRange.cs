@@ -35,8 +35,18 @@ public sealed class ColourRange
     /// <param name="blue">sRGB, 0 to 255.</param>
     public ColourRange(byte red, byte green, byte blue)
     {
+        (Red, Green, Blue) = (red, green, blue);
         (_hueDegrees, _saturation, _chroma) = Describe(red, green, blue);
     }
+
+    /// <summary>Red of the colour that it is around, sRGB.</summary>
+    public byte Red { get; }
+
+    /// <summary>Green of the colour that it is around, sRGB.</summary>
+    public byte Green { get; }
+
+    /// <summary>Blue of the colour that it is around, sRGB.</summary>
+    public byte Blue { get; }
 
     /// <summary>Whether a pixel may be of this colour.</summary>
     /// <param name="red">0 to 255.</param>
@@ -70,7 +80,8 @@ public sealed class ColourRange
 
     // Hue, saturation and chroma (A. R. Smith, "Color gamut transform pairs", SIGGRAPH 1978), of channels from 0 to
     // 255.
-    private static (double HueDegrees, double Saturation, double Chroma) Describe(double red, double green, double blue)
+    internal static (double HueDegrees, double Saturation, double Chroma) Describe(
+        double red, double green, double blue)
     {
         double max = Math.Max(red, Math.Max(green, blue));
         double chroma = max - Math.Min(red, Math.Min(green, blue));

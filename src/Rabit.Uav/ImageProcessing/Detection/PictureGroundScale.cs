@@ -1,4 +1,5 @@
 using System;
+using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 
 namespace Rabit.Uav.ImageProcessing;
@@ -25,6 +26,23 @@ public readonly struct PictureGroundScale
             throw new ArgumentOutOfRangeException(
                 nameof(metresPerPixel), metresPerPixel, "The side of a pixel on the ground must be above 0.");
         return new PictureGroundScale(metresPerPixel);
+    }
+
+    /// <summary>That of a picture over level ground, by a known pose: for a detector without a manager.</summary>
+    /// <param name="camera">The camera that took it.</param>
+    /// <param name="nedFromCamera">
+    /// How it was turned: from its axes (x right, y down, z along the optical axis) to north-east-down.
+    /// </param>
+    /// <param name="heightMetres">How high it was above the ground.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The height is not above 0.</exception>
+    public static PictureGroundScale OfLevelGround(CameraModel camera, Rotation nedFromCamera, double heightMetres)
+    {
+        if (camera is null)
+            throw new ArgumentNullException(nameof(camera));
+        if (!(heightMetres > 0 && heightMetres < double.PositiveInfinity))
+            throw new ArgumentOutOfRangeException(
+                nameof(heightMetres), heightMetres, "The height of the camera above the ground must be above 0.");
+        return new PictureGroundScale(new LevelGroundScale(camera, nedFromCamera, heightMetres));
     }
 
     /// <summary>The scale at a place. Allocates nothing; takes about four times as long as locating a pixel.</summary>

@@ -41,6 +41,20 @@ public sealed class TargetClass
     /// <value>The default is 1.5 m, for panels of 1 m.</value>
     public double MaxSideMetres { get; init; } = 1.5;
 
+    /// <summary>How much longer than wide it is at least, on the ground; 1 for what may be a square.</summary>
+    /// <value>The default is 1. <see cref="ColourTargetDetector"/> does not use it.</value>
+    public double MinAspect { get; init; } = 1;
+
+    /// <summary>How much longer than wide it is at most, on the ground.</summary>
+    /// <value>The default is 2. <see cref="ColourTargetDetector"/> does not use it.</value>
+    public double MaxAspect { get; init; } = 2;
+
+    /// <summary>
+    /// The least part of it that shows its colour: less than 1 for what has parts of another one, as a car has windows.
+    /// </summary>
+    /// <value>The default is 1. <see cref="ColourTargetDetector"/> does not use it.</value>
+    public double MinColourShare { get; init; } = 1;
+
     /// <summary>
     /// Its colour, which <see cref="ColourTargetDetector"/> needs, and which must differ from those of the other
     /// classes; other detectors may leave it null.
@@ -67,6 +81,19 @@ public sealed class TargetClass
             {
                 yield return FormattableString.Invariant(
                     $"{nameof(MinSideMetres)} of target class {targetClass.Name} is {min} and {nameof(MaxSideMetres)} {max}; they must be above 0 and in this order");
+            }
+
+            (min, max) = (targetClass.MinAspect, targetClass.MaxAspect);
+            if (!(min >= 1 && min < max && !double.IsInfinity(max)))
+            {
+                yield return FormattableString.Invariant(
+                    $"{nameof(MinAspect)} of target class {targetClass.Name} is {min} and {nameof(MaxAspect)} {max}; they must be at least 1 and in this order");
+            }
+
+            if (!(targetClass.MinColourShare > 0 && targetClass.MinColourShare <= 1))
+            {
+                yield return FormattableString.Invariant(
+                    $"{nameof(MinColourShare)} of target class {targetClass.Name} is {targetClass.MinColourShare}; it must be above 0, at most 1");
             }
         }
     }

@@ -1,0 +1,44 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text.Json;
+
+namespace VisionBench;
+
+/// <summary>The figures of the reference, OpenCV's colour chain, for one set.</summary>
+internal sealed class Baseline
+{
+    private readonly Dictionary<string, string> _counts = new(StringComparer.Ordinal);
+
+    public double FalseAlarmsPerFrame { get; private set; }
+
+    public double ClearPanelRms { get; private set; }
+
+    /// <summary>Null where there is none beside the set.</summary>
+    public static Baseline? Load(string folder)
+    {
+        DirectoryInfo? parent = new DirectoryInfo(folder).Parent;
+        string path = Path.Combine(parent?.FullName ?? ".", "baseline.json");
+        if (!File.Exists(path))
+            return null;
+        using var json = JsonDocument.Parse(File.ReadAllText(path));
+        if (!json.RootElement.GetProperty("sets").TryGetProperty(new DirectoryInfo(folder).Name, out JsonElement set)
+            || !set.TryGetProperty("colour", out JsonElement colour))
+            return null;
+        var baseline = new Baseline
+        {
+            FalseAlarmsPerFrame = colour.GetProperty("fa_per_frame").GetDouble(),
+            ClearPanelRms = colour.GetProperty("centroid_rms_px_clear_panels_6px_up").GetDouble(),
+        };
+        foreach (string group in (string[])["by_size", "by_class"])
+        {
+            foreach (JsonProperty one in colour.GetProperty(group).EnumerateObject())
+                baseline._counts[one.Name] = one.Value.GetString()!;
+        }
+
+        return baseline;
+    }
+
+    /// <summary>As "found/of", for a range of sizes ("4-6", "6-10", "10+") or a kind of target.</summary>
+    public string Count(string what) => _counts.TryGetValue(what, out string? count) ? count : "-";
+}

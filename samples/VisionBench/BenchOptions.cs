@@ -1,0 +1,66 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using Rabit.Uav.ImageProcessing;
+
+namespace VisionBench;
+
+/// <summary>The command line.</summary>
+internal sealed class BenchOptions
+{
+    private string _detector = "shapes";
+    private int _repeats = 1;
+
+    public List<string> Folders { get; } = [];
+
+    public string Part { get; private set; } = "all";
+
+    public bool IsColourEnough { get; private set; }
+
+    public bool IsListed { get; private set; }
+
+    /// <exception cref="ArgumentException">An argument is none.</exception>
+    public static BenchOptions Parse(string[] args)
+    {
+        var options = new BenchOptions();
+        for (int i = 0; i < args.Length; i++)
+        {
+            switch (args[i])
+            {
+                case "--colour-only":
+                    options.IsColourEnough = true;
+                    break;
+                case "--list":
+                    options.IsListed = true;
+                    break;
+                case "--part" when i + 1 < args.Length && args[i + 1] is "all" or "odd" or "even":
+                    options.Part = args[++i];
+                    break;
+                case "--detector" when i + 1 < args.Length && args[i + 1] is "squares" or "shapes":
+                    options._detector = args[++i];
+                    break;
+                case "--repeat" when i + 1 < args.Length && TryCount(args[i + 1], out options._repeats):
+                    i++;
+                    break;
+                default:
+                    if (args[i].StartsWith("--", StringComparison.Ordinal))
+                        throw new ArgumentException(
+                            $"{args[i]}: it is no argument, or something is missing after it", nameof(args));
+                    options.Folders.Add(args[i]);
+                    break;
+            }
+        }
+
+        return options;
+    }
+
+    public bool Includes(int index) => Part == "all" || (Part == "odd") == (index % 2 == 1);
+
+    public Bench CreateBench()
+        => _detector == "shapes"
+            ? new(new ShapeTargetDetector(BenchClasses.All), BenchClasses.All, IsColourEnough, _repeats)
+            : new(new ColourTargetDetector(BenchClasses.Panels), BenchClasses.Panels, IsColourEnough, _repeats);
+
+    private static bool TryCount(string text, out int count)
+        => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out count) && count > 0;
+}

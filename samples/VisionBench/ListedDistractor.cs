@@ -1,0 +1,30 @@
+using System.Text.Json;
+
+namespace VisionBench;
+
+/// <summary>Something that looks like a target and is none.</summary>
+internal sealed class ListedDistractor
+{
+    public ListedDistractor(JsonElement json)
+    {
+        Kind = json.GetProperty("kind").GetString()!;
+        JsonElement centre = json.GetProperty("center_px");
+        (X, Y) = (centre[0].GetDouble(), centre[1].GetDouble());
+        Size = json.GetProperty("size_px").GetDouble();
+    }
+
+    public string Kind { get; }
+
+    public double X { get; }
+
+    public double Y { get; }
+
+    /// <summary>Pixels.</summary>
+    public double Size { get; }
+
+    public bool Covers(double x, double y)
+    {
+        double reach = (0.75 * Size) + 3;
+        return ((x - X) * (x - X)) + ((y - Y) * (y - Y)) <= reach * reach;
+    }
+}

@@ -1,0 +1,54 @@
+using System.Collections.Immutable;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Rabit.Geodesy;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.ImageProcessing;
+
+namespace VisionBench;
+
+/// <summary>One picture of a set with its pose and its targets.</summary>
+internal sealed class ListedFrame
+{
+    public ListedFrame(string folder, int index, JsonElement json, CameraModel camera)
+    {
+        string name = json.GetProperty("file").GetString()!;
+        Name = Path.GetFileNameWithoutExtension(name);
+        FilePath = Path.Combine(folder, name);
+        Index = index;
+        Camera = camera;
+        JsonElement pose = json.GetProperty("pose");
+        JsonElement rotation = pose.GetProperty("R_ned_from_cam");
+        NedFromCamera = Rotation.FromMatrix(
+            Row(rotation[0], 0), Row(rotation[0], 1), Row(rotation[0], 2),
+            Row(rotation[1], 0), Row(rotation[1], 1), Row(rotation[1], 2),
+            Row(rotation[2], 0), Row(rotation[2], 1), Row(rotation[2], 2));
+        HeightMetres = -pose.GetProperty("cam_center_ned_m")[2].GetDouble();
+        Targets = json.GetProperty("targets").EnumerateArray().Select(t => new ListedTarget(t)).ToImmutableArray();
+        Distractors = json.GetProperty("distractors").EnumerateArray().Select(d => new ListedDistractor(d))
+            .ToImmutableArray();
+    }
+
+    public string Name { get; }
+
+    public string FilePath { get; }
+
+    /// <summary>From 1, in the order of the set: odd ones are for tuning.</summary>
+    public int Index { get; }
+
+    public CameraModel Camera { get; }
+
+    public Rotation NedFromCamera { get; }
+
+    /// <summary>Of the camera above the level ground.</summary>
+    public double HeightMetres { get; }
+
+    public ImmutableArray<ListedTarget> Targets { get; }
+
+    public ImmutableArray<ListedDistractor> Distractors { get; }
+
+    public PictureGroundScale CreateScale() => PictureGroundScale.OfLevelGround(Camera, NedFromCamera, HeightMetres);
+
+    private static double Row(JsonElement row, int column) => row[column].GetDouble();
+}

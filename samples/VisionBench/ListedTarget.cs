@@ -1,0 +1,76 @@
+using System.Text.Json;
+
+namespace VisionBench;
+
+/// <summary>One target of a picture, as the truth file has it. Lengths in pixels.</summary>
+internal sealed class ListedTarget
+{
+    public ListedTarget(JsonElement json)
+    {
+        Kind = json.GetProperty("class").GetString()!;
+        Colour = json.GetProperty("color").GetString()!;
+        Shape = json.GetProperty("shape").GetString()!;
+        Size = json.GetProperty("size_px").GetDouble();
+        FractionVisible = json.GetProperty("fraction_visible").GetDouble();
+        IsWhole = !json.GetProperty("occluded").GetBoolean() && !json.GetProperty("truncated").GetBoolean();
+        JsonElement centre = json.GetProperty("visible_centroid_px");
+        IsSeen = centre.ValueKind == JsonValueKind.Array;
+        (X, Y) = IsSeen ? (centre[0].GetDouble(), centre[1].GetDouble()) : (double.NaN, double.NaN);
+        JsonElement box = json.GetProperty("bbox_px");
+        (Left, Top, Right, Bottom) =
+            (box[0].GetDouble(), box[1].GetDouble(), box[2].GetDouble(), box[3].GetDouble());
+    }
+
+    public string Kind { get; }
+
+    public string Colour { get; }
+
+    public string Shape { get; }
+
+    /// <summary>Of the class that a detector should report; null for one that it is not asked for.</summary>
+    public string? Class => Kind switch
+    {
+        "panel" => "panel-" + Colour,
+        "vehicle" => "vehicle-" + Colour,
+        "person" => "person",
+        _ => null,
+    };
+
+    /// <summary>Square root of its area.</summary>
+    public double Size { get; }
+
+    public double FractionVisible { get; }
+
+    /// <summary>Neither hidden in part nor cut by the edge of the picture.</summary>
+    public bool IsWhole { get; }
+
+    public bool IsSeen { get; }
+
+    /// <summary>Centroid of what can be seen of it, column.</summary>
+    public double X { get; }
+
+    /// <summary>Centroid of what can be seen of it, row.</summary>
+    public double Y { get; }
+
+    public double Left { get; }
+
+    public double Top { get; }
+
+    public double Right { get; }
+
+    public double Bottom { get; }
+
+    /// <summary>Whether it counts for recall; detections of others are ignored.</summary>
+    public bool Counts => Class is not null && IsSeen && FractionVisible >= 0.5 && Size >= 4;
+
+    /// <summary>Whether a centre is near enough to be of this target.</summary>
+    public bool Matches(double x, double y)
+    {
+        double reach = System.Math.Max(3, 0.5 * Size);
+        return IsSeen && ((x - X) * (x - X)) + ((y - Y) * (y - Y)) <= reach * reach;
+    }
+
+    /// <summary>Whether a place lies on it or on its margin.</summary>
+    public bool Covers(double x, double y)
+        => x >= Left - 3 && x <= Right + 3 && y >= Top - 3 && y <= Bottom + 3;
+}

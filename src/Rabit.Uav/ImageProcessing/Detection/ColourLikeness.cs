@@ -1,0 +1,15 @@
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>How like the colour of a patch is to one that is searched for; costs are squared deviations.</summary>
+internal struct ColourLikeness
+{
+    public double Cost;
+
+    public double Darkness;
+
+    /// <summary>How much of the ground the blur mixes into it, 0 to 1.</summary>
+    public double Mixed;
+
+    /// <summary>White or black.</summary>
+    public bool IsNeutral;
+}

@@ -1,0 +1,91 @@
+using System;
+using Rabit.Vision;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>
+/// What the patches of a picture may be, the likeliest first, and which of them are one and the same thing. Fixed
+/// memory.
+/// </summary>
+internal sealed class PatchCandidates
+{
+    /// <summary>What costs more is no target.</summary>
+    public const double MaxCost = 11;
+
+    // What costs more is not even a reason against a part of it.
+    private const double MaxKeptCost = 60;
+    private const int Max = 512;
+
+    // A patch of pixels whose colour is clear, and the same of all possible ones, so much larger: the latter counts.
+    private const double MuchLarger = 1.2;
+    private const double MuchLargerOfFew = 1.45;
+    private const double FewPixels = 42;
+
+    private readonly PatchCandidate[] _all = new PatchCandidate[Max];
+    private readonly int[] _order = new int[Max];
+    private readonly int[] _chosen = new int[Max];
+    private int _count;
+    private int _chosenCount;
+
+    /// <summary>How many there are.</summary>
+    public int Count => _count;
+
+    /// <summary>One of them, by its rank.</summary>
+    public ref readonly PatchCandidate this[int rank] => ref _all[_order[rank]];
+
+    public void Clear() => (_count, _chosenCount) = (0, 0);
+
+    /// <summary>Of equal ones, the first is the likelier.</summary>
+    public void Add(in PatchCandidate candidate)
+    {
+        if (candidate.Cost > MaxKeptCost || _count == Max)
+            return;
+        int rank = _count;
+        for (; rank > 0 && _all[_order[rank - 1]].Cost > candidate.Cost; rank--)
+            _order[rank] = _order[rank - 1];
+        _order[rank] = _count;
+        _all[_count++] = candidate;
+    }
+
+    /// <summary>Whether one is a piece of another: the hood of a car is no panel, nor a flower bed's middle.</summary>
+    public bool IsPiece(in PatchCandidate candidate)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            ref readonly PatchCandidate other = ref _all[i];
+            if (other.Colour == candidate.Colour && (IsGroup(other, candidate) || IsWhole(other, candidate))
+                && Math.Abs(other.Shape.CentreX - candidate.Shape.CentreX) < other.Shape.Width / 2
+                && Math.Abs(other.Shape.CentreY - candidate.Shape.CentreY) < other.Shape.Height / 2)
+                return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>Takes one for a target; false where one that was taken before is the same thing.</summary>
+    public bool TryChoose(int rank)
+    {
+        ref readonly PatchShape shape = ref _all[_order[rank]].Shape;
+        for (int i = 0; i < _chosenCount; i++)
+        {
+            ref readonly PatchShape other = ref _all[_chosen[i]].Shape;
+            if (Math.Abs(other.CentreX - shape.CentreX) < Math.Max(other.Width, shape.Width) / 2
+                && Math.Abs(other.CentreY - shape.CentreY) < Math.Max(other.Height, shape.Height) / 2)
+                return false;
+        }
+
+        _chosen[_chosenCount++] = _order[rank];
+        return true;
+    }
+
+    private static bool IsGroup(in PatchCandidate other, in PatchCandidate candidate)
+        => other.Parts > 1 && other.Cost <= Math.Min(MaxCost, candidate.Cost + 4)
+            && other.Shape.Area > 1.3 * candidate.Shape.Area;
+
+    private static bool IsWhole(in PatchCandidate other, in PatchCandidate candidate)
+        => candidate.IsStrong && !other.IsStrong && other.Parts == 1
+            && other.Shape.GroundNoise < 0.13 && other.Shape.Continuation < 0.05
+            && other.Shape.Unevenness < 0.2 && other.Shape.Outline < 1.2
+            && other.Shape.Area
+                > (other.Shape.Area > FewPixels ? MuchLarger : MuchLargerOfFew) * candidate.Shape.Area;
+}

@@ -1,0 +1,87 @@
+using System;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Vision;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>
+/// How unlike a patch is to a target of a class: the sum of squared deviations in size, form, colour and outline, each
+/// in its standard deviations, as far as it lies outside what the class may be.
+/// </summary>
+internal static class PatchCost
+{
+    // The light of a pixel comes from its whole square, and the lens blurs it by about 0.9 px, in colour too.
+    private const double BlurVariance = (1.0 / 12) + 0.85;
+
+    // A filled rectangle of area A has sigma_long * sigma_short = A / 12.
+    private const double RectangleFactor = 12;
+
+    public static double Of(
+        in PatchShape shape, in GroundScale scale, TargetClass target, in ColourLikeness colour, out double side)
+    {
+        double root = Math.Sqrt(shape.Area);
+        side = root * Math.Sqrt((1 - colour.Mixed) * scale.PixelArea);
+        (double longSpread, double shortSpread) = SpreadMetres(shape, scale, BlurVariance);
+        double aspect = longSpread / shortSpread;
+        (double longWhole, double shortWhole) = SpreadMetres(shape, scale, 0);
+        double fill = shape.Area * scale.PixelArea / (RectangleFactor * longWhole * shortWhole);
+        double other = 1 - target.MinColourShare;
+        double slack = shape.TouchesBorder ? 0.4 : 0;
+        double logSide = Math.Log(side);
+        (double logMin, double logMax) = (Math.Log(target.MinSideMetres), Math.Log(target.MaxSideMetres));
+        double sizeSigma = colour.IsNeutral ? 0.03 + (0.1 / root) : 0.06 + (0.5 / root);
+        double cost = Square(Outside(logSide, logMin - slack, logMax) / sizeSigma);
+        if (shape.TouchesBorder)
+            cost -= 2 * Math.Log(Math.Min(1, Math.Max(0.1, (logMax - logSide) / (logMax - logMin))));
+        cost += Square(Outside(
+            Math.Log(aspect), Math.Log(target.MinAspect) - slack, Math.Log(target.MaxAspect) + slack)
+            / (0.06 + (0.8 / root)));
+        cost += Square((logSide - ((logMin + logMax) / 2)) / (logMax - logMin));
+        cost += Square(Math.Log(aspect / Math.Sqrt(target.MinAspect * target.MaxAspect))
+            / Math.Log(target.MaxAspect / target.MinAspect));
+        cost += Square(Outside(fill, 0.84 - (0.4 * other), 1.08) / 0.1);
+        cost += Square(Math.Max(0, shape.Outline - 1.3 - (2 * other)) / 0.15);
+        cost += Square(shape.Continuation / 0.1);
+        cost += Square(Math.Max(0, shape.Unevenness - 0.15 - (0.2 * other)) / 0.08);
+        cost += Square(Math.Max(0, shape.GroundNoise - (colour.IsNeutral ? 0.15 : 0.1)) / 0.08);
+        cost += colour.Darkness;
+        if (colour.IsNeutral)
+        {
+            cost += 3 + (3 * colour.Cost);
+            cost += Square(Math.Max(0, 8 - root) / 0.65);
+            cost += Square(Math.Max(0, shape.Unevenness - 0.02 - (0.3 / root)) / 0.015);
+            cost += Square(Math.Max(0, 130 - shape.Contrast) / 30);
+            return cost;
+        }
+
+        double large = Math.Min(1, Math.Max(0, (root - 4.5) / 2));
+        cost += colour.Cost * (2.5 + (3 * large));
+        cost += Square(Math.Max(0, 75 + (20 * large) - shape.Contrast) / 17);
+        return cost;
+    }
+
+    /// <summary>Standard deviations on the ground along its long and its short axis, metres.</summary>
+    public static (double Long, double Short) SpreadMetres(in PatchShape shape, in GroundScale scale, double blur)
+    {
+        double xx = Math.Max(0.2, shape.MomentXX - blur);
+        double yy = Math.Max(0.2, shape.MomentYY - blur);
+        double nn = Project(
+            scale.NorthByColumn, scale.NorthByRow, scale.NorthByColumn, scale.NorthByRow, xx, shape.MomentXY, yy);
+        double ne = Project(
+            scale.NorthByColumn, scale.NorthByRow, scale.EastByColumn, scale.EastByRow, xx, shape.MomentXY, yy);
+        double ee = Project(
+            scale.EastByColumn, scale.EastByRow, scale.EastByColumn, scale.EastByRow, xx, shape.MomentXY, yy);
+        double mean = (nn + ee) / 2;
+        double half = Math.Sqrt((((nn - ee) / 2) * ((nn - ee) / 2)) + (ne * ne));
+        return (Math.Sqrt(mean + half), Math.Sqrt(Math.Max(0.2 * scale.PixelArea, mean - half)));
+    }
+
+    private static double Project(
+        double aByColumn, double aByRow, double bByColumn, double bByRow, double xx, double xy, double yy)
+        => (aByColumn * bByColumn * xx) + (((aByColumn * bByRow) + (aByRow * bByColumn)) * xy) + (aByRow * bByRow * yy);
+
+    private static double Outside(double value, double min, double max)
+        => value < min ? min - value : value > max ? value - max : 0;
+
+    private static double Square(double value) => value * value;
+}

@@ -1,0 +1,277 @@
+using System;
+using System.Collections.Generic;
+using System.Collections.Immutable;
+using System.Linq;
+using System.Runtime.InteropServices;
+using Rabit.Uav.CameraGeometry;
+using Rabit.Vision;
+
+namespace Rabit.Uav.ImageProcessing;
+
+/// <summary>
+/// A detector for targets of any declared colour, size and form: panels, white ones among them, cars with their
+/// windows, lying persons; also small, pale, shaded, overexposed and partly hidden ones, and such that the border of
+/// the picture cuts. Pixels of a colour are joined to patches, each is measured below the size of a pixel against the
+/// ground around it, and compared with every class of its colour, in metres. Fixed memory, no allocation after the
+/// first picture; one thread at a time.
+/// </summary>
+/// <example>
+/// White panels and red cars, beside those that are the default:
+/// <code>
+/// ImmutableArray&lt;TargetClass&gt; classes =
+/// [
+///     .. TargetClass.Defaults,
+///     new TargetClass("white") { Colour = new ColourRange(236, 236, 234) },
+///     new TargetClass("red car")
+///     {
+///         Colour = new ColourRange(205, 28, 32), MinSideMetres = 2.4, MaxSideMetres = 3.7,
+///         MinAspect = 1.7, MaxAspect = 2.8, MinColourShare = 0.7,
+///     },
+/// ];
+/// var imaging = new ImageProcessingOptions
+/// {
+///     Camera = camera,
+///     TargetClasses = classes,
+///     Detector = new ShapeTargetDetector(classes),
+/// };
+/// </code>
+/// </example>
+public sealed class ShapeTargetDetector : ITargetDetector
+{
+    /// <summary>How many classes it can distinguish.</summary>
+    public const int MaxClasses = 64;
+
+    private const int MaxViable = 2048;
+
+    // The least part of the side of the smallest target that is seen in its colour: the edge fades, and what is hidden
+    // is not there. White does not fade.
+    private const double MinSeenSide = 0.4;
+    private const double MinSeenSideOfWhite = 0.6;
+    private const double MinAreaPixels = 12;
+
+    // How much larger than the largest target of its colour a patch may be, and which part of the box around it at
+    // least is its own.
+    private const double MaxSpan = 1.4;
+    private const double MaxSeenArea = 1.3;
+    private const double MinBoxShare = 0.15;
+
+    // What has so many gaps in its rows that its runs are shorter than that is a texture.
+    private const double MinRunLength = 2.2;
+    private const int FewPixels = 30;
+
+    // A colour further off is none of the class, whatever its form.
+    private const double MaxColourCost = 8;
+
+    // The lens may bend the middle of the picture a little more than its corners.
+    private const double SlackForCorners = 1.5;
+
+    // The cost at which a patch is as likely a target as not is the largest; by so much more, e times less likely.
+    private const double CostScale = 3;
+
+    private readonly ImmutableArray<TargetClass> _classes;
+    private readonly int[] _colourOf;
+    private readonly SearchedColour[] _colours;
+    private readonly PatchTable _table;
+    private readonly PictureLight _light = new();
+    private readonly PatchFinder _finder = new();
+    private readonly PatchMeasure _measure = new();
+    private readonly PatchGroups _groups = new();
+    private readonly PatchCandidates _candidates = new();
+    private readonly Patch[] _viable = new Patch[MaxViable];
+    private readonly bool[] _isGrouped = new bool[MaxViable];
+    private byte[] _copy = [];
+
+    /// <summary>Makes the detector.</summary>
+    /// <param name="classes">
+    /// All classes that it shall distinguish, each with a colour, also those that are not searched for. Classes of one
+    /// colour must differ in size or form.
+    /// </param>
+    /// <exception cref="ArgumentException">A class has no colour, or there are too many.</exception>
+    public ShapeTargetDetector(ImmutableArray<TargetClass> classes)
+    {
+        string[] faults = TargetClass.FindFaults(classes).Concat(FindColourFaults(classes)).ToArray();
+        if (faults.Length > 0)
+            throw new ArgumentException("Shape detector: " + string.Join("; ", faults) + ".", nameof(classes));
+        _classes = classes;
+        var colours = new List<SearchedColour>();
+        _colourOf = new int[classes.Length];
+        for (int i = 0; i < classes.Length; i++)
+        {
+            _colourOf[i] = colours.FindIndex(c => c.IsSame(classes[i].Colour!));
+            if (_colourOf[i] < 0)
+            {
+                _colourOf[i] = colours.Count;
+                colours.Add(new SearchedColour(classes[i].Colour!));
+            }
+
+            colours[_colourOf[i]].Add(classes[i]);
+        }
+
+        _colours = colours.ToArray();
+        _table = new PatchTable(colours.Select(c => c.Colour).ToArray());
+    }
+
+    /// <inheritdoc/>
+    public DetectorResult Detect(in DetectorInput input, Span<TargetDetection> detections)
+    {
+        byte[] pixels = ArrayOf(input.Pixels);
+        _light.Measure(pixels, input.Width, input.Height);
+        if (!_finder.TryFind(pixels, input.Width, input.Height, _table, _light))
+            return DetectorResult.NotSearched(ColourTargetDetector.TooManySpots);
+        int count = KeepViable(input);
+        if (count == MaxViable)
+            return DetectorResult.NotSearched(ColourTargetDetector.TooManySpots);
+        _measure.SetPicture(pixels, input.Width, input.Height, _finder, _light);
+        _candidates.Clear();
+        Array.Clear(_isGrouped, 0, count);
+        for (int i = 0; i < count; i++)
+            Consider(_viable.AsSpan(0, count), i, input.GroundScale);
+        return Choose(input, detections);
+    }
+
+    private static IEnumerable<string> FindColourFaults(ImmutableArray<TargetClass> classes)
+    {
+        if (classes.IsDefault)
+            yield break;
+        if (classes.Length > MaxClasses)
+            yield return $"there are {classes.Length} target classes; the shape detector takes at most {MaxClasses}";
+        foreach (TargetClass targetClass in classes.Where(c => c is not null && c.Colour is null))
+            yield return $"target class {targetClass.Name} has no colour, which the shape detector needs";
+    }
+
+    // What costs least comes first: a meadow may have thousands of coloured spots. A pixel reaches furthest on the
+    // ground at one of the corners: what is too small there is too small anywhere.
+    private int KeepViable(in DetectorInput input)
+    {
+        double largest = 0;
+        for (int corner = 0; corner < 4; corner++)
+        {
+            largest = input.GroundScale.TryAt(
+                corner % 2 * (input.Width - 1), corner / 2 * (input.Height - 1), out GroundScale scale)
+                ? Math.Max(largest, SlackForCorners * scale.PixelArea)
+                : double.PositiveInfinity;
+        }
+
+        int count = 0;
+        foreach (ref readonly Patch patch in _finder.Patches)
+        {
+            double least = MinSeenSideOf(patch.Colour);
+            if (patch.Pixels * largest >= least * least && count < MaxViable)
+                _viable[count++] = patch;
+        }
+
+        return count;
+    }
+
+    private double MinSeenSideOf(int colour)
+        => _colours[colour].MinSideMetres * (_table.IsNeutral(colour) ? MinSeenSideOfWhite : MinSeenSide);
+
+    private void Consider(ReadOnlySpan<Patch> patches, int first, in PictureGroundScale ground)
+    {
+        ref readonly Patch patch = ref patches[first];
+        if (!ground.TryAt(
+            (patch.Left + patch.Right) / 2.0, (patch.Top + patch.Bottom) / 2.0, out GroundScale scale))
+            return;
+        double metres = Math.Sqrt(scale.PixelArea);
+        SearchedColour colour = _colours[patch.Colour];
+        double side = Math.Sqrt(patch.Pixels) * metres;
+        (int width, int height) = (patch.Right - patch.Left + 1, patch.Bottom - patch.Top + 1);
+        if (side < MinSeenSideOf(patch.Colour)
+            || side * side > MaxSeenArea * colour.MaxSideMetres * colour.MaxSideMetres
+            || Math.Max(width, height) * metres > MaxSpan * colour.MaxSpanMetres
+            || patch.Pixels < MinBoxShare * width * height
+            || (patch.Pixels > FewPixels && patch.Runs * MinRunLength > patch.Pixels))
+            return;
+        _groups.Take(patch);
+        Measure(scale);
+        if (colour.HasParts && !_isGrouped[first]
+            && _groups.TryGrow(patches, first, colour.MaxSideMetres / metres, _isGrouped))
+            Measure(scale);
+    }
+
+    private void Measure(in GroundScale scale)
+    {
+        ReadOnlySpan<Patch> parts = _groups.Parts;
+        if (!_measure.TryLook(parts, out PatchShape shape)
+            || _table.CostOf(shape, parts[0].Colour, _light, out double mixed) > MaxColourCost
+            || !_measure.TryMeasure(ref shape) || shape.Area < MinAreaPixels)
+            return;
+        var best = new PatchCandidate
+        {
+            Cost = double.PositiveInfinity,
+            Shape = shape,
+            Parts = parts.Length,
+            IsStrong = parts[0].IsStrong,
+            Colour = parts[0].Colour,
+        };
+        var likeness = new ColourLikeness
+        {
+            Cost = _table.CostOf(shape, best.Colour, _light, out mixed),
+            Darkness = _table.DarknessOf(shape, best.Colour),
+            IsNeutral = _table.IsNeutral(best.Colour),
+            Mixed = mixed,
+        };
+        for (int i = 0; i < _classes.Length; i++)
+        {
+            if (_colourOf[i] != best.Colour)
+                continue;
+            double cost = PatchCost.Of(shape, scale, _classes[i], likeness, out double side);
+            if (cost < best.Cost)
+                (best.Cost, best.Class, best.SideMetres) = (cost, i, side);
+        }
+
+        _candidates.Add(best);
+    }
+
+    private DetectorResult Choose(in DetectorInput input, Span<TargetDetection> detections)
+    {
+        (int count, int dropped) = (0, 0);
+        for (int rank = 0; rank < _candidates.Count && _candidates[rank].Cost <= PatchCandidates.MaxCost; rank++)
+        {
+            ref readonly PatchCandidate candidate = ref _candidates[rank];
+            if (_candidates.IsPiece(candidate) || !_candidates.TryChoose(rank)
+                || !IsWanted(_classes[candidate.Class], input.Classes))
+                continue;
+            if (count == detections.Length)
+                dropped++;
+            else
+                detections[count++] = Describe(candidate);
+        }
+
+        return DetectorResult.Found(count, dropped);
+    }
+
+    private TargetDetection Describe(in PatchCandidate candidate) => new()
+    {
+        Class = _classes[candidate.Class].Name,
+        CentreX = candidate.Shape.CentreX,
+        CentreY = candidate.Shape.CentreY,
+        WidthPixels = candidate.Shape.Width,
+        HeightPixels = candidate.Shape.Height,
+        SideMetres = candidate.SideMetres,
+        Score = 1 / (1 + Math.Exp((candidate.Cost - PatchCandidates.MaxCost) / CostScale)),
+        Covariance = PatchCovariance.Of(candidate, _classes[candidate.Class].MinColourShare < 1),
+    };
+
+    private static bool IsWanted(TargetClass target, ImmutableArray<TargetClass> wanted)
+    {
+        foreach (TargetClass one in wanted)
+        {
+            if (one.Name == target.Name)
+                return true;
+        }
+
+        return false;
+    }
+
+    // That of the camera is used as it is; other memory is copied.
+    private byte[] ArrayOf(ReadOnlyMemory<byte> pixels)
+    {
+        if (MemoryMarshal.TryGetArray(pixels, out ArraySegment<byte> segment) && segment.Offset == 0)
+            return segment.Array!;
+        if (_copy.Length < pixels.Length)
+            _copy = new byte[pixels.Length];
+        pixels.CopyTo(_copy);
+        return _copy;
+    }
+}

@@ -1,0 +1,111 @@
+using System;
+
+namespace Rabit.Vision;
+
+/// <summary>
+/// How unlike a colour is to that of a surface, whatever light and camera made of it: shade changes its brightness
+/// alone, haze and the ground beside it make it paler, and where the strongest channel is at its end, the second one
+/// goes on and turns the hue (an overexposed orange is yellowish).
+/// </summary>
+internal sealed class PatchColour
+{
+    /// <summary>From this chroma on, part of its strongest channel, it has a hue of its own.</summary>
+    public const double MinSaturation = 0.3;
+
+    // One standard deviation.
+    private const double HueSigmaDegrees = 5;
+    private const double SaturationSigma = 0.17;
+    private const double FullSaturation = 0.92;
+
+    // White is twice as bright as ground by the curve of sRGB, which is five times the light.
+    private const double FullContrast = 1.9;
+    private const double ContrastSigma = 0.15;
+    private const double NeutralSigma = 0.08;
+
+    private const double FullBrightness = 1.15;
+    private const double BrightnessSigma = 0.15;
+
+    private const double ClippedFrom = 225;
+
+    // Three times the light, by the curve of sRGB.
+    private const double Overexposure = 1.65;
+
+    private readonly double _hue;
+    private readonly double _saturation;
+    private readonly int _strongest;
+    private readonly double _turn;   // of the hue by overexposure, degrees
+
+    public PatchColour(ColourRange colour)
+    {
+        (_hue, _saturation, _) = ColourRange.Describe(colour.Red, colour.Green, colour.Blue);
+        _strongest = colour.Red >= colour.Green && colour.Red >= colour.Blue ? 0 : colour.Green >= colour.Blue ? 1 : 2;
+        IsNeutral = _saturation < MinSaturation;
+        IsBright = Math.Max(colour.Red, Math.Max(colour.Green, colour.Blue)) >= 128;
+        (double hue, _, _) = ColourRange.Describe(
+            Math.Min(255, Overexposure * colour.Red), Math.Min(255, Overexposure * colour.Green),
+            Math.Min(255, Overexposure * colour.Blue));
+        _turn = Difference(hue, _hue);
+    }
+
+    /// <summary>White, black or grey: only its brightness against its surroundings shows it.</summary>
+    public bool IsNeutral { get; }
+
+    /// <summary>Of a neutral one: white.</summary>
+    public bool IsBright { get; }
+
+    /// <summary>How far the hue is off, degrees, and the saturation as a part of the nominal one.</summary>
+    public (double HueDegrees, double Saturation) Compare(double red, double green, double blue)
+    {
+        (double hue, double saturation, _) = ColourRange.Describe(red, green, blue);
+        double off = Difference(hue, _hue);
+        if (Math.Max(red, Math.Max(green, blue)) >= ClippedFrom)
+            off = _turn > 0 ? off - Clamp(off, 0, _turn) : off - Clamp(off, _turn, 0);
+        return (Math.Abs(off), saturation / _saturation);
+    }
+
+    /// <summary>How unlike: 0 for the same, 1 for one standard deviation in hue or saturation, squared.</summary>
+    public double Cost(double red, double green, double blue)
+    {
+        (double hue, double saturation) = Compare(red, green, blue);
+        double pale = Math.Max(0, FullSaturation - saturation) / SaturationSigma;
+        return (hue * hue / (HueSigmaDegrees * HueSigmaDegrees)) + (pale * pale);
+    }
+
+    /// <summary>The same for white or black: by brightness against the ground, and by how little colour.</summary>
+    public double NeutralCost(in PatchShape shape, double level)
+    {
+        double most = Math.Max(shape.Red, Math.Max(shape.Green, shape.Blue));
+        double chroma = (most - Math.Min(shape.Red, Math.Min(shape.Green, shape.Blue))) / Math.Max(60, most);
+        double inside = shape.Red + (2 * shape.Green) + shape.Blue;
+        double ground = shape.GroundRed + (2 * shape.GroundGreen) + shape.GroundBlue;
+        double ratio = IsBright
+            ? inside / Math.Max(ground, 4 * level)
+            : Math.Min(ground, 4 * level) / Math.Max(1, inside);
+        double weak = Math.Max(0, Math.Log(FullContrast / ratio)) / ContrastSigma;
+        double tint = chroma / NeutralSigma;
+        return (weak * weak) + (tint * tint);
+    }
+
+    /// <summary>
+    /// How much too dark it is against the ground, in standard deviations: what has a bright colour reflects more in
+    /// its strongest channel than ground does, and in the shade of a tree hardly less.
+    /// </summary>
+    public double Darkness(in PatchShape shape)
+    {
+        double ratio = _strongest switch
+        {
+            0 => shape.Red / Math.Max(1, shape.GroundRed),
+            1 => shape.Green / Math.Max(1, shape.GroundGreen),
+            _ => shape.Blue / Math.Max(1, shape.GroundBlue),
+        };
+        return Math.Max(0, FullBrightness - ratio) / BrightnessSigma;
+    }
+
+    private static double Difference(double a, double b)
+    {
+        double off = a - b;
+        return off > 180 ? off - 360 : off < -180 ? off + 360 : off;
+    }
+
+    private static double Clamp(double value, double min, double max) => Math.Max(min, Math.Min(max, value));
+}

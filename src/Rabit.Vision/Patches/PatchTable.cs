@@ -1,0 +1,134 @@
+using System;
+using System.Linq;
+
+namespace Rabit.Vision;
+
+/// <summary>
+/// Which colours of pixels may belong to a patch of one of the colours that are searched for, weakly or strongly, in
+/// steps of 8 for each channel: made once. White and black have none: they depend on the light around them.
+/// </summary>
+public sealed class PatchTable
+{
+    /// <summary>Maximum of colours.</summary>
+    public const int MaxColours = 32;
+
+    /// <summary>In an entry: the colour is clear, not only possible.</summary>
+    internal const byte Strong = 0x80;
+
+    internal const int Bits = 5;
+
+    private const double WeakHueDegrees = 18;
+    private const double WeakSaturation = 0.5;
+    private const double StrongHueDegrees = 12;
+    private const double StrongSaturation = 0.66;
+    private const double MinChroma = 40;
+
+    private readonly PatchColour[] _colours;
+
+    /// <summary>Makes the table.</summary>
+    /// <param name="colours">At most <see cref="MaxColours"/>.</param>
+    /// <exception cref="ArgumentException">There are more, or white or black twice.</exception>
+    public PatchTable(ReadOnlySpan<ColourRange> colours)
+    {
+        if (colours.Length > MaxColours)
+            throw new ArgumentException(
+                $"There are {colours.Length} colours; at most {MaxColours} are possible.", nameof(colours));
+        _colours = new PatchColour[colours.Length];
+        for (int i = 0; i < colours.Length; i++)
+            _colours[i] = new PatchColour(colours[i]);
+        if (_colours.Count(c => c.IsNeutral && c.IsBright) > 1 || _colours.Count(c => c.IsNeutral && !c.IsBright) > 1)
+            throw new ArgumentException("There are two white or two black colours.", nameof(colours));
+        White = FindNeutral(isBright: true);
+        Black = FindNeutral(isBright: false);
+        for (int index = 0; index < Entries.Length; index++)
+            Entries[index] = Classify(Middle(index >> (2 * Bits)), Middle(index >> Bits), Middle(index));
+    }
+
+    /// <summary>How many colours.</summary>
+    public int Count => _colours.Length;
+
+    /// <summary>By red, green, blue from the high bits: 0 for none, else the index of the colour and 1.</summary>
+    internal byte[] Entries { get; } = new byte[1 << (3 * Bits)];
+
+    /// <summary>One more than the index of white; 0 if it is not searched for.</summary>
+    internal byte White { get; }
+
+    /// <summary>One more than the index of black; 0 if it is not searched for.</summary>
+    internal byte Black { get; }
+
+    internal PatchColour this[int index] => _colours[index];
+
+    /// <summary>
+    /// How unlike the colour of a patch is to one of the table, as the sum of two squared deviations: 0 for the same,
+    /// up to about 4 in its usual light. What the blur of the lens mixes in of the ground is taken out first.
+    /// </summary>
+    /// <param name="shape">What was measured of the patch.</param>
+    /// <param name="index">The colour.</param>
+    /// <param name="light">Of the picture.</param>
+    /// <param name="mixed">How much of the ground the blur mixes into it, 0 to 1.</param>
+    public double CostOf(in PatchShape shape, int index, PictureLight light, out double mixed)
+    {
+        mixed = 0;
+        if (light is null)
+            throw new ArgumentNullException(nameof(light));
+        PatchColour colour = _colours[index];
+        if (colour.IsNeutral)
+            return colour.NeutralCost(shape, light.Level);
+        double least = double.PositiveInfinity;
+        double usual = 0.1 + (1 / Math.Sqrt(shape.Area));
+        for (double part = 0; part < 0.65; part += 0.1)
+        {
+            double cost = colour.Cost(
+                Math.Max(0, shape.Red - (part * shape.GroundRed)),
+                Math.Max(0, shape.Green - (part * shape.GroundGreen)),
+                Math.Max(0, shape.Blue - (part * shape.GroundBlue))) + (part / usual * (part / usual));
+            if (cost < least)
+                (least, mixed) = (cost, part);
+        }
+
+        return least;
+    }
+
+    /// <summary>Whether a colour is white or black, which only brightness shows.</summary>
+    /// <param name="index">The colour.</param>
+    public bool IsNeutral(int index) => _colours[index].IsNeutral;
+
+    /// <summary>How much darker against the ground a patch is than one of its colour should be, squared.</summary>
+    /// <param name="shape">What was measured of the patch.</param>
+    /// <param name="index">The colour; 0 for white and black.</param>
+    public double DarknessOf(in PatchShape shape, int index)
+    {
+        double off = _colours[index].IsNeutral ? 0 : _colours[index].Darkness(shape);
+        return off * off;
+    }
+
+    private static double Middle(int index) => ((index & ((1 << Bits) - 1)) << (8 - Bits)) + 3.5;
+
+    private byte FindNeutral(bool isBright)
+    {
+        int at = Array.FindIndex(_colours, c => c.IsNeutral && c.IsBright == isBright);
+        return (byte)(at + 1);
+    }
+
+    private byte Classify(double red, double green, double blue)
+    {
+        if (Math.Max(red, Math.Max(green, blue)) - Math.Min(red, Math.Min(green, blue)) < MinChroma)
+            return 0;
+        int best = -1;
+        double least = double.PositiveInfinity;
+        for (int i = 0; i < _colours.Length; i++)
+        {
+            double cost = _colours[i].IsNeutral ? least : _colours[i].Cost(red, green, blue);
+            if (cost < least)
+                (best, least) = (i, cost);
+        }
+
+        if (best < 0)
+            return 0;
+        (double hue, double saturation) = _colours[best].Compare(red, green, blue);
+        if (hue > WeakHueDegrees || saturation < WeakSaturation)
+            return 0;
+        bool isStrong = hue <= StrongHueDegrees && saturation >= StrongSaturation;
+        return (byte)((best + 1) | (isStrong ? Strong : 0));
+    }
+}

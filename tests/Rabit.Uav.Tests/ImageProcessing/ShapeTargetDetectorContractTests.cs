@@ -1,0 +1,11 @@
+using Rabit.Uav.ImageProcessing;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+public sealed class ShapeTargetDetectorContractTests : TargetDetectorContract
+{
+    public ShapeTargetDetectorContractTests()
+        : base(new ShapeTargetDetector(TargetClass.Defaults))
+    {
+    }
+}

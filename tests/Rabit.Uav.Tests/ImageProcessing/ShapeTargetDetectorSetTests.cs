@@ -1,0 +1,49 @@
+using System;
+using System.IO;
+using System.Linq;
+using Rabit.Geodesy.Tests;
+using Rabit.Uav.Tests.ImageProcessing.Quality;
+using VisionBench;
+using Xunit;
+
+namespace Rabit.Uav.Tests.ImageProcessing;
+
+/// <summary>
+/// The detector of shapes on generated pictures with truth: twelve of them, which are part of the repository, and the
+/// whole sets where they are.
+/// </summary>
+public class ShapeTargetDetectorSetTests
+{
+    [Fact]
+    public void Detect_TwelveStills_FindsWhatItShould()
+    {
+        SetScore score = ScoreOf(Path.Combine(TestData.Folder, "detection", "stills"));
+        Assert.Equal(12, score.Frames);
+        Check(score, leastRecall: 0.95, mostFalseAlarms: 0.6, mostRms: 0.2);
+    }
+
+    [PictureSetTheory]
+    [InlineData("stills_640", 0.9, 0.55, 0.25)]
+    [InlineData("stills_1640", 0.89, 0.6, 0.4)]
+    [InlineData("sequence_01", 0.99, 0.16, 0.15)]
+    public void Detect_ASet_FindsWhatItShould(string set, double leastRecall, double mostFalseAlarms, double mostRms)
+        => Check(ScoreOf(Vectors.FolderOf(Path.Combine("imagery", set))!), leastRecall, mostFalseAlarms, mostRms);
+
+    private static void Check(SetScore score, double leastRecall, double mostFalseAlarms, double mostRms)
+    {
+        (int found, int of) = score.BySize(6, double.PositiveInfinity);
+        Assert.True(found >= leastRecall * of, $"{found} of {of} found");
+        Assert.InRange(score.FalseAlarmsPerFrame, 0, mostFalseAlarms);
+        Assert.InRange(score.ClearPanelRms, 0, mostRms);
+        Assert.Equal(0, score.Duplicates);
+        Assert.InRange(score.ClearErrors.Mean, 0.5, 2.8);
+        Assert.InRange(score.ClearErrors.Inside, 0.92, 1);
+    }
+
+    private static SetScore ScoreOf(string folder)
+    {
+        PictureSet set = PictureSet.Load(folder);
+        Bench bench = BenchOptions.Parse([folder]).CreateBench();
+        return new SetScore(set.Name, bench.Run(set, (_, _) => { }).ToList());
+    }
+}

@@ -1,0 +1,126 @@
+using System;
+using System.Linq;
+using Rabit.Tests.Shared;
+using Xunit;
+
+namespace Rabit.Vision.Tests.Patches;
+
+/// <summary>Finding and measuring patches, on painted pictures of 64 x 48.</summary>
+public class PatchTests
+{
+    private const int Width = 64;
+    private const int Height = 48;
+
+    private static readonly PatchTable Table = new(
+        [new ColourRange(205, 28, 32), new ColourRange(242, 112, 18), new ColourRange(236, 236, 234)]);
+
+    private readonly PictureLight _light = new();
+    private readonly PatchFinder _finder = new();
+    private readonly PatchMeasure _measure = new();
+
+    [Theory]
+    [InlineData(205, 28, 32, 0)]
+    [InlineData(110, 14, 17, 0)]
+    [InlineData(242, 112, 18, 1)]
+    [InlineData(255, 175, 40, 1)]   // overexposed: the hue turns towards yellow
+    [InlineData(236, 236, 234, 2)]
+    public void TryMeasure_Square_IsWhereAndWhatItIs(byte red, byte green, byte blue, int colour)
+    {
+        byte[] picture = Paint(red, green, blue, left: 20, top: 15, columns: 10, rows: 8);
+        PatchShape shape = MeasureOnly(picture, colour);
+        Assert.InRange(shape.CentreX, 24.4, 24.6);
+        Assert.InRange(shape.CentreY, 18.4, 18.6);
+        Assert.InRange(shape.Area, 79, 81);
+        Assert.InRange(shape.MomentXX, 8, 8.5);
+        Assert.InRange(shape.MomentYY, 5, 5.5);
+        Assert.Equal((10, 8), ((int)shape.Width, (int)shape.Height));
+        Assert.InRange(shape.Outline, 0.99, 1.01);
+        Assert.InRange(shape.Continuation, 0, 0.01);
+        Assert.False(shape.TouchesBorder);
+        Assert.InRange(Table.CostOf(shape, colour, _light, out double mixed), 0, 4);
+        Assert.InRange(mixed, 0, 0.2);
+        Assert.InRange(Table.DarknessOf(shape, colour), 0, 1);
+    }
+
+    [Fact]
+    public void TryMeasure_AtTheBorder_SaysSo()
+        => Assert.True(MeasureOnly(Paint(205, 28, 32, left: 0, top: 15, columns: 6, rows: 8), 0).TouchesBorder);
+
+    [Fact]
+    public void TryMeasure_PartsWithAGap_AreOneThing()
+    {
+        byte[] picture = Paint(205, 28, 32, left: 20, top: 15, columns: 6, rows: 8);
+        Paint(picture, 205, 28, 32, left: 28, top: 15, columns: 6, rows: 8);
+        Find(picture);
+        Patch[] patches = [.. _finder.Patches.ToArray().Where(p => !p.IsStrong)];
+        Assert.Equal(2, patches.Length);
+        Assert.True(_measure.TryLook(patches, out PatchShape shape) && _measure.TryMeasure(ref shape));
+        Assert.InRange(shape.CentreX, 26.4, 26.6);
+        Assert.InRange(shape.Area, 111, 113);
+    }
+
+    [Fact]
+    public void Measure_BlueLight_IsUndone()
+    {
+        byte[] picture = Paint(205, 28, 32, left: 20, top: 15, columns: 10, rows: 8);
+        for (int at = 0; at < picture.Length; at += 3)
+            picture[at + 2] = (byte)Math.Min(255, picture[at + 2] * 3);
+        _light.Measure(picture, Width, Height);
+        Assert.InRange(_light.BlueGain, 0.5, 0.8);
+        Assert.InRange(_light.RedGain, 0.95, 1.05);
+    }
+
+    [Fact]
+    public void TryFind_PictureAfterPicture_AllocatesNothing()
+    {
+        byte[] picture = Paint(205, 28, 32, left: 20, top: 15, columns: 10, rows: 8);
+        MeasureOnly(picture, 0);
+        Patch[] first = [_finder.Patches[0]];
+        Assert.Equal(0, Allocated.By(() =>
+        {
+            Find(picture);
+            _measure.TryLook(first, out PatchShape shape);
+            _measure.TryMeasure(ref shape);
+        }));
+    }
+
+    [Fact]
+    public void New_WhiteTwice_IsRefused()
+        => Assert.Throws<ArgumentException>(
+            () => new PatchTable([new ColourRange(236, 236, 234), new ColourRange(250, 250, 250)]));
+
+    private static byte[] Paint(byte red, byte green, byte blue, int left, int top, int columns, int rows)
+    {
+        byte[] picture = new byte[Width * Height * 3];
+        Paint(picture, 86, 112, 70, 0, 0, Width, Height);
+        Paint(picture, red, green, blue, left, top, columns, rows);
+        return picture;
+    }
+
+    private static void Paint(
+        byte[] picture, byte red, byte green, byte blue, int left, int top, int columns, int rows)
+    {
+        for (int pixel = 0; pixel < columns * rows; pixel++)
+        {
+            int at = (((top + (pixel / columns)) * Width) + left + (pixel % columns)) * 3;
+            (picture[at], picture[at + 1], picture[at + 2]) = (red, green, blue);
+        }
+    }
+
+    private void Find(byte[] picture)
+    {
+        _light.Measure(picture, Width, Height);
+        Assert.True(_finder.TryFind(picture, Width, Height, Table, _light));
+        _measure.SetPicture(picture, Width, Height, _finder, _light);
+    }
+
+    private PatchShape MeasureOnly(byte[] picture, int colour)
+    {
+        Find(picture);
+        Assert.NotEqual(0, _finder.Count);
+        Assert.All(_finder.Patches.ToArray(), p => Assert.Equal(colour, p.Colour));
+        Assert.True(_measure.TryLook(_finder.Patches.Slice(0, 1), out PatchShape shape));
+        Assert.True(_measure.TryMeasure(ref shape));
+        return shape;
+    }
+}
