@@ -96,11 +96,13 @@ public sealed class MarkerDetector
             if (!_reader.TryRead(view, quad, dictionary, _options.MinContrast, out DetectedMarker marker))
                 continue;
             MarkerCorners corners = marker.Corners;
-            double misfit = WhiteGrowth.Correct(view, ref corners, dictionary, dictionary.CodeOf(marker.Id));
-            if (misfit > dictionary.Limits.MaxMisfit)
+            double misfit = WhiteGrowth.Correct(
+                view, ref corners, dictionary, dictionary.CodeOf(marker.Id), out double growth);
+            double cell = corners.MinSide / dictionary.Cells;
+            if (misfit > dictionary.Limits.MaxMisfit || growth < dictionary.Limits.MinGrowth * cell)
                 continue;
             marker.Corners = corners;
-            marker.CornerSigmaPixels = CornerSigma(corners.MinSide / dictionary.Cells, roughness);
+            marker.CornerSigmaPixels = CornerSigma(cell, roughness);
             Add(marker);
         }
     }

@@ -12,9 +12,9 @@ internal sealed class MarkerLimits
         MaxCorrected = 2,
         MinMargin = 0.6,
         MinCell = 0,
-        MaxRing = 0.35,
-        MaxQuiet = 0.3,
+        MaxUnevenness = 0.4,
         MaxMisfit = 0.22,
+        MinGrowth = -0.3,
     };
 
     /// <summary>DICT_4X4_50: 4 cells apart; one that is corrected is more often something else.</summary>
@@ -23,9 +23,9 @@ internal sealed class MarkerLimits
         MaxCorrected = 0,
         MinMargin = 0.8,
         MinCell = 0.25,
-        MaxRing = 0.22,
-        MaxQuiet = 0.2,
+        MaxUnevenness = 0.22,
         MaxMisfit = 0.14,
+        MinGrowth = -0.05,
     };
 
     /// <summary>How many cells may be read wrong.</summary>
@@ -37,12 +37,15 @@ internal sealed class MarkerLimits
     /// <summary>The same of the worst cell.</summary>
     public double MinCell { get; private init; }
 
-    /// <summary>How far the ring is from even black, root of the mean of squares; white is 1.</summary>
-    public double MaxRing { get; private init; }
-
-    /// <summary>How far the margin around it is from even white.</summary>
-    public double MaxQuiet { get; private init; }
+    /// <summary>
+    /// How far the ring is from even black and the margin around it from even white, root of the sum of their mean
+    /// squares; 1 is from black to white.
+    /// </summary>
+    public double MaxUnevenness { get; private init; }
 
     /// <summary>How far the edges between the cells lie from where they belong, cells.</summary>
     public double MaxMisfit { get; private init; }
+
+    /// <summary>How far white grows over black, cells: in no picture of a camera does black grow.</summary>
+    public double MinGrowth { get; private init; }
 }

@@ -107,8 +107,7 @@ internal sealed class MarkerReader
         }
 
         return ring >= MinRing * count && quiet >= MinQuiet * count
-            && ringOff <= limits.MaxRing * limits.MaxRing * count
-            && quietOff <= limits.MaxQuiet * limits.MaxQuiet * count;
+            && ringOff + quietOff <= limits.MaxUnevenness * limits.MaxUnevenness * count;
     }
 
     // The mean of four places about the middle of each, black 0 and white 1.

@@ -22,11 +22,12 @@ internal static class WhiteGrowth
     /// <param name="corners">Of the upright marker.</param>
     /// <param name="dictionary">Of the marker.</param>
     /// <param name="code">Its payload.</param>
+    /// <param name="growth">Of white over black, pixels.</param>
     public static double Correct(
-        in GreyView grey, ref MarkerCorners corners, MarkerDictionary dictionary, ulong code)
+        in GreyView grey, ref MarkerCorners corners, MarkerDictionary dictionary, ulong code, out double growth)
     {
         MarkerCorners seen = corners;
-        double growth = 0;
+        growth = 0;
         double misfit = 0;
         for (int round = 0; round < Rounds; round++)
         {
