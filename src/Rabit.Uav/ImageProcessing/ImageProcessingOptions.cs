@@ -36,7 +36,8 @@ public sealed class ImageProcessingOptions
     public ImmutableArray<TargetClass> TargetClasses { get; set; } = TargetClass.Defaults;
 
     /// <summary>What finds targets in pictures. It belongs to one manager; its thread is that of the manager.</summary>
-    /// <value>The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>.</value>
+    /// <value>The default, null, is a <see cref="ColourTargetDetector"/> of <see cref="TargetClasses"/>, and a
+    /// <see cref="MarkerTargetDetector"/> of those that are markers.</value>
     public ITargetDetector? Detector { get; set; }
 
     /// <summary>
@@ -126,7 +127,18 @@ public sealed class ImageProcessingOptions
     internal double EffectiveMinTargetPixels
         => MinTargetPixels ?? (Detector is null ? ColourDetector.MinSidePixels : 0);
 
-    internal ColourTargetDetector CreateColourDetector() => new(TargetClasses, ColourDetector, Errors.PixelNoise);
+    internal ITargetDetector CreateDetector()
+    {
+        ImmutableArray<TargetClass> markers = [.. TargetClasses.Where(c => c.Marker is not null)];
+        ImmutableArray<TargetClass> coloured = [.. TargetClasses.Where(c => c.Marker is null)];
+        if (markers.IsEmpty)
+            return new ColourTargetDetector(coloured, ColourDetector, Errors.PixelNoise);
+        var markerDetector = new MarkerTargetDetector(markers);
+        return coloured.IsEmpty
+            ? markerDetector
+            : new CombinedTargetDetector(
+                new ColourTargetDetector(coloured, ColourDetector, Errors.PixelNoise), markerDetector);
+    }
 
     internal IEnumerable<string> FindFaults(bool hasCamera)
         => FindFaultsOfValues(hasCamera).Concat(FindFaultsInParts());
@@ -170,6 +182,6 @@ public sealed class ImageProcessingOptions
             .Concat(TargetClass.FindFaults(TargetClasses))
             .Concat(ColourDetector?.FindFaults() ?? [])
             .Concat(Detector is null && !TargetClasses.IsDefault
-                ? ColourTargetDetector.FindColourFaults(TargetClasses)
+                ? ColourTargetDetector.FindColourFaults([.. TargetClasses.Where(c => c?.Marker is null)])
                 : []);
 }

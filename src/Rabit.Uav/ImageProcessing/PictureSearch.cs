@@ -44,7 +44,7 @@ internal sealed class PictureSearch : IGroundScaleSource
         _poses = poses;
         _maxExtrapolation = options.MaxExtrapolation;
         _detector = new DetectorRunner(
-            options.Detector ?? options.CreateColourDetector(), options.DetectorTimeBudget,
+            options.Detector ?? options.CreateDetector(), options.DetectorTimeBudget,
             options.MaxReportsPerPicture, clock);
         _wanted = new WantedClasses(options.TargetClasses);
         _minTargetPixels = options.EffectiveMinTargetPixels;
@@ -247,6 +247,7 @@ internal sealed class PictureSearch : IGroundScaleSource
             SystematicCovariance = systematic,
             Sensitivity = projection.CreateSensitivity(ImmutableArray.Create(_byOffset)),
             Class = detection.Class,
+            MarkerId = detection.MarkerId,
             Score = detection.Score,
             SizeMetres = side,
             CentreX = column,

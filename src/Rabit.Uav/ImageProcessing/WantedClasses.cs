@@ -20,7 +20,10 @@ internal sealed class WantedClasses
         MinSideMetres = MinSideOf(declared);
     }
 
-    /// <summary>Side of the smallest target of the classes that were selected last, metres.</summary>
+    /// <summary>
+    /// Side of the smallest target of the classes that were selected last, metres; of a marker, of a part that must be
+    /// seen of it.
+    /// </summary>
     public double MinSideMetres { get; private set; }
 
     /// <summary>Names of the last command that are not declared; null if all are.</summary>
@@ -47,5 +50,5 @@ internal sealed class WantedClasses
     }
 
     private static double MinSideOf(ImmutableArray<TargetClass> classes)
-        => classes.IsEmpty ? double.PositiveInfinity : classes.Min(c => c.MinSideMetres);
+        => classes.IsEmpty ? double.PositiveInfinity : classes.Min(c => c.ResolvedSideMetres);
 }

@@ -45,6 +45,11 @@ public struct TargetReport
     /// <summary>Its class: a declared one, or that of another vehicle.</summary>
     public TargetClassName Class { get; set; }
 
+    /// <summary>
+    /// The id of the printed marker that it is; null for what is none, and where another vehicle saw it.
+    /// </summary>
+    public int? MarkerId { get; set; }
+
     /// <summary>How confident the detector is, 0 to 1.</summary>
     public double Score { get; set; }
 

@@ -99,7 +99,7 @@ public sealed class MarkerDetector
             double misfit = WhiteGrowth.Correct(
                 view, ref corners, dictionary, dictionary.CodeOf(marker.Id), out double growth);
             double cell = corners.MinSide / dictionary.Cells;
-            if (misfit > dictionary.Limits.MaxMisfit || growth < dictionary.Limits.MinGrowth * cell)
+            if (misfit > dictionary.Limits.MaxMisfitOf(cell) || growth < dictionary.Limits.MinGrowth * cell)
                 continue;
             marker.Corners = corners;
             marker.CornerSigmaPixels = CornerSigma(cell, roughness);

@@ -1,3 +1,5 @@
+using System;
+
 namespace Rabit.Vision;
 
 /// <summary>
@@ -14,6 +16,7 @@ internal sealed class MarkerLimits
         MinCell = 0,
         MaxUnevenness = 0.4,
         MaxMisfit = 0.22,
+        MaxMisfitPixels = double.PositiveInfinity,
         MinGrowth = -0.3,
     };
 
@@ -25,6 +28,7 @@ internal sealed class MarkerLimits
         MinCell = 0.25,
         MaxUnevenness = 0.22,
         MaxMisfit = 0.14,
+        MaxMisfitPixels = 0.3,
         MinGrowth = -0.05,
     };
 
@@ -45,6 +49,12 @@ internal sealed class MarkerLimits
 
     /// <summary>How far the edges between the cells lie from where they belong, cells.</summary>
     public double MaxMisfit { get; private init; }
+
+    /// <summary>The same in pixels, for those with large cells.</summary>
+    public double MaxMisfitPixels { get; private init; }
+
+    /// <summary>What both limits leave, cells; blur may take a little of large cells too.</summary>
+    public double MaxMisfitOf(double cellPixels) => Math.Min(MaxMisfit, Math.Max(0.06, MaxMisfitPixels / cellPixels));
 
     /// <summary>How far white grows over black, cells: in no picture of a camera does black grow.</summary>
     public double MinGrowth { get; private init; }

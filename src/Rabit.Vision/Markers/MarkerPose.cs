@@ -3,7 +3,8 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>
-/// Where a marker is, and how it is turned, in the axes of the camera: x to the right, y down, z along the optical axis.
+/// Where a marker is, and how it is turned, in the axes of the camera: x to the right, y down, z along the optical
+/// axis.
 /// The marker's own axes are the same when it is seen upright and straight from the front. A plain value.
 /// </summary>
 public struct MarkerPose

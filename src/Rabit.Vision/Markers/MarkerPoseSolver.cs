@@ -13,6 +13,7 @@ namespace Rabit.Vision;
 /// <example>
 /// A marker of 0.5 m, by a camera without distortion whose focal length is 900 pixels:
 /// <code>
+/// DetectedMarker marker = default;   // as MarkerDetector found it
 /// var rays = new PicturePoint[4];
 /// for (int i = 0; i &lt; 4; i++)
 ///     rays[i] = new PicturePoint((marker.Corners[i].X - 319.5) / 900, (marker.Corners[i].Y - 239.5) / 900);
@@ -28,11 +29,13 @@ public static class MarkerPoseSolver
 
     /// <summary>Finds both poses; false if the corners are none of a square in front of the camera.</summary>
     /// <param name="rays">
-    /// Where the four corners are, in the order of <see cref="MarkerCorners"/>, without lens distortion: to the right and
-    /// down, for 1 along the optical axis.
+    /// Where the four corners are, in the order of <see cref="MarkerCorners"/>, without lens distortion: to the right
+    /// and down, for 1 along the optical axis.
     /// </param>
     /// <param name="sideMetres">Side of the black square.</param>
-    /// <param name="sigma">How uncertain each coordinate is, one standard deviation: pixels by the focal length.</param>
+    /// <param name="sigma">
+    /// How uncertain each coordinate is, one standard deviation: pixels by the focal length.
+    /// </param>
     /// <param name="best">The pose that fits better.</param>
     /// <param name="other">The other one; the same where there is only one, as straight from the front.</param>
     /// <exception cref="ArgumentException">There are not four corners, or the side or sigma is not above 0.</exception>

@@ -10,7 +10,7 @@ internal ref struct PoseFit
 
     private readonly ReadOnlySpan<PicturePoint> _rays;
     private readonly double _half;
-    private RotationMatrix _rotation;
+    private MarkerRotation _rotation;
     private double _x;
     private double _y;
     private double _z;
@@ -33,7 +33,7 @@ internal ref struct PoseFit
         double first = Math.Sqrt((map.A * map.A) + (map.D * map.D) + (map.G * map.G));
         double second = Math.Sqrt((map.B * map.B) + (map.E * map.E) + (map.H * map.H));
         double scale = 2 * (2 * _half) / (first + second);
-        _rotation = RotationMatrix.FromAxes(map.A, map.D, map.G, map.B, map.E, map.H);
+        _rotation = MarkerRotation.FromAxes(map.A, map.D, map.G, map.B, map.E, map.H);
         (_x, _y, _z) = (c * scale, f * scale, i * scale);
     }
 
@@ -158,7 +158,8 @@ internal ref struct PoseFit
             {
                 double seen = (axis == 0 ? x + _x : y + _y) / depth;
                 double off = (axis == 0 ? _rays[corner].X : _rays[corner].Y) - seen;
-                (double px, double py, double pz) = (axis == 0 ? 1 / depth : 0, axis == 1 ? 1 / depth : 0, -seen / depth);
+                (double px, double py) = axis == 0 ? (1 / depth, 0.0) : (0.0, 1 / depth);
+                double pz = -seen / depth;
 
                 // Turning by w moves the corner by w x corner.
                 row[0] = (pz * y) - (py * z);

@@ -20,6 +20,7 @@ public sealed class OwnDetectorTests
 
         TargetReport report = Assert.Single(rig.Sink.Reports);
         Assert.Equal(("person", 0.7), (report.Class.ToString(), report.Score));
+        Assert.Equal(12, report.MarkerId);
         NedPosition ned = LocalNedFrame.IgnoringGeoid(rig.View.Position).ToNed(report.Position);
         Assert.True(rig.View.TryProject(ned.North, ned.East, out double column, out double row));
         Assert.Equal((200, 150), (Math.Round(column), Math.Round(row)));
@@ -179,6 +180,7 @@ public sealed class OwnDetectorTests
     private static TargetDetection Detection() => new()
     {
         Class = Person.Name,
+        MarkerId = 12,
         CentreX = 200,
         CentreY = 150,
         WidthPixels = 20,

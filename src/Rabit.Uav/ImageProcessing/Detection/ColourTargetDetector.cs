@@ -80,7 +80,7 @@ public sealed class ColourTargetDetector : ITargetDetector
         foreach (ref readonly Blob blob in _finder.Blobs)
         {
             if (TryDetect(blob, input.GroundScale, out TargetDetection detection))
-                Insert(detection, detections, ref count, ref dropped);
+                DetectionOrder.Insert(detection, detections, ref count, ref dropped);
         }
 
         return DetectorResult.Found(count, dropped);
@@ -107,24 +107,6 @@ public sealed class ColourTargetDetector : ITargetDetector
         }
 
         return max;
-    }
-
-    // The most confident first; of equal ones, the one that was found first.
-    private static void Insert(
-        in TargetDetection detection, Span<TargetDetection> detections, ref int count, ref int dropped)
-    {
-        int place = count;
-        while (place > 0 && detections[place - 1].Score < detection.Score)
-            place--;
-        if (count == detections.Length)
-            dropped++;
-        else
-            count++;
-        if (place >= count)
-            return;
-        for (int i = count - 1; i > place; i--)
-            detections[i] = detections[i - 1];
-        detections[place] = detection;
     }
 
     // The pixels at the edge, which are half ground, may be missing: of a small target that is most of its area.

@@ -11,6 +11,9 @@ namespace Rabit.Uav.ImageProcessing;
 /// </summary>
 public sealed class TargetClass
 {
+    // A marker is read from about 14 pixels on, and a panel found from 4.
+    private const double PanelsPerMarker = 3.5;
+
     /// <summary>Declares a class.</summary>
     /// <param name="name">
     /// 1 to 16 printable ASCII characters: in reports, tracks, the mission file, and between vehicles.
@@ -61,6 +64,15 @@ public sealed class TargetClass
     /// </summary>
     public ColourRange? Colour { get; init; }
 
+    /// <summary>
+    /// The printed markers that it consists of; the size is then the side of the black square. Null, the default, for
+    /// what is no marker.
+    /// </summary>
+    public TargetMarker? Marker { get; init; }
+
+    // What must be resolved of it as four pixels are of a panel: of a marker, that its cells can be read.
+    internal double ResolvedSideMetres => Marker is null ? MinSideMetres : MinSideMetres / PanelsPerMarker;
+
     internal static IEnumerable<string> FindFaults(ImmutableArray<TargetClass> classes)
     {
         if (classes.IsDefaultOrEmpty)
@@ -95,6 +107,9 @@ public sealed class TargetClass
                 yield return FormattableString.Invariant(
                     $"{nameof(MinColourShare)} of target class {targetClass.Name} is {targetClass.MinColourShare}; it must be above 0, at most 1");
             }
+
+            foreach (string fault in targetClass.Marker?.FindFaults(targetClass) ?? [])
+                yield return fault;
         }
     }
 }

@@ -26,6 +26,9 @@ public struct TargetDetection
     /// </summary>
     public double SideMetres { get; set; }
 
+    /// <summary>The id of the printed marker that it is; null for what is none.</summary>
+    public int? MarkerId { get; set; }
+
     /// <summary>How confident the detector is, 0 to 1.</summary>
     public double Score { get; set; }
 

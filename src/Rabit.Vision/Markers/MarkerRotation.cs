@@ -3,7 +3,7 @@ using System;
 namespace Rabit.Vision;
 
 /// <summary>A rotation from a marker to the camera, as three columns: the marker's axes. A plain value.</summary>
-internal readonly struct RotationMatrix
+internal readonly struct MarkerRotation
 {
     private readonly double _xx;
     private readonly double _xy;
@@ -16,7 +16,7 @@ internal readonly struct RotationMatrix
     private readonly double _zz;
 
     // The columns x and y, at right angles and of length 1; z follows.
-    private RotationMatrix(double xx, double xy, double xz, double yx, double yy, double yz)
+    private MarkerRotation(double xx, double xy, double xz, double yx, double yy, double yz)
     {
         (_xx, _xy, _xz, _yx, _yy, _yz) = (xx, xy, xz, yx, yy, yz);
         _zx = (xy * yz) - (xz * yy);
@@ -28,7 +28,7 @@ internal readonly struct RotationMatrix
     public (double X, double Y, double Z) Normal => (_zx, _zy, _zz);
 
     /// <summary>The nearest to two directions of the marker's axes x and y: both are turned alike.</summary>
-    public static RotationMatrix FromAxes(double ax, double ay, double az, double bx, double by, double bz)
+    public static MarkerRotation FromAxes(double ax, double ay, double az, double bx, double by, double bz)
     {
         double a = Math.Sqrt((ax * ax) + (ay * ay) + (az * az));
         double b = Math.Sqrt((bx * bx) + (by * by) + (bz * bz));
@@ -36,7 +36,7 @@ internal readonly struct RotationMatrix
         (double sx, double sy, double sz) = Unit(ax + bx, ay + by, az + bz);
         (double dx, double dy, double dz) = Unit(ax - bx, ay - by, az - bz);
         double half = Math.Sqrt(0.5);
-        return new RotationMatrix(
+        return new MarkerRotation(
             half * (sx + dx), half * (sy + dy), half * (sz + dz), half * (sx - dx), half * (sy - dy), half * (sz - dz));
     }
 
@@ -49,7 +49,7 @@ internal readonly struct RotationMatrix
     }
 
     /// <summary>Turned further by a vector in the axes of the camera: its length is the angle, radians.</summary>
-    public RotationMatrix Turned(double x, double y, double z)
+    public MarkerRotation Turned(double x, double y, double z)
     {
         double angle = Math.Sqrt((x * x) + (y * y) + (z * z));
         if (angle < 1e-15)
