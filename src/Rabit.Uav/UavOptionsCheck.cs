@@ -107,6 +107,9 @@ internal static class UavOptionsCheck
             string declared = string.Join(", ", imaging.TargetClasses.Select(c => c?.Name));
             foreach (TargetClassName name in mission.Targets.Where(n => imaging.TargetClasses.All(c => c?.Name != n)))
                 yield return $"target {name} of the mission is no target class; there are {declared}";
+            foreach (TargetClassName name in (mission.TargetMotions?.Keys ?? [])
+                .Where(n => imaging.TargetClasses.All(c => c?.Name != n)))
+                yield return $"targetMotions of the mission has {name}, which is no target class; there are {declared}";
         }
 
         if (mission is not null && FindGapBetweenLanes(mission, options) is { } gap)

@@ -90,6 +90,12 @@ public sealed class UavPartsTests
                 o.Camera = new ScriptedCamera([]);
                 o.Imaging.Camera = new CameraModel { Width = 640, Height = 480, FocalX = 530, FocalY = 530 };
             } },
+        { "targetMotions of the mission has rde, which is no target class; there are red,", o =>
+        {
+            o.Mission = MissionPlan.Parse(
+                MissionRig.Text().TrimEnd().TrimEnd('}') + ", \"targetMotions\": {\"rde\": \"walking\"} }", "typo");
+            o.Camera = new ScriptedCamera([]);
+        } },
         { "2 managers are named 'autopilot'", o => o.OtherManagers = [new WorkingManager("autopilot")] },
         { "vehicle messages are the work of Communications, which Without has", o =>
         {

@@ -9,7 +9,7 @@ namespace Rabit.Uav.Web.Serving;
 /// <summary>Reads the body of a command: what to do, with which vehicle, and what belongs to it.</summary>
 internal static class CommandReader
 {
-    private const string Reason = "live page";
+    private const string Reason = "commanded in the browser";
 
     private static readonly Dictionary<string, OperatorCommand> Commands = new(StringComparer.Ordinal)
     {
@@ -26,6 +26,9 @@ internal static class CommandReader
         ["set"] = OperatorCommand.ChangeParameter,
     };
 
+    // Two commands in one body: none of them is meant for certain.
+    private static readonly JsonDocumentOptions Options = new() { MaxDepth = 4, AllowDuplicateProperties = false };
+
     /// <param name="body">JSON.</param>
     /// <param name="by">Who commands, for the log.</param>
     /// <param name="vehicle">The number of the vehicle, from 0.</param>
@@ -36,12 +39,13 @@ internal static class CommandReader
         (vehicle, request) = (0, null);
         try
         {
-            using JsonDocument document = JsonDocument.Parse(body, new JsonDocumentOptions { MaxDepth = 4 });
+            using JsonDocument document = JsonDocument.Parse(body, Options);
             return Read(document.RootElement, by, ref vehicle, out request);
         }
-        catch (JsonException)
+        catch (Exception e) when (e is JsonException or InvalidOperationException)
         {
-            return "The body is no JSON.";
+            // The second: a text with half a surrogate pair.
+            return "The body is no JSON. Nothing may be named twice in it.";
         }
     }
 
@@ -88,7 +92,8 @@ internal static class CommandReader
     {
         request = null;
         if (!body.TryGetProperty("parameter", out JsonElement name) || name.ValueKind != JsonValueKind.String
-            || !Enum.TryParse(name.GetString(), out MissionParameter parameter) || !Enum.IsDefined(parameter))
+            || !Enum.TryParse(name.GetString(), out MissionParameter parameter)
+            || Enum.GetName(parameter) != name.GetString())
             return "parameter: it must be one of " + string.Join(", ", Enum.GetNames<MissionParameter>()) + ".";
         if (!TryGetNumber(body, "value", 1e9, out double value))
             return "value: it must be a number.";

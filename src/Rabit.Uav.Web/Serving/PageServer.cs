@@ -25,7 +25,9 @@ internal static class PageServer
     private const int ConnectionsForPictures = 64;
 
     private static readonly TimeSpan HeadersTimeout = TimeSpan.FromSeconds(5);
-    private static readonly TimeSpan IdleTimeout = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan IdleTimeout = TimeSpan.FromSeconds(5);
+    // Who holds a request open at the end must not hold the program.
+    private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(1);
     private static readonly TimeSpan PingPeriod = TimeSpan.FromSeconds(10);
 
     public static WebApplication Create(LivePageOptions options, PageCounters counters, RequestDelegate handle)
@@ -34,6 +36,7 @@ internal static class PageServer
         WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
         builder.WebHost.UseKestrelCore();
         builder.Services.AddSingleton<IHostLifetime, NoLifetime>();
+        builder.Services.Configure<HostOptions>(host => host.ShutdownTimeout = StopTimeout);
         var gate = new ConnectionGate(options.MaxBrowsers + ConnectionsForPictures, counters);
         builder.WebHost.ConfigureKestrel(kestrel =>
         {

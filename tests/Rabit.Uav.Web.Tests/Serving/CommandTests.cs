@@ -50,6 +50,10 @@ public sealed class CommandTests
     [InlineData("""{"command":"set","parameter":"77","value":40}""", "parameter: it must be one of Height")]
     [InlineData("""{"command":"set","parameter":"Colour","value":40}""", "parameter: it must be one of Height")]
     [InlineData("""{"command":"hold","a":[[[[[[1]]]]]]}""", "The body is no JSON.")]
+    [InlineData("""{"command":"hold","command":"land"}""", "Nothing may be named twice")]
+    [InlineData("""{"command":"\ud800"}""", "The body is no JSON.")]
+    [InlineData("""{"command":"set","parameter":"\ud800","value":1}""", "The body is no JSON.")]
+    [InlineData("""{"command":"set","parameter":"0","value":1}""", "parameter: it must be one of Height")]
     public async Task Post_Malformed_IsRefusedByName(string body, string fault)
     {
         await using EmptyPage page = await EmptyPage.StartAsync();

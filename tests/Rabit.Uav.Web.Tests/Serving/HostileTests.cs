@@ -51,6 +51,18 @@ public sealed class HostileTests
         await EmptyPage.WaitAsync(() => page.Page.Counters.ConnectionsWithoutRequest == 1);
     }
 
+    // The host alone would wait for it for 30 s.
+    [Fact]
+    public async Task Close_WhileABodyIsHalfSent_DoesNotWaitForIt()
+    {
+        EmptyPage page = await EmptyPage.StartAsync();
+        using TcpClient client = await page.ConnectAsync(
+            "POST /command HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+                + $"Authorization: Bearer {EmptyPage.Token}\r\nContent-Length: 5000\r\n\r\n{{");
+        await Task.Delay(200);
+        await page.DisposeAsync().AsTask().WaitAsync(TimeSpan.FromSeconds(20));
+    }
+
     [Theory]
     [InlineData("\u0016\u0003\u0001\u0002\u0000\u0001\u0000\u0001\u00fc\u0003\u0003")]
     [InlineData("GET / HTTP/9.9\r\n\r\n")]
