@@ -127,6 +127,26 @@ public class TerrainMissionTests(ITestOutputHelper output)
         Assert.InRange(least, Height - ToleranceMetres, 80);
     }
 
+    // The heading of a vehicle is never still.
+    [Fact]
+    public void Continue_LeftLow_CommandsTheClimbOnce()
+    {
+        using MissionRig rig = Rig(Level, MissionRig.Mission());
+        rig.RunUntil(MissionPhase.InTransit);
+        rig.Manager.Hold("test", "low");
+        rig.Run(3);
+        rig.Vehicle.Height = 6;
+        double jitter = 0;
+        rig.Vehicle.More = (ref VehicleState s)
+            => s.Attitude = EulerAngles.FromRadians(0, 0, jitter = 0.001 - jitter);
+        rig.Run(1);
+        int before = GoTos(rig);
+        rig.Manager.ContinueMission("test", "on");
+        rig.Run(5);
+        Assert.InRange(rig.Vehicle.Height, 7, Height - 5);
+        Assert.Equal(1, GoTos(rig) - before);
+    }
+
     [Theory]
     [InlineData(15, 0.06, 43)]
     [InlineData(8, 0.10, 44)]
@@ -264,5 +284,7 @@ public class TerrainMissionTests(ITestOutputHelper output)
     };
 
     // Of the hill at home, so that the ground there is at 0.
+    private static int GoTos(MissionRig rig) => rig.Story.Split([": go to"], StringSplitOptions.None).Length - 1;
+
     private static double Centre(double height, double width) => height * Math.Exp(-105.0 * 105 / (2 * width * width));
 }

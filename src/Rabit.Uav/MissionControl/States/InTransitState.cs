@@ -15,6 +15,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
     private TimeSpan _limit;
     private double _speed;
     private PlanePoint? _climbAt;
+    private double _climbYaw;
 
     public override void Enter(MissionFlight flight, MissionEvent by, string reason)
     {
@@ -31,6 +32,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
 
         // A mission that continues may have been left low: what lies in the way is flown over.
         _climbAt = climb > LowMetres ? flight.Position : null;
+        _climbYaw = flight.Vehicle.Attitude.Yaw.Radians;
     }
 
     public override MissionStep Tick(MissionFlight flight, TimeSpan inPhase)
@@ -68,7 +70,7 @@ internal sealed class InTransitState() : MissionState(MissionPhase.InTransit)
     private void Climb(MissionFlight flight, PlanePoint at)
     {
         double height = HeightHere(flight);
-        flight.SetGoalPosition(at, flight.Mission.HeightMetres, flight.Vehicle.Attitude.Yaw.Radians);
+        flight.SetGoalPosition(at, flight.Mission.HeightMetres, _climbYaw);
         flight.Text = $"climbing: {MissionNumbers.Of(flight.HeightMetres)} of {MissionNumbers.Of(height)} m";
         if (flight.HeightMetres >= height - PathFollower.ArrivalMetres)
             _climbAt = null;
