@@ -218,7 +218,7 @@ function showLists() {
     const row = make("div", null, "link");
     const isWell = link.state === "Receiving" || link.optional || link.state === "Ended";
     row.append(make("b", link.name ?? "link"), " ", make("span", link.state.toLowerCase(), isWell ? "soft" : "bad-text"), make("br"),
-      `${number(link.in, 1)} in, ${number(link.out, 1)} out a second`);
+      `${number(link.in, 1)} frames/s in, ${number(link.out, 1)} out`);
     const lost = [link.missing && `${link.missing} missing`, link.lost && `${link.lost} bytes lost`, link.dropped && `${link.dropped} dropped`, link.roundTrip != null && `${link.roundTrip} ms round trip`, link.progress != null && `${link.progress} % of the log`, link.fault].filter(Boolean);
     if (lost.length) row.append(make("br"), make("span", lost.join(", "), "soft"));
     return row;
