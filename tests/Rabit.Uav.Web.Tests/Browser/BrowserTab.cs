@@ -65,8 +65,25 @@ internal sealed class BrowserTab
 
     public Task<string> TextAsync(string id) => EvaluateAsync($"document.getElementById('{id}').textContent");
 
-    /// <summary>Presses the middle of an element with the mouse, as a person does.</summary>
+    /// <summary>
+    /// Presses the middle of an element with the mouse, as a person does: again where the page moved it away in between.
+    /// </summary>
     public async Task ClickAsync(string selector)
+    {
+        await EvaluateAsync(
+            "(() => { window.isHit = false; document.addEventListener('click', "
+                + $"e => {{ if (e.target.closest(\"{selector}\")) window.isHit = true; }}, true); }})()");
+        for (int attempt = 0; attempt < 10; attempt++)
+        {
+            await PressAsync(selector);
+            if (await EvaluateAsync("window.isHit") == "true")
+                return;
+        }
+
+        throw new InvalidOperationException($"The mouse does not hit {selector}.");
+    }
+
+    private async Task PressAsync(string selector)
     {
         string place = await EvaluateAsync(
             $"(() => {{ const e = document.querySelector(\"{selector}\"); e.scrollIntoView({{ block: 'center', behavior: 'instant' }}); "
