@@ -66,7 +66,7 @@ internal sealed class BrowserTab
     public Task<string> TextAsync(string id) => EvaluateAsync($"document.getElementById('{id}').textContent");
 
     /// <summary>
-    /// Presses the middle of an element with the mouse, as a person does: again where the page moved it away in between.
+    /// Presses the middle of an element with the mouse, as a person does; again where the page moved it away meanwhile.
     /// </summary>
     public async Task ClickAsync(string selector)
     {
