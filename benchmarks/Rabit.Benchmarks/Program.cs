@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using BenchmarkDotNet.Configs;
 using BenchmarkDotNet.Diagnosers;
+using BenchmarkDotNet.Engines;
 using BenchmarkDotNet.Filters;
 using BenchmarkDotNet.Jobs;
 using BenchmarkDotNet.Reports;
@@ -10,8 +11,9 @@ using BenchmarkDotNet.Running;
 using Rabit.Benchmarks.Vision;
 
 // Without arguments all of them; `-- --filter *Queue*` chooses, `-- --list flat` lists, `-- --job Dry` only tries
-// whether they run.
+// whether they run, each once (with `-i` in this process, which needs no second build).
 
+bool tries = args.Contains("Dry", StringComparer.OrdinalIgnoreCase);
 bool chooses = args.Any(a => a is "--filter" or "-f" or "--list" or "--help" or "--info" or "--version");
 string[] arguments = chooses ? args : [.. args, "--filter", "*"];
 
@@ -22,6 +24,7 @@ IConfig config = ManualConfig.Create(DefaultConfig.Instance)
     .WithBuildTimeout(TimeSpan.FromMinutes(10))
     .AddDiagnoser(MemoryDiagnoser.Default)
     .AddFilter(new SimpleFilter(IsInstalled))
+    .AddFilter(new SimpleFilter(IsOfTheTrial))
     .AddJob(build);
 if (!TurboJpeg.IsInstalled)
     Console.WriteLine("// Skipped: JpegBenchmarks.LibTurboJpeg, libturbojpeg.so.0 is missing (Debian: libturbojpeg0).");
@@ -39,3 +42,7 @@ return failed.Length > 0 || summaries.Exists(s => s.HasCriticalValidationErrors)
 // What compares with a library of the system is left out where that is missing; the rest of its class still runs.
 static bool IsInstalled(BenchmarkCase benchmark) =>
     TurboJpeg.IsInstalled || benchmark.Descriptor.WorkloadMethod.Name != nameof(JpegBenchmarks.LibTurboJpeg);
+
+// A class that names a job of its own is run by that one as well; to see whether it runs, once will do.
+bool IsOfTheTrial(BenchmarkCase benchmark) =>
+    !tries || benchmark.Job.Run.RunStrategy == RunStrategy.ColdStart;
