@@ -46,7 +46,7 @@ public struct TargetReport
     public TargetClassName Class { get; set; }
 
     /// <summary>
-    /// The id of the printed marker that it is; null for what is none, and where another vehicle saw it.
+    /// The id of the printed marker that it is, 0 to 65534; null for what is none.
     /// </summary>
     public int? MarkerId { get; set; }
 

@@ -18,6 +18,9 @@ public sealed class TargetTrack
     /// <summary>Its class.</summary>
     public TargetClassName Class { get; init; }
 
+    /// <summary>The id of the printed marker that it is; null for what is none.</summary>
+    public int? MarkerId { get; init; }
+
     /// <summary>How targets of its class move.</summary>
     public TargetMotion Motion { get; init; }
 

@@ -26,6 +26,9 @@ internal sealed class FusedTrack
 
     public TargetClassName Class { get; }
 
+    /// <summary>The id of the printed marker that it is; null where none was read.</summary>
+    public int? MarkerId { get; private set; }
+
     public TrackState State { get; set; }
 
     /// <summary>What the operator said about it, which the state follows.</summary>
@@ -71,6 +74,12 @@ internal sealed class FusedTrack
     /// <summary>How uncertain it is: random and systematic part.</summary>
     public HorizontalCovariance Covariance => Filter.PositionCovariance + Systematic;
 
+    /// <summary>
+    /// Whether what has this class and marker may be the same target: an id that was not read excludes none.
+    /// </summary>
+    public bool MayBe(TargetClassName targetClass, int? markerId)
+        => targetClass == Class && (markerId is null || MarkerId is null || markerId == MarkerId);
+
     /// <summary>The filter at a time; at its own time if that is later.</summary>
     public PlanarFilter FilterAt(TimeSpan time, double processNoise)
     {
@@ -106,6 +115,7 @@ internal sealed class FusedTrack
         Filter = filter;
         Time = time;
         Systematic = Larger(Systematic, other.Systematic);
+        MarkerId ??= other.MarkerId;
         FirstSeen = other.FirstSeen < FirstSeen ? other.FirstSeen : FirstSeen;
         Reports += other.Reports;
         _sizeSum += other._sizeSum;
@@ -132,6 +142,7 @@ internal sealed class FusedTrack
         State = State,
         Decision = Decision,
         Class = Class,
+        MarkerId = MarkerId,
         Position = frame.ToGeodetic(new NedPosition(Filter.North, Filter.East, Down)),
         VelocityNed = new NedVector(Filter.NorthRate, Filter.EastRate, 0),
         Covariance = Covariance,
@@ -155,6 +166,7 @@ internal sealed class FusedTrack
     private void Describe(in LocatedReport report)
     {
         Reports++;
+        MarkerId ??= report.Report.MarkerId;
         Down = report.Down;
         LastSource = report.Report.SourceSystemId;
         _sizeSum += report.Report.SizeMetres;

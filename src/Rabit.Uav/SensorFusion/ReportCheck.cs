@@ -15,6 +15,7 @@ internal static class ReportCheck
     private const double MaxSizeMetres = 50;
     private const double MaxAltitudeMetres = 20_000;
     private const int MaxIndex = 10_000;
+    private const int MaxMarkerId = ushort.MaxValue - 1;
 
     // Times of other vehicles are mapped by Communications, from ages.
     private static readonly TimeSpan FutureTolerance = TimeSpan.FromSeconds(1);
@@ -36,7 +37,8 @@ internal static class ReportCheck
             return ReportFault.Covariance;
         bool isDescribed = !report.Class.IsNone
             && report.Score is >= 0 and <= 1
-            && report.SizeMetres is > 0 and <= MaxSizeMetres;
+            && report.SizeMetres is > 0 and <= MaxSizeMetres
+            && report.MarkerId is null or (>= 0 and <= MaxMarkerId);
         return isDescribed ? ReportFault.None : ReportFault.Description;
     }
 

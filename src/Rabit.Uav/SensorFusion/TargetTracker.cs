@@ -80,7 +80,7 @@ internal sealed class TargetTracker(SensorFusionOptions options, FusionStatistic
         {
             for (int t = 0; t < _tracks.Count; t++)
             {
-                if (_tracks[t].Class != reports[r].Report.Class)
+                if (!_tracks[t].MayBe(reports[r].Report.Class, reports[r].Report.MarkerId))
                     continue;
                 Innovation innovation = Compare(_tracks[t], reports[r]);
                 if (innovation.DistanceSquared <= options.Gate)

@@ -77,7 +77,7 @@ internal sealed class TrackMerger
 
     private bool AreOne(FusedTrack a, FusedTrack b, long observation, double processNoise)
     {
-        if (a.Class != b.Class)
+        if (!a.MayBe(b.Class, b.MarkerId))
             return false;
         TimeSpan time = a.Time > b.Time ? a.Time : b.Time;
         PlanarFilter fa = a.FilterAt(time, processNoise);

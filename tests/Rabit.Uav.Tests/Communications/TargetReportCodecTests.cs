@@ -35,15 +35,16 @@ public sealed class TargetReportCodecTests
                     nn, Math.Sqrt(nn * ee) * ((random.NextDouble() * 1.9) - 0.95), ee),
                 SystematicCovariance = i % 3 == 0 ? default : new HorizontalCovariance(ee, 0, nn),
                 Class = RandomName(random),
+                MarkerId = i % 2 == 0 ? null : random.Next(65535),
                 Score = random.NextDouble(),
                 SizeMetres = random.NextDouble() * 60,
                 CentreX = random.NextDouble() * 640,
                 CentreY = random.NextDouble() * 480,
             };
             Assert.True(Codec.TryEncode(report, Now, buffer, out int length), $"seed {Seed}, report {i}");
-            Assert.Equal(58 + report.Class.Length, length);
+            Assert.Equal(60 + report.Class.Length, length);
             Assert.True(
-                Codec.TryDecode(buffer.AsSpan(0, length), 2, Now + TimeSpan.FromSeconds(5), 7, out TargetReport back),
+                Codec.TryDecode(buffer.AsSpan(0, length), 3, Now + TimeSpan.FromSeconds(5), 7, out TargetReport back),
                 $"seed {Seed}, report {i}");
             AssertEqual(report, back);
         }
@@ -61,8 +62,8 @@ public sealed class TargetReportCodecTests
                 : random.Next(TargetReportCodec.MinLength, TargetReportCodec.MaxLength + 1)];
             random.NextBytes(bytes);
             if (bytes.Length > 1 && i % 2 == 0)
-                (bytes[0], bytes[1]) = (2, (byte)(bytes.Length - 58));
-            if (Codec.TryDecode(bytes, 2, Now, 7, out TargetReport report))
+                (bytes[0], bytes[1]) = (3, (byte)(bytes.Length - 60));
+            if (Codec.TryDecode(bytes, 3, Now, 7, out TargetReport report))
                 AssertValid(report, $"seed {Seed}, case {i}");
         }
     }
@@ -80,7 +81,7 @@ public sealed class TargetReportCodecTests
             byte[] bytes = good.AsSpan(0, length).ToArray();
             for (int n = random.Next(1, 5); n > 0; n--)
                 bytes[random.Next(length)] = (byte)random.Next(256);
-            if (!Codec.TryDecode(bytes, 2, Now, 7, out TargetReport report))
+            if (!Codec.TryDecode(bytes, 3, Now, 7, out TargetReport report))
                 continue;
             taken++;
             AssertValid(report, $"seed {Seed}, case {i}");
@@ -91,24 +92,25 @@ public sealed class TargetReportCodecTests
 
     [Theory]
     [InlineData(0, 1)]      // the version with colours
-    [InlineData(0, 3)]      // a version to come
+    [InlineData(0, 2)]      // the version without markers
+    [InlineData(0, 4)]      // a version to come
     [InlineData(1, 0)]      // no class
     [InlineData(1, 2)]      // a shorter name than there are bytes
     [InlineData(1, 255)]    // a longer one
-    [InlineData(58, 0)]     // no character
-    [InlineData(58, 32)]    // a space in front
-    [InlineData(59, 200)]   // not ASCII
+    [InlineData(60, 0)]     // no character
+    [InlineData(60, 32)]    // a space in front
+    [InlineData(61, 200)]   // not ASCII
     [InlineData(11, 255)]   // an age of months
     [InlineData(15, 127)]   // beyond the pole
     public void Decode_OneWrongByte_IsRefused(int offset, byte value)
     {
         var bytes = new byte[VehicleMessageRoute.MaxLength];
         Codec.TryEncode(VehicleMessageTests.Report(picture: 3), TimeSpan.Zero, bytes, out int length);
-        Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), 2, Now, 7, out _));
-        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length - 1), 2, Now, 7, out _));
-        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length + 1), 2, Now, 7, out _));
+        Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), 3, Now, 7, out _));
+        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length - 1), 3, Now, 7, out _));
+        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length + 1), 3, Now, 7, out _));
         bytes[offset] = value;
-        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length), 2, Now, 7, out _));
+        Assert.False(Codec.TryDecode(bytes.AsSpan(0, length), 3, Now, 7, out _));
     }
 
     [Fact]
@@ -126,10 +128,13 @@ public sealed class TargetReportCodecTests
         Assert.False(Encodes(good with { Covariance = new HorizontalCovariance(1, 2, 1) }));
         Assert.False(Encodes(good with { Covariance = new HorizontalCovariance(double.NaN, 0, 1) }));
         Assert.False(Encodes(good with { SystematicCovariance = new HorizontalCovariance(-1, 0, 1) }));
+        Assert.False(Encodes(good with { MarkerId = -1 }));
+        Assert.False(Encodes(good with { MarkerId = 65535 }));
+        Assert.True(Encodes(good with { MarkerId = 65534 }));
         Assert.False(Encodes(good with { Position = default }));
         Assert.False(Encodes(good with { Position = GeodeticPosition.FromRadians(double.NaN, 0, 0) }));
         Assert.False(Encodes(good with { Time = TimeSpan.FromHours(-1) }));
-        Assert.False(Codec.TryEncode(good, TimeSpan.Zero, new byte[57 + good.Class.Length], out _));
+        Assert.False(Codec.TryEncode(good, TimeSpan.Zero, new byte[59 + good.Class.Length], out _));
     }
 
     [Fact]
@@ -139,7 +144,7 @@ public sealed class TargetReportCodecTests
         var bytes = new byte[VehicleMessageRoute.MaxLength];
         Codec.TryEncode(VehicleMessageTests.Report(picture: 3), TimeSpan.Zero, bytes, out _);
         (bytes[0], bytes[1]) = (1, 1);
-        Assert.False(Codec.TryDecode(bytes.AsSpan(0, 58), 2, Now, 7, out _));
+        Assert.False(Codec.TryDecode(bytes.AsSpan(0, 58), 3, Now, 7, out _));
     }
 
     [Fact]
@@ -152,7 +157,7 @@ public sealed class TargetReportCodecTests
         };
         Assert.True(Codec.TryEncode(report, TimeSpan.Zero, bytes, out int length));
         Assert.Equal(TargetReportCodec.MaxLength, length);
-        Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), 2, Now, 7, out TargetReport back));
+        Assert.True(Codec.TryDecode(bytes.AsSpan(0, length), 3, Now, 7, out TargetReport back));
         Assert.Equal("Canis lupus fam.", back.Class.ToString());
     }
 
@@ -181,8 +186,8 @@ public sealed class TargetReportCodecTests
     private static void AssertEqual(in TargetReport expected, in TargetReport actual)
     {
         Assert.Equal(
-            (7, expected.PictureNumber, expected.Index, expected.Class),
-            (actual.SourceSystemId, actual.PictureNumber, actual.Index, actual.Class));
+            (7, expected.PictureNumber, expected.Index, expected.Class, expected.MarkerId),
+            (actual.SourceSystemId, actual.PictureNumber, actual.Index, actual.Class, actual.MarkerId));
         Assert.Equal(expected.Time.TotalSeconds + 5, actual.Time.TotalSeconds, 0.0006);
         Assert.Equal(expected.Position.Latitude.Radians, actual.Position.Latitude.Radians, 1e-9);
         Assert.Equal(expected.Position.Longitude.Radians, actual.Position.Longitude.Radians, 1e-9);

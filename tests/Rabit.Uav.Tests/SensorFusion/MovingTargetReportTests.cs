@@ -76,6 +76,47 @@ public class MovingTargetReportTests(ITestOutputHelper output)
     }
 
     [Fact]
+    public void Tracks_OfMarkersThatCross_KeepTheirIds()
+    {
+        using FusionRig rig = Rig();
+        for (int i = 0; i < 40; i++)
+        {
+            double place = -8 + (0.4 * i);
+            rig.Observe(
+                0,
+                0,
+                FusionRig.Report(place, 0.2, Person) with { MarkerId = 7 },
+                FusionRig.Report(-place, -0.2, Person) with { MarkerId = 9 });
+        }
+
+        Assert.Equal([7, 9], rig.Tracks.Select(t => t.MarkerId).OrderBy(id => id));
+        Assert.All(rig.Tracks, t => Assert.Equal(40, t.Reports));
+        Assert.True(FusionRig.PlaceOf(rig.Tracks.Single(t => t.MarkerId == 7)).North > 6);
+    }
+
+    [Fact]
+    public void Tracks_OfOnePlaceWithOtherMarkers_AreTwoThatStand()
+    {
+        using FusionRig rig = Rig();
+        for (int i = 0; i < 12; i++)
+            rig.Observe(0, 0, FusionRig.Report(5, 5) with { MarkerId = i % 2, Index = i % 2 });
+        Assert.Equal([0, 1], rig.Tracks.Select(t => t.MarkerId).OrderBy(id => id));
+        for (int i = 0; i < 4; i++)
+            rig.Observe(0, 0, FusionRig.Report(5, 5));
+        Assert.Equal([0, 1], rig.Tracks.Select(t => t.MarkerId).OrderBy(id => id));
+    }
+
+    [Fact]
+    public void Track_OfAMarkerThatIsReadLate_TakesItsId()
+    {
+        using FusionRig rig = Rig();
+        for (int i = 0; i < 6; i++)
+            rig.Observe(0, 0, FusionRig.Report(5, 5) with { MarkerId = i < 3 ? null : 4 });
+        Assert.Equal(4, rig.Only.MarkerId);
+        Assert.Equal(6, rig.Only.Reports);
+    }
+
+    [Fact]
     public void Track_GoneFromWhereItWas_IsDeleted()
     {
         using FusionRig rig = Rig();

@@ -6,15 +6,15 @@ using Rabit.Uav.Messages;
 namespace Rabit.Uav.Communications;
 
 /// <summary>
-/// Target reports between vehicles: 58 bytes and the name of the class (1 to 16 bytes), little-endian, no padding.
+/// Target reports between vehicles: 60 bytes and the name of the class (1 to 16 bytes), little-endian, no padding.
 /// Stateless; any thread.
 /// </summary>
 /// <remarks>
-/// Version (1 byte, 2), length of the class name (1), index (1), score (1, of 255), picture (4, modulo 2^32), age (4,
+/// Version (1 byte, 3), length of the class name (1), index (1), score (1, of 255), picture (4, modulo 2^32), age (4,
 /// ms), latitude and longitude (4 + 4, 1e-7 degrees), altitude (4, mm above mean sea level), random covariance (3
 /// floats, m2: north-north, north-east, east-east), systematic covariance (the same), size (2, mm), centre (2 floats,
-/// pixels), class name (ASCII). A class that is not declared here keeps its name. Version 1, which had one of five
-/// colours instead of a class name, is refused.
+/// pixels), id of the marker (2, 65535 for none), class name (ASCII). A class that is not declared here keeps its name.
+/// Version 1, which had one of five colours instead of a class name, and 2, which had no marker, are refused.
 /// The clocks of two vehicles have nothing in common, so that the time travels as the age at the moment of sending. The
 /// time on the other side is late by the transmission: some ten milliseconds on a net, up to half a second on a slow
 /// radio.
@@ -27,8 +27,9 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
     /// <summary>How many bytes a report has at most.</summary>
     public const int MaxLength = NameOffset + TargetClassName.MaxLength;
 
-    private const int NameOffset = 58;
-    private const byte FormVersion = 2;
+    private const int NameOffset = 60;
+    private const byte FormVersion = 3;
+    private const ushort NoMarker = ushort.MaxValue;
     private const double DegE7PerRadian = 1e7 / Angle.RadiansPerDegree;
     private const double MaxLatitudeDegE7 = 90e7;
     private const double MaxLongitudeDegE7 = 180e7;
@@ -76,6 +77,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
         BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(48), (ushort)Math.Round(content.SizeMetres * 1000));
         WriteSingle(destination.Slice(50), content.CentreX);
         WriteSingle(destination.Slice(54), content.CentreY);
+        BinaryPrimitives.WriteUInt16LittleEndian(destination.Slice(58), (ushort)(content.MarkerId ?? NoMarker));
         content.Class.CopyTo(destination.Slice(NameOffset));
         length = NameOffset + nameLength;
         return true;
@@ -93,6 +95,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
         int latitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(12));
         int longitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(16));
         int altitude = BinaryPrimitives.ReadInt32LittleEndian(bytes.Slice(20));
+        ushort marker = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(58));
         if (ageMs > MaxAgeMs)
             return false;
 
@@ -111,6 +114,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             SizeMetres = BinaryPrimitives.ReadUInt16LittleEndian(bytes.Slice(48)) / 1000.0,
             CentreX = ReadSingle(bytes.Slice(50)),
             CentreY = ReadSingle(bytes.Slice(54)),
+            MarkerId = marker == NoMarker ? null : marker,
         };
         if (!IsValid(report))
             return false;
@@ -127,6 +131,7 @@ public sealed class TargetReportCodec : IVehicleMessageCodec<TargetReport>
             && !(Math.Abs(latitude) < 1 && Math.Abs(longitude) < 1)
             && Math.Abs(report.Position.AltitudeAmslMetres) <= MaxAltitudeMetres
             && !report.Class.IsNone
+            && report.MarkerId is null or (>= 0 and < NoMarker)
             && IsCovariance(report.Covariance, canBeNone: false)
             && IsCovariance(report.SystematicCovariance, canBeNone: true)
             && Math.Abs(report.CentreX) <= MaxPixel

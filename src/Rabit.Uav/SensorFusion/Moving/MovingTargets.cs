@@ -129,6 +129,7 @@ internal sealed class MovingTargets
             State = StateOf(track),
             Decision = description.Decision,
             Class = _classes[track.Class],
+            MarkerId = track.Marker < 0 ? null : track.Marker,
             Motion = _motions[track.Class],
             Position = frame.ToGeodetic(new NedPosition(filter.North, filter.East, description.Down)),
             VelocityNed = new NedVector(filter.NorthRate, filter.EastRate, 0),
@@ -177,6 +178,6 @@ internal sealed class MovingTargets
                 report.Covariance,
                 isStated ? systematic : _registration),
             Array.IndexOf(_classes, report.Class),
-            -1);
+            report.MarkerId ?? -1);
     }
 }
