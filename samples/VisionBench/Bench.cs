@@ -4,6 +4,7 @@ using System.Collections.Immutable;
 using System.Diagnostics;
 using System.IO;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 using Rabit.Vision;
 
 namespace VisionBench;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Immutable;
 using System.Linq;
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 using Rabit.Vision;
 
 namespace VisionBench;

@@ -175,6 +175,15 @@ internal static class ManagerOptions
     {
         ImageProcessingOptions made = options.Imaging.Copy();
         made.Terrain ??= options.Terrain;
+        if (MissionOf(options) is { TargetClasses.IsDefaultOrEmpty: false } mission && !made.TargetClasses.IsDefault)
+        {
+            made.TargetClasses =
+            [
+                .. made.TargetClasses.Where(c => mission.TargetClasses.All(own => own?.Name != c?.Name)),
+                .. mission.TargetClasses,
+            ];
+        }
+
         return made;
     }
 

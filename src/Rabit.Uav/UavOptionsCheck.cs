@@ -100,7 +100,7 @@ internal static class UavOptionsCheck
             yield return $"there is a mission, but {nameof(options.MayCommand)} is false";
         if (options.MayCommand && options.IsReplay)
             yield return "nothing can be commanded in a replay";
-        ImageProcessingOptions imaging = options.Imaging;
+        ImageProcessingOptions imaging = ManagerOptions.ForImageProcessing(options);
         if (mission is not null && options.Camera is not null && options.Has(UavManagers.ImageProcessing)
             && !imaging.TargetClasses.IsDefault)
         {
@@ -123,7 +123,7 @@ internal static class UavOptionsCheck
     // What is wrong with the values by themselves is reported with them.
     public static string? FindGapBetweenLanes(MissionPlan mission, UavOptions options)
     {
-        ImageProcessingOptions imaging = options.Imaging;
+        ImageProcessingOptions imaging = ManagerOptions.ForImageProcessing(options);
         bool isKnown = options.Camera is not null && options.Has(UavManagers.ImageProcessing)
             && imaging.Camera?.FindFaults().Any() == false && imaging.Mount?.FindFaults().Any() == false
             && !MissionPlanRules.FindFaults(mission).Any();
@@ -163,7 +163,8 @@ internal static class UavOptionsCheck
         [
             (UavManagers.Communications, "Communications", options.Communications.FindFaultsOfValues()),
             (UavManagers.AutopilotInterface, "Autopilot Interface", options.Autopilot.FindFaults()),
-            (UavManagers.ImageProcessing, "Image Processing", options.Imaging.FindFaults(options.Camera is not null)),
+            (UavManagers.ImageProcessing, "Image Processing",
+                ManagerOptions.ForImageProcessing(options).FindFaults(options.Camera is not null)),
             (UavManagers.SensorFusion, "Sensor Fusion", options.Fusion.FindFaults()),
             (UavManagers.MissionControl, "Mission Control", missionControl.FindFaults()),
             (UavManagers.HealthMonitoring, "Health Monitoring", options.Health.FindFaults()),

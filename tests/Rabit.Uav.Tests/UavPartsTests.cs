@@ -96,6 +96,12 @@ public sealed class UavPartsTests
                 MissionRig.Text().TrimEnd().TrimEnd('}') + ", \"targetMotions\": {\"rde\": \"walking\"} }", "typo");
             o.Camera = new ScriptedCamera([]);
         } },
+        { "Image Processing: target class pad has no colour, which the colour detector needs", o =>
+        {
+            o.Mission = MissionPlan.Parse(
+                MissionRig.Text().TrimEnd().TrimEnd('}') + ", \"targetClasses\": {\"pad\": {}} }", "no colour");
+            o.Camera = new ScriptedCamera([]);
+        } },
         { "2 managers are named 'autopilot'", o => o.OtherManagers = [new WorkingManager("autopilot")] },
         { "vehicle messages are the work of Communications, which Without has", o =>
         {

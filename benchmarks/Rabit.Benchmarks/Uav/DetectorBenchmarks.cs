@@ -3,6 +3,7 @@ using BenchmarkDotNet.Attributes;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Geolocation;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Benchmarks.Uav;
 

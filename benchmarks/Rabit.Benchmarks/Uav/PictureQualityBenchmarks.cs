@@ -3,6 +3,7 @@ using BenchmarkDotNet.Attributes;
 using Rabit.Geodesy;
 using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.ImageProcessing.Quality;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Benchmarks.Uav;
 

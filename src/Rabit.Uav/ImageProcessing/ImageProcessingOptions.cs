@@ -5,6 +5,7 @@ using System.Linq;
 using Rabit.Geodesy;
 using Rabit.Uav.CameraGeometry;
 using Rabit.Uav.ImageProcessing.Geolocation;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 

@@ -18,7 +18,7 @@ public sealed partial class MissionPlan
         (Name, Area, KeepOuts) = (other.Name, other.Area, other.KeepOuts);
         (HeightMetres, _speed, LaneSpacingMetres) = (other.HeightMetres, other._speed, other.LaneSpacingMetres);
         (LaneHeading, Targets, Home) = (other.LaneHeading, other.Targets, other.Home);
-        TargetMotions = other.TargetMotions;
+        (TargetMotions, TargetClasses) = (other.TargetMotions, other.TargetClasses);
         (FenceMarginMetres, RequiredCoverage) = (other.FenceMarginMetres, other.RequiredCoverage);
         Revisit = other.Revisit;
         (CameraPitch, CameraYaw, HasGimbal) = (other.CameraPitch, other.CameraYaw, other.HasGimbal);

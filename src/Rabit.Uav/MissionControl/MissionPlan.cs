@@ -77,6 +77,12 @@ public sealed partial class MissionPlan
     public ImmutableDictionary<TargetClassName, TargetMotion> TargetMotions { get; init; }
         = ImmutableDictionary<TargetClassName, TargetMotion>.Empty;
 
+    /// <summary>
+    /// Classes of targets that this mission declares, beside those of Image Processing, or in place of one of the same
+    /// name; empty by default.
+    /// </summary>
+    public ImmutableArray<TargetClass> TargetClasses { get; init; } = [];
+
     /// <summary>Where the vehicle is expected at the start; null where that is not checked.</summary>
     public MissionHome? Home { get; init; }
 

@@ -79,6 +79,7 @@ internal static class MissionPlanReader
             LaneHeading = ToAngle(fields.Number("laneHeadingDegrees")),
             Targets = ReadTargets(fields),
             TargetMotions = ReadTargetMotions(fields),
+            TargetClasses = MissionTargetClassReader.Read(fields),
             Home = ReadHome(fields),
             FenceMarginMetres = fields.Number("fenceMarginMetres") ?? 40,
             Revisit = new RevisitPlan

@@ -59,6 +59,8 @@ internal static class MissionPlanRules
             yield return "targets has an empty name";
         if (plan.TargetMotions is null || plan.TargetMotions.ContainsKey(TargetClassName.None))
             yield return "targetMotions is null or has an empty name";
+        foreach (string fault in plan.TargetClasses.IsDefaultOrEmpty ? [] : TargetClass.FindFaults(plan.TargetClasses))
+            yield return "targetClasses: " + fault;
         if (string.IsNullOrWhiteSpace(plan.Name) || plan.Name.Length > 80 || plan.Name.Any(char.IsControl))
             yield return "name must be a line of 1 to 80 characters";
     }

@@ -199,6 +199,7 @@ public sealed class GroundParameterTests : IDisposable
         MissionPlan plan = MissionRig.Mission(
             ", \"keepOuts\": [[[47.3984,8.5456],[47.3986,8.5458],[47.3986,8.5456]]], \"laneHeadingDegrees\": 12,"
             + "\"targets\": [\"red\"], \"targetMotions\": {\"red\": \"walking\"},"
+            + "\"targetClasses\": {\"green\": {\"colour\": \"#20a040\"}},"
             + "\"fenceMarginMetres\": 51, \"requiredCoverage\": 0.7,"
             + "\"obstacleHeightMetres\": 3,"
             + "\"revisit\": {\"heightMetres\": 20, \"radiusMetres\": 7, \"maxWayFraction\": 2},"

@@ -1,4 +1,5 @@
 using Rabit.Uav.ImageProcessing;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.Tests.ImageProcessing;
 

@@ -1,7 +1,10 @@
 using System;
+using System.Collections.Immutable;
 using System.Linq;
+using Rabit.Uav.ImageProcessing;
 using Rabit.Uav.Messages;
 using Rabit.Uav.MissionControl;
+using Rabit.Vision;
 using Xunit;
 
 namespace Rabit.Uav.Tests.MissionControl;
@@ -68,6 +71,25 @@ public class MissionPlanTests
     [InlineData("\"targetMotions\": {\"seventeen letters\": \"walking\"}",
         "targetMotions.seventeen letters is \"walking\"; it must be by the name of a target class")]
     [InlineData("\"targetMotions\": [\"car\"]", "targetMotions is [\"car\"]; it must be an object")]
+    [InlineData("\"targetClasses\": {\"seventeen letters\": {\"x\": 1}}",
+        "targetClasses.seventeen letters is {\"x\": 1}; it must be by the name of a target class")]
+    [InlineData("\"targetClasses\": {\"pad\": 7}", "targetClasses.pad is 7; it must be an object")]
+    [InlineData("\"targetClasses\": {\"pad\": {\"colour\": \"red\"}}",
+        "targetClasses.pad.colour is \"red\"; it must be sRGB in hexadecimal digits, \"#rrggbb\"")]
+    [InlineData("\"targetClasses\": {\"pad\": {\"color\": \"#aabbcc\"}}",
+        "targetClasses.pad.color is unknown; did you mean colour?")]
+    [InlineData("\"targetClasses\": {\"pad\": {\"marker\": {\"family\": \"QR\"}}}",
+        "targetClasses.pad.marker.family is \"QR\"; it must be one of ArUco4x4, AprilTag36h11")]
+    [InlineData("\"targetClasses\": {\"pad\": {\"marker\": {\"id\": 3}}}",
+        "targetClasses.pad.marker.family is missing")]
+    [InlineData("\"targetClasses\": {\"pad\": {\"marker\": 5}}",
+        "targetClasses.pad.marker is missing or no object")]
+    [InlineData("\"targetClasses\": {\"pad\": {\"marker\": {\"family\": \"ArUco4x4\", \"id\": 1.5}}}",
+        "targetClasses.pad.marker.id is 1.5; it must be a whole number")]
+    [InlineData("\"targetClasses\": {\"pad\": {\"marker\": {\"family\": \"ArUco4x4\", \"id\": 50}}}",
+        "targetClasses: the marker of target class pad has the id 50; ArUco4x4 has 0 to 49")]
+    [InlineData("\"targetClasses\": {\"pad\": {\"minSideMetres\": 2}}",
+        "targetClasses: MinSideMetres of target class pad is 2 and MaxSideMetres 1.5")]
     [InlineData("\"home\": {\"latitudeDegrees\": 47}", "home.longitudeDegrees is missing")]
     [InlineData("\"home\": {\"latitudeDegrees\": 97, \"longitudeDegrees\": 8}", "home is not a position")]
     [InlineData("\"home\": {\"latitudeDegrees\": 47, \"longitudeDegrees\": 8, \"groundAltitudeAmslMetres\": 99999}",
@@ -100,6 +122,33 @@ public class MissionPlanTests
         Assert.Equal(TargetMotion.Walking, plan.TargetMotions[new TargetClassName("person")]);
         Assert.Equal(TargetMotion.Vehicle, plan.TargetMotions[new TargetClassName("car")]);
         Assert.Equal(TargetMotion.Standing, plan.TargetMotions[new TargetClassName("red")]);
+    }
+
+    [Fact]
+    public void ForImageProcessing_ClassesOfTheMission_ComeBesideOrInPlaceOfTheOptions()
+    {
+        var options = new UavOptions
+        {
+            Mission = MissionRig.Mission(
+                """
+                , "targetClasses": {
+                  "pad": { "marker": { "family": "AprilTag36h11", "id": 7 }, "minSideMetres": 0.4, "maxSideMetres": 0.6 },
+                  "any": { "marker": { "family": "ArUco4x4" } },
+                  "red": { "colour": "#C01020", "maxSideMetres": 4, "minAspect": 1.5, "maxAspect": 3 }
+                }
+                """),
+        };
+        ImmutableArray<TargetClass> classes = ManagerOptions.ForImageProcessing(options).TargetClasses;
+        Assert.Equal(
+            ["orange", "blue", "yellow", "magenta", "pad", "any", "red"], classes.Select(c => c.Name.ToString()));
+        Assert.Equal((MarkerFamily.AprilTag36h11, 7), (classes[4].Marker!.Family, classes[4].Marker!.Id));
+        Assert.Equal((0.4, 0.6), (classes[4].MinSideMetres, classes[4].MaxSideMetres));
+        Assert.Null(classes[5].Marker!.Id);
+        Assert.Equal((0xC0, 0x10, 0x20), (classes[6].Colour!.Red, classes[6].Colour!.Green, classes[6].Colour!.Blue));
+        Assert.Equal((0.6, 4, 1.5, 3),
+            (classes[6].MinSideMetres, classes[6].MaxSideMetres, classes[6].MinAspect, classes[6].MaxAspect));
+        Assert.Equal(TargetClass.Defaults, options.Imaging.TargetClasses);
+        Assert.IsType<CombinedTargetDetector>(ManagerOptions.ForImageProcessing(options).CreateDetector());
     }
 
     [Fact]

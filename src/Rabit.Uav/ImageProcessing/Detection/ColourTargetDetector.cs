@@ -3,6 +3,7 @@ using System.Collections.Immutable;
 using System.Linq;
 using System.Runtime.InteropServices;
 using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.Messages;
 using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;

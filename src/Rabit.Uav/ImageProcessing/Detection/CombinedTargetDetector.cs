@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Immutable;
 using System.Linq;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 

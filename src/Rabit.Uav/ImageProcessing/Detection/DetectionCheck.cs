@@ -1,4 +1,5 @@
 using System.Collections.Immutable;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Uav.Messages;
 
 namespace Rabit.Uav.ImageProcessing;
 

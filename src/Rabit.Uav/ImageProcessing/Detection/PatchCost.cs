@@ -1,5 +1,6 @@
 using System;
 using Rabit.Uav.CameraGeometry;
+using Rabit.Uav.Messages;
 using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;

@@ -1,4 +1,5 @@
 using System;
+using Rabit.Uav.Messages;
 using Rabit.Vision;
 
 namespace Rabit.Uav.ImageProcessing;

@@ -1,10 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Collections.Immutable;
-using Rabit.Uav.Messages;
 using Rabit.Vision;
 
-namespace Rabit.Uav.ImageProcessing;
+namespace Rabit.Uav.Messages;
 
 /// <summary>
 /// A class of targets that the user declares: its name, the size it may have, and its colour. Immutable.
@@ -45,21 +44,21 @@ public sealed class TargetClass
     public double MaxSideMetres { get; init; } = 1.5;
 
     /// <summary>How much longer than wide it is at least, on the ground; 1 for what may be a square.</summary>
-    /// <value>The default is 1. <see cref="ColourTargetDetector"/> does not use it.</value>
+    /// <value>The default is 1. <see cref="ImageProcessing.ColourTargetDetector"/> does not use it.</value>
     public double MinAspect { get; init; } = 1;
 
     /// <summary>How much longer than wide it is at most, on the ground.</summary>
-    /// <value>The default is 2. <see cref="ColourTargetDetector"/> does not use it.</value>
+    /// <value>The default is 2. <see cref="ImageProcessing.ColourTargetDetector"/> does not use it.</value>
     public double MaxAspect { get; init; } = 2;
 
     /// <summary>
     /// The least part of it that shows its colour: less than 1 for what has parts of another one, as a car has windows.
     /// </summary>
-    /// <value>The default is 1. <see cref="ColourTargetDetector"/> does not use it.</value>
+    /// <value>The default is 1. <see cref="ImageProcessing.ColourTargetDetector"/> does not use it.</value>
     public double MinColourShare { get; init; } = 1;
 
     /// <summary>
-    /// Its colour, which <see cref="ColourTargetDetector"/> needs, and which must differ from those of the other
+    /// Its colour, which <see cref="ImageProcessing.ColourTargetDetector"/> needs, and which must differ from those of the other
     /// classes; other detectors may leave it null.
     /// </summary>
     public ColourRange? Colour { get; init; }

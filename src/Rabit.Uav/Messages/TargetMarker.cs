@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using Rabit.Vision;
 
-namespace Rabit.Uav.ImageProcessing;
+namespace Rabit.Uav.Messages;
 
 /// <summary>The printed markers that a class of targets consists of: one of a family, or any. Immutable.</summary>
 /// <param name="family">Which family.</param>

@@ -1,0 +1,73 @@
+using System.Collections.Immutable;
+using System.Globalization;
+using System.Text.Json;
+using Rabit.Uav.Json;
+using Rabit.Uav.Messages;
+using Rabit.Vision;
+
+namespace Rabit.Uav.MissionControl;
+
+/// <summary>Reads the classes of targets that a mission file declares, by their names.</summary>
+internal static class MissionTargetClassReader
+{
+    // Also the sizes that a class has if the file says none.
+    private static readonly TargetClass Default = new("default");
+
+    public static ImmutableArray<TargetClass> Read(JsonFields fields)
+    {
+        var classes = ImmutableArray.CreateBuilder<TargetClass>();
+        JsonFields given = fields.Object("targetClasses");
+        foreach (string name in given.Names)
+        {
+            if (TargetClassName.TryParse(name, out _))
+                classes.Add(Read(given.Object(name), name));
+            else
+                given.Blame(
+                    name, given.Any(name)!.Value, "must be by the name of a target class: " + TargetClassName.Rule);
+        }
+
+        return classes.ToImmutable();
+    }
+
+    private static TargetClass Read(JsonFields one, string name)
+    {
+        var read = new TargetClass(name)
+        {
+            Colour = ReadColour(one),
+            Marker = ReadMarker(one),
+            MinSideMetres = one.Number("minSideMetres") ?? Default.MinSideMetres,
+            MaxSideMetres = one.Number("maxSideMetres") ?? Default.MaxSideMetres,
+            MinAspect = one.Number("minAspect") ?? Default.MinAspect,
+            MaxAspect = one.Number("maxAspect") ?? Default.MaxAspect,
+        };
+        one.RefuseOthers();
+        return read;
+    }
+
+    private static ColourRange? ReadColour(JsonFields one)
+    {
+        if (one.Any("colour") is not { } given)
+            return null;
+        string text = given.ValueKind == JsonValueKind.String ? given.GetString()! : string.Empty;
+        string digits = text.TrimStart('#');
+        if (text.Length == 7 && digits.Length == 6
+            && int.TryParse(digits, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out int rgb))
+            return new ColourRange((byte)(rgb >> 16), (byte)(rgb >> 8), (byte)rgb);
+        one.Blame("colour", given, "must be sRGB in hexadecimal digits, \"#rrggbb\"");
+        return null;
+    }
+
+    private static TargetMarker? ReadMarker(JsonFields one)
+    {
+        if (!one.Has("marker"))
+            return null;
+        JsonFields marker = one.RequiredObject("marker");
+        string? family = marker.Choice("family", nameof(MarkerFamily.ArUco4x4), nameof(MarkerFamily.AprilTag36h11));
+        if (family is null)
+            marker.Missing("family");
+        int? id = marker.Has("id") ? marker.RequiredWholeNumber("id") : null;
+        marker.RefuseOthers();
+        return new TargetMarker(
+            family == nameof(MarkerFamily.ArUco4x4) ? MarkerFamily.ArUco4x4 : MarkerFamily.AprilTag36h11, id);
+    }
+}
