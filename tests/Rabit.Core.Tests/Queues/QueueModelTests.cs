@@ -119,7 +119,7 @@ public sealed class QueueModelTests
         for (int i = 0; i < 10 && popped.IsAlive; i++)
         {
             // Mono looks at its stack conservatively: new frames over the old ones.
-            ScrubStack(20);
+            ScrubStack(500);
             GC.Collect();
             GC.WaitForPendingFinalizers();
         }
